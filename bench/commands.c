@@ -87,7 +87,7 @@ static void list_quantities(void)
     }
 }
 
-/* What the commands with this section have. */
+/* Lists what the commands of this section offer. */
 static void list_items(const char *section)
 {
     for (int n = 0; commands[n]; n++) {
@@ -100,8 +100,8 @@ static void list_items(const char *section)
     }
 }
 
-/* All sections in their order: what the table of contestants has, or else the items of the
- * commands; then files. */
+/* Lists all sections in their order: what the table of contestants has, or else the items
+ * of the commands; then files. */
 static const struct section {
     const char *name;
     const struct named_file_kind *files;

@@ -4,10 +4,10 @@
 
 #include "bench/ui/command.h"
 
-/* In the order of the help; ends with NULL. */
+/* All commands, in the order of the help; ends with NULL. */
 extern const struct command *const commands[];
 
-/* STATUS_INPUT with a sentence: no such command. */
+/* Finds a command by name. STATUS_INPUT with a sentence: there is none. */
 enum status commands_find(const char *name, const struct command **command,
                           struct message *why);
 

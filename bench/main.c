@@ -17,7 +17,7 @@
 #include "models/linalg/blas_kernel.h"
 #include "models/reader/scene_file.h"
 
-/* EXIT_USAGE: bad input, too. */
+/* Exit codes; EXIT_USAGE stands for bad input, too. */
 enum { EXIT_DONE = 0, EXIT_DIED = 1, EXIT_USAGE = 2 };
 
 static int exit_code(enum status st)
@@ -116,13 +116,13 @@ static bool asks_for_help(int argc, char **argv)
     return false;
 }
 
-/* Words that the overview explains, being no commands of the table. */
+/* Whether a word is one that the overview explains, being no command of the table. */
 static bool is_word_of_main(const char *word)
 {
     return !strcmp(word, "help") || !strcmp(word, "version");
 }
 
-/* The program's words after its name. */
+/* Runs the program's words after its name. */
 static enum status run(int argc, char **argv, struct message *why)
 {
     enum status st = STATUS_OK;
@@ -159,7 +159,7 @@ out:
     return st;
 }
 
-/* More than that overrun the stacks of the libraries that start them. */
+/* The most threads: more overrun the stacks of the libraries that start them. */
 enum { THREADS_MOST = 1024 };
 
 static bool threads_are_few(struct message *why)
@@ -177,7 +177,7 @@ static bool threads_are_few(struct message *why)
     return true;
 }
 
-/* The OpenBLAS kernel for this CPU; NULL: the library's own choice is as good. */
+/* Returns the OpenBLAS kernel for this CPU; NULL: the library's own choice is as good. */
 static char *kernel_for_cpu(void)
 {
     static char wide[] = "SKYLAKEX", narrow[] = "HASWELL";
@@ -194,10 +194,11 @@ static char *kernel_for_cpu(void)
     return NULL;
 }
 
-/* Answers for the C library, also when OpenBLAS asks while it is loaded. Unless told how
- * many threads to have, it starts one a core then, and waits for ever for those that a
- * limit on memory does not allow; unless told a kernel, it takes a slow one on CPUs newer
- * than itself. Both are too late in main, and the program uses one thread of it. */
+/* Answers the C library's getenv, also when OpenBLAS calls it while it is loaded. Without a
+ * given number of threads OpenBLAS then starts one a core, and waits for ever for those
+ * that a limit on memory does not allow; without a given kernel it takes a slow one on CPUs
+ * newer than itself. In main it would be too late for both; the program uses one thread of
+ * OpenBLAS. */
 char *getenv(const char *name)
 {
     static char one[] = "1";
@@ -221,8 +222,9 @@ int main(int argc, char **argv)
     }
     blas_kernel_set_threads(1);
     if (!getenv("OMP_NUM_THREADS"))
-        omp_set_num_threads(1); /* seconds are those of one thread unless told otherwise */
-    /* Line by line, so that no word to standard error stands inside a line of results. */
+        omp_set_num_threads(1); /* timings use one thread unless set otherwise */
+    /* Output is buffered by line, so that no standard error stands inside a line of
+     * results. */
     setvbuf(stdout, NULL, _IOLBF, 0);
     output_keep_after_closed_pipe();
     atomic_file_catch_signals();

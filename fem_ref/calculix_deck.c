@@ -9,8 +9,9 @@ const char *calculix_element_name(enum calculix_element element)
     return name[element];
 }
 
-/* Nodes lie on a lattice: the corners, for 20 nodes also the middles of edges, and then the
- * lattice is twice as fine and every point with two odd indices is left out. */
+/* Returns the lattice points per cell side. Nodes lie on a lattice: the corners, for 20
+ * nodes also the middles of edges; then the lattice is twice as fine and every point with
+ * two odd indices is left out. */
 static int fineness(const struct calculix_job *job)
 {
     return job->element == CALCULIX_C3D20R ? 2 : 1;
@@ -51,7 +52,8 @@ static void write_nodes(const struct calculix_job *job, FILE *file)
             }
 }
 
-/* User's Manual 6.2.1, 6.2.5: bottom, top; then middles of bottom, top, upright edges. */
+/* Writes elements (Manual 6.2.1, 6.2.5): bottom, top; middles of bottom, top, upright
+ * edges. */
 static void write_elements(const struct calculix_job *job, FILE *file)
 {
     static const int corner[20][3] = {
@@ -74,7 +76,7 @@ static void write_elements(const struct calculix_job *job, FILE *file)
     }
 }
 
-/* A node held twice is an error to CalculiX; with i = 0 the face's are the first. */
+/* Holds the nodes with i = 0, which are the first; CalculiX refuses a node held twice. */
 static void write_clamp(const struct calculix_job *job, FILE *file)
 {
     fprintf(file, "*BOUNDARY\n");

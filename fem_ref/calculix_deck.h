@@ -27,19 +27,19 @@ struct calculix_job {
     double gravity;                  /*                                        [m/s^2] */
     double step, end;                /* of the swing                               [s] */
     int every; /* steps between answers; every * step divides end                      */
-    /* Moves nodes, for distorted elements of 8 nodes; NULL: nobody does. */
+    /* Moves a node, for distorted elements of 8 nodes; NULL: none is moved. */
     void (*place)(double x[3]);
 };
 
-/* "C3D8", ... Static storage. */
+/* Returns "C3D8", ... Static storage. */
 const char *calculix_element_name(enum calculix_element element);
 
-/* Coordinates have 13 digits, which is what the program's 20 columns hold. The same job
- * gives the same bytes. */
+/* Writes the deck. Coordinates have 13 digits, which fit the program's 20 columns. The same
+ * job gives the same bytes. */
 void calculix_deck_write(const struct calculix_job *job, FILE *file);
 
-/* FNV-1a (Fowler, Noll, Vo; 64 bits) of the deck in hexadecimal: does a stored answer still
- * belong to it? STATUS_MEMORY. */
+/* Computes FNV-1a (Fowler, Noll, Vo; 64 bits) of the deck in hexadecimal, which tells
+ * whether a stored answer still belongs to it. STATUS_MEMORY. */
 enum status calculix_deck_hash(const struct calculix_job *job, char hash[17]);
 
 #endif

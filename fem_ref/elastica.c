@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-/* Degree of the series. A step is a quarter of the solution's length scale
- * 1 / (1 + sqrt(tau)): terms fall like 4^-k / k!^(1/2) or faster, to nothing at 24. */
+/* The degree of the series. A step is a quarter of the solution's length scale 1 / (1 +
+ * sqrt(tau)): terms fall like 4^-k / k!^(1/2) or faster, to nothing at 24. */
 enum { DEGREE = 24 };
 
 struct state {
@@ -11,8 +11,8 @@ struct state {
     double across, down; /* integrals of sin psi and cos psi from the tip */
 };
 
-/* Taylor coefficients of psi, sin psi, cos psi about the state, by
- * psi'' = tau sin psi, (sin psi)' = psi' cos psi, (cos psi)' = -psi' sin psi. */
+/* Computes Taylor coefficients of psi, sin psi, cos psi about the state, by psi'' = tau sin
+ * psi, (sin psi)' = psi' cos psi, (cos psi)' = -psi' sin psi. */
 static void series(const struct state *a, double psi[], double sine[], double cosine[])
 {
     psi[0] = a->psi, psi[1] = a->slope;
@@ -49,7 +49,7 @@ static void step(struct state *a, double h)
     a->down += down * h;
 }
 
-/* The longest step from here. */
+/* Returns the longest step from here. */
 static double reach_of(const struct state *a)
 {
     return 0.25 / (1 + sqrt(a->tau));
@@ -61,7 +61,7 @@ static void march(struct state *a, double end)
         step(a, fmin(end - a->tau, reach_of(a)));
 }
 
-/* From the tip to tau = end, or until psi has passed pi/2 for good: true if it has. */
+/* Integrates from the tip to tau = end; true if psi has passed pi/2 for good before. */
 static bool shoot(double log_psi, double end, struct state *a)
 {
     *a = (struct state){.psi = exp(log_psi)};
@@ -76,7 +76,7 @@ static bool shoot(double log_psi, double end, struct state *a)
     return a->psi > acos(0);
 }
 
-/* psi(0) by its logarithm, from below. */
+/* Returns log psi(0), from below. */
 static double aim(double gamma)
 {
     double low = -sqrt(gamma) - 5, high = log(acos(0)); /* brackets it */
@@ -133,7 +133,8 @@ enum status elastica_curve(double gamma, int count, const double *s,
     return STATUS_OK;
 }
 
-/* Complete elliptic integrals K and E of modulus k, by the arithmetic-geometric mean. */
+/* Computes the complete elliptic integrals K and E of modulus k (arithmetic-geometric
+ * mean). */
 static void elliptic(double k, double *K, double *E)
 {
     double a = 1, b = sqrt(1 - k * k), sum = k * k / 2, power = 1;

@@ -26,16 +26,17 @@ struct elastica {
  * below 1e-10 (tests/elastica.c). At most 0.3 s; allocates nothing. */
 enum status elastica_solve(double gamma, struct elastica *e);
 
-/* The strip itself: where each s[count], increasing from 0 (the clamp) to 1 (the tip), is
- * out and below, over L, and how far it has turned. STATUS and error as elastica_solve. */
+/* The shape of the strip: where each s[count], increasing from 0 (the clamp) to 1 (the
+ * tip), is out and below, over L, and how far it has turned. STATUS and error as
+ * elastica_solve. */
 struct elastica_point {
     double reach, drop, angle;
 };
 enum status elastica_curve(double gamma, int count, const double *s,
                            struct elastica_point *point);
 
-/* An inextensible strip without weight whose ends, both clamped or both hinged, have come
- * nearer by shortening L, 0 < shortening <= 0.9: how far its middle stands out, over L.
+/* Returns how far the middle stands out, over L, of an inextensible strip without weight
+ * whose ends, clamped or hinged, are nearer by shortening L, 0 < shortening <= 0.9:
  *   shortening = 2 - 2 E(k) / K(k),  middle = k / K(k),
  * with k the sine of half the greatest slope (Euler 1744; Love, Theory of Elasticity, sec.
  * 262-263). Relative error below 1e-12; NaN outside that range. */

@@ -11,11 +11,10 @@ enum { POINTS = FREEFEM_SIDE * FREEFEM_SIDE, STRIDE = 9 };
 _Static_assert((FREEFEM_SIDE - 1) * STRIDE == GRID_U - 1 && GRID_U == GRID_V,
                "FreeFEM's points are grid points");
 
-/* 17 digits bring u = i / 11 back to one rounding. */
+/* The 17 digits of u = i / 11 reproduce it to one rounding. */
 #define SAME_POINT 1e-15
 
-/* Held unknowns carry pivots of 1e30: they move by less than any displacement's rounding.
- */
+/* Held unknowns have pivots of 1e30 and move by less than any displacement's rounding. */
 #define HELD 1e-20
 
 static double plus_weight(const struct scene *scene)
@@ -70,7 +69,7 @@ static const char *row_fault(const struct reference *table, int row,
     return NULL;
 }
 
-/* Sum of the mesh's and the time step's error, where the file has them. */
+/* Sums the mesh's and the time step's error, where the file has them. */
 static void read_error(const struct reference *table, struct freefem_field *f)
 {
     static const char *const key[] = {"mesh_error_m", "step_error_m"};

@@ -30,8 +30,8 @@ struct freefem_field {
     char origin[256];            /* for people: what computed this, when             */
 };
 
-/* The job of a scene: what kirchhoff_field_plate accepts, 1 m x 1 m, undamped; whether
- * it moves is left to the caller. STATUS_UNSUPPORTED and a sentence otherwise. */
+/* Finds the job of a scene: what kirchhoff_field_plate accepts, 1 m x 1 m, undamped; the
+ * caller decides whether it moves. STATUS_UNSUPPORTED and a sentence otherwise. */
 enum status freefem_job_of(const struct scene *scene, struct freefem_job *job,
                            struct message *why);
 
@@ -45,11 +45,11 @@ enum status freefem_read(const char *path, struct freefem_field *field,
 enum status freefem_stored(const struct freefem_job *job, const char *path,
                            struct freefem_field *field, struct message *why);
 
-/* rms over the points, at time number t, of |a - b| [m]. */
+/* Returns the rms over the points, at time number t, of |a - b| [m]. */
 double freefem_difference(const struct freefem_field *a, const struct freefem_field *b,
                           int t);
 
-/* The same against the mid-surface of a sampled field xyz[GRID_W][GRID_V][GRID_U][3]. */
+/* Returns it against the mid-surface of a sampled field xyz[GRID_W][GRID_V][GRID_U][3]. */
 double freefem_rmse(const struct freefem_field *field, int t, const struct scene *scene,
                     const double *xyz);
 

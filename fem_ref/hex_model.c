@@ -95,7 +95,7 @@ static enum status add_loads(struct hex *h)
     return solid_motion_add_loads(&h->sheet.motion, line);
 }
 
-/* Trilinear interpolation of the nodes' positions. */
+/* Interpolates the nodes' positions trilinearly. */
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct hex *h = state;

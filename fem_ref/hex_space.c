@@ -6,8 +6,8 @@
 #include "models/linalg/gauss.h"
 #include "models/mechanics/supports.h"
 
-/* Linear functions of one direction: 1 - x, x; through the thickness, if asked, their sum
- * and difference 1, 2 x - 1. */
+/* Evaluates linear functions of one direction: 1 - x, x; through the thickness, if asked,
+ * their sum and difference 1, 2 x - 1. */
 static void linear(double x, bool thickness, double N[2], double dN[2])
 {
     N[0] = thickness ? 1 : 1 - x;
@@ -16,7 +16,7 @@ static void linear(double x, bool thickness, double N[2], double dN[2])
     dN[1] = thickness ? 2 : 1;
 }
 
-/* Values (unless NULL) and gradients at one point; local node (2 a + b) 2 + c. */
+/* Computes values (unless NULL) and gradients at a point; local node (2 a + b) 2 + c. */
 static void trilinear(const double x[3], bool thickness, double *N, double G[3][HEX_LOCAL])
 {
     double f[3][2], d[3][2];

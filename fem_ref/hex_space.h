@@ -12,7 +12,7 @@
 
 enum { HEX_LOCAL = 8, HEX_GAUSS = 8, HEX_MODES = 3 };
 
-/* Values and gradients of one element, the same for all. */
+/* The values and gradients of one element, the same for all. */
 struct hex_tables {
     _Alignas(64) double centre[3][HEX_LOCAL];
     double N[HEX_GAUSS][HEX_LOCAL];
@@ -21,9 +21,9 @@ struct hex_tables {
     double mode[HEX_GAUSS][3][HEX_MODES];
 };
 
-/* A net of points[3] nodes (each >= 2) whose node (i,j,k) lies at x[node][3] [m]; copied.
- * With `thickness` (points[2] == 2 only) each column's unknowns are its middle and half its
- * thickness vector. *tables must outlive *space and be 64-byte aligned. */
+/* Makes a net of points[3] nodes (each >= 2) whose node (i,j,k) lies at x[node][3] [m];
+ * copied. With `thickness` (points[2] == 2 only) each column's unknowns are its middle and
+ * half its thickness vector. *tables must outlive *space and be 64-byte aligned. */
 enum status hex_space_init(struct solid_space *space, struct hex_tables *tables,
                            const int points[3], const double *x, bool thickness,
                            bool incompatible);

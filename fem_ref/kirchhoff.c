@@ -43,7 +43,7 @@ static double *table(size_t n)
     return calloc(n, sizeof(double));
 }
 
-/* Integrals of two functions of one direction. */
+/* The integrals of two functions of one direction. */
 struct pair {
     double mass, slope, bend; /* phi_i phi_j, phi_i' phi_j', phi_i'' phi_j'' */
     double mixed, mixed_back; /* phi_i'' phi_j, phi_i phi_j''                */
@@ -58,7 +58,7 @@ static struct pair pair_of(const struct ritz *r, int i, int j)
                          .mixed_back = ritz_product(r, 0, i, 2, j)};
 }
 
-/* Both matrices: bending energy with r = L / W
+/* Fills both matrices; the bending energy is, with r = L / W,
  *   w_xx^2 + r^4 w_yy^2 + 2 nu r^2 w_xx w_yy + 2 (1 - nu) r^2 w_xy^2. */
 static enum status fill_matrices(const struct kirchhoff *k, struct family *f)
 {
@@ -87,7 +87,7 @@ static enum status fill_matrices(const struct kirchhoff *k, struct family *f)
     return STATUS_OK;
 }
 
-/* M c = mu K c; the eigenvectors come out K-orthonormal, one a row of `mode`. */
+/* Solves M c = mu K c; the eigenvectors come out K-orthonormal, one a row of `mode`. */
 static enum status solve_modes(struct family *f)
 {
     enum status st = STATUS_OK;
@@ -125,7 +125,7 @@ static enum status family_init(const struct kirchhoff *k, int parity, struct fam
             for (int b = 0; b < f->ny; b++)
                 f->load[i] += c[a * f->ny + b] * ritz_integral(&k->along, a) *
                               ritz_integral(&k->across, 2 * b + parity);
-        /* Round-off of the largest mu drowns the smallest: keep those finite. */
+        /* Round-off of the largest mu exceeds the smallest, which are kept finite. */
         f->mu[i] = fmax(f->mu[i], DBL_EPSILON * f->mu[f->n - 1]);
     }
 out:
@@ -211,7 +211,7 @@ double kirchhoff_frequency(const struct kirchhoff *k, int i)
     return k->order[i].lambda * k->frequency_scale;
 }
 
-/* sum c_ab X_a Y_b for functions already evaluated. */
+/* Returns sum c_ab X_a Y_b for functions already evaluated. */
 static double combine(const struct kirchhoff *k, const struct family *f, const double *c,
                       const double *X, const double *Y)
 {
@@ -244,7 +244,7 @@ double kirchhoff_mode(const struct kirchhoff *k, int i, double x, double y)
 
 /* -------------------------------------------------------------------- motion -------- */
 
-/* Response y(t) of y'' + alpha y' + omega^2 y = omega^2 from rest, and its rate. */
+/* Computes y(t) and its rate: y'' + alpha y' + omega^2 y = omega^2, from rest. */
 static void step_response(double omega, double alpha, double t, double *y, double *rate)
 {
     const double a = alpha / 2, s2 = omega * omega - a * a, s = sqrt(fabs(s2));
@@ -271,8 +271,8 @@ static void step_response(double omega, double alpha, double t, double *y, doubl
     *rate = omega * omega * exp(-a * t) * over;
 }
 
-/* Coefficients of w / (q deflection_scale) and, unless NULL, of its rate at time t: only
- * even modes feel a uniform load. Allocates *c, *v of [family[0].n]. */
+/* Computes coefficients of w / (q deflection_scale) and, unless NULL, of its rate at time
+ * t: only even modes respond to a uniform load. Allocates *c, *v of [family[0].n]. */
 static enum status coefficients(const struct kirchhoff *k, double alpha, double t,
                                 double **c, double **v)
 {
@@ -318,7 +318,7 @@ double kirchhoff_static(const struct kirchhoff *k, double q, double x, double y)
     return kirchhoff_transient(k, q, 0, INFINITY, x, y);
 }
 
-/* out[ny][nx] = scale sum c_ab X_a(x) Y_b(y), derivatives of order dx and dy. */
+/* Fills out[ny][nx] = scale sum c_ab X_a(x) Y_b(y), derivatives of order dx and dy. */
 static void tabulate(const struct kirchhoff *k, const double *c, double scale, int dx,
                      int dy, int nx, const double *x, int ny, const double *y, double *out)
 {

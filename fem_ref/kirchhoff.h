@@ -34,35 +34,36 @@ struct kirchhoff_plate {
 
 struct kirchhoff; /* immutable once made: may be read by any thread */
 
-/* terms functions in each direction, 4 <= terms <= RITZ_MAX: two eigenproblems with
- * terms^2 / 2 unknowns, about 2 s at 48. Freed with kirchhoff_destroy (NULL is allowed). */
+/* Solves with `terms` functions in each direction, 4 <= terms <= RITZ_MAX: two
+ * eigenproblems with terms^2 / 2 unknowns, about 2 s at 48. Freed with kirchhoff_destroy
+ * (NULL is allowed). */
 enum status kirchhoff_create(const struct kirchhoff_plate *plate, int terms,
                              struct kirchhoff **k);
 void kirchhoff_destroy(struct kirchhoff *k);
 
-/* Angular frequency of mode i = 0, 1, ... ascending [rad/s]. About the lowest third is
- * converged. */
+/* Returns the angular frequency of mode i = 0, 1, ... ascending [rad/s]. About the lowest
+ * third is converged. */
 double kirchhoff_frequency(const struct kirchhoff *k, int i);
 
-/* Mode i at (x, y): mean square over the plate 1, sign free. */
+/* Returns mode i at (x, y): mean square over the plate 1, sign free. */
 double kirchhoff_mode(const struct kirchhoff *k, int i, double x, double y);
 
-/* Deflection [m] at (x, y) under load q [N/m^2]. */
+/* Returns the deflection [m] at (x, y) under load q [N/m^2]. */
 double kirchhoff_static(const struct kirchhoff *k, double q, double x, double y);
 
-/* Deflection [m] at (x, y) at time t >= 0 [s] after q was applied to the plate at rest;
- * alpha >= 0 [1/s] is the mass damping. t = INFINITY: the static answer. */
+/* Returns the deflection [m] at (x, y) at time t >= 0 [s] after q was applied to the plate
+ * at rest; alpha >= 0 [1/s] is the mass damping. t = INFINITY: the static answer. */
 double kirchhoff_transient(const struct kirchhoff *k, double q, double alpha, double t,
                            double x, double y);
 
-/* That motion at the nodes of a grid, x[nx] times y[ny]: deflection and slopes into
- * w, w_x, w_y, each [ny][nx]. */
+/* Computes that motion at the nodes of a grid, x[nx] times y[ny]: deflection and slopes, w,
+ * w_x, w_y, each [ny][nx]. */
 enum status kirchhoff_grid(const struct kirchhoff *k, double q, double alpha, double t,
                            int nx, const double *x, int ny, const double *y, double *w,
                            double *w_x, double *w_y);
 
-/* Kinetic and elastic energy from the mass and stiffness matrices, potential = -(work of
- * q) [J], of that motion. Undamped, their sum is 0 at all t. */
+/* Computes kinetic and elastic energy from the mass and stiffness matrices, potential =
+ * -(work of q) [J], of that motion. Undamped, their sum is 0 at all t. */
 enum status kirchhoff_energy(const struct kirchhoff *k, double q, double alpha, double t,
                              struct energy *energy);
 

@@ -11,7 +11,7 @@ static double dot(const double a[3], const double b[3])
 enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_plate *plate,
                                   struct message *why)
 {
-    /* Rounding of axes given with 16 digits. */
+    /* The rounding of axes given with 16 digits. */
     const double in_plane = 1e-14 * sqrt(dot(scene->gravity, scene->gravity));
 
     if (scene->shape != SCENE_FLAT)

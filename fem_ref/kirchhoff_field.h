@@ -6,16 +6,16 @@
 #include "fem_ref/kirchhoff.h"
 #include "models/scene.h"
 
-/* The plate of a scene: whole edge u = 0 held in x, y, z at rest, gravity along the normal,
- * no or mass damping, from rest, nothing else. Otherwise STATUS_UNSUPPORTED and a sentence.
- */
+/* Finds the plate of a scene: whole edge u = 0 held in x, y, z at rest, gravity along the
+ * normal, no or mass damping, from rest, nothing else. Otherwise STATUS_UNSUPPORTED and a
+ * sentence. */
 enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_plate *plate,
                                   struct message *why);
 
-/* Positions xyz[GRID_W][GRID_V][GRID_U][3] [m] (grid.h) of such a scene at time t >= 0
- * (INFINITY: in equilibrium under its weight) by Kirchhoff's linear kinematics: a point z
- * above the mid-surface moves by w e_w - z grad w. k must be made from the scene's plate.
- */
+/* Computes positions xyz[GRID_W][GRID_V][GRID_U][3] [m] (grid.h) of such a scene at time t
+ * >= 0 (INFINITY: in equilibrium under its weight) by Kirchhoff's linear kinematics: a
+ * point z above the mid-surface moves by w e_w - z grad w. k must be made from the scene's
+ * plate. */
 enum status kirchhoff_field_sample(const struct kirchhoff *k, const struct scene *scene,
                                    double t, double *xyz, struct message *why);
 

@@ -15,7 +15,7 @@ struct reference {
     char **cell;    /* [rows][columns]                   */
     int *line;      /* [rows] in the file                */
     int comments, columns, rows, head;
-    struct message *fault; /* of the first wrong question; "" */
+    struct message *fault; /* of the first wrong query; "" */
 };
 
 static const char NO_MEMORY[] = "out of memory";
@@ -91,7 +91,7 @@ static const char *names_fault(char **name, int columns)
     return NULL;
 }
 
-/* Room for one more row, which stands in this line of the file. NULL without memory. */
+/* Adds a row, which stands in this line of the file. NULL without memory. */
 static char **add_row(struct reference *t, int line)
 {
     const size_t rows = (size_t)t->rows + 1;
@@ -107,7 +107,7 @@ static char **add_row(struct reference *t, int line)
     return cells + (size_t)t->rows++ * (size_t)t->columns;
 }
 
-/* NULL, or what is wrong with this line. */
+/* Takes a line; returns NULL, or what is wrong with it. */
 static const char *take_line(struct reference *t, char *line, int number)
 {
     char **cell = NULL;
@@ -222,7 +222,7 @@ int reference_column(const struct reference *t, const char *name)
     return -1;
 }
 
-/* The first wrong question is kept: the others mostly follow from it. */
+/* Keeps the first wrong question: the others mostly follow from it. */
 __attribute__((format(printf, 3, 4))) static void blame(const struct reference *t, int line,
                                                         const char *format, ...)
 {

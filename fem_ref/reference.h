@@ -22,24 +22,24 @@ void reference_close(struct reference *table);
 int reference_rows(const struct reference *table);
 int reference_columns(const struct reference *table);
 
-/* Index of a column, -1 if there is none of that name. */
+/* Returns the index of a column, -1 if there is none of that name. */
 int reference_column(const struct reference *table, const char *name);
 
-/* A cell, borrowed; "" if empty, and if there is no such row or column. */
+/* Returns a cell, borrowed; "" if empty, and if there is no such row or column. */
 const char *reference_text(const struct reference *table, int row, const char *column);
 
-/* The cell as a number; NaN unless the whole cell is one finite decimal number. */
+/* Returns the cell as a number; NaN unless the whole cell is one finite decimal number. */
 double reference_number(const struct reference *table, int row, const char *column);
 
-/* STATUS_INPUT with `file:line: what` if one of the two was asked for what is not there, or
- * for a number where a text stands: for who read all that it wanted. */
+/* Fails with STATUS_INPUT and `file:line: what` if any earlier call asked for a missing row
+ * or column, or for a number where a text stands: call it when all is read. */
 enum status reference_fault(const struct reference *table, struct message *why);
 
-/* First row >= from whose cell in `column` reads exactly `text`; -1 if none. */
+/* Returns the first row >= from whose cell in `column` is exactly `text`; -1 if none. */
 int reference_find(const struct reference *table, int from, const char *column,
                    const char *text);
 
-/* Value of the first comment `# key: value`, borrowed; NULL if there is none. */
+/* Returns the first comment `# key: value`'s value, borrowed; NULL if there is none. */
 const char *reference_note(const struct reference *table, const char *key);
 
 #endif

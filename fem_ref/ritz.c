@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Legendre series of the integral from 0 to x, x = (s + 1) / 2:
- * int P_k ds = (P_{k+1} - P_{k-1}) / (2k + 1), and dx = ds / 2. */
+/* Computes the Legendre series of the integral from 0 to x, x = (s + 1) / 2: int P_k ds =
+ * (P_{k+1} - P_{k-1}) / (2k + 1), and dx = ds / 2. */
 static void integrate(int terms, const double *from, double *to)
 {
     for (int k = 0; k < terms; k++)
@@ -28,7 +28,7 @@ static void legendre(int count, double s, double *p)
         p[k + 1] = ((2 * k + 1) * s * p[k] - k * p[k - 1]) / (k + 1);
 }
 
-/* phi'' = sqrt(2d + 1) P_d, integrated twice from x = 0. */
+/* Sets phi'' = sqrt(2d + 1) P_d, integrated twice from x = 0. */
 static void set_integrated(struct ritz *r, int i, int d)
 {
     double *c[3];
@@ -39,8 +39,8 @@ static void set_integrated(struct ritz *r, int i, int d)
     integrate(r->terms, c[1], c[0]);
 }
 
-/* The first four free functions: rigid motions, then a quadratic and a cubic orthogonal to
- * them. P_2'' = 12 and P_3'' = 60 s in x; P_2' = 6 s, P_3' = 2 + 10 P_2. */
+/* Sets the first four free functions: rigid motions, then a quadratic and a cubic
+ * orthogonal to them. P_2'' = 12 and P_3'' = 60 s in x; P_2' = 6 s, P_3' = 2 + 10 P_2. */
 static void set_low_free(struct ritz *r)
 {
     const int n = r->terms;

@@ -28,19 +28,18 @@ struct ritz {
     double *coefficient[3]; /* [d][count][terms]: of d^d phi_i / dx^d in P_k(2x - 1)  */
 };
 
-/* Functions of every degree up to count + 1 (clamped) or count - 1 (free).
- * 4 <= count <= RITZ_MAX. Caller owns; ritz_clear accepts all-zero. */
+/* Makes functions of every degree up to count + 1 (clamped) or count - 1 (free). 4 <= count
+ * <= RITZ_MAX. Caller owns; ritz_clear accepts all-zero. */
 enum status ritz_init(struct ritz *r, enum ritz_end end, int count);
 void ritz_clear(struct ritz *r);
 
-/* Values of the derivatives of order d (0..2) of all functions at x in [0,1] into
- * out[count]. */
+/* Evaluates derivatives of order d (0..2) of all functions at x in [0,1], out[count]. */
 void ritz_eval(const struct ritz *r, int d, double x, double *out);
 
-/* Integral over [0,1] of (d^a phi_i) (d^b phi_j). */
+/* Returns the integral over [0,1] of (d^a phi_i) (d^b phi_j). */
 double ritz_product(const struct ritz *r, int a, int i, int b, int j);
 
-/* Integral over [0,1] of phi_i. */
+/* Returns the integral over [0,1] of phi_i. */
 double ritz_integral(const struct ritz *r, int i);
 
 #endif

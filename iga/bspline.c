@@ -12,7 +12,7 @@ static enum status check_degree(int p, struct message *why)
     return STATUS_OK;
 }
 
-/* The rules in the order in which a user would meet them. */
+/* Checks knots, rule by rule in the order in which a user would meet them. */
 static enum status check_knots(int p, int count, const double *U, struct message *why)
 {
     int last = count - 1, multiplicity = 1;
@@ -131,7 +131,7 @@ int bspline_span(const struct bspline *b, double u)
     return low;
 }
 
-/* row[q][a] = N_{span-q+a} of degree q, for all q <= p (the triangle of A2.2). */
+/* Computes row[q][a] = N_{span-q+a} of degree q, for all q <= p (the triangle of A2.2). */
 static void triangle(const struct bspline *b, int span, double u,
                      double row[BSPLINE_MAX_ORDER][BSPLINE_MAX_ORDER])
 {
@@ -147,9 +147,9 @@ static void triangle(const struct bspline *b, int span, double u,
     }
 }
 
-/* From c_a on the functions of degree q - 1 alive on `span` to the derivative's
- * coefficients on those of degree q:
- * N'_{i,q} = q (N_{i,q-1} / (U[i+q] - U[i]) - N_{i+1,q-1} / (U[i+q+1] - U[i+1])). */
+/* Turns the coefficients c_a on the functions of degree q - 1 alive on `span` into those of
+ * the derivative on degree q: N'_{i,q} = q (N_{i,q-1} / (U[i+q] - U[i]) - N_{i+1,q-1} /
+ * (U[i+q+1] - U[i+1])). */
 static void differentiate(const struct bspline *b, int span, int q, double *c)
 {
     double carried = 0.0;

@@ -19,25 +19,26 @@ struct bspline {
     double *U; /* knots [n + p + 1]                                            owned   */
 };
 
-/* Uniform open knots. STATUS_INPUT (with sentence) unless 1 <= p <= max and n > p. */
+/* Makes uniform open knots. STATUS_INPUT (with sentence) unless 1 <= p <= max and n > p. */
 enum status bspline_init_uniform(struct bspline *b, int p, int n, struct message *why);
 
-/* Given knots U[count] (copied); n = count - p - 1. STATUS_INPUT, saying which rule of the
+/* Copies given knots U[count]; n = count - p - 1. STATUS_INPUT, saying which rule of the
  * notation above they break. */
 enum status bspline_init(struct bspline *b, int p, int count, const double *U,
                          struct message *why);
 
-/* Direction i of a discretization: its knots, or uniform ones. */
+/* Makes direction i of a discretization: its knots, or uniform ones. */
 enum status bspline_init_direction(struct bspline *b, const struct discretization *d, int i,
                                    struct message *why);
-/* The degree of a direction that leaves it open: `usual`, or what its knots tell, or what
- * few points allow. */
+/* Returns the degree of a direction that leaves it open: `usual`, or what its knots imply,
+ * or what few points allow. */
 int bspline_open_degree(const struct discretization *d, int i, int usual);
 enum status bspline_copy(const struct bspline *from, struct bspline *to);
 void bspline_clear(struct bspline *b);
 
-/* Span k of u in [0,1]; u = 1 belongs to the last non-empty span (A2.1). Below 0 and above
- * 1 the first and the last span, whose polynomials bspline_eval then carries on. */
+/* Returns span k of u in [0,1]; u = 1 belongs to the last non-empty span (A2.1). Below 0
+ * and above 1 it is the first and the last span, whose polynomials bspline_eval then
+ * continues. */
 int bspline_span(const struct bspline *b, double u);
 
 /* Values and derivatives of the p+1 functions alive on `span` (not empty), at u: eq. 2.7.
@@ -45,15 +46,15 @@ int bspline_span(const struct bspline *b, double u);
  * Pure, no allocation: safe from any thread. */
 void bspline_eval(const struct bspline *b, int span, double u, int order, double *out);
 
-/* Values of all n functions of the struct bspline *b at u into N[n]. */
+/* Computes values of all n functions of the struct bspline *b at u, N[n]. */
 void bspline_values(const void *b, double u, double *N);
 
-/* Non-empty spans: returns their number and writes the knot index k of each, ascending;
+/* Returns the number of non-empty spans and writes the knot index k of each, ascending;
  * span has room for n - p. */
 int bspline_spans(const struct bspline *b, int *span);
 
-/* Greville abscissa of function i: (U[i+1] + ... + U[i+p]) / p. With these as control
- * points the curve is the identity. */
+/* Returns the Greville abscissa of function i: (U[i+1] + ... + U[i+p]) / p. With these as
+ * control points the curve is the identity. */
 double bspline_greville(const struct bspline *b, int i);
 
 #endif

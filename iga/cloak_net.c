@@ -18,8 +18,8 @@ static double square_coefficient(const struct bspline *b, int i)
     return 2 * sum / (b->p * (b->p - 1));
 }
 
-/* Coefficients of 2 s, 1 - s^2 and 1 + s^2, where s = (2 v - 1) tan(alpha/4): the arc in
- * homogeneous coordinates. */
+/* Computes coefficients of 2 s, 1 - s^2 and 1 + s^2, where s = (2 v - 1) tan(alpha/4): the
+ * arc in homogeneous coordinates. */
 static void arc(const struct scene *scene, const struct bspline *b, int i, double out[3])
 {
     double t = scene_cloak_quarter_tangent(scene), v = bspline_greville(b, i);

@@ -13,12 +13,12 @@
 #include "iga/bspline.h"
 #include "models/scene.h"
 
-/* True if functions of this basis along v hold the shape. */
+/* Whether functions of this basis along v contain the shape. */
 bool cloak_net_exact(const struct bspline *v);
 
-/* point[n u][n v][layers][3] [m] and weight[n u][n v][layers], for layers at w[layers].
- * STATUS_INPUT, with a sentence, if a weight is not positive: an opening of 180 degrees or
- * more on too few points along v. Without cloak_net_exact all weights are 1. */
+/* Computes point[n u][n v][layers][3] [m] and weight[n u][n v][layers], for layers at
+ * w[layers]. STATUS_INPUT, with a sentence, if a weight is not positive: an opening of 180
+ * degrees or more on too few points along v. Without cloak_net_exact all weights are 1. */
 enum status cloak_net(const struct scene *scene, const struct bspline *u,
                       const struct bspline *v, int layers, const double *w, double *point,
                       double *weight, struct message *why);

@@ -18,12 +18,12 @@ struct line_rule {
     double *part; /* [spans][MOST] weight, of the span's length; positive       owned   */
 };
 
-/* All makers: STATUS_MEMORY leaves *rule all-zero, which clear accepts. */
+/* All makers of a rule leave it all-zero on STATUS_MEMORY, which clear accepts. */
 
-/* `count` Gauss points in each span, 1 to LINE_RULE_MOST. */
+/* Takes `count` Gauss points in each span, 1 to LINE_RULE_MOST. */
 enum status line_rule_gauss(struct line_rule *rule, const struct bspline *b, int count);
 
-/* Gauss points that integrate bending: p - 1 a span, exact for squares of second
+/* Takes Gauss points that integrate bending: p - 1 a span, exact for squares of second
  * derivatives along the line, but at least two and, where few spans lie between two knots
  * that repeat (or between the ends), at least as many as the spline has functions there.
  * Fewer leave a shape unseen: on one span of degree 2 the parabola that vanishes at both
@@ -31,13 +31,13 @@ enum status line_rule_gauss(struct line_rule *rule, const struct bspline *b, int
  * off by a third of its length. */
 enum status line_rule_bending(struct line_rule *rule, const struct bspline *b);
 
-/* One point a function, or with `derivative` one a function of the space of derivatives:
- * the points of greville.h. */
+/* Takes one point a function, or with `derivative` one a function of the space of
+ * derivatives: the points of greville.h. */
 enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
                                bool derivative);
 
-/* For makers: finds the spans and makes room for their points; sets `most`; the length of a
- * span. */
+/* Help to make rules: find the spans and allocate their points; set `most`; return the
+ * length of a span. */
 enum status line_rule_room(struct line_rule *rule, const struct bspline *b);
 void line_rule_most(struct line_rule *rule);
 double line_rule_size(const struct line_rule *rule, const struct bspline *b, int span);

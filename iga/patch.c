@@ -108,7 +108,7 @@ static void evaluate_factors(const struct patch *patch, const double uvw[3], int
     }
 }
 
-/* out[local]: product of values, differentiated once in `direction` (-1: not at all). */
+/* Fills out[local]: products of values, differentiated once in `direction` (-1: not). */
 static void tensor(const struct patch *patch, const struct factors *f, int direction,
                    double *out)
 {
@@ -121,7 +121,7 @@ static void tensor(const struct patch *patch, const struct factors *f, int direc
                 *out++ = A[a] * B[b] * C[c];
 }
 
-/* f_a -> f_a w_a; returns their sum. */
+/* Multiplies f_a by w_a; returns their sum. */
 static double weigh(const double *weight, const int *node, int local, double *f)
 {
     double sum = 0.0;
@@ -131,7 +131,8 @@ static double weigh(const double *weight, const int *node, int local, double *f)
     return sum;
 }
 
-/* R = N w / W and R' = (N' w - R W') / W, with W the sum of N w. (eq. 2; NURBS Book 4.8) */
+/* Computes R = N w / W, R' = (N' w - R W') / W, W the sum of N w. (eq. 2; NURBS Book
+ * 4.8) */
 static void make_rational(const struct patch *patch, const int span[3], double *R,
                           double *dR)
 {
@@ -214,9 +215,9 @@ static bool solve_definite(double A[3][3], const double b[3], double s[3])
     return true;
 }
 
-/* One Newton step, damped (Levenberg-Marquardt in columns of unit length, so that a thin
- * patch is no harder than a cube): (J^T J + damping I) s = J^T r. Parameters that sit on a
- * bound and would leave stay. Writes the clamped new parameters. */
+/* Takes one Newton step, damped (Levenberg-Marquardt in columns of unit length, so that a
+ * thin patch is no harder than a cube): (J^T J + damping I) s = J^T r. Parameters that sit
+ * on a bound and would leave stay. Writes the clamped new parameters. */
 static bool step(double J[3][3], const double r[3], double damping, const double uvw[3],
                  double new[3])
 {
@@ -246,7 +247,7 @@ static bool step(double J[3][3], const double r[3], double damping, const double
     return true;
 }
 
-/* r = x - V(uvw), and its length. */
+/* Computes r = x - V(uvw), returns its length. */
 static double residual(const struct patch *patch, const double x[3], const double uvw[3],
                        double r[3], double J[3][3])
 {

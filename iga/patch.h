@@ -18,33 +18,33 @@ enum { PATCH_MAX_LOCAL = BSPLINE_MAX_ORDER * BSPLINE_MAX_ORDER * BSPLINE_MAX_ORD
 int patch_nodes(const struct patch *p);
 int patch_local(const struct patch *p); /* (p+1)(q+1)(r+1) functions per element       */
 
-/* Takes copies of the bases; control points zero, weights NULL. */
+/* Copies the bases; control points are zero, weights NULL. */
 enum status patch_init(struct patch *patch, const struct bspline basis[3]);
 enum status patch_copy(const struct patch *from, struct patch *to);
 void patch_clear(struct patch *patch);
 
-/* Box origin + a u + b v + c w with parameter = affine coordinate: control points at
- * Greville abscissae. Weights stay as they are (with weights != 1 the map is no longer
+/* Sets the box origin + a u + b v + c w with parameter = affine coordinate: control points
+ * at Greville abscissae. Weights stay as they are (with weights != 1 the map is no longer
  * affine, though the shape is the same box). */
 void patch_set_box(struct patch *patch, const double origin[3], const double a[3],
                    const double b[3], const double c[3]);
 
-/* Node numbers alive on the spans (knot indices) span[3], ascending local order
- * (a n2 + b) n3 + c like the global one, into node[patch_local]. */
+/* Lists the nodes alive on the spans (knot indices) span[3], ascending local order (a n2 +
+ * b) n3 + c like the global one, in node[patch_local]. */
 void patch_local_nodes(const struct patch *patch, const int span[3], int *node);
 
-/* The alive functions at (u,v,w): values R[local], parametric gradients dR[3][local]
- * (either may be NULL), spans into span[3]. Rational if weights are given. */
+/* Evaluates the alive functions at (u,v,w): values R[local], parametric gradients
+ * dR[3][local] (either may be NULL), spans span[3]. Rational if weights are given. */
 void patch_basis(const struct patch *patch, const double uvw[3], int span[3], double *R,
                  double *dR);
 
-/* Position [m] and, if J is not NULL, J[i][j] = d x_i / d u_j. */
+/* Computes the position [m] and, if J is not NULL, J[i][j] = d x_i / d u_j. */
 void patch_point(const struct patch *patch, const double uvw[3], double x[3],
                  double J[3][3]);
 
-/* Parameters of the point x: damped Newton from the start value in uvw, kept in [0,1]^3.
- * STATUS_DIVERGED if |V(uvw) - x| > tolerance [m] after 50 steps; uvw is then the nearest
- * point met. */
+/* Finds the parameters of the point x: damped Newton from the start value in uvw, kept in
+ * [0,1]^3. STATUS_DIVERGED if |V(uvw) - x| > tolerance [m] after 50 steps; uvw is then the
+ * nearest point met. */
 enum status patch_invert(const struct patch *patch, const double x[3], double tolerance,
                          double uvw[3]);
 

@@ -112,7 +112,7 @@ out:
     return st;
 }
 
-/* Functions alive at x in direction i of the patch. */
+/* Evaluates the functions alive at x in direction i of the patch; returns the first. */
 static int alive(const struct plate *p, int i, double x, double *value)
 {
     const struct bspline *b = &p->patch.basis[i];
@@ -125,7 +125,7 @@ static int alive(const struct plate *p, int i, double x, double *value)
     return span - b->p;
 }
 
-/* Functions through the thickness, all of one element. */
+/* Evaluates the functions through the thickness, all of one element. */
 static void layer_values(const void *context, double w, double *N)
 {
     const struct plate *p = context;
@@ -163,8 +163,8 @@ static enum status make_samples(struct plate *p, int i, int count)
     return STATUS_OK;
 }
 
-/* With weights given to a flat sheet the parameter is no longer the material coordinate:
- * look it up. */
+/* Finds the parameters of material points: in a flat sheet with weights given they are not
+ * the material coordinates. */
 static enum status find_material_points(const struct plate *p, const struct scene *scene,
                                         int count, const double *material, double (*uvw)[3])
 {
@@ -204,14 +204,14 @@ out:
     return st;
 }
 
-/* Present control points, or coefficients of the thickness basis. */
+/* Returns the present control points, or coefficients of the thickness basis. */
 static const double *points_of(const struct plate *p)
 {
     return solid_hinge_points(&p->sheet.space, p->sheet.motion.x);
 }
 
-/* Position at one tensor-product point: sums over u, then v, then w, so that a grid point
- * comes out the same from wherever it is asked. Rational if the patch has weights; the sum
+/* Computes the position at one tensor-product point: sums over u, then v, then w, so that a
+ * grid point comes out the same for all callers. Rational if the patch has weights; the sum
  * of the functions through the thickness is then that of all or, in the thickness basis,
  * the first. */
 static void evaluate(const struct plate *p, const double *x, const int first[3],
@@ -247,7 +247,7 @@ static void evaluate(const struct plate *p, const double *x, const int first[3],
         xyz[i] = weight ? sum[i] / total : sum[i];
 }
 
-/* Position at parameters of the patch. */
+/* Computes the position at parameters of the patch. */
 static void evaluate_at(const struct plate *p, const double *x, const double uvw[3],
                         double *xyz)
 {
@@ -354,7 +354,7 @@ static void adapt(const struct scene *scene, struct discretization *d,
         d->remedy = REMEDY_NONE;
 }
 
-/* Knots that repeat at supports make no spans: the default ones stay as many. */
+/* Adds points for knots that repeat at supports, which make no spans. */
 static int extra_points(const struct scene *scene, const struct discretization *d, int i)
 {
     return i > 1 || kinematics_rebuilds(d->kinematics)

@@ -80,7 +80,7 @@ static size_t product_size(const struct plate_tables *t)
     return (size_t)(v->gauss * w->gauss) * 3 * (size_t)(v->order * w->order);
 }
 
-/* N_v N_w, N_v' N_w, N_v N_w' of one pair of spans. */
+/* Fills N_v N_w, N_v' N_w, N_v N_w' of one pair of spans. */
 static void fill_product(const struct plate_tables *t, int ev, int ew, double *out)
 {
     const struct plate_direction *v = &t->direction[1], *w = &t->direction[2];
@@ -185,9 +185,10 @@ static void number_elements(struct solid_space *space, const struct plate_tables
                                       d[2].first[ew] + c;
 }
 
-/* Legendre coefficients of a column of control points: c_k = (2k+1) int V P_k dw. V counts
- * from the first point, so that a column along an axis has exact zeros across it: round-off
- * there, divided by a small thickness, would couple membrane and bending motion. */
+/* Computes Legendre coefficients of a column of control points: c_k = (2k+1) int V P_k
+ * dw. V counts from the first point, so that a column along an axis has exact zeros
+ * across it: round-off there, divided by a small thickness, would couple membrane and
+ * bending motion. */
 static void column_coefficients(const struct bspline *b, const double *point, double *out)
 {
     double x[GAUSS_MAX], w[GAUSS_MAX], N[BSPLINE_MAX_ORDER], P[BSPLINE_MAX_ORDER];

@@ -19,7 +19,7 @@ struct plate_direction {
     double *weight;          /* [spans][gauss]                                         */
 };
 
-/* Lines of points of a cure: of reduced_rule.h; of line_rule.h's greville, bending. */
+/* The lines of points of a remedy: reduced_rule.h's; line_rule.h's greville, bending. */
 enum { PLATE_REDUCED, PLATE_GREVILLE, PLATE_BENDING, PLATE_LINES };
 
 struct plate_tables {
@@ -40,14 +40,14 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
                              const struct patch *patch, const int gauss[3], bool thickness);
 void plate_space_clear(struct solid_space *space, struct plate_tables *tables);
 
-/* The stiffness of *space by as many points in u and in v as there are functions
- * (reduced_rule.h). With one linear function through the thickness, plane stress as well:
- * that function cannot follow the strain nu asks of it. */
+/* Integrates the stiffness of *space by as many points in u and in v as there are functions
+ * (reduced_rule.h). With one linear function through the thickness it adds plane stress:
+ * that function cannot follow the strain that nu requires. */
 enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 
-/* The stiffness of *space, one linear layer, by solid_layer.h, at as many points as there
- * are functions, but bending by line_rule_bending. A net that zigzags along u and v stands
+/* Sets the stiffness of *space, one linear layer, to solid_layer.h's, at as many points as
+ * functions, but bending by line_rule_bending. A net that zigzags along u and v stands
  * still at all points of plate_space_reduce (of odd degree): in the folds of a flag it
  * stretched ninefold. The stretch along u is therefore seen from the Greville points along
  * v, where what zigzags has values, and that along v likewise. (Tried, and left: transverse
@@ -58,23 +58,24 @@ enum status plate_space_reduce(struct solid_space *space, struct plate_tables *t
 enum status plate_space_select(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 
-/* After plate_space_select: bending near the clamp along u (i = 0) or v, at 0 or at `end`,
- * as in a solid that can't change its thickness there. What the faces gain and lose when
- * the plate bends, q - as eps_33 is linear through it, energy int (lambda + 2 mu) (q + c tr
- * k)^2 / 2 + mu q'^2 h^2 / 120 a unit of bending, c = nu / (1 - nu) - decays from the clamp
- * with exp(-x / l), l^2 = h^2 (1 - nu) / 120, and the plate bends by k (1 - c^2 exp(-x /
- * l)) where plane stress bends by k: a clamp is l c^2 farther in, 0.06 h at nu = 0.49. Of
- * that the points of the rule get what makes the turn right for every moment that their
- * polynomials can follow, however much longer than l the spans are. (The derivation is
- * ours; on such layers, Gregory and Wan, J. Elasticity 14, 1984.) `thickness` is of the
- * length along i. */
+/* Changes, after plate_space_select, bending near the clamp along u (i = 0) or v, at 0 or
+ * at `end`, to that of a solid that keeps its thickness there. What the faces gain and lose
+ * when the plate bends, q - as eps_33 is linear through it, energy int (lambda + 2 mu) (q +
+ * c tr k)^2 / 2 + mu q'^2 h^2 / 120 a unit of bending, c = nu / (1 - nu) - decays from the
+ * clamp with exp(-x / l), l^2 = h^2 (1 - nu) / 120, and the plate bends by k (1 - c^2
+ * exp(-x / l)) where plane stress bends by k: a clamp is l c^2 farther in, 0.06 h at nu =
+ * 0.49. Of that the points of the rule get what makes the turn right for every moment that
+ * their polynomials can follow, however much longer than l the spans are. (The derivation
+ * is ours; on such layers, Gregory and Wan, J. Elasticity 14, 1984.) `thickness` is
+ * relative to the length along i. */
 void plate_space_clamp(struct plate_tables *tables, const struct patch *patch, int i,
                        bool end, double thickness, double poisson);
 
-/* Values of the functions through the thickness in use at w: N[order]. */
+/* Computes values at w of the functions through the thickness in use, N[order]. */
 void plate_space_thickness(const struct patch *patch, bool thickness, double w, double *N);
 
-/* Shifted Legendre polynomials P_k(2 w - 1), k = 0..degree, and derivatives (or NULL). */
+/* Computes shifted Legendre polynomials P_k(2 w - 1), k = 0..degree, and derivatives or
+ * NULL. */
 void plate_space_legendre(int degree, double w, double *value, double *derivative);
 
 #endif

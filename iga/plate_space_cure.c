@@ -4,7 +4,7 @@
 #include "iga/plate_space_part.h"
 #include "iga/reduced_rule.h"
 
-/* N, G and weight of one point: rows of the three directions' tables. */
+/* Computes N, G and weight of one point from rows of the three directions' tables. */
 static double one_point(const struct plate_direction *const d[3], const size_t at[3],
                         double *N, double *G, int row)
 {
@@ -74,8 +74,8 @@ enum status plate_space_reduce(struct solid_space *space, struct plate_tables *t
     return st;
 }
 
-/* Values and gradients of the functions of a surface at one point: N, N_u, N_v, [3][order u
- * * order v]. */
+/* Computes values and gradients of the functions of a surface at one point: N, N_u, N_v,
+ * [3][order u * order v]. */
 static double surface_point(const struct solid_space *space, int element,
                             const struct plate_direction *u, size_t at_u,
                             const struct plate_direction *v, size_t at_v, double *N)
@@ -104,7 +104,7 @@ static double surface_point(const struct solid_space *space, int element,
     return u->weight[at_u] * v->weight[at_v];
 }
 
-/* Lines of points along u and v of each kind of strain. */
+/* The lines of points along u and v of each kind of strain. */
 static const int lines[SOLID_KINDS][2] = {
     [SOLID_ALONG_U] = {PLATE_REDUCED, PLATE_GREVILLE},
     [SOLID_ALONG_V] = {PLATE_GREVILLE, PLATE_REDUCED},
@@ -161,8 +161,8 @@ enum status plate_space_select(struct solid_space *space, struct plate_tables *t
     return st;
 }
 
-/* int_a^b exp(-y) of the `count` polynomials that are 1 at one of y[count] and 0 at the
- * others; y counts from a. */
+/* Computes int_a^b exp(-y) of the `count` polynomials that are 1 at one of y[count] and 0
+ * at the others; y counts from a. */
 static void decaying(int count, const double *y, double a, double b, double *out)
 {
     double moment[GAUSS_MAX], end = exp(a - b), power = 1;

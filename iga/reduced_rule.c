@@ -30,9 +30,10 @@ static void add_gauss(const struct spans *s, int span, int count)
         add(s, span, x[q], w[q]);
 }
 
-/* Points a span: one, and one more for every function that the spans between two knots of
- * full multiplicity have beyond their number, dealt out from both ends inwards; an odd last
- * one in the middle, so that a clamp at u = 0 and one at u = 1 are alike. */
+/* Puts points at spans' middles: one a span, and one more for every function that the spans
+ * between two knots of full multiplicity have beyond their number, dealt out from both ends
+ * inwards; an odd last one in the middle, so that a clamp at u = 0 and one at u = 1 are
+ * alike. */
 static void middles(const struct spans *s, int first, int spans)
 {
     const int p = s->order - 1;
@@ -51,8 +52,8 @@ static void middles(const struct spans *s, int first, int spans)
     }
 }
 
-/* Two points of an outermost span that give the hats at its knots what they lack, hat[]
- * from inside out, and its bubble its integral; all in lengths of the span. */
+/* Adds two points to an outermost span that complete the integrals of the hats at its
+ * knots, hat[] from inside out, and of its bubble; all in lengths of the span. */
 static void add_pair(const struct spans *s, int span, const double hat[2], bool mirrored)
 {
     const double both = hat[0] + hat[1];
@@ -63,9 +64,9 @@ static void add_pair(const struct spans *s, int span, const double hat[2], bool 
     add(s, span, mirrored ? a : 1 - a, both - inner);
 }
 
-/* Gauss's rule of continuous piecewise quadratics from a span outwards to the last one.
- * Each point gives the hat at the inner knot of its span what that lacks, `hat`, and the
- * span's bubble its integral. */
+/* Adds Gauss's rule of continuous piecewise quadratics from a span outwards to the last
+ * one. Each point completes the integral, `hat`, of the hat at the inner knot of its span,
+ * and that of the span's bubble. */
 static void outwards(const struct spans *s, int span, int last, bool mirrored, double hat)
 {
     const int step = mirrored ? -1 : 1;
@@ -78,7 +79,7 @@ static void outwards(const struct spans *s, int span, int last, bool mirrored, d
     add_pair(s, last, (double[]){hat / s->size[last], 0.5}, mirrored);
 }
 
-/* Spans between two knots that repeat, of even degree p: p points more than spans. */
+/* Adds points to spans between two repeated knots, of even degree p: p more than spans. */
 static void alone(const struct spans *s, int first, int spans)
 {
     const int ends = (s->order - 1) / 2 - 1, last = first + spans - 1 - ends;

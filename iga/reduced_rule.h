@@ -27,7 +27,7 @@
 
 #include "iga/line_rule.h"
 
-/* STATUS_MEMORY leaves *rule all-zero. */
+/* Makes the rule; STATUS_MEMORY leaves *rule all-zero. */
 enum status reduced_rule_init(struct line_rule *rule, const struct bspline *b);
 
 #endif

@@ -12,8 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* c[p + 1]: weights of the control points span-p..span in f(argument[0..p-1]), f the piece
- * on `span`. The basis function recurrence with another argument on every level. */
+/* Computes c[p + 1]: weights of the control points span-p..span in f(argument[0..p-1]),
+ * f the piece on `span`. The basis function recurrence with another argument on every
+ * level. */
 static void blossom(const struct bspline *b, int span, const double *argument, double *c)
 {
     c[0] = 1.0;
@@ -29,8 +30,8 @@ static void blossom(const struct bspline *b, int span, const double *argument, d
     }
 }
 
-/* Row i of the operator. The span is that of the knot before the arguments, and these
- * ascend: every factor is then a convex one. */
+/* Computes row i of the operator. The span is that of the knot before the arguments, and
+ * these ascend: every factor is then a convex one. */
 static void operator_row(const struct bspline *old, const struct bspline *new, int i,
                          int span, double *row)
 {
@@ -84,8 +85,8 @@ static enum status net_read(const struct patch *patch, int direction, struct net
     return STATUS_OK;
 }
 
-/* Into a patch whose arrays have the right size. Without weights the last coordinate is 1
- * up to the row sums' round-off, which dividing takes out. */
+/* Writes a net to a patch whose arrays have the right size. Without weights the last
+ * coordinate is 1 up to the row sums' round-off, which dividing removes. */
 static void net_write(const double *value, struct patch *patch)
 {
     size_t nodes = (size_t)patch_nodes(patch);
@@ -165,7 +166,7 @@ static int knot_count(const struct bspline *b)
     return b->n + b->p + 1;
 }
 
-/* Every distinct knot `by` times more often, into T; returns their number. */
+/* Fills T with every distinct knot `by` times more often; returns their number. */
 static int repeat_knots(const struct bspline *b, int by, double *T)
 {
     int count = 0;

@@ -22,7 +22,7 @@ enum status refine_elevate(struct patch *patch, int direction, int by, struct me
 enum status refine_split(struct patch *patch, int direction, int parts,
                          struct message *why);
 
-/* k-refinement: elevate first, then split, so that the new knots have continuity C^{p-1}
+/* Refines by k: elevates first, then splits, so that the new knots have continuity C^{p-1}
  * (Hughes, Cottrell, Bazilevs 2005). One step: both happen or neither. */
 enum status refine_k(struct patch *patch, int direction, int elevate_by, int parts,
                      struct message *why);

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Places nearer than this [sides] are one: a scene's 0.333 and 0.3333 are not. */
+/* Places closer than this [sides] are the same: a scene's 0.333 and 0.3333 are not. */
 static const double APART = 1e-4;
 
 static int ascending(const void *a, const void *b)
@@ -52,8 +52,8 @@ static int full(int degree, enum support_knots_border border)
     return degree > 1 ? degree - (int)border : 1;
 }
 
-/* Shares `more` knots out among the parts between ends, always into the widest spans, of
- * equal ones the nearest to the middle, into spans[count + 1]. */
+/* Distributes `more` knots to the parts between ends, always into the widest spans, of
+ * equal ones the nearest to the middle, in spans[count + 1]. */
 static void share_out(const double *end, int count, int more, int *spans)
 {
     for (int s = 0; s <= count; s++)
@@ -73,7 +73,7 @@ static void share_out(const double *end, int count, int more, int *spans)
     }
 }
 
-/* Open knots of degree p with ends[1 .. count] `times` times, into U; returns how many. */
+/* Writes open knots of degree p to U, ends[1 .. count] `times` times; returns how many. */
 static int write_knots(int p, const double *end, int count, int times, const int *spans,
                        double *U)
 {

@@ -21,25 +21,24 @@
 #include "iga/bspline.h"
 #include "models/scene.h"
 
-/* Returns true if a support clamps a line inside the sheet across direction i: no point,
- * no hinge, no edge. */
+/* Whether a support clamps a line inside the sheet across direction i. */
 bool support_knots_clamps_line(const struct scene_support *s, int i);
 
-/* How smooth a sheet is at an end: C^0 or C^1. */
+/* The continuity of a sheet at an end: C^0 or C^1. */
 enum support_knots_border { SUPPORT_KNOTS_SOLID, SUPPORT_KNOTS_SHELL };
 
-/* Direction i (u or v) of a discretization: its knots; or as many as make its points, at
- * supports' ends as above and between them in spans as even as can be. Ends nearer to one
- * another than 1e-4 are one; where points are too few, all ends' knots repeat less. */
+/* Makes direction i (u or v) of a discretization: its knots; or as many as make its points,
+ * at supports' ends as above and between them in spans as even as can be. Ends nearer to
+ * one another than 1e-4 are one; where points are too few, all ends' knots repeat less. */
 enum status support_knots_basis(struct bspline *b, const struct scene *scene,
                                 const struct discretization *d, int i,
                                 enum support_knots_border border, struct message *why);
 
-/* How many knots, of those between 0 and 1, repeat at ends in full. */
+/* Returns how many of the knots between 0 and 1 are full repeats at ends. */
 int support_knots_repeats(const struct scene *scene, int i, int degree,
                           enum support_knots_border border);
 
-/* Into *held, owned, the scene's supports (paths are borrowed) with areas as wide as the
+/* Makes *held, owned: the scene's supports (paths are borrowed) with areas as wide as the
  * Greville abscissae of all functions that do not vanish on them, and lines that are
  * clamped inside the sheet likewise. Edges, hinges and points stay. */
 enum status support_knots_hold(const struct scene *scene, const struct bspline basis[2],

@@ -8,7 +8,7 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* e = x_b - x_a; its length. */
+/* Computes e = x_b - x_a; returns its length. */
 static double edge(const double *x, int a, int b, double e[3])
 {
     for (int i = 0; i < 3; i++)
@@ -16,7 +16,7 @@ static double edge(const double *x, int a, int b, double e[3])
     return sqrt(dot(e, e));
 }
 
-/* Below this the direction of an edge is lost: no force, no transverse stiffness. */
+/* A shorter edge has no usable direction: no force, no transverse stiffness. */
 static const double SHORTEST = 1e-150;
 
 static void scale(double factor, double *e)
@@ -30,7 +30,7 @@ static double inverse(double length)
     return length > SHORTEST ? 1 / length : 0;
 }
 
-/* |e1| + |e2| - |e1 + e2| without cancellation where the hinge is nearly straight. */
+/* Returns |e1| + |e2| - |e1 + e2| without cancellation where a hinge is nearly straight. */
 static double excess(const double e1[3], const double e2[3])
 {
     double sum[3] = {e1[0] + e2[0], e1[1] + e2[1], e1[2] + e2[2]};
@@ -67,7 +67,7 @@ double spring_force_energy(const struct spring_net *net, const double *x)
     return energy;
 }
 
-/* Unit vectors of e1, e2 (in place) and of e1 + e2 into sum; 1 / length of each. */
+/* Normalizes e1, e2 in place and e1 + e2 in sum; over[]: 1 / length of each. */
 static void directions(double e1[3], double e2[3], double sum[3], double over[3])
 {
     for (int i = 0; i < 3; i++)
@@ -80,8 +80,8 @@ static void directions(double e1[3], double e2[3], double sum[3], double over[3]
     scale(over[2], sum);
 }
 
-/* Several of a kind are done together, so that their roots and quotients are: by component
- * and lane. Lanes that are left over have no length. */
+/* Edges are done several at a time, by component and lane, so that their roots and
+ * quotients are vectors. Unused lanes have no length. */
 enum { LANES = 8 };
 struct lanes {
     _Alignas(64) double of[3][LANES];
@@ -104,7 +104,7 @@ static double lane_length(const struct lanes *e, int l)
                 e->of[2][l] * e->of[2][l]);
 }
 
-/* inverse(length) without a branch. */
+/* Computes inverse(length) without a branch. */
 static double lane_inverse(double length)
 {
     return 1 / (length > SHORTEST ? length : INFINITY);
@@ -119,7 +119,7 @@ static void normalise(struct lanes *e)
     }
 }
 
-/* What `many` hinges pull with at their first and last points: e1 and e2 become that. */
+/* Computes the pulls of `many` hinges on first and last points, in place of e1, e2. */
 static void hinge_pulls(const struct hinge *h, int many, struct lanes *e1, struct lanes *e2)
 {
     struct lanes sum;
@@ -216,7 +216,7 @@ void spring_force_add(const struct spring_net *net, const double *x, double *f)
     add_clamp_forces(net, x, f);
 }
 
-/* K += k (t I + (1 - t) n n') of one spring, t = 1 - r/l, not below `least`. */
+/* Adds k (t I + (1 - t) n n') of one spring to K, t = 1 - r/l, not below `least`. */
 static void add_spring(const struct spring *s, const double *x, double least,
                        double (*K)[9])
 {
@@ -246,8 +246,7 @@ void spring_force_clamped(const struct spring_net *net, const double *x,
         add_spring(&net->springs[n], x, 0, K);
 }
 
-/* K += of a hinge with the second derivatives A (e1 e1), B (e1 e2), C (e2 e2), all
- * symmetric. */
+/* Adds a hinge with second derivatives A (e1 e1), B (e1 e2), C (e2 e2), symmetric, to K. */
 static void add_hinge(const struct hinge *h, const double A[9], const double B[9],
                       const double C[9], double (*K)[9])
 {
@@ -261,7 +260,7 @@ static void add_hinge(const struct hinge *h, const double A[9], const double B[9
     }
 }
 
-/* P (I - n n') / l. */
+/* Computes P (I - n n') / l. */
 static void transverse(double strut, const double n[3], double over, double out[9])
 {
     for (int i = 0; i < 3; i++)
@@ -302,7 +301,7 @@ void spring_force_jacobian(const struct spring_net *net, const double *x, double
     }
 }
 
-/* The straight hinge with equal edges of length a: P / (2 a) |d1 - d2|^2 / 2. */
+/* Uses the straight hinge with equal edges of length a: P / (2 a) |d1 - d2|^2 / 2. */
 void spring_force_hinges(const struct spring_net *net, double *hinges)
 {
     double e[3];

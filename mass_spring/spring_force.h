@@ -9,19 +9,19 @@
 
 #include "mass_spring/spring_net.h"
 
-/* [J]; zero at rest up to round-off. */
+/* Returns elastic energy [J]; zero at rest up to round-off. */
 double spring_force_energy(const struct spring_net *net, const double *x);
 
-/* f[nodes][3] += -dE/dx [N]. */
+/* Adds the force -dE/dx [N] to f[nodes][3]. */
 void spring_force_add(const struct spring_net *net, const double *x, double *f);
 
-/* K = d2E/dx2 [N/m], K[pairs of net->graph][9]. */
+/* Computes K = d2E/dx2 [N/m], K[pairs of net->graph][9]. */
 void spring_force_jacobian(const struct spring_net *net, const double *x, double (*K)[9]);
 
-/* A positive semi-definite matrix near it: per spring the negative transverse part is
- * clamped to zero; per hinge the second derivative of the straight hinge at rest, the same
- * in all directions, which does not depend on x: `hinges`, a number a pair of the graph,
- * from spring_force_hinges [N/m]. */
+/* Computes a positive semi-definite matrix near it: per spring the negative transverse part
+ * is clamped to zero; per hinge the second derivative of the straight hinge at rest, the
+ * same in all directions, which does not depend on x: `hinges`, a number a pair of the
+ * graph, from spring_force_hinges [N/m]. */
 void spring_force_clamped(const struct spring_net *net, const double *x,
                           const double *hinges, double (*K)[9]);
 void spring_force_hinges(const struct spring_net *net, double *hinges);

@@ -7,7 +7,7 @@
 #include "models/linalg/order.h"
 #include "models/room.h"
 
-/* Rows that an element reaches. */
+/* The rows that an element reaches. */
 enum { REACH = 2 };
 
 static enum status make_arrays(struct spring_large *l, const struct spring_large_plan *plan)

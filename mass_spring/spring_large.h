@@ -8,11 +8,11 @@
 #include "mass_spring/spring_load.h"
 #include "models/mechanics/large_motion.h"
 
-/* What it moves; all borrowed, and must outlive it. */
+/* The parts of the moving net; all borrowed, and must outlive it. */
 struct spring_large_plan {
     const struct scene *scene;
     const struct spring_net *net;
-    const struct blocks *graph; /* of whom elements reach, 2 rows at most              */
+    const struct blocks *graph; /* of the nodes that elements reach, 2 rows at most    */
     const struct large_body *body;
     const struct spring_load *load;
     const struct supports *supports;
@@ -33,15 +33,15 @@ struct spring_large {
     double (*K)[9];              /* [pairs] room for tangents                  [N/m]   */
 };
 
-/* At rest. *l must stay where it is: it holds pointers into itself. STATUS_INPUT with a
- * sentence if the sheet begins in an obstacle. */
+/* Initialises at rest. *l must stay where it is: it holds pointers into itself.
+ * STATUS_INPUT with a sentence if the sheet begins in an obstacle. */
 enum status spring_large_init(struct spring_large *l, const struct spring_large_plan *plan);
 void spring_large_clear(struct spring_large *l);
 
-/* x is at rest: no velocity, and nothing is known of a step before. */
+/* Notes that x is at rest: no velocity, and no history of steps. */
 void spring_large_still(struct spring_large *l);
 
-/* One step of scene->step from time t. */
+/* Takes one step of scene->step from time t. */
 enum status spring_large_frame(struct spring_large *l, double t, struct counters *counters);
 
 #endif

@@ -39,8 +39,8 @@ struct spring_law_stiffness spring_law_effective(const struct spring_law *law,
     };
 }
 
-/* Hinges of length a and width b with the bending stiffness B per width: the energy of one
- * is P a theta^2 / 4 = B (theta / a)^2 a b / 2. */
+/* Returns P of hinges of length a and width b with the bending stiffness B per width: the
+ * energy of one is P a theta^2 / 4 = B (theta / a)^2 a b / 2. */
 static double strut_force(double B, double a, double b)
 {
     return 2 * B * b / (a * a);

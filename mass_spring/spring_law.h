@@ -1,4 +1,4 @@
-/* spring_law.h - how strong the springs of a net are, and what sheet they amount to.
+/* spring_law.h - the strength of a net's springs, and the sheet that they amount to.
  *
  * A net has springs along u, along v and along both diagonals of every cell a_u x a_v, and
  * hinges: two springs in line with a strut across both (spring_net.h). Springs on the rim
@@ -57,23 +57,23 @@ struct spring_law {
     double drag;      /* force on a point against its velocity             [N s/m]     */
 };
 
-/* cell: a_u, a_v [m] > 0. */
+/* Makes the law of a net; cell: a_u, a_v [m] > 0. */
 void spring_law_make(const struct scene *scene, enum parameters parameters,
                      const double cell[2], struct spring_law *law);
 
-/* Membrane stiffness per width [N/m]; bending has the same, times h^2 / 12. */
+/* Stiffness of the membrane per width [N/m]; bending has the same, times h^2 / 12. */
 struct spring_law_stiffness {
     double c11, c22, c12, c33;
 };
 
-/* Of the net under small homogeneous strain. */
+/* Returns that of the net under small homogeneous strain. */
 struct spring_law_stiffness spring_law_effective(const struct spring_law *law,
                                                  const double cell[2]);
 
-/* Of a sheet in plane stress. */
+/* Returns that of a sheet in plane stress. */
 struct spring_law_stiffness spring_law_plane_stress(const struct scene *scene);
 
-/* The misfit of the one to the other, for people. */
+/* Writes for users how far the one is from the other. */
 void spring_law_tell(const struct spring_law *law, const double cell[2],
                      const struct scene *scene, struct message *line);
 

@@ -9,10 +9,10 @@
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
 
-/* Of the greatest stable step: what is chosen, and what is borne. */
+/* Fractions of the greatest stable step: the one chosen, and the largest tolerated. */
 static const double CHOSEN = 0.95, BORNE = 0.98;
 
-/* Steps of a frame become fewer only by more than a tenth. */
+/* The steps of a frame become fewer only by more than a tenth. */
 static const double FEWER = 0.9;
 
 static const double MOST_SUBSTEPS = 1e6;
@@ -49,7 +49,7 @@ static size_t count(const struct spring_leapfrog *l)
     return 3 * (size_t)l->body.net->nodes;
 }
 
-/* Velocity that is left of one after a step without forces. */
+/* Returns the factor on a velocity in a step without forces. */
 static double kept(const struct spring_leapfrog *l, int node)
 {
     double half = l->body.drag[node] / l->body.mass[node] * l->dt / 2;
@@ -101,7 +101,7 @@ static void set_step(struct spring_leapfrog *l, int substeps)
     spring_sweep_set(l->sweep, (const double(*)[SWEEP_COUNT])l->c);
 }
 
-/* The sweep keeps x + beta v in place of x. */
+/* Puts x and v; the sweep keeps x + beta v in place of x. */
 static void put(struct spring_leapfrog *l, const double *x, const double *moves,
                 const double *v)
 {
@@ -117,13 +117,13 @@ static void get(const struct spring_leapfrog *l, double *x, double *v)
         x[n] -= l->body.beta * v[n];
 }
 
-/* A kick without a drift leaves positions, but x + beta v. */
+/* Whether a kick without a drift changes what the sweep keeps: x + beta v, if not x. */
 static bool moved_by_kick(const struct spring_leapfrog *l)
 {
     return l->body.beta > 0;
 }
 
-/* From x and v of now: v half a step ago. */
+/* Starts from the present x and v: v becomes that of half a step ago. */
 static void start(struct spring_leapfrog *l, const double *x, const double *now)
 {
     memset(l->kicked, 0, count(l) * sizeof *l->kicked);
@@ -141,8 +141,8 @@ static void start(struct spring_leapfrog *l, const double *x, const double *now)
         spring_sweep_put(l->sweep, NULL, l->v);
 }
 
-/* v of now: the mean of half a step ago and half a step on; of held points, that of the
- * step. Leaves the sweep as it is. */
+/* Computes the present v: the mean of half a step ago and half a step on; of held points,
+ * that of the step. Leaves the sweep as it is. */
 void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
 {
     double *x = l->x, *old = l->v;
@@ -170,16 +170,16 @@ double spring_leapfrog_limit(const struct spring_leapfrog *l)
     return l->limit;
 }
 
-/* How much stiffer a net is at most with springs sqrt(stretch2) times as long as at rest:
- * in squares of lengths each along itself, in lengths each across, by 1 - r/l of what it is
- * along. */
+/* Returns how much stiffer a net is at most with springs sqrt(stretch2) times as long as at
+ * rest: in squares of lengths each along itself, in lengths each across, by 1 - r/l of its
+ * stiffness along. */
 static double stiffer(const struct spring_leapfrog *l, double stretch2)
 {
     return l->body.springs == SPRINGS_LENGTHS ? 2 - 1 / sqrt(stretch2)
                                               : (3 * stretch2 - 1) / 2;
 }
 
-/* Substeps that stay within a share of the limit where springs are so long. */
+/* Returns the substeps that keep a share of the limit where springs are so long. */
 static double needed(const struct spring_leapfrog *l, double share, double stretch2)
 {
     return fmax(
@@ -278,7 +278,7 @@ out:
     return st;
 }
 
-/* Held points to time t, with the velocity that they came by. */
+/* Moves held points to time t, with the velocity of their way. */
 static void hold(struct spring_leapfrog *l, double t)
 {
     const struct supports *s = l->body.supports;
@@ -302,7 +302,7 @@ void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x)
     start(l, x, l->now);
 }
 
-/* Points out of obstacles; those that were pushed come as they went. */
+/* Pushes points out of obstacles; v of those that were pushed is that of their real way. */
 static int leave_obstacles(struct spring_leapfrog *l, double push[3])
 {
     double force[3] = {0, 0, 0};
@@ -321,7 +321,7 @@ static int leave_obstacles(struct spring_leapfrog *l, double push[3])
     return pushed;
 }
 
-/* Steps with something to do after each. */
+/* Takes steps that need work after each. */
 static void careful(struct spring_leapfrog *l, double push[3], int *pushed)
 {
     for (int n = 1; n <= l->substeps; n++) {
@@ -336,8 +336,8 @@ static void careful(struct spring_leapfrog *l, double push[3], int *pushed)
     }
 }
 
-/* More steps for the next frame where the net has become stiffer, fewer where it is no
- * longer. */
+/* Chooses more steps for the next frame where the net has become stiffer, fewer where it no
+ * longer is. */
 static void watch(struct spring_leapfrog *l, const double *x)
 {
     double stretch2 = spring_stencil_stretch2(&l->stencil, x);

@@ -17,7 +17,7 @@
 #include "models/mechanics/supports.h"
 #include "models/model.h"
 
-/* What it moves; all borrowed, and must outlive it. */
+/* The net to be moved; all borrowed, and must outlive it. */
 struct spring_body {
     const struct scene *scene;
     const struct spring_net *net;
@@ -34,7 +34,7 @@ struct spring_body {
 
 struct spring_leapfrog; /* opaque */
 
-/* From x and v [nodes][3] at time 0. substeps: of a frame, 0: as many as are needed.
+/* Starts from x and v [nodes][3] at time 0. substeps: of a frame, 0: as many as are needed.
  * K[pairs][9] is work. STATUS_INPUT with a sentence if they are more than a million. */
 enum status spring_leapfrog_make(const struct spring_body *body, enum precision precision,
                                  int substeps, const double *x, const double *v,
@@ -42,22 +42,22 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
                                  struct message *why);
 void spring_leapfrog_free(struct spring_leapfrog *l);
 
-/* One frame, scene->step; then the velocity times `factor`. Positions to x[nodes][3].
- * *push += mean force of obstacles [N]; *pushed: points that they bore at its end.
- * STATUS_NAN. */
+/* Moves one frame, scene->step; then multiplies the velocity by `factor`. Positions go to
+ * x[nodes][3]. *push += mean force of obstacles [N]; *pushed: points that they carry at its
+ * end. STATUS_NAN. */
 enum status spring_leapfrog_frame(struct spring_leapfrog *l, double factor, double *x,
                                   double push[3], int *pushed, struct counters *counters);
 
-/* To positions x[nodes][3] at time t [s], a whole number of frames, at rest. */
+/* Places the net at x[nodes][3] at time t [s], a whole number of frames, at rest. */
 void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x);
 
-/* Velocities v[nodes][3] of now. */
+/* Computes the present velocities v[nodes][3]. */
 void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v);
 
-/* Borrowed. */
+/* Returns the stencil; borrowed. */
 const struct spring_stencil *spring_leapfrog_stencil(const struct spring_leapfrog *l);
 
-/* Step [s], and the greatest stable one about rest. */
+/* Return the step [s], and the greatest stable one about rest. */
 double spring_leapfrog_step(const struct spring_leapfrog *l);
 double spring_leapfrog_limit(const struct spring_leapfrog *l);
 

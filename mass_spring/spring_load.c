@@ -33,7 +33,7 @@ enum status spring_load_init(struct spring_load *l, const struct scene *scene,
     enum status st;
     const bool scenes = parameters != PARAMETERS_PAPER;
     size_t nodes = (size_t)net->nodes;
-    /* loads by the hats of the net's nodes, as the solids' by theirs */
+    /* The nodes' hat functions distribute the loads, as the solids' functions do. */
     const struct dead_load_line line[3] = {
         {.n = net->points[0], .degree = 1}, {.n = net->points[1], .degree = 1}, {.n = 1}};
 

@@ -1,7 +1,6 @@
-/* spring_load.h - what the points of a net weigh, and what pulls at them without asking
- * where they are. The paper's set has a drag on points of its own, which takes the place of
- * the scene's damping.
- */
+/* spring_load.h - the mass of a net's points, and forces on them that do not depend on
+ * their places. The paper's set has a drag on points of its own, which replaces the scene's
+ * damping. */
 #ifndef SPRING_LOAD_H
 #define SPRING_LOAD_H
 
@@ -20,12 +19,12 @@ struct spring_load {
     double keep;  /* factor on velocities after each frame                    [1]      */
 };
 
-/* After spring_net_init; scene and net must stay where they are. */
+/* Initialises, after spring_net_init; scene and net must stay where they are. */
 enum status spring_load_init(struct spring_load *l, const struct scene *scene,
                              const struct spring_net *net, enum parameters parameters);
 void spring_load_clear(struct spring_load *l);
 
-/* Kinetic and potential, of x and v [nodes][3]; leaves the elastic as it is. */
+/* Computes kinetic and potential energy of x and v [nodes][3]; leaves the elastic one. */
 void spring_load_energy(const struct spring_load *l, const double *x, const double *v,
                         struct energy *energy);
 

@@ -109,7 +109,7 @@ static void size(const void *state, struct model_size *size)
     *size = system_size(implicit && system->graph ? system : &none, "mid-surface points");
 }
 
-/* The misfit of springs to plane stress, and the explicit method's limit. */
+/* Describes the misfit of springs to plane stress, and the explicit method's limit. */
 static void describe(const void *state, struct message *line)
 {
     const struct spring_motion *m = state;

@@ -9,8 +9,8 @@
 #include "mass_spring/spring_strain.h"
 #include "models/room.h"
 
-/* Of the explicit method's greatest step, where it chooses: springs that turn and stretch
- * are a little stiffer than at rest. */
+/* The share of the explicit method's greatest step that it chooses: springs that turn and
+ * stretch are a little stiffer than at rest. */
 static const double LIMIT_SHARE = 0.8;
 
 /* Newton's tolerance, in rest lengths of the shortest spring. */
@@ -176,9 +176,9 @@ static void damping_matrix(struct spring_motion *m)
         spring_force_clamped(&m->net, m->x, m->newton.hinges, m->V);
 }
 
-/* The first guess of an implicit step: its velocity by the gains of the last two, drawn
- * on (edge_drop, 32 x 32: with it 1214 solves of 1887). Not where a step is linearised
- * once, at its start, and not where obstacles are, whose planes are those of the start. */
+/* Guesses the end of an implicit step: its velocity by extrapolating the gains of the last
+ * two (edge_drop, 32 x 32: with it 1214 solves of 1887). Not where a step is linearised
+ * once, at its start, nor among obstacles, whose planes are those of the start. */
 static void guess(struct spring_motion *m)
 {
     static const double weight[3][2] = {{0}, {1}, {2, -1}};
@@ -191,7 +191,7 @@ static void guess(struct spring_motion *m)
         m->x[n] += m->dt * (m->v[n] + w[0] * m->gain[0][n] + w[1] * m->gain[1][n]);
 }
 
-/* v, and what it has gained. */
+/* Computes v, and its gain. */
 static enum status end_step(struct spring_motion *m)
 {
     size_t count = 3 * (size_t)m->net.nodes;
@@ -254,8 +254,8 @@ static enum status step_explicit(struct spring_motion *m, double t,
     return STATUS_OK;
 }
 
-/* What obstacles did in an implicit step; then points that another kind of step has left in
- * them, out of them. */
+/* Takes the contact forces of an implicit step; pushes out points that another kind of step
+ * has left in obstacles. */
 static void meet_obstacles(struct spring_motion *m)
 {
     struct model_contact c = {0};
@@ -290,9 +290,9 @@ out:
     return st;
 }
 
-/* v <- factor v. The explicit method's v is that of half a step ago: brought up to now and
- * back again by the present forces, or modes near the limit that keep step with the frames
- * would take energy from the scaling. */
+/* Computes v <- factor v. The explicit method's v is that of half a step ago: the present
+ * forces bring it up to now and back again, or modes near the limit that keep step with the
+ * frames would take energy from the scaling. */
 static void scale_velocity(struct spring_motion *m, double factor)
 {
     size_t count = 3 * (size_t)m->net.nodes;

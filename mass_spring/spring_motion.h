@@ -43,7 +43,7 @@ struct spring_motion {
     struct spring_net net;
     struct spring_newton newton;
     enum integrator integrator;
-    bool struts; /* of leapfrog: the net's own law                                     */
+    bool struts; /* leapfrog uses the net's own law                                    */
     struct spring_limits limits;
     int substeps;
     double dt;           /* of a substep                                        [s]   */
@@ -65,36 +65,37 @@ struct spring_motion {
     struct spring_large large;
     long substep;   /* taken so far; momentum: frames                            */
     double push[3]; /* of obstacles, mean over the last frame              [N]   */
-    int pushed;     /* points that they bore in its last substep                 */
+    int pushed;     /* points carried in its last substep                        */
 };
 
-/* *m must stay where it is: it holds pointers into itself. */
+/* Initialises; *m must stay where it is: it holds pointers into itself. */
 enum status spring_motion_init(struct spring_motion *m, const struct scene *scene,
                                const struct discretization *d, struct message *why);
 void spring_motion_clear(struct spring_motion *m);
 
-/* One step of scene->step. */
+/* Takes one step of scene->step. */
 enum status spring_motion_step(struct spring_motion *m, struct counters *counters);
 
-/* What leapfrog and momentum move; NULL: the net's own law, springs in lengths and struts.
- */
+/* Returns leapfrog's and momentum's net; NULL: the net's own springs in lengths and
+ * struts. */
 const struct spring_stencil *spring_motion_stencil(const struct spring_motion *m);
 
-/* The elastic energy of x, with what round-off leaves of it at rest [J]. */
+/* Returns the elastic energy of x [J], with its round-off at rest. */
 double spring_motion_elastic(const struct spring_motion *m);
 
-/* x is where the net stands still at time t [s]. */
+/* Notes that the net stands still at x at time t [s]. */
 void spring_motion_place(struct spring_motion *m, double t);
 
-/* Held points to where they are at time t. */
+/* Moves held points to where they are at time t. */
 void spring_motion_hold(struct spring_motion *m, double t);
 
 void spring_motion_contact(const struct spring_motion *m, struct model_contact *contact);
 
 void spring_motion_energy(const struct spring_motion *m, struct energy *energy);
 
-/* Greatest stable step of the explicit method about the rest shape [s], INFINITY if nothing
- * can move: 2 / omega_max, and with stiffness damping sqrt(beta^2 + 4 / omega^2) - beta. */
+/* Returns the greatest stable step of the explicit method about the rest shape [s],
+ * INFINITY if nothing can move: 2 / omega_max, and with stiffness damping sqrt(beta^2 + 4 /
+ * omega^2) - beta. */
 double spring_motion_limit(const struct spring_motion *m);
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "models/room.h"
 
-/* Steps (in i, in j) to the next node of a line. */
+/* The lines of a net, with the step (in i, in j) to the next node. */
 static const struct line {
     enum spring_direction direction;
     int di, dj;
@@ -16,7 +16,7 @@ static const struct line {
 
 enum { LINE_COUNT = sizeof LINES / sizeof *LINES };
 
-/* The node `count` steps down the line from (i, j), -1 beyond the rim. */
+/* Returns the node `count` steps along the line from (i, j), -1 beyond the rim. */
 static int along(const struct spring_net *net, int i, int j, const struct line *line,
                  int count)
 {
@@ -27,7 +27,7 @@ static int along(const struct spring_net *net, int i, int j, const struct line *
                : i * net->points[1] + j;
 }
 
-/* Lines on the rim belong to one row of cells only. */
+/* Whether the line is on the rim, where it belongs to one row of cells only. */
 static bool on_rim(const struct spring_net *net, int i, int j, const struct line *line)
 {
     return (line->direction == SPRING_U && (j == 0 || j == net->points[1] - 1)) ||
@@ -106,10 +106,10 @@ static void add_hinges(struct spring_net *net, int i, int j)
     }
 }
 
-/* Round-off of a node's parameter. */
+/* The round-off of a node's parameter. */
 static const double ROUNDING = 1e-12;
 
-/* Nodes of columns that are held whole and in all components. */
+/* Marks nodes of columns that are held whole and in all components. */
 static void find_clamped(struct spring_net *net, const struct scene *scene)
 {
     for (int n = 0; n < scene->support_count; n++) {
@@ -125,7 +125,7 @@ static void find_clamped(struct spring_net *net, const struct scene *scene)
     }
 }
 
-/* Elements of the graph at a node: every two and every three in line. */
+/* Adds the graph's elements at a node: every two and every three in line. */
 static int *add_lines(const struct spring_net *net, int i, int j, int *next)
 {
     int b = i * net->points[1] + j;
@@ -140,7 +140,7 @@ static int *add_lines(const struct spring_net *net, int i, int j, int *next)
     return next;
 }
 
-/* Of springs and hinges; `whole`: of all lines, also those whose law has none. */
+/* Makes the graph of springs and hinges; `whole`: of all lines, also those without any. */
 static enum status make_graph(struct spring_net *net, bool whole)
 {
     size_t elements = (size_t)net->spring_count + (size_t)net->hinge_count +
@@ -196,7 +196,7 @@ static enum status allocate(struct spring_net *net)
                     ROOM(net->hinges, LINE_COUNT * nodes));
 }
 
-/* Most nets have few. */
+/* Allocates the clamps, of which most nets have few. */
 static enum status allocate_clamps(struct spring_net *net)
 {
     size_t count = 1;

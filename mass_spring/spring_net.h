@@ -51,13 +51,13 @@ struct spring_net {
     struct blocks graph;
 };
 
-/* points: n, m >= 2. whole: the graph has all that spring_stencil.h binds, also where long
- * cells have no spring. */
+/* Makes a net; points: n, m >= 2. whole: the graph has all couplings of spring_stencil.h,
+ * also where long cells have no spring. */
 enum status spring_net_init(struct spring_net *net, const struct scene *scene,
                             const int points[2], enum parameters parameters, bool whole);
 void spring_net_clear(struct spring_net *net);
 
-/* How far a hinge reaches, in nodes: 2, or 1 without hinges. */
+/* Returns how far a hinge reaches, in nodes: 2, or 1 without hinges. */
 int spring_net_reach(const struct spring_net *net);
 
 #endif

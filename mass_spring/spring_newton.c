@@ -8,22 +8,23 @@
 #include "models/mechanics/frames.h"
 #include "models/room.h"
 
-/* A net that is pressed may have to buckle within the step, away from a saddle that
- * attracts at first. */
+/* The most iterations: a net under pressure may have to buckle within the step, away from a
+ * saddle that attracts at first. */
 enum { MOST_ITERATIONS = 2000, MOST_CUTS = 30 };
 
-/* Friction that has not settled by then stays as it is for the rest of the step. */
+/* Friction that has not settled after so many iterations stays as it is for the step. */
 enum { FRICTION_ITERATIONS = 50 };
 
-/* Of conjugate gradients: for a step that others follow, and for one that stands alone. */
+/* Tolerances of conjugate gradients: for a step that others follow, and for one alone. */
 static const double LINEAR_TOLERANCE = 1e-2, LAST_TOLERANCE = 1e-4;
 
-/* What they may lack at each point after the first, as a share of Newton's tolerance: the
- * last step of all only shows that none is needed. The first follows movements below the
- * tolerance, too, which short steps would lose. */
+/* The error that they may leave at each point after the first step, as a share of
+ * Newton's tolerance: the very last step only shows that none is needed. The first has
+ * no such allowance: it follows movements below the tolerance, too, which short steps
+ * would lose. */
 static const double NEAR = 0.1;
 
-/* K serves on while no point has moved farther since it was made, in lengths of a cell: a
+/* K is kept while no point has moved farther since it was made, in lengths of a cell: a
  * quarter fewer are made, and no more systems solved (three times as far: a third more). */
 static const double STILL = 1e-4;
 
@@ -63,7 +64,7 @@ enum status spring_newton_system(struct spring_newton *s)
         return STATUS_MEMORY;
     order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
     TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
-    if (!contact_set_used(&s->contact)) /* which wants its systems solved to the last */
+    if (!contact_set_used(&s->contact)) /* contact needs exact solutions */
         system_single(&s->system);
     st = system_follow(&s->system, frames, s, false);
 out:
@@ -101,7 +102,7 @@ out:
     return st;
 }
 
-/* Minus the gradient at x, zero at held unknowns; `work` for the viscous part. */
+/* Computes minus the gradient at x, zero at held unknowns; `work`: for the viscous part. */
 static void residual(const struct spring_newton *s, const struct spring_problem *p,
                      const double *x, double *work, double *r)
 {
@@ -149,7 +150,7 @@ static double product(size_t count, const double *a, const double *b)
     return sum;
 }
 
-/* d = K^-1 r; near: see system_tolerate. made: K is another one than before. */
+/* Solves d = K^-1 r; near: see system_tolerate. made: K is new. */
 static enum status solve(struct spring_newton *s, double tolerance, double near, bool made,
                          const double *x, const double *r, double *d,
                          struct counters *counters)
@@ -169,7 +170,7 @@ out:
     return st;
 }
 
-/* True if d from x would take a point beyond an obstacle's plane. */
+/* Whether d from x would take a point beyond an obstacle's plane. */
 static bool meets(const struct spring_newton *s, const double *start, const double *x,
                   const double *d)
 {
@@ -187,7 +188,7 @@ static bool meets(const struct spring_newton *s, const double *start, const doub
     return false;
 }
 
-/* d that minimises the model of the function at x among what obstacles leave. */
+/* Finds d that minimises the model of the function at x within the obstacles' planes. */
 static enum status solve_contact(struct spring_newton *s, const struct spring_problem *p,
                                  const double *x, enum contact_friction friction,
                                  const double *r, double *d, struct counters *counters)
@@ -211,7 +212,7 @@ static enum status solve_contact(struct spring_newton *s, const struct spring_pr
     return st;
 }
 
-/* Of sliding points: forces that are no gradient, the same along d. */
+/* Returns the work along d of friction at sliding points, which is not in the gradient. */
 static double friction_work(const struct spring_newton *s, const double *d)
 {
     double sum = 0;
@@ -222,7 +223,7 @@ static double friction_work(const struct spring_newton *s, const double *d)
     return sum;
 }
 
-/* Moves x along d as far as is good and leaves the residual there in r; the part of d. */
+/* Moves x along d as far as is good, with the residual there in r; returns the share. */
 static double search(const struct spring_newton *s, const struct spring_problem *p,
                      const double *d, double *x, double *r)
 {
@@ -236,14 +237,14 @@ static double search(const struct spring_newton *s, const struct spring_problem 
             x[t] = from[t] + part * d[t];
         residual(s, p, x, work, r);
         double rise = -product(count, r, d) - rub;
-        if (rise <= LARGEST_RISE * fall || fall < 0) /* that has just come to stick */
+        if (rise <= LARGEST_RISE * fall || fall < 0) /* the point began to stick */
             break;
         part *= isfinite(rise) ? fall / (fall + rise) : 0.5;
     }
     return part;
 }
 
-/* Of a step's size, what the next is expected to have at most: steps shrink evenly, as the
+/* Estimates an upper bound of the next step over this one: steps shrink evenly, as the
  * Jacobian is not exact; 1 while they do not shrink fast. */
 static double left(double size, double before)
 {
@@ -303,7 +304,7 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
                    ? calm + 1
                    : 0;
         before = size;
-        if (calm > bears) /* what friction makes of a step shows in the next */
+        if (calm > bears) /* friction of a step shows in the next */
             goto out;
     }
     st = limits->iterations ? STATUS_OK : STATUS_DIVERGED;

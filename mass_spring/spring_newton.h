@@ -15,8 +15,8 @@
  * follow; 1e-4 if it is the only one.
  *
  * Obstacles are their tangent planes at `start`, half a thickness nearer. Every system is
- * first solved as if there were none; if a point bore on one before, or would now be beyond
- * one, contact_solve takes its place, with a factor of its own.
+ * first solved as if there were none; if a point touched one before, or would be beyond one
+ * now, contact_solve takes its place, with a factor of its own.
  */
 #ifndef SPRING_NEWTON_H
 #define SPRING_NEWTON_H
@@ -51,19 +51,19 @@ struct spring_limits {
     double tolerance; /* converged when no coordinate moves farther             [m]    */
 };
 
-/* After spring_net_init; `net` must stay where it is, and so must *s. d has the solver. */
+/* Initialises, after spring_net_init; `net` and *s must stay where they are. d: solver. */
 enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
                                const struct spring_net *net, const struct discretization *d,
                                struct message *why);
 
-/* The system and the hinges, once, for who solves: leapfrog only wants the supports. */
+/* Makes the system and hinges, once, to solve with: leapfrog only needs the supports. */
 enum status spring_newton_system(struct spring_newton *s);
 
 void spring_newton_clear(struct spring_newton *s);
 
-/* From x[nodes][3], whose held unknowns are where they should be, to the minimum.
- * STATUS_DIVERGED after 2000 iterations (limits->iterations == 0),
- * STATUS_INDEFINITE, STATUS_NAN. */
+/* Moves x[nodes][3], whose held unknowns are where they should be, to the minimum.
+ * STATUS_DIVERGED after 2000 iterations (limits->iterations == 0), STATUS_INDEFINITE,
+ * STATUS_NAN. */
 enum status spring_newton_solve(struct spring_newton *s, const struct spring_problem *p,
                                 const struct spring_limits *limits, double *x,
                                 struct counters *counters);

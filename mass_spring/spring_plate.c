@@ -3,11 +3,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Of a node, at most: two curvatures, their sum, a twist; or four clamps and a twist. */
+/* The most forms of a node: two curvatures, their sum, a twist; or four clamps, a twist. */
 enum { FORMS = 5 };
 
-/* Parts of a cell that a clamp's curvature stands for, and that of the point beside it on
- * top of its own (spring_plate.h). With one free point in the line there is none beside. */
+/* Shares of a cell: of a clamp's curvature, and of the point beside it on top of its own
+ * (spring_plate.h). With one free point in the line there is none beside. */
 static const double ROOT = 1. / 3, BESIDE = 1. / 6, ALONE = 1. / 2;
 
 struct plate {
@@ -35,8 +35,8 @@ double spring_plate_beside(const struct spring_net *net, int before, int behind)
     return 1 + BESIDE * (net->clamped[before] + net->clamped[behind]);
 }
 
-/* kappa a^2 at the clamped point (i, j) towards the free one next to it; stiffness of a
- * whole cell. */
+/* Adds kappa a^2 at the clamped point (i, j) towards the free one next to it; stiffness of
+ * a whole cell. */
 static void add_clamp(struct plate *p, int i, int j, int di, int dj, double stiffness)
 {
     const struct spring_net *net = p->net;
@@ -60,7 +60,7 @@ static void add_clamp(struct plate *p, int i, int j, int di, int dj, double stif
     add(p, &form);
 }
 
-/* Nodes before and after (i, j) along u or v; false where one is beyond the rim. */
+/* Finds nodes before and after (i, j) along u or v; false where one is beyond the rim. */
 static bool between(const struct spring_net *net, int i, int j, int along, int node[2])
 {
     int di = along == 0, dj = along == 1;
@@ -69,7 +69,7 @@ static bool between(const struct spring_net *net, int i, int j, int along, int n
     return node[0] >= 0 && node[1] >= 0;
 }
 
-/* Bending at a free point along one direction; `both`: there is the other, too. */
+/* Adds bending at a free point along one direction; `both`: there is the other, too. */
 static void add_line(struct plate *p, int i, int j, int along, bool both)
 {
     const struct spring_net *net = p->net;

@@ -5,7 +5,7 @@
  *     B/2 int |x_uu|^2 + |x_vv|^2 + 2 nu x_uu x_vv + 2 (1 - nu) |x_uv|^2,
  * x_uu and x_vv at points, x_uv in cells; what has both is, with s the sign of nu,
  *     (1 - |nu|) (|x_uu|^2 + |x_vv|^2) + |nu| |x_uu + s x_vv|^2.
- * Along a rim, across which no moment is borne, the strip bends as a beam: factor 1 - nu^2
+ * Along a rim, across which no moment acts, the strip bends as a beam: factor 1 - nu^2
  * and no nu x_uu x_vv.
  *
  * Clamps: at a held column that cannot turn, the curvature of the cubic that leaves the
@@ -33,7 +33,7 @@ enum spring_plate_kind {
     SPRING_PLATE_CLAMP, /* kappa a^2: the held point, its neighbour, the next          */
 };
 
-/* The energy stiffness |sum weight x_node + shift|^2 / 2. */
+/* A term of the energy: stiffness |sum weight x_node + shift|^2 / 2. */
 enum { SPRING_PLATE_POINTS = 5 };
 struct spring_plate_form {
     enum spring_plate_kind kind;
@@ -44,18 +44,18 @@ struct spring_plate_form {
     double stiffness;                   /* >= 0                                  [N/m] */
 };
 
-/* All of a net's into *forms, owned by the caller; none if its law has no bending. */
+/* Makes all of a net's, *forms, owned by the caller; none if its law has no bending. */
 enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
                               struct spring_plate_form **forms, int *count);
 
-/* The weights of SPRING_PLATE_MEAN: of neighbours along u and along v. */
+/* Computes the weights of SPRING_PLATE_MEAN: of neighbours along u and along v. */
 void spring_plate_mean(const struct scene *scene, const double cell[2], double weight[2]);
 
-/* What the curvature at a free point of a line counts, 1 in the middle of the net; the
- * nodes before and behind it. */
+/* Returns the weight of the curvature at a free point of a line, 1 in the middle of the
+ * net; the arguments are the nodes before and behind it. */
 double spring_plate_beside(const struct spring_net *net, int before, int behind);
 
-/* The form's value at x[nodes][3] into value[3] [m]. */
+/* Computes the form's value at x[nodes][3], value[3] [m]. */
 void spring_plate_value(const struct spring_plate_form *form, const double *x,
                         double value[3]);
 

@@ -5,16 +5,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* MOST_IDLE: long steps from which only round-off's forces were left. */
+/* The most iterations, and the most long steps that leave only round-off's forces. */
 enum { MOST_ITERATIONS = 5000, MOST_IDLE = 50 };
-/* Equilibria along the path of supports that move. */
+/* The equilibria along the path of supports that move. */
 enum { PATH = 32 };
 
-/* Largest residual force, of the largest force on a point. In thin sheets round-off of the
- * membrane's forces is above it: then a long step that moves nothing, in lengths of the
- * sheet, says that rest is reached. */
+/* The largest residual force, relative to the largest force on a point. In thin sheets
+ * round-off of the membrane's forces exceeds it: then a long step that moves nothing, in
+ * lengths of the sheet, shows that rest is reached. */
 static const double FORCE_TOLERANCE = 1e-8, MOVE_TOLERANCE = 1e-9, LONG_STEP = 1e6;
-/* Time step: growth after a good step, cut after a bad one. */
+/* Factors on the time step: growth after a good step, cut after a bad one. */
 static const double GROWTH = 4, CUT = 0.1;
 
 struct search {
@@ -35,7 +35,7 @@ static double total_energy(const struct spring_motion *m)
     return energy;
 }
 
-/* Residual force into s->r; its largest component. */
+/* Computes the residual force s->r; returns its largest component. */
 static double residual(const struct search *s)
 {
     const struct spring_motion *m = s->m;
@@ -57,8 +57,7 @@ static double residual(const struct search *s)
     return most;
 }
 
-/* What is left of a force by the tolerance, and what round-off of positions makes of eight
- * springs at a point. */
+/* Computes the tolerated force, and the round-off of eight springs at a point. */
 static void allowed_forces(const struct spring_motion *m, double *wanted, double *rounding)
 {
     double load = 0, position = 0, stiffness = 0;
@@ -92,7 +91,7 @@ static enum status factor(const struct search *s, bool clamped)
     return system_factor(&newton->system, 1, (const double(*)[9])newton->K, 0, NULL);
 }
 
-/* s->d = K^-1 r. */
+/* Solves s->d = K^-1 r. */
 static enum status solve(const struct search *s, bool clamped, struct counters *counters)
 {
     enum status st = factor(s, clamped);
@@ -111,9 +110,9 @@ static bool is_unsolved(enum status st)
     return st == STATUS_INDEFINITE || st == STATUS_UNSOLVED;
 }
 
-/* One step of pseudo-time from s->from; x is there again if it leads up. A step whose
- * system round-off leaves without a solution, as of strips with cells a thousand times
- * longer than wide, is a bad one. */
+/* Takes one step of pseudo-time from s->from; x returns there if it leads up. A step is
+ * bad, too, where round-off leaves its system without a solution, as of strips with cells a
+ * thousand times longer than wide. */
 static enum status advance(struct search *s, struct counters *counters)
 {
     enum status st;

@@ -26,7 +26,7 @@ int spring_stencil_node(const struct spring_net *net, int node, int neighbour)
     return node_at(net, node / net->points[1] + step[0], node % net->points[1] + step[1]);
 }
 
-/* Which neighbour of a is b. */
+/* Returns which neighbour of a is b. */
 static int place_of(const struct spring_net *net, int a, int b)
 {
     enum { NONE = -1 };
@@ -53,7 +53,7 @@ static void set_springs(struct spring_stencil *s)
     }
 }
 
-/* A pull along the edge from a to b and back, a constant force [N]. */
+/* Adds a pull along the edge from a to b and back, a constant force [N]. */
 static void add_strut(struct spring_stencil *s, int a, int b, double pull)
 {
     s->strut[a][place_of(s->net, a, b)] += pull;
@@ -74,7 +74,7 @@ static void add_struts(struct spring_stencil *s)
     }
 }
 
-/* What each point of a form feels of the others. */
+/* Adds the forces of a form on each of its points, by the others. */
 static void add_form(struct spring_stencil *s, const struct spring_plate_form *form)
 {
     for (int m = 0; m < form->count; m++) {
@@ -142,13 +142,13 @@ static double square_of_edge(const double *x, int a, int b, double edge[3])
     return sum;
 }
 
-/* What a spring is under: its energy, its force along the edge over the edge's length, and
- * the derivative of that over the length. */
+/* A spring's energy, its force along the edge over the edge's length, and the derivative of
+ * that over the length. */
 struct strain {
     double energy, pull, gain;
 };
 
-/* q: square of the length. */
+/* Returns a spring's state; q: square of the length. */
 static struct strain strain_of(const struct spring_stencil *s, int a, int n, double q)
 {
     const double k = s->spring[a][n], r2 = s->square[n], more = q - r2;
@@ -162,7 +162,7 @@ static struct strain strain_of(const struct spring_stencil *s, int a, int n, dou
                            stiffness * r / (l * q)};
 }
 
-/* Bending is that of the displacements: the rest shape has none, and what turns cancels. */
+/* Bending is computed from displacements: the rest shape has none, and rotation cancels. */
 double spring_stencil_energy(const struct spring_stencil *s, const double *x)
 {
     double energy = 0, edge[3], rest[3];
@@ -202,7 +202,7 @@ double spring_stencil_stretch2(const struct spring_stencil *s, const double *x)
     return most;
 }
 
-/* K += f (I or e e') for the pair (a, b), once for each of its four blocks. */
+/* Adds f (I or e e') for the pair (a, b) to K, once for each of its four blocks. */
 static void add_block(const struct blocks *graph, int a, int b, double block[9],
                       double (*K)[9])
 {

@@ -36,34 +36,34 @@ struct spring_stencil {
     double (*clamp)[3]; /* [nodes] constant force of clamps          [N]     */
 };
 
-/* After spring_net_init; `net` must stay where it is. No bending where its law has none.
- * bending: quadratic or strut, of which clamps are net->clamps. */
+/* Initialises, after spring_net_init; `net` must stay where it is. No bending where its law
+ * has none. bending: quadratic or strut, whose clamps are net->clamps. */
 enum status spring_stencil_init(struct spring_stencil *s, const struct scene *scene,
                                 const struct spring_net *net, enum springs springs,
                                 enum bending bending);
 void spring_stencil_clear(struct spring_stencil *s);
 
-/* These forms in place of all bending, and no springs: their squares of lengths stay. */
+/* Puts these forms in place of all bending, without springs; their `square` stays. */
 void spring_stencil_replace(struct spring_stencil *s, int count,
                             const struct spring_plate_form *forms);
 
-/* The neighbour's node, or -1 beyond the rim. */
+/* Returns the neighbour's node, or -1 beyond the rim. */
 int spring_stencil_node(const struct spring_net *net, int node, int neighbour);
 
-/* With quadratic bending, as what follows.
- * Elastic energy at x[nodes][3] [J], zero at rest up to round-off. */
+/* Returns elastic energy at x[nodes][3] [J], zero at rest up to round-off. This and the
+ * following need quadratic bending. */
 double spring_stencil_energy(const struct spring_stencil *s, const double *x);
 
-/* f[nodes][3] -= its derivative [N]. */
+/* Subtracts its derivative [N] from f[nodes][3]. */
 void spring_stencil_force_add(const struct spring_stencil *s, const double *x, double *f);
 
-/* Its second derivative at x, K[pairs of net->graph][9] [N/m]; pairs with held points that
- * the graph leaves out are left out. clamped: springs that are pressed do not push aside,
+/* Computes its second derivative at x, K[pairs of net->graph][9] [N/m], without pairs with
+ * held points that the graph leaves out. clamped: springs under pressure do not push aside,
  * and K is positive semi-definite. */
 void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bool clamped,
                              double (*K)[9]);
 
-/* Largest (l/r)^2 of a spring at x[nodes][3] [1]. */
+/* Returns the largest (l/r)^2 of a spring at x[nodes][3] [1]. */
 double spring_stencil_stretch2(const struct spring_stencil *s, const double *x);
 
 #endif

@@ -5,7 +5,7 @@
 
 enum { MOST_SWEEPS = 1000 };
 
-/* Of the limit, above which a spring is still too long. */
+/* A spring is still too long if it exceeds the limit by more than this share of it. */
 static const double SLACK = 1e-3;
 
 static double length_of(const struct spring *s, const double *x, double e[3])
@@ -19,7 +19,7 @@ static double length_of(const struct spring *s, const double *x, double e[3])
     return sqrt(sum);
 }
 
-/* True if the spring was too long and could be moved. */
+/* Shortens a spring; returns whether it was too long and could be moved. */
 static bool shorten(const struct spring *s, const struct supports *supports, double limit,
                     double *x)
 {

@@ -13,11 +13,11 @@
 #include "mass_spring/spring_net.h"
 #include "models/mechanics/supports.h"
 
-/* Moves free points of x[nodes][3]. limit > 0. */
+/* Moves free points of x[nodes][3]; limit > 0. */
 void spring_strain_limit(const struct spring_net *net, const struct supports *supports,
                          double limit, double *x);
 
-/* Largest elongation of any spring, (l - r) / r [1]. */
+/* Returns the largest elongation of any spring, (l - r) / r [1]. */
 double spring_strain_largest(const struct spring_net *net, const double *x);
 
 #endif

@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Springs ahead of a point; rows that they reach, and that bending reaches. */
+/* The springs ahead of a point; the rows that they reach, and that bending reaches. */
 enum { SPRINGS = SPRING_STENCIL_NEAR / 2, ROWS = 2, REACH = 2 };
 
-/* Neighbours ahead: first those with springs. */
+/* The neighbours ahead: first those with springs. */
 static const int AHEAD[SPRING_STRIPS_AHEAD] = {4, 5, 6, 7, 10, 11};
 
 static int row_length(const struct spring_strips *s)
@@ -15,7 +15,7 @@ static int row_length(const struct spring_strips *s)
     return s->stencil->net->points[1];
 }
 
-/* A thread's room: [2 rows][3] of points, the same of the geometry, strains. */
+/* Returns a thread's room: [2 rows][3] of points, the same of the geometry, strains. */
 static double *room_of(const struct spring_strips *s, int thread)
 {
     return s->work + (size_t)thread * s->room;
@@ -31,7 +31,7 @@ static double *strains_of(const struct spring_strips *s, int thread)
     return room_of(s, thread) + 2 * 3 * ROWS * row_length(s);
 }
 
-/* The edge of x, from `first` on, to a spring's other end b. */
+/* Computes the edge of x, from `first` on, from a to b; returns its square. */
 static double edge(const double *x, int first, int a, int b, double e[3])
 {
     double sum = 0;
@@ -43,13 +43,13 @@ static double edge(const double *x, int first, int a, int b, double e[3])
     return sum;
 }
 
-/* The other end of the k-th spring ahead of a, -1: there is none. */
+/* Returns the other end of the k-th spring ahead of a, -1: there is none. */
 static int spring_end(const struct spring_stencil *t, int a, int k)
 {
     return t->spring[a][AHEAD[k]] > 0 ? spring_stencil_node(t->net, a, AHEAD[k]) : -1;
 }
 
-/* k / r^2. */
+/* Returns k / r^2. */
 static double strength(const struct spring_stencil *t, int a, int k)
 {
     return 2 * t->spring[a][AHEAD[k]];
@@ -135,7 +135,7 @@ static void add_force(const void *self, int thread, int row, double *force)
     }
 }
 
-/* K += all I + along e e' between a and the n-th ahead of it, in its four blocks. */
+/* Adds all I + along e e' between a and the n-th ahead of it to K, in its four blocks. */
 static void add_block(const struct spring_strips *s, int a, int n, double all, double along,
                       const double e[3], double (*K)[9])
 {

@@ -21,7 +21,8 @@ struct spring_strips {
     double *work;                         /* [threads][room]                   owned   */
 };
 
-/* The stencil and *s stay where they are. Threads: as many as OpenMP would give now. */
+/* Prepares; stencil, *s must stay where they are. Threads: as many as OpenMP would give
+ * now. */
 enum status spring_strips_init(struct spring_strips *s,
                                const struct spring_stencil *stencil);
 void spring_strips_clear(struct spring_strips *s);

@@ -10,20 +10,20 @@
 #include "models/clones.h"
 #include "models/room.h"
 
-/* Points of a vector at most: of single precision in AVX-512; rooms begin with one. */
+/* The most points of a vector: of single precision in AVX-512; rooms begin with one. */
 enum { SWEEP_PAD = 16 };
 
-/* Points of a strip: coefficients of fewer are not worth a call, of more leave the first
+/* The points of a strip: fewer are not worth a call, coefficients of more leave the first
  * cache. */
 enum { STRIP_LEAST = 256, STRIP_MOST = 512 };
 
-/* Rows around the net that neighbours reach. */
+/* The rows around the net that neighbours reach. */
 enum { SWEEP_REACH = 2 };
 
 enum { SWEEP_V = 2, SWEEP_SETS = 3 };
 
-/* Points from which on a step takes so much longer than threads wait for each other that
- * they share it. */
+/* Threads share a step of at least so many points: it then takes much longer than they wait
+ * for each other. */
 enum { SWEEP_SHARED = 3600 };
 
 /* Parts of the room for cells, a stride each: tensions along their sides and diagonals, of
@@ -71,7 +71,7 @@ static ptrdiff_t whole_vectors(ptrdiff_t points)
     return (points + SWEEP_PAD - 1) / SWEEP_PAD * SWEEP_PAD;
 }
 
-/* Points of strip i with the rest of their last vector; fewer in the last strip. */
+/* Returns the points of strip i, whole vectors; fewer in the last strip. */
 static ptrdiff_t points_of(const struct spring_sweep *s, int i)
 {
     ptrdiff_t rows = s->n - i * s->rows;
@@ -79,7 +79,7 @@ static ptrdiff_t points_of(const struct spring_sweep *s, int i)
     return whole_vectors((rows < s->rows ? rows : s->rows) * s->pitch);
 }
 
-/* Coefficients of a point. */
+/* Returns the number of coefficients of a point. */
 static int places(const struct spring_sweep *s)
 {
     return s->law == SWEEP_STRUTS ? SWEEP_COUNT : SWEEP_CORNER;
@@ -104,7 +104,7 @@ static ptrdiff_t place_of(const struct spring_sweep *s, int node)
 #include "mass_spring/spring_sweep_cell.h"
 #include "mass_spring/spring_sweep_row.h"
 
-/* The function of the sweep's precision. */
+/* Calls the function of the sweep's precision. */
 #define BY_PRECISION(s, name, ...)                                                         \
     ((s)->precision == PRECISION_SINGLE ? single_##name(__VA_ARGS__)                       \
                                         : double_##name(__VA_ARGS__))
@@ -117,9 +117,10 @@ void spring_sweep_free(struct spring_sweep *s)
     free(s);
 }
 
-/* Where rows lie: one behind the other without gaps, so that vectors run on from row to row
- * and a narrow net costs what its points cost. A small net is one strip; strips of larger
- * ones are whole vectors, to which rows are lengthened if it takes too many of them. */
+/* Lays out rows one behind the other without gaps, so that vectors run on from row to
+ * row and a narrow net costs no more than its points. A small net is one strip; strips
+ * of larger ones are whole vectors, to which rows are lengthened if it takes too many of
+ * them. */
 static void lay_out(struct spring_sweep *s)
 {
     int rows = s->n;
@@ -243,7 +244,7 @@ void spring_sweep_hold(struct spring_sweep *s, int node, int component, double x
         ((double *)place)[at] = x, ((double *)velocity)[at] = v;
 }
 
-/* A share of the strips, step by step; all wait for each other after each. */
+/* Runs a share of the strips, step by step; threads wait for each other after each. */
 static void run_share(struct spring_sweep *s, double dt, int count, int share, int shares)
 {
     const int from = s->strips * share / shares, to = s->strips * (share + 1) / shares;
@@ -256,7 +257,7 @@ static void run_share(struct spring_sweep *s, double dt, int count, int share, i
     }
 }
 
-/* Strips of cells are made one from the other, in one thread. */
+/* Strips of cells depend on the one before, and run in one thread. */
 void spring_sweep_run(struct spring_sweep *s, double dt, int count)
 {
     if (s->n * s->m < SWEEP_SHARED || s->law == SWEEP_CELLS || omp_get_max_threads() == 1)

@@ -32,11 +32,11 @@ enum spring_sweep_place {
     SWEEP_COUNT = 32
 };
 
-/* What pulls: cells; springs on squares of lengths; on lengths; and with struts. */
+/* What pulls: cells; springs in squares of lengths; in lengths; in lengths with struts. */
 enum spring_sweep_law { SWEEP_CELLS, SWEEP_SQUARES, SWEEP_LENGTHS, SWEEP_STRUTS };
 
-/* A strut between a point and what a clamp's held edge makes of the point before it: a push
- * along x_point - x_held + edge. */
+/* A strut between a point and the mirror image of the point before it, by a clamp's held
+ * edge: a push along x_point - x_held + edge. */
 struct spring_sweep_clamp {
     int point, held; /* nodes                                                           */
     double edge[3];  /* [m]                                                             */
@@ -56,7 +56,7 @@ struct spring_cells {
 
 struct spring_sweep; /* opaque; positions, velocities and coefficients                  */
 
-/* n x m points. All but the arrays is copied. */
+/* The plan of n x m points. All but the arrays is copied. */
 struct spring_sweep_plan {
     int n, m;
     enum precision precision;
@@ -67,23 +67,23 @@ struct spring_sweep_plan {
     const struct spring_sweep_clamp *clamp;
 };
 
-/* At rest at the origin. *sweep is owned by the caller. */
+/* Makes a sweep, at rest at the origin. *sweep is owned by the caller. */
 enum status spring_sweep_make(const struct spring_sweep_plan *plan,
                               struct spring_sweep **sweep);
 void spring_sweep_free(struct spring_sweep *sweep);
 
-/* Coefficients c[n m][SWEEP_COUNT] of the steps that follow. */
+/* Sets coefficients c[n m][SWEEP_COUNT] of the steps that follow. */
 void spring_sweep_set(struct spring_sweep *sweep, const double (*c)[SWEEP_COUNT]);
 
-/* x + lag v and v, [n m][3]; rounded to the precision. NULL: leaves them. */
+/* Put and get x + lag v and v, [n m][3]; rounded to the precision. NULL: leaves them. */
 void spring_sweep_put(struct spring_sweep *sweep, const double *x, const double *v);
 void spring_sweep_get(const struct spring_sweep *sweep, double *x, double *v);
 
-/* One component of x + lag v [m] and v [m/s] of one point. */
+/* Sets one component of x + lag v [m] and v [m/s] of one point. */
 void spring_sweep_hold(struct spring_sweep *sweep, int node, int component, double x,
                        double v);
 
-/* `count` steps of dt [s]. dt = 0 is a kick without a drift. */
+/* Runs `count` steps of dt [s]. dt = 0 is a kick without a drift. */
 void spring_sweep_run(struct spring_sweep *sweep, double dt, int count);
 
 #endif

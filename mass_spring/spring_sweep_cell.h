@@ -34,14 +34,14 @@ static inline __attribute__((always_inline)) struct NAME(three)
     return (struct NAME(three)){first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
 }
 
-/* Tensions [N/m] of a triangle along its legs a (u) and b (v) and its third side c. */
+/* The tensions [N/m] of a triangle along its legs a (u) and b (v) and its third side c. */
 struct NAME(tension) {
     REAL a, b, c;
 };
 
-/* By the derivatives P, Q, R of its energy with respect to (C - I) / 2, from the squares of
- * its sides: legs away from the right angle have a b = (a a + b b - c c) / 2. None where
- * there is no triangle. */
+/* Computes them by the derivatives P, Q, R of its energy with respect to (C - I) / 2, from
+ * the squares of its sides: legs away from the right angle have a b = (a a + b b - c c) /
+ * 2. None where there is no triangle. */
 static inline __attribute__((always_inline)) struct NAME(tension)
     NAME(triangle)(const enum membrane membrane, const struct NAME(law) law, bool is,
                    REAL aa, REAL bb, REAL cc)
@@ -72,8 +72,8 @@ static inline __attribute__((always_inline)) struct NAME(tension)
                                   is ? -R : 0};
 }
 
-/* Tensions of `count` cells into to[CELL_SIDES][stride]; x: of their first points; there
- * and hub: 1 or 0. */
+/* Computes the tensions of `count` cells, to[CELL_SIDES][stride]; x: of their first points;
+ * there and hub: 1 or 0. */
 static inline __attribute__((always_inline)) void
 NAME(cells_by)(const enum membrane membrane, const struct NAME(law) law, ptrdiff_t count,
                ptrdiff_t pitch, ptrdiff_t stride, const REAL *restrict there,
@@ -122,7 +122,7 @@ CELLS(cells_corotational, MEMBRANE_COROTATIONAL)
 CELLS(cells_conditions, MEMBRANE_BARAFF_WITKIN)
 #undef CELLS
 
-/* The room's parts, each a stride that begins with the row before the strip. */
+/* Returns a part of the room, a stride that begins with the row before the strip. */
 static REAL *NAME(cell_room)(const struct spring_sweep *s, int part)
 {
     return (REAL *)s->cell_room + part * s->stride + SWEEP_PAD + whole_vectors(s->pitch);
@@ -148,7 +148,7 @@ static struct NAME(law) NAME(law_of)(const struct spring_cells *c)
                               (REAL)(area * c->D[1]),    (REAL)(area * c->D[2])};
 }
 
-/* Tensions of the cells of strip i. */
+/* Computes the tensions of the cells of strip i. */
 static void NAME(cells_strip)(const struct spring_sweep *s, const struct NAME(law) law,
                               int now, int i)
 {
@@ -165,7 +165,7 @@ static void NAME(cells_strip)(const struct spring_sweep *s, const struct NAME(la
                                    x[0], x[1], x[2], NAME(cell_room)(s, 0));
 }
 
-/* The last row of the strip before becomes the row before strip i; the first has none. */
+/* Makes the last row of the strip before the row before strip i; the first has none. */
 static void NAME(cells_pass)(const struct spring_sweep *s, int i)
 {
     const size_t bytes = (size_t)s->pitch * sizeof(REAL);
@@ -179,7 +179,7 @@ static void NAME(cells_pass)(const struct spring_sweep *s, int i)
     }
 }
 
-/* Tensions of the cells of strip i and of the row before it. */
+/* Computes the tensions of the cells of strip i and of the row before it. */
 static const REAL *NAME(cells_tension)(const struct spring_sweep *s,
                                        const struct NAME(law) law, int now, int i)
 {

@@ -2,7 +2,7 @@
  * for each, with NAME(x) giving its names. Arithmetic is contracted (a b + c in one
  * rounding): see CMakeLists.txt. */
 
-/* A neighbour `offset` behind: pull A e, (A + B |e|^2) e, (A + B / |e|) e, or of cells
+/* Pulls at a neighbour `offset` behind: A e, (A + B |e|^2) e, (A + B / |e|) e, or of cells
  * (A + tension) e. */
 #define EDGE(offset)                                                                       \
     const REAL e0 = x0[j + (offset)] - x0[j], e1 = x1[j + (offset)] - x1[j],               \
@@ -31,9 +31,9 @@
         ADD(pull);                                                                         \
     }
 
-/* x, v, y: positions, velocities, new positions of the strip, by component; c: coefficients
- * [SWEEP_COUNT][wide]; count a multiple of the padding; pitch from row to row; t:
- * tensions of cells, [CELL_SIDES][stride] and the row before; NULL without. */
+/* Moves points: x, v, y: positions, velocities, new positions of the strip, by component;
+ * c: coefficients [SWEEP_COUNT][wide]; count a multiple of the padding; pitch from row to
+ * row; t: tensions of cells, [CELL_SIDES][stride] and the row before; NULL without. */
 static inline __attribute__((always_inline)) void
 NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
              ptrdiff_t pitch, REAL dt, REAL lag, const bool lags, const REAL *restrict t,
@@ -109,7 +109,7 @@ STRIP(lagging_length_strip, SWEEP_LENGTHS, true)
 STRIP(lagging_strut_strip, SWEEP_STRUTS, true)
 #undef STRIP
 
-/* The struts of clamps at points of strip i, after all else: they are few. */
+/* Adds the struts of clamps at points of strip i, after all else: they are few. */
 static void NAME(clamps)(const struct spring_sweep *s, REAL dt, int now, int i)
 {
     const REAL *c = (const REAL *)s->strip[i];
@@ -137,7 +137,7 @@ static void NAME(clamps)(const struct spring_sweep *s, REAL dt, int now, int i)
     }
 }
 
-/* One step of strips [from, to), from set `now` of the positions into the other. */
+/* Takes one step of strips [from, to), from set `now` of the positions into the other. */
 static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, int to)
 {
     static void (*const step[][2])(ptrdiff_t, ptrdiff_t, ptrdiff_t, REAL, REAL,
@@ -190,7 +190,7 @@ static void NAME(get)(const struct spring_sweep *s, int set, double *values)
     }
 }
 
-/* The coefficients of strip i, transposed and padded. */
+/* Fills the coefficients of strip i, transposed and padded. */
 static void NAME(coefficients)(const struct spring_sweep *s, int strip,
                                const double (*c)[SWEEP_COUNT], void *coefficients)
 {

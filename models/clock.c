@@ -25,7 +25,7 @@ double clock_processor(void)
     return seconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
-/* NaN last, so that one failed repeat does not scramble the order of the others. */
+/* Orders NaN last, so that a failed repeat does not scramble the order of the others. */
 static int ascending(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;

@@ -2,28 +2,27 @@
 #ifndef CLOCK_H
 #define CLOCK_H
 
-/* Monotonic time [s]. */
+/* Returns the monotonic time [s]. */
 double clock_now(void);
 
-/* Time that this thread has had a processor [s]: less than clock_now's where others want it
- * too. */
+/* Returns the time that this thread has had a processor [s]: less than by clock_now where
+ * other threads compete for it. */
 double clock_processor(void);
 
-/* Quartiles of repeats, linear between order statistics (type 7 of Hyndman & Fan 1996). */
+/* Quartiles are linear between order statistics (type 7 of Hyndman & Fan 1996). */
 struct clock_summary {
     int count;
     double min, lower, median, upper, max; /* [s] */
 };
 
-/* Summary of seconds[count], count >= 1; the input is not changed. */
+/* Summarizes seconds[count], count >= 1; the input is not changed. */
 struct clock_summary clock_summarise(const double *seconds, int count);
 
-/* Peak resident memory of the process so far [bytes]. */
+/* Returns the peak resident memory of the process so far [bytes]. */
 long clock_peak_memory(void);
 
-/* Bytes that malloc has given out and not got back, by its own books: all of a thread that
- * works alone, and whatever is large. Freed blocks of up to a kilobyte may count still,
- * some of each size. */
+/* Returns the bytes that malloc counts as allocated: all of a thread that works alone, and
+ * all large blocks. Freed blocks of up to a kilobyte may still count, some of each size. */
 double clock_allocated(void);
 
 #endif

@@ -1,7 +1,7 @@
-/* clones.h - functions whose vectors are worth it: a portable build carries them for newer
- * CPUs, too. By levels, not by names of CPUs: those are chosen on CPUs of that make alone.
- * -DCLONES= leaves them out, to test what older CPUs would run.
- */
+/* clones.h - marks functions that gain from wide vectors: a portable build also contains
+ * them compiled for newer CPUs. They are chosen by levels, not by names of CPUs, which
+ * match CPUs of that make alone. -DCLONES= leaves them out, to test what older CPUs would
+ * run. */
 #ifndef CLONES_H
 #define CLONES_H
 

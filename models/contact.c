@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Round-off of positions, relative to the largest; and of a plane's point that is as good
- * as infinitely far, in widths. */
+/* The round-off of positions, relative to the largest; and the distance at which a plane's
+ * point is taken for infinitely far, in widths. */
 static const double ROUNDING = 1e-13, FAR = 1e12;
 
 static double dot(const double a[3], const double b[3])
@@ -27,9 +27,8 @@ double contact_gap(const struct scene_obstacle *obstacle, const double x[3],
     return ball ? size - obstacle->radius : dot(d, outward) / size;
 }
 
-/* v of the straight line along u that lies nearest to a point which is d[3] from the
- * origin: on a cloak the one at its azimuth, or at the end of the opening nearer to that.
- */
+/* Returns v of the straight line along u that is nearest to a point d[3] from the origin:
+ * on a cloak the one at its azimuth, or at the end of the opening nearer to that. */
 static double nearest_line(const struct scene *scene, const double d[3])
 {
     const double along = dot(d, scene->axis_v);
@@ -49,7 +48,7 @@ double contact_rest_depth(const struct scene *scene, const struct scene_obstacle
     const double size = sqrt(dot(obstacle->normal, obstacle->normal));
     double d[3], a[3], b[3], ab[3];
 
-    for (int i = 0; i < 3; i++) /* of a plane: a point far below it */
+    for (int i = 0; i < 3; i++) /* for a plane: a point far below it */
         d[i] = ball ? obstacle->point[i] - scene->origin[i]
                     : -FAR * scene->width * obstacle->normal[i] / size;
     const double v = nearest_line(scene, d);

@@ -12,7 +12,7 @@ void discretization_clear(struct discretization *d)
     memset(d, 0, sizeof *d);
 }
 
-/* NULL for NULL; otherwise a copy of values[count]. */
+/* Copies values[count]; NULL stays NULL. */
 static enum status copy_array(const double *values, int count, double **copy)
 {
     *copy = NULL;

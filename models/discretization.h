@@ -24,7 +24,7 @@ enum remedy {
     REMEDY_AUTO,         /* left open: the model's usual one (model_complete)          */
 };
 
-/* Which coefficients through the thickness are unknowns. */
+/* The choice of unknowns among the coefficients through the thickness. */
 enum unknowns {
     UNKNOWNS_AUTO,
     UNKNOWNS_POINTS,    /* control points                                              */
@@ -40,15 +40,14 @@ enum solver {
     SOLVER_GMRES,      /* generalised minimal residuals                                */
 };
 
-/* Of cg and gmres. */
+/* Preconditioners of cg and gmres. */
 enum preconditioner {
-    PRECONDITIONER_FACTOR, /* of an earlier matrix, as long as it serves               */
+    PRECONDITIONER_FACTOR, /* of an earlier matrix, while it helps                     */
     PRECONDITIONER_ICHOL,  /* incomplete Cholesky                                      */
     PRECONDITIONER_JACOBI, /* the blocks on the diagonal                               */
 };
 
-/* Where a spring's or constraint's strength comes from (mass_spring, projective_dynamics).
- */
+/* The source of a spring's or constraint's strength (mass_spring, projective_dynamics). */
 enum parameters {
     PARAMETERS_MATCHED, /* the scene's E, nu, h and rho                                */
     PARAMETERS_PAPER,   /* Ren et al. 2024, Fig. 6                                     */
@@ -72,7 +71,7 @@ enum bending { BENDING_QUADRATIC, BENDING_HINGE, BENDING_STRUT };
 /* Tangents of Newton's method: kept while they serve, or new in each iteration. */
 enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
 
-/* What takes the energy of a membrane that rings: the scheme's own, or nothing. */
+/* The viscosity that damps a membrane's ringing: the scheme's own, or none. */
 enum viscosity { VISCOSITY_MEMBRANE, VISCOSITY_NONE };
 
 enum { DISCRETIZATION_ROOM = 32 }; /* for a model's own choices [bytes] */
@@ -101,7 +100,7 @@ struct discretization {
     enum newton_tangents newton; /* nonlinear kinematics */
     enum viscosity viscosity;    /* likewise */
 
-    /* Of some models; zero: the model's own. */
+    /* The following belong to some models only; zero: the model's own choice. */
     enum parameters parameters;
     enum integrator integrator;
     enum precision precision;
@@ -119,7 +118,7 @@ struct discretization {
 /* Frees what it owns; accepts all-zero and leaves all-zero. */
 void discretization_clear(struct discretization *d);
 
-/* Deep copy; *to is overwritten, not freed. */
+/* Copies deeply; *to is overwritten, not freed. */
 enum status discretization_copy(const struct discretization *from,
                                 struct discretization *to);
 

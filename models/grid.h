@@ -6,14 +6,14 @@
 
 enum { GRID_U = 100, GRID_V = 100, GRID_W = 2, GRID_POINTS = GRID_U * GRID_V * GRID_W };
 
-/* Parameters of grid point n = (k GRID_V + j) GRID_U + i. */
+/* Returns the parameters of grid point n = (k GRID_V + j) GRID_U + i. */
 void grid_point(int n, double uvw[3]);
 
-/* All of xyz[GRID_POINTS][3], each point asked of `probe` (struct model) by itself. */
+/* Fills xyz[GRID_POINTS][3], calling `probe` (struct model) for each point by itself. */
 void grid_sample(void (*probe)(const void *state, int n, const double *uvw, double *xyz),
                  const void *state, double *xyz);
 
-/* Cell of x among `points` nodes evenly on [0,1], and the weights of its two ends. */
+/* Returns the cell of x among `points` nodes evenly on [0,1], and its ends' weights. */
 int grid_cell(int points, double x, double weight[2]);
 
 #endif

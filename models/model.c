@@ -25,7 +25,7 @@ static enum status refuse(unsigned missing, const char *which, struct message *w
     return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no %s%s", text, which);
 }
 
-/* The depth is the sheet's, and so the same for all models and nets. */
+/* Refuses a sheet that begins in an obstacle, whatever the model and net. */
 static enum status refuse_depth(const struct scene *scene, struct message *why)
 {
     for (int o = 0; o < scene->obstacle_count; o++) {
@@ -138,7 +138,7 @@ static void fill(const struct discretization *usual, struct discretization *d)
         d->remedy = usual->remedy;
 }
 
-/* What is not as usual, and why; *why has the model's reason. */
+/* Says which settings are not the usual ones, and why; *why has the model's reason. */
 static void tell(const struct discretization *usual, const struct discretization *d,
                  struct message *why)
 {
@@ -163,7 +163,7 @@ static void tell(const struct discretization *usual, const struct discretization
         why->text[0] = '\0';
 }
 
-/* A direction's points, if it is one; enough for a degree (0: any) that was given. */
+/* Returns a direction's points, raised to suit a given degree (0: any); 0 and 1 stay. */
 static int at_least(int points, int degree)
 {
     return points > 1 && points <= degree ? degree + 1 : points;

@@ -14,7 +14,7 @@
 /* Work done, added up by the model; does not jitter as seconds do. */
 struct counters {
     long steps, assemblies, factorisations, solves, iterations;
-    long substeps; /* that the steps were taken in; 0: by a model that never divides them */
+    long substeps; /* of all steps; 0: the model never divides steps */
     long viscous;  /* steps with a viscosity that Newton's method failed without          */
 };
 
@@ -22,7 +22,7 @@ struct energy {
     double kinetic, elastic, potential; /* [J]; potential of gravity, zero at rest     */
 };
 
-/* What was built. */
+/* The size of what was built. */
 struct model_size {
     long nodes;          /* control points or nodes                                    */
     long unknowns;       /* 3 nodes - held components                                  */
@@ -31,7 +31,7 @@ struct model_size {
     const char *unknown_basis; /* "control points", "thickness"; static storage        */
 };
 
-/* How a sheet touches the scene's obstacles, after the last step. */
+/* The contact of a sheet with the scene's obstacles, after the last step. */
 struct model_contact {
     int nodes;        /* control points or nodes that an obstacle carries              */
     double least_gap; /* of the net, where the model keeps its distance; INFINITY without
@@ -65,10 +65,9 @@ enum status model_refuse_options(const struct discretization *d, struct message 
 /* *d as the model has it by default. */
 void model_defaults(const struct model *model, struct discretization *d);
 
-/* Points, degrees and the remedy hang on each other: *d as the model has
- * it by default, these left open; and, once settings were read into it, what they still
- * leave open: the defaults, or what serves the rest, with a sentence (else empty) in *told.
- */
+/* Points, degrees and the remedy depend on each other. model_open fills *d with the model's
+ * defaults, these left open; model_complete, once settings were read into it, fills in what
+ * is still open: the defaults, or what suits the rest, with a sentence (else empty). */
 void model_open(const struct model *model, struct discretization *d);
 void model_complete(const struct model *model, const struct scene *scene,
                     struct discretization *d, struct message *told);
@@ -77,7 +76,7 @@ struct model {
     const char *name;   /* key: command line, result file, test name                   */
     const char *title;  /* as printed in tables                                        */
     const char *source; /* citation of the formulation                                 */
-    unsigned serves;    /* the SCENE_NEED_* bits it can serve                          */
+    unsigned serves;    /* the SCENE_NEED_* bits it supports                           */
 
     const struct schema_key *options; /* its numerical choices (option.h)              */
     struct discretization defaults;   /* owns nothing                                  */
@@ -99,34 +98,33 @@ struct model {
     enum status (*create)(const struct scene *scene, const struct discretization *d,
                           void **state, struct message *why);
 
-    /* One time step (scene->step). Adds to *counters. After a death the state may still
-     * be sampled and destroyed. */
+    /* Takes one time step (scene->step) and adds to *counters. After a death the state may
+     * still be sampled and destroyed. */
     enum status (*advance)(void *state, struct counters *counters);
 
-    /* Positions of the material grid into xyz[GRID_W][GRID_V][GRID_U][3] [m]. */
+    /* Fills xyz[GRID_W][GRID_V][GRID_U][3] with positions of the material grid [m]. */
     void (*sample)(const void *state, double *xyz);
 
-    /* Positions of material points uvw[n][3] into xyz[n][3] [m]. Same values as sample at
-     * grid points, bit for bit. */
+    /* Fills xyz[n][3] with positions of material points uvw[n][3] [m]; at grid points the
+     * same values as sample, bit for bit. */
     void (*probe)(const void *state, int n, const double *uvw, double *xyz);
 
     void (*size)(const void *state, struct model_size *size);
 
-    /* optional: what people should know of what was built and could not guess (a misfit, a
-     * limit), as sentences in one line; empty if there is nothing. */
+    /* optional: writes what users should know of what was built and could not guess (a
+     * misfit, a limit), as sentences in one line; empty if there is nothing. */
     void (*describe)(const void *state, struct message *line);
 
-    /* optional: the same of the motion so far (an iteration that ends too early). */
+    /* optional: writes doubts about the motion so far (iterations that end too early). */
     void (*doubt)(const void *state, struct message *line);
 
     /* optional */ void (*energy)(const void *state, struct energy *energy);
 
-    /* optional: where SCENE_NEED_CONTACT is served. */
+    /* optional: reports contact; needed where SCENE_NEED_CONTACT is supported. */
     void (*contact)(const void *state, struct model_contact *contact);
 
-    /* optional: the control points of a sheet that does not go through them, present
-     * positions into xyz[nodes][3], numbered as for `matrices`. In scenes with obstacles.
-     */
+    /* optional: fills xyz[nodes][3] with the present control points of a sheet that does
+     * not go through them, numbered as for `matrices`. In scenes with obstacles. */
     void (*net)(const void *state, double *xyz);
 
     /* optional: moves the state to static equilibrium under the scene's loads, at rest, on
@@ -136,14 +134,14 @@ struct model {
      * first, then the paths. */
     enum status (*equilibrium)(void *state, struct counters *counters, struct message *why);
 
-    /* optional: the `count` lowest angular frequencies [rad/s], ascending: about the shape
-     * that `equilibrium` left, under its stress, where kinematics are nonlinear and no step
-     * has been taken since; else about the rest shape, where zero modes of an unsupported
-     * sheet come first. An equilibrium that is not stable has modes that grow as exp(s t):
-     * they are told as -s, before all others. */
+    /* optional: finds the `count` lowest angular frequencies [rad/s], ascending: about the
+     * shape that `equilibrium` left, under its stress, where kinematics are nonlinear and
+     * no step has been taken since; else about the rest shape, where zero modes of an
+     * unsupported sheet come first. Modes of an unstable equilibrium that grow as exp(s t)
+     * are given as -s, before all others. */
     enum status (*modes)(void *state, int count, double *omega, struct message *why);
 
-    /* optional: K and M of the rest shape, all 3*nodes rows, control-point unknowns,
+    /* optional: makes K and M of the rest shape, all 3*nodes rows, control-point unknowns,
      * row = 3 node + component, node = (i m + j) l + k (w fastest, then v, then u). */
     enum status (*matrices)(const void *state, struct matrix *K, struct matrix *M);
 

@@ -1,5 +1,5 @@
-/* net.h - a net of points on the mid-surface as a surface: bilinear in each cell, and the
- * normal off it bilinear too, so that a thick sheet has no gaps between cells. */
+/* net.h - a net of points on the mid-surface as a surface: bilinear in each cell, with
+ * bilinear normals too, so that a thick sheet has no gaps between cells. */
 #ifndef NET_H
 #define NET_H
 
@@ -12,13 +12,13 @@ struct net {
     ptrdiff_t node, component;
 };
 
-/* The surface at (u, v), and there the mean of the four points' unit normals: of tangents
- * by central differences, one-sided on the rim; zero where they are parallel. */
+/* Evaluates the surface at (u, v), and there the mean of the four points' unit normals: of
+ * tangents by central differences, one-sided on the rim; zero where they are parallel. */
 void net_surface(const struct net *net, double u, double v, double middle[3],
                  double normal[3]);
 
-/* Material points uvw[n][3] of a sheet so thick into xyz[n][3]: the surface and
- * (w - 1/2) thickness along the unit normal. */
+/* Evaluates material points uvw[n][3] of a sheet of this thickness, xyz[n][3]: the surface
+ * and (w - 1/2) thickness along the unit normal. */
 void net_points(const struct net *net, double thickness, int n, const double *uvw,
                 double *xyz);
 

@@ -1,4 +1,4 @@
-/* room.h - one piece of memory for several arrays that live and die together. */
+/* room.h - one piece of memory for several arrays that are allocated and freed together. */
 #ifndef ROOM_H
 #define ROOM_H
 
@@ -11,7 +11,7 @@ struct room_part {
     size_t bytes;
 };
 
-/* `count` elements for the array that `array` points to; any product of sizes. */
+/* Stands for `count` elements of the array that `array` points to; any product of sizes. */
 #define ROOM(array, count)                                                                 \
     {                                                                                      \
         &(array), (size_t)(count) * sizeof *(array)                                        \
@@ -21,7 +21,7 @@ struct room_part {
  * becomes NULL. *room is owned by the caller, freed with free; NULL on STATUS_MEMORY. */
 enum status room_make(void **room, const struct room_part *part, size_t count);
 
-/* room_cut(&room, ROOM(a, 3), ROOM(b, n)) */
+/* Used as room_cut(&room, ROOM(a, 3), ROOM(b, n)). */
 #define room_cut(room, ...)                                                                \
     room_make(room, (const struct room_part[]){__VA_ARGS__},                               \
               sizeof((const struct room_part[]){__VA_ARGS__}) / sizeof(struct room_part))

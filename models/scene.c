@@ -1,4 +1,4 @@
-/* scene.c - making, copying and asking scenes. Reading them is scene_file.c. */
+/* scene.c - makes, copies and evaluates scenes. scene_file.c reads them. */
 #include "models/scene.h"
 
 #include <assert.h>
@@ -201,7 +201,7 @@ void scene_support_shift(const struct scene_support *support, double t, double s
         memcpy(shift, &path[k == 0 ? 0 : count - 1][1], 3 * sizeof *shift);
         return;
     }
-    /* path[k-1].t <= t < path[k].t */
+    /* Now path[k-1].t <= t < path[k].t. */
     const double part = (t - path[k - 1][0]) / (path[k][0] - path[k - 1][0]);
 
     for (int i = 0; i < 3; i++)

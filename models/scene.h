@@ -12,7 +12,7 @@
 
 #include "models/status.h"
 
-/* Which components of a support are held; bits. */
+/* The components of a support that are held; bits. */
 enum { FIX_X = 1, FIX_Y = 2, FIX_Z = 4, FIX_XYZ = 7 };
 
 enum damping_kind {
@@ -65,7 +65,7 @@ struct scene_obstacle {
 struct scene {
     char *name;   /* [a-z0-9_]+                                             owned     */
     char *source; /* where the numbers come from                            owned     */
-    char *about;  /* what happens, a line for lists; NULL: not told         owned     */
+    char *about;  /* what happens, a line for lists; NULL: none             owned     */
     char *text;   /* the file as read, with the settings applied below it   owned     */
 
     double length, width, thickness; /*                                       [m] > 0 */
@@ -96,7 +96,7 @@ struct scene {
     double *snapshots; /* times worth keeping, increasing          [s]     owned   */
 };
 
-/* What a scene asks of a model; bits of scene_needs(). */
+/* The abilities that a scene requires of a model; bits of scene_needs(). */
 #define SCENE_NEED_LIST(X)                                                                 \
     X(CONTACT, "contact with obstacles")                                                   \
     X(MOVING_SUPPORTS, "moving supports")                                                  \
@@ -125,13 +125,13 @@ enum { SCENE_NEED_ALL = SCENE_NEED_LIST(SCENE_NEED_ALL_OF) 0 };
 
 unsigned scene_needs(const struct scene *scene);
 
-/* Names of the bits, comma-separated, into text[size]. */
+/* Writes the names of the bits, comma-separated, into text[size]. */
 void scene_needs_text(unsigned needs, char *text, int size);
 
-/* What tests and the file reader start from: a flat sheet in the x-y plane, L = W = 1 m,
- * h = 0.01 m, E = 1 Pa, nu = 0, rho = 1 kg/m^3, no loads, no supports, 1 s in steps of 5
- * ms. *scene is overwritten, not freed. Free with scene_clear, which accepts all-zero and
- * leaves all-zero. */
+/* Makes the scene that tests and the file reader start from: a flat sheet in the x-y plane,
+ * L = W = 1 m, h = 0.01 m, E = 1 Pa, nu = 0, rho = 1 kg/m^3, no loads, no supports, 1 s in
+ * steps of 5 ms. *scene is overwritten, not freed. Free with scene_clear, which accepts
+ * all-zero and leaves all-zero. */
 enum status scene_init(struct scene *scene);
 void scene_clear(struct scene *scene);
 
@@ -147,10 +147,10 @@ enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle 
 /* "flat", "cloak"; NULL ends. */
 extern const char *const scene_shape_words[];
 
-/* e_w = e_u x e_v. */
+/* Computes e_w = e_u x e_v. */
 void scene_normal(const struct scene *scene, double e_w[3]);
 
-/* Rest position of a material point [m]. */
+/* Returns the rest position of a material point [m]. */
 void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3]);
 
 /* The curved rest shape `cloak`: part of a cone (of a cylinder without flare) as wide as an
@@ -169,40 +169,40 @@ void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz
  * d phi / d v is 1 / cos(alpha/4)^2 times smaller at the ends than in the middle.
  */
 
-/* Largest opening [deg]; d phi / d v then varies 7-fold. */
+/* The largest opening [deg]; d phi / d v then varies 7-fold. */
 #define SCENE_CLOAK_MAX_OPENING 270
 
-/* tan(alpha / 4). */
+/* Returns tan(alpha / 4). */
 double scene_cloak_quarter_tangent(const struct scene *scene);
 
-/* Radius r and height z at u, w [m]. */
+/* Returns radius r and height z at u, w [m]. */
 void scene_cloak_meridian(const struct scene *scene, double u, double w, double *r,
                           double *z);
 
-/* The point at height z and r times the vector (along e_v, along e_w) from the axis [m]. */
+/* Returns the point at height z, r times (along e_v, along e_w) off the axis [m]. */
 void scene_cloak_place(const struct scene *scene, double z, double along_v, double along_w,
                        double xyz[3]);
 
-/* X(u,v,w) [m]. */
+/* Evaluates X(u,v,w) [m]. */
 void scene_cloak_point(const struct scene *scene, const double uvw[3], double xyz[3]);
 
-/* Velocity at t = 0 of what is at xyz [m/s]. */
+/* Returns the velocity at t = 0 of the point at xyz [m/s]. */
 void scene_initial_velocity(const struct scene *scene, const double xyz[3], double v[3]);
 
-/* Shift of a support at time t [m]. */
+/* Returns the shift of a support at time t [m]. */
 void scene_support_shift(const struct scene_support *support, double t, double shift[3]);
 
-/* One support alone, the whole edge u = 0 held in x, y, z, which does not move. */
+/* Whether there is one support alone, which holds the edge u = 0 in x, y, z and rests. */
 bool scene_is_cantilever(const struct scene *scene);
 
 /* Whether one of the supports holds all of the edge where u (i = 0) or v begins, or ends,
  * in x, y, z; it may move. */
 bool scene_edge_clamped(const struct scene *scene, int i, bool end);
 
-/* Bending stiffness D = E h^3 / 12 (1 - nu^2) [N m]. */
+/* Returns the bending stiffness D = E h^3 / 12 (1 - nu^2) [N m]. */
 double scene_bending_stiffness(const struct scene *scene);
 
-/* Weight against bending, Gamma = rho |g| h L^3 / D [1]. */
+/* Returns weight over bending, Gamma = rho |g| h L^3 / D [1]. */
 double scene_gamma(const struct scene *scene);
 
 /* Gammas up to which small-strain linear theory is within 1 % and 10 % of the tip of a

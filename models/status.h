@@ -1,4 +1,4 @@
-/* status.h - how functions say what went wrong.
+/* status.h - statuses and sentences by which functions report failures.
  *
  * Every function that can fail for the user's, the file system's or the numerics' reasons
  * returns an enum status; results go out by pointer. Programmer errors are assert. Inside a
@@ -45,13 +45,13 @@ struct message {
             goto out;                                                                      \
     } while (0)
 
-/* *to = from, which is left all-zero: what `out:` clears it no longer owns. */
+/* Moves from to *to and leaves it all-zero: what `out:` clears it no longer owns. */
 #define HAND_OVER(to, from) (*(to) = (from), memset(&(from), 0, sizeof(from)))
 
-/* The sentence of a code. Static storage. */
+/* Returns the sentence of a code. Static storage. */
 const char *status_text(enum status st);
 
-/* True for the codes that end a simulation as a result. */
+/* Whether the code ends a simulation as a result. */
 bool status_is_death(enum status st);
 
 /* Writes the sentence into *why (if not NULL), '?' for control characters; returns st:

@@ -7,13 +7,13 @@
 #include "models/mechanics/contact_push.h"
 #include "models/room.h"
 
-/* Softening that the choice of substeps bears, without and with obstacles, and a bending
- * mode's phase in the substeps from one bending to the next (pb_motion.h). */
+/* The softening that the choice of substeps tolerates, without and with obstacles, and a
+ * bending mode's phase in the substeps from one bending to the next (pb_motion.h). */
 static const double SOFTENING = 10, SOFTENING_CONTACT = 0.4, BENDING = 0.4;
 
 static const double MOST_SUBSTEPS = 1e6;
 
-/* Frames from one measurement of what iterations leave to the next. */
+/* The frames from one measurement of the iterations' remaining strain to the next. */
 enum { MEASURED = 10 };
 
 static size_t count(const struct pb_motion *m)
@@ -24,8 +24,8 @@ static size_t count(const struct pb_motion *m)
 /* --- what is built -----------------------------------------------------------------------
  */
 
-/* Strength dt^2 / alpha of a constraint of stiffness k as XPBD has it, or one that takes
- * PBD's share of the way; w: sum of inverse masses times squares of weights. */
+/* Returns the strength dt^2 / alpha of a constraint of stiffness k for XPBD, or that which
+ * takes PBD's share of the way; w: sum of inverse masses times squares of weights. */
 static double strength_of(const struct pb_motion *m, double k, double w)
 {
     double s = k * m->dt * m->dt;
@@ -41,7 +41,7 @@ static double inverse_mass(const struct pb_motion *m, int a)
     return 1 / (m->points.mass[a] + m->points.drag[a] * m->dt);
 }
 
-/* The same where any component is free, else 0. */
+/* Returns the inverse mass where any component is free, else 0. */
 static double free_inverse_mass(const struct pb_motion *m, int a)
 {
     const int *place = m->supports.free_index + 3 * a;
@@ -90,8 +90,8 @@ static void put_springs(struct pb_motion *m)
     }
 }
 
-/* Where components are held the others' weight is taken for all, so that one factor serves:
- * that only takes more iterations. */
+/* Sets a form. Where components are held the others' weight is taken for all, so that one
+ * factor suffices: that only takes more iterations. */
 static void set_form(const struct pb_motion *m, const struct spring_plate_form *form,
                      double *strength, double *recall)
 {
@@ -122,7 +122,7 @@ static void put_forms(struct pb_motion *m)
     }
 }
 
-/* The clamps, which lie anywhere. Returns how many. */
+/* Lists the clamps, which lie anywhere. Returns how many. */
 static int list_clamps(struct pb_motion *m)
 {
     int clamps = 0;
@@ -168,7 +168,7 @@ out:
     return st;
 }
 
-/* Greatest 2 k / m of a spring: the softening of a step of one second. */
+/* Returns the greatest 2 k / m of a spring: the softening of a step of one second. */
 static double stiffest(const struct pb_motion *m)
 {
     double most = 0;
@@ -180,7 +180,7 @@ static double stiffest(const struct pb_motion *m)
     return most;
 }
 
-/* An upper bound of the bending's frequencies (Gershgorin) [rad/s]. */
+/* Returns an upper bound of the bending's frequencies (Gershgorin) [rad/s]. */
 static double bending_frequency(const struct pb_motion *m)
 {
     double most = 0;
@@ -218,7 +218,7 @@ static enum status set_steps(struct pb_motion *m, const struct discretization *d
     return STATUS_OK;
 }
 
-/* Elongation of a spring at x [m]. */
+/* Returns the elongation of a spring at x [m]. */
 static double longer(const struct spring *s, const double *x)
 {
     const double *a = x + 3 * (ptrdiff_t)s->a, *b = x + 3 * (ptrdiff_t)s->b;
@@ -304,8 +304,8 @@ static void hold(struct pb_motion *m, double t)
                       m->net.rest[s->held[h]] + m->shift[h]);
 }
 
-/* How much longer springs are than their forces ask for, l - r - alpha f, to their lengths;
- * root of the mean square. */
+/* Returns the strain of springs beyond what their forces need, l - r - alpha f over r; root
+ * of the mean square. */
 static double strained(const struct pb_motion *m, const double *x)
 {
     double *strength = m->work, *lambda = m->work + m->net.nodes, sum = 0;
@@ -324,7 +324,7 @@ static double strained(const struct pb_motion *m, const double *x)
     return sqrt(sum / fmax(m->net.spring_count, 1));
 }
 
-/* Where the step's iterations ended, before the positions follow. */
+/* Measures where the step's iterations ended, before the positions follow. */
 static void measure(struct pb_motion *m, double t)
 {
     double *d = m->work, *x = m->before;
@@ -356,7 +356,7 @@ static void leave_obstacles(struct pb_motion *m)
         m->push[c] += force[c] / m->substeps;
 }
 
-/* asked: how far from the end of its iterations it is. */
+/* Takes a substep; asked: measures how far from the end of its iterations it is. */
 static void substep(struct pb_motion *m, bool asked)
 {
     const bool xpbd = m->projection == PROJECTION_XPBD;

@@ -92,15 +92,15 @@ struct pb_motion {
     double left;      /* strain of springs that iterations left, rms, most so far   [1] */
     double left_time; /* when                                                      [s]  */
     double push[3];   /* of obstacles, mean over the last frame                [N]      */
-    int pushed;       /* points that they bore at its end                              */
+    int pushed;       /* points carried at its end                                     */
 };
 
-/* *m must stay where it is: it holds pointers into itself. */
+/* Initialises; *m must stay where it is: it holds pointers into itself. */
 enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
                            const struct discretization *d, struct message *why);
 void pb_motion_clear(struct pb_motion *m);
 
-/* One step of scene->step. STATUS_NAN. */
+/* Moves one frame of scene->step. STATUS_NAN. */
 enum status pb_motion_frame(struct pb_motion *m, struct counters *counters);
 
 void pb_motion_energy(const struct pb_motion *m, struct energy *energy);

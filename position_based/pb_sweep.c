@@ -6,10 +6,10 @@
 #include "models/clones.h"
 #include "models/room.h"
 
-/* Points that rows are padded to, at least a vector of AVX2 or of doubles. */
+/* Rows are padded to multiples of so many points, at least a vector of AVX2 or doubles. */
 enum { PAD = 8 };
 
-/* Masks of every second and of every third point. */
+/* The masks of every second and of every third point. */
 enum { HALVES = 2, THIRDS = 3 };
 
 struct pb_sweep {
@@ -24,22 +24,22 @@ struct pb_sweep {
     void *room;
 };
 
-/* A loop whose turns do not need each other's results. */
+/* Marks a loop whose turns do not need each other's results. */
 #if defined(__GNUC__) && !defined(__clang__)
 #define APART _Pragma("GCC ivdep")
 #else
 #define APART
 #endif
 
-/* Weights of a point, of the one before it and the one behind in its row; `has`, known to
- * the compiler, those that are not zero. */
+/* Weights of a point, of the one before it and the one behind in its row; `has`, a constant
+ * for the compiler, tells which are not zero. */
 enum { BEFORE = 1, AT = 2, BEHIND = 4, ALL = 7 };
 struct across {
     unsigned has;
     double before, at, behind;
 };
 
-/* Of constraints in a point, from those of points in a constraint. */
+/* Returns the weights of constraints in a point, from those of points in a constraint. */
 static inline __attribute__((always_inline)) struct across turned(struct across w)
 {
     unsigned has =
@@ -63,7 +63,7 @@ static inline __attribute__((always_inline)) struct across turned(struct across 
 #define NO_LENGTH 1e-30
 #include "position_based/pb_sweep_row.h"
 
-/* The function of the sweep's precision. */
+/* Calls the function of the sweep's precision. */
 #define BY_PRECISION(s, name, ...)                                                         \
     ((s)->plan.precision == PRECISION_SINGLE ? single_##name(__VA_ARGS__)                  \
                                              : double_##name(__VA_ARGS__))
@@ -76,7 +76,7 @@ void pb_sweep_free(struct pb_sweep *s)
     free(s);
 }
 
-/* All arrays in one piece, with two rows of room around each. */
+/* Allocates all arrays in one piece, with two rows of room around each. */
 static enum status allocate(struct pb_sweep *s)
 {
     size_t before = s->size * (size_t)(2 * s->pitch);

@@ -26,8 +26,8 @@
 #include "models/discretization.h"
 #include "models/status.h"
 
-/* Springs from a point to the next along u, along v, (i+1, j+1) and (i+1, j-1); bending:
- * spring_plate.h, at its point. */
+/* Springs go from a point to the next along u, along v, (i+1, j+1) and (i+1, j-1); bending
+ * (spring_plate.h) is at its point. */
 enum pb_kind {
     PB_U,
     PB_V,
@@ -42,7 +42,7 @@ enum pb_kind {
     PB_FORMS = PB_KINDS - PB_SPRINGS
 };
 
-/* A number per point each; zero to begin with. */
+/* The fields, a number per point each; zero to begin with. */
 enum pb_field {
     PB_X = 0,                            /* [3] positions                          [m]    */
     PB_D = 3,                            /* [3] displacement of the step           [m]    */
@@ -56,8 +56,8 @@ enum pb_field {
     PB_FIELDS = PB_LAMBDAS + 3 * PB_FORMS
 };
 
-/* A constraint between three points anywhere, in turn after the others:
- * C = sum weight x + shift. */
+/* A constraint between three points anywhere, projected after the others: C = sum weight x
+ * + shift. */
 struct pb_odd {
     int node[3];
     double weight[3], shift[3];
@@ -66,7 +66,7 @@ struct pb_odd {
     ptrdiff_t place[3]; /* of the nodes; by pb_sweep_make                               */
 };
 
-/* What does not change from step to step. */
+/* The part of a sweep that does not change from step to step. */
 struct pb_plan {
     int n, m; /* points                                                                */
     enum precision precision;
@@ -79,19 +79,19 @@ struct pb_plan {
 
 struct pb_sweep; /* opaque */
 
-/* *sweep is owned by the caller. */
+/* Makes a sweep; *sweep is owned by the caller. */
 enum status pb_sweep_make(const struct pb_plan *plan, struct pb_sweep **sweep);
 void pb_sweep_free(struct pb_sweep *sweep);
 
-/* A form's strength and recall from s = dt^2 / compliance and sum w |grad C|^2. */
+/* Computes a form's strength and recall from s = dt^2 / compliance and sum w |grad C|^2. */
 void pb_sweep_form(double s, double gain, double sum, double *strength, double *recall);
 
-/* `count` fields from the first one on, values[nodes][count]; rounded to the precision. */
+/* Put and get `count` fields from the first one on, values[nodes][count], rounded. */
 void pb_sweep_put(struct pb_sweep *sweep, int first, int count, const double *values);
 void pb_sweep_get(const struct pb_sweep *sweep, int first, int count, double *values);
 
-/* A step: d <- keep d + kick, lambda <- 0 if `recalls`; held components to where they shall
- * be; iterations, with bending or with springs alone; x <- x + d. */
+/* The parts of a step: d <- keep d + kick, lambda <- 0 if `recalls`; held components to
+ * where they shall be; iterations, with bending or with springs alone; x <- x + d. */
 void pb_sweep_predict(struct pb_sweep *sweep, bool recalls);
 void pb_sweep_hold(struct pb_sweep *sweep, int node, int component, double x);
 void pb_sweep_project(struct pb_sweep *sweep, int iterations, bool bends, bool recalls);

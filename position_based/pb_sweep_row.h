@@ -5,7 +5,7 @@
 
 #define INLINE static inline __attribute__((always_inline))
 
-/* A field from the first point of a row on. */
+/* Returns a field from the first point of a row on. */
 INLINE REAL *NAME(at)(const struct pb_sweep *s, int field, int row)
 {
     return (REAL *)s->field[field] + row * s->pitch;
@@ -22,13 +22,13 @@ INLINE struct NAME(vector) NAME(vector_at)(const struct pb_sweep *s, int field, 
                                   NAME(at)(s, field + 2, row)}};
 }
 
-/* `count` points, a multiple of the padding, which tells the compiler that no rest is left;
- * what they do to each other is zero. */
+/* Loops over `count` points, a multiple of the padding, so that the compiler leaves out a
+ * remainder; they do not affect each other. */
 #define LANES(j, count) APART for (ptrdiff_t j = 0; j < (count) - (count) % PAD; j++)
 #define COMPONENTS(c)   _Pragma("GCC unroll 3") for (int c = 0; c < 3; c++)
 
-/* Springs from `count` points to those `o` behind them; mask NULL: all of them. What pulls
- * goes to s->pull, or at once to the points, if no two springs share one. */
+/* Projects springs from `count` points to those `o` behind them; mask NULL: all of them.
+ * Pulls go to s->pull, or at once to the points, if no two springs share one. */
 INLINE void NAME(stretch)(struct pb_sweep *s, enum pb_kind kind, int row, ptrdiff_t count,
                           ptrdiff_t o, const REAL *mask, const bool apart,
                           const bool recalls)
@@ -73,9 +73,9 @@ INLINE void NAME(stretch)(struct pb_sweep *s, enum pb_kind kind, int row, ptrdif
     }
 }
 
-/* What s->pull does to the points of a row (of count / pitch rows) with these weights.
- * Behind its end it is zero: the last colour of kinds that are done at once has nothing in
- * the first column, and nothing else writes there. */
+/* Applies s->pull with these weights to the points of a row (of count / pitch rows). Behind
+ * its end it is zero: the last colour of kinds that are done at once has nothing in the
+ * first column, and nothing else writes there. */
 INLINE void NAME(push)(struct pb_sweep *s, int row, ptrdiff_t count, const struct across to)
 {
     const struct NAME(vector) d = NAME(vector_at)(s, PB_D, row),
@@ -101,7 +101,7 @@ INLINE void NAME(push)(struct pb_sweep *s, int row, ptrdiff_t count, const struc
     }
 }
 
-/* What a row's forms have of the row `o` behind it, in one component. */
+/* Returns the part of a row's forms from the row `o` behind it, in one component. */
 INLINE REAL NAME(part)(const REAL *x, const REAL *d, ptrdiff_t o, REAL gain,
                        const struct across of)
 {
@@ -116,8 +116,7 @@ INLINE REAL NAME(part)(const REAL *x, const REAL *d, ptrdiff_t o, REAL gain,
     return sum;
 }
 
-/* Bending forms at `count` points, with their weights in the rows before, here and behind.
- */
+/* Projects bending forms at `count` points; weights in the rows before, here and behind. */
 INLINE void NAME(bend)(struct pb_sweep *s, enum pb_kind kind, int row, ptrdiff_t count,
                        const REAL *mask, const bool recalls, const struct across before,
                        const struct across here, const struct across behind)
@@ -154,7 +153,7 @@ INLINE void NAME(bend)(struct pb_sweep *s, enum pb_kind kind, int row, ptrdiff_t
     NAME(push)(s, row + 1, count, turned(behind));
 }
 
-/* The constraints of one kind and colour at `count` points from a row on. */
+/* Projects the constraints of one kind and colour at `count` points from a row on. */
 INLINE void NAME(row)(struct pb_sweep *s, const enum pb_kind kind, int row, ptrdiff_t count,
                       const REAL *mask, const bool recalls)
 {
@@ -195,8 +194,8 @@ INLINE void NAME(row)(struct pb_sweep *s, const enum pb_kind kind, int row, ptrd
     }
 }
 
-/* All constraints of a kind: `rows` colours of rows, from `low` to the last but `high` (0:
- * rows know nothing of each other, and are done at once), and `colours` along them. */
+/* Projects all constraints of a kind: `rows` colours of rows, from `low` to the last but
+ * `high` (0: rows are independent, and are done at once), and `colours` along them. */
 INLINE void NAME(kind)(struct pb_sweep *s, const enum pb_kind kind, const int rows,
                        const int low, const int high, void *const *masks, const int colours,
                        const bool recalls)
@@ -211,7 +210,7 @@ INLINE void NAME(kind)(struct pb_sweep *s, const enum pb_kind kind, const int ro
         NAME(row)(s, kind, 0, s->plan.n * s->pitch, masks[k], recalls);
 }
 
-/* Constraints that are listed, one by one. */
+/* Projects listed constraints, one by one. */
 INLINE void NAME(odd)(struct pb_sweep *s, const bool recalls)
 {
     const double gain = s->plan.gain;

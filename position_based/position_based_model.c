@@ -78,7 +78,7 @@ static void size(const void *state, struct model_size *size)
                                 .unknown_basis = "mid-surface points"};
 }
 
-/* The misfit of springs to plane stress, and what one iteration leaves. */
+/* Describes the misfit of springs to plane stress, and what one iteration leaves. */
 static void describe(const void *state, struct message *line)
 {
     const struct pb_motion *m = state;

@@ -19,7 +19,7 @@ static void add_term(struct pd_row *row, int node, double coefficient)
     row->coefficient[s] += coefficient;
 }
 
-/* The second difference along the line through k, whose nodes are `by` apart. */
+/* Adds the second difference along the line through k, whose nodes are `by` apart. */
 static void add_second(struct pd_row *row, int k, int by, double factor)
 {
     add_term(row, k - by, factor);
@@ -39,7 +39,7 @@ static void add_twist(struct pd_bending *b, int k, double weight)
     add_term(row, k + net->m + 1, c);
 }
 
-/* Has the node a neighbour before and behind on its lines along u and v? */
+/* Whether a node has neighbours before and behind on its lines along u and v. */
 struct lines {
     bool u, v;
 };
@@ -51,7 +51,7 @@ static struct lines inside(const struct pd_net *net, int k)
     return (struct lines){i > 0 && i<net->n - 1, j> 0 && j < net->m - 1};
 }
 
-/* Is a clamped node k on a clamped line along u, along v? On an area: both. */
+/* Returns whether a clamped node k is on a clamped line along u, along v (area: both). */
 static struct lines on_line(const struct pd_net *net, int k, const bool *clamped)
 {
     int i = k / net->m, j = k % net->m, m = net->m;
@@ -84,7 +84,7 @@ static void add_curvatures(struct pd_bending *b, int k, double D, double nu)
     }
 }
 
-/* The slope from k to k + by, `length` apart, towards `direction`. */
+/* Adds the slope from k to k + by, `length` apart, towards `direction`. */
 static void add_clamp(struct pd_bending *b, int k, int by, double length,
                       const double direction[3], double sign, double weight)
 {
@@ -97,7 +97,7 @@ static void add_clamp(struct pd_bending *b, int k, int by, double length,
         row->target[i] = c * length * sign * direction[i];
 }
 
-/* On both sides of a clamped line at k, where there is a net: half a cell of curvature. */
+/* Adds half a cell of curvature on both sides of a clamped line at k, if in the net. */
 static void add_clamps(struct pd_bending *b, const struct scene *scene, int k,
                        struct lines line, double D)
 {

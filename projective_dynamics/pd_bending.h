@@ -13,7 +13,7 @@ struct pd_row {
     double target[3];      /* [1/m] zero, but for clamps                               */
 };
 
-/* Where rows go. */
+/* The list to which rows are added. */
 struct pd_bending {
     const struct pd_net *net; /*                                             borrowed */
     const double *area;       /* [nodes]                            [m^2]    borrowed */
@@ -21,13 +21,13 @@ struct pd_bending {
     int count;
 };
 
-/* Room for these, per node: two curvatures, a twist, two clamps. */
+/* The most rows of a node: two curvatures, a twist, two clamps. */
 enum { PD_BENDING_ROWS = 5 };
 
-/* The plate's energy with the scene's D and nu, and clamps at `clamped` nodes. */
+/* Adds the plate's energy with the scene's D and nu, and clamps at `clamped` nodes. */
 void pd_bending_plate(struct pd_bending *b, const struct scene *scene, const bool *clamped);
 
-/* weight/2 area |x_uu + x_vv|^2 at every node; along the rim where that is all there is. */
+/* Adds weight/2 area |x_uu + x_vv|^2 at every node; along the rim the term that exists. */
 void pd_bending_mean_curvature(struct pd_bending *b, double weight);
 
 #endif

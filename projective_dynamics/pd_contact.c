@@ -8,7 +8,7 @@
 #include "models/room.h"
 
 /* BLOCKS: swaps of all at once without progress before single ones; PASSES: of friction in
- * one iteration. */
+ * an iteration; REFINEMENTS: of a solution. */
 enum { BLOCKS = 4, PASSES = 2, REFINEMENTS = 2 };
 
 void pd_contact_clear(struct pd_contact *c)
@@ -79,7 +79,7 @@ double pd_contact_normal(const struct pd_contact *c, int t, const double *x,
     return contact_gap(pd_contact_obstacle(c, t), p, normal) - c->scene->thickness / 2;
 }
 
-/* Height of x over the plane that the touch has at `from`. */
+/* Returns the height of x over the plane that the touch has at `from`. */
 static double height(const struct pd_contact *c, int t, const double *from, const double *x,
                      double normal[3])
 {
@@ -129,7 +129,7 @@ void pd_contact_row(struct pd_contact *c, int t, const double direction[3], doub
     c->row_error[c->row_count++] = error;
 }
 
-/* Normals of the active set and what is missing at x; returns the largest. */
+/* Collects normals of the active set and the gaps left at x; returns the largest. */
 static double find_rows(struct pd_contact *c, const double *from, const double *x)
 {
     double most = 0;
@@ -146,7 +146,7 @@ static double find_rows(struct pd_contact *c, const double *from, const double *
     return most;
 }
 
-/* to = from + factor more, three fields. */
+/* Computes to = from + factor more, three fields. */
 static void add_field(const struct pd_contact *c, const double *from, double factor,
                       const double *more, double *to)
 {
@@ -157,7 +157,7 @@ static void add_field(const struct pd_contact *c, const double *from, double fac
             to[i * stride + k] = from[i * stride + k] + factor * more[i * stride + k];
 }
 
-/* Forces that put the rows of the active set right, x = free + A^-1 C^T p. */
+/* Finds the forces that close the active set's rows, x = free + A^-1 C^T p. */
 static enum status solve_rows(struct pd_contact *c, const double *from, double *x)
 {
     enum status st = STATUS_OK;
@@ -198,7 +198,7 @@ static bool held_whole(const struct pd_contact *c, int node)
     return held[node] && held[c->nodes + node] && held[2 * c->nodes + node];
 }
 
-/* True if touch t pulls, or is open and below its plane. */
+/* Whether touch t pulls, or is open and below its plane. */
 static bool is_wrong(const struct pd_contact *c, int t, const double *from, const double *x)
 {
     const struct pd_touch *touch = &c->touch[t];
@@ -222,7 +222,7 @@ static void swap(struct pd_contact *c, int t)
     c->touch[t] = next;
 }
 
-/* Swaps all that is wrong, or the last of them alone; returns how many were wrong. */
+/* Swaps all wrong touches, or the last of them alone; returns how many were wrong. */
 static int pivot(struct pd_contact *c, const double *from, const double *x, bool single)
 {
     int count = 0, last = -1;
@@ -238,7 +238,7 @@ static int pivot(struct pd_contact *c, const double *from, const double *x, bool
     return count;
 }
 
-/* x = free + what the active set pushes, with the right set. */
+/* Computes x = free + the pushes of the active set, with the right set. */
 static enum status press(struct pd_contact *c, const double *from, double *x)
 {
     enum status st;
@@ -260,7 +260,7 @@ out:
     return st;
 }
 
-/* free = alone + what the nodes bear across the normals. */
+/* Computes free = alone + the nodes' friction forces. */
 static enum status set_free(struct pd_contact *c)
 {
     enum status st = STATUS_OK;

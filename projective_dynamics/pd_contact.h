@@ -32,14 +32,14 @@
 
 enum pd_rub { PD_RUB_NONE, PD_RUB_STICK, PD_RUB_SLIP };
 
-/* A node that comes to stick more often than this in a step slips for the rest of it. */
+/* The most times that a node may come to stick in a step; later it slips. */
 enum { PD_CONTACT_CHANGES = 4 };
 
 /* One node before one obstacle: number = obstacle x nodes + node. */
 struct pd_touch {
     bool closed;
     enum pd_rub rub;
-    int changes;       /* to sticking in this step                                     */
+    int changes;       /* changes to sticking in this step                             */
     double press;      /* p >= 0 if closed                                     [kg m]  */
     double tangent[3]; /* force across the normal, in the same unit                    */
 };
@@ -58,46 +58,45 @@ struct pd_contact {
     struct pd_push *row;           /* of the present active set                        */
     int *row_touch;                /* [rows]                                           */
     double *row_value, *row_error; /* [rows]                                           */
-    /* three fields each: without any force of obstacles; with those of slipping nodes; what
-     * the present rows push                                                   owned   */
+    /* three fields each: without obstacles' forces; with those of slipping nodes; the push
+     * of the present rows                                                     owned   */
     double *alone, *free, *way;
     bool stale;      /* free holds tangents that are no more                        */
     double force[3]; /* on the sheet in the last iteration                  [kg m]  */
-    int pressed;     /* nodes that bore any of it                                   */
+    int pressed;     /* nodes that carried any of it                                */
 };
 
-/* Gaps are closed to this part of the sheet's length: round-off of solving with A. */
+/* Gaps are closed to this share of the sheet's length: round-off of solving with A. */
 #define PD_CONTACT_CLOSED 1e-12
 
-/* STATUS_INPUT with a sentence if a node of the rest shape, three fields, lies in an
- * obstacle.
- */
+/* Initialises. STATUS_INPUT with a sentence if a node of the rest shape, three fields, lies
+ * in an obstacle. */
 enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
                             struct pd_system *system, const double *mass,
                             const double *rest, struct message *why);
 void pd_contact_clear(struct pd_contact *c);
 
-/* x, three fields: the free result of a global step; moved out of the obstacles. from: the
+/* Moves x, three fields, the free result of a global step, out of the obstacles. from: the
  * last iterate, start: the step's start. STATUS_DIVERGED if no active set was found. */
 enum status pd_contact_apply(struct pd_contact *c, const double *from, const double *start,
                              double *x);
 
-/* Of touch t: its obstacle; gap of its node at x [m] and the obstacle's normal there, which
- * may be NULL. */
+/* Return for touch t: its obstacle; the gap of its node at x [m], with the obstacle's
+ * normal there, which may be NULL. */
 const struct scene_obstacle *pd_contact_obstacle(const struct pd_contact *c, int t);
 double pd_contact_normal(const struct pd_contact *c, int t, const double *x,
                          double normal[3]);
 
-/* Rows to be solved: room for so many; one more, `error` what is missing along it. */
+/* Make room for so many rows to be solved; add one, `error`: what is missing along it. */
 enum status pd_contact_room(struct pd_contact *c, int rows);
 void pd_contact_row(struct pd_contact *c, int t, const double direction[3], double error);
 
-/* Coulomb friction (pd_contact_rub.c): who sticks, who slips and which way, judged at x,
- * three fields, and what they bear of it; *changed unless all was right. */
+/* Judges Coulomb friction (pd_contact_rub.c) at x, three fields: who sticks, who slips and
+ * which way, and the forces; *changed unless all was right. */
 enum status pd_contact_rub(struct pd_contact *c, const double *from, const double *start,
                            const double *x, int *changed);
 
-/* Least gap of nodes at x to any obstacle, less h/2 [m]. */
+/* Returns the least gap of nodes at x to any obstacle, less h/2 [m]. */
 double pd_contact_gap(const struct pd_contact *c, const double *x);
 
 #endif

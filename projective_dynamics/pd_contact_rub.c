@@ -4,7 +4,7 @@
 
 #include "models/contact.h"
 
-/* A slipping force that turned by less than this part of it is settled. */
+/* A slipping force has settled when it turns by less than this share of it. */
 static const double SETTLED = 1e-9;
 
 static double norm(const double a[3])
@@ -17,7 +17,7 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Two unit vectors across `normal`. */
+/* Computes two unit vectors across `normal`. */
 static void across(const double normal[3], double tangent[2][3])
 {
     int least = 0;
@@ -35,7 +35,7 @@ static void across(const double normal[3], double tangent[2][3])
                         normal[(i + 2) % 3] * tangent[0][(i + 1) % 3];
 }
 
-/* The part of x - start across the normal at `from`. */
+/* Computes the part of x - start across the normal at `from`. */
 static void way_across(const struct pd_contact *c, int t, const double *from,
                        const double *start, const double *x, double normal[3],
                        double way[3])
@@ -52,8 +52,8 @@ static void way_across(const struct pd_contact *c, int t, const double *from,
         way[i] -= along * normal[i];
 }
 
-/* The force to that of the disc nearest to it, after a step down; true if it changed. Its
- * length is safe: S is nowhere larger than 1 / mass. */
+/* Moves the force a step down, then into the disc; returns whether it changed. The step is
+ * safe: S is nowhere larger than 1 / mass. */
 static bool relax(struct pd_touch *touch, double bound, double mass, const double way[3])
 {
     double next[3], change[3];
@@ -96,7 +96,7 @@ static bool rub_one(struct pd_contact *c, int t, const double *from, const doubl
     return true;
 }
 
-/* Forces on the nodes that stick, so that they stay where they were. */
+/* Finds forces on the nodes that stick, which keep them where they were. */
 static enum status stick(struct pd_contact *c, const double *from, const double *start,
                          const double *x, int *changed)
 {

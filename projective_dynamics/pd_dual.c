@@ -6,7 +6,7 @@
 
 enum { FIRST_ROOM = 32, MOST_LINEAR = 1000 };
 
-/* A pivot below this part of its diagonal is round-off: the row depends on others. */
+/* A pivot below this share of its diagonal is round-off: the row depends on others. */
 static const double DEPENDENT = 1e-13;
 
 void pd_dual_clear(struct pd_dual *d)
@@ -133,7 +133,7 @@ static double coupling(const struct pd_dual *d, const struct pd_push *a,
     return sum;
 }
 
-/* S = L L^T in place; a row that depends on others gets the diagonal INFINITY. */
+/* Factors S = L L^T in place; a row that depends on others gets the diagonal INFINITY. */
 static void cholesky(double *S, int count)
 {
     for (int i = 0; i < count; i++) {

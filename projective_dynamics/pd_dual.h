@@ -23,7 +23,7 @@ struct pd_push {
     double direction[3]; /* unit                                                       */
 };
 
-/* What was factored last is kept, of two kinds. */
+/* The kinds of matrices, of each of which the last factor is kept. */
 enum pd_dual_kind { PD_DUAL_NORMALS, PD_DUAL_TANGENTS, PD_DUAL_KINDS };
 
 struct pd_dual_factor {
@@ -46,17 +46,17 @@ struct pd_dual {
     long solves; /* with A so far                                                      */
 };
 
-/* Nothing is computed before rows come. */
+/* Initialises; computes nothing before rows come. */
 enum status pd_dual_init(struct pd_dual *d, struct pd_system *system);
 void pd_dual_clear(struct pd_dual *d);
 
-/* S x = r in place for `count` rows. A row that depends on those before it (an obstacle
- * given twice, a node that is held in its direction) gets 0. near: where conjugate
- * gradients stop, largest component of what is left of r. */
+/* Solves S x = r in place for `count` rows. A row that depends on those before it (an
+ * obstacle given twice, a node that is held in its direction) gets 0. near: the largest
+ * component of the residual at which conjugate gradients stop. */
 enum status pd_dual_solve(struct pd_dual *d, enum pd_dual_kind kind,
                           const struct pd_push *row, int count, double near, double *r);
 
-/* z = A^-1 C^T x, three fields. */
+/* Computes z = A^-1 C^T x, three fields. */
 enum status pd_dual_push(struct pd_dual *d, const struct pd_push *row, int count,
                          const double *x, double *z);
 

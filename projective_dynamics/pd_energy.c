@@ -9,8 +9,8 @@ const char *const pd_energy_constraints[] = {
 
 static const double PAPER_STRETCH = 10, PAPER_BEND = 10, PAPER_MASS = 1;
 
-/* Plane stress: energy per area E h / 2(1-nu^2) [(1-nu) |e|^2 + nu tr(e)^2], e the strain.
- * With |e|^2 = (s1-s2)^2/2 + (s1+s2-2)^2/2 for small strains that is
+/* Sets the energy of plane stress per area, E h / 2(1-nu^2) [(1-nu) |e|^2 + nu tr(e)^2], e
+ * the strain. With |e|^2 = (s1-s2)^2/2 + (s1+s2-2)^2/2 for small strains that is
  *   E h/(1+nu) (s1-s2)^2/4 + E h/(1-nu) (s1+s2-2)^2/4.
  * The matrix needs no more than the larger weight: to second order the two distances lie in
  * orthogonal parts of F. */

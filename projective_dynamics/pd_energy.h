@@ -51,13 +51,14 @@ struct pd_energy {
     double rest_value;   /* energy at rest, from rounding alone [J]                 */
 };
 
-/* n, m >= 2. clamped[nodes]: held in all components through the full thickness. */
+/* Makes the energy; n, m >= 2. clamped[nodes]: held in x, y, z through the full
+ * thickness. */
 enum status pd_energy_init(struct pd_energy *e, const struct scene *scene, int n, int m,
                            enum constraint constraint, enum parameters parameters,
                            const bool *clamped);
 void pd_energy_clear(struct pd_energy *e);
 
-/* Elastic energy [J] of positions x, three fields; 0 for the rest shape. */
+/* Returns elastic energy [J] of positions x, three fields; 0 for the rest shape. */
 double pd_energy_value(const struct pd_energy *e, const double *x);
 
 #endif

@@ -5,20 +5,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Nodes a chunk: buffers stay in the second cache, and the line of nodes computed twice is
- * a tenth of the work. */
+/* The nodes of a chunk: its buffers stay in the second cache, and the line of nodes
+ * computed twice is a tenth of the work. */
 enum { CHUNK = 1024, LINE = 8, KINDS = 4, COMPONENTS = 3 };
 
-/* Keeps 0/0 away from what does not exist; too small to be seen beside a squared edge. */
+/* Avoids 0/0 where an edge does not exist; negligible beside a squared edge. */
 static const double TINY = 1e-200;
-/* A triangle this flat (area over |x_u| |x_v|) is projected as if it were not flatter: the
- * squared area below is then rounding. */
+/* A flatter triangle (area over |x_u| |x_v|) is projected as one of this flatness: its
+ * squared area is rounding. */
 static const double FLAT = 1e-24;
 
 /* --- projections of a run of edges or cells ----------------------------------------------
  * from: first k, so that entry t of a buffer belongs to k = from + t. */
 
-/* out[c][t] = factor k l (x_b - x_a) / |x_b - x_a| */
+/* Computes out[c][t] = factor k l (x_b - x_a) / |x_b - x_a|. */
 static void project_edges(const double *restrict weight, const double *restrict x,
                           ptrdiff_t stride, const int to[2], int count,
                           double *restrict out, ptrdiff_t out_stride)
@@ -36,7 +36,7 @@ static void project_edges(const double *restrict weight, const double *restrict 
     }
 }
 
-/* What a triangle's projection needs besides its edges. */
+/* The numbers that a triangle's projection needs besides its edges. */
 struct triangle_law {
     double over_u, over_v; /* 1/du, 1/dv                                               */
     double keep;           /* share of F itself                                        */
@@ -82,9 +82,9 @@ static void project_triangles(const struct triangle_law *law, const double *rest
     }
 }
 
-/* The same of V = F + u for the split: with a weight W, that lies with both distances
- * between V and their points, z = P / W in the law's terms; out: 2 P - W V, and u for the
- * next time V - z, unless `next` is NULL. u, next: six fields of `stride`. */
+/* Projects V = F + u for the split: with a weight W, which lies with both distances between
+ * V and their points, z = P / W in the law's terms; out: 2 P - W V, and u for the next time
+ * V - z, unless `next` is NULL. u, next: six fields of `stride`. */
 static void split_triangles(const struct triangle_law *law, double weight,
                             const double *restrict exists, const double *restrict x,
                             ptrdiff_t stride, const int to_u[2], const int to_v[2],
@@ -126,8 +126,8 @@ static void split_triangles(const struct triangle_law *law, double weight,
 /* --- gathering ---------------------------------------------------------------------------
  */
 
-/* b = base + what edges bring to nodes first .. first + count; q: their buffer, moved so
- * that q[k] belongs to k = first. */
+/* Computes b = base + the sums over edges at nodes first .. first + count; q: their buffer,
+ * moved so that q[k] belongs to k = first. */
 static void gather_edges(int m, int count, const double *restrict q, ptrdiff_t kind,
                          ptrdiff_t component, const double *restrict base, ptrdiff_t stride,
                          double *restrict b)
@@ -142,8 +142,8 @@ static void gather_edges(int m, int count, const double *restrict q, ptrdiff_t k
     }
 }
 
-/* The same for triangles: the first at k has its corner at node k, the second at k + m + 1.
- */
+/* Does so for triangles: the first at k has its corner at node k, the other at k + m +
+ * 1. */
 static void gather_triangles(int m, int count, const double *restrict q, ptrdiff_t kind,
                              ptrdiff_t component, const double *restrict base,
                              ptrdiff_t stride, double *restrict b)
@@ -202,7 +202,7 @@ static void chunk_triangles(const struct pd_local *local, int from, int count,
     }
 }
 
-/* What lies before the chunk's own cells, `before` of them, is their chunk's to keep. */
+/* Projects with the split; u is updated for own cells, not for the `before` before them. */
 static void chunk_split(const struct pd_local *local, int first, int before, int nodes,
                         const double *x, double *buffer)
 {

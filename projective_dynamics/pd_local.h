@@ -1,4 +1,4 @@
-/* pd_local.h - the local step: every constraint's nearest point, gathered per node.
+/* pd_local.h - the local step: finds every constraint's nearest point and sums per node.
  *
  * Chunks of nodes are fixed by the net and handed out to threads; a chunk computes all the
  * projections that its nodes need, a few of them its neighbour's too, and sums them per
@@ -27,8 +27,8 @@ enum status pd_local_init(struct pd_local *local, const struct pd_energy *energy
                           double factor, double share);
 void pd_local_clear(struct pd_local *local);
 
-/* b = base + factor sum over the stretch constraints of w G^T p(G x), p the nearest point.
- * x, base and b: three fields each, of pd_net_stride.
+/* Computes b = base + factor sum over the stretch constraints of w G^T p(G x), p the
+ * nearest point. x, base and b: three fields each, of pd_net_stride.
  *
  * Split, as ADMM has it (Overby, Brown, Li, Narain 2017), with a weight W of its own:
  *     z = argmin U(z) + W/2 |G x + u - z|^2,  u <- u + G x - z,  w p becomes W (z - u).

@@ -24,15 +24,15 @@ static double mass_damping(const struct scene *scene, const struct pd_energy *e,
     return alpha;
 }
 
-/* Factor on the velocity after each frame. */
+/* Returns the factor on the velocity after each frame. */
 static double velocity_factor(const struct pd_motion *m)
 {
     return m->options.parameters == PARAMETERS_PAPER ? 1 - PAPER_DAMPING
                                                      : damping_velocity(m->scene);
 }
 
-/* A support that takes part of the thickness holds the mid-surface if that is in the part:
- * nodes are at w = 1/2. */
+/* Finds held nodes, at w = 1/2: a support on part of the thickness holds the mid-surface if
+ * that is in the part. */
 static enum status hold_nodes(struct pd_motion *m, struct message *why)
 {
     const int *points = m->options.points;
@@ -52,7 +52,7 @@ static enum status hold_nodes(struct pd_motion *m, struct message *why)
     return st;
 }
 
-/* clamped[nodes]: held in x, y and z, each by a support through the full thickness. */
+/* Marks clamped[nodes]: held in x, y, z, each by a support through the full thickness. */
 static void find_clamped(const struct pd_motion *m, bool *clamped)
 {
     const struct supports *s = &m->supports;
@@ -82,7 +82,7 @@ static enum status allocate(struct pd_motion *m)
     return m->shift ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* By the hats of the nodes, as consistent as the triangles'. */
+/* Distributes the loads to the nodes with their hat functions, as the triangles do. */
 static enum status add_loads(struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;
@@ -105,7 +105,7 @@ static enum status add_loads(struct pd_motion *m)
     return st;
 }
 
-/* At rest, with the scene's initial velocity where nothing is held. */
+/* Starts at rest, with the scene's initial velocity where nothing is held. */
 static void start(struct pd_motion *m)
 {
     const ptrdiff_t stride = pd_net_stride(&m->energy.net);
@@ -270,15 +270,16 @@ out:
     return st;
 }
 
-/* The step's share of the frame's mean force. */
+/* Adds the step's share of the frame's mean force. */
 static void add_push(struct pd_motion *m)
 {
     for (int c = 0; c < 3; c++)
         m->push[c] += m->contact.force[c] / (m->span * m->span * m->options.substeps);
 }
 
-/* From the last changes, `moved` and the one `before` it (INFINITY: not known), as of a
- * geometric series: a lower bound, for what is slowest shows last. */
+/* Estimates the movement that is left from the last changes, `moved` and `before`
+ * (INFINITY: unknown), as of a geometric series: a lower bound, as the slowest part shows
+ * last. */
 static void keep_left(struct pd_motion *m, double before, double moved)
 {
     const double ratio = before < INFINITY ? moved / before : 0.5,
@@ -292,7 +293,7 @@ static void keep_left(struct pd_motion *m, double before, double moved)
     m->left_time = m->time + m->dt;
 }
 
-/* Velocities at the end of the span. */
+/* Computes velocities at the end of the span. */
 static void arrive(struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;
@@ -304,8 +305,8 @@ static void arrive(struct pd_motion *m)
     }
 }
 
-/* The midpoint rule: the span ends in the middle of the step, from which positions and
- * velocities go on as far again, and what is held to where its support is. */
+/* Ends a step of the midpoint rule: the span ends in its middle; positions and velocities
+ * go on as far again, and held ones to where their support is. */
 static void pass_middle(struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;
@@ -362,7 +363,7 @@ out:
     return st;
 }
 
-/* Damps, and says if all are numbers: a sum with one that is not is none. */
+/* Damps velocities; returns whether all are finite, as their sum is. */
 static bool finish_frame(struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;

@@ -49,7 +49,7 @@ struct pd_motion {
     const double *origin, *speed; /* where and how fast the span begins, three fields  */
     double radius; /* Chebyshev: of the iteration about the rest shape              */
     double weight; /* of the last iteration                                         */
-    double left;   /* of a step's movement when its iteration ended, at most so far [1]  */
+    double left;   /* largest share of a step's movement left by its iteration [1]       */
     double left_time; /* that step's [s]                                               */
     double *x, *v;    /* three fields each                                   owned    */
     double *base, *start, *next, *before; /* work, the same                  owned    */
@@ -60,37 +60,37 @@ struct pd_motion {
     bool counted; /* the factorisation of create                                       */
 };
 
-/* *m must stay where it is until pd_motion_clear. */
+/* Initialises; *m must stay where it is until pd_motion_clear. */
 enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                            const struct pd_options *options, struct message *why);
 void pd_motion_clear(struct pd_motion *m);
 
-/* One frame of scene->step. STATUS_NAN if a position is no longer a number. */
+/* Moves one frame of scene->step. STATUS_NAN if a position is no longer a number. */
 enum status pd_motion_frame(struct pd_motion *m, struct counters *counters);
 
-/* The parts of a step, for tests and measurements: what is known of it (base, and the free
- * flight as first guess in m->x, the old positions in m->start); one local and global step
- * `number` = 0, 1, ..., which returns the farthest that a node moved [m] (0 if not asked).
- */
+/* The parts of a step, for tests and measurements. begin computes its constants (base, and
+ * the free flight as first guess in m->x, the old positions in m->start); iterate does one
+ * local and global step `number` = 0, 1, ..., and finds how far a node moved at most [m] (0
+ * if NULL). */
 void pd_motion_begin(struct pd_motion *m);
 enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved);
 
-/* What a step minimises, in J: 1/2 |x - free flight|^2_M (1 + alpha s)/s^2 + E(x), s the
- * span, at m->x, between pd_motion_begin and the end of the step. */
+/* Returns what a step minimises, in J: 1/2 |x - free flight|^2_M (1 + alpha s)/s^2 + E(x),
+ * s the span, at m->x, between pd_motion_begin and the end of the step. */
 double pd_motion_objective(const struct pd_motion *m);
 
 void pd_motion_energy(const struct pd_motion *m, struct energy *energy);
 void pd_motion_size(const struct pd_motion *m, struct model_size *size);
 
-/* Acceleration, pd_motion_accelerate.c: m->radius, once the system is factored; m->next of
- * iteration `number` = 0, 1, ... since the last plain start overshot; whether it is time to
- * look back, after `number` of them (`last`: of the step); whether that look took them
- * back: m->x is again what it was at the look before, and *number is 0. *value is the least
- * objective so far, INFINITY at first. */
+/* pd_motion_accelerate.c, the acceleration: finds m->radius, once the system is factored;
+ * overshoots m->next of iteration `number` = 0, 1, ... since the last plain start; whether
+ * it is time to look back, after `number` of them (`last`: of the step); whether that took
+ * them back: m->x is again what it was at the look before, and *number is 0. *value is the
+ * least objective so far, INFINITY at first. */
 enum status pd_motion_find_radius(struct pd_motion *m);
 
-/* ADMM: the weight of the split over that of stretching, once span and energy are known:
- * the geometric mean of what a net's shortest wave is resisted with by inertia, and by
+/* Returns for ADMM the weight of the split over that of stretching, once span and energy
+ * are known: the geometric mean of a net's shortest wave's resistance by inertia, and by
  * both. Less does better still where a sheet swings as one; where it folds it loses the
  * motion (corners_patch at 5 ms, a tenth of it: by 2 to 4 % at 10 to 50 iterations). */
 double pd_motion_find_share(const struct pd_motion *m);
@@ -98,11 +98,11 @@ void pd_motion_overshoot(struct pd_motion *m, int number);
 bool pd_motion_is_due(int number, bool last);
 bool pd_motion_take_back(struct pd_motion *m, int *number, double *value);
 
-/* Acceleration of a free node on which no neighbour pulls, component c, its place `at` in
- * three fields, less what damping takes [m/s^2]. pd_motion_history.c, as what BDF2 needs:
- * the history before the start, where nothing pulls (work in m->next); and after a step:
- * an obstacle gives no notice, so that what touches has Euler's velocity along the normal,
- * and had it a step ago. */
+/* pd_motion_history.c, as BDF2 needs it. Returns the acceleration of a free node on which
+ * no neighbour pulls, component c, its place `at` in three fields, less damping [m/s^2];
+ * makes the history before the start, where nothing pulls (work in m->next); and corrects
+ * it after a step: what touches an obstacle, which comes without notice, has Euler's
+ * velocity along the normal, and had it a step ago. */
 double pd_motion_fall(const struct pd_motion *m, int c, ptrdiff_t at);
 enum status pd_motion_remember(struct pd_motion *m);
 void pd_motion_touch(struct pd_motion *m);

@@ -17,8 +17,9 @@ double pd_motion_find_share(const struct pd_motion *m)
     return 1 / sqrt(1 + s * s * stretch / mass);
 }
 
-/* The factor by which the slowest error shrinks: the largest eigenvalue of A^-1 K_stretch
- * about the rest shape, across the sheet, where edges resist nothing. Power iteration. */
+/* Finds the factor by which the slowest error shrinks: the largest eigenvalue of A^-1
+ * K_stretch about the rest shape, across the sheet, where edges resist nothing. Power
+ * iteration. */
 enum status pd_motion_find_radius(struct pd_motion *m)
 {
     enum { TURNS = 200 };
@@ -57,8 +58,9 @@ enum status pd_motion_find_radius(struct pd_motion *m)
     return STATUS_OK;
 }
 
-/* Chebyshev's weight of iteration `number`, from the one before (Wang 2015, algorithm 1):
- * none for the first DELAY, in which folds that grow at first would be thrown too far. */
+/* Returns Chebyshev's weight of iteration `number`, from the one before (Wang 2015,
+ * algorithm 1): none for the first DELAY, in which folds that grow at first would be thrown
+ * too far. */
 static double chebyshev_weight(int number, double radius, double before)
 {
     if (number < DELAY)
@@ -66,7 +68,7 @@ static double chebyshev_weight(int number, double radius, double before)
     return number == DELAY ? 2 / (2 - radius * radius) : 4 / (4 - radius * radius * before);
 }
 
-/* next <- w (next - before) + before */
+/* Computes next <- w (next - before) + before. */
 void pd_motion_overshoot(struct pd_motion *m, int number)
 {
     const struct pd_net *net = &m->energy.net;
@@ -85,9 +87,9 @@ bool pd_motion_is_due(int number, bool last)
     return last || number % GUARD == 0;
 }
 
-/* After every GUARD iterations: if what a step minimises has grown, which plain iterations
- * never let it, the last ones are taken back, and the next are plain (Peng et al. 2018
- * guard their acceleration so). *number counts from there, *value is the least so far. */
+/* Guards the acceleration, after every GUARD iterations: if the step's objective has grown,
+ * which plain iterations never let it, the last ones are taken back, and the next are plain
+ * (as Peng et al. 2018). *number counts from there, *value is the least so far. */
 bool pd_motion_take_back(struct pd_motion *m, int *number, double *value)
 {
     const struct pd_net *net = &m->energy.net;

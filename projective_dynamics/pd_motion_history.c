@@ -1,4 +1,4 @@
-/* What BDF2 knows of the step before: at the start, and where an obstacle is met. */
+/* The step before, as BDF2 needs it: at the start, and where an obstacle is met. */
 #include "projective_dynamics/pd_motion.h"
 
 double pd_motion_fall(const struct pd_motion *m, int c, ptrdiff_t at)
@@ -9,7 +9,7 @@ double pd_motion_fall(const struct pd_motion *m, int c, ptrdiff_t at)
     return scene->gravity[c] + wind * scene->wind[c] + (m->dead ? m->dead[at] : 0);
 }
 
-/* A node that touches and falls against the obstacle does not: m->next. */
+/* Keeps m->next of a node that touches an obstacle from pointing into it. */
 static void stop(struct pd_motion *m, int t)
 {
     const ptrdiff_t stride = pd_net_stride(&m->energy.net);

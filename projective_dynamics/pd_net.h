@@ -1,4 +1,4 @@
-/* pd_net.h - how the nodes of a net lie in memory, and its edges.
+/* pd_net.h - the layout of a net's nodes in memory, and its edges.
  *
  * n x m nodes over the mid-surface, node k = i m + j at (u,v) = (i/(n-1), j/(m-1)). A field
  * of numbers per node has zeros before node 0 and behind the last, so that k + m + 1 and
@@ -17,28 +17,29 @@ struct pd_net {
     ptrdiff_t pad; /* zeros before and behind, m + 1 or more                          */
 };
 
-/* Edges by their node k: along u k -> k+m, along v k -> k+1, and the diagonals
- * k -> k+m+1 and k+1 -> k+m of the cell at k. */
+/* The edges, by their node k: along u k -> k+m, along v k -> k+1, and the diagonals k ->
+ * k+m+1 and k+1 -> k+m of the cell at k. */
 enum pd_edge { PD_EDGE_U, PD_EDGE_V, PD_EDGE_FALLING, PD_EDGE_RISING, PD_EDGES };
 
-/* n, m >= 2; length, width of the sheet [m]. */
+/* Makes a net; n, m >= 2; length, width of the sheet [m]. */
 void pd_net_init(struct pd_net *net, int n, int m, double length, double width);
 
-/* Numbers from a field to the next one of the same array. */
+/* Returns the distance from a field to the next one of the same array. */
 ptrdiff_t pd_net_stride(const struct pd_net *net);
 
-/* `count` fields of zeros; field c starts at the returned pointer + c pd_net_stride. Owned
- * by the caller, freed with pd_net_free_fields; NULL if there is no memory. */
+/* Allocates `count` fields of zeros; field c starts at the returned pointer + c
+ * pd_net_stride. Owned by the caller, freed with pd_net_free_fields; NULL if there is no
+ * memory. */
 double *pd_net_fields(const struct pd_net *net, int count);
 void pd_net_free_fields(const struct pd_net *net, double *fields); /* NULL is allowed */
 
-/* The ends k + to[0] -> k + to[1] of the edge at k. */
+/* Returns the ends k + to[0] -> k + to[1] of the edge at k. */
 void pd_net_ends(const struct pd_net *net, enum pd_edge edge, int to[2]);
 
-/* True if there is such an edge at k; for a diagonal: if there is a cell at k. */
+/* Whether there is such an edge at k; for a diagonal: whether there is a cell at k. */
 bool pd_net_has(const struct pd_net *net, enum pd_edge edge, int k);
 
-/* Its rest length [m]. */
+/* Returns its rest length [m]. */
 double pd_net_length(const struct pd_net *net, enum pd_edge edge);
 
 #endif

@@ -16,7 +16,7 @@ static const int offset[COUPLINGS][2] = {{0, 0}, {0, 1}, {0, 2}, {1, -2}, {1, -1
 /* --- the matrix --------------------------------------------------------------------------
  */
 
-/* Which coupling the nodes a <= b have. */
+/* Returns the coupling of the nodes a <= b. */
 static int coupling_of(const struct pd_net *net, int a, int b)
 {
     int di = b / net->m - a / net->m, dj = b % net->m - a % net->m;
@@ -63,7 +63,7 @@ static void add_rows(struct pd_system *s, const struct pd_energy *e, double fact
     }
 }
 
-/* Index of the partner of k in a coupling, -1 outside the net. */
+/* Returns the partner of k in a coupling, -1 outside the net. */
 static int partner(const struct pd_net *net, int k, int coupling)
 {
     int i = k / net->m + offset[coupling][0], j = k % net->m + offset[coupling][1];
@@ -94,8 +94,8 @@ void pd_system_multiply(const struct pd_system *s, const double *x, double *y)
 /* --- factors -----------------------------------------------------------------------------
  */
 
-/* All couplings that any number needs: the same for every group. Arrays owned by the
- * caller. */
+/* Makes the pattern of all couplings that are ever used: the same for every group. Arrays
+ * owned by the caller. */
 static enum status make_pattern(const struct pd_system *s, long **start, int **row)
 {
     int nodes = s->net->nodes;
@@ -172,7 +172,7 @@ static bool same_held(const struct pd_system *s, int a, int b)
     return !memcmp(s->held + a * nodes, s->held + b * nodes, nodes * sizeof *s->held);
 }
 
-/* Neighbouring components with the same held nodes go together. */
+/* Groups neighbouring components with the same held nodes. */
 static enum status make_groups(struct pd_system *s, enum solver solver)
 {
     enum status st;

@@ -31,25 +31,25 @@ struct pd_system {
     bool *held;       /* [3][nodes]                                         owned     */
 };
 
-/* Everything by dt^2: mass_factor = 1 + alpha dt, factor = dt^2; stretch edges by `stretch`
- * besides. */
+/* Makes the system, times dt^2: mass_factor = 1 + alpha dt, factor = dt^2; stretch edges
+ * are multiplied by `stretch` besides. */
 enum status pd_system_init(struct pd_system *s, const struct pd_energy *energy,
                            const struct supports *supports, double mass_factor,
                            double factor, double stretch, enum solver solver);
 void pd_system_clear(struct pd_system *s);
 
-/* base (three fields): at held nodes their positions, at others less what they are coupled
- * to of those. Once a step. */
+/* Changes base (three fields) once a step: held nodes get their positions, the others lose
+ * their coupling to these. */
 void pd_system_hold(const struct pd_system *s, double *base);
 
-/* A x = b in place, three fields; held nodes keep what b has there. */
+/* Solves A x = b in place, three fields; held nodes keep b's value. */
 enum status pd_system_solve(struct pd_system *s, double *b);
 
-/* Column `node` of A^-1 in the components of group `group`: column[nodes]; zeros at held
- * nodes, and all zeros if the node is held. */
+/* Computes column `node` of A^-1 in the components of group `group`: column[nodes]; zeros
+ * at held nodes, and all zeros if the node is held. */
 enum status pd_system_column(struct pd_system *s, int group, int node, double *column);
 
-/* A x, three fields, held nodes as if free: for residuals and tests. */
+/* Computes y = A x, three fields, held nodes as if free: for residuals and tests. */
 void pd_system_multiply(const struct pd_system *s, const double *x, double *y);
 
 #endif

@@ -32,7 +32,7 @@ static size_t rest_size(const struct shell_space *space, int rule)
     return SHELL_REST_ROWS * (size_t)space->rule[rule].padded;
 }
 
-/* Where an element's rest data begins, by parts. */
+/* The places where an element's rest data begins, by parts. */
 struct rest {
     const double *part[SHELL_PARTS];
 };
@@ -46,7 +46,7 @@ static struct rest rest_of(const struct shell_assembly *s, int element)
     return r;
 }
 
-/* Mass and areas of one element from the areas of its points. */
+/* Adds mass and areas of one element from the areas of its points. */
 static void add_mass(struct shell_assembly *s, const struct shell_element *e, int element,
                      const double *area)
 {
@@ -71,7 +71,7 @@ static void add_mass(struct shell_assembly *s, const struct shell_element *e, in
     }
 }
 
-/* Rest data, mass and areas of one element. */
+/* Adds rest data, mass and areas of one element. */
 static enum status add_rest(struct shell_assembly *s, struct shell_element *e, int element)
 {
     struct shell_place place[SHELL_MAX_POINTS];

@@ -26,13 +26,13 @@ struct shell_assembly {
     struct shell_element *work; /* [threads]                                           */
 };
 
-/* *s stays where it is. Threads: as many as OpenMP would give at this moment. STATUS_INPUT
- * with a sentence if the rest shape has no normal somewhere. */
+/* Prepares; *s must stay where it is. Threads: as many as OpenMP would give at this moment.
+ * STATUS_INPUT with a sentence if the rest shape has no normal somewhere. */
 enum status shell_assembly_init(struct shell_assembly *s, const struct shell_space *space,
                                 const struct shell_material *material, struct message *why);
 void shell_assembly_clear(struct shell_assembly *s);
 
-/* Elastic energy at x[nodes][3] [J]. STATUS_NAN where the surface has no normal. */
+/* Returns elastic energy at x[nodes][3] [J]. STATUS_NAN where the surface has no normal. */
 enum status shell_assembly_energy(const struct shell_assembly *s, const double *x,
                                   double *energy);
 

@@ -50,7 +50,7 @@ void shell_element_load(struct shell_element *e, const struct shell_space *space
         e->at[SHELL_MEMBRANE].count = e->at[SHELL_BENDING].count;
 }
 
-/* The plane-stress law in the metric A^ab = a, b, c (11, 22, 12). */
+/* Makes the plane-stress law in the metric A^ab = a, b, c (11, 22, 12). */
 static void make_law(const struct shell_material *material, double a, double b, double c,
                      double law[6])
 {
@@ -64,7 +64,7 @@ static void make_law(const struct shell_material *material, double a, double b, 
     law[5] = factor * ((1 - nu) * a * b + (1 + nu) * c * c) / 2;
 }
 
-/* A point's share of the law. E / A_11^2 is what the law has along u where nothing else is
+/* Takes a point's share of the law. E / A_11^2 is the law along u where nothing else is
  * stressed; the most that can be taken from it of both that and E / A_22^2, so that what is
  * left is nowhere negative, is 1 / (1 + |r|) of them, r the correlation of the two strains
  * in the law's inverse: -nu where u and v are at right angles. */
@@ -198,7 +198,7 @@ double shell_element_energy(const struct shell_element *e,
     return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 }
 
-/* f[t] += the sum of s[t]'s lanes, (0 + 2) + (1 + 3), for four t at a time. */
+/* Adds the sum of s[t]'s lanes, (0 + 2) + (1 + 3), to f[t], for four t at a time. */
 static void add_lanes(int count, const shell_lanes *s, double *f)
 {
     for (int t = 0; t < count; t += SHELL_LANES, s += SHELL_LANES, f += SHELL_LANES) {
@@ -213,7 +213,7 @@ static void add_lanes(int count, const shell_lanes *s, double *f)
     }
 }
 
-/* e->f += densities d[rows] times N_u, N_v, N_uu, N_vv, N_uv at four points. */
+/* Adds densities d[rows] times N_u, N_v, N_uu, N_vv, N_uv at four points to e->f. */
 static void add_densities(struct shell_element *e, const struct shell_points *p, int at,
                           int rows, shell_lanes d[][3])
 {

@@ -22,29 +22,27 @@ void shell_element_clear(struct shell_element *e);
 void shell_element_load(struct shell_element *e, const struct shell_space *space,
                         int element, int rules);
 
-/* rest[SHELL_REST_ROWS][padded] of a rule from the element's control points e->X[0] and
- * place[]. STATUS_INPUT if the surface has no normal there. */
+/* Computes rest[SHELL_REST_ROWS][padded] of a rule from the element's control points
+ * e->X[0] and place[]. STATUS_INPUT if the surface has no normal there. */
 enum status shell_element_rest(struct shell_element *e, int rule,
                                const struct shell_material *material,
                                const struct shell_place *place, double *rest);
 
-/* rest[SHELL_PARTS], below: of membrane and bending.
- *
- * e->strain on the control points e->X[0]. False if they are not finite or the surface has
- * no normal. */
+/* Computes e->strain on the control points e->X[0]. rest[SHELL_PARTS], here and below: of
+ * membrane and bending. False if they are not finite or the surface has no normal. */
 bool shell_element_strain(struct shell_element *e, const double *const rest[]);
 
-/* Elastic energy of e->strain [J]. */
+/* Returns the elastic energy of e->strain [J]. */
 double shell_element_energy(const struct shell_element *e,
                             const struct shell_material *material,
                             const double *const rest[]);
 
-/* e->f: forces of the stress of e->strain on the geometry e->X[1]. */
+/* Computes e->f: forces of the stress of e->strain on the geometry e->X[1]. */
 void shell_element_force(struct shell_element *e, const struct shell_material *material,
                          const double *const rest[]);
 
-/* e->strain -= half the product of the change e->X[2] and e->X[1] (large_foresight's
- * beside) in the membrane: what is left is the strain as the tangent foresaw it. Magisano,
+/* Subtracts half the product of the change e->X[2] and e->X[1] (large_foresight's beside)
+ * from e->strain in the membrane: this is the strain as the tangent foresaw it. Magisano,
  * Leonetti, Garcea 2017 base the geometric part on it: Newton's method on thin shells then
  * needs far fewer steps. */
 void shell_element_foresee(struct shell_element *e);

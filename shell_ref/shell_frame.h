@@ -23,7 +23,7 @@ static inline shell_lanes shell_frame_dot(const shell_lanes a[3], const shell_la
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* `rows` derivatives, from N_u on, of the surface with control points X at points
+/* Computes `rows` derivatives, from N_u on, of the surface with control points X at points
  * at .. at + 3; in the padding everything is zero. */
 static inline void shell_frame_derive(const struct shell_points *p, int local,
                                       const double *X, int at, int rows,
@@ -33,7 +33,7 @@ static inline void shell_frame_derive(const struct shell_points *p, int local,
     const double *T = p->T + stride + at;
     shell_lanes sum[5][3] = {{{0}}};
 
-    /* all sums at once: one alone waits for its last addition */
+    /* computes all sums at once: one alone would wait for its last addition */
     for (int a = 0; a < local; a++, T += p->padded)
 #pragma GCC unroll 5
         for (int k = 0; k < rows; k++) {
@@ -46,7 +46,7 @@ static inline void shell_frame_derive(const struct shell_points *p, int local,
         memcpy(out[k], sum[k], sizeof sum[k]);
 }
 
-/* second only if the rule has it: zero elsewhere. */
+/* Computes the surface; second derivatives only if the rule has them: zero elsewhere. */
 static inline void shell_frame_surface(const struct shell_points *p, int local,
                                        const double *X, int at, bool second,
                                        struct shell_surface *s)
@@ -69,7 +69,7 @@ static inline void shell_frame_surface(const struct shell_points *p, int local,
         s->n[i] *= square;
 }
 
-/* In the order 11, 22, 12. */
+/* Computes the metric in the order 11, 22, 12. */
 static inline void shell_frame_metric(shell_lanes a[2][3], shell_lanes metric[3])
 {
     metric[0] = shell_frame_dot(a[0], a[0]);
@@ -84,7 +84,7 @@ static inline void shell_frame_curvature(const struct shell_surface *s,
         curvature[c] = shell_frame_dot(s->second[c], s->n);
 }
 
-/* Law C times area at four points. */
+/* Computes law C times area at four points. */
 static inline void shell_frame_law(const double *rest, int row, int at, shell_lanes C[3][3])
 {
     shell_lanes area = *(const shell_lanes *)(rest + REST_AREA * row + at);
@@ -102,7 +102,7 @@ static inline double shell_frame_stiffness(const struct shell_material *material
     return part == SHELL_BENDING ? h * h * h / 12 : h;
 }
 
-/* Resultants of the strain times area at four points. */
+/* Computes resultants of the strain times area at four points. */
 static inline void shell_frame_resultants(const struct shell_points *p, double stiffness,
                                           shell_lanes C[3][3], int at, shell_lanes out[3])
 {

@@ -42,10 +42,10 @@ static enum status check_remedy(const struct discretization *d, struct message *
     return STATUS_OK;
 }
 
-/* Length of the waves in which a sheet wrinkles whose gravity pushes it along an edge that
- * is clamped, or towards it [m]; INFINITY where none does. Of a plate that carries the
- * pressure p = rho h g L (g, L: of gravity, of the sheet, in its plane) that which grows
- * fastest is 2 pi sqrt(2 D / p) long. */
+/* Returns the length of the waves in which a sheet wrinkles whose gravity pushes it along
+ * an edge that is clamped, or towards it [m]; INFINITY where none does. Of a plate that
+ * carries the pressure p = rho h g L (g, L: of gravity, of the sheet, in its plane) the
+ * fastest growing wave is 2 pi sqrt(2 D / p) long. */
 static double wrinkle(const struct scene *scene)
 {
     const double *axis[2] = {scene->axis_u, scene->axis_v};
@@ -69,15 +69,15 @@ static double wrinkle(const struct scene *scene)
                 (scene->density * scene->thickness * push));
 }
 
-/* Returns true if that is shorter than SPANS of the longest spans, with a sentence. At a
- * clamped edge a cured shell is asked for its strain along u at the edge, where it has
- * none, and once in the span beside it. It folds there, all along the edge, and turns about
- * the corner; an uncured one locks against it. (flag, rms distance to the truth at 0.3 and
- * 0.5 s in % of the length, cured and uncured: 10x10 points, 1.9 spans a wave, 2.8 11,
- * .7 7.5; 16x16 2.1 10, .6 5.8; 26x26 1.5 9.1, .7 2.8; on 40x40, 10 spans a wave, .8 and .7
- * at 0.3 s.) A net of fewer spans a side has no room to fold. Where gravity bends the sheet
- * a cured net is nearer, however heavy it is: edge_drop of nu = 0 and 1, 10, 100 times its
- * Gamma on 10x10 points at 0.4 s, .5, 1.1, 1.6 and uncured 10, 6.4, 5.5. */
+/* Whether that is shorter than SPANS of the longest spans, with a sentence. At a clamped
+ * edge a selective shell sees its strain along u at the edge, where it has none, and once
+ * in the span beside it. It folds there, all along the edge, and turns about the corner;
+ * one without remedy locks against it. (flag, rms distance to the truth at 0.3 and 0.5 s in
+ * % of the length, with remedy and without: 10x10 points, 1.9 spans a wave, 2.8 11, .7 7.5;
+ * 16x16 2.1 10, .6 5.8; 26x26 1.5 9.1, .7 2.8; on 40x40, 10 spans a wave, .8 and .7 at 0.3
+ * s.) A net of fewer spans a side has no room to fold. Where gravity bends the sheet a net
+ * with remedy is nearer, however heavy it is: edge_drop of nu = 0 and 1, 10, 100 times its
+ * Gamma on 10x10 points at 0.4 s, .5, 1.1, 1.6 and without 10, 6.4, 5.5. */
 static bool wrinkles(const struct scene *scene, const struct discretization *d,
                      struct message *reason)
 {
@@ -116,7 +116,7 @@ static void adapt(const struct scene *scene, struct discretization *d,
         d->remedy = REMEDY_NONE;
 }
 
-/* Knots that repeat at supports make no spans: the default ones stay as many. */
+/* Adds points for knots that repeat at supports, which make no spans. */
 static int extra_points(const struct scene *scene, const struct discretization *d, int i)
 {
     return i > 1 ? 0 : support_knots_repeats(scene, i, d->degree[i], SUPPORT_KNOTS_SHELL);
@@ -138,7 +138,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
     return st == STATUS_OK ? large_leapfrog_refuse(d, why) : st;
 }
 
-/* The flat sheet: control points at Greville abscissae, so that parameter = coordinate. */
+/* Makes the flat sheet: control points at Greville abscissae, parameter = coordinate. */
 static void make_flat(const struct scene *scene, const struct bspline basis[2],
                       double *point)
 {
@@ -181,7 +181,7 @@ out:
     return st;
 }
 
-/* Functions alive at x in direction i. */
+/* Evaluates the functions alive at x in direction i; returns the first. */
 static int alive(const struct shell *s, int i, double x, double *value)
 {
     const struct bspline *b = &s->space.basis[i];
@@ -240,7 +240,7 @@ out:
     return st;
 }
 
-/* Half a thickness along the normal of two tangents. */
+/* Computes half a thickness along the normal of two tangents. */
 static void make_offset(const struct shell *s, double along[2][3], double offset[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -253,7 +253,7 @@ static void make_offset(const struct shell *s, double along[2][3], double offset
         offset[i] *= s->motion.scene->thickness / 2 / length;
 }
 
-/* Mid-surface and half a thickness along its normal at one point; N: values and slopes. */
+/* Computes mid-surface and offset of the faces at one point; N: values and slopes. */
 static void evaluate(const struct shell *s, const int first[2], const double *const N[2],
                      double middle[3], double offset[3])
 {
@@ -279,7 +279,7 @@ static void evaluate(const struct shell *s, const int first[2], const double *co
     make_offset(s, along, offset);
 }
 
-/* The same at parameters of a rational surface. */
+/* Does so at parameters of a rational surface. */
 static void evaluate_rational(const struct shell *s, double u, double v, double middle[3],
                               double offset[3])
 {
@@ -298,7 +298,7 @@ static void evaluate_rational(const struct shell *s, double u, double v, double 
     make_offset(s, along, offset);
 }
 
-/* w = 0 and 1 lie at minus and plus half a thickness. */
+/* Places a point: w = 0 and 1 lie at minus and plus half a thickness. */
 static void place(const double middle[3], const double offset[3], double w, double *xyz)
 {
     for (int i = 0; i < 3; i++)

@@ -43,7 +43,7 @@ static void clamp_edge(struct scene_support *s, int d, const struct bspline *b)
         s->lo[d] = bspline_greville(b, b->n - 2);
 }
 
-/* The scene's supports, borrowed paths and all, with clamped edges two rows wide. */
+/* Makes the scene's supports, borrowed paths and all, with clamped edges two rows wide. */
 static enum status clamp_edges(struct shell_motion *m, struct message *why)
 {
     const struct scene *scene = m->scene;
@@ -88,9 +88,9 @@ out:
     return st;
 }
 
-/* Linear kinematics of a flat sheet whose normal is a coordinate axis: bending and
- * stretching do not couple; m->parity is 1 for components along the normal, NULL
- * elsewhere. */
+/* Finds the parity under linear kinematics of a flat sheet whose normal is a coordinate
+ * axis: bending and stretching do not couple; m->parity is 1 for components along the
+ * normal, NULL elsewhere. */
 static enum status find_parity(struct shell_motion *m)
 {
     const double *rest = m->space->rest, *u = m->scene->axis_u, *v = m->scene->axis_v;
@@ -217,8 +217,8 @@ static const double (*stiffness(const struct shell_motion *m))[9]
     return (const double(*)[9])m->K;
 }
 
-/* M a = load - M alpha v - K (d + beta v) at the start, held unknowns following their
- * paths; then the constant system of the steps. */
+/* Solves M a = load - M alpha v - K (d + beta v) at the start, held unknowns following
+ * their paths; then factors the constant system of the steps. */
 static enum status start_linear(struct shell_motion *m, struct counters *counters)
 {
     enum status st;

@@ -47,15 +47,15 @@ struct shell_motion {
     struct contact_step contact; /* with obstacles only                                */
 };
 
-/* `space` must have been made for the scene's sheet; kinematics and solver from d.
- * STATUS_UNSUPPORTED with a sentence for the paper's kinematics and for supports that miss
- * the mid-surface. */
+/* Initialises; `space` must have been made for the scene's sheet; kinematics and solver
+ * from d. STATUS_UNSUPPORTED with a sentence for the paper's kinematics and for supports
+ * that miss the mid-surface. */
 enum status shell_motion_init(struct shell_motion *m, const struct scene *scene,
                               const struct shell_space *space,
                               const struct discretization *d, struct message *why);
 void shell_motion_clear(struct shell_motion *m);
 
-/* One step of scene->step. */
+/* Takes one step of scene->step. */
 enum status shell_motion_step(struct shell_motion *m, struct counters *counters);
 
 void shell_motion_energy(const struct shell_motion *m, struct energy *energy);

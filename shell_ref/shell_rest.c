@@ -8,7 +8,7 @@
 
 static const struct large_path statics = {.s1 = 1, .g1 = 1};
 
-/* To the tangent of the rest shape, wherever x is. */
+/* Computes the tangent of the rest shape, wherever x is. */
 static enum status rest_stiffness(const struct shell_motion *m, double (*K)[9])
 {
     return large_body_tangent(&m->assembly.body, &statics, m->space->rest,
@@ -64,7 +64,7 @@ out:
     return st;
 }
 
-/* K of the rest shape into *K, owned by the caller. */
+/* Makes K of the rest shape, *K, owned by the caller. */
 static enum status make_stiffness(const struct shell_motion *m, double (**K)[9])
 {
     const struct blocks *graph = &m->assembly.graph;

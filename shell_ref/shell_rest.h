@@ -1,4 +1,4 @@
-/* shell_rest.h - what needs no time: static equilibrium, natural modes, matrices. */
+/* shell_rest.h - results without time stepping: equilibrium, natural modes, matrices. */
 #ifndef SHELL_REST_H
 #define SHELL_REST_H
 
@@ -11,7 +11,7 @@
 enum status shell_rest_equilibrium(struct shell_motion *m, struct counters *counters,
                                    struct message *why);
 
-/* model.h's modes, and its matrices, of the rest shape. */
+/* Compute model.h's modes, and its matrices, of the rest shape. */
 enum status shell_rest_modes(struct shell_motion *m, int count, double *omega,
                              struct message *why);
 enum status shell_rest_matrices(const struct shell_motion *m, struct matrix *K,

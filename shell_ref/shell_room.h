@@ -1,12 +1,11 @@
-/* shell_room.h - what a shell element works with (shell_element.h). */
+/* shell_room.h - working storage of a shell element (shell_element.h). */
 #ifndef SHELL_ROOM_H
 #define SHELL_ROOM_H
 
 #include "shell_ref/shell_space.h"
 
-/* What the rest shape gives each point of the membrane and of bending: area, metric (or
- * curvature), and C without h, entries (0,0) (0,1) (0,2) (1,1) (1,2) (2,2); of the mass:
- * its area alone. */
+/* Rest data of each point of the membrane and of bending: area, metric (or curvature), and
+ * C without h, entries (0,0) (0,1) (0,2) (1,1) (1,2) (2,2); of the mass: its area alone. */
 enum { REST_AREA, REST_FORM, REST_LAW = 4, SHELL_REST_ROWS = 10 };
 
 struct shell_material {
@@ -17,12 +16,12 @@ struct shell_material {
 struct shell_points {
     int count, padded; /* points, and rows of them                                     */
     const double *T;   /* [SHELL_DERIVATIVES or SHELL_SLOPES][local][padded]           */
-    double *room;      /* to make them in                                              */
+    double *room;      /* room to make them in                                         */
     double *strain;    /* [3][padded]; the mass has none                               */
     struct shell_surface *surface; /* [padded / SHELL_LANES] of the strain; likewise   */
 };
 
-/* Room for one element; one per thread. */
+/* Working storage for one element; one per thread. */
 struct shell_element {
     int local, row; /* functions, and padded                                           */
     void *memory;   /*                                                         owned   */
@@ -35,7 +34,7 @@ struct shell_element {
     double *K;            /* [local][9][row], columns b >= a filled                    */
 };
 
-/* Numbers in e->strain, and of rest data, of a part or, with SHELL_PARTS, of both. */
+/* Returns the numbers in e->strain of a part or, with SHELL_PARTS, of both. */
 static inline size_t shell_room_strains(const struct shell_space *space, int part)
 {
     const struct shell_rule *r = space->rule;

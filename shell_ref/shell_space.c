@@ -8,7 +8,7 @@
 #include "models/linalg/blocks.h"
 #include "models/room.h"
 
-/* Which derivative of the u and of the v function makes each row of a table. */
+/* The derivatives of the u and of the v function that make each row of a table. */
 static const int derivative_u[SHELL_DERIVATIVES] = {0, 1, 0, 2, 0, 1};
 static const int derivative_v[SHELL_DERIVATIVES] = {0, 0, 1, 0, 2, 1};
 
@@ -51,7 +51,7 @@ static enum status check(const struct bspline basis[2], const int gauss[2],
     return STATUS_OK;
 }
 
-/* The points of `rule`, which is cleared, as a line. */
+/* Turns the points of `rule`, which is cleared, into a line. */
 static enum status tabulate(const struct bspline *b, struct line_rule *rule,
                             struct shell_line *line)
 {
@@ -231,7 +231,7 @@ static int points_of(const struct shell_space *space, int rule, int element)
     return count;
 }
 
-/* Where a kept table begins. Alike: one for both, the slopes where both have them. */
+/* Returns where a kept table begins. Alike: one for both, slopes where both have them. */
 static size_t place_of(const struct shell_space *space, int rule, int element)
 {
     const size_t bending = shell_space_size(space, SHELL_BENDING),

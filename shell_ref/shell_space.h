@@ -28,10 +28,10 @@ enum {
  * bending has no part in, the first three. */
 enum { SHELL_DERIVATIVES = 6, SHELL_SLOPES = 3 };
 
-/* What is integrated, each by its own points. */
+/* The integrals, each with points of its own. */
 enum { SHELL_MEMBRANE, SHELL_BENDING, SHELL_PARTS, SHELL_MASS = SHELL_PARTS, SHELL_RULES };
 
-/* Which strains a point of the membrane has its share of. */
+/* The strains of which a point of the membrane has its share. */
 enum shell_share { SHELL_ALL, SHELL_REST, SHELL_ALONG_U, SHELL_ALONG_V };
 
 /* Points along one direction, weights, and values and two derivatives of the functions
@@ -109,21 +109,22 @@ struct shell_place {
     const double *N[2];
 };
 
-/* Returns how many; place[SHELL_MAX_POINTS]. */
+/* Lists the points of a rule, place[SHELL_MAX_POINTS]; returns how many. */
 int shell_space_places(const struct shell_space *space, int rule, int element,
                        struct shell_place *place);
 
-/* Numbers of the next. */
+/* Returns the size of T below. */
 size_t shell_space_size(const struct shell_space *space, int rule);
 
-/* T[SHELL_DERIVATIVES or SHELL_SLOPES][local][padded] of one element, the rule's points
- * running fastest; zeros in the padding up to a multiple of SHELL_LANES. Values N are there
- * for the mass and in a rational space alone. *T is the space's own where it keeps them, or
- * made in room[shell_space_size]. Returns how many points. Pure: any thread. */
+/* Computes T[SHELL_DERIVATIVES or SHELL_SLOPES][local][padded] of one element, the
+ * rule's points running fastest; zeros in the padding up to a multiple of SHELL_LANES.
+ * Values N are there for the mass and in a rational space alone. *T is the space's own
+ * where it keeps them, or made in room[shell_space_size]. Returns how many points. Pure:
+ * any thread. */
 int shell_space_functions(const struct shell_space *space, int rule, int element,
                           double *room, const double **T);
 
-/* The functions alive at (u,v): T[SHELL_DERIVATIVES][local] and their nodes node[local]. */
+/* Evaluates the functions alive at (u,v): T[SHELL_DERIVATIVES][local], node[local]. */
 void shell_space_at(const struct shell_space *space, double u, double v, int *node,
                     double *T);
 

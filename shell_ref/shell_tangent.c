@@ -2,17 +2,17 @@
 
 #include "shell_ref/shell_frame.h"
 
-/* Functions go four at a time. What a point has of them stands as [group of four][what],
- * so that all of it has its place at a fixed distance: with strides that are not known to
- * the compiler, the kernel spends twice its time on addresses. */
+/* Functions go four at a time. The numbers of a point are ordered [group of four][number],
+ * so that all of them are at fixed distances: with strides that are not known to the
+ * compiler, the kernel spends twice its time on addresses. */
 
-/* What each point of the membrane has of a function b; of a, factors and areas included. */
+/* Numbers of each point of the membrane for a function b; for a, with factors and areas. */
 enum { FLAT_RIGHT = 2 /* N_u, N_v */, FLAT_LEFT = 18 /* [2][3][3] P_d = N_c Q_cd */ };
 
-/* Of bending: phi_11, phi_22, 2 phi_12; of a, h^3/12 C phi. */
+/* Numbers for bending: of b, phi_11, phi_22, 2 phi_12; of a, h^3/12 C phi. */
 enum { BENT = 3 };
 
-/* Of its moments: of b, and of a, factors and areas included. */
+/* Numbers for bending moments: of b, and of a, with factors and areas. */
 enum {
     RIGHT_SLOPE = 0,   /* N_u, N_v                                                    */
     RIGHT_MOMENT = 2,  /* M^ab phi_ab                                                 */
@@ -38,7 +38,7 @@ size_t shell_tangent_right(const struct shell_space *space)
                     (BENT + RIGHT) * space->rule[SHELL_BENDING].padded);
 }
 
-/* The same arrays by what they hold, [points][groups][what] each. */
+/* The arrays by their content, [points][groups][number] each. */
 struct kernel {
     int row, groups;
     bool moments; /* whether the tangent has their part                                */
@@ -63,7 +63,7 @@ static struct kernel kernel_of(struct shell_element *e, const struct large_path 
     return k;
 }
 
-/* N_u, N_v, ... of one point: D[groups][SLOT]. */
+/* Reorders N_u, N_v, ... of one point: D[groups][SLOT]. */
 static void turn(const struct shell_element *e, const struct shell_points *p, int q,
                  int rows, int slot, shell_lanes *D)
 {
@@ -82,7 +82,7 @@ static void turn(const struct shell_element *e, const struct shell_points *p, in
  * The block of functions a and b is N_c,a N_d,b Q_cd,
  *   Q_cd = material C^{c e d f} a_e a_f^T + geometric N^{cd} I. */
 
-/* Q[2][2][3][3] at four points; the law times the area in C, resultants in N. */
+/* Computes Q[2][2][3][3] at four points; the law times the area in C, resultants in N. */
 static void membrane_blocks(shell_lanes a[2][3], shell_lanes C[3][3], shell_lanes N[3],
                             double material, double geometric, shell_lanes Q[4][9])
 {
@@ -128,7 +128,7 @@ static void fill_membrane(const struct kernel *k, struct shell_element *e,
     }
 }
 
-/* s += the 3 x 3 blocks of one function a and four b at one point. */
+/* Adds the 3 x 3 blocks of one function a and four b at one point to s. */
 static inline void add_membrane(const double *restrict l, const shell_lanes *restrict r,
                                 shell_lanes s[9])
 {
@@ -139,7 +139,7 @@ static inline void add_membrane(const double *restrict l, const shell_lanes *res
 /* --- bending ----------------------------------------------------------------------------
  */
 
-/* One point taken out of four. */
+/* One of four points. */
 struct point {
     double n[3], dual[2][3], gamma[2][3], inverse[3];
     double C[3][3], m[3], curved;
@@ -163,7 +163,7 @@ static void pick(const struct shell_frame *f, shell_lanes C[3][3], const shell_l
                 2 * p->m[2] * f->curvature[2][t];
 }
 
-/* Of four functions; their derivatives N_u .. N_uv in D. */
+/* Fills bending of four functions; their derivatives N_u .. N_uv in D. */
 static void fill_bent(const struct point *p, double bending, const shell_lanes D[5],
                       shell_lanes *L, shell_lanes *R)
 {
@@ -174,7 +174,7 @@ static void fill_bent(const struct point *p, double bending, const shell_lanes D
         L[i] = bending * (p->C[i][0] * R[0] + p->C[i][1] * R[1] + p->C[i][2] * R[2]);
 }
 
-/* phi: of the same functions, as in fill_bent. */
+/* Fills moments of the same functions, with phi of fill_bent. */
 static void fill_moment(const struct point *p, double geometric, const shell_lanes D[5],
                         const shell_lanes *phi, shell_lanes *L, shell_lanes *R)
 {
@@ -223,7 +223,7 @@ static void fill_bending(const struct kernel *k, struct shell_element *e,
     }
 }
 
-/* The six of n n^T, its lower triangle by rows. */
+/* Adds the six entries with n n^T, its lower triangle by rows. */
 static inline void add_bent(const double *restrict l, const shell_lanes *restrict r,
                             const double n[3], shell_lanes s[6])
 {
@@ -251,7 +251,7 @@ static inline void add_moment(const double *restrict l, const shell_lanes *restr
     }
 }
 
-/* The blocks of function a and the g-th four b: K[3 i + j][b] of a. */
+/* Sums the blocks of function a and the g-th four b: K[3 i + j][b] of a. */
 static void sum_blocks(const struct kernel *k, const struct shell_element *e, int a, int g,
                        double *K)
 {
@@ -280,8 +280,8 @@ static void sum_blocks(const struct kernel *k, const struct shell_element *e, in
 #undef RIGHT_OF
 }
 
-/* Blocks b >= a. The functions behind the last whole group stand for a, not for a group of
- * b of which most is padding: of 9, 15 groups for 21. */
+/* Sums blocks b >= a. The functions behind the last whole group stand for a, not for a
+ * group of b of which most is padding: of 9, 15 groups for 21. */
 static void sum_all(const struct kernel *k, struct shell_element *e)
 {
     const int row = k->row, whole = e->local / SHELL_LANES;

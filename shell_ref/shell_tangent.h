@@ -5,11 +5,11 @@
 #include "models/mechanics/large_body.h"
 #include "shell_ref/shell_room.h"
 
-/* Rows over an element's functions that the kernel needs at all points, left and right. */
+/* Return the kernel's rows over an element's functions at all points, left and right. */
 size_t shell_tangent_left(const struct shell_space *space);
 size_t shell_tangent_right(const struct shell_space *space);
 
-/* e->K on the geometry e->X[1], by the path's shares: s1 times the material part (the
+/* Computes e->K on the geometry e->X[1], by the path's shares: s1 times the material part (the
  * membrane's s1 + lag) plus g1 times the geometric part with the stress of e->strain. In
  * steps by mean forces (g1 < 1) bending moments have no geometric part: beside the rest of
  * bending it is as the angle that a span turns by to 1, and bending itself is little beside

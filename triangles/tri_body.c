@@ -8,7 +8,7 @@
 #include "models/room.h"
 #include "triangles/tri_hinge.h"
 
-/* Rows of points that a strip reaches. */
+/* The rows of points that a strip reaches. */
 enum { ROWS = 3 };
 
 struct tri_body_room {
@@ -17,7 +17,7 @@ struct tri_body_room {
     double *strain;
 };
 
-/* Edges of a triangle, per metre of material. */
+/* A triangle's edges, per metre of material. */
 struct tangents {
     double at[2][3];
 };
@@ -49,7 +49,7 @@ static void metric(const struct tangents *X, double C[3])
     C[2] = dot(X->at[0], X->at[1]);
 }
 
-/* e, or what its linearisation at x - change foresaw of the present. */
+/* Computes e, or the present strain as its linearisation at x - change foresaw it. */
 static bool membrane_strain(const struct tri_body *b, const struct tri_triangle *t,
                             const struct tri_body_room *r, const double *change,
                             double e[3])
@@ -129,8 +129,8 @@ static void set_geometry(const void *self, int thread, int strip, const double *
         r->x[1][t] = (1 - share) * x_old[3 * r->first + t] + share * r->x[0][t];
 }
 
-/* dE / dC of a triangle, and the tangents there. False where it has no area: it then feels
- * nothing, for the geometry is none that Newton's method may accept. */
+/* Computes dE / dC of a triangle, and the tangents there. False where it has no area: it
+ * then exerts no force, since Newton's method must not accept such a geometry. */
 static bool pull_of(const struct tri_body *b, const struct tri_triangle *t,
                     const struct tri_body_room *r, const double *e, struct tangents *X,
                     struct tri_strain *s, double stress[3], double pull[3])
@@ -202,8 +202,7 @@ static void add_force(const void *self, int thread, int strip, double *force)
     }
 }
 
-/* What a triangle's tangent is made of: M = m J'D J + g sum stress_k H_k by C, and the
- * derivatives of C by the tangents. */
+/* Computes a triangle's M = m J'D J + g sum stress_k H_k, the second derivatives by C. */
 static void by_metric(const struct tri_body *b, const struct tri_strain *s,
                       const double stress[3], double material, double geometric,
                       double M[3][3])
@@ -222,7 +221,7 @@ static void by_metric(const struct tri_body *b, const struct tri_strain *s,
         }
 }
 
-/* Second derivative by the two tangents, Q[2][2][3][3]. */
+/* Computes the second derivatives by the two tangents, Q[2][2][3][3]. */
 static void by_tangents(const struct tangents *X, const double M[3][3], const double g[3],
                         double Q[2][2][3][3])
 {
@@ -304,7 +303,7 @@ static void add_tangent(const void *self, int thread, int strip,
         hinge_tangent(&net->hinges[k], r, *e++, path, K);
 }
 
-/* The most that a strip has of something. */
+/* Returns the largest count of any strip. */
 static int most_of(const int *at, int strips)
 {
     int most = 0;

@@ -20,12 +20,13 @@ struct tri_body {
     struct tri_body_room *work;  /* [threads]                                  owned   */
 };
 
-/* `net` and *b stay where they are. Threads: as many as OpenMP would give now. */
+/* Prepares; `net`, *b must stay where they are. Threads: as many as OpenMP would give
+ * now. */
 enum status tri_body_init(struct tri_body *b, const struct scene *scene,
                           const struct tri_net *net, enum membrane membrane);
 void tri_body_clear(struct tri_body *b);
 
-/* Elastic energy at x[nodes][3] [J]: NaN where a triangle has no area. */
+/* Returns elastic energy at x[nodes][3] [J]: NaN where a triangle has no area. */
 double tri_body_energy(const struct tri_body *b, const double *x);
 
 #endif

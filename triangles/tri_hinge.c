@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-/* The three vectors from x[0], the normals as long as the triangles' areas twice, and how
- * far along the edge x[2] and x[3] stand. */
+/* The geometry of a hinge: the three vectors from x[0], the normals as long as twice the
+ * triangles' areas, and how far along the edge x[2] and x[3] stand. */
 struct frame {
     double e[3], side[2][3], normal[2][3], edge, square[2], foot[2];
     double turn[2][3]; /* derivatives of the angle by the sides                        */
@@ -55,7 +55,7 @@ double tri_hinge_angle(const double x[4][3])
                : NAN;
 }
 
-/* By the edge: a turn of everything that puts it back changes nothing. */
+/* Computes the derivative by the edge: turning all until it is back changes nothing. */
 static void turn_of_edge(const struct frame *f, double g[3])
 {
     for (int i = 0; i < 3; i++)
@@ -72,8 +72,8 @@ void tri_hinge_gradient(const double x[4][3], double gradient[12])
         gradient[i] = -gradient[3 + i] - gradient[6 + i] - gradient[9 + i];
 }
 
-/* G = -|e| / |N|^2 (I - 2 n n') [w]x times `sign`: what the turn of a side gains as its
- * normal gains `sign` w x d. */
+/* Computes G = -|e| / |N|^2 (I - 2 n n') [w]x times `sign`, the change of a side's turn as
+ * its normal gains `sign` w x d. */
 static void turn_by_normal(const struct frame *f, int s, const double w[3], double sign,
                            double G[3][3])
 {
@@ -88,7 +88,7 @@ static void turn_by_normal(const struct frame *f, int s, const double w[3], doub
     }
 }
 
-/* The second derivatives by e and the two sides: [row][column][3][3], sides 1 and 2. */
+/* Computes second derivatives by e and both sides: [row][column][3][3], sides 1 and 2. */
 static void second(const struct frame *f, double G[3][3][3][3])
 {
     double e2 = f->edge * f->edge;

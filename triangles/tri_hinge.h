@@ -7,10 +7,10 @@
 #ifndef TRI_HINGE_H
 #define TRI_HINGE_H
 
-/* In (-pi, pi); NaN for triangles without area. */
+/* Returns the angle in (-pi, pi); NaN for triangles without area. */
 double tri_hinge_angle(const double x[4][3]);
 
-/* Its first and second derivatives [1/m], [1/m^2]; H is symmetric. */
+/* Compute its first and second derivatives [1/m], [1/m^2]; H is symmetric. */
 void tri_hinge_gradient(const double x[4][3], double gradient[12]);
 void tri_hinge_hessian(const double x[4][3], double H[12][12]);
 

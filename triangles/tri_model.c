@@ -91,7 +91,7 @@ static void size(const void *state, struct model_size *size)
                         "mid-surface points");
 }
 
-/* What is not the scene's law, and the explicit steps' limit. */
+/* Describes deviations from the scene's law, and the explicit steps' limit. */
 static void describe(const void *state, struct message *line)
 {
     const struct tri_motion *m = state;

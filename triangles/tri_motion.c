@@ -30,7 +30,7 @@ static enum status make_arrays(struct tri_motion *m)
     return STATUS_OK;
 }
 
-/* What implicit steps, equilibrium and modes need; once. */
+/* Makes, once, what implicit steps, equilibrium and modes need. */
 static enum status make_large(struct tri_motion *m)
 {
     const struct spring_large_plan plan = {.scene = m->scene,
@@ -194,7 +194,7 @@ out:
     return st;
 }
 
-/* Of the sheet itself: clamps belong to what holds it. */
+/* Makes the matrices of the sheet itself: clamps belong to the supports. */
 enum status tri_motion_matrices(const struct tri_motion *m, struct matrix *K,
                                 struct matrix *M)
 {

@@ -35,21 +35,21 @@ struct tri_motion {
     struct spring_cells cells; /* swept only, as what follows                        */
     struct spring_leapfrog *leapfrog; /*                                       owned   */
     double push[3];                   /* of obstacles, mean over the last frame  [N]   */
-    int pushed;                       /* points that they bore at its end              */
+    int pushed;                       /* points carried at its end                     */
     double *v;                        /* [nodes][3] work                         [m/s] */
     long frame;
     double rest_energy; /* round-off of the energy at rest                       [J]   */
 };
 
-/* *m must stay where it is: it holds pointers into itself. */
+/* Initialises; *m must stay where it is: it holds pointers into itself. */
 enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
                             const struct discretization *d, struct message *why);
 void tri_motion_clear(struct tri_motion *m);
 
-/* One step of scene->step. */
+/* Takes one step of scene->step. */
 enum status tri_motion_step(struct tri_motion *m, struct counters *counters);
 
-/* model.h's entries of these names. */
+/* Implement model.h's entries of these names. */
 enum status tri_motion_rest(struct tri_motion *m, struct counters *counters,
                             struct message *why);
 enum status tri_motion_modes(struct tri_motion *m, int count, double *omega,

@@ -12,7 +12,7 @@ static int node_of(const struct tri_net *net, int i, int j)
     return i * net->points.points[1] + j;
 }
 
-/* Where four diagonals meet. */
+/* Whether four diagonals meet at the node. */
 static bool is_hub(const struct tri_net *net, int node)
 {
     int m = net->points.points[1];
@@ -20,7 +20,7 @@ static bool is_hub(const struct tri_net *net, int node)
     return (node / m + node % m) % 2 == 0;
 }
 
-/* The two triangles of a cell: right angles at its points that are no hubs. */
+/* Adds the two triangles of a cell: right angles at its points that are no hubs. */
 static void add_triangles(struct tri_net *net, int i, int j)
 {
     for (int k = 0; k < 4; k++) {
@@ -39,7 +39,7 @@ static void add_hinge(struct tri_net *net, int a, int b, int c, int d, double st
         (struct tri_hinge){.node = {a, b, c, d}, .stiffness = stiffness};
 }
 
-/* The edge from (i, j) along u or v, if it lies between two cells, as seen with right
+/* Adds the edge from (i, j) along u or v, if it lies between two cells, as seen with right
  * angles at either end. Where those are clamped, the clamp bends instead. */
 static void add_edge(struct tri_net *net, double D, int i, int j, int along)
 {
@@ -70,7 +70,7 @@ static void add_diagonals(struct tri_net *net, double D, int i, int j)
     add_hinge(net, r, s, p, q, k);
 }
 
-/* Triangles and hinges, strip by strip. */
+/* Fills triangles and hinges, strip by strip. */
 static void fill(struct tri_net *net, double D)
 {
     int n = net->points.points[0], m = net->points.points[1];
@@ -102,7 +102,7 @@ static int strip_of(const struct tri_net *net, const struct spring_plate_form *f
     return least / net->points.points[1];
 }
 
-/* The plate's forms by strips: all, or the clamps alone. */
+/* Adds the plate's forms by strips: all, or the clamps alone. */
 static enum status add_forms(struct tri_net *net, const struct scene *scene, bool all)
 {
     enum status st;
@@ -129,7 +129,7 @@ out:
     return st;
 }
 
-/* MOST nodes of an element, the last one repeated. */
+/* Lists MOST nodes of an element, the last one repeated. */
 static void list(int **next, int count, const int *node)
 {
     for (int k = 0; k < MOST; k++)

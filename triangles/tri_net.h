@@ -43,8 +43,8 @@ struct tri_hinge {
     long pair[10];
 };
 
-/* Things in strips: strip i has those whose least row of points is row i; they reach rows i
- * to i + 2. */
+/* A net of triangles, in strips: strip i has what has its least row of points at row i, and
+ * reaches rows i to i + 2. */
 struct tri_net {
     struct spring_net points; /* its springs are not used                              */
     void *room;               /* of the arrays but forms                       owned   */
@@ -62,8 +62,7 @@ enum status tri_net_init(struct tri_net *net, const struct scene *scene,
                          const int points[2], enum bending bending);
 void tri_net_clear(struct tri_net *net);
 
-/* K[pair] += B[3 count][3 count], symmetric, of node[count] whose pairs (p, q >= p) are
- * given. */
+/* Adds B[3 count][3 count], symmetric, of node[count] with pairs (p, q >= p), to K. */
 void tri_net_add(int count, const int *node, const long *pair, const double *B,
                  double (*K)[9]);
 

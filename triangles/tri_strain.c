@@ -3,10 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-/* Places of (l,m) in H. */
+/* The places of (l,m) in H. */
 static const int PLACE[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
 
-/* A triangle with a smaller part of its area is none. */
+/* A triangle below this share of its rest area counts as having none. */
 static const double LEAST_AREA = 1e-8;
 
 static void green(const double C[3], struct tri_strain *s)
@@ -26,7 +26,7 @@ static void baraff_witkin(const double C[3], struct tri_strain *s)
     s->e[2] = C[2], s->J[2][2] = 1;
 }
 
-/* U = (C + j I) / t with j = det U = sqrt(det C), t = tr U = sqrt(tr C + 2 j). */
+/* Computes U = (C + j I) / t with j = det U = sqrt(det C), t = tr U = sqrt(tr C + 2 j). */
 static void corotational(const double C[3], double j, struct tri_strain *s)
 {
     static const double PP[3][3] = {{0, 1, 0}, {1, 0, 0}, {0, 0, -2}};

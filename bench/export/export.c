@@ -14,7 +14,7 @@
 /* --- scene.yaml: what was set is in it, and what its truth changes; comments are not ----
  */
 
-/* With as many digits as it takes to read it again; never -0. */
+/* Prints a number with as many digits as it takes to read it again; never -0. */
 static void put_number(struct output *out, double value)
 {
     output_print(out, "%.*g", output_digits(value), value + 0.0);
@@ -161,7 +161,7 @@ out:
 
 /* --- README.md: the rules on one page ------------------------------------------------- */
 
-/* What README.md tells besides the sheet. */
+/* What README.md reports besides the sheet. */
 struct readme {
     const struct export_held *held;
     const struct truth_made *known; /* no times: no truth is known                     */
@@ -376,7 +376,7 @@ struct job {
     struct export_held held;
     struct truth_made known;
     unsigned formats;
-    bool undamped; /* which the scene is not                                           */
+    bool undamped; /* the truth is, the scene is not                                   */
 };
 
 static enum status read_formats(const struct command_line *line, unsigned *formats,
@@ -410,7 +410,7 @@ out:
     return st;
 }
 
-/* All that can be wrong with what is asked for, before anything is written. */
+/* Checks the whole request before anything is written. */
 static enum status prepare(struct job *j, const struct command_line *line,
                            struct message *why)
 {

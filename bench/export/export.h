@@ -1,4 +1,4 @@
-/* export.h - the command `export`: a scene for somebody else's simulator. */
+/* export.h - the command `export`: writes a scene for somebody else's simulator. */
 #ifndef EXPORT_H
 #define EXPORT_H
 

@@ -5,7 +5,7 @@
 
 #include "models/mechanics/supports.h"
 
-/* Round-off of a vertex's parameter; of a direction. */
+/* Allowances for round-off: of a vertex's parameter, and of a direction. */
 static const double ROUNDING = 1e-12;
 
 /* Steps to the neighbours inside of an edge, before and after along u and v. */
@@ -33,7 +33,7 @@ static bool reaches(const struct export_sheet *s, const struct scene_support *su
     return true;
 }
 
-/* All that the supports hold of the vertex, through the whole thickness. */
+/* Returns the components that supports through the whole thickness fix at the vertex. */
 static unsigned held_whole(const struct export_sheet *s, int i, int j)
 {
     unsigned fix = 0;
@@ -44,7 +44,7 @@ static unsigned held_whole(const struct export_sheet *s, int i, int j)
     return fix;
 }
 
-/* Whether components that are held have all of a direction among them. */
+/* Whether all components of a direction are fixed. */
 static bool has_direction(unsigned fix, const double from[3], const double to[3])
 {
     double length = 0;
@@ -57,8 +57,7 @@ static bool has_direction(unsigned fix, const double from[3], const double to[3]
     return all;
 }
 
-/* Whether what is held of the vertex keeps the sheet from turning towards the neighbour at
- * `step`. */
+/* Whether the vertex's fixed components keep the sheet from turning towards `step`. */
 static bool is_stiff(const struct export_sheet *s, int i, int j, const int step[2])
 {
     double uvw[3], here[3], there[3];
@@ -68,7 +67,7 @@ static bool is_stiff(const struct export_sheet *s, int i, int j, const int step[
     return has_direction(held_whole(s, i, j), here, there);
 }
 
-/* Whether it may leave the sheet's place: it is there, and not held along the normal. */
+/* Whether the vertex is in the sheet and not fixed along its normal. */
 static bool may_leave(const struct export_sheet *s, int i, int j)
 {
     double uvw[3], low[3], high[3];
@@ -96,7 +95,7 @@ static enum status check_thickness(const struct scene *scene, struct message *wh
     return STATUS_OK;
 }
 
-/* The first end of a support that lies between vertices, for people. */
+/* Says which support (the first) ends between vertices, as a doubt for the user. */
 static void doubt_ends(const struct export_sheet *s, struct export_held *held)
 {
     for (int n = s->scene->support_count - 1; n >= 0; n--)
@@ -123,8 +122,8 @@ static void add_outside(const struct export_sheet *s, struct export_held *held, 
     v->beside = beside->vertex;
 }
 
-/* The clamps of one held vertex of the sheet: its rows outside, or why there can be none.
- */
+/* Adds the clamps of one held vertex of the sheet: vertices outside of it, or says why
+ * there can be none. */
 static enum status add_clamps(const struct export_sheet *s, struct export_held *held,
                               const struct export_held_vertex *v, struct message *why)
 {
@@ -176,7 +175,7 @@ static void add_paths(const struct scene *scene, const struct supports *supports
     }
 }
 
-/* By the rule that all models have. */
+/* Finds the supports' vertices by the rule that all models share. */
 static enum status find_supports(const struct export_sheet *s, struct supports *supports,
                                  struct message *why)
 {

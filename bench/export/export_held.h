@@ -22,16 +22,17 @@ struct export_held_vertex {
 struct export_held {
     int count, outside;
     struct export_held_vertex *vertex; /* [count], those of the sheet first      owned */
-    struct message doubt; /* where the net holds less than the scene; empty: nowhere   */
+    struct message doubt; /* where the net holds too little; empty: nowhere            */
 };
 
-/* STATUS_UNSUPPORTED with a sentence: vertices cannot say how the scene holds the sheet,
- * STATUS_INPUT: a support holds none of them. Free with export_held_clear. */
+/* Finds the held vertices. STATUS_UNSUPPORTED with a sentence: vertices cannot express how
+ * the scene holds the sheet, STATUS_INPUT: a support holds none of them. Free with
+ * export_held_clear. */
 enum status export_held_find(const struct export_sheet *s, struct export_held *held,
                              struct message *why);
 void export_held_clear(struct export_held *held); /* all-zero is allowed */
 
-/* held.csv */
+/* Writes held.csv. */
 enum status export_held_write(const struct export_sheet *s, const struct export_held *held,
                               struct message *why);
 

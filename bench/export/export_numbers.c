@@ -7,11 +7,11 @@
 #include "mass_spring/spring_net.h"
 #include "models/mechanics/dead_load.h"
 
-/* What round-off leaves of a stiffness that long cells have no use for, over E h. */
+/* A stiffness over E h below this is round-off: long cells do not need that spring. */
 static const double NOTHING = 1e-12;
 
-/* By how much less than that numbers differ which are one but for the way they came about:
- * the mass of a vertex, a spring's length. */
+/* Numbers that differ by less than this share are the same but for rounding: the mass of a
+ * vertex, a spring's length. */
 static const double SAME = 1e-9;
 
 struct number {
@@ -21,7 +21,7 @@ struct number {
     const char *unit;
     double length, compliance; /* at rest [m], 1/value; NaN: none                      */
 };
-/* Who takes the numbers. */
+/* The receiver of the numbers. */
 struct taker {
     void (*take)(void *context, const struct number *number);
     void *context;
@@ -47,9 +47,9 @@ static void put_material(const struct scene *scene, const struct taker *t)
     put(t, "areal mass", scene->density * scene->thickness, "kg/m^2");
 }
 
-/* D |e|^2 / (A1 + A2) of an edge with triangles on both sides, which are half a cell each
- * (Grinspun et al. 2003, their stiffness matched to a plate's). A triangle that is held
- * does not bend and counts as no area: at a clamp one is left. */
+/* Passes on the hinges' stiffness D |e|^2 / (A1 + A2) of an edge with triangles on both
+ * sides, half a cell each (Grinspun et al. 2003, their stiffness matched to a plate's). A
+ * triangle that is held does not bend and counts as no area: at a clamp one is left. */
 static void put_hinges(const struct export_sheet *s, const struct taker *t)
 {
     static const char *const name[] = {"hinge u", "hinge v", "hinge diagonal",
@@ -65,7 +65,7 @@ static void put_hinges(const struct export_sheet *s, const struct taker *t)
     }
 }
 
-/* Our number of a node of the springs' net, which counts along v first. */
+/* Returns our number of a node of the springs' net, which counts along v first. */
 static int vertex_of(const struct spring_net *net, int node)
 {
     return node % net->points[1] * net->points[0] + node / net->points[1];
@@ -98,12 +98,12 @@ out:
     return st;
 }
 
-/* What a net of points is made of, one by one: the material; the mass of each vertex a; of
- * a flat sheet the stiffness of a hinge between two triangles over an inner edge along u,
- * along v and along a diagonal, D |e|^2 / (A1 + A2) (theta^2 / 2 times it is the energy;
- * Grinspun et al. 2003), and twice that where one of the two is held; and each matched
- * spring from a to b (mass_spring/spring_net.h). *misfit: what those springs are not, for
- * people; empty: none. */
+/* Passes on, one by one, all numbers of a net of points: the material; the mass of each
+ * vertex a; on a flat sheet the stiffness of a hinge between two triangles over an inner
+ * edge along u, along v and along a diagonal, D |e|^2 / (A1 + A2) (theta^2 / 2 times it is
+ * the energy; Grinspun et al. 2003), and twice that where one of the two is held; and each
+ * matched spring from a to b (mass_spring/spring_net.h). *misfit says what those springs
+ * cannot represent; empty: nothing. */
 static enum status each(const struct export_sheet *s, const struct taker *t,
                         struct message *misfit)
 {
@@ -202,7 +202,7 @@ struct numbers {
     struct message *misfit;
 };
 struct file {
-    unsigned need; /* of the scene; 0: the file is always there                         */
+    unsigned need; /* of the scene; 0: the file is always made                          */
     const char *name, *header;
     enum status (*rows)(const struct numbers *of, struct output *out);
 };
@@ -223,7 +223,7 @@ out:
     return st;
 }
 
-/* A number that may be missing, behind a comma. */
+/* Prints a comma and a number, which may be missing. */
 static void print_cell(struct output *out, double value)
 {
     output_print(out, ",");
@@ -288,7 +288,7 @@ static enum status path_rows(const struct numbers *of, struct output *out)
     return STATUS_OK;
 }
 
-/* As the nets of springs and triangles spread them: by the hats of the vertices. */
+/* Writes loads, distributed by the vertices' hat functions as springs and triangles do. */
 static enum status load_rows(const struct numbers *of, struct output *out)
 {
     const struct export_sheet *s = of->sheet;

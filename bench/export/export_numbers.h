@@ -1,5 +1,6 @@
-/* export_numbers.h - what a simulator is told besides the mesh: materials.csv, times.csv,
- * and where the scene has them obstacles.csv, paths.csv, loads.csv, velocities.csv. */
+/* export_numbers.h - the numbers that a simulator needs besides the mesh: materials.csv,
+ * times.csv, and where the scene has them obstacles.csv, paths.csv, loads.csv,
+ * velocities.csv. */
 #ifndef EXPORT_NUMBERS_H
 #define EXPORT_NUMBERS_H
 
@@ -7,13 +8,13 @@
 #include "bench/truth/truth_made.h"
 #include "bench/ui/table.h"
 
-/* What a net of points is made of (export_numbers.c) as a table: those that are alike stand
- * in one row with their number; owned by the caller. STATUS_MEMORY. */
+/* Makes a table of the numbers of a net of points (export_numbers.c): equal ones share a
+ * row with their count; owned by the caller. STATUS_MEMORY. */
 enum status export_numbers_table(const struct export_sheet *s, struct table **table);
 
-/* All files: materials.csv has the same one by one, times.csv step and end of the scene and
- * the times at which its truth is known, the others what the scene has. *misfit: what
- * matched springs are not, for people; empty: none. */
+/* Writes all files: materials.csv has the same numbers one by one, times.csv step and end
+ * of the scene and the times at which its truth is known, the others what the scene has.
+ * *misfit says what matched springs cannot represent; empty: nothing. */
 enum status export_numbers_write(const struct export_sheet *s,
                                  const struct export_held *held,
                                  const struct truth_made *known, struct message *misfit,

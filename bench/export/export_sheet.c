@@ -18,13 +18,14 @@ void export_sheet_point(const struct export_sheet *s, int i, int j, double uvw[3
     scene_rest_point(s->scene, uvw, xyz);
 }
 
-/* Where v is around the axis, over the sheet's width at the upper edge's radius 1 [rad]. */
+/* Returns the place of v around the axis, over the sheet's width at the upper edge's radius
+ * 1 [rad]. */
 static double around(const struct scene *scene, double v)
 {
     return 2 * atan((2 * v - 1) * scene_cloak_quarter_tangent(scene));
 }
 
-/* Half a cell before and after k of n points, within [0, 1]. */
+/* Returns the part within half a cell of point k of n, within [0, 1]. */
 static void own_part(int k, int n, double part[2])
 {
     part[0] = fmax(0, (k - 0.5) / (n - 1));
@@ -55,8 +56,9 @@ enum status export_sheet_open(const struct export_sheet *s, const char *name,
     return output_create(path, out, why);
 }
 
-/* Corners of the two triangles of the cell at i, j, counted from 0: counter-clockwise seen
- * from where u x v points. Diagonals alternate, so that the mesh has no bias. */
+/* Returns the corners of the two triangles of the cell at i, j, counted from 0:
+ * counter-clockwise seen from where u x v points. Diagonals alternate, so that the mesh has
+ * no bias. */
 static void cell_triangles(const struct export_sheet *s, int i, int j, int corner[2][3])
 {
     const int n = s->points[0], a = j * n + i, b = a + 1, c = a + n + 1, d = a + n;
@@ -128,7 +130,7 @@ static void ply_face(struct output *out, const int c[3])
     output_print(out, "3 %d %d %d\n", c[0], c[1], c[2]);
 }
 
-/* s, t: what Blender and others call u, v. */
+/* Writes rest.ply; s, t are what Blender and others call u, v. */
 static void write_ply(const struct export_sheet *s, struct output *out)
 {
     output_print(out,

@@ -10,7 +10,7 @@
 #include "bench/files/output.h"
 #include "models/scene.h"
 
-/* Points a direction: a quarter of a million vertices and a million springs. */
+/* The most points a direction: a quarter of a million vertices and a million springs. */
 enum { EXPORT_SHEET_MOST = 500 };
 
 enum {
@@ -28,24 +28,24 @@ struct export_sheet {
 
 int export_sheet_vertices(const struct export_sheet *s);
 
-/* Parameters (u,v,1/2) of the point i, j, which may be outside the net, and its rest
- * position [m]. */
+/* Returns parameters (u,v,1/2) of the point i, j, which may be outside the net, and its
+ * rest position [m]. */
 void export_sheet_point(const struct export_sheet *s, int i, int j, double uvw[3],
                         double xyz[3]);
 
-/* The part of the sheet that is a vertex's own: half a cell to each side [m^2]. Exact on
- * flat sheets and cones; all add up to the sheet. */
+/* Returns the part of the sheet that belongs to a vertex: half a cell to each side [m^2].
+ * It is exact on flat sheets and cones; all add up to the sheet. */
 double export_sheet_area(const struct export_sheet *s, int vertex);
 
 /* Starts a file of the folder; output_close ends it. */
 enum status export_sheet_open(const struct export_sheet *s, const char *name,
                               struct output **out, struct message *why);
 
-/* rest.obj, rest.ply, rest.csv, those that `formats` has. */
+/* Writes those of rest.obj, rest.ply, rest.csv that `formats` has. */
 enum status export_sheet_write(const struct export_sheet *s, unsigned formats,
                                struct message *why);
 
-/* Printing: the words x, y, z of FIX_X... bits, in this order. */
+/* Returns the words x, y, z of FIX_X... bits, in this order, for printing. */
 const char *export_sheet_axes(unsigned fix);
 
 #endif

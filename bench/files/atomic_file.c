@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Temporary files to remove on a signal; a file too many is only not removed then. */
+/* The most temporary files to remove on a signal; one beyond that is merely not removed. */
 enum { PENDING_MAX = 256 };
 static struct {
     _Atomic(char *) name;
@@ -37,7 +37,7 @@ static void pending_remove(char *name)
     }
 }
 
-/* Calls only what may be called in a handler. */
+/* Removes the pending files; calls only what a signal handler may call. */
 static void remove_pending(int signal_number)
 {
     for (int i = 0; i < PENDING_MAX; i++) {
@@ -70,7 +70,7 @@ static void clear(struct atomic_file *a)
     *a = (struct atomic_file){0};
 }
 
-/* TARGET.PID-N.part for the first N that is free: creates it. */
+/* Creates TARGET.PID-N.part for the first N that is free. */
 static enum status create_temporary(struct atomic_file *a, struct message *why)
 {
     size_t size = strlen(a->target) + 48;
@@ -130,8 +130,8 @@ static enum status sync_name(const char *name, int flags)
     return failed ? STATUS_FILE : STATUS_OK;
 }
 
-/* So that the new name itself survives a power cut; file systems that cannot are forgiven.
- */
+/* Syncs the folder, so that the new name itself survives a power cut; file systems that
+ * cannot do it are excused. */
 static void sync_folder(const char *target)
 {
     char *folder = strdup(target);

@@ -15,7 +15,7 @@
 struct atomic_file {
     char *path;      /* the wanted name, as the user wrote it                   owned */
     char *target;    /* the same with symbolic links followed                   owned */
-    char *temporary; /* what to write to                                        owned */
+    char *temporary; /* name to write to                                        owned */
     bool in_place;   /* a device: temporary = target, nothing is renamed              */
 };
 
@@ -24,15 +24,15 @@ struct atomic_file {
  * folder, no permission. On failure *a is all-zero. */
 enum status atomic_file_open(const char *path, struct atomic_file *a, struct message *why);
 
-/* After the temporary file was closed by its writer: syncs it to disk, renames it, syncs
- * the folder; clears *a. On failure the temporary file is removed. */
+/* Finishes the file after its writer has closed it: syncs it to disk, renames it, syncs the
+ * folder; clears *a. On failure the temporary file is removed. */
 enum status atomic_file_commit(struct atomic_file *a, struct message *why);
 
 /* Removes the temporary file and clears *a; all-zero is allowed. */
 void atomic_file_discard(struct atomic_file *a);
 
-/* From now on SIGINT, SIGTERM and SIGHUP remove the temporary files of this process before
- * they end it. Signals that are ignored stay so. Call once, early in main. */
+/* Makes SIGINT, SIGTERM and SIGHUP remove the temporary files of this process before they
+ * end it. Signals that are ignored stay so. Call once, early in main. */
 void atomic_file_catch_signals(void);
 
 #endif

@@ -8,7 +8,7 @@
 
 enum { MOST = 64 << 20 }; /* bytes of a file */
 
-/* A file on its way into tables: `at` reads, `to` writes what is kept behind it. */
+/* The state of splitting a file into tables: `at` reads, `to` writes what is kept. */
 struct reader {
     const char *path;
     struct csv *csv;
@@ -51,8 +51,8 @@ out:
     return st;
 }
 
-/* A `# ` line joined to `text` as one more line of it; both are in the bytes, the new one
- * behind the old, so that it can be moved there. */
+/* Appends a `# ` line to `text` as one more line; both are in the bytes, the new one behind
+ * the old, so that it can be moved there. */
 static char *join(char *text, char *line)
 {
     if (!*text)
@@ -79,8 +79,8 @@ static void take_comment(struct reader *r)
         r->caption = join(r->caption, line);
 }
 
-/* The next cell, its quotes taken away in place; *after: what ended it. False: a quote
- * without end. */
+/* Takes the next cell, without its quotes, in place; *after is what ended it. False: a
+ * quote is not closed. */
 static bool take_cell(struct reader *r, char **cell, char *after)
 {
     char *to = r->at;

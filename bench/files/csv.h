@@ -15,22 +15,21 @@ struct csv_table {
 };
 
 struct csv {
-    char *bytes; /* what all strings point into                                owned */
+    char *bytes; /* memory of all strings                                      owned */
     int count;
     struct csv_table *table; /* [count]                                        owned */
 };
 
-/* STATUS_FILE: it cannot be read; STATUS_INPUT: too long, a byte 0, a quote without end, a
- * row with more or fewer cells than keys; each a sentence with file and line. *csv is then
- * all-zero. Free with csv_clear. */
+/* Reads a file. STATUS_FILE: it cannot be read; STATUS_INPUT: too long, a byte 0, a quote
+ * without end, a row with more or fewer cells than keys; each a sentence with file and
+ * line. *csv is then all-zero. Free with csv_clear. */
 enum status csv_read(const char *path, struct csv *csv, struct message *why);
 void csv_clear(struct csv *csv); /* all-zero is allowed */
 
-/* Index of a key, -1: there is none. */
+/* Returns the index of a key, -1: there is none. */
 int csv_column(const struct csv_table *t, const char *key);
 
-/* Cells: as words ("" without such a column, and outside), as a number (NaN if it is
- * none). */
+/* Return a cell: as words ("" if there is none), as a number (NaN if it is none). */
 const char *csv_words(const struct csv_table *t, int row, int column);
 double csv_number(const struct csv_table *t, int row, int column);
 

@@ -27,7 +27,7 @@ enum status folder_make(const char *path, struct message *why)
     return STATUS_OK;
 }
 
-/* Whether a folder of this name would take nothing away. */
+/* Checks that a folder of this name would replace nothing. */
 static enum status check_free(const char *path, struct message *why)
 {
     struct stat info;
@@ -36,7 +36,7 @@ static enum status check_free(const char *path, struct message *why)
     if (*path == '\0')
         return status_fail(why, STATUS_INPUT, "the name of the folder is empty");
     if (lstat(path, &info) != 0)
-        return STATUS_OK; /* what is wrong with it is told when it is made */
+        return STATUS_OK; /* its making reports what is wrong */
     if (!S_ISDIR(info.st_mode))
         return status_fail(why, STATUS_INPUT, "%s: is there already, and no folder", path);
     DIR *folder = opendir(path);
@@ -70,7 +70,7 @@ enum status folder_aside_open(const char *path, struct folder_aside *f, struct m
     const size_t size = strlen(path) + 32;
     enum status st;
 
-    /* of zeros: not made yet */
+    /* zeros: the folder is not made yet */
     *f = (struct folder_aside){.path = strdup(path), .temporary = calloc(size, 1)};
     TRY(f->path && f->temporary ? STATUS_OK : STATUS_MEMORY);
     for (size_t n = strlen(f->path); n > 1 && f->path[n - 1] == '/'; n--)

@@ -4,11 +4,11 @@
 
 #include "models/status.h"
 
-/* mkdir -p. STATUS_FILE with a sentence. */
+/* Makes a folder and those it is in, like mkdir -p. STATUS_FILE with a sentence. */
 enum status folder_make(const char *path, struct message *why);
 
-/* A folder that is written aside under a temporary name beside its own: with all of its
- * files, or not at all. */
+/* A folder that is written under a temporary name and renamed at the end: it appears with
+ * all of its files, or not at all. */
 struct folder_aside {
     char *path;      /* the wanted name                                        owned   */
     char *temporary; /* where to put the files                                 owned   */
@@ -19,7 +19,7 @@ struct folder_aside {
 enum status folder_aside_open(const char *path, struct folder_aside *f,
                               struct message *why);
 
-/* Gives it its name and clears *f. STATUS_FILE: it could not be, and is discarded. */
+/* Renames it and clears *f. STATUS_FILE: that failed, and the folder is discarded. */
 enum status folder_aside_commit(struct folder_aside *f, struct message *why);
 
 /* Removes it with its files and clears *f; all-zero is allowed. */

@@ -4,11 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Why the last call failed that did. Kept at once: the library forgets its error stack when
- * the next call begins. */
+/* The reason of the last failure. It is stored at once: the library forgets its error stack
+ * when the next call begins. */
 static char last_reason[256];
 
-/* The system's word from the stack, else the innermost sentence. */
+/* Takes the operating system's reason from the stack, else the innermost sentence. */
 static herr_t find_reason(unsigned n, const H5E_error2_t *error, void *unused)
 {
     static const char mark[] = "error message = '";
@@ -43,7 +43,7 @@ enum status hdf5_file_fail(const char *path, const char *doing, struct message *
     return STATUS_FILE;
 }
 
-/* Attributes end at 64 kB: what is longer becomes a dataset. */
+/* Writes an attribute, or a dataset: attributes end at 64 kB. */
 static herr_t put_scalar(hid_t object, const char *key, hid_t type, size_t size,
                          const void *value)
 {
@@ -68,7 +68,7 @@ herr_t hdf5_file_put_text(hid_t object, const char *key, const char *text)
     const size_t length = strlen(text);
     hid_t type = H5Tcopy(H5T_C_S1);
 
-    /* of fixed length: the library crashes on damaged texts of variable length */
+    /* Fixed length: the library crashes on damaged texts of variable length. */
     H5Tset_size(type, length ? length : 1);
     H5Tset_strpad(type, H5T_STR_NULLPAD);
     H5Tset_cset(type, H5T_CSET_UTF8);

@@ -1,6 +1,5 @@
-/* hdf5_file.h - the little of HDF5 that result files need, with its errors as sentences.
- *
- * The library is not thread-safe: one thread at a time. */
+/* hdf5_file.h - the few HDF5 calls that result files need, with errors as sentences. The
+ * library is not thread-safe: one thread at a time. */
 #ifndef HDF5_FILE_H
 #define HDF5_FILE_H
 
@@ -8,28 +7,29 @@
 
 #include "models/status.h"
 
-/* Once before any other call (more often is allowed): the library prints no error stacks
- * and does nothing at exit (where it would close again what could not be closed). */
+/* Prepares the library; call before any other function here (more often is allowed). It
+ * prints no error stacks and does nothing at exit (where it would close again what could
+ * not be closed). */
 void hdf5_file_start(void);
 
-/* STATUS_FILE with `path: doing: reason`, the reason taken from the library's last error,
- * the system's word for it where there is one. */
+/* Fails with STATUS_FILE and `path: doing: reason`, the reason taken from the library's
+ * last error, the system's word for it where there is one. */
 enum status hdf5_file_fail(const char *path, const char *doing, struct message *why);
 
-/* Attributes of an open group, dataset or file; text is UTF-8. A text of more than 60,000
- * bytes becomes a dataset of that name. Negative: failed. */
+/* Write attributes of an open group, dataset or file; text is UTF-8. A text of more than
+ * 60,000 bytes becomes a dataset of that name. Negative: failed. */
 herr_t hdf5_file_put_text(hid_t object, const char *key, const char *text);
 herr_t hdf5_file_put_long(hid_t object, const char *key, long value);
 herr_t hdf5_file_put_double(hid_t object, const char *key, double value);
 
-/* What the numbers of a dataset are: "m", "1", ...; and what its axes count, in order. */
+/* The unit of a dataset's numbers ("m", "1", ...) and what its axes count, in order. */
 struct hdf5_file_meaning {
     const char *unit, *axes;
 };
 herr_t hdf5_file_put_meaning(hid_t set, struct hdf5_file_meaning meaning);
 
-/* Dataset `name` of doubles [rows] (columns = 0) or [rows][columns]; missing groups on the
- * way are made. */
+/* Writes the dataset `name` of doubles [rows] (columns = 0) or [rows][columns]; makes
+ * missing groups on the way. */
 herr_t hdf5_file_put_array(hid_t file, const char *name, struct hdf5_file_meaning meaning,
                            const double *values, int rows, int columns);
 

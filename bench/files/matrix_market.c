@@ -10,8 +10,9 @@
 #include "bench/files/output.h"
 #include "models/linalg/cholmod_status.h"
 
-/* CHOLMOD copies comments from a file: this one has no place on disk. Puts the % and the
- * blank before each line, and breaks lines at what the format allows. NULL if refused. */
+/* Returns the comment as a file in memory, since CHOLMOD copies comments from a file. Puts
+ * a blank before each line (CHOLMOD adds the %), and breaks lines at what the format
+ * allows. NULL if the file cannot be made. */
 static FILE *comment_file(const char *comment)
 {
     enum { LONGEST = 1000 };
@@ -71,7 +72,7 @@ enum status matrix_market_write(const char *path, const struct matrix *m,
     snprintf(name, sizeof name, "/proc/self/fd/%d", fileno(comments));
     TRY(output_create(path, &out, why));
     st = print_matrix(output_stream(out), m, name);
-    if (st != STATUS_FILE) /* why it is that, the end of the file tells */
+    if (st != STATUS_FILE) /* closing the file gives the reason */
         TRY(st);
     whole = out, out = NULL;
     TRY(output_close(whole, why));

@@ -1,6 +1,6 @@
-/* matrix_market.h - matrices for other tools: Matrix Market exchange format (Boisvert,
- * Pozo, Remington, NISTIR 5935), symmetric, lower triangle, 1-based, as CHOLMOD writes it:
- * as many digits as bring each double back (to 1e308, where it cuts). */
+/* matrix_market.h - writes matrices for other tools: Matrix Market exchange format
+ * (Boisvert, Pozo, Remington, NISTIR 5935), symmetric, lower triangle, 1-based, as CHOLMOD
+ * writes it: with enough digits to read each double back (to 1e308, where it cuts). */
 #ifndef MATRIX_MARKET_H
 #define MATRIX_MARKET_H
 

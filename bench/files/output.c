@@ -101,8 +101,8 @@ enum status output_close_standard(struct message *why)
 {
     bool failed = ferror(stdout);
 
-    /* glibc keeps what it could not write: flushing again gives the reason again; if it
-     * dropped it, a blank does */
+    /* glibc keeps what it could not write, so that flushing again fails for the same
+     * reason; should it have dropped that, writing a blank fails for it */
     errno = 0;
     if (failed)
         fputc(' ', stdout);

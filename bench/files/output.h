@@ -1,5 +1,5 @@
-/* output.h - text that leaves the program: files written aside (atomic_file.h) with every
- * write checked, and the check of standard output at the end. */
+/* output.h - writes text: files under a temporary name (atomic_file.h) with every write
+ * checked, and the check of standard output at the end. */
 #ifndef OUTPUT_H
 #define OUTPUT_H
 
@@ -13,14 +13,15 @@ struct output;
  * atomic_file_open; on failure *out is untouched. */
 enum status output_create(const char *path, struct output **out, struct message *why);
 
-/* printf; a failed write is kept for output_close. */
+/* Prints like printf; a failed write is remembered for output_close. */
 void output_print(struct output *out, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The fewest digits of %.*g, 15 to 17, that read back as the same number. */
+/* Returns the fewest digits of %.*g, 15 to 17, that read back as the same number. */
 int output_digits(double value);
 
-/* What output_print prints to, for others that print; not to be closed. */
+/* Returns the stream behind output_print, for other functions that print; do not close
+ * it. */
 FILE *output_stream(struct output *out);
 
 /* Writes what is left, checks every write since the start, syncs, renames, frees. On
@@ -30,12 +31,12 @@ enum status output_close(struct output *out, struct message *why);
 /* Gives the file up: nothing of it is left. NULL is allowed. */
 void output_discard(struct output *out);
 
-/* First thing in main: a reader who goes away (`clothbench ... | head`) and a file that
- * grows past the user's limit (ulimit -f) become failed writes, told in a sentence, instead
- * of a silent end. */
+/* Makes a reader who goes away (`clothbench ...
+ * head`) and a file that grows past the user's limit (ulimit -f) failed writes with a
+ * sentence, instead of a silent end. Call first in main. */
 void output_keep_after_closed_pipe(void);
 
-/* Last thing in main: flushes and closes standard output. STATUS_FILE with a sentence for
+/* Flushes and closes standard output; call last in main. STATUS_FILE with a sentence for
  * standard error if any write to it failed; the program should then exit with 1. */
 enum status output_close_standard(struct message *why);
 

@@ -27,8 +27,8 @@ __attribute__((format(printf, 3, 4))) static void add(struct provenance *p, cons
     va_end(args);
 }
 
-/* What stands behind `key`, blanks and `separator` in the first line of a system file that
- * begins with key; quotes around it are dropped. */
+/* Reads what stands behind `key`, blanks and `separator` in the first line of a system file
+ * that begins with key; quotes around it are dropped. */
 static void read_line(const char *path, const char *key, char separator, char *text,
                       size_t size)
 {

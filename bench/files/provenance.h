@@ -1,5 +1,5 @@
-/* provenance.h - where a number comes from: commit, compiler, machine, libraries, threads.
- * Goes into every result file and under every printed table. */
+/* provenance.h - the origin of a number: commit, compiler, machine, libraries, threads. It
+ * goes into every result file and under every printed table. */
 #ifndef PROVENANCE_H
 #define PROVENANCE_H
 
@@ -15,12 +15,12 @@ struct provenance {
     struct provenance_entry entry[PROVENANCE_MAX];
 };
 
-/* As things stand now (`solvers`: a digest of all sources that have a say in a run's
- * numbers, which a change of words elsewhere leaves): call after the thread counts were
- * set. What cannot be found out is `unknown`. */
+/* Collects the present values; call after the thread counts were set. `solvers` is a digest
+ * of all sources that can change a run's numbers; edits elsewhere leave it as it is. What
+ * cannot be found out is `unknown`. */
 void provenance_collect(struct provenance *p);
 
-/* The value of a key, NULL if there is none. Borrowed. */
+/* Returns the value of a key, NULL if there is none. Borrowed. */
 const char *provenance_value(const struct provenance *p, const char *key);
 
 #endif

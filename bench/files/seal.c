@@ -9,7 +9,7 @@
 
 #include "bench/files/output.h"
 
-/* Length and CRC-32 (ISO 3309) of what follows; the block's rest is zero. */
+/* The seal holds length and CRC-32 (ISO 3309) of what follows; the block's rest is zero. */
 #define SEAL      "clothbench result file, sealed: %ld bytes, crc32 %08lx\n"
 #define SEAL_MARK "clothbench result file, sealed: "
 
@@ -19,7 +19,7 @@ static enum status fail(const char *path, const char *doing, struct message *why
                        strerror(errno));
 }
 
-/* Of the file from the end of the block on. */
+/* Computes length and checksum of the file behind the block. */
 static enum status sum(FILE *file, long *length, unsigned long *crc)
 {
     static unsigned char part[1 << 16];
@@ -146,7 +146,7 @@ enum status seal_text_write(const char *path, const char *text, struct message *
     return output_close(out, why);
 }
 
-/* Whether text[size] ends in its seal, which is cut off. */
+/* Whether text[size] ends in its seal, which is then cut off. */
 static bool unseal(char *text, size_t size)
 {
     char wanted[SEAL_MOST];

@@ -20,8 +20,8 @@
 
 #define FORMAT "clothbench run 2"
 
-/* One number a frame, the order of store_frame's values; the first of those with a field.
- */
+/* The series with one number a frame, in the order of store_frame's values; the first one
+ * has only the frames with a field. */
 static const struct {
     const char *name, *unit;
 } series[] = {
@@ -99,8 +99,9 @@ static enum status put_provenance(struct store *s, const struct provenance *p,
     return good ? STATUS_OK : fail(s, why);
 }
 
-/* [frame][w][v][u][3], grows along frames; a chunk a frame, or, packed, a component of it:
- * neighbours are then alike, which packs to a third of the three together. */
+/* Creates [frame][w][v][u][3], which grows along frames. A chunk is a frame, or, if packed,
+ * one component of it: neighbours are then alike, which packs to a third of the three
+ * together. */
 static enum status create_xyz(struct store *s, struct message *why)
 {
     hsize_t none[5] = {0, GRID_W, GRID_V, GRID_U, 3};
@@ -110,8 +111,8 @@ static enum status create_xyz(struct store *s, struct message *why)
     hid_t create = H5Pcreate(H5P_DATASET_CREATE), access = H5Pcreate(H5P_DATASET_ACCESS);
 
     H5Pset_chunk(create, 5, chunk);
-    /* Frames are written whole, once: past the cache, which copies and, when a write fails,
-     * leaks them; not filled with zeros before. */
+    /* Frames are written whole, once: not through the cache, which copies and, when a write
+     * fails, leaks them; nor are they filled with zeros before. */
     H5Pset_fill_time(create, H5D_FILL_TIME_NEVER);
     H5Pset_chunk_cache(access, H5D_CHUNK_CACHE_NSLOTS_DEFAULT, 0,
                        H5D_CHUNK_CACHE_W0_DEFAULT);
@@ -286,8 +287,9 @@ void store_death(struct store *s, enum status death, double t)
     s->death_time = t;
 }
 
-/* frame/N: a view of xyz[N], no copy. XDMF 2 and 3 spell a selection from a larger array
- * differently, and no file serves the readers of both; a whole array is read by all. */
+/* Adds frame/N, a view of xyz[N] without a copy. XDMF 2 and 3 spell a selection from a
+ * larger array differently, and no file suits the readers of both; a whole array is read by
+ * all. */
 static bool put_view(hid_t group, int frame, int frames)
 {
     char name[16];
@@ -344,7 +346,7 @@ static enum status put_end(struct store *s, struct message *why)
     return STATUS_OK;
 }
 
-/* Flushed by hand first: a flush that fails leaves the identifiers usable for discard. */
+/* Closes the file, flushed first: if that fails, discard can still use the identifiers. */
 static enum status close_file(struct store *s, struct message *why)
 {
     if (H5Fflush(s->file, H5F_SCOPE_GLOBAL) < 0)
@@ -373,9 +375,8 @@ out:
     return st;
 }
 
-/* The library insists on writing its caches when it closes a file; on a full disk it can
- * neither do so nor let go, and ends in a crash. So its descriptor is led into memory
- * first. */
+/* Redirects the file's descriptor to memory. The library insists on writing its caches when
+ * it closes a file; on a full disk it can neither write nor close, and crashes. */
 static void lead_astray(hid_t file)
 {
     int *descriptor = NULL, memory = memfd_create("discarded", MFD_CLOEXEC);
@@ -412,7 +413,7 @@ struct store_read {
     long size; /* [bytes]: nothing in a sound file is larger */
 };
 
-/* Any identifier of the library's, valid or not. */
+/* Releases any identifier of the library's, if it is valid. */
 static void drop(hid_t id)
 {
     if (id >= 0)
@@ -430,7 +431,7 @@ static enum status unreadable(const struct store_read *f, const char *what,
     return hdf5_file_fail(f->path, doing, why);
 }
 
-/* The positions have the shape of store.h. */
+/* Opens the positions and checks that they have the shape of store.h. */
 static bool open_xyz(struct store_read *f)
 {
     hsize_t size[5] = {0};
@@ -443,7 +444,7 @@ static bool open_xyz(struct store_read *f)
                 H5Sget_simple_extent_dims(space, size, NULL) == 5 && size[1] == GRID_W &&
                 size[2] == GRID_V && size[3] == GRID_U && size[4] == 3;
     drop(space);
-    /* Deflate packs a thousandfold at most. */
+    /* Deflate packs at most a thousandfold, so a larger shape is damage. */
     good = good && size[0] <= INT_MAX &&
            size[0] * FRAME_LEAST <= 1032 * H5Dget_storage_size(f->xyz);
     f->frames = good ? (int)size[0] : 0;
@@ -504,7 +505,7 @@ enum status store_read_frame(const struct store_read *f, int n, double *xyz,
     return good ? STATUS_OK : unreadable(f, "a frame of xyz", why);
 }
 
-/* Every link on the way must exist: the library errs on a missing group. */
+/* Checks every link of the path: the library fails on a missing group. */
 bool store_read_has(const struct store_read *f, const char *name)
 {
     char part[128];
@@ -538,7 +539,7 @@ enum status store_read_array(const struct store_read *f, const char *name, doubl
     int rank = space < 0 ? -1 : H5Sget_simple_extent_ndims(space);
     if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space, size, NULL) < 0)
         TRY(unreadable(f, name, why));
-    if (size[1] == 0) /* who reads rows looks for a number in them */
+    if (size[1] == 0) /* readers expect a number in a row */
         TRY(status_fail(why, STATUS_INPUT, "%s: %s has rows of nothing", f->path, name));
     const hsize_t most = (hsize_t)(f->size < INT_MAX ? f->size : INT_MAX);
     if (size[0] > most || size[1] > most || size[0] * size[1] > most)
@@ -558,7 +559,7 @@ out:
     return st;
 }
 
-/* One text of fixed length, as an attribute or, if long, a dataset: its type and room. */
+/* Whether an attribute or, if long, a dataset is one text of fixed length, *size. */
 static bool is_text(hid_t type, hid_t space, size_t *size)
 {
     *size = type < 0 ? 0 : H5Tget_size(type);
@@ -616,8 +617,8 @@ enum status store_read_number(const struct store_read *f, const char *key, doubl
 
 static const char MARK[] = "# --set ";
 
-/* The settings in the text, as pointers into it; ends each with a NUL. Those of the
- * discretization are no part of the scene. */
+/* Finds the settings in the text, as pointers into it; ends each with a NUL. Those of the
+ * discretization are not part of the scene and are left out. */
 static int find_settings(char *text, const char **settings, int most)
 {
     int count = 0;

@@ -1,6 +1,6 @@
 /* store.h - the result file of one run: scene, model, discretization, motion, seconds.
  *
- * HDF5, after a first line of text, the seal (seal.h), by which a damaged file is told;
+ * HDF5, after a first line of text, the seal (seal.h), which shows damage;
  * texts are of fixed length. In /, F = frames kept, K <= F = those of them with their
  * field, R = repeats:
  *
@@ -45,7 +45,7 @@
 
 struct store;
 
-/* What is known before the first step; all borrowed during store_create. */
+/* The description of a run before its first step; all borrowed during store_create. */
 struct store_run {
     const struct scene *scene;
     const struct model *model;
@@ -66,30 +66,30 @@ enum status store_frame(struct store *store, double t, const double *xyz,
                         const struct energy *energy, const struct counters *counters,
                         struct message *why);
 
-/* Raw seconds[rows][columns] of a phase ("create", "advance", "look"); columns = 0: one
- * number a repeat. Once per phase. */
+/* Adds raw seconds[rows][columns] of a phase ("create", "advance", "look"); columns = 0:
+ * one number a repeat. Call once per phase. */
 enum status store_seconds(struct store *store, const char *phase, const double *seconds,
                           int rows, int columns, struct message *why);
 
-/* A number per frame stored so far, value[count], with its unit ("m", "1"). Once per name,
- * [a-z_]+. */
+/* Adds a number per frame stored so far, value[count], with its unit ("m", "1"). Call once
+ * per name, [a-z_]+. */
 enum status store_metric(struct store *store, const char *name, const char *unit,
                          const double *value, int count, struct message *why);
 
-/* What was built. */
+/* Adds the size of the model that was built. */
 enum status store_size(struct store *store, const struct model_size *size,
                        struct message *why);
 
-/* One more text attribute of /, [a-z_]+, that this list does not have, as
- * "note", a sentence on the run that its outcome does not say. Once per key. */
+/* Adds a text attribute of /, [a-z_]+, besides those above, such as "note", a sentence on
+ * the run that its outcome does not say. Call once per key. */
 enum status store_text(struct store *store, const char *key, const char *text,
                        struct message *why);
 
-/* One more number, an attribute of /, likewise. */
+/* Adds a number as an attribute of /, once per key. */
 enum status store_number(struct store *store, const char *key, double value,
                          struct message *why);
 
-/* The run died at t with this status: kept, and written by store_close. */
+/* Notes that the run died at t with this status; store_close writes it. */
 void store_death(struct store *store, enum status death, double t);
 
 /* Completes the file, syncs, renames, writes the XDMF; frees in any case. On failure
@@ -99,7 +99,7 @@ enum status store_close(struct store *store, struct message *why);
 /* Gives the run up: removes the temporary file. NULL is allowed. */
 void store_discard(struct store *store);
 
-/* Reads them: tables, plots and scores are made from them. */
+/* A result file that is being read: tables, plots and scores are made from it. */
 struct store_read;
 
 /* Opens FILE.h5 for reading. STATUS_FILE: cannot be read; STATUS_INPUT: HDF5, but not a
@@ -108,32 +108,33 @@ enum status store_read_open(const char *path, struct store_read **file,
                             struct message *why);
 void store_read_close(struct store_read *file); /* NULL is allowed */
 
-/* Frames with a field in the file; their times are its array "xyz_time". */
+/* Returns the number of frames with a field; their times are the array "xyz_time". */
 int store_read_frames(const struct store_read *file);
 
-/* The n-th field, 0 <= n < frames, into xyz (grid.h) [m]. */
+/* Reads the n-th field, 0 <= n < frames, into xyz (grid.h) [m]. */
 enum status store_read_frame(const struct store_read *file, int n, double *xyz,
                              struct message *why);
 
 bool store_read_has(const struct store_read *file, const char *name);
 
-/* Array of doubles by its name in the file ("time", "metrics/drop", "seconds/advance"):
- * *values [rows][columns], freed by the receiver; columns >= 1, 1 for one number a row. */
+/* Reads an array of doubles by its name in the file ("time", "metrics/drop",
+ * "seconds/advance"): *values [rows][columns], freed by the receiver; columns >= 1, 1 for
+ * one number a row. */
 enum status store_read_array(const struct store_read *file, const char *name,
                              double **values, int *rows, int *columns, struct message *why);
 
-/* Text attribute `key` of `group` ("/", "provenance", "metrics/drop"); *text is freed by
- * the receiver. */
+/* Reads the text attribute `key` of `group` ("/", "provenance", "metrics/drop"); *text is
+ * freed by the receiver. */
 enum status store_read_text(const struct store_read *file, const char *group,
                             const char *key, char **text, struct message *why);
 
-/* Number attribute `key` of "/" ("length", "unknowns"). */
+/* Reads the number attribute `key` of "/" ("length", "unknowns"). */
 enum status store_read_number(const struct store_read *file, const char *key,
                               double *number, struct message *why);
 
-/* The scene of a result file, with the settings it was run with: the file keeps its text
- * with its settings below as lines `# --set KEY=VALUE`; they are applied again. *scene is
- * overwritten, and freed with scene_clear. */
+/* Reads the scene of a result file as it was run: the file keeps its text with its settings
+ * below as lines `# --set KEY=VALUE`; they are applied again. *scene is overwritten, and
+ * freed with scene_clear. */
 enum status store_scene(const struct store_read *file, const char *path,
                         struct scene *scene, struct message *why);
 

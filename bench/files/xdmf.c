@@ -19,7 +19,8 @@ static char *path_beside(const char *result_path)
     return path;
 }
 
-/* The result file's name as XML text, without its folder: XDMF looks in its own. */
+/* Prints the positions' reference; it has the result file's name as XML text, without its
+ * folder: XDMF looks in its own. */
 static void print_positions(struct output *out, const char *path, int frame)
 {
     const char *slash = strrchr(path, '/');

@@ -131,7 +131,7 @@ void frames_folder_clear(struct frames_folder *folder)
     *folder = (struct frames_folder){0};
 }
 
-/* A folder's files are a sequence. */
+/* Opens a folder; its files are a sequence. */
 static enum status open_folder(struct frames *f, const char *path, struct message *why)
 {
     struct frames_folder folder;
@@ -155,7 +155,7 @@ out:
     return st;
 }
 
-/* What --rest tells of the net, vertex by vertex. */
+/* Reads the mesh of --rest and takes uv, rest positions and faces from it. */
 static enum status take_rest(struct frames *f, struct message *why)
 {
     struct frames_mesh mesh;

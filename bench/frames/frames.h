@@ -32,7 +32,7 @@
 struct frames;
 
 struct frames_look {
-    double dt; /* between frames [s]; 0: not given. Beats times in the file      */
+    double dt; /* interval [s]; 0: not given. Overrides the file's times         */
     const char
         *rest; /* a mesh (.obj, .ply) with the vertices' uv or rest positions; NULL */
 };
@@ -40,42 +40,43 @@ struct frames_look {
 /* The net that moves; owned by the frames. */
 struct frames_net {
     int vertices;
-    double *uv;         /* [vertices][2] material coordinates; NULL: not told             */
+    double *uv;         /* [vertices][2] material coordinates; NULL: unknown              */
     double *rest;       /* [vertices][3] of --rest; NULL: none                            */
     int triangles;      /* 0: no faces                                                    */
     int (*triangle)[3]; /* [triangles] of vertices, from 0                                */
 };
 
-/* The most vertices of a net and values of a time: what is more is a damaged count. */
+/* The most vertices of a net and times of a file: a larger count is taken for damage. */
 enum { FRAMES_MOST_VERTICES = 4000000, FRAMES_MOST_TIMES = 10000000 };
 
-/* paths[count]: one file or folder, or several files, each a frame. */
+/* Opens paths[count]: one file or folder, or several files, each a frame. */
 enum status frames_open(int count, const char *const *paths, const struct frames_look *look,
                         struct frames **frames, struct message *why);
 void frames_close(struct frames *f); /* NULL is allowed */
 
-/* The file that they come from; of a sequence the first. */
+/* Returns the name of the file that the frames come from; of a sequence the first. */
 const char *frames_name(const struct frames *f);
 
 const struct frames_net *frames_net(const struct frames *f);
 
-/* The next frame: its time [s], later than the one before, and positions [vertices][3],
- * all finite, borrowed until the next call; *xyz is NULL after the last. */
+/* Reads the next frame: its time [s], later than the one before, and positions
+ * [vertices][3], all finite, borrowed until the next call; *xyz is NULL after the last. */
 enum status frames_next(struct frames *f, double *t, const double **xyz,
                         struct message *why);
 
-/* What is in a folder, in the order of the numbers in its names: s2 before s10. */
+/* The files of a folder, in the order of the numbers in their names: s2 before s10. */
 struct frames_folder {
     int count;
     char **path; /* [count] FOLDER/NAME, hidden ones left out         all owned */
 };
 
-/* STATUS_FILE with a sentence; *folder is overwritten; free with frames_folder_clear. */
+/* Lists a folder. STATUS_FILE with a sentence; *folder is overwritten; free with
+ * frames_folder_clear. */
 enum status frames_folder_read(const char *path, struct frames_folder *folder,
                                struct message *why);
 void frames_folder_clear(struct frames_folder *folder);
 
-/* Whether a name ends as one of the files above does. */
+/* Whether a name has the ending of one of the file types above. */
 bool frames_is_name(const char *name);
 
 #endif

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { PAGES = 1 << 22 }; /* so many bytes are let go of at once */
+enum { PAGES = 1 << 22 }; /* bytes that are released at once */
 
 static enum status map(int file, struct frames_bytes *b, struct message *why)
 {
@@ -133,8 +133,8 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* What strtod says of as much as may be a number: the text has no end of its own. 767
- * digits tell the last bit of any. */
+/* Copies as much as may be a number for strtod, since the text has no end of its own. 767
+ * digits determine the last bit of any number. */
 bool frames_text_number(const char **p, const char *end, double *x)
 {
     char room[1024], *stop;

@@ -1,4 +1,4 @@
-/* frames_bytes.h - a file's bytes, mapped, and numbers in them. */
+/* frames_bytes.h - maps a file into memory, and reads numbers in it. */
 #ifndef FRAMES_BYTES_H
 #define FRAMES_BYTES_H
 
@@ -13,35 +13,34 @@ struct frames_bytes {
     size_t size, forgotten;
 };
 
-/* Regular files only. STATUS_FILE with a sentence; an empty one is STATUS_INPUT. */
+/* Maps a regular file. STATUS_FILE with a sentence; an empty one is STATUS_INPUT. */
 enum status frames_bytes_open(const char *path, struct frames_bytes *b,
                               struct message *why);
 void frames_bytes_close(struct frames_bytes *b); /* all-zero is allowed, and left */
 
-/* What lies before `until` will not be read soon: its pages may go. */
+/* Lets go of the memory pages before `until`, which will not be read soon. */
 void frames_bytes_forget(struct frames_bytes *b, size_t until);
 
-/* The array of *room items of `size` bytes, grown if need be for one more than `count`.
- * NULL: no memory, and the array is as it was. */
+/* Returns the array of *room items of `size` bytes, enlarged if it cannot hold one more
+ * than `count`. NULL: no memory, and the array is as it was. */
 void *frames_bytes_grow(void *array, int *room, int count, size_t size);
 
-/* Numbers of `size` bytes at p (4 or 8 of a float, 1, 2, 4 of a whole number). */
+/* Return the number of `size` bytes at p (4 or 8 of a float, 1, 2, 4 of a whole number). */
 double frames_bytes_float(const unsigned char *p, int size, bool big);
 unsigned long frames_bytes_whole(const unsigned char *p, int size, bool big);
 
-/* Text being read, a line at a time: *line [*end) without its line end; false: no more. */
+/* A text read line by line: *line [*end) is without its line end; false: no more. */
 struct frames_text {
     const char *at, *end;
-    long line; /* of the one last read, from 1 */
+    long line; /* number of the line last read, from 1 */
 };
 struct frames_text frames_text_of(const struct frames_bytes *b);
 bool frames_text_line(struct frames_text *text, const char **line, const char **end);
 
-/* A number, after blanks, as strtod reads it; *p moves behind it.
- * False: none there. */
+/* Reads a number, after blanks, as strtod does; *p moves behind it. False: none. */
 bool frames_text_number(const char **p, const char *end, double *x);
 
-/* Blanks are passed over; then the next word, up to a blank: its length, 0 at the end. */
+/* Skips blanks and finds the next word, up to a blank; returns its length, 0 at the end. */
 int frames_text_word(const char **p, const char *end, const char **word);
 
 #endif

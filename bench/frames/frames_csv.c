@@ -1,6 +1,6 @@
-/* Lines t,u,v,x,y,z. A first look at the times alone tells whether rows of one time stand
- * together and times grow: then lines are read as they come; else in the order of an index
- * of them, which is all that is kept. */
+/* Reads lines t,u,v,x,y,z. A first pass over the times finds whether rows of one time stand
+ * together and times grow: then lines are read as they come; else in the order of an index,
+ * which alone is kept in memory. */
 #include "bench/frames/frames_parts.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 enum { T, U, V, X, Y, Z, COLUMNS, COLUMNS_MOST = 64 };
 static const char names[] = "tuvxyz";
 
-/* uv are the same to this: texts of them may be rounded. */
+/* uv within this are the same: texts of them may be rounded. */
 #define SAME_UV 1e-7
 
 struct place { /* of a row */
@@ -26,9 +26,9 @@ struct key { /* a vertex by its uv, rounded */
 
 struct csv {
     struct frames_bytes bytes;
-    int column[COLUMNS_MOST]; /* of a cell: what it is, -1: passed over               */
-    int time_cell, width;     /* which the time is; how many are read                 */
-    struct frames_text text;  /* from the first row on                                  */
+    int column[COLUMNS_MOST]; /* meaning of each cell, -1: ignored                    */
+    int time_cell, width;     /* the time's cell; how many are read                   */
+    struct frames_text text;  /* begins at the first row                                */
     struct place *place;      /* [rows] sorted; NULL: rows are in order          owned */
     long rows, taken;         /* taken: of `place`                                       */
     struct key *key;          /* [vertices] sorted                               owned */
@@ -46,7 +46,7 @@ static void close_csv(void *state)
     free(c);
 }
 
-/* Nothing on it, or a comment. */
+/* Whether a line is blank or a comment. */
 static bool is_empty(const char *line, const char *end)
 {
     while (line < end && (*line == ' ' || *line == '\t'))
@@ -54,7 +54,7 @@ static bool is_empty(const char *line, const char *end)
     return line == end || *line == '#';
 }
 
-/* The columns of a line of names; false: it is a line of numbers. */
+/* Finds the columns in a line of names; false: it is a line of numbers. */
 static bool take_names(struct csv *c, const char *line, const char *end)
 {
     bool any = false;
@@ -106,7 +106,7 @@ static enum status take_header(struct frames *f, struct csv *c, struct message *
     return STATUS_OK;
 }
 
-/* The numbers of the first `cells` cells of a line. */
+/* Reads the first `cells` cells of a line as numbers. */
 static bool take_row(const struct csv *c, const char *line, const char *end, int cells,
                      double row[COLUMNS])
 {
@@ -144,7 +144,7 @@ static int compare_places(const void *a, const void *b)
     return (left->at > right->at) - (left->at < right->at);
 }
 
-/* Counts rows; whether the times never fall. */
+/* Counts rows; *grow: the times never fall. */
 static enum status look_at_times(struct frames *f, struct csv *c, bool *grow,
                                  struct message *why)
 {
@@ -188,7 +188,7 @@ static enum status make_index(struct csv *c)
     return STATUS_OK;
 }
 
-/* The next row, if it is of the frame's time (or begins one: NaN). */
+/* Reads the next row, if it belongs to the frame's time (or begins one: NaN). */
 static enum status next_row(struct frames *f, struct csv *c, double t, double row[COLUMNS],
                             bool *more, long *number, struct message *why)
 {
@@ -234,7 +234,7 @@ static int compare_keys(const void *a, const void *b)
     return (left->v > right->v) - (left->v < right->v);
 }
 
-/* The vertices are those of the first frame, in its order. */
+/* Takes the vertices from the first frame, in its order. */
 static enum status take_net(struct frames *f, struct csv *c, struct message *why)
 {
     const struct frames_text start = c->text;
@@ -270,7 +270,7 @@ out:
     return st;
 }
 
-/* Which vertex a row is of: mostly the next. -1: of none. */
+/* Returns the vertex that a row belongs to, mostly the next one; -1: none. */
 static int vertex_of(const struct frames *f, const struct csv *c, const double *row,
                      int next)
 {

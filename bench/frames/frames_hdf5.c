@@ -31,7 +31,7 @@ static void close_foreign(void *state)
     free(h);
 }
 
-/* A data set, its rank and sizes; negative: there is none. */
+/* Opens a data set and gets its rank and sizes; negative: there is none. */
 static hid_t open_set(hid_t file, const char *name, int *rank, hsize_t size[8])
 {
     hid_t set = H5Lexists(file, name, H5P_DEFAULT) > 0 ? H5Dopen2(file, name, H5P_DEFAULT)
@@ -65,7 +65,7 @@ static enum status next_foreign(struct frames *f, double *t, bool *more,
     return good ? STATUS_OK : hdf5_file_fail(f->path, "cannot read a frame of xyz", why);
 }
 
-/* A data set of `count` numbers, whatever its rank; NULL stays NULL if there is none. */
+/* Reads a data set of `count` numbers of any rank; NULL stays NULL if there is none. */
 static enum status take_small(struct frames *f, hid_t file, const char *name, hsize_t count,
                               double **values, struct message *why)
 {
@@ -189,7 +189,7 @@ out:
     return st;
 }
 
-/* A sealed file is the program's; another begins with HDF5's own mark. */
+/* Opens a file: the program's own is sealed; any other begins with HDF5's signature. */
 enum status frames_hdf5_open(struct frames *f, const char *path, struct message *why)
 {
     struct frames_bytes b = {0};

@@ -1,5 +1,4 @@
-/* A mesh a file, .obj or .ply, and sequences of them: count and faces are those of the
- * first. */
+/* Reads meshes, .obj or .ply, and sequences of them; count and faces are the first's. */
 #define _GNU_SOURCE /* strverscmp */
 #include "bench/frames/frames_parts.h"
 

@@ -1,5 +1,4 @@
-/* Wavefront OBJ (1995): lines `v x y z`, `vt u v`, `f v/vt/vn ...`; others are passed over.
- */
+/* Reads Wavefront OBJ (1995): lines `v x y z`, `vt u v`, `f v/vt/vn ...`; skips others. */
 #include "bench/frames/frames_parts.h"
 
 #include <math.h>
@@ -50,7 +49,8 @@ static enum status take_point(struct obj *o, const char *at, const char *end, in
     return STATUS_OK;
 }
 
-/* Numbers count from 1, negative ones back from the last. -1: there is none. */
+/* Turns a number of a face into an index: numbers count from 1, negative ones back from the
+ * last. -1: there is none. */
 static long index_of(double number, int count)
 {
     const double n = number < 0 ? count + number : number - 1;
@@ -58,7 +58,7 @@ static long index_of(double number, int count)
     return n >= 0 && n < count && n == floor(n) ? (long)n : -1;
 }
 
-/* uv of a vertex from its vt; a seam gives one vertex two. */
+/* Takes uv of a vertex from its vt, and refuses a seam, which gives one vertex two. */
 static enum status take_uv(struct obj *o, long vertex, long vt, long line,
                            struct message *why)
 {
@@ -132,7 +132,7 @@ static enum status take_lines(struct obj *o, struct frames_text text, bool faces
     return st;
 }
 
-/* Faces after all points: they may come first. */
+/* Reads the faces after all points, since they may come first. */
 enum status frames_mesh_obj(const struct frames_bytes *b, struct frames_mesh *mesh,
                             struct message *why)
 {
@@ -141,7 +141,8 @@ enum status frames_mesh_obj(const struct frames_bytes *b, struct frames_mesh *me
 
     TRY(take_lines(&o, frames_text_of(b), false, why));
     TRY(take_lines(&o, frames_text_of(b), true, why));
-    /* As many vt as v, and no faces: they go together. */
+    /* If no faces pair them, and there are as many vt as v, they belong together in
+     * order. */
     if (!mesh->triangles && o.vt_count == mesh->vertices)
         mesh->uv = o.vt, o.vt = NULL;
     for (int n = 0; mesh->uv && n < 2 * mesh->vertices; n++)

@@ -1,4 +1,4 @@
-/* PLY (Turk, Stanford 1994): ascii, binary_little_endian, binary_big_endian. */
+/* Reads PLY (Turk, Stanford 1994): ascii, binary_little_endian, binary_big_endian. */
 #include "bench/frames/frames_parts.h"
 
 #include <stdlib.h>
@@ -22,7 +22,7 @@ struct element {
 
 struct ply {
     const struct frames_bytes *b;
-    struct frames_text text; /* after the header: of the rows                          */
+    struct frames_text text; /* the rows, after the header                             */
     bool ascii, big;
     int elements;
     struct element element[ELEMENTS];
@@ -158,7 +158,7 @@ static enum status take_header(struct ply *p, struct message *why)
     return st == STATUS_OK ? bad(p, "ends before end_header", why) : st;
 }
 
-/* The next number, wherever it stands. */
+/* Reads the next number, from text or bytes. */
 static bool take_number(struct ply *p, int size, bool is_float, double *x)
 {
     if (p->ascii) {

@@ -1,4 +1,4 @@
-/* NumPy's files: xyz [frames][n][3] (or [frames][rows][columns][3]), uv and t. */
+/* Reads NumPy's files: xyz [frames][n][3] (or [frames][rows][columns][3]), uv and t. */
 #include "bench/frames/frames_npz.h"
 
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 /* The bytes of one array, read from front to end; all-zero before. */
 struct stream {
     zip_file_t *member; /* NULL: the file is the array                           owned */
-    const unsigned char *at; /* what comes next of a bare array */
+    const unsigned char *at; /* next byte of a bare array */
     unsigned long long size; /* of all bytes, as the directory announces them */
     struct npz_array array;
 };
@@ -68,7 +68,7 @@ static bool stream_read(struct stream *s, const struct npz *npz, void *room, siz
     return true;
 }
 
-/* STATUS_UNSUPPORTED: there is no such member. */
+/* Finds an array of the archive. STATUS_UNSUPPORTED: there is no such member. */
 static enum status find_member(const struct npz *npz, const char *name, struct stream *s,
                                struct message *why)
 {
@@ -91,7 +91,7 @@ static enum status find_member(const struct npz *npz, const char *name, struct s
     return STATUS_OK;
 }
 
-/* 'shape': (3, 4, 5), */
+/* Reads the text of 'shape', such as (3, 4, 5). */
 static bool take_shape(const char *text, struct npz_array *a)
 {
     const char *p = strstr(text, "'shape':"), *end = text + strlen(text);
@@ -179,7 +179,8 @@ static bool read_numbers(struct stream *s, const struct npz *npz, size_t count,
                          double *values)
 {
     const size_t bytes = (size_t)s->array.bytes;
-    /* At the end of its own room, so that widening from the front does not overtake. */
+    /* The bytes go to the array's end, so that widening from its front does not
+     * overtake. */
     unsigned char *at = (unsigned char *)values + count * (8 - bytes);
 
     if (!stream_read(s, npz, at, count * bytes))
@@ -244,7 +245,8 @@ static enum status next_npz(struct frames *f, double *t, bool *more, struct mess
                            "%s: frame %d: xyz is cut off or damaged; %llu whole frames "
                            "would be right",
                            f->path, f->number, frames);
-    /* About as far as it is read; what is wanted again comes back from the file. */
+    /* The mapped bytes are released up to about the place read; what is needed again is
+     * read from the file again. */
     frames_bytes_forget(&m->npz.bytes, m->npz.bytes.size / frames * number);
     return STATUS_OK;
 }

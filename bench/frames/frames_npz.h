@@ -18,7 +18,8 @@ struct npz_array {
     int bytes; /* 4 or 8 a number */
 };
 
-/* STATUS_FILE, or STATUS_INPUT with a sentence; free with npz_close. */
+/* Opens an archive or a bare array. STATUS_FILE, or STATUS_INPUT with a sentence; free with
+ * npz_close. */
 enum status npz_open(const char *path, struct npz *npz, struct message *why);
 void npz_close(struct npz *npz); /* all-zero is allowed */
 

@@ -1,4 +1,4 @@
-/* frames_parts.h - what the readers of frames.h share; no business of others.
+/* frames_parts.h - shared by the readers of frames.h; private to them.
  *
  * A reader's `open` fills net.vertices, uv and faces as far as the file has them, `reader`
  * and `state`; its `next` fills xyz and *t, or says that there is no more. What all have in
@@ -19,24 +19,24 @@ struct frames {
     struct frames_look look;
     struct frames_net net;
     double *xyz; /* [vertices][3]                                                 owned */
-    int number;  /* of the frame last read, from 1                                      */
+    int number;  /* number of the frame last read, from 1                               */
     double time; /* of it                                                               */
     bool timed;  /* the file has times                                                  */
     const struct frames_reader *reader;
     void *state; /* owned by the reader */
 };
 
-/* Room for the vertices of the net. STATUS_INPUT: too many, none. */
+/* Allocates the vertices of the net. STATUS_INPUT: too many, none. */
 enum status frames_room(struct frames *f, long vertices, struct message *why);
 
-/* STATUS_INPUT: xyz is there, and empty. */
+/* Fails with STATUS_INPUT: xyz is there, but empty. */
 enum status frames_none(const struct frames *f, struct message *why);
 
 enum status frames_csv_open(struct frames *f, const char *path, struct message *why);
 enum status frames_npz_open(struct frames *f, const char *path, struct message *why);
 enum status frames_hdf5_open(struct frames *f, const char *path, struct message *why);
 enum status frames_cache_open(struct frames *f, const char *path, struct message *why);
-/* Files in the order given. */
+/* Opens files in the order given. */
 enum status frames_sequence_open(struct frames *f, int count, const char *const *paths,
                                  struct message *why);
 
@@ -57,7 +57,7 @@ enum status frames_mesh_obj(const struct frames_bytes *b, struct frames_mesh *me
 enum status frames_mesh_ply(const struct frames_bytes *b, struct frames_mesh *mesh,
                             struct message *why);
 
-/* A polygon's vertices [count], from 0, as triangles. */
+/* Adds a polygon's vertices [count], counted from 0, as triangles. */
 enum status frames_mesh_face(struct frames_mesh *mesh, int count, const long *vertex);
 
 #endif

@@ -17,15 +17,15 @@
 #include "bench/files/atomic_file.h"
 #include "models/clock.h"
 
-/* What the child says. */
+/* The child's report, in memory that it shares with its parent. */
 struct child_note {
     enum status st;
     struct message why;
     double reached;
-    int limit; /* of processor time [s]; 0: none                                       */
+    int limit; /* limit of processor time [s]; 0: none                                 */
 };
 
-/* In a child: what it says. */
+/* The report of this process, if it is a child. */
 static struct child_note *my_note;
 
 void child_reached(double how_far)
@@ -57,7 +57,7 @@ static void pause_milliseconds(long count)
     nanosleep(&(struct timespec){.tv_nsec = 1000000 * count}, NULL);
 }
 
-/* SIGTERM, after which a child removes its temporary file; SIGKILL if that is ignored. */
+/* Ends a child by SIGTERM, on which it removes its temporary file, then by SIGKILL. */
 static void end_child(pid_t pid)
 {
     kill(pid, SIGTERM);
@@ -79,7 +79,8 @@ void child_clear(struct child *c)
     *c = (struct child){0};
 }
 
-/* In the child. `mask`: of signals, once it has its own way with them. */
+/* Does the work in the child. `mask` is the signal mask to restore once the child has its
+ * own signal handlers. */
 static void be_child(struct child *c, pid_t parent, const sigset_t *mask,
                      enum status (*work)(void *, struct message *), void *context)
 {
@@ -108,7 +109,7 @@ enum status child_start(struct child *c, enum status (*work)(void *, struct mess
     c->seen = clock_now();
     c->worked = c->idle = 0;
     c->suspended = c->overdue = false;
-    sigfillset(&all); /* none may meet the parent's ways in the child */
+    sigfillset(&all); /* no signal may meet the parent's handlers in the child */
     sigprocmask(SIG_SETMASK, &all, &mask);
     c->pid = fork();
     if (c->pid == 0)
@@ -121,8 +122,8 @@ enum status child_start(struct child *c, enum status (*work)(void *, struct mess
                        strerror(errno));
 }
 
-/* Ended by a signal that is not ours. Those of a crash are the work's own doing; the others
- * say nothing about it. */
+/* Judges a child that a signal ended. A crash is the work's own doing; other signals say
+ * nothing about the work. */
 static enum child_outcome read_signal(int number, struct message *why)
 {
     static const int crashes[] = {SIGSEGV, SIGBUS,  SIGFPE, SIGILL,
@@ -179,8 +180,7 @@ static void read_end(const struct child *c, int code, double time_limit,
     }
 }
 
-/* A pause between two polls that is longer was ours: this process was suspended, the
- * machine asleep [s]. */
+/* A longer pause between polls [s] means that this process or the machine slept. */
 static const double NAP = 1;
 
 static void pass_time(struct child *c, double time_limit)

@@ -1,9 +1,6 @@
-/* child.h - work in a process of its own, so that whatever it does ends there: a crash, a
- * hang, a kill.
- *
- * The child works on one thread, leaves its results in files, and dies with its parent. The
- * parent does not touch HDF5 meanwhile.
- */
+/* child.h - runs work in a process of its own, so that a crash, a hang or a kill ends
+ * nothing else. The child works on one thread, leaves its results in files, and dies with
+ * its parent. The parent does not touch HDF5 meanwhile. */
 #ifndef CHILD_H
 #define CHILD_H
 
@@ -25,14 +22,14 @@ struct child_end {
     enum child_outcome outcome;
     bool overdue;   /* failed: it was killed because its time was over                 */
     double seconds; /* of processor time                                               */
-    double reached; /* what child_reached was last told; NaN: nothing                  */
+    double reached; /* last value of child_reached; NaN: none                          */
     struct message why;
 };
 
 struct child {
     pid_t pid;           /* 0: none runs                                               */
     double seen;         /* clock_now() at the last poll                               */
-    double worked, idle; /* since its start, idle: while it was suspended [s]          */
+    double worked, idle; /* since its start; idle: suspended [s]                       */
     bool suspended, overdue;
     struct child_note *note; /* memory shared with the child                     owned */
 };
@@ -40,22 +37,20 @@ struct child {
 enum status child_init(struct child *c);
 void child_clear(struct child *c); /* kills what runs; all-zero is allowed */
 
-/* Starts work(context) in a new process. STATUS_LIBRARY with a sentence: there is none to
- * be had. */
+/* Starts work(context) in a new process. STATUS_LIBRARY with a sentence: it cannot. */
 enum status child_start(struct child *c, enum status (*work)(void *, struct message *),
                         void *context, struct message *why);
 
-/* In the child: leaves word of how far the work is, should it come to no end. Elsewhere
- * nothing. */
+/* Records in the child how far the work is, in case it does not end; elsewhere nothing. */
 void child_reached(double how_far);
 
-/* In the child: ends it after so much processor time; overdue, too. Unlike child_poll's
- * limit it does not hang on what else the machine does. */
+/* Ends the child after so much processor time, which counts as overdue, too. Unlike the
+ * limit of child_poll it does not depend on what else the machine does. */
 void child_limit(int seconds);
 
-/* Whether it has ended, and how; kills it when `time_limit` seconds of work are over
- * (CHILD_FAILED, overdue), or as many in which it was suspended (CHILD_CUT). Seconds that
- * this process slept through are nobody's. Does not wait. */
+/* Returns whether it has ended, and how; kills it when `time_limit` seconds of work are
+ * over (CHILD_FAILED, overdue), or as many in which it was suspended (CHILD_CUT). Seconds
+ * that this process slept through do not count. Does not wait. */
 bool child_poll(struct child *c, double time_limit, struct child_end *end);
 
 #endif

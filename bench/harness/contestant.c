@@ -13,7 +13,7 @@ const struct model *contestant_model(int n)
     return NULL;
 }
 
-/* "a, b" into text[size]: the models' names. */
+/* Writes the models' names into text[size], as "a, b". */
 static void list_models(char *text, size_t size)
 {
     const struct model *model;
@@ -30,10 +30,10 @@ static bool is(const char *word, size_t length, const char *name)
     return strlen(name) == length && !strncmp(word, name, length);
 }
 
-/* Of a word that is no name, what is told. */
+/* The letters of an unknown name that its error sentence repeats. */
 enum { LONGEST = 80 };
 
-/* By a name of `length` letters. */
+/* Finds a contestant by a name of `length` letters. */
 static enum status find(const char *name, size_t length, const struct contestant **found,
                         struct message *why)
 {

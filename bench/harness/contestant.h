@@ -1,9 +1,7 @@
-/* contestant.h - who competes: a model with the settings that make it what it is.
- *
+/* contestant.h - the contestants: models with the settings that define them.
  * contestant_table.c names them all, and the models with them; compare, stress, verify,
  * studies, the timing table and --model take theirs from it. A new model enters everything
- * with its row. Each model has a row of its own name: the model with its own defaults.
- */
+ * with its row. Each model has a row of its own name: the model with its own defaults. */
 #ifndef CONTESTANT_H
 #define CONTESTANT_H
 
@@ -12,7 +10,7 @@
 
 enum { CONTESTANT_SETTINGS = 4, CONTESTANT_STEPS = 4 };
 
-/* Where it is entered without being asked for; bits. By name it enters anywhere. */
+/* The commands that a contestant enters by default; bits. By name it enters any of them. */
 enum {
     CONTESTANT_COMPARE = 1, /* speed against error                                     */
     CONTESTANT_STRESS = 2,  /* hard cases, and the map of steps and stiffness          */
@@ -24,7 +22,7 @@ enum {
 
 struct contestant {
     const char *name;   /* [a-z0-9_]+, of command line and files                       */
-    const char *title;  /* what tables and plots call it                               */
+    const char *title;  /* its name in tables and plots                                */
     const char *column; /* the same where columns are narrow                           */
     const struct model *model;
     unsigned enters;                           /* CONTESTANT_ bits                    */
@@ -32,7 +30,7 @@ struct contestant {
     int layers; /* control points or nodes through the thickness; 0: a surface         */
     int degree; /* along u: a net has points - degree spans                            */
 
-    /* How it is refined, from cheap to dear; zeros end the lists. */
+    /* The refinements, from cheap to expensive; zeros end the lists. */
     int points[CONTESTANT_STEPS];     /* a side                                        */
     int divisors[CONTESTANT_STEPS];   /* steps that the scene's frame is divided into  */
     int iterations[CONTESTANT_STEPS]; /* of a step; none: the model has no such choice */
@@ -40,37 +38,38 @@ struct contestant {
     const char *note; /* what its readers should know, a sentence for lists; NULL: none */
 };
 
-/* All, in the order of the tables; name NULL ends. */
+/* All contestants, in the order of the tables; name NULL ends. */
 extern const struct contestant contestant_table[];
 
-/* The n-th model, in the order of the table; NULL past the last. */
+/* Returns the n-th model, in the order of the table; NULL past the last. */
 const struct model *contestant_model(int n);
 
-/* By its name. STATUS_INPUT with a sentence that lists the models: there is no such one. */
+/* Finds a contestant by its name. STATUS_INPUT with a sentence that lists the models. */
 enum status contestant_find(const char *name, const struct contestant **c,
                             struct message *why);
 
-/* Whether the choice "a,b" of --models has it: a contestant's name chooses it, a model's
- * name, NULL and "all" choose those that enter there, by a bit of the above (0: all); where
- * none of a model does, its name chooses the model by itself. */
+/* Whether the choice "a,b" of --models includes it: a contestant's name chooses it; a
+ * model's name, NULL and "all" choose those that enter there, by a bit of the above (0:
+ * all). The name of a model of which none enters chooses the contestant of that name. */
 bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where);
 
-/* Every word of a choice names a model or a contestant. STATUS_INPUT with a sentence. */
+/* Checks that all words of a choice name models or contestants. STATUS_INPUT, a
+ * sentence. */
 enum status contestant_check(const char *choice, struct message *why);
 
-/* What makes it what it is, added to settings. */
+/* Adds the settings that define it. */
 void contestant_settings(const struct contestant *c, struct settings *s);
 
-/* The value that it sets a key to; NULL: it does not. Static storage. */
+/* Returns the value that it sets a key to; NULL: it does not. Static storage. */
 const char *contestant_setting(const struct contestant *c, const char *key);
 
-/* The paper's own scheme: its damping, a factor on the velocity, is part of it. */
+/* Whether this is the paper's own scheme, whose damping is a factor on the velocity. */
 bool contestant_is_paper_scheme(const struct contestant *c);
 
-/* Points u x v, through the thickness as it has them. */
+/* Adds the setting of u x v points, with its own number through the thickness. */
 void contestant_points(const struct contestant *c, int u, int v, struct settings *s);
 
-/* One net of the least kind: points a side for one span. */
+/* Returns the points a side of the smallest net, which has one span. */
 int contestant_least(const struct contestant *c);
 
 /* scene_file_read with settings, which may name what any model has; for who wants the scene

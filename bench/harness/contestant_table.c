@@ -1,5 +1,5 @@
-/* The table. A row: name, title, column; model; where it enters; settings; layers, degree;
- * points a side, divisors of the frame, iterations. */
+/* The table of contestants. A row: name, title, column; model; where it enters; settings;
+ * layers, degree; points a side, divisors of the frame, iterations. */
 #include <stddef.h>
 
 #include "bench/harness/contestant.h"
@@ -38,7 +38,7 @@
 
 /* clang-format off */
 const struct contestant contestant_table[] = {
-    /* Of each model first the one with its own defaults. The isogeometric plate. */
+    /* The first row of each model is the one with its defaults. The isogeometric plate. */
     {"iga", "IGA", "IGA def.", &plate_model, 0, {0}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
     {"iga_paper", "IGA, printed (paper)", "IGA paper", &plate_model,
      COMPARE | STRESS | SPEED, {PRINTED, PLAIN}, 2, 2, {5, 10, 20}, {1, 4}, {0}},

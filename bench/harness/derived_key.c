@@ -9,7 +9,7 @@ static double young_over_density(const struct scene *scene)
     return scene->young / scene->density;
 }
 
-/* The numbers are powers of the keys. */
+/* The derived numbers are products of powers of these keys. */
 enum { KEYS = 4 };
 static const struct derived_key {
     const char *key;

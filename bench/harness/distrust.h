@@ -13,12 +13,13 @@
 #include "models/scene.h"
 #include "models/status.h"
 
-/* Largest stretch of the mid-surface that is believed, as woven cloth tears before that; of
- * a softer sheet twice the strain of its hanging weight, which one makes that is let go. */
+/* The largest plausible stretch of the mid-surface: woven cloth tears before it. A softer
+ * sheet may have twice the strain of its hanging weight, which it reaches when let go. */
 #define DISTRUST_STRETCH 1.3
 
-/* Depth of an obstacle in the sheet, in thicknesses: contact keeps points of a net half a
- * thickness off, and chords of 2 (10 h R)^(1/2) on a ball of radius R sag by five. */
+/* The largest plausible depth of an obstacle in the sheet, in thicknesses: contact keeps
+ * points of a net half a thickness off, and chords of 2 (10 h R)^(1/2) on a ball of radius
+ * R sag by five. */
 #define DISTRUST_DEPTH 5.0
 
 /* Returns true if a run's numbers say so, with the sentence "Do not trust this result:
@@ -26,8 +27,7 @@
 bool distrust(const struct scene *scene, const double value[MEASURES],
               struct message *sentence);
 
-/* The same of fields (grid.h) at their times; an empty sentence: no reason. STATUS_MEMORY.
- */
+/* Judges fields (grid.h) at their times; an empty sentence: no reason. STATUS_MEMORY. */
 enum status distrust_fields(const struct scene *scene, int count, const double *time,
                             double *const *xyz, struct message *sentence);
 

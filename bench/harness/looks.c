@@ -62,7 +62,7 @@ void looks_add(struct looks *l, const struct scene *scene, double time, const do
     l->energy[n] = (struct energy){NAN, NAN, NAN};
 }
 
-/* Of the numbers that exist; NaN if none does. */
+/* Returns the largest of the numbers that exist; NaN if none does. */
 static double largest(int count, const double *value)
 {
     double most = NAN;
@@ -77,7 +77,7 @@ static double last(int count, const double *value)
     return count ? value[count - 1] : NAN;
 }
 
-/* Mean over the last tenth of the time: impacts come one by one. */
+/* Returns the mean over the last tenth of the time: impacts come one by one. */
 static double mean_of_end(const struct looks *l, const double *value)
 {
     const double end = l->count ? (1 + 1e-9) * l->time[l->count - 1] : 0;

@@ -1,6 +1,5 @@
-/* looks.h - the moments of a run that were looked at, and what is read off them: shared by
- * the run and by the reading of its file.
- */
+/* looks.h - the moments ("looks") at which a run is measured, and the numbers measured
+ * there: shared by the run and by the reading of its file. */
 #ifndef LOOKS_H
 #define LOOKS_H
 
@@ -9,7 +8,7 @@
 #include "bench/harness/measures.h"
 #include "models/model.h"
 
-/* One number a look. */
+/* The series, each of one number a look. */
 enum {
     LOOKS_DROP,
     LOOKS_ANGLE,
@@ -36,12 +35,12 @@ struct looks {
     struct energy *energy;        /* [count]; NaN: the model has none          owned   */
 };
 
-/* Room for that many, count 0. *looks is overwritten. */
+/* Allocates room for that many looks, count 0. *looks is overwritten. */
 enum status looks_init(struct looks *looks, int room);
 void looks_clear(struct looks *looks); /* all-zero is allowed */
 
-/* One more, read off a field (grid.h), its self-intersections only if asked for; speed,
- * load and energy are NaN. */
+/* Adds a look, measured on a field (grid.h), its self-intersections only if asked for;
+ * speed, load and energy are NaN. */
 void looks_add(struct looks *looks, const struct scene *scene, double time,
                const double *xyz, bool intersections);
 
@@ -50,11 +49,11 @@ void looks_add(struct looks *looks, const struct scene *scene, double time,
 enum { LOOKS_TRUTH_ERROR, LOOKS_TRUTH_BAR, LOOKS_TRUTH };
 extern const char *const looks_truth[LOOKS_TRUTH];
 
-/* The three measures of the truth from these [count] numbers. */
+/* Fills the three measures of the truth from these [count] numbers. */
 void looks_reduce_truth(int count, const double *error, const double *bar, double *value);
 
-/* The measures of a run that ended so (STATUS_OK, a death at death_time, or
- * STATUS_UNSUPPORTED) into value[MEASURES]; those of the truth are NaN. */
+/* Computes value[MEASURES] of a run that ended so (STATUS_OK, a death at death_time, or
+ * STATUS_UNSUPPORTED); those of the truth are NaN. */
 enum status looks_reduce(const struct looks *looks, const struct scene *scene,
                          enum status outcome, double death_time, double *value);
 

@@ -1,6 +1,4 @@
-/* measures.h - what a run is reduced to: numbers read off all moments that were looked at
- * (looks.h).
- */
+/* measures.h - the numbers that a run is reduced to, computed from its looks (looks.h). */
 #ifndef MEASURES_H
 #define MEASURES_H
 
@@ -47,7 +45,7 @@ enum measure {
         MEASURES
 };
 
-/* Words for them; "unknown" beyond the last. Static storage. */
+/* Return a measure's words; "unknown" beyond the last. Static storage. */
 const char *measure_name(int measure);
 const char *measure_unit(int measure);
 const char *measure_sentence(int measure);

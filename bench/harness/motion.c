@@ -9,9 +9,9 @@
 #include "models/grid.h"
 #include "models/metric/metric.h"
 
-/* A net of points looked at after every frame: sampling the whole grid would cost more than
- * many a frame. A sheet that flies apart passes `suspicious` lengths frames before the 10
- * of metric_blowup, which then decides on the whole grid. */
+/* The points examined after every frame: sampling the whole grid would cost more than many
+ * a frame. A sheet that flies apart passes `suspicious` lengths frames before the 10 of
+ * metric_blowup, which then decides on the whole grid. */
 enum { NET = 6, NET_POINTS = NET * NET };
 static const double suspicious = 4;
 
@@ -53,7 +53,7 @@ static bool looks_well(const struct motion *m)
     return true;
 }
 
-/* STATUS_OK, STATUS_NAN, STATUS_ESCAPED or STATUS_MEMORY. */
+/* Examines the state: STATUS_OK, STATUS_NAN, STATUS_ESCAPED or STATUS_MEMORY. */
 static enum status look(const struct motion *m)
 {
     if (looks_well(m))

@@ -1,7 +1,5 @@
-/* motion.h - one model through one scene: the frames, their seconds, and how it ends.
- *
- * Seconds are those of advance() alone; whoever watches the frames samples outside of them.
- */
+/* motion.h - moves one model through one scene: the frames, their seconds, and how it ends.
+ * Seconds are those of advance() alone; watchers of the frames sample outside of them. */
 #ifndef MOTION_H
 #define MOTION_H
 
@@ -13,35 +11,35 @@ struct motion {
     const struct model *model; /*                                             borrowed */
     const struct scene *scene; /*                                             borrowed */
     void *state;               /* of the model                                borrowed */
-    int frame_count;           /* that the scene asks for                              */
-    int frames;                /* that were lived through                              */
+    int frame_count;           /* that the scene requires                              */
+    int frames;                /* that were survived                                   */
     double time;               /* of the last of them                              [s] */
     double *seconds;           /* [frame_count] of each step; a fatal one has its, too */
     int steps;                 /* numbers in `seconds`                                 */
     struct counters counters;
     bool judged;       /* set after motion_init: every frame was judged in a run before  */
     enum status death; /* STATUS_OK: it lives                                          */
-    double death_time; /* of the frame that could not be had                       [s] */
+    double death_time; /* of the frame that failed                                 [s] */
 };
 
-/* Called at t = 0 and after every frame lived through. Anything but STATUS_OK ends the run.
- */
+/* A watcher is called at t = 0 and after every frame survived; if it returns anything but
+ * STATUS_OK, the run ends. */
 typedef enum status motion_watcher(void *context, const struct motion *m,
                                    struct message *why);
 
-/* State at the scene's start. *m is overwritten; free with motion_clear. */
+/* Builds the state at the scene's start. *m is overwritten; free with motion_clear. */
 enum status motion_init(struct motion *m, const struct model *model,
                         const struct scene *scene, void *state);
 void motion_clear(struct motion *m);
 
-/* All frames, up to scene->end or a death, which is a result: STATUS_OK and m->death; or up
- * to the budget's end (deadline.h), STATUS_LATE with a sentence.
- * After each frame some points are looked at, and, if one is far away, the whole grid
- * (metric_blowup). `watch` may be NULL. */
+/* Runs all frames, up to scene->end or a death, which is a result: STATUS_OK and m->death;
+ * or up to the budget's end (deadline.h), STATUS_LATE with a sentence. After each frame
+ * some points are examined, and, if one is far away, the whole grid (metric_blowup).
+ * `watch` may be NULL. */
 enum status motion_run(struct motion *m, motion_watcher *watch, void *context, bool quiet,
                        struct message *why);
 
-/* The sentence of its death, with the time. */
+/* Writes the sentence of its death, with the time; returns its status. */
 enum status motion_tell_death(const struct motion *m, struct message *why);
 
 #endif

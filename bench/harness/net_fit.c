@@ -5,7 +5,7 @@
 
 #include "iga/support_knots.h"
 
-/* Round-off of a line's place, in sides. */
+/* The round-off of a line's place, in sides. */
 static const double ROUNDING = 1e-9;
 
 static bool on_line(double place, int spans)

@@ -10,7 +10,7 @@
 
 enum { MESSAGE_JOB, MESSAGE_END, MESSAGE_OVER };
 
-/* Signals that ask to stop: those that end the program otherwise. */
+/* The signals that ask to stop; without a handler they end the program. */
 static const int stop_signals[] = {SIGINT, SIGTERM, SIGHUP};
 enum { STOP_SIGNALS = sizeof stop_signals / sizeof *stop_signals };
 static volatile sig_atomic_t stop_signal;
@@ -20,7 +20,7 @@ static void note_signal(int number)
     stop_signal = number;
 }
 
-/* Takes the signals, but for those ignored, and gives them back with `old`. */
+/* Handles these signals, but for those ignored; *old restores the former handling. */
 static void take_signals(struct sigaction old[STOP_SIGNALS])
 {
     stop_signal = 0;
@@ -44,7 +44,7 @@ static void rest(void)
     nanosleep(&moment, NULL);
 }
 
-/* A process for one job at a time. */
+/* A process that runs one job at a time. */
 struct slot {
     struct pool *pool;
     struct child child; /* all-zero is allowed in child_clear                          */
@@ -64,7 +64,7 @@ static enum status start(struct slot *slot, long job, struct message *why)
     return child_start(&slot->child, work_in_child, slot, why);
 }
 
-/* The pool at work: slots here, then a flag for every other rank. */
+/* The state of a pool at work: slots here, then a flag for every other rank. */
 struct work {
     struct pool *pool;
     struct slot *slots;
@@ -104,7 +104,7 @@ static void end_work(struct work *w)
     free(w->busy);
 }
 
-/* The next job to be done, -1 if there is none. */
+/* Returns the next job to be done, -1 if there is none. */
 static long take(struct work *w)
 {
     const struct pool *p = w->pool;
@@ -136,7 +136,7 @@ out:
     return st;
 }
 
-/* Gives work to everybody who has none. */
+/* Gives a job to every idle slot and rank. */
 static enum status hand_out(struct work *w, struct message *why)
 {
     const struct pool *p = w->pool;
@@ -163,7 +163,7 @@ out:
     return st;
 }
 
-/* Takes what has ended; *some: there was something. */
+/* Settles the jobs that have ended; *some: there was one. */
 static enum status gather(struct work *w, bool *some, struct message *why)
 {
     const struct pool *p = w->pool;

@@ -18,10 +18,10 @@ struct pool {
     bool quiet;                /* no progress bar                                      */
 
     void *context; /* of the calls                                            borrowed */
-    /* In the job's own process, where its results go to files. */
+    /* Does a job in a process of its own; its results go to files. */
     enum status (*work)(void *context, long job, struct message *why);
-    /* Before it is handed out (NULL: nothing), and after its end, CHILD_DONE, CHILD_FAILED
-     * or CHILD_CUT. Anything but STATUS_OK ends the pool. */
+    /* Called before a job is handed out (NULL: nothing), and after its end, CHILD_DONE,
+     * CHILD_FAILED or CHILD_CUT. Anything but STATUS_OK ends the pool. */
     enum status (*begin)(void *context, long job, struct message *why);
     enum status (*settle)(void *context, long job, const struct child_end *end,
                           struct message *why);
@@ -33,15 +33,15 @@ struct pool {
     int stopped_by; /* the signal that asked to stop, 0: none                          */
 };
 
-/* Runs them all. On STATUS_FILE a result could not be written: what was running is given
- * up, with a sentence. STATUS_OK with stopped_by: the user stopped it. */
+/* Runs all jobs. STATUS_FILE, with a sentence: a result could not be written, and the jobs
+ * that were running are given up. STATUS_OK with stopped_by: the user stopped it. */
 enum status pool_run(struct pool *pool, struct message *why);
 
 /* Ends the program as the signal that stopped the pool would have. */
 void pool_raise(const struct pool *pool);
 
-/* What the other ranks do meanwhile, until rank 0 says that it is over: `work` of the jobs
- * that come, after prepare(), which may set the time limit, once before the first. */
+/* Serves rank 0 on the other ranks until it says that it is over: does `work` of the jobs
+ * that come; prepare(), which may set the time limit, is called once before the first. */
 enum status pool_serve(struct pool *pool,
                        enum status (*prepare)(void *context, struct message *why),
                        struct message *why);

@@ -7,13 +7,13 @@
 #include <string.h>
 #include <unistd.h>
 
-/* What mpirun tells those it starts: Open MPI, others. */
+/* Whether mpirun's environment variables are set: Open MPI's, others'. */
 static bool started_by_mpirun(void)
 {
     return getenv("OMPI_COMM_WORLD_SIZE") || getenv("PMIX_RANK") || getenv("PMI_SIZE");
 }
 
-/* In the folder of the program, as built, or where it is installed, seen from there. */
+/* Loads the library from the program's folder, as built, or from where it is installed. */
 static void *open_library(void)
 {
     static const char *const places[] = {"", RANKS_FROM_PROGRAM "/"};

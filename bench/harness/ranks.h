@@ -1,9 +1,7 @@
-/* ranks.h - messages between the processes that mpirun starts. The library of MPI is loaded
- * by those alone: nothing else of the program needs it or waits for it.
- *
+/* ranks.h - messages between the processes that mpirun starts. Only they load the MPI
+ * library: nothing else of the program needs it or waits for it.
  * bench/harness/mpi/ranks_mpi.c is built into clothbench_mpi.so, beside the program, where
- * CMake finds Open MPI.
- */
+ * CMake finds Open MPI. */
 #ifndef RANKS_H
 #define RANKS_H
 
@@ -11,7 +9,7 @@
 
 #include "models/status.h"
 
-/* Sent as bytes: all machines are of one kind. */
+/* A message is sent as bytes: all machines are of one kind. */
 struct ranks_message {
     int kind; /* of the sender's making                                                */
     int code;
@@ -23,17 +21,16 @@ struct ranks_message {
 struct ranks {
     int rank, size;
     void (*send)(int to, const struct ranks_message *message);
-    /* The next message, if there is one; does not wait. */
+    /* Receives the next message, if there is one; does not wait. */
     bool (*receive)(int *from, struct ranks_message *message);
     void (*finish)(void); /* last; all ranks */
 };
 
-/* The ranks that mpirun started, this one among them; NULL if it did not.
- * STATUS_UNSUPPORTED with a sentence: it did, but the program was built without MPI. Static
- * storage. */
+/* Finds the ranks that mpirun started, this one among them; NULL without mpirun.
+ * STATUS_UNSUPPORTED with a sentence: the program was built without MPI. Static storage. */
 enum status ranks_start(const struct ranks **ranks, struct message *why);
 
-/* What clothbench_mpi.so exports: joins the ranks; NULL: MPI does not start. */
+/* Joins the ranks; exported by clothbench_mpi.so. NULL: MPI does not start. */
 const struct ranks *ranks_mpi_start(void);
 
 #endif

@@ -1,6 +1,5 @@
-/* run.h - what every number of the program comes from: a contestant on a scene, with
- * settings. Opened here, moved by motion.h, kept by run_file.h.
- */
+/* run.h - one run: a contestant on a scene, with settings. Every number of the program
+ * comes from runs. They are opened here, moved by motion.h, stored by run_file.h. */
 #ifndef RUN_H
 #define RUN_H
 
@@ -23,19 +22,19 @@ struct run {
     struct message adapted; /* where defaults gave way to settings; empty: nowhere      */
 };
 
-/* *run is overwritten. In case of failure it keeps what was read so far: the scene if only
- * the model could not be built on it. Call run_close in any case. */
+/* Opens a run; *run is overwritten. On failure it keeps what was read so far: the scene if
+ * only the model could not be built on it. Call run_close in any case. */
 enum status run_open(struct run *run, const struct run_plan *plan, struct message *why);
 
-/* The two halves of it, for who changes something in between: run->scene and
- * run->discretization as read; then the model. Errors as above. */
+/* The two halves of run_open, for callers that change run->scene or run->discretization
+ * between: reading them, then building the model. Errors as above. */
 enum status run_read(struct run *run, const struct run_plan *plan, struct message *why);
 enum status run_build(struct run *run, struct message *why);
 
-/* To static equilibrium. STATUS_UNSUPPORTED with a sentence: the model has none. */
+/* Moves to static equilibrium. STATUS_UNSUPPORTED with a sentence: the model has none. */
 enum status run_settle(struct run *run, struct counters *work, struct message *why);
 
-/* The `count` lowest angular frequencies into omega[] (model.h). Likewise. */
+/* Finds the `count` lowest angular frequencies omega[] (model.h). Errors as above. */
 enum status run_modes(struct run *run, int count, double *omega, struct message *why);
 
 void run_close(struct run *run);

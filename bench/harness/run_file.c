@@ -23,12 +23,12 @@ struct run_file {
     bool waits;           /* xyz is of a frame that is no look, at:                  */
     double time;
     struct energy energy; /* NaN: the model has none                               */
-    double load;          /* what obstacles carry, over the weight */
+    double load;          /* carried by obstacles, over the weight */
     struct counters work;
     double seconds; /* spent looking                                           */
     bool ended;
     struct model_size size; /* zeros: not built                                        */
-    bool created, advanced; /* those seconds were handed in                            */
+    bool created, advanced; /* the caller gave those seconds                           */
     enum status refused;
     struct message sentence, doubt;
 };
@@ -109,7 +109,7 @@ static void measure(struct run_file *f)
     l->energy[n] = f->energy;
 }
 
-/* What obstacles carry of the sheet's weight; NaN: there is none, or no gravity. */
+/* Returns the share of the sheet's weight that obstacles carry; NaN without either. */
 static double load_of(const struct run *run)
 {
     const struct scene *s = &run->scene;
@@ -124,7 +124,8 @@ static double load_of(const struct run *run)
            (pull * pull * s->density * s->length * s->width * s->thickness);
 }
 
-/* The present state: a frame that waits is told when the state has moved on, or died. */
+/* Samples the present state, since a frame may turn out to be a look only after the state
+ * has moved on, or died. */
 static void sample(struct run_file *f, double time, const struct counters *work)
 {
     const struct run *run = f->run;
@@ -138,7 +139,7 @@ static void sample(struct run_file *f, double time, const struct counters *work)
     f->work = *work;
 }
 
-/* The field that was sampled last becomes a look. */
+/* Makes a look of the field that was sampled last. */
 static enum status take(struct run_file *f, bool field, struct message *why)
 {
     enum status st = STATUS_OK;
@@ -207,7 +208,7 @@ enum status run_file_bytes(struct run_file *f, double bytes, struct message *why
     return f->store ? store_number(f->store, "model_bytes", bytes, why) : STATUS_OK;
 }
 
-/* The caller's numbers; `value` has room for one of all looks. */
+/* Stores the caller's numbers; `value` has room for one of all looks. */
 static enum status store_own(struct run_file *f, double *value, struct message *why)
 {
     const int count = f->keep->own_count, looks = f->looks.count;
@@ -260,7 +261,7 @@ enum status run_file_end(struct run_file *f, struct message *why)
     return st;
 }
 
-/* What else should be known of the run, as it is told on standard error. */
+/* Stores the warnings about the run that are also printed on standard error. */
 static enum status store_warnings(const struct run_file *f, const struct run_result *r,
                                   struct message *why)
 {

@@ -5,8 +5,7 @@
  *     struct run_result r;
  *     TRY(run_file_write(&(struct run_plan){...}, &(struct run_keep){...}, &r, why));
  *
- * Who wants more on the way (probes, repeats that are timed) opens, watches and closes by
- * itself.
+ * Callers that do more on the way (probes, timed repeats) open, watch and close themselves.
  */
 #ifndef RUN_FILE_H
 #define RUN_FILE_H
@@ -18,16 +17,16 @@
 
 enum run_fields {
     RUN_FIELDS_TIMES, /* of the looks at `time` alone                                  */
-    RUN_FIELDS_ALL,   /* of all looks, and of the last frame it lived, then a look, too */
+    RUN_FIELDS_ALL,   /* of all looks; the last survived frame becomes one */
     RUN_FIELDS_NONE,
 };
 
-/* A number of the caller's own at every look in motion, as metrics/NAME (store.h). */
+/* A number of the caller's own at every look in motion, kept as metrics/NAME (store.h). */
 struct run_own {
     const char *name, *unit;
 };
 
-/* What to keep of a run; all borrowed. */
+/* The choice of what to keep of a run; all borrowed. */
 struct run_keep {
     const char *file;   /* FILE.h5; NULL: none, the result alone                       */
     int every;          /* frames from look to look, the last one, too; 0: none        */
@@ -37,11 +36,11 @@ struct run_keep {
     bool intersections;   /* count self-intersections at every look                      */
     bool doubles;         /* fields as 64-bit numbers, not 32                            */
     bool packed;          /* and deflated (store.h)                                      */
-    bool quick;           /* of --quick: told in the file, as no verdict rests on it     */
-    const char *made_for; /* one line, told in the file; NULL: nothing                 */
+    bool quick;           /* of --quick: noted in the file; no verdict rests on it       */
+    const char *made_for; /* one line, noted in the file; NULL: none                   */
     const struct provenance *provenance; /* NULL: as things stand                      */
 
-    /* Fills value[own_count] from the moment, and its field. */
+    /* Fills value[own_count] from the moment and its field. */
     int own_count;
     const struct run_own *own;
     enum status (*own_look)(void *context, const struct motion *m, const double *xyz,
@@ -51,32 +50,33 @@ struct run_keep {
 
 struct run_file;
 
-/* For a run that was read, built or not. *file is untouched on failure; `run` and `keep`
- * are borrowed until the end. STATUS_FILE, STATUS_MEMORY with a sentence. */
+/* Starts the file of a run that was read, built or not. *file is untouched on failure;
+ * `run` and `keep` are borrowed until the end. STATUS_FILE, STATUS_MEMORY with a
+ * sentence. */
 enum status run_file_open(const struct run *run, const struct run_keep *keep,
                           struct run_file **file, struct message *why);
 
-/* A motion_watcher with the run_file as its context: takes the looks that are due. */
+/* Takes the looks that are due: a motion_watcher with the run_file as its context. */
 enum status run_file_watch(void *file, const struct motion *m, struct message *why);
 
-/* The one look of a run at rest. */
+/* Takes the only look of a run at rest. */
 enum status run_file_rest(struct run_file *file, const struct counters *work,
                           struct message *why);
 
-/* What could not be built: the status of run_build and its sentence. */
+/* Stores that the model could not be built: the status of run_build and its sentence. */
 void run_file_refuse(struct run_file *file, enum status st, const struct message *said);
 
-/* No more looks will come: after it the run's state may be destroyed, and next to no memory
- * is held. run_file_close does it itself. */
+/* Ends the looks: the run's state may then be destroyed, and little memory is held any
+ * more. run_file_close does it itself. */
 enum status run_file_end(struct run_file *file, struct message *why);
 
-/* Raw seconds[repeats][columns] of a phase (store.h); "create" and "advance" are else those
- * of the run itself. */
+/* Stores raw seconds[repeats][columns] of a phase (store.h) in place of those of the run
+ * itself ("create", "advance"). */
 enum status run_file_seconds(struct run_file *file, const char *phase,
                              const double *seconds, int repeats, int columns,
                              struct message *why);
 
-/* What the model holds (timing.h). */
+/* Stores the bytes that the model holds (timing.h). */
 enum status run_file_bytes(struct run_file *file, double bytes, struct message *why);
 
 /* Completes the file and fills *result (may be NULL), without fields. `m` is NULL for a
@@ -85,11 +85,11 @@ enum status run_file_close(struct run_file *file, const struct motion *m,
                            struct run_result *result, struct message *why);
 void run_file_discard(struct run_file *file); /* gives it up; NULL is allowed */
 
-/* Whether what run_build says is a result, told in the file, and no failure of ours. */
+/* Whether a status of run_build is a result, told in the file, and no failure of ours. */
 bool run_file_is_refusal(enum status st);
 
-/* All of it: a death is a result, and so is a model that refuses. The same bits with and
- * without file, fields kept or not, but for the last look of RUN_FIELDS_ALL.
+/* Does the whole run: a death is a result, and so is a model that refuses. The bits are the
+ * same with and without file, fields kept or not, but for the last look of RUN_FIELDS_ALL.
  * STATUS_INPUT: scene or settings are impossible. */
 enum status run_file_write(const struct run_plan *plan, const struct run_keep *keep,
                            struct run_result *result, struct message *why);

@@ -24,7 +24,7 @@ static enum status find_outcome(const char *text, const char *path, enum status 
     return status_fail(why, STATUS_INPUT, "%s: unknown outcome '%.100s'", path, text);
 }
 
-/* An array of as many numbers as there are looks into value[], every `stride`-th. */
+/* Reads an array of as many numbers as there are looks into value[], every `stride`-th. */
 static enum status read_numbers(const struct store_read *file, const char *path,
                                 const char *name, int count, int stride, double *value,
                                 struct message *why)
@@ -72,7 +72,7 @@ out:
     return st;
 }
 
-/* The measures of the truth, where the file has distances to one (looks_truth). */
+/* Reads the measures of the truth, where the file has distances to one (looks_truth). */
 static enum status read_truth(const struct store_read *file, const char *path, int looks,
                               double *value, struct message *why)
 {
@@ -95,8 +95,9 @@ out:
     return st;
 }
 
-/* Summary, over the repeats, of each one's mean over its steps (a death leaves some out) of
- * an array of seconds, if it is there; the first repeat's sum and number of steps. */
+/* Reads an array of seconds, if it is there: the summary, over the repeats, of each one's
+ * mean over its steps (a death leaves some out); the first repeat's sum and number of
+ * steps. */
 static enum status read_seconds(const struct store_read *file, const char *name,
                                 struct clock_summary *summary, double *sum, long *steps,
                                 struct message *why)
@@ -214,7 +215,7 @@ void run_result_tell(struct run_result *r, const char *refusal)
         status_fail(&r->sentence, r->outcome, "%s", r->outcome ? refusal : "done");
 }
 
-/* A text that not every file has. STATUS_MEMORY: nobody knows. */
+/* Reads a text that not every file has; fails only with STATUS_MEMORY. */
 static enum status read_extra(const struct store_read *file, const char *key, char *text,
                               int size)
 {

@@ -1,4 +1,4 @@
-/* run_result.h - what came of a run, as it was kept (run_file.h) or read from its file. */
+/* run_result.h - the results of a run, as run_file.h left them or as read from its file. */
 #ifndef RUN_RESULT_H
 #define RUN_RESULT_H
 
@@ -18,8 +18,8 @@ struct run_result {
     long steps;
     bool quick; /* a quick run's: smaller than what it is named after (run_file.h)     */
 
-    /* Read from the file alone: */
-    char made_for[128]; /* what run_keep has it made for; ""                            */
+    /* The following come from the file alone: */
+    char made_for[128]; /* run_keep's made_for; ""                                      */
     double unknowns, factor_entries;
     double bytes; /* that the model held after its last step (timing.h); NaN: not timed */
     struct clock_summary create; /* over the repeats [s]; count = 0: not timed          */
@@ -30,13 +30,13 @@ struct run_result {
     double **xyz; /* [frames] (grid.h) [m]; NULL unless asked for              owned   */
 };
 
-/* A model would not; nothing else is known then but the sentence. */
+/* Whether the model refused; nothing else is known then but the sentence. */
 bool run_result_refused(const struct run_result *r);
 
 /* Fills the sentence from outcome and death_time; `refusal` is the model's. */
 void run_result_tell(struct run_result *r, const char *refusal);
 
-/* The same numbers, bit for bit, from the file of a run, with its fields or without.
+/* Reads the same numbers, bit for bit, from the file of a run, with its fields or without.
  * STATUS_FILE: there is none; STATUS_INPUT: it is not that of a run; with a sentence. */
 enum status run_result_read(const char *path, bool fields, struct run_result *r,
                             struct message *why);

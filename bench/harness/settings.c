@@ -16,7 +16,7 @@ void settings_clear(struct settings *s)
     *s = (struct settings){0};
 }
 
-/* Takes `text`, which may be NULL: there was no memory. */
+/* Takes ownership of `text`; NULL means that there was no memory. */
 static void take(struct settings *s, char *text)
 {
     char **all = text ? realloc(s->text, (size_t)(s->count + 1) * sizeof *all) : NULL;
@@ -47,7 +47,7 @@ void settings_list(struct settings *s, int most, const char *const *text)
         settings_set(s, text[n]);
 }
 
-/* What printf writes, on the heap; NULL: no memory. */
+/* Returns what printf would write, on the heap; NULL: no memory. */
 static char *printed(const char *format, va_list arguments)
 {
     char *text;

@@ -1,5 +1,5 @@
-/* settings.h - what a run is told besides its scene: keys of scene and discretization with
- * their values, in order; the later ones win.
+/* settings.h - the settings of a run: keys of scene and discretization with their values,
+ * in order; the later ones win.
  *
  * A list begins all-zero and grows as it needs. What goes wrong on the way (no memory, a
  * text that is no KEY=VALUE) is remembered and told by contestant_read_settings, so that
@@ -30,22 +30,21 @@ void settings_integer(struct settings *s, const char *key, long value);
 void settings_integers(struct settings *s, const char *key, int count, const int *value);
 void settings_numbers(struct settings *s, const char *key, int count, const double *value);
 
-/* One KEY=VALUE; many of them; those of a table that NULL, or `most`, ends. */
+/* Add one KEY=VALUE; many of them; those of a table that NULL, or `most`, ends. */
 void settings_set(struct settings *s, const char *text);
 void settings_set_all(struct settings *s, int count, const char *const *text);
 void settings_list(struct settings *s, int most, const char *const *text);
 
-/* One as printf writes it; and more at the end of the last one, for values of many parts.
- */
+/* Adds a setting printed like printf; appends to the last one, for values of many parts. */
 void settings_print(struct settings *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void settings_more(struct settings *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* All of another list, in order. */
+/* Adds all of another list, in order. */
 void settings_append(struct settings *s, const struct settings *more);
 
-/* The last value of a key as it was given; NULL: the key is not there. Borrowed. */
+/* Returns the last value of a key as it was given; NULL: it is not there. Borrowed. */
 const char *settings_value(const struct settings *s, const char *key);
 
 #endif

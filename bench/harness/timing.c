@@ -22,7 +22,7 @@ int timing_pin(void)
     return sched_setaffinity(0, sizeof set, &set) == 0 ? cpu : -1;
 }
 
-/* Where this program may run, before it was kept on one of them. */
+/* The processors that this program may use, before it was pinned to one of them. */
 static cpu_set_t everywhere;
 static bool everywhere_known;
 
@@ -83,7 +83,7 @@ static enum status settle(struct run *fresh, double *seconds, struct message *wh
     return status_is_death(st) ? STATUS_OK : st;
 }
 
-/* One repeat of one case: all of it is as before but for the state. */
+/* Times one repeat of one case; only the state is new. */
 static enum status run_once(struct timing_case *c, int repeat, struct message *why)
 {
     struct run fresh = *c->run;
@@ -97,7 +97,7 @@ static enum status run_once(struct timing_case *c, int repeat, struct message *w
     TRY(run_build(&fresh, why));
     c->create[repeat] = fresh.create_seconds;
     st = c->rest ? settle(&fresh, advance, why) : step(c, &fresh, advance, why);
-    if (repeat == 0) /* before what the libraries keep from run to run is told off */
+    if (repeat == 0) /* later the libraries keep memory */
         c->bytes = clock_allocated() - before;
 out:
     fresh.model->destroy(fresh.state);
@@ -122,7 +122,7 @@ int timing_repeats(double seconds, bool quick)
                                      : TIMING_REPEATS_LONG;
 }
 
-/* The r-th repeat of all that are to be repeated as often. */
+/* Times the r-th repeat of all cases that have one. */
 static enum status run_round(const struct timing_plan *plan, int r, int count,
                              struct timing_case *cases, struct message *why)
 {

@@ -1,16 +1,15 @@
-/* timing.h - seconds of several runs, fairly: repeats interleaved (run 1, 2, ..., 1, 2,
- * ...) against drift of the machine, each on a fresh state, warm-up steps not counted.
- */
+/* timing.h - times several runs fairly: repeats interleaved (run 1, 2, ..., 1, 2, ...)
+ * against drift of the machine, each on a fresh state, warm-up steps not counted. */
 #ifndef TIMING_H
 #define TIMING_H
 
 #include "bench/harness/run.h"
 
-/* Repeats of what takes up to TIMING_SHORT seconds, and of what takes longer. */
+/* The repeats of runs that take up to TIMING_SHORT seconds, and of longer ones. */
 enum { TIMING_REPEATS = 9, TIMING_REPEATS_LONG = 3, TIMING_REPEATS_QUICK = 3 };
 #define TIMING_SHORT 0.2
 
-/* How often what takes so many seconds is repeated. */
+/* Returns the number of repeats of a run that takes so many seconds. */
 int timing_repeats(double seconds, bool quick);
 
 struct timing_case {
@@ -25,7 +24,7 @@ struct timing_case {
 
 struct timing_plan {
     bool quick; /* three repeats of everything that says 0 */
-    /* Called after each repeat of a run; NULL: not. */
+    /* Called after each repeat of a run; NULL: not called. */
     void (*progress)(void *context, int done, int total);
     void *context;
 };
@@ -41,10 +40,11 @@ void timing_clear(struct timing_case *c);
  */
 int timing_pin(void);
 
-/* One thread, on one processor: what is timed compares models, not schedulers. */
+/* Limits the program to one thread on one processor: timings compare models, not
+ * schedulers. */
 void timing_alone(void);
 
-/* So many threads from here on, on any processor that there was before timing_alone. */
+/* Allows so many threads, on any processor that was allowed before timing_alone. */
 void timing_threads(int count);
 
 #endif

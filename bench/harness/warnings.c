@@ -6,8 +6,8 @@
 #include "bench/harness/net_fit.h"
 #include "iga/support_knots.h"
 
-/* Bounds: span over thickness from which degree 2 loses a tenth; thickness over
- * side; share of a swing lost in a second; span over the length that a clamp bends. */
+/* Bounds: span over thickness from which degree 2 loses a tenth; thickness over side; share
+ * of a swing lost in a second; span over the length that a clamp bends. */
 static const double long_span = 20, thick = 0.1, swing_lost = 0.01, bends = 4;
 
 static bool is_solid(const struct run *r)
@@ -15,7 +15,7 @@ static bool is_solid(const struct run *r)
     return r->contestant->layers > 0;
 }
 
-/* Springs and constraints between points. */
+/* Whether the model consists of springs and constraints between points. */
 static bool is_net(const struct run *r)
 {
     return !is_solid(r) && r->discretization.degree[0] == 1;
@@ -33,8 +33,8 @@ static bool is_cured(const struct run *r)
     return !is_solid(r) || r->discretization.remedy != REMEDY_NONE;
 }
 
-/* A layer's strain through the thickness is constant, where bending wants it linear: plane
- * stress has (1 - 2 nu) / (1 - nu)^2 of its stiffness. */
+/* Degree 1 locks: a layer's strain through the thickness is constant, where bending needs
+ * it linear; plane stress has (1 - 2 nu) / (1 - nu)^2 of its stiffness. */
 static bool thickness_locks(const struct run *r, struct message *sentence)
 {
     const double nu = r->scene.poisson, layers = r->discretization.points[2] - 1;
@@ -61,7 +61,7 @@ static bool degree_1_locks(const struct run *r, struct message *sentence)
     return true;
 }
 
-/* The longest span of a direction of degree 2, in thicknesses. */
+/* Returns the longest span of a direction of degree 2, in thicknesses. */
 static double quadratic_span(const struct run *r)
 {
     const struct discretization *d = &r->discretization;
@@ -127,8 +127,8 @@ static bool is_thick(const struct run *r, struct message *sentence)
     return true;
 }
 
-/* Backward Euler multiplies amplitudes by (1 + omega^2 dt^2)^(-1/2) a step; a sheet swings
- * as a rod, omega^2 = 3/2 g / L. */
+/* Backward Euler damps: amplitudes shrink by (1 + omega^2 dt^2)^(-1/2) a step; a sheet
+ * swings as a rod, omega^2 = 3/2 g / L. */
 static bool swings_less(const struct run *r, struct message *sentence)
 {
     const double *g = r->scene.gravity;
@@ -166,8 +166,8 @@ static int spans_of(const struct run *r, int along)
     return r->discretization.points[along] - r->discretization.degree[along];
 }
 
-/* Points along u (0) or v (1), so many or more, with which lines of the net, or knots, are
- * as the supports want them; 0: there are none. */
+/* Returns the points along u (0) or v (1), at least the present ones, with which lines of
+ * the net, or knots, fit the supports; 0: there are none. */
 static int fitting_points(const struct run *r, int along)
 {
     const struct discretization *d = &r->discretization;
@@ -199,8 +199,8 @@ static bool supports_end_between(const struct run *r, struct message *sentence)
     return true;
 }
 
-/* Under its own weight, tension T = rho g h L, a sheet turns down from a clamp within
- * (D / T)^(1/2) = L Gamma^(-1/2). */
+/* A clamp may be too narrow for the net: under its own weight, tension T = rho g h L, a
+ * sheet turns down from a clamp within (D / T)^(1/2) = L Gamma^(-1/2). */
 static bool clamp_is_narrow(const struct run *r, struct message *sentence)
 {
     const struct scene *s = &r->scene;

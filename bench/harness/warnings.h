@@ -1,8 +1,6 @@
-/* warnings.h - what should be known of a run before its numbers are believed: where its
- * discretization is known to lock, is out of its range, or is limited by its step.
- *
- * One table of rules; each measured or proven elsewhere, which its source tells.
- */
+/* warnings.h - what a user should know of a run before its numbers are believed: where its
+ * discretization is known to lock, is out of its range, or is limited by its step. One
+ * table of rules; each names the source that measured or proved it. */
 #ifndef WARNINGS_H
 #define WARNINGS_H
 
@@ -12,16 +10,16 @@
 
 struct warnings_rule {
     const char *name;
-    const char *source; /* where it is known from                                      */
+    const char *source; /* source of the rule                                          */
 
-    /* Whether it holds of a run that was read (run_read); then with its sentence. */
+    /* Whether the rule applies to a run (as of run_read); then with its sentence. */
     bool (*holds)(const struct run *run, struct message *sentence);
 };
 
 /* name NULL ends. */
 extern const struct warnings_rule warnings_rules[];
 
-/* The sentences of all that hold, each a line after `before`. */
+/* Prints the sentences of all rules that apply, each a line after `before`. */
 void warnings_print(const struct run *run, const char *before, FILE *file);
 
 #endif

@@ -20,7 +20,7 @@ static const struct named_file_kind page_kind = {
     .in_source = REPORT_IN_SOURCE,
 };
 
-/* Where the data go in the page. */
+/* The place in the page that the data replace. */
 static const char mark[] = "@DATA@";
 
 static void write_provenance(FILE *file)
@@ -43,7 +43,7 @@ static const struct report_found *find(const struct report_found *found, const c
     return &found[n];
 }
 
-/* All but the pictures, without the last brace. */
+/* Writes all data but the pictures, without the last brace. */
 static enum status write_data(FILE *file, const char *folder,
                               const struct report_found *found)
 {
@@ -101,7 +101,7 @@ out:
     return st;
 }
 
-/* Everything of the page in memory: so much of it is told before a file is begun. */
+/* Composes the page's data in memory, since sizes are needed before a file is begun. */
 static enum status compose(const char *folder, const struct report_found *found,
                            char **text, size_t *size, struct message *why)
 {

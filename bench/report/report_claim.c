@@ -15,7 +15,7 @@ static void write(FILE *file, const char **comma, const struct report_part *part
     *comma = ",";
 }
 
-/* Those that the command itself judged. */
+/* Writes the claims that the command itself judged; returns how many. */
 static int write_kept(FILE *file, const char **comma, const struct report_part *part,
                       const struct report_found *found)
 {

@@ -1,14 +1,12 @@
-/* report_claim.h - the paper's claims, and what of each stands, as the commands judged them
- * (kept.h).
- */
+/* report_claim.h - the paper's claims, and each one's verdict by the commands (kept.h). */
 #ifndef REPORT_CLAIM_H
 #define REPORT_CLAIM_H
 
 #include "bench/report/report_part.h"
 
-/* Members of an array of JSON, {"part", "claim", "verdict", "text", "quick"}, a line a
- * claim; `found` in the order of report_part_list. A part that was not run, or cannot be
- * read, has one line that says so. */
+/* Writes members of an array of JSON, {"part", "claim", "verdict", "text", "quick"}, a line
+ * a claim; `found` is in the order of report_part_list. A part that was not run, or cannot
+ * be read, has one line that says so. */
 void report_claim_write(FILE *file, const struct report_found *found);
 
 #endif

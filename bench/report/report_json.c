@@ -4,8 +4,8 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Bytes of the character of UTF-8 at `c`; 0: none begins there. Overlong forms and halves
- * of pairs, which no reader takes either, are told by their first two bytes. */
+/* Returns the bytes of the character of UTF-8 at `c`; 0: none begins there. Overlong forms
+ * and halves of pairs, which readers refuse, are recognized by their first two bytes. */
 static size_t character(const unsigned char *c)
 {
     const size_t size = c[0] < 0x80                   ? 1
@@ -89,7 +89,7 @@ static bool is_repeated(const struct csv_table *t, int row, int column)
     return row > 0 && !strcmp(csv_words(t, row, column), csv_words(t, row - 1, column));
 }
 
-/* [CELL,...]; returns the bytes of its words. */
+/* Writes [CELL,...]; returns the bytes of its words. */
 static size_t write_row(FILE *file, const struct csv_table *t, const char *keys, int row)
 {
     const char *comma = "";

@@ -1,6 +1,5 @@
-/* report_json.h - what a report holds, as JSON that stands inside of HTML: whatever a file
- * had in it, nothing of it can end the script that it is in, and nothing is program text.
- */
+/* report_json.h - writes a report's data as JSON inside of HTML: whatever text a file
+ * contains, it can neither end the script that it is in nor become program text. */
 #ifndef REPORT_JSON_H
 #define REPORT_JSON_H
 
@@ -8,22 +7,22 @@
 
 #include "bench/files/csv.h"
 
-/* In quotes. `<`, `>`, `&` and control characters become \u00XX; what is no UTF-8 becomes
- * the replacement character. */
+/* Writes a string in quotes. `<`, `>`, `&` and control characters become \u00XX; bytes that
+ * are not UTF-8 become the replacement character. */
 void report_json_string(FILE *file, const char *text);
 
-/* "KEY": "TEXT", with a comma behind it. */
+/* Writes "KEY": "TEXT", and a comma. */
 void report_json_pair(FILE *file, const char *key, const char *text);
 
-/* A number, null for what is none. */
+/* Writes a number, or null where it is not finite. */
 void report_json_number(FILE *file, double value);
 
-/* Bytes in base64, in quotes. */
+/* Writes bytes in base64, in quotes. */
 void report_json_bytes(FILE *file, const void *bytes, size_t size);
 
-/* {"caption", "keys", "rows", "notes", "left"}: the columns of `keys`, "|A|B|" (NULL: all),
- * numbers to six digits, 0 for a cell with the words of the one above, rows until their
- * words have so many bytes; `left` is the number of those that did not fit. */
+/* Writes {"caption", "keys", "rows", "notes", "left"}: the columns of `keys`, "|A|B|"
+ * (NULL: all), numbers to six digits, 0 for a cell with the words of the one above, rows
+ * until their words have so many bytes; `left` is the number of those that did not fit. */
 void report_json_table(FILE *file, const struct csv_table *t, const char *keys,
                        size_t most);
 

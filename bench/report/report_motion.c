@@ -23,7 +23,7 @@ enum {
     PATH = 4096
 };
 
-/* Runs on their way into the page. */
+/* The state of writing runs into the page. */
 struct player {
     FILE *file;
     int members; /* of the array so far                                                */
@@ -31,7 +31,7 @@ struct player {
     long room;   /* [bytes]                                                            */
 };
 
-/* Every so many points of the mid-surface of a field. */
+/* Takes every so many points of the mid-surface of a field. */
 static void thin(const double *xyz, double out[NUMBERS])
 {
     const int layer = GRID_U * GRID_V;
@@ -63,7 +63,7 @@ static void begin_motion(struct player *p, const char *name)
     report_json_pair(p->file, "name", name);
 }
 
-/* One that is not played, with the reason. */
+/* Writes the name of a run that is not played, with the reason. */
 static void write_trouble(struct player *p, const char *name, const struct message *why)
 {
     begin_motion(p, name);
@@ -72,7 +72,7 @@ static void write_trouble(struct player *p, const char *name, const struct messa
     fputc('}', p->file);
 }
 
-/* Positions [frames][NUMBERS] as 16-bit integers; every `stride`-th of what there is. */
+/* Writes positions [frames][NUMBERS] as 16-bit integers, every `stride`-th frame. */
 static enum status write_motion(struct player *p, const char *name, bool truth, int stride,
                                 int frames, const double *time, const double *xyz)
 {
@@ -117,7 +117,7 @@ static enum status write_truth(struct player *p, const struct truth_made *made)
     return st;
 }
 
-/* Whether the file is of the scene that is played. */
+/* Checks that the file belongs to the scene that is played. */
 static enum status check_scene(const struct store_read *store, const char *path,
                                struct message *why)
 {
@@ -133,7 +133,7 @@ out:
     return st;
 }
 
-/* The fields of a run, as many as its share of the room has; times follow. */
+/* Reads the fields of a run, as many as its share of the room allows, and their times. */
 static enum status read_fields(const struct store_read *store, int stride, int frames,
                                double *time, double **xyz, struct message *why)
 {
@@ -182,8 +182,8 @@ out:
     return st;
 }
 
-/* What a result file has. One that is not there is none to play; one that cannot be read is
- * told. */
+/* Writes the motion of a result file. A missing one is skipped; for one that cannot be read
+ * the reason is written. */
 static enum status write_file(struct player *p, const char *path, const char *name)
 {
     struct message why = {""};
@@ -200,7 +200,7 @@ struct keys {
     int title, contestant, side, across, step, iterations, worst;
 };
 
-/* The row of row's contestant that is nearest to the truth; -1: none lived. */
+/* Returns the row of row's contestant that is nearest to the truth; -1: none lived. */
 static int nearest(const struct csv_table *t, const struct keys *k, int row)
 {
     const char *who = csv_words(t, row, k->contestant);
@@ -216,7 +216,7 @@ static int nearest(const struct csv_table *t, const struct keys *k, int row)
     return best;
 }
 
-/* A name that is made of letters, so that no path leads out of the folder. */
+/* Whether a name is made of letters, so that it cannot lead out of the folder. */
 static bool is_plain(const char *name)
 {
     return *name && strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(name);
@@ -231,8 +231,8 @@ static enum status write_run(struct player *p, const char *folder,
     const double side = csv_number(t, row, k->side), across = csv_number(t, row, k->across);
     char path[PATH], name[128], net[32];
 
-    /* a table from before the net was searched across has none; the sheet is square, and so
-     * are cells that the file's name does not tell */
+    /* A table written before nets could differ across has no such column; then the sheet is
+     * square, and so are the cells that the file's name leaves out. */
     snprintf(net, sizeof net, isnan(across) || across == side ? "%.0f" : "%.0fx%.0f", side,
              across);
     if (!is_plain(csv_words(t, row, k->contestant)) || !(steps < 1e6) ||
@@ -277,7 +277,7 @@ static int is_run(const struct dirent *entry)
     return size > 3 && !strcmp(entry->d_name + size - 3, ".h5");
 }
 
-/* All result files of FOLDER/run_SCENE, by name. */
+/* Writes all result files of FOLDER/run_SCENE, by name. */
 static enum status write_own(struct player *p, const char *folder)
 {
     struct dirent **entry = NULL;
@@ -297,7 +297,7 @@ static enum status write_own(struct player *p, const char *folder)
     return st;
 }
 
-/* The stored truth; where none is, or none that can be read, runs are played without. */
+/* Writes the stored truth, if one can be read; runs are played without it, too. */
 static enum status play_truth(struct player *p)
 {
     struct truth_made made = {0};

@@ -104,7 +104,7 @@ static void join(char path[PATH], const char *folder, const char *name)
         *path = '\0'; /* no file has such a name */
 }
 
-/* Whether the file's folder is marked as one of a quick run. */
+/* Whether the file's folder is marked as that of a quick run. */
 static bool is_quick(const char *path)
 {
     char folder[PATH];
@@ -138,7 +138,7 @@ static int is_csv(const struct dirent *entry)
     return size > 4 && !strcmp(entry->d_name + size - 4, ".csv");
 }
 
-/* All tables of a folder whose path ends in '/', by name. */
+/* Reads all tables of a folder whose path ends in '/', by name. */
 static enum status read_folder(const char *folder, struct report_found *found)
 {
     struct dirent **entry = NULL;
@@ -216,8 +216,8 @@ void report_part_write(FILE *file, const struct report_part *part,
     fputs("]}", file);
 }
 
-/* *bytes of a picture that is whole, freed by the receiver; NULL: there is none, or *why
- * says what is wrong with it. */
+/* Reads a picture that is whole, *bytes is freed by the receiver; NULL: there is none, or
+ * *why says what is wrong with it. */
 static enum status read_picture(const char *path, unsigned char **bytes, size_t *size,
                                 struct message *why)
 {

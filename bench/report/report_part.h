@@ -1,6 +1,5 @@
-/* report_part.h - the parts of a report: what each is made from, the command that makes it,
- * and the paper's words on it.
- */
+/* report_part.h - the parts of a report: the files each is made from, the command that
+ * makes them, and the paper's words on it. */
 #ifndef REPORT_PART_H
 #define REPORT_PART_H
 
@@ -28,11 +27,11 @@ struct report_part {
     struct report_picture picture[REPORT_PICTURES];
 };
 
-/* In the order of the page; ends with id NULL. */
+/* All parts, in the order of the page; ends with id NULL. */
 extern const struct report_part report_part_list[];
 enum { REPORT_PARTS_MOST = 48 };
 
-/* What was found of a part. */
+/* What was found of a part's files. */
 struct report_found {
     bool there;         /* a file, damaged or not                                        */
     bool quick;         /* of a run with --quick                                         */
@@ -42,23 +41,23 @@ struct report_found {
     struct csv csv[REPORT_MANY]; /* [count] owned                                        */
 };
 
-/* A damaged file is a finding; only STATUS_MEMORY is a failure. Free with
- * report_part_clear. */
+/* Reads what there is of a part. A damaged file is a finding; only STATUS_MEMORY is a
+ * failure. Free with report_part_clear. */
 enum status report_part_find(const char *folder, const struct report_part *part,
                              struct report_found *found);
 void report_part_clear(struct report_found *found); /* all-zero is allowed */
 
-/* The table whose caption has these words; NULL: there is none. */
+/* Returns the table whose caption has these words; NULL: there is none. */
 const struct csv_table *report_part_table(const struct report_found *found,
                                           const char *words);
 
-/* One object of JSON, no pictures in it. */
+/* Writes one object of JSON, without pictures. */
 void report_part_write(FILE *file, const struct report_part *part,
                        const struct report_found *found);
 
-/* Pictures of all parts as members of an array, as many as fit into `room` bytes of JSON,
- * the others by name alone; of one that cannot be read what is wrong. Names are in the same
- * order. STATUS_MEMORY. */
+/* Writes pictures of all parts as members of an array, as many as fit into `room` bytes of
+ * JSON, the others by name alone; for one that cannot be read, what is wrong. Names are in
+ * the same order. STATUS_MEMORY. */
 enum status report_part_pictures(FILE *file, const char *folder, long room);
 
 #endif

@@ -59,7 +59,7 @@ static const char *bending(double gamma)
                : "as of cloth";
 }
 
-/* Each in lines of a table's width. */
+/* Prints each warning in lines of a table's width. */
 static void describe_warnings(const struct run *run, FILE *file)
 {
     char *text = NULL, *rest;
@@ -138,7 +138,7 @@ void describe_motion(const struct motion *m, FILE *file)
     fprintf(file, "peak memory     %.1f MB\n", 1e-6 * (double)clock_peak_memory());
 }
 
-/* NaN: there is none; the model has no such energy in its kinematics. */
+/* Adds a row. NaN: the model has no such energy in its kinematics. */
 static void add_row(struct table *t, const char *name, double value, const char *unit)
 {
     table_row(t);

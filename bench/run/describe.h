@@ -1,4 +1,4 @@
-/* describe.h - a run in words and numbers for people. */
+/* describe.h - describes a run to its user in words and numbers. */
 #ifndef DESCRIBE_H
 #define DESCRIBE_H
 
@@ -7,13 +7,13 @@
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
 
-/* Scene, Gamma, discretization spelled out, what was built, seconds of set-up, warnings. */
+/* Prints scene, Gamma, the full discretization, what was built, seconds, warnings. */
 void describe_setup(const struct run *run, FILE *file);
 
-/* Frames, seconds a frame, work done, peak memory. */
+/* Prints frames, seconds a frame, work done, peak memory. */
 void describe_motion(const struct motion *m, FILE *file);
 
-/* Metrics and energies of the present state. STATUS_MEMORY. */
+/* Prints metrics and energies of the present state. STATUS_MEMORY. */
 enum status describe_state(const struct run *run, double t, FILE *file);
 
 #endif

@@ -116,7 +116,7 @@ struct job {
     struct run_file *file; /* NULL: nothing is looked at */
 };
 
-/* What makes no sense together. */
+/* Refuses options that make no sense together. */
 static enum status check_options(const struct job *j, const struct command_line *line,
                                  struct message *why)
 {
@@ -184,7 +184,7 @@ out:
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a scene that cannot be read is input */
 }
 
-/* The frames that are looked at where no file is kept, for what a run's words open with. */
+/* The frames examined where no file is kept; a run's sentences may open with a finding. */
 enum { LOOKS = 20 };
 
 static enum status open_file(struct job *j, const char *path, struct message *why)
@@ -199,7 +199,7 @@ static enum status open_file(struct job *j, const char *path, struct message *wh
     return path || !j->quiet ? run_file_open(&j->run, &j->keep, &j->file, why) : STATUS_OK;
 }
 
-/* The words open with what says that the result cannot be right. */
+/* Prints the run's sentences; those that say that the result cannot be right come first. */
 static void tell(struct job *j, const struct run_result *r)
 {
     struct message sentence;
@@ -225,7 +225,7 @@ out:
     return st;
 }
 
-/* The file is completed even after a death: a death is a result. */
+/* Completes the file, even after a death: a death is a result. */
 static enum status close_file(struct job *j, const struct motion *m, struct message *why)
 {
     struct run_file *file = j->file;
@@ -260,7 +260,7 @@ out:
     return st;
 }
 
-/* Finds equilibrium; what the model says of a success goes to *told. */
+/* Finds equilibrium; a remark of the model on its success goes to *told. */
 static enum status settle(struct job *j, struct message *told, struct message *why)
 {
     struct counters work = {0};
@@ -275,7 +275,7 @@ out:
     return st;
 }
 
-/* The table goes to standard output, unless points asked for do. */
+/* Finds equilibrium and prints its table, unless points use standard output. */
 static enum status run_static(struct job *j, struct message *why)
 {
     struct message told = {""};

@@ -1,4 +1,4 @@
-/* run_command.h - `clothbench run`: one model on one scene. */
+/* run_command.h - `clothbench run`: runs one model on one scene. */
 #ifndef RUN_COMMAND_H
 #define RUN_COMMAND_H
 

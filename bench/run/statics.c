@@ -9,12 +9,12 @@
 #include "bench/files/matrix_market.h"
 #include "models/reader/scene_schema.h"
 
-/* A displacement is a difference of positions, about one length each: below this many
- * lengths it is their rounding. */
+/* Displacements below this many lengths are rounding: they are differences of positions,
+ * which are about one length each. */
 static const double round_off = 1e-15;
 static const double two_pi = 6.283185307179586;
 
-/* Deflections of plates are told in this unit: rho g h L^4 / D [m]. */
+/* Returns the unit of the deflections of plates: rho g h L^4 / D [m]. */
 static double deflection_unit(const struct scene *scene)
 {
     return scene_gamma(scene) * scene->length;
@@ -41,11 +41,11 @@ static void add_point(struct table *t, const struct scene *scene, const double u
     table_number(t, unit > 0 ? along / sqrt(gravity) / unit : NAN, 7);
 }
 
-/* Modes whose rate is below this share of sqrt(g / L) are told as neutral: a sheet that
- * lies on a floor can be pushed about, and the round-off of a solid's stiffness is 1e-3. */
+/* Modes whose rate is below this share of sqrt(g / L) are called neutral: a sheet that lies
+ * on a floor can be pushed about, and the round-off of a solid's stiffness is 1e-3. */
 static const double NEUTRAL = 1e-2;
 
-/* What the lowest modes, ascending, say of an equilibrium. */
+/* Adds what the lowest modes, ascending, say about the stability of an equilibrium. */
 static void add_stability(struct table *t, const struct scene *scene, int count,
                           const double *omega)
 {
@@ -66,7 +66,7 @@ static void add_stability(struct table *t, const struct scene *scene, int count,
         table_note(t, "The equilibrium is stable: no mode grows.");
 }
 
-/* The same for who asked for displacements. */
+/* Adds the same to a table of displacements. */
 static void tell_stability(struct table *t, struct run *run)
 {
     struct message why = {{0}};
@@ -133,7 +133,7 @@ out:
     return st;
 }
 
-/* A mode that grows has no frequency: its rate is told with the sign of omega (model.h). */
+/* Adds a mode; a growing one has no frequency: its rate has the sign of omega (model.h). */
 static void add_mode(struct table *t, const struct scene *scene, int n, double omega)
 {
     double L = scene->length, mass = scene->density * scene->thickness;

@@ -1,5 +1,5 @@
-/* statics.h - what needs no time: static equilibrium, natural frequencies, the
- * matrices of a rest shape. */
+/* statics.h - results that need no time stepping: static equilibrium, natural frequencies,
+ * the matrices of a rest shape. */
 #ifndef STATICS_H
 #define STATICS_H
 
@@ -7,7 +7,7 @@
 #include "bench/ui/table.h"
 
 /* Prints displacements of the sheet's corners, edges and centre in static equilibrium, to
- * which the state was moved (run_settle), which `told` something of it or nothing. */
+ * which run_settle moved the state; `told` is what it said of it, or nothing. */
 enum status statics_print(struct run *run, const struct message *told,
                           enum table_format format, FILE *file);
 
@@ -16,9 +16,10 @@ enum status statics_print(struct run *run, const struct message *told,
 enum status statics_modes(struct run *run, int count, bool settled,
                           enum table_format format, FILE *file, struct message *why);
 
-/* Writes folder/K.mtx and folder/M.mtx of such a run; makes the folder if there is none.
- * Unknowns are the control points whatever its settings say, held components included.
- * STATUS_UNSUPPORTED if the model has no matrices; STATUS_FILE. With a sentence. */
+/* Writes folder/K.mtx and folder/M.mtx of the run that the plan describes; makes the folder
+ * if there is none. Unknowns are the control points whatever its settings say, held
+ * components included. STATUS_UNSUPPORTED if the model has no matrices; STATUS_FILE; both
+ * with a sentence. */
 enum status statics_matrices(const char *folder, const struct run_plan *plan,
                              struct message *why);
 

@@ -4,20 +4,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A frame is at a time to this: a sheet at 10 m/s moves by 1e-5 m. */
+/* A frame is at a time to within this [s]: a sheet at 10 m/s moves by 1e-5 m in it. */
 #define SAME_TIME 1e-6
 
-/* Between frames farther apart than this, those of 24 a second, nothing is said: a cubic
- * through four frames is off by h^4 / 43 times the fourth derivative, where a sheet whips
- * 0.1 % of its length. */
+/* Positions are not interpolated between frames farther apart than this [s] (24 frames a
+ * second): a cubic through four frames is off by h^4 / 43 times the fourth derivative,
+ * where a sheet whips 0.1 % of its length. */
 #define MOST_GAP 0.042
 
-/* A floor that is no more than rounding is none. */
+/* An interpolation error below this is rounding and counts as none. */
 #define ROUNDING 1e-12
 
 enum { WINDOW = 4 };
 
-/* How well frames tell of a time: not at all, from one side, from both, by one of them. */
+/* How well frames determine the positions at a time: not at all, by frames to one side of
+ * it, by frames to both sides, by a frame of that very time. */
 enum { TELLS_NOT, TELLS_BESIDE, TELLS_BETWEEN, TELLS_ITSELF };
 
 struct window { /* the frames last read, the newest last */
@@ -34,7 +35,7 @@ double score_rms(int points, const double *a, const double *b)
     return sqrt(sum / points);
 }
 
-/* Into the scene's axes and metres: Blender's y-up (x, y, z) is (x, -z, y). */
+/* Turns positions into the scene's axes and metres: Blender's (x, y, z) is (x, -z, y). */
 static void turn(const struct score_look *look, int vertices, const double *from,
                  double *to)
 {
@@ -46,7 +47,7 @@ static void turn(const struct score_look *look, int vertices, const double *from
     }
 }
 
-/* The weights of the window's frames at a time, and how well they tell of it. */
+/* Sets the weights of the window's frames at a time; returns how well they determine it. */
 static int weigh(const struct window *w, double time, double weight[WINDOW])
 {
     const double *t = w->time, newest = t[WINDOW - 1];
@@ -83,7 +84,8 @@ static void look_at(const struct window *w, const double *weight,
     }
 }
 
-/* What the window tells of the times that are wanted, where it does so better. */
+/* Interpolates the positions at each time of the truth and of the ladder for which this
+ * window is better than those before. */
 static void take_times(struct score *s, const struct window *w, double *part)
 {
     double weight[WINDOW];
@@ -150,7 +152,7 @@ void score_coarse_rest(const struct score *s, double *rest)
     }
 }
 
-/* How far the first frame is from rest. */
+/* Measures how far the first frame is from the sheet at rest. */
 static void take_start(struct score *s, const struct window *w, double *part)
 {
     double rest[3 * LADDER_POINTS];

@@ -35,7 +35,7 @@ out:
     return st;
 }
 
-/* What is printed of a score. */
+/* Keeps what is printed of a score. */
 static enum status keep(struct score *s, struct score_result *r)
 {
     r->undamped = s->truth.undamped;
@@ -71,8 +71,8 @@ out:
     return st;
 }
 
-/* NAME of FOLDER/NAME.csv or of the folder FOLDER/NAME, if it is a scene's. STATUS_INPUT:
- * it is not, or nothing that has frames. */
+/* Finds the scene NAME that FOLDER/NAME.csv or the folder FOLDER/NAME is called after.
+ * STATUS_INPUT: there is no such scene, or the path cannot hold frames. */
 static enum status scene_of(const char *path, size_t size, char *name)
 {
     const char *base = strrchr(path, '/') + 1;
@@ -88,7 +88,8 @@ static enum status scene_of(const char *path, size_t size, char *name)
     return st;
 }
 
-/* A scene that is refused is a row, and its sentence the command's. */
+/* Scores each file and folder of a folder. A scene that is refused is a row too, and its
+ * sentence becomes the command's. */
 static enum status score_folder(struct job *j, const char *path, struct message *why)
 {
     struct frames_folder folder;

@@ -1,4 +1,4 @@
-/* score_command.h - `clothbench score`: anybody's frames against a scene's truth. */
+/* score_command.h - `clothbench score`: measures frames against a scene's truth. */
 #ifndef SCORE_COMMAND_H
 #define SCORE_COMMAND_H
 

@@ -11,31 +11,34 @@
 /* Frames that move by less than this share of what the truth does are still. */
 #define STILL_MOST 0.01
 
-/* No cloth's neighbours lie so many times as far apart as the truth's. */
+/* Neighbours so many times as far apart as the truth's are none in any cloth. */
 #define SCATTERED_LEAST 2
 
-/* Another pace is said where it leaves so many times less than what was fitted: another
- * gravity differs from one by what bending does alone, which a net's own error hides. */
+/* Another pace is reported where it leaves this many times less than the fitted flaws
+ * do: another gravity differs from it only by what bending does, which a net's own error
+ * hides. */
 #define PACE_BETTER 3
 
-/* And no more than this: a flag that is too stiff is slower, too, and leaves a quarter. */
+/* Another pace must also leave no more than this share: a flag that is too stiff is slower,
+ * too, and leaves a quarter. */
 #define PACE_MOST 0.1
 
-/* A lead of half a step is a first-order step's. Frames come every step or more seldom. */
+/* A lead of up to half a step is a first-order step's; frames come every step or less
+ * often. */
 #define HALF_STEP 0.55
 
 /* An edge that is less of a hinge than this is a clamp that gives way: springs and hinges
- * on 10 cells are .57 of one where the held row's count as the others do, .98 where it has
- * none. */
+ * on 10 cells reach 0.57 where the held row's hinges count like the others, 0.98 where it
+ * has none. */
 #define CLAMP_MOST 0.8
 
-/* A hinge by so much more than one: without bending no edge is clamped, and no sheet stiff.
- */
+/* An edge that is this much more than a hinge shows that the sheet has no bending at all:
+ * without bending no edge is clamped, and no sheet stiff. */
 #define NO_BENDING 1.15
 
-/* Error within so many times floor or bar is theirs; what the sharper of our own
- * contestants reach is sound, too, unless it is more than a small share of all that the
- * truth moves. */
+/* An error within this many times the floor or the bar is explained by them. What the
+ * better ones of our own contestants reach is sound, too, unless it is more than a small
+ * share of the truth's displacement. */
 #define TIMES_FLOOR 2
 #define SOUND_MOST  0.005
 #define SOUND_SHARE 0.05
@@ -52,12 +55,12 @@ struct turned {
     double as_is; /* the same of the frames as they are                                  */
 };
 
-/* Something else is better where it leaves less than this share of the error, which is more
- * than this share of the length. */
+/* Other axes, units or orders are reported where they leave less than this share of an
+ * error that is itself more than WORTH_IT of the length. */
 #define MUCH_BETTER 0.25
 #define WORTH_IT    0.02
 
-/* Of two that fit as well, the one that changes less. */
+/* Of two candidates that fit equally well, the one that changes less is chosen. */
 #define CHANGE_COSTS 0.02
 
 static const double scales[] = {1, 1e-3, 1e-2, 1e3, 1e2, 0.0254, 0.3048};
@@ -82,7 +85,7 @@ static int moved(int n, int order)
     return j * GRID_U + i;
 }
 
-/* Squared error of all known times; ends early where it is no better than `least`. */
+/* Sums the squared error of all known times; stops early where it exceeds `least`. */
 static double squared(const struct score *s, const struct turned *t, double least,
                       int *points)
 {
@@ -132,8 +135,8 @@ static struct turned candidate(int n)
     return t;
 }
 
-/* rms distance of few of the frames' points at the n-th time of the truth, which is known,
- * from the truth's nearest, over the length. */
+/* Returns the rms distance, over the length, of a few of the frames' points from the
+ * truth's nearest points at the n-th time, which must be known. */
 static double nearest(const struct score *s, int n)
 {
     const double *truth = score_truth_field(&s->truth, n),
@@ -152,14 +155,14 @@ static double nearest(const struct score *s, int n)
     return sqrt(sum / SCORE_FEW) / s->truth.scene.length;
 }
 
-/* Whether an error is so much smaller than that of the frames as they are, which is worth
- * it, that something else must be meant; both over the length. */
+/* Whether an error is so much smaller than that of the frames as they are that something
+ * else must be meant, and that one large enough to matter; both over the length. */
 static bool is_better(double error, double as_is)
 {
     return as_is > WORTH_IT && error < MUCH_BETTER * as_is;
 }
 
-/* The best of all of them; as they are, if nothing is much better. */
+/* Returns the best of all candidates; the frames as they are, if nothing is much better. */
 static struct turned best_turn(const struct score *s)
 {
     const double length = s->truth.scene.length;
@@ -195,15 +198,15 @@ struct pace {
     double as_is; /* the same of the frames as they are                                  */
 };
 
-/* Looked for in steps of one per cent, then between two of them. */
+/* The speed is searched in steps of one per cent, then between two of them. */
 enum { STEPS = 210, HALVINGS = 20 };
 #define STEP 1.01
 
-/* One time alone would be met by many a speed. */
+/* A single time would be met by many speeds. */
 enum { TIMES_LEAST = 2 };
 
-/* The truth at one of the few points at any time up to its last frame: the cubic through
- * four frames, the first at rest. */
+/* Interpolates the truth at the few points at any time up to its last frame: by the cubic
+ * through four frames, of which the first is the sheet at rest. */
 static void truth_at(const struct score_truth *t, double time, double (*xyz)[3])
 {
     const double *at = t->motion_time;
@@ -223,8 +226,8 @@ static void truth_at(const struct score_truth *t, double time, double (*xyz)[3])
     }
 }
 
-/* rms of the frames off the truth at another speed and at its own, at the same times; both
- * stay NaN where these are too few. */
+/* Compares the frames with the truth at another speed and at its own, at the same times;
+ * both rms errors stay NaN where these are too few. */
 static struct pace compare(const struct score *s, double speed)
 {
     const struct score_truth *t = &s->truth;
@@ -259,7 +262,7 @@ static double share(const struct pace *p)
     return p->as_is > 0 ? p->error / p->as_is : 1;
 }
 
-/* The best between an eighth and eight; as they are, if no other is much better. */
+/* Returns the best speed between an eighth and eight; 1, if no other is much better. */
 static struct pace best_pace(const struct score *s)
 {
     struct pace best = {1, 0, 0};
@@ -284,20 +287,21 @@ static struct pace best_pace(const struct score *s)
 /* --- lengths of lines ------------------------------------------------------------------
  */
 
-/* Lines along u, or along v: lengths, and how unlike each other the frames' pieces are. */
+/* Lines along u or along v: their lengths, and how much the frames' pieces differ. */
 struct lines {
     double rest, truth, got;
     double spread; /* standard deviation of got over truth, a piece */
     double floor;  /* share of the truth's length by which got may be off */
 };
 
-/* Lines of the net longer, or shorter, than the truth's by this share are said: chords of a
- * coarse net and what lies between two frames are too short, never too long. */
+/* Lines of the net are reported where they are longer, or shorter, than the truth's by this
+ * share: chords of a coarse net and interpolation between two frames make them too short,
+ * never too long. */
 #define STRETCH_LEAST 0.005
 #define SHRINK_LEAST  0.01
 
-/* Where the truth itself stretches by more than this, its stretch is the measure: frames
- * whose differs by this share of it have a sentence. */
+/* Where the truth itself stretches by more than STRAIN_LEAST, the frames' stretch is
+ * compared with it: a difference of STRAIN_OFF of it is reported. */
 #define STRAIN_LEAST 1e-3
 #define STRAIN_OFF   0.1
 
@@ -309,20 +313,21 @@ static double piece(const double *field, int point, int to)
     return sqrt(x * x + y * y + z * z);
 }
 
-/* By which share lines are longer than the truth's. */
+/* Returns the share by which lines are longer than the truth's. */
 static double longer_by(const struct lines *l)
 {
     return l->got / l->truth - 1;
 }
 
-/* Whether the truth itself stretches, so that its stretch is the measure. */
+/* Whether the truth itself stretches, so that the frames' stretch is compared with it. */
 static bool truth_stretches(const struct lines *l)
 {
     return l->truth / l->rest - 1 > STRAIN_LEAST && l->got > l->rest;
 }
 
-/* A share of the truth's own stretch, where it has one; and what chords of this net cut off
- * the truth's lines, which are `whole` long. */
+/* Returns the share by which lines may be off: a share of the truth's own stretch, where
+ * it has one, and what chords of this net cut off the truth's lines, which are `whole`
+ * long. */
 static double floor_of(const struct lines *l, double whole)
 {
     const double cut = fabs(whole / l->truth - 1);
@@ -332,8 +337,8 @@ static double floor_of(const struct lines *l, double whole)
     return cut + (longer_by(l) > 0 ? STRETCH_LEAST : SHRINK_LEAST);
 }
 
-/* Of the grid's lines, `truth` as the net sees it, `whole` as it is: fields
- * [SCORE_POINTS][3]. */
+/* Measures the grid's lines; `truth` is the truth as the net sees it, `whole` the truth
+ * itself: fields [SCORE_POINTS][3]. */
 static struct lines lines_of(const struct score *s, const double *whole,
                              const double *truth, const double *got, bool along_v)
 {
@@ -359,8 +364,8 @@ static struct lines lines_of(const struct score *s, const double *whole,
     return l;
 }
 
-/* Of both directions at all times, the one that is farthest beyond its own floor, and when
- * [s]; 0: none is. */
+/* Finds, over both directions and all times, the lines that are farthest beyond their own
+ * floor, and when [s]; 0: none are. */
 static enum status find_stretch(const struct score *s, struct lines *most, double *when)
 {
     double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), far = 1;
@@ -397,17 +402,16 @@ struct held_off {
     double shift[3]; /* [m]; else zero */
 };
 
-/* What is held is where the truth has it, to this share of the length: penalties give way.
- */
+/* What is held is where the truth has it, to this share of the length: penalties yield. */
 #define HELD_MOST 0.01
 
-/* Of what is said [m]. */
+/* Reported displacements are rounded to this [m]. */
 #define DIGIT 1e-6
 
-/* One shift of all where what is held is off by the same to this share of it. */
+/* All is shifted as a whole where offsets vary by less than this share of their mean. */
 #define SAME 0.25
 
-/* Sums over points, in what their supports fix [m]. */
+/* Sums over points, of the components that their supports fix [m]. */
 struct sums {
     int points;
     double off[3], square;
@@ -433,7 +437,7 @@ static void add_points(const struct scene_support *held, const double *seen,
     }
 }
 
-/* The mean into by[3]; its length. */
+/* Fills by[3] with the mean offset; returns its length. */
 static double mean(const struct sums *sums, double by[3])
 {
     double square = 0;
@@ -445,7 +449,7 @@ static double mean(const struct sums *sums, double by[3])
     return sqrt(square);
 }
 
-/* What nothing holds is off as it begins. */
+/* Reports, for a sheet that nothing holds, a shift that it begins with. */
 static void begins_off(const struct score *s, struct held_off *support)
 {
     const double *by = s->begin, length = s->truth.scene.length,
@@ -457,7 +461,7 @@ static void begins_off(const struct score *s, struct held_off *support)
     memcpy(support->shift, by, sizeof support->shift);
 }
 
-/* Against what the net sees of the truth. */
+/* Finds the support that is farthest from the truth as the net sees it. */
 static enum status find_support(const struct score *s, struct held_off *support)
 {
     const struct scene *scene = &s->truth.scene;
@@ -627,7 +631,8 @@ out:
     return st;
 }
 
-/* Neighbours on the net lie far apart, and all points on the truth's surface. */
+/* Reports vertices in a wrong order: neighbours on the net lie far apart, yet all points
+ * lie on the truth's surface. */
 static bool say_scattered(const struct score *s, struct score_diagnosis *d)
 {
     int n = 0;
@@ -657,8 +662,9 @@ static bool say_scattered(const struct score *s, struct score_diagnosis *d)
 /* --- what was fitted ---------------------------------------------------------------------
  */
 
-/* Frames that lead from their very first one show a later time; those that begin at rest
- * and lead by half a step or less were begun with g dt for the first velocity. */
+/* Reports a lead or a lag. Frames that lead from the very first one show a later time;
+ * those that begin at rest and lead by half a step or less had g dt as their first
+ * velocity. */
 static void say_lead(const struct score *s, double lead, const double shift[3],
                      struct score_diagnosis *d)
 {
@@ -686,8 +692,8 @@ static double left_by(const struct pace *pace)
     return pace->speed == 1 ? 1 : pace->error / pace->as_is;
 }
 
-/* Another multiple of the time puts far more right than all that was fitted: nothing else
- * is said, as all that was is held against other times. */
+/* Reports another pace where it explains far more than the fitted flaws. Nothing else is
+ * then said, as the fit compared the frames with wrong times. */
 static bool say_pace(const struct score *s, const struct pace *pace,
                      const struct score_fit *fit, struct score_diagnosis *d)
 {
@@ -698,7 +704,7 @@ static bool say_pace(const struct score *s, const struct pace *pace,
         return false;
     if (s->repeats)
         snprintf(repeats, sizeof repeats, " (%d are as the one before)", s->repeats);
-    if (!s->ladder.times) /* nothing was fitted that could tell them apart */
+    if (!s->ladder.times) /* no fit distinguishes them */
         snprintf(gravity, sizeof gravity, ", or is gravity %.3g times the scene's",
                  pace->speed * pace->speed);
     say(d, SCORE_TIME, pace->speed,
@@ -711,7 +717,8 @@ static bool say_pace(const struct score *s, const struct pace *pace,
     return true;
 }
 
-/* A free fall cannot tell another gravity from another pace, other scenes hardly. */
+/* Reports another gravity, which in a free fall looks like another pace, elsewhere
+ * hardly. */
 static void say_gravity(const struct score *s, double g, const struct pace *pace,
                         const struct score_fit *fit, struct score_diagnosis *d)
 {
@@ -788,7 +795,7 @@ static void say_support(const struct score *s, const struct held_off *off,
                     : "; are its vertices fixed, or moved by its path?");
 }
 
-/* Fits the flaws to the frames as they are, or put back where what is held is off by the
+/* Fits the flaws to the frames as they are, or moved back where what is held is off by the
  * same at all times. A sheet that nothing holds may begin off because its frames are ahead:
  * there the fit that leaves less is taken. */
 static enum status fit_either(const struct score *s, struct held_off *off,
@@ -820,7 +827,7 @@ static double largest(const struct score *s, bool floor)
     return most;
 }
 
-/* What sound frames may be off by, over the length. */
+/* Returns the error that sound frames may have, over the length. */
 static double sound_most(const struct score *s)
 {
     double way = 0;

@@ -1,4 +1,4 @@
-/* score_diagnosis.h - what is wrong with frames, a sentence each with its number. */
+/* score_diagnosis.h - finds what is wrong with frames, in sentences with numbers. */
 #ifndef SCORE_DIAGNOSIS_H
 #define SCORE_DIAGNOSIS_H
 
@@ -38,14 +38,14 @@ struct score_finding {
 struct score_diagnosis {
     int count;
     double
-        left; /* of the difference, with the flaws of the motion put right; 0: none are  */
+        left; /* share of the difference left without the motion's flaws; 0: none found  */
     struct score_finding finding[SCORE_KINDS];
 };
 
-/* "first_order_step", ... */
+/* Returns the name of a kind: "first_order_step", ... */
 const char *score_diagnosis_name(enum score_kind kind);
 
-/* STATUS_MEMORY. */
+/* Diagnoses a score; fails only with STATUS_MEMORY. */
 enum status score_diagnosis_make(const struct score *score,
                                  struct score_diagnosis *diagnosis);
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Columns of the least squares: the frames' difference, then what flaws do. Stretch has
- * two: by the ladder, and in proportion to the distance from the held edge. */
+/* Columns of the least squares: the frames' difference, then the effect of each flaw.
+ * Stretch has two: by the ladder, and in proportion to the distance from the held edge. */
 enum {
     Y,
     LEAD,
@@ -19,26 +19,27 @@ enum {
 };
 static const int first_column[FIT_KINDS] = {LEAD, GRAVITY, DAMPING, HINGE, STRETCH, RUNG};
 
-/* Times are weighted as their displacement is large, and as this share of the length. */
+/* The weight of a time follows its displacement, with this share of the length added. */
 #define SMALL 0.01
 
-/* Differences are looked into where they pass so many times what is not known of them: the
- * truth's bar, the net's floor, and rounding to four digits of the length. */
+/* A difference is examined where it exceeds its uncertainty (the truth's bar, the net's
+ * floor, and rounding to four digits of the length) this many times. */
 #define TIMES_NOISE 2
 #define ROUNDING    1e-4
 
-/* Flaws are believed where they leave so much of the squared difference, each of them where
- * without it so many times as much would be left; and one more than explains most of it
- * where the rms difference is halved. */
+/* Flaws are believed where they leave at most LEFT_MOST of the squared difference, each of
+ * them where MUST_MATTER times as much would be left without it; one more flaw than
+ * explains most of it is believed where it halves the rms difference. */
 #define LEFT_MOST   0.25
 #define MUST_MATTER 1.5
 #define LEFT_HALF   0.25
 
-/* An edge is no hinge where it is less of one than this, or far more. */
+/* An edge is not a hinge where the fit makes it less than HINGE_LEAST or more than
+ * HINGE_MOST of one. */
 #define HINGE_LEAST 0.15
 #define HINGE_MOST  2
 
-/* Bending is looked for at so many stiffnesses between the ladder's ends. */
+/* The bending stiffness is searched at so many values between the ladder's ends. */
 enum { TRIES = 121, SET_MOST = 3 };
 
 struct sums {
@@ -48,7 +49,7 @@ struct sums {
     bool ladder;
 };
 
-/* One point at one time: a row a component. */
+/* One point at one time; each component is a row of the least squares. */
 struct point {
     double column[COLUMNS][3];
 };
@@ -69,7 +70,7 @@ static void add_noise(struct sums *s, int points, double weight, double noise)
 /* --- on the ladder ----------------------------------------------------------------------
  */
 
-/* Fields of one time as the columns have them, and the base itself in place of Y. */
+/* Fills the columns with the fields of one time, and Y with the base itself. */
 static void fields_at(const struct score *s, int time, const double *rest,
                       double (*field)[3 * LADDER_POINTS])
 {
@@ -202,7 +203,7 @@ struct trial {
     double value[FIT_KINDS], stiffness;
 };
 
-/* x of a x = b, a symmetric and positive, by elimination; what has no size stays out. */
+/* Solves a x = b, a symmetric and positive, by elimination; skips zero diagonals. */
 static void solve(int count, double a[][COLUMNS], double *b)
 {
     for (int k = 0; k < count; k++) {
@@ -222,7 +223,7 @@ static void solve(int count, double a[][COLUMNS], double *b)
     }
 }
 
-/* The best of a set of flaws, with rungs[] of bending. */
+/* Fits a set of flaws with given bending, rung[]. */
 static struct trial try_set(const struct sums *s, unsigned set,
                             const double rung[LADDER_RUNGS])
 {
@@ -255,7 +256,7 @@ static struct trial try_set(const struct sums *s, unsigned set,
     return t;
 }
 
-/* The least over the stiffness, too. */
+/* Fits a set of flaws and, if it contains bending, its stiffness. */
 static struct trial best_of(const struct sums *s, unsigned set)
 {
     struct trial best = {.left = INFINITY};
@@ -288,7 +289,7 @@ static int size_of(unsigned set)
     return size;
 }
 
-/* Without any one of its flaws, much more would be left; and a hinge is one. */
+/* Whether each flaw is needed to leave little, and a fitted hinge has a plausible size. */
 static bool all_matter(const struct sums *s, unsigned set, const struct trial *t)
 {
     const double hinge = t->value[FIT_HINGE], left = t->left;
@@ -302,8 +303,8 @@ static bool all_matter(const struct sums *s, unsigned set, const struct trial *t
     return true;
 }
 
-/* The smallest set that explains most of the difference and leaves more than half of what
- * is left to any larger one; 0: none. */
+/* Returns the smallest set of flaws that explains most of the difference and that no larger
+ * one improves by half; 0: none. */
 static unsigned choose(const struct sums *s)
 {
     const double all = s->gram[Y][Y];

@@ -1,5 +1,5 @@
-/* score_fit.h - which flaws, and how large, make the truth into the frames: least squares
- * over all times and points of the difference, of what each flaw does.
+/* score_fit.h - finds the flaws, and their sizes, that turn the truth into the frames:
+ * least squares over all times and points of the difference, of each flaw's effect.
  *
  * On edge_drop what a flaw does is taken from the ladder (score_ladder.h): bending by
  * cubics in log D, the others in proportion. On a sheet that nothing holds it is known: a
@@ -23,16 +23,16 @@ enum fit_kind {
 
 struct score_fit {
     int count;               /* of flaws                                               */
-    bool has[FIT_KINDS];     /* whether it takes part in the frames' difference        */
+    bool has[FIT_KINDS];     /* whether the frames have the flaw                       */
     double value[FIT_KINDS]; /* its size, if so                                        */
     bool at_end;             /* bending: off the ladder's end                          */
     double rest;             /* rms difference that is left, in the same unit of all fits */
-    double left;             /* of the rms difference; 1: none takes part              */
+    double left;             /* share of the rms difference; 1: no flaw                */
 };
 
-/* Of the frames less `shift` [m]. *fit says of none where nothing can be fitted, or the
- * difference is within the bars and the net's floor, or no three flaws explain most of it.
- * STATUS_MEMORY. */
+/* Fits flaws to the frames, moved back by `shift` [m]. *fit has none where nothing can be
+ * fitted, the difference is within the bars and the net's floor, or no three flaws explain
+ * most of it. STATUS_MEMORY. */
 enum status score_fit_make(const struct score *score, const double shift[3],
                            struct score_fit *fit);
 

@@ -21,7 +21,7 @@ static const struct named_file_kind kind = {
     .in_source = LADDERS_IN_SOURCE,
 };
 
-/* Whether a scene has the physics of the ladder's. */
+/* Whether a scene has the same physics as the ladder's scene. */
 static enum status serves(const struct scene *scene, bool *does)
 {
     struct settings settings = {0};
@@ -40,7 +40,7 @@ out:
     scene_clear(&own);
     settings_clear(&settings);
     return st == STATUS_MEMORY ? st
-                               : STATUS_OK; /* where there is no such scene: it is none */
+                               : STATUS_OK; /* without such a scene there is no ladder */
 }
 
 static enum status take(const struct npz *npz, const char *name, size_t count,

@@ -1,6 +1,6 @@
 /* score_ladder.h - edge_drop moved with other bending stiffnesses, and with one flaw each:
- * what frames are held against to tell a flaw and its size. Made by tools/ladder, which
- * says how; bench/truths/edge_drop_ladder.npz. */
+ * frames are compared with them to find a flaw and its size. tools/ladder makes the file
+ * bench/truths/edge_drop_ladder.npz and says how. */
 #ifndef SCORE_LADDER_H
 #define SCORE_LADDER_H
 
@@ -27,13 +27,13 @@ struct score_ladder {
     double *bar;   /* [LADDER_RUNGS][times] rms error bar [L]                  owned  */
 };
 
-/* The ladder of this scene as its truth moves; `times` is 0 where there is none. Free with
- * score_ladder_clear. STATUS_INPUT with a sentence: the file is damaged. */
+/* Reads the ladder of this scene, moved as its truth is; `times` is 0 where there is none.
+ * Free with score_ladder_clear. STATUS_INPUT with a sentence: the file is damaged. */
 enum status score_ladder_read(const struct scene *scene, struct score_ladder *ladder,
                               struct message *why);
 void score_ladder_clear(struct score_ladder *ladder); /* all-zero is allowed, and left */
 
-/* Fields [LADDER_POINTS][3], u fastest. */
+/* Return fields [LADDER_POINTS][3], u fastest. */
 const double *score_ladder_rung(const struct score_ladder *l, int rung, int time);
 const double *score_ladder_flaw(const struct score_ladder *l, int flaw, int time);
 

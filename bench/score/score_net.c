@@ -4,11 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Lines of a net are one line to this; a sheet's edge is reached to EDGE. */
+/* Coordinates of lines of a net that differ by less than SAME_LINE are one line; a net
+ * reaches a sheet's edge to within EDGE. */
 #define SAME_LINE 1e-6
 #define EDGE      1e-3
 
-/* A row outside of the sheet is no more than its one cell beyond the edge. */
+/* A row outside of the sheet lies at most its one cell (and rounding) beyond the edge. */
 #define OUTSIDE 1.001
 
 /* A vertex lies on the rest shape to this share of the length. */
@@ -46,7 +47,7 @@ void score_net_sample(int nu, int nv, const double *field, const double uv[2],
 /* --- material coordinates ---------------------------------------------------------------
  */
 
-/* Of a point on the flat rest shape: its distance from it. */
+/* Projects a point on the flat rest shape, uv are its coordinates; returns its distance. */
 static double place(const struct scene *s, const double xyz[3], double uv[2])
 {
     double d[3], along[3] = {0}, normal[3];
@@ -118,7 +119,7 @@ static int compare(const void *a, const void *b)
     return (*left > *right) - (*left < *right);
 }
 
-/* The different values of u or v, increasing. */
+/* Returns the distinct values of u or v, increasing; the caller frees them. */
 static double *lines_of(const struct score_net *net, int which, int *count)
 {
     double *line = malloc((size_t)net->vertices * sizeof *line);
@@ -135,7 +136,7 @@ static double *lines_of(const struct score_net *net, int which, int *count)
     return line;
 }
 
-/* The last line at or before x, at most the last but one. */
+/* Returns the index of the last line at or before x, at most the last but one. */
 static int cell_of(const double *line, int count, double x)
 {
     int low = 0, high = count - 1;
@@ -163,7 +164,7 @@ static void lattice_clear(struct lattice *l)
     free(l->vertex);
 }
 
-/* *is: every crossing of a row and a column has its vertex. */
+/* Makes the lattice; *is: every crossing of a row and a column has its vertex. */
 static enum status lattice_make(const struct score_net *net, struct lattice *l, bool *is)
 {
     *l = (struct lattice){0};
@@ -225,7 +226,7 @@ static double cross(const double *a, const double *b, const double *c)
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/* Points of the map between the triangle's least and greatest u (d = 0) or v. */
+/* Finds the map's points between the triangle's least and greatest u (d = 0) or v. */
 static void span(const double *const corner[3], int d, int count, int *from, int *to)
 {
     const double low = fmin(corner[0][d], fmin(corner[1][d], corner[2][d])),
@@ -237,7 +238,7 @@ static void span(const double *const corner[3], int d, int count, int *from, int
     *to = *to > count - 1 ? count - 1 : *to;
 }
 
-/* Fills the points in the triangle, of those that no other was nearer to. */
+/* Fills the points that lie in the triangle and not deeper in an earlier one. */
 static void map_triangle(const struct score_net *net, const int *vertex, double *inside,
                          struct score_map *map)
 {

@@ -19,34 +19,34 @@ struct score_map {
 struct score_net {
     int vertices;
     double *uv;               /* [vertices][2] owned */
-    bool by_position;         /* uv were told from rest positions                        */
+    bool by_position;         /* uv were found from rest positions                       */
     int triangles;            /* of the frames */
     const int (*triangle)[3]; /* borrowed      */
 };
 
-/* Material coordinates: the net's own; else of its rest mesh; else of the first frame, xyz
- * [vertices][3] [m], where a vertex lies on the rest shape (a flat one). `rest` is that
- * mesh in the scene's axes and units, or NULL. STATUS_INPUT with a sentence that begins
- * with the name. */
+/* Finds material coordinates: the net's own; else those of its rest mesh; else, where each
+ * vertex lies on a flat rest shape, from the first frame, xyz [vertices][3] [m]. `rest` is
+ * that mesh in the scene's axes and units, or NULL. STATUS_INPUT with a sentence that
+ * begins with the name. */
 enum status score_net_make(const struct frames_net *frames, const struct scene *scene,
                            const char *name, const double *rest, const double *xyz,
                            struct score_net *net, struct message *why);
 void score_net_clear(struct score_net *net); /* all-zero is allowed */
 
-/* STATUS_INPUT: vertices do not cover the sheet, or neither stand in rows and columns nor
- * have faces. */
+/* Makes the map. STATUS_INPUT: vertices do not cover the sheet, or neither stand in rows
+ * and columns nor have faces. */
 enum status score_net_map(const struct score_net *net, const char *name, int nu, int nv,
                           struct score_map *map, struct message *why);
 void score_map_clear(struct score_map *map); /* all-zero is allowed */
 
-/* field[nu nv][3] of xyz[vertices][3]. */
+/* Fills field[nu nv][3] from xyz[vertices][3]. */
 void score_map_apply(const struct score_map *map, const double *xyz, double *field);
 
-/* The four of `points` points evenly on [0, 1] whose cubic goes through x: the first, and
- * the weights (Lagrange). points >= 4. */
+/* Returns the first of the four points, of `points` evenly on [0, 1], whose cubic is used
+ * at x, and their Lagrange weights. points >= 4. */
 int score_net_cubic(int points, double x, double weight[4]);
 
-/* A field [nv][nu][3] at (u, v), by cubics. */
+/* Interpolates a field [nv][nu][3] at (u, v), by cubics. */
 void score_net_sample(int nu, int nv, const double *field, const double uv[2],
                       double xyz[3]);
 

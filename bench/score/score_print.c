@@ -30,7 +30,7 @@ static void add_rows(struct table *t, const struct score_result *r)
     }
 }
 
-/* What of truth and frames was held against each other. */
+/* Writes which frames were compared with the truth at which times. */
 static void range_text(const struct score_result *r, size_t size, char *text)
 {
     int both = 0, between = 0;

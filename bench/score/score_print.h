@@ -5,7 +5,7 @@
 #include "bench/score/score_diagnosis.h"
 #include "bench/ui/table.h"
 
-/* What is left of a score once its fields are let go of. */
+/* The part of a score that outlives its fields. */
 struct score_result {
     char *scene;            /* its name                                        owned */
     char source[640];       /* of the truth                                          */
@@ -13,14 +13,14 @@ struct score_result {
     int times, frames, vertices;
     struct score_time *row; /* [times]                                         owned */
     bool undamped, by_position;
-    double first, last; /* of the frames [s]                                     */
+    double first, last; /* times of frames [s]                                   */
     struct score_diagnosis diagnosis;
 };
 
 void score_result_clear(struct score_result *result); /* all-zero is allowed */
 
-/* CSV has scene,time,error,bar,floor, in lengths; JSON an object
- * a scene. */
+/* Prints scores: CSV has scene,time,error,bar,floor, over the length; JSON an object a
+ * scene. */
 enum status score_print(const struct score_result *results, int count,
                         enum table_format format, FILE *file);
 

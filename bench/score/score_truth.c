@@ -41,7 +41,7 @@ int score_truth_few(int n)
     return n / SCORE_SIDE * SCORE_EVERY * GRID_U + n % SCORE_SIDE * SCORE_EVERY;
 }
 
-/* All frames that are stored, and before them the sheet at rest. */
+/* Takes the sheet at rest and all stored frames as the motion. */
 static enum status take_motion(const struct truth_made *made, struct score_truth *t)
 {
     const size_t count = (size_t)made->claimed + 1;
@@ -64,7 +64,7 @@ static enum status take_motion(const struct truth_made *made, struct score_truth
     return t->motions ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* A truth that is stored, if its physics are these. */
+/* Reads a stored truth, if its physics are those of the scene. */
 static enum status from_stored(struct score_truth *t, struct truth_made *made,
                                struct message *why)
 {
@@ -79,7 +79,7 @@ out:
     return st;
 }
 
-/* Closed forms and what is stored; t->times stays 0 where there is neither. */
+/* Takes a closed form or a stored truth; t->times stays 0 where there is neither. */
 static enum status from_known(struct score_truth *t, struct message *why)
 {
     struct truth_made made = {0};
@@ -100,8 +100,7 @@ out:
     return st;
 }
 
-/* What is exact at any time, every tenth of a second; `word` is the scene as the user named
- * it. */
+/* Evaluates an exact solution every tenth of a second; `word` is the user's name for it. */
 static enum status from_formula(const char *word, const char *path,
                                 const struct settings *settings, struct score_truth *t,
                                 struct message *why)

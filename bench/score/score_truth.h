@@ -1,5 +1,5 @@
-/* score_truth.h - what frames are held against: the middle surface of a scene's truth at
- * the times at which it is known. */
+/* score_truth.h - the reference of a score: the middle surface of a scene's truth at the
+ * times at which it is known. */
 #ifndef SCORE_TRUTH_H
 #define SCORE_TRUTH_H
 
@@ -8,7 +8,7 @@
 
 enum { SCORE_POINTS = GRID_U * GRID_V };
 
-/* Few of the grid's points, every ninth each way, where many motions are tried. */
+/* A few of the grid's points, every ninth each way, for trying many motions. */
 enum { SCORE_EVERY = 9, SCORE_SIDE = (GRID_U - 1) / SCORE_EVERY + 1 };
 enum { SCORE_FEW = SCORE_SIDE * SCORE_SIDE };
 
@@ -26,16 +26,17 @@ struct score_truth {
     bool undamped;    /* the scene is damped, and its truth is not                    */
 };
 
-/* Of a scene by name or path: closed forms and stored truths; runs nothing. STATUS_INPUT:
- * no such scene, or nothing is known of it. Free with score_truth_clear. */
+/* Finds the truth of a scene by name or path: a closed form or a stored truth; runs
+ * nothing. STATUS_INPUT: there is no such scene, or no truth of it is known. Free with
+ * score_truth_clear. */
 enum status score_truth_read(const char *scene, struct score_truth *truth,
                              struct message *why);
 void score_truth_clear(struct score_truth *truth); /* all-zero is allowed, and left */
 
-/* Which of the grid's points the n-th of the few is. */
+/* Returns the grid's index of the n-th of the few points. */
 int score_truth_few(int n);
 
-/* The n-th field. */
+/* Returns the n-th field. */
 const double *score_truth_field(const struct score_truth *truth, int n);
 
 #endif

@@ -33,7 +33,7 @@ void bench_part_aim(struct table *t, const struct clock_summary *s, double aim)
     table_text(t, "%s", 1e3 * s->median <= aim ? "yes" : "no");
 }
 
-/* Twenty frames after two: measurement.h. */
+/* The end of a short run [s]: twenty frames after two of warm-up (measurement.h). */
 static const double SOME = 0.11;
 
 enum status bench_part_add(struct bench *b, const struct bench_row *row,

@@ -11,8 +11,8 @@
 
 extern const struct command bench_command;
 
-/* A run on edge_drop, with what to reach [ms] (0: no aim). What others take for the work of
- * its title stands in peers.h. */
+/* A run on edge_drop, with the time it should reach [ms] (0: no aim). peers.h has what
+ * other programs take for the work of its title. */
 struct bench_row {
     const char *title, *contestant;
     const char *settings[4]; /* KEY=VALUE; NULL ends                                    */
@@ -37,7 +37,7 @@ enum { BENCH_PART_RUNS = 64 };
 struct bench_part {
     struct command_item item;
     const char *caption, *note; /* of its table                                         */
-    const char *peers; /* others did the work of this name, too; NULL: nobody           */
+    const char *peers; /* name of the same work in peers.csv; NULL: none                */
     int count;
     const struct bench_row *rows; /* [count] its runs; or else:                          */
     enum status (*plan)(struct bench *b, struct message *why);
@@ -48,8 +48,9 @@ extern const struct bench_part bench_part_solids, bench_part_baselines, bench_pa
     bench_part_growth, bench_part_intersection, bench_part_projective, bench_part_nonlinear,
     bench_part_swings, bench_part_newton, bench_part_bandwidth, bench_part_contestants;
 
-/* How far CHOLMOD and LAPACK are from solving the matrix of a run, relative: that they are
- * baselines for the same work. LAPACK is left out (0) where its band is too large. */
+/* Measures the relative error of CHOLMOD and LAPACK in solving the matrix of a run, which
+ * shows that they are baselines for the same work. LAPACK is left out (0) where its band is
+ * too large. */
 enum status bench_baseline_check(const struct run_plan *plan, double off[2],
                                  struct message *why);
 
@@ -57,8 +58,8 @@ enum status bench_baseline_check(const struct run_plan *plan, double off[2],
 enum status bench_part_add(struct bench *b, const struct bench_row *row,
                            struct message *why);
 
-/* A row's cells of seconds: median, least, quartiles, how many repeats; what to reach, and
- * whether the median does. */
+/* The cells of a row of seconds: median, least, quartiles, number of repeats; the aim, and
+ * whether the median reaches it. */
 #define BENCH_PART_TIMES                                                                   \
     {"median", "ms"}, {"min", "ms"}, {"lower", "ms"}, {"upper", "ms"},                     \
     {                                                                                      \

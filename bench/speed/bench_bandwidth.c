@@ -1,4 +1,4 @@
-/* Explicit springs on small and large nets beside what memory gives: how near the limit. */
+/* Compares explicit springs on small and large nets with the memory's bandwidth. */
 #include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include "models/clones.h"
 #include "models/room.h"
 
-/* The first lies in a core's own cache, the last does not. */
+/* Points a side: the first net fits into a core's own cache, the last does not. */
 static const int sides[] = {16, 100, 300};
 enum { SIDES = sizeof sides / sizeof *sides, PRECISIONS = 2, CASES = SIDES * PRECISIONS };
 
@@ -17,18 +17,19 @@ static const struct {
 } precisions[PRECISIONS] = {{"mass_spring_single", "single", sizeof(float)},
                             {"mass_spring_leapfrog", "double", sizeof(double)}};
 
-/* Numbers of a node that a step must read or write: positions, velocities, both ways;
- * and that a net holds: positions before and after, velocities. Coefficients are a strip's,
- * which strips share (mass_spring/spring_sweep.h). */
+/* Numbers per node that a step must read or write: positions, velocities, both ways; and
+ * that a net holds: positions before and after, velocities. Coefficients belong to a strip,
+ * and strips share them (mass_spring/spring_sweep.h). */
 enum { MOVED = 12, HELD = 9 };
 
-/* The same of an element of a triad, a = b + s c. */
+/* Numbers per element that a triad, a = b + s c, must read or write. */
 enum { TRIAD_MOVED = 3 };
 
-/* Of the last cache, the arrays that are to lie in memory; within [bytes]. */
+/* Arrays to lie in memory are BEYOND times the last cache, within these bounds [bytes]. */
 static const double BEYOND = 4, LEAST_MEMORY = 192e6, MOST_MEMORY = 1.6e9;
 
-/* The sustainable rate of memory as McCalpin measures it (IEEE TCCA Newsletter, 1995). */
+/* A triad, for the sustainable rate of memory as McCalpin measures it (IEEE TCCA
+ * Newsletter, 1995). */
 struct triad {
     size_t count;
     double *a, *b, *c;
@@ -63,7 +64,7 @@ out:
     return st;
 }
 
-/* A net in motion, frame by frame. */
+/* A net that is moved frame by frame. */
 struct net {
     char name[SAMPLES_NAME];
     struct run run;
@@ -158,7 +159,8 @@ out:
     return st;
 }
 
-/* Bytes a second of a triad, as STREAM counts: no lines that are read to be written. */
+/* Returns the bytes a second of a triad as STREAM counts them: without the lines that are
+ * only read because they will be written. */
 static double triad_rate(const struct samples *s, const char *name)
 {
     return TRIAD_MOVED * sizeof(double) * samples_number(s, name, "elements") /

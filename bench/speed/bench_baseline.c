@@ -1,5 +1,5 @@
-/* The linear algebra of a frame by libraries used as they come, in turn with ours on the
- * same numbers: named baselines for speed ratios. */
+/* Times the linear algebra of a frame with libraries used as they come, in turn with ours
+ * on the same numbers: named baselines for speed ratios. */
 #include <cholmod.h>
 #include <lapacke.h>
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "bench/experiment/bench_solid.h"
 #include "bench/speed/bench.h"
 
-/* A net's matrix, lower triangle by columns, and what the libraries make of it. */
+/* A net's matrix, lower triangle by columns, and the libraries' factors and solutions. */
 struct baseline {
     struct run run;
     int n, width; /* unknowns, half bandwidth                                          */
@@ -69,7 +69,7 @@ static enum status their_solve(void *made)
     return STATUS_OK;
 }
 
-/* Before each factor; not counted. */
+/* Fills the band before each factorization; not timed. */
 static void fill_band(void *made)
 {
     struct baseline *m = made;
@@ -81,7 +81,7 @@ static void fill_band(void *made)
             m->band[(size_t)j * rows + (size_t)(m->row[t] - j)] = m->value[t];
 }
 
-/* Before each solve. */
+/* Sets the right-hand side of ones before each solve; not timed. */
 static void fill_ones(void *made)
 {
     struct baseline *m = made;
@@ -108,7 +108,7 @@ static enum status band_solve(void *made)
                : STATUS_OK;
 }
 
-/* Factors stand before their solves. */
+/* The phases in their order: each factorization comes before its solve. */
 static const struct phase {
     const char *what;
     enum status (*call)(void *made);
@@ -137,7 +137,7 @@ static enum status make_cholmod(struct baseline *m)
     return m->L ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* A band of a large net would take 7 GB. */
+/* The most unknowns for a band matrix: that of a large net would take 7 GB. */
 static const int BAND_MOST = 10000;
 
 static enum status make_band(struct baseline *m)
@@ -164,7 +164,7 @@ out:
     return st;
 }
 
-/* Largest |A x - 1| over the largest sum of |A| |x|; NaN without memory. */
+/* Returns the largest |A x - 1| over the largest sum of |A| |x|; NaN without memory. */
 static double residual(const struct baseline *m, const double *x)
 {
     double *sum = calloc(2 * (size_t)m->n, sizeof *sum), *size = sum + m->n;
@@ -188,7 +188,8 @@ static double residual(const struct baseline *m, const double *x)
     return most / scale;
 }
 
-/* What the libraries make of the right-hand side of ones; no band: 0. */
+/* Measures the libraries' residuals for a right-hand side of ones; LAPACK's is 0 if left
+ * out. */
 static enum status solve_once(struct baseline *m, double off[2])
 {
     cholmod_dense *x = NULL;
@@ -224,7 +225,8 @@ out:
     return st;
 }
 
-/* Round-off of a solution leaves less; a baseline of another matrix is none. */
+/* A solution's residual must be below this, which is above round-off; a larger one means
+ * that the baseline solved another matrix. */
 static const double SOLVED = 1e-10;
 
 static enum status check(struct baseline *m, const char *name, struct message *why)

@@ -1,4 +1,4 @@
-/* What counting self-intersections costs, and what its tree saves: surfaces of 100 x 100
+/* Times the count of self-intersections with and without its tree: surfaces of 100 x 100
  * points from flat to crumpled; if quick, of fewer. */
 #include <math.h>
 #include <stdint.h>
@@ -10,13 +10,13 @@
 
 static const double turn = 6.283185307179586;
 
-/* Tilted, so that no coordinate is constant. */
+/* A flat sheet, tilted, so that no coordinate is constant. */
 static void flat(double u, double v, double x[3])
 {
     x[0] = 0.6 * u - 0.48 * v, x[1] = 0.8 * u + 0.36 * v, x[2] = 0.8 * v;
 }
 
-/* Hangs from a middle disc of radius 0.3 in eight folds. */
+/* A sheet that hangs from a middle disc of radius 0.3 in eight folds. */
 static void draped(double u, double v, double x[3])
 {
     double a = u - 0.5, b = v - 0.5, radius = hypot(a, b), angle = atan2(b, a);
@@ -27,14 +27,14 @@ static void draped(double u, double v, double x[3])
     x[2] = -sqrt(0.9) * below;
 }
 
-/* Rolled up two and a half times, 3 mm between turns. */
+/* A sheet that is rolled up two and a half times, with 3 mm between turns. */
 static void rolled(double u, double v, double x[3])
 {
     double radius = 0.06 + 0.003 * 2.5 * u;
     x[0] = radius * cos(2.5 * turn * u), x[1] = v, x[2] = radius * sin(2.5 * turn * u);
 }
 
-/* Waves in three directions that fold the sheet through itself; amplitudes of 0.02 against
+/* Waves in three directions that fold the sheet through itself, with amplitudes of 0.02 and
  * wave lengths of 0.08. */
 static void folded(double u, double v, double x[3])
 {
@@ -43,14 +43,14 @@ static void folded(double u, double v, double x[3])
     x[2] = 0.02 * sin(turn * (10 * u + 2 * v)) + 0.02 * sin(turn * (9 * v - 5 * u) + 3);
 }
 
-/* Noise of three grid steps: no triangle is clear of its surroundings. */
+/* Noise of three grid steps: every triangle is close to others. */
 static void crumpled(double u, double v, double x[3])
 {
     uint64_t state = 1 + lround(u * 99) + 100 * lround(v * 99);
 
     x[0] = u, x[1] = v, x[2] = 0;
     for (int c = 0; c < 3; c++) {
-        /* splitmix64 */
+        /* The hash is splitmix64. */
         uint64_t z = state * 3 + c + 1;
         z *= 0x9e3779b97f4a7c15u;
         z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
@@ -59,7 +59,7 @@ static void crumpled(double u, double v, double x[3])
     }
 }
 
-/* In half along v, the halves exactly on each other. */
+/* A sheet folded in half along v, the halves exactly on each other. */
 static void doubled(double u, double v, double x[3])
 {
     x[0] = u < 0.5 ? u : 1 - u, x[1] = v, x[2] = 0;
@@ -77,7 +77,7 @@ enum { SHAPES = sizeof shapes / sizeof *shapes, SIDE = 100, QUICK_SIDE = 30 };
 enum way { TREE, EVERY_PAIR, WAYS };
 static const char *const way_name[WAYS] = {"tree", "every pair"};
 
-/* A shape on the grid, and what the last counts of it gave. */
+/* A shape on the grid, and the result of its last count. */
 struct sheet {
     struct intersection work;
     int side; /* points                                                                */
@@ -117,7 +117,7 @@ static enum status make(const struct shape *shape, int side, struct sheet *s)
     return STATUS_OK;
 }
 
-/* The counts, which both ways must agree on. */
+/* Stores the counts, after checking that the tree finds what testing every pair finds. */
 static enum status keep(struct bench *b, const char *name, const struct sheet *s,
                         struct message *why)
 {

@@ -1,5 +1,5 @@
-/* Projective dynamics: what a frame's parts cost, and what acceleration pays; if quick, on
- * the smaller nets. */
+/* Times the parts of a frame of projective dynamics, and what acceleration gains; if quick,
+ * on the smaller nets. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 
 enum { ITERATIONS = 10 };
 
-/* Aims [ms a frame]. */
+/* The nets, and the time a frame should reach [ms]. */
 static const struct net {
     int points;
     double aim;
@@ -46,7 +46,7 @@ static struct pd_options options_of(int points, enum constraint constraint, bool
 /* --- a frame's parts ---------------------------------------------------------------------
  */
 
-/* A net by one kind of constraint. */
+/* A net with one kind of constraint. */
 struct made {
     char name[SAMPLES_NAME];
     struct pd_motion motion;
@@ -186,7 +186,8 @@ static double farthest(const struct pd_net *net, const double *a, const double *
     return most;
 }
 
-/* From `start`: the distance to `end` after each of lengths[], and seconds an iteration. */
+/* Iterates from `start`; fills the distance to `end` after each of lengths[], and the
+ * seconds an iteration. */
 static enum status approach(struct pd_motion *m, bool chebyshev, const double *start,
                             const double *end, double distance[LENGTHS], double *seconds)
 {
@@ -209,7 +210,7 @@ out:
     return st;
 }
 
-/* One step of a falling sheet: where it starts, and where its iterations end. */
+/* Finds, for one step of a falling sheet, where its iterations start and end. */
 static enum status find_ends(struct pd_motion *m, double *start, double *end, int *needed)
 {
     enum status st;
@@ -234,7 +235,7 @@ static void name_approach(int points, bool chebyshev, char name[SAMPLES_NAME])
              chebyshev ? "Chebyshev" : "plain");
 }
 
-/* Distances are the same every time; seconds are not. */
+/* Stores the distances, which are the same every time, and the seconds of each repeat. */
 static enum status sample_approach(struct bench *b, struct pd_motion *m, bool chebyshev,
                                    const double *start, const double *end)
 {

@@ -1,5 +1,5 @@
-/* Parts that are runs on edge_drop: frames and phases against aims, what each choice gives,
- * growth with the net. */
+/* The parts that are runs on edge_drop: frames and phases against aims, the gain of each
+ * choice, growth with the net. */
 #include <math.h>
 
 #include "bench/experiment/bench_solid.h"
@@ -46,7 +46,7 @@ static const struct bench_row swings[] = {
     {"iga 20x20x2, p = 3, selective", "iga_selective_3", {UNDAMPED, NET(20)}, 1, 300, {0}},
 };
 
-/* In pairs: without the choice, and with it. */
+/* Runs in pairs: without the choice, and with it. */
 static const struct bench_row levers[] = {
     {"band instead of supernodes", "iga_paper", {SUPERNODES}, 0, 0, {0}},
     {"iga 10x10x2 rebuilt", "iga_paper", {BAND}, 0, 0, {0}},
@@ -60,7 +60,7 @@ static const struct bench_row levers[] = {
     {"iga 10x10x2", "iga_linear", {UNDAMPED}, 0, 0, {0}},
 };
 
-/* The same over whole motions. */
+/* Pairs for whole motions. */
 static const struct bench_row newton[] = {
     {"tangents kept", "shell_2", {UNDAMPED, FULL}, 0.4, 0, {0}},
     {"shell 10x10, p = 2", "shell_2", {UNDAMPED}, 0.4, 0, {0}},
@@ -74,7 +74,7 @@ static const struct bench_row newton[] = {
     {"shell 10x10, p = 3, selective", "shell_selective_3", {UNDAMPED}, 0.4, 0, {0}},
 };
 
-/* Those of the paper's Table 2. */
+/* The nets of the paper's Table 2. */
 static const struct bench_row growing[PAPER_GROWTH_ROWS] = {
     {"5x5x2", "iga_paper", {NET(5)}, 0, 0, {0}},
     {"10x10x2", "iga_paper", {NET(10)}, 0, 0, {0}},
@@ -203,7 +203,7 @@ const struct bench_part bench_part_newton = {
 
 enum { NETS = PAPER_GROWTH_ROWS };
 
-/* What a fit needs, a number a net. */
+/* The numbers that the fits need, one a net. */
 struct growth {
     double unknowns[NETS], points[NETS], elements[NETS];
     double cost[NETS], assemble[NETS], factor[NETS], paper[NETS];
@@ -233,7 +233,7 @@ static void note_growth(struct table *t, const struct growth *g)
 
 static void add_net(struct table *t, int n, const struct run_result *r, struct growth *g)
 {
-    const int side = 5 * (n + 1); /* of those rows of Table 2 */
+    const int side = 5 * (n + 1); /* of Table 2's rows */
 
     g->unknowns[n] = r->unknowns;
     g->points[n] = 2.0 * side * side;
@@ -278,7 +278,7 @@ const struct bench_part bench_part_growth = {
 /* --- contestants: the timing table of all that enter it, on edge_drop --------------------
  */
 
-/* Ten points a side, unless it is never refined so. */
+/* Returns ten points a side, or the first of its nets if it is never refined so. */
 static int usual_side(const struct contestant *c)
 {
     for (int n = 0; n < CONTESTANT_STEPS; n++)

@@ -6,8 +6,8 @@
 
 enum { WORDS = 2048 };
 
-/* Words of a row behind `text`: "PetIGA cc362e1 (AIJ + CHOLMOD) 9.05 ms"; before those of
- * another kind of work its name and what ours took. */
+/* Appends the words of a row: "PetIGA cc362e1 (AIJ + CHOLMOD) 9.05 ms"; where another kind
+ * of work begins, its name and our time come first. */
 static void add_row(const struct reference *r, int row, int before, char text[WORDS])
 {
     const char *what = reference_text(r, row, "what");

@@ -1,7 +1,6 @@
-/* samples.h - numbers of a benchmark that is no run: seconds of short calls, every repeat,
- * and what else its table needs, by case and name. Kept as a CSV file, from which the table
- * is printed again.
- */
+/* samples.h - numbers of a benchmark that is not a run: seconds of short calls, every
+ * repeat, and other numbers of its table, by case and name. They are kept as a CSV file,
+ * from which the table is printed again. */
 #ifndef SAMPLES_H
 #define SAMPLES_H
 
@@ -24,12 +23,13 @@ void samples_clear(struct samples *s); /* all-zero is allowed, and left */
 
 void samples_add(struct samples *s, const char *name, const char *what, double value);
 
-/* Of all samples of that case and name, in order; count = 0 and NaN: there is none. */
+/* Return the summary, or the median alone, of all samples of that case and name; count = 0
+ * and NaN: there is none. */
 struct clock_summary samples_of(const struct samples *s, const char *name,
                                 const char *what);
 double samples_number(const struct samples *s, const char *name, const char *what);
 
-/* Something short. */
+/* A short call to be timed. */
 struct samples_task {
     const char *name, *what;
     enum status (*call)(void *context);
@@ -37,13 +37,13 @@ struct samples_task {
     void *context;
 };
 
-/* All in turn, short ones after an untimed sample, as often as timing.h has it; a sample is
- * the mean of as many calls as make up a millisecond. */
+/* Times all tasks in turn, short ones after an untimed sample, repeated as timing.h says; a
+ * sample is the mean of as many calls as make up a millisecond. */
 enum status samples_time(struct samples *s, bool quick, int count,
                          const struct samples_task *tasks);
 
-/* FOLDER/samples.csv: case, quantity, value. STATUS_FILE, STATUS_MEMORY, STATUS_INPUT with
- * a sentence. */
+/* Writes FOLDER/samples.csv: case, quantity, value. STATUS_FILE, STATUS_MEMORY,
+ * STATUS_INPUT with a sentence. */
 enum status samples_save(const struct samples *s, const char *folder, struct message *why);
 enum status samples_read(struct samples *s, const char *folder, struct message *why);
 

@@ -1,4 +1,4 @@
-/* chart.c - what a chart collects, and how it becomes a script of gnuplot: numbers in data
+/* chart.c - collects a chart, and turns it into a script of gnuplot: numbers in data
  * blocks, then the panels and the legend, each at its place on the page. */
 #include "bench/ui/chart.h"
 
@@ -43,7 +43,7 @@ struct chart {
     bool failed;             /* out of memory somewhere                                */
 };
 
-/* The place for one more element behind `count` of them, all zero; NULL without memory. */
+/* Appends a zero element to an array of `count`, returns it; NULL without memory. */
 static void *one_more(struct chart *c, void *array, int *count, size_t size)
 {
     char **at = array;
@@ -51,7 +51,7 @@ static void *one_more(struct chart *c, void *array, int *count, size_t size)
 
     if (!c || c->failed)
         return NULL;
-    if ((n & (n - 1)) == 0) { /* none, or as many as there is room for */
+    if ((n & (n - 1)) == 0) { /* empty or full */
         char *grown = realloc(*at, (n ? 2 * n : 1) * size);
         c->failed = !grown;
         if (!grown)
@@ -62,7 +62,7 @@ static void *one_more(struct chart *c, void *array, int *count, size_t size)
     return memset(*at + n * size, 0, size);
 }
 
-/* A copy in one line: a line end in a name must not tear a legend. NULL stays NULL. */
+/* Copies into one line: a line end in a name must not tear a legend. NULL stays NULL. */
 static char *copy(struct chart *c, const char *text)
 {
     char *own = text ? strdup(text) : NULL;
@@ -179,7 +179,7 @@ struct chart_axis chart_axis_of(const struct table *t, const char *key, bool log
                   : (struct chart_axis){.log = log};
 }
 
-/* The first series with this label, of this panel or one before; NULL: none. */
+/* Returns the first series with this label, of this panel or one before; NULL: none. */
 static const struct chart_item *namesake(const struct chart *c, const char *label)
 {
     for (int p = 0; label && p < c->pane_count; p++) {
@@ -191,7 +191,7 @@ static const struct chart_item *namesake(const struct chart *c, const char *labe
     return NULL;
 }
 
-/* One more in a list of the panel, NULL without memory. */
+/* Appends an item to a list of the panel and returns it, NULL without memory. */
 static struct chart_item *add_item(struct chart *c, struct chart_list *list,
                                    const struct chart_series *as)
 {
@@ -304,7 +304,7 @@ void chart_mark(struct chart *c, double x, double y, const char *text)
 /* --- looks: colours, points and dashes ---------------------------------------------------
  */
 
-/* Told apart by all kinds of eyes (Okabe and Ito); in grey by points and dashes. */
+/* Looks that all eyes can distinguish (Okabe and Ito), in grey by points and dashes. */
 static const struct look {
     const char *rgb;
     int filled, open; /* points */
@@ -317,7 +317,7 @@ enum { LOOKS = sizeof looks / sizeof *looks };
 
 static const char band_rgb[] = "#c8c8c8";
 
-/* Beyond the looks there are all of them once more, dashed and open. */
+/* Whether an item is dashed with open points, as those beyond the number of looks are. */
 static bool is_second(const struct chart_item *item)
 {
     return item->as.second || item->look / LOOKS % 2;
@@ -369,7 +369,7 @@ static void write_look(struct output *out, const struct chart_item *item, bool l
 
 /* --- the legend ----------------------------------------------------------------------- */
 
-/* What stands below the panels, a label once. */
+/* The legend below the panels, which has each label once. */
 enum { CHART_ENTRIES = 64, CHART_CHARACTER = 8 /* its width in points */ };
 struct chart_legend {
     int count, columns, rows;
@@ -408,7 +408,7 @@ static struct chart_legend legend_of(const struct chart *c, int width)
     if (l.columns < 1)
         l.columns = 1;
     l.rows = (l.count + l.columns - 1) / l.columns;
-    if (l.rows) /* as even as it can be */
+    if (l.rows) /* as even as possible */
         l.columns = (l.count + l.rows - 1) / l.rows;
     return l;
 }
@@ -438,7 +438,7 @@ static void write_legend(struct output *out, const struct chart_legend *l)
     output_print(out, "NaN notitle\n");
 }
 
-/* Points of a screen: one panel alone, one of several, lines of text. */
+/* Sizes in points of a screen: one panel alone, one of several, lines of text. */
 enum { WIDE = 900, HIGH = 520, NARROW = 480, LOW = 380, LINE = 20 };
 
 /* --- data ----------------------------------------------------------------------------- */
@@ -488,7 +488,8 @@ static void write_block(struct output *out, const struct chart_pane *p, int pane
 
 /* --- a panel -------------------------------------------------------------------------- */
 
-/* The data's ends on an axis; whether they are those of cells, which fill their panel. */
+/* Finds the least and greatest value on an axis; returns whether cells, which fill their
+ * panel, are among the data. */
 static bool ends_of(const struct chart_pane *p, int axis, double *low, double *high)
 {
     bool celled = false;
@@ -509,7 +510,8 @@ static bool ends_of(const struct chart_pane *p, int axis, double *low, double *h
     return celled;
 }
 
-/* gnuplot numbers decades only: on fewer than two of them 1, 2 and 5 of each. */
+/* Writes tics at 1, 2 and 5 of each decade where the axis has fewer than two decades:
+ * gnuplot numbers decades only. */
 static void write_decade_tics(struct output *out, char name, double low, double high)
 {
     static const int of_decade[] = {1, 2, 5};
@@ -539,8 +541,8 @@ static void write_tics(struct output *out, char name, const struct chart_axis *a
     output_print(out, ")\n");
 }
 
-/* Of data that has no range of its own: gnuplot wants one all the same, and adds room to
- * that of cells. */
+/* Sets the range where the data have none of their own, which gnuplot insists on, and that
+ * of cells, to which gnuplot would add room. */
 static void write_range(struct output *out, char name, bool celled, double low, double high)
 {
     const double room = fmax(fabs(low) / 2, 1e-9);
@@ -585,7 +587,7 @@ static void write_axis(struct output *out, const struct chart_pane *p, int n)
         write_decade_tics(out, name, low, high);
 }
 
-/* Objects lie behind the data. */
+/* Writes the stripes as objects, which lie behind the data. */
 static void write_stripes(struct output *out, const struct chart_pane *p)
 {
     for (int n = 0; n < p->stripes.count; n++) {
@@ -662,7 +664,7 @@ static void write_pane(struct output *out, const struct chart_pane *p, int pane)
 
 /* --- the page ------------------------------------------------------------------------- */
 
-/* Words in lines of at most `most` characters, torn at blanks: gnuplot tears none. */
+/* Wraps words to lines of at most `most` characters, at blanks: gnuplot does not. */
 static int wrap(const char *text, int most, char *wrapped, int size)
 {
     int lines = 1, column = 0;
@@ -681,7 +683,7 @@ static int wrap(const char *text, int most, char *wrapped, int size)
     return lines;
 }
 
-/* How a chart is laid out on its page, in points. */
+/* The layout of a chart on its page, in points. */
 struct layout {
     int columns, rows, width, height, pane_height, foot;
     char title[1024];
@@ -738,7 +740,8 @@ static void write_script(struct output *out, const struct chart *c, const char *
     }
 }
 
-/* Whether eyes must follow it: not classes, nor those that repeat a label or have none. */
+/* Whether the reader must follow the series as a line of its own: classes do not count, nor
+ * series that repeat a label or have none. */
 static bool is_line(const struct chart_list *series, int n)
 {
     const struct chart_series *as = &series->item[n].as;

@@ -12,7 +12,7 @@
  * The legend stands below, never over data. A look (colour, point, dash) belongs to a
  * label: the same label looks the same in every panel and stands in the legend once. Words
  * are copied; none is ever read as a command by gnuplot, whatever it holds. Running out of
- * memory on the way is remembered and told by chart_write.
+ * memory on the way is remembered and reported by chart_write.
  */
 #ifndef CHART_H
 #define CHART_H
@@ -23,11 +23,11 @@
 
 struct chart;
 
-/* Most lines of a panel that eyes follow. */
+/* The most lines in a panel that a reader can follow. */
 enum { CHART_LINES_MOST = 8 };
 
-/* A panel without title and without axes' names is there from the start. NULL without
- * memory, which every function below takes. */
+/* Creates a chart, with one panel without title and without axes' names. NULL without
+ * memory, which every function below accepts. */
 struct chart *chart_create(const char *title);
 void chart_destroy(struct chart *c); /* NULL is allowed */
 
@@ -45,13 +45,13 @@ struct chart_axis {
     const struct chart_tic *tics;
 };
 
-/* Name and unit of a column, as people see it. */
+/* Returns the axis for a column, with its name and unit as people see them. */
 struct chart_axis chart_axis_of(const struct table *t, const char *key, bool log);
 
-/* Of the panel, and of those that are started after it. */
+/* Sets the axes of the panel, and of those that are started after it. */
 void chart_axes(struct chart *c, const struct chart_axis *x, const struct chart_axis *y);
 
-/* The next panel; the first call names the panel that is there, if it is empty still. */
+/* Starts the next panel; the first call only names the first panel, if still empty. */
 void chart_panel(struct chart *c, const char *title);
 
 enum chart_style {
@@ -68,8 +68,8 @@ struct chart_series {
     const char *label; /* NULL: not in the legend                                        */
     enum chart_style style;
     int colour;      /* from 1; 0: the label's, the next one for a new label           */
-    bool second;     /* of its colour: dashed, open points                             */
-    bool sorted;     /* its points by x, in whatever order they come                   */
+    bool second;     /* second of its colour: dashed, open points                      */
+    bool sorted;     /* points are sorted by x                                         */
     const char *rgb; /* "#8cd17d", for a class that has its own; NULL: by `colour`     */
 };
 
@@ -81,32 +81,32 @@ void chart_bar(struct chart *c, double x, double y, double low, double high);
 void chart_cell(struct chart *c, double x, double y, const double x_side[2],
                 const double y_side[2]);
 
-/* A row is taken if the cell of `key` has these words or, without words, this number. */
+/* A condition on a row: the cell of `key` has these words or, if NULL, this number. */
 struct chart_where {
     const char *key, *text;
     double number; /* as in CSV */
 };
 
-/* A point for each row of a table that meets all conditions, as people see the numbers
+/* Adds a point for each row of a table that meets all conditions, as people see the numbers
  * (table_column.scale). */
 void chart_rows(struct chart *c, const struct table *t, const char *x, const char *y,
                 int count, const struct chart_where *where);
 
-/* Across the panel: the error bar of a truth; a line if low and high are one. */
+/* Adds a band across the panel, a truth's error bar; a line if low and high are equal. */
 void chart_band(struct chart *c, const char *label, double low, double high);
 
-/* Words at a point. */
+/* Writes words at a point. */
 void chart_mark(struct chart *c, double x, double y, const char *text);
 
-/* FOLDER/NAME.gp and what it draws. STATUS_UNSUPPORTED with a sentence if a panel has more
- * lines than CHART_LINES_MOST, or if there is no gnuplot (the script is there then);
+/* Writes FOLDER/NAME.gp and draws it. STATUS_UNSUPPORTED with a sentence if a panel has
+ * more lines than CHART_LINES_MOST, or if there is no gnuplot (the script is there then);
  * STATUS_LIBRARY if it fails; STATUS_FILE, STATUS_INPUT as plot_begin, STATUS_MEMORY. */
 enum status chart_write(const struct chart *c, const char *folder, const char *name,
                         struct message *why);
 
-/* The same with a line on standard error for people, whether it is drawn or why not, and
- * destroys the chart. Only STATUS_FILE, STATUS_INPUT and STATUS_MEMORY are failures:
- * results are worth having without their picture. */
+/* Writes the chart, says on standard error whether it is drawn or why not, and destroys it.
+ * Only STATUS_FILE, STATUS_INPUT and STATUS_MEMORY are failures: results are worth having
+ * without their picture. */
 enum status chart_save(struct chart *c, const char *folder, const char *name,
                        struct message *why);
 

@@ -14,7 +14,7 @@ static int option_count(const struct command *command)
     return count;
 }
 
-/* Index of the option called name[size]; -1 if there is none. */
+/* Returns the index of the option called name[size]; -1 if there is none. */
 static int option_index(const struct command *command, const char *name, size_t size)
 {
     for (int n = 0; n < option_count(command); n++)
@@ -24,8 +24,7 @@ static int option_index(const struct command *command, const char *name, size_t 
     return -1;
 }
 
-/* The option in argv[*at] and, if it takes one, its value, there or in the next argument.
- */
+/* Reads the option in argv[*at] and, if it takes one, its value, there or in the next. */
 static enum status read_option(struct command_line *line, int argc, char **argv, int *at,
                                struct message *why)
 {
@@ -189,7 +188,8 @@ enum status command_pair(const struct command_line *line, const char *option, in
     return STATUS_OK;
 }
 
-/* Lines of `text`, each but the first after `indent` blanks, all after `before`. */
+/* Prints the lines of `text`, all but the first after `indent` blanks, all after
+ * `before`. */
 static void print_lines(const char *text, int indent, const char *before, FILE *file)
 {
     for (const char *line = text; *line;) {

@@ -1,4 +1,4 @@
-/* command.h - what a command of the program is, and how its options are read.
+/* command.h - a command of the program, and the reading of its options.
  *
  * A command is one `const struct command`, named in bench/commands.c and nowhere else. Its
  * table of options reads the command line, refuses what is wrong and makes the help, so
@@ -60,26 +60,26 @@ enum status command_parse(const struct command *command, int argc, char **argv,
                           struct command_line *line, struct message *why);
 void command_line_clear(struct command_line *line); /* all-zero is allowed */
 
-/* What was given for an option of the table: whether at all; its last value or NULL; all of
- * its values, borrowed, and their count. */
+/* Return whether an option of the table was given; its last value or NULL; all of its
+ * values, borrowed, and their count. */
 bool command_given(const struct command_line *line, const char *option);
 const char *command_value(const struct command_line *line, const char *option);
 const char *const *command_values(const struct command_line *line, const char *option,
                                   int *count);
 
-/* A whole number from low to high; *number is as it was if the option was not given. */
+/* Reads a whole number from low to high; *number stays if the option was not given. */
 enum status command_integer(const struct command_line *line, const char *option, long low,
                             long high, long *number, struct message *why);
 
-/* A number above 0, finite; with `percent` "2%" is 0.02, too. Likewise. */
+/* Reads a number above 0, finite; with `percent` "2%" is 0.02, too. *number as above. */
 enum status command_number(const struct command_line *line, const char *option,
                            bool percent, double *number, struct message *why);
 
-/* Two whole numbers, "21,21", each from low to high. */
+/* Reads two whole numbers, "21,21", each from low to high. */
 enum status command_pair(const struct command_line *line, const char *option, int low,
                          int high, int pair[2], struct message *why);
 
-/* Usage, what it does, options, examples. */
+/* Prints usage, what the command does, options, examples. */
 void command_help(const struct command *command, FILE *file);
 
 #endif

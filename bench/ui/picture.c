@@ -10,7 +10,7 @@
 
 enum { EVERY = 3, WIDTH = 300, HEIGHT = 300, PATH = 4096 };
 
-/* The least box around all panels [m]; a NaN is left out. */
+/* The smallest box around all panels [m]; NaNs are left out. */
 struct box {
     double low[3], high[3];
 };
@@ -31,7 +31,7 @@ static void widen(struct box *box, const double x[3])
     }
 }
 
-/* Blocks of gnuplot, one a panel: rows of v apart by one blank line, blocks by two. */
+/* Writes data blocks, one a panel: rows of v apart by one blank line, blocks by two. */
 static void write_panel(struct output *out, const double *xyz, struct box *box)
 {
     double x[3];
@@ -66,11 +66,12 @@ out:
     return st;
 }
 
-/* Turns of the view about x and z [degrees], and how far a cube may be enlarged before it
- * touches the title: gnuplot leaves room for any turn. */
+/* The view's angles about x and z [degrees], and the factor by which a cube may be enlarged
+ * before it touches the title: gnuplot leaves room for any angle. */
 static const double TILT = 62, TURN = 35, ENLARGE = 1.12;
 
-/* What a box can be enlarged by, whose longer side of x and y gnuplot makes one. */
+/* Returns the factor that enlarges a box, whose longer side of x and y gnuplot makes
+ * one. */
 static double zoom_of(const double side[3])
 {
     const double degree = acos(-1) / 180, tilt = TILT * degree, turn = TURN * degree;
@@ -96,7 +97,7 @@ static void write_view(struct output *out, const struct box *box)
         double more = fmax(0.02 * (high - low), 0.05 * (high - low < 0.1));
         low -= more, high += more;
         side[d] = high - low;
-        floor = low; /* of z in the end */
+        floor = low; /* the last one is z's */
         output_print(out, "set %clabel '%c [m]' font ',8' tc rgb '#606060' offset %d,0\n",
                      axis[d], axis[d], 2 * (d == 2));
         output_print(out, "set %crange [%.4g:%.4g]\nset %ctics %g offset %s\n", axis[d],

@@ -15,9 +15,9 @@ struct picture_panel {
     const double *xyz; /* field (grid.h) [m]; NULL: the panel has its title only       */
 };
 
-/* `count` panels >= 1 in rows of `columns`, with a line on standard error: that it is
- * drawn, or why not. As of chart_save (chart.h), only STATUS_FILE and STATUS_MEMORY are
- * failures: without gnuplot script and data are there. */
+/* Draws `count` panels >= 1 in rows of `columns`, and says on standard error that they are
+ * drawn, or why not. Like chart_save (chart.h), it fails only with STATUS_FILE and
+ * STATUS_MEMORY: without gnuplot script and data are there. */
 enum status picture_save(const char *folder, const char *name, int columns, int count,
                          const struct picture_panel *panels, struct message *why);
 

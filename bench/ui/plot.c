@@ -9,9 +9,8 @@
 
 enum { NOT_FOUND = 127, PATH = 4096 };
 
-/* A name that neither a shell nor gnuplot, which takes '|...' for a command, reads more
- * into.
- */
+/* Refuses a name in which a shell or gnuplot, which takes '|...' for a command, would see
+ * more than a name. */
 static enum status check_name(const char *name, struct message *why)
 {
     bool plain = isalnum((unsigned char)*name);
@@ -59,8 +58,8 @@ void plot_page(struct output *out, const char *name, enum plot_kind kind, int wi
                  of[kind].ending);
 }
 
-/* Within '' nothing means anything but ' itself, which doubled at the start would end the
- * string; it stands within "" for itself. */
+/* Writes a string in '', within which only ' itself is special; that character is written
+ * within "" instead, since doubled at the start it would end the string. */
 void plot_text(struct output *out, const char *text)
 {
     output_print(out, "'");

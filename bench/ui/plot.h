@@ -1,5 +1,5 @@
-/* plot.h - what a script for gnuplot begins and ends with, texts in it, and its run. All
- * that depends on gnuplot's terminals stands in plot.c. */
+/* plot.h - begins and ends a script for gnuplot, writes texts in it, and runs it. All that
+ * depends on gnuplot's terminals stands in plot.c. */
 #ifndef PLOT_H
 #define PLOT_H
 
@@ -13,15 +13,16 @@ enum status plot_begin(const char *folder, const char *name, struct output **out
 
 enum plot_kind { PLOT_PNG, PLOT_SVG, PLOT_PDF, PLOT_KINDS };
 
-/* What is written from here to the next page or plot_end is drawn into NAME.png, NAME.svg
- * or NAME.pdf, `width` x `height` points of a screen. Point sizes are multiples of the
- * variable `scale`. Loops of gnuplot would be shorter, and read quotes and braces in words
- * as their own. */
+/* Draws what is written from here to the next page or plot_end into NAME.png, NAME.svg or
+ * NAME.pdf, `width` x `height` points of a screen. Point sizes are multiples of the
+ * variable `scale`. Loops of gnuplot would be shorter, but they would interpret quotes and
+ * braces in words. */
 void plot_page(struct output *out, const char *name, enum plot_kind kind, int width,
                int height);
 
-/* Any words as a string of gnuplot, which takes no part of them for its own: line ends are
- * kept, other control characters become blanks. The only way for words into a script. */
+/* Writes any words as a string of gnuplot, which interprets no part of them: line ends are
+ * kept, other control characters become blanks. No other function writes words into a
+ * script. */
 void plot_text(struct output *out, const char *text);
 
 /* Closes the script of plot_begin, whose *out is NULL then, and has gnuplot draw it.

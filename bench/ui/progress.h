@@ -1,5 +1,6 @@
-/* progress.h - how far a long job is, with the time it still takes: one line on standard
- * error that is rewritten in place. Nothing at all where standard error is no terminal. */
+/* progress.h - shows how far a long job is, with the time it still takes: one line on
+ * standard error that is rewritten in place. Nothing is shown where standard error is no
+ * terminal. */
 #ifndef PROGRESS_H
 #define PROGRESS_H
 
@@ -12,10 +13,10 @@ struct progress {
     bool on, drawn;
 };
 
-/* `quiet`: nothing on terminals either. */
+/* Starts a bar; `quiet`: nothing is shown on terminals either. */
 struct progress progress_start(const char *label, long total, bool quiet);
 
-/* `done` of total; draws at most ten times a second. */
+/* Shows `done` of total; draws at most ten times a second. */
 void progress_update(struct progress *p, long done);
 
 /* Wipes the line. */

@@ -1,5 +1,5 @@
-/* table.c - what a table holds, and how it looks to machines (CSV after RFC 4180, JSON) and
- * to people (text, Markdown, LaTeX). */
+/* table.c - holds a table, and prints it for machines (CSV after RFC 4180, JSON) and for
+ * people (text, Markdown, LaTeX). */
 #define _GNU_SOURCE /* vasprintf */
 #include "bench/ui/table.h"
 
@@ -12,8 +12,7 @@
 
 #include "bench/files/output.h"
 
-/* Columns of the screen that a sentence, and that a line of anything takes at most; and
- * those that a cell of words may be wrapped to. */
+/* The most columns of the screen for a sentence, for any line, and for a wrapped cell. */
 enum { TEXT_WIDTH = 96, LINE_WIDTH = 120, CELL_WIDTH = 40 };
 
 struct table_cell {
@@ -35,7 +34,7 @@ struct table {
     char **notes;                 /* [note_count]                                owned */
 };
 
-/* One name a value of enum table_format, in its order. */
+/* The names of the values of enum table_format, in its order. */
 static const char *const format_names[] = {"text", "csv", "markdown", "latex", "json"};
 enum { FORMATS = sizeof format_names / sizeof *format_names };
 
@@ -74,7 +73,7 @@ enum { KEY = 128, PATH = 4096 };
 
 /* --- keys ----------------------------------------------------------------------------- */
 
-/* Letters, digits and _ of words, behind what `key` has. */
+/* Appends letters and digits of words to `key`, and _ for most else. */
 static void add_words(char key[KEY], const char *words)
 {
     for (; *words; words++) {
@@ -129,7 +128,7 @@ static char *key_of(const struct table_column *columns, int n)
 
 /* --- what it holds -------------------------------------------------------------------- */
 
-/* Columns of the table's own, each with a key of its own. */
+/* Copies the columns and gives each a key of its own. */
 static bool copy_columns(struct table *t, const struct table_column *columns)
 {
     t->columns = calloc((size_t)t->column_count, sizeof *t->columns);
@@ -185,7 +184,7 @@ void table_destroy(struct table *t)
     free(t);
 }
 
-/* *array grown to `count` elements of `size` bytes, the new ones zero. */
+/* Enlarges *array to `count` elements of `size` bytes, the new ones zero. */
 static bool grow(void *array, size_t old, size_t count, size_t size)
 {
     char **at = array, *grown = realloc(*at, count * size);
@@ -197,8 +196,7 @@ static bool grow(void *array, size_t old, size_t count, size_t size)
     return true;
 }
 
-/* Room for one more row, which is started by table_row; `ruled` has room for the rule below
- * the last one. */
+/* Makes room for one more row (see table_row), and for the rule below the last one. */
 static bool room(struct table *t)
 {
     const size_t rows = (size_t)t->room, more = rows ? 2 * rows : 4;
@@ -226,7 +224,7 @@ void table_rule(struct table *t)
         t->ruled[t->row_count] = true;
 }
 
-/* What printf writes, on the heap; NULL: no memory. */
+/* Returns what printf would write, on the heap; NULL: no memory. */
 static char *printed(const char *format, va_list arguments)
 {
     char *text;
@@ -272,7 +270,7 @@ void table_dash(struct table *t)
     table_missing(t, "-");
 }
 
-/* A number, which the format shows to people with so many digits, and as they see it. */
+/* Adds a number; people see it scaled and printed by `format` with so many digits. */
 static void add_number(struct table *t, const char *format, int digits, double value)
 {
     const bool there = t && !t->failed && t->filled < t->column_count;
@@ -374,8 +372,8 @@ const char *table_words(const struct table *t, int row, int column)
 
 /* --- lines of any format -------------------------------------------------------------- */
 
-/* The cells of one row that these readers, people or machines, get, with
- * what stands before, between and behind them. The row of headers or keys comes first. */
+/* How a row is printed for these readers, people or machines: its cells, with what stands
+ * before, between and behind them. The row of headers or keys comes first. */
 enum { TABLE_UNITS = -2, TABLE_HEADERS = -1 };
 struct table_line {
     enum table_readers readers;
@@ -591,8 +589,8 @@ static void print_json(const struct table *t, FILE *to)
 }
 /* --- text ---------------------------------------------------------------------------- */
 
-/* Words in lines up to `width`, all but the first after `indent` blanks, which stand
- * already before the first. */
+/* Prints words in lines up to `width`, all but the first after `indent` blanks, which must
+ * already stand before the first. */
 static void print_words(const char *text, int indent, int width, FILE *file)
 {
     int column = indent;
@@ -650,7 +648,7 @@ static bool is_shown(const struct table *t, const struct part *p, int n)
     return has(t, n, TABLE_PEOPLE) && (n < p->keys || n >= p->from) && n < p->to;
 }
 
-/* Of its columns, with the blanks between them; the last may be wrapped. */
+/* Returns the width of a part's columns with blanks between; the last may be wrapped. */
 static int part_width(const struct table *t, const struct part *p)
 {
     int total = -2;
@@ -660,7 +658,7 @@ static int part_width(const struct table *t, const struct part *p)
     return total;
 }
 
-/* One line of cells. Blanks are printed only before something, none at the end. */
+/* Prints one line of cells. Blanks are printed only before something, none at the end. */
 static void print_cells(const struct table *t, const struct part *p, int row, FILE *file)
 {
     int pending = 0, column = 0;
@@ -721,8 +719,8 @@ static bool same_keys(const struct table *t, int keys, int row, int other)
     return true;
 }
 
-/* The first columns that tell every row from the others; those of names, if none do within
- * half a line. */
+/* Returns how many of the first columns distinguish all rows; if none do within half a
+ * line, how many hold names. */
 static int key_columns(const struct table *t)
 {
     struct part p = {.to = 0};
@@ -819,7 +817,7 @@ static void print_markdown(const struct table *t, FILE *file)
 
 /* --- LaTeX: plain tabular, no packages ------------------------------------------------ */
 
-/* `text` with what TeX takes for its own told apart, between two that TeX reads. */
+/* Prints `text` with TeX's special characters escaped, between two strings for TeX. */
 static void print_latex_text(const char *before, const char *text, const char *behind,
                              FILE *file)
 {

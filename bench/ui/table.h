@@ -2,7 +2,7 @@
  * Markdown, LaTeX), for machines (CSV, JSON) and to charts (chart.h).
  *
  * A table is filled row by row, cell by cell, and printed at the end. Running out of memory
- * on the way is remembered and told by table_print, so that filling needs no checks:
+ * on the way is remembered and reported by table_print, so that filling needs no checks:
  *
  *     static const struct table_column columns[] = {
  *         {"model", NULL, TABLE_LEFT},
@@ -27,24 +27,26 @@
 
 enum table_format { TABLE_TEXT, TABLE_CSV, TABLE_MARKDOWN, TABLE_LATEX, TABLE_JSON };
 
-/* What --format takes, for tables of options. */
+/* The values of --format, for tables of options. */
 #define TABLE_FORMATS "text|csv|markdown|latex|json"
 
-/* The words of --format. STATUS_INPUT with a sentence that lists them. */
+/* Reads a value of --format. STATUS_INPUT with a sentence that lists them. */
 enum status table_format_parse(const char *word, enum table_format *format,
                                struct message *why);
 
-/* Text or Markdown: sentences may stand beside the tables. False for what other programs
- * read: CSV, JSON and LaTeX have tables with their captions and notes, and nothing else. */
+/* Whether sentences may stand beside the tables (text, Markdown). CSV, JSON and LaTeX,
+ * which other programs read, have tables with their captions and notes, and nothing
+ * else. */
 bool table_format_is_prose(enum table_format format);
 
-/* CSV or JSON: one table with everything, where people get several. */
+/* Whether the format is CSV or JSON: one table with everything, where people get
+ * several. */
 bool table_format_is_data(enum table_format format);
 
 enum table_align { TABLE_RIGHT, TABLE_LEFT };
 
-/* Who gets a column: people read text, Markdown and LaTeX, machines CSV and JSON; nobody
- * gets one that is filled for the sake of its fellows. */
+/* The readers of a column: people read text, Markdown and LaTeX, machines CSV and JSON; a
+ * column for nobody is filled but not printed. */
 enum table_readers { TABLE_ALL, TABLE_PEOPLE, TABLE_MACHINES, TABLE_NOBODY };
 
 struct table_column {
@@ -52,8 +54,9 @@ struct table_column {
     const char *unit;       /* "ms", "1", ...; NULL: none, as for names       borrowed */
     enum table_align align; /* right is for numbers                                    */
 
-    /* For machines: "frame_ms", with the unit where there is one. NULL: made of header and
-     * unit, `a frame` in `ms` gives a_frame_ms; a second one of that name gets _2. */
+    /* The key for machines: "frame_ms", with the unit where there is one. NULL: made of
+     * header and unit, `a frame` in `ms` gives a_frame_ms; a second one of that name gets
+     * _2. */
     const char *key;
     enum table_readers readers;
     double scale;         /* people see value * scale, in `unit`; 0: 1                   */
@@ -62,8 +65,9 @@ struct table_column {
 
 struct table;
 
-/* Columns are copied, their strings borrowed. NULL without memory: every function below
- * takes that, and table_print says STATUS_MEMORY. The caption may be NULL. */
+/* Creates a table. Columns are copied, their strings borrowed. NULL without memory:
+ * every function below accepts that, and table_print says STATUS_MEMORY. The caption may
+ * be NULL. */
 struct table *table_create(int column_count, const struct table_column *columns,
                            const char *caption);
 void table_destroy(struct table *t); /* NULL is allowed */
@@ -71,56 +75,58 @@ void table_destroy(struct table *t); /* NULL is allowed */
 /* Starts a row; cells left out at its end are empty. At most column_count cells fit. */
 void table_row(struct table *t);
 
-/* A line between the rows before and after (text and LaTeX). */
+/* Draws a line between the rows before and after (text and LaTeX). */
 void table_rule(struct table *t);
 
-/* The next cell of the row: words; a number to `digits` significant digits, trailing zeros
- * kept; a number to `decimals` places (0 for whole numbers that may be missing); a whole
- * number. Machines get numbers with 17 digits whatever the digits asked for. NaN is a
- * number that does not exist: a dash, empty in CSV, null in JSON. Infinities are `inf`. */
+/* Fill the next cell of the row: words; a number to `digits` significant digits, trailing
+ * zeros kept; a number to `decimals` places (0 for whole numbers that may be missing); a
+ * whole number. Machines get 17 digits in any case. NaN is a number that does not exist: a
+ * dash, empty in CSV, null in JSON. Infinities are `inf`. */
 void table_text(struct table *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void table_number(struct table *t, double value, int digits);
 void table_fixed(struct table *t, double value, int decimals);
 void table_integer(struct table *t, long value);
 
-/* The next cell where nothing was asked for, or nothing came: a dash, or words that say
- * why; empty in CSV, null in JSON. */
+/* Fill the next cell where there is nothing to show: a dash, or words that say why; empty
+ * in CSV, null in JSON. */
 void table_dash(struct table *t);
 void table_missing(struct table *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* A sentence or paragraph below the table; wrapped in text, `# ` lines below CSV. */
+/* Adds a sentence or paragraph below the table; wrapped in text, `# ` lines below CSV. */
 void table_note(struct table *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* STATUS_MEMORY, or STATUS_FILE if the stream does not take it (the stream is not flushed).
- */
+/* Prints the table. STATUS_MEMORY, or STATUS_FILE if the stream fails (it is not
+ * flushed). */
 enum status table_print(const struct table *t, enum table_format format, FILE *file);
 
-/* From now on every table that is printed goes to this stream, too, as CSV with its caption
- * and notes and an empty line below it, to be read back by csv.h; NULL: no more. */
+/* From now on prints every table to this stream, too, as CSV with its caption and notes and
+ * an empty line below it, to be read back by csv.h; NULL: no more. */
 void table_keep(FILE *copy);
 
-/* table_print, an empty line after it, table_destroy: for one of several tables. In JSON a
- * table is an object {"caption", "units": {KEY: UNIT}, "rows": [{KEY: VALUE}], "notes"}. */
+/* Prints a table and an empty line after it, and destroys it: for one of several tables. In
+ * JSON a table is an object {"caption", "units": {KEY: UNIT}, "rows": [{KEY: VALUE}],
+ * "notes"}. */
 enum status table_finish(struct table *t, enum table_format format, FILE *file);
 
-/* Where to print the next object of JSON that goes to `file`. Those of standard output are
- * held back until table_json_close, which prints one as it is and several as one array, so
- * that the whole is JSON. NULL without memory, which table_json_close says, too. */
+/* Returns the stream for the next object of JSON that goes to `file`. Those of standard
+ * output are held back until table_json_close, which prints one as it is and several as
+ * one array, so that the whole is JSON. NULL without memory, which table_json_close
+ * says, too. */
 FILE *table_json_open(FILE *file);
 enum status table_json_close(void);
 
-/* A text as JSON has it, with its quotes. */
+/* Prints a text as JSON, with its quotes. */
 void table_json_string(const char *text, FILE *file);
 
-/* FOLDER/NAME.csv: a line of keys, a line each row, as many cells in each; no caption and
- * no notes. Written aside (output.h). STATUS_FILE, STATUS_MEMORY. */
+/* Writes FOLDER/NAME.csv: a line of keys, a line each row, as many cells in each; no
+ * caption and no notes. STATUS_FILE (as output.h), STATUS_MEMORY. */
 enum status table_save(const struct table *t, const char *folder, const char *name,
                        struct message *why);
 
-/* table_save, then table_finish; the table is gone whatever comes of it. */
+/* Calls table_save, then table_finish; the table is destroyed in any case. */
 enum status table_publish(struct table *t, const char *folder, const char *name,
                           enum table_format format, FILE *file, struct message *why);
 
@@ -128,8 +134,8 @@ enum status table_publish(struct table *t, const char *folder, const char *name,
  * forgets them: for tables longer than memory. Status as table_print. */
 enum status table_flush(struct table *t, FILE *file);
 
-/* What is in a table. `key` is that of CSV and must be one; cells as in CSV, NaN and "" for
- * what has no number or no words; table_shown: as people see it. */
+/* Read a table. `key` is that of CSV and must be one; cells are as in CSV, NaN and "" for a
+ * cell without a number or words; table_shown gives the number as people see it. */
 int table_rows(const struct table *t);
 int table_find(const struct table *t, const char *key);
 const struct table_column *table_column(const struct table *t, int column);
@@ -137,18 +143,17 @@ double table_value(const struct table *t, int row, int column);
 double table_shown(const struct table *t, int row, int column);
 const char *table_words(const struct table *t, int row, int column);
 
-/* Columns that words take on a screen: bytes that do not continue a character of UTF-8; of
- * NULL 0. */
+/* Returns the columns that words take on a screen: bytes that do not continue a character
+ * of UTF-8; 0 for NULL. */
 int table_width(const char *text);
 
-/* Words as notes are printed in text: lines of at most its width, then a line end. */
+/* Prints words as text's notes: lines of at most its width, then a line end. */
 void table_print_wrapped(const char *text, FILE *file);
 
-/* A name, and text from this column on, wrapped to the width of a line of tables. */
+/* Prints a name, and from this column on text, wrapped to the width of a line of tables. */
 void table_print_item(const char *name, int column, const char *text, FILE *file);
 
-/* table_print_wrapped with printf's words: a sentence beside the tables, in a line of its
- * own. */
+/* Prints printf's words wrapped: a sentence beside the tables, in a line of its own. */
 void table_say(FILE *file, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Elements around each node, by counting: e of node a in list[first[a] .. first[a+1]). */
+/* Lists the elements around each node: e of node a in list[first[a] .. first[a+1]). */
 static enum status elements_of_nodes(int nodes, int elements, int local, const int *ien,
                                      long **first, int **list)
 {
@@ -36,7 +36,7 @@ static int ascending(const void *a, const void *b)
     return *(const int *)a - *(const int *)b;
 }
 
-/* Neighbours b >= a of one node into row; mark[b] == a says b is there already. */
+/* Collects the neighbours b >= a of one node; mark[b] == a says that b is there already. */
 static int collect_row(int a, int local, const int *ien, const long *first, const int *list,
                        int *mark, int *row)
 {
@@ -163,7 +163,7 @@ double blocks_longest(int nodes, const double *x)
     return sqrt(most);
 }
 
-/* Three numbers of a node, the fourth idle; numbers in memory wherever they are. */
+/* Three numbers of a node, the fourth idle; in memory they may lie anywhere. */
 typedef double four __attribute__((vector_size(4 * sizeof(double))));
 typedef double two_there __attribute__((vector_size(2 * sizeof(double)), aligned(8)));
 typedef double eight_there __attribute__((vector_size(8 * sizeof(double)), aligned(8)));

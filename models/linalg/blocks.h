@@ -15,38 +15,37 @@ struct blocks {
     int *node;   /* [pairs = start[nodes]]                                     owned   */
 };
 
-/* Graph of elements with `local` nodes each: ien[elements][local], ascending per element.
- */
+/* Makes the graph of elements with `local` nodes each: ien[elements][local], ascending. */
 enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
                         const int *ien);
 void blocks_clear(struct blocks *g);
 
-/* Index of the pair (a, b), a <= b; -1 if they are not coupled. O(log). */
+/* Returns the index of the pair (a, b), a <= b; -1 if they are not coupled. O(log). */
 long blocks_find(const struct blocks *g, int a, int b);
 
-/* Where the blocks of an element go whose nodes come in runs of `run` consecutive numbers:
- * *place[elements][local][local / run], the pair of (node, first of run at or behind it).
- * Owned by the caller. */
+/* Finds the places of the blocks of elements whose nodes come in runs of `run` consecutive
+ * numbers: *place[elements][local][local / run], the pair of (node, first of run at or
+ * behind it). Owned by the caller. */
 enum status blocks_places(const struct blocks *g, int elements, int local, int run,
                           const int *ien, int **place);
 
-/* Slabs of elements, [slab[s], slab[s+1]), numbered in columns of `per_column` of which
- * `wide` + 1 neighbouring ones share nodes: slabs s and s + 2 share none. *slab is owned by
- * the caller. */
+/* Groups elements into slabs, [slab[s], slab[s+1]), for elements numbered in columns of
+ * `per_column` of which `wide` + 1 neighbouring ones share nodes: slabs s and s + 2 share
+ * none. *slab is owned by the caller. */
 enum status blocks_slabs(int elements, int per_column, int wide, int *slabs, int **slab);
 
-/* The longest of the vectors x[nodes][3]: iterations must end alike in a turned scene. NaN
- * if any is none. */
+/* Returns the length of the longest of the vectors x[nodes][3], which, unlike the largest
+ * component, does not change when a scene is turned. NaN if any is NaN. */
 double blocks_longest(int nodes, const double *x);
 
-/* y = K x and y = M x; x, y [nodes][3], not aliased. Serial, ordered. */
+/* Compute y = K x and y = M x; x, y [nodes][3], not aliased. Serial, ordered. */
 void blocks_multiply(const struct blocks *g, const double (*K)[9], const double *x,
                      double *y);
 void blocks_multiply_mass(const struct blocks *g, const double *M, const double *x,
                           double *y);
 
-/* The inverse of a symmetric block by elimination, zero where held; false if it is not
- * positive definite. */
+/* Inverts a symmetric block by elimination, zero where held; false if it is not positive
+ * definite. */
 bool blocks_invert(const double A[9], const int place[3], double out[9]);
 
 #endif

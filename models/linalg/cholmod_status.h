@@ -1,4 +1,4 @@
-/* cholmod_status.h - CHOLMOD's complaints as ours. */
+/* cholmod_status.h - translates CHOLMOD's errors to ours. */
 #ifndef CHOLMOD_STATUS_H
 #define CHOLMOD_STATUS_H
 
@@ -6,7 +6,7 @@
 
 #include "models/status.h"
 
-/* Of the last call that was given *c; a warning (not positive definite) is none. */
+/* Returns the last call's status; a warning (not positive definite) is no error. */
 static inline enum status cholmod_status(const cholmod_common *c)
 {
     if (c->status >= CHOLMOD_OK)

@@ -29,7 +29,7 @@ static enum status lowest_dense(const struct eigen_matrix *K, const struct eigen
     int n = K->n, found = 0, info;
     size_t square = (size_t)n * n;
     void *room;
-    double *k, *m, *all; /* dsygvx wants room for all n */
+    double *k, *m, *all; /* dsygvx needs room for all n */
     int *failed;
     TRY(room_cut(&room, ROOM(k, square), ROOM(m, square), ROOM(all, n), ROOM(failed, n)));
     spread(K, k);
@@ -53,7 +53,7 @@ out:
 /* --- sparse -----------------------------------------------------------------------------
  */
 
-/* ARPACK's Fortran symbols; the last arguments are the lengths of the character ones. */
+/* These are ARPACK's Fortran symbols; the last arguments are the lengths of the strings. */
 void dsaupd_(int *ido, const char *bmat, const int *n, const char *which, const int *nev,
              double *tol, double *resid, const int *ncv, double *v, const int *ldv,
              int *iparam, int *ipntr, double *workd, double *workl, const int *lworkl,
@@ -76,7 +76,7 @@ static void multiply(const struct eigen_matrix *a, const double *x, double *y)
         }
 }
 
-/* Sum of the diagonal's magnitudes. */
+/* Returns the sum of the diagonal's magnitudes. */
 static double magnitude(const struct eigen_matrix *a)
 {
     double sum = 0.0;
@@ -93,7 +93,7 @@ static bool positive_diagonal(const struct eigen_matrix *a)
     return true;
 }
 
-/* The union of two patterns. start[n + 1]; row has room for both. */
+/* Merges two patterns. start[n + 1]; row has room for both. */
 static void merge_patterns(const struct eigen_matrix *a, const struct eigen_matrix *b,
                            long *start, int *row)
 {
@@ -135,8 +135,8 @@ static enum status factor_at(const struct shifting *s, double part)
     return factor_refactor(s->f);
 }
 
-/* Factors K - sigma M for the smallest -sigma that leaves it positive definite: a
- * hundredfold by steps, and closer where lambdas are negative, as modes far above the shift
+/* Factors K - sigma M for the smallest -sigma that leaves it positive definite, searched by
+ * factors of a hundred, closer where lambdas are negative, as modes far above the shift
  * converge slowly. */
 static enum status factor_shifted(const struct shifting *s, double *sigma,
                                   struct message *why)
@@ -192,7 +192,7 @@ struct lanczos {
 static enum status lanczos_init(struct lanczos *l, int n, int nev)
 {
     enum status st;
-    /* Twice the wanted ones is ARPACK's advice; a few more save restarts for few wanted. */
+    /* ARPACK advises twice the wanted ones; a few more save restarts if few are wanted. */
     *l = (struct lanczos){.n = n, .nev = nev, .ncv = 2 * nev + 20 < n ? 2 * nev + 20 : n};
     l->lworkl = l->ncv * (l->ncv + 8);
     l->iparam[0] = 1;    /* exact shifts  */
@@ -202,7 +202,7 @@ static enum status lanczos_init(struct lanczos *l, int n, int nev)
     TRY(room_cut(&l->room, ROOM(l->select, l->ncv), ROOM(l->resid, n),
                  ROOM(l->v, (size_t)n * l->ncv), ROOM(l->workd, 3 * n),
                  ROOM(l->workl, l->lworkl)));
-    /* A start vector that no mode is likely to be orthogonal to, the same every run. */
+    /* The start vector is hardly orthogonal to any mode, and the same every run. */
     unsigned long state = 1;
     for (int i = 0; i < n; i++) {
         state = state * 6364136223846793005u + 1442695040888963407u;
@@ -212,7 +212,7 @@ out:
     return st;
 }
 
-/* ARPACK's reverse communication: it asks, we multiply or solve. */
+/* Runs ARPACK's reverse communication: it asks, we multiply or solve. */
 static enum status lanczos_run(struct lanczos *l, const struct eigen_matrix *M,
                                struct factor *f, struct message *why)
 {
@@ -240,7 +240,7 @@ out:
     return st;
 }
 
-/* Ritz pairs; dseupd returns them ascending. */
+/* Extracts Ritz pairs; dseupd returns them ascending. */
 static enum status lanczos_take(struct lanczos *l, double sigma, double *lambda,
                                 double *vector, struct message *why)
 {

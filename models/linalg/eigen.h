@@ -20,8 +20,8 @@ struct eigen_matrix {
     const double *value;
 };
 
-/* The `count` smallest lambda, ascending, into lambda[count]; eigenvectors, M-normalised,
- * into vector[count][n] unless NULL. 1 <= count <= n; patterns of K and M may differ.
+/* Finds the `count` smallest lambda, ascending, lambda[count]; eigenvectors, M-normalised,
+ * vector[count][n] unless NULL. 1 <= count <= n; patterns of K and M may differ.
  *
  * K may be singular (free body): the shift is -1e-12 of the mean |k_ii| / m_ii, far below
  * the modes of the thinnest sheet, and grows a hundredfold while round-off or negative

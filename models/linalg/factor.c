@@ -9,8 +9,8 @@
 #include "models/linalg/factor_part.h"
 #include "models/linalg/tile_three.h"
 
-/* What lies where: parts one after the other, in the values (first_slot) and in the
- * permuted right-hand side (first_row). One slot behind all is the dump. */
+/* The layout: parts one after the other, in the values (first_slot) and in the permuted
+ * right-hand side (first_row). One slot behind all is the dump. */
 struct factor {
     int n, part_count;
     struct factor_part *part; /* [part_count]                                          */
@@ -82,7 +82,7 @@ static const struct factor_method *method_of(enum solver method)
                                          : &factor_banded;
 }
 
-/* The method asked for, or the cheaper one; position[n], spare[n]: work. */
+/* Creates by the method asked for, or the cheaper one; position[n], spare[n]: work. */
 static enum status create_by_method(const struct factor_pattern *a, enum solver method,
                                     int *position, int *spare, struct factor_part *part)
 {
@@ -264,8 +264,8 @@ void factor_single(struct factor *f, bool single)
     memset(f->work, 0, f->first_row[f->part_count] * sizeof *f->work);
 }
 
-/* The right-hand side is brought to numbers below 1, which floats have at any scale, by a
- * power of two. */
+/* Solves in single precision. A power of two scales the right-hand side below 1, so that
+ * floats represent it whatever its scale. */
 static enum status solve_single(struct factor *f, double *b)
 {
     enum status st = STATUS_OK;
@@ -333,7 +333,7 @@ out:
     return st;
 }
 
-/* Whole blocks of eight rows, where no unknown moves. */
+/* Copies to blocks: whole ones of eight rows at once, as far as no unknown moves. */
 static void into_blocks(const struct factor *f, const double *b, ptrdiff_t stride,
                         double *x)
 {

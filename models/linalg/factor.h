@@ -22,30 +22,30 @@
 
 struct factor;
 
-/* SOLVER_AUTO picks the band where it costs less (the rule and its measurement: factor.c).
- * n >= 1. Sets BLAS to one thread for the process. Owned by the caller, freed with
- * factor_destroy; *f is untouched on failure. */
+/* Analyses a pattern. SOLVER_AUTO picks the band where it costs less (the rule and its
+ * measurement: factor.c). n >= 1. Sets BLAS to one thread for the process. Owned by the
+ * caller, freed with factor_destroy; *f is untouched on failure. */
 enum status factor_create(const struct factor_pattern *pattern, enum solver method,
                           struct factor **f);
 void factor_destroy(struct factor *f); /* NULL is allowed */
 
-/* Where entry (i,j) of the lower triangle (i >= j; either order is accepted) lives in
- * factor_values. O(log) or O(1); for set-up. The entry must be in the pattern. */
+/* Returns the place of entry (i,j) of the lower triangle (i >= j; either order is accepted)
+ * in factor_values. O(log) or O(1); for set-up. The entry must be in the pattern. */
 ptrdiff_t factor_slot(const struct factor *f, int i, int j);
 
-/* A slot that is never read: the destination for entries of held unknowns. */
+/* Returns a slot that is never read: the destination for entries of held unknowns. */
 ptrdiff_t factor_dump(const struct factor *f);
 
-/* The values to fill, all slots; call factor_clear_values before summing into them, every
- * time: factor_refactor overwrites them (bands are factored in place). Borrowed. */
+/* Returns the values to fill, all slots; call factor_clear_values before summing into them,
+ * every time: factor_refactor overwrites them (bands are factored in place). Borrowed. */
 double *factor_values(struct factor *f);
 void factor_clear_values(struct factor *f);
 
-/* STATUS_INDEFINITE if not positive definite (or not finite). */
+/* Factors. STATUS_INDEFINITE if not positive definite (or not finite). */
 enum status factor_refactor(struct factor *f);
 
-/* From the next factor_refactor on, in single precision: about half the time, for who
- * iterates on what is left. CHOLMOD does not know it and stays in double. */
+/* Chooses single precision from the next factor_refactor on: about half the time, for
+ * callers that iterate on the residual. CHOLMOD lacks it and stays in double. */
 void factor_single(struct factor *f, bool single);
 
 /* Solves A x = b in place, b[n]. Only after a successful refactor. */

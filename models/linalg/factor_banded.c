@@ -37,7 +37,8 @@ static int half_bandwidth(const struct factor_pattern *a, const int *position)
     return half;
 }
 
-/* The given order, unless the natural one is as narrow. Returns the half-bandwidth. */
+/* Takes the given order, unless the natural one is as narrow; returns the
+ * half-bandwidth. */
 static int choose_order(const struct factor_pattern *a, int *position)
 {
     for (int k = 0; k < a->n; k++)

@@ -1,14 +1,14 @@
 /* factor_banded_kernel.h - factor_banded.c's arithmetic for one kind of REAL: included once
  * for each, with NAME(x) giving its names. */
 
-/* Tiles (row .. row + count - 1, column) of L; `count` is a constant where this is inlined.
- * Tiles left of a row's first one do not exist: those of later rows begin later. */
+/* Finishes tiles (row .. row + count - 1, column) of L; `count` is a constant where this is
+ * inlined. Tiles left of a row's first one do not exist; later rows begin later. */
 TILE_INLINE void NAME(finish_tiles)(const struct banded *band, REAL *const *tile, int count,
                                     int row, int column)
 {
     NAME(tile_registers) c;
     REAL *target = tile[column] + (ptrdiff_t)row * TILE_SIZE;
-    int all = band->first[row + count - 1]; /* from here on every row has its tile */
+    int all = band->first[row + count - 1]; /* from here every row has a tile */
     NAME(tile_load)(count, target, c);
     TILE_UNROLL
     for (int r = 0; r < count - 1; r++)

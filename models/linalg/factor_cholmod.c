@@ -1,7 +1,6 @@
-/* CHOLMOD as it comes: it orders, and takes supernodes or single columns as it sees fit.
- * Two things are asked of it: L L^T also column by column, since L D L^T would factor what
- * is not positive definite, and one thread.
- */
+/* CHOLMOD as it comes: it orders, and takes supernodes or single columns as it sees fit. We
+ * change two things: L L^T also column by column, since L D L^T would factor what is not
+ * positive definite, and one thread. */
 #include <assert.h>
 #include <cholmod.h>
 #include <omp.h>
@@ -21,8 +20,8 @@ struct state {
     double *sides; /* [3 n], NULL until three sides are asked for               */
 };
 
-/* CHOLMOD's loops ask for four threads whatever the machine has; where no parallel region
- * may open they get one. Returns what threads_restore puts back. */
+/* Limits CHOLMOD's loops, which ask for four threads whatever the machine has, to one: no
+ * parallel region may open. Returns what threads_restore puts back. */
 static int threads_one(void)
 {
     int levels = omp_get_max_active_levels();
@@ -93,11 +92,11 @@ static enum status refactor(struct factor_part *part, double *value)
     threads_restore(levels);
     if (!done)
         return cholmod_status(&s->common);
-    /* Zero if a pivot failed, and where infinity or NaN got into the diagonal. */
+    /* The estimate is zero if a pivot failed, or infinity or NaN got into the diagonal. */
     return cholmod_rcond(s->factor, &s->common) > 0.0 ? STATUS_OK : STATUS_INDEFINITE;
 }
 
-/* b[count][n] in place. */
+/* Solves for b[count][n] in place. */
 static enum status solve_columns(struct factor_part *part, int count, double *b)
 {
     struct state *s = part->state;

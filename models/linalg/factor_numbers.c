@@ -7,7 +7,7 @@
 
 double *factor_numbers(ptrdiff_t count)
 {
-    /* From a few megabytes on, a sweep over 4 kB pages waits for their addresses. */
+    /* From a few megabytes on, translating addresses of 4 kB pages limits a sweep. */
     const size_t huge = (size_t)1 << 21;
     size_t bytes = (count + 8) / 8 * 64, align = bytes < 2 * huge ? 64 : huge;
     double *x = aligned_alloc(align, (bytes + align - 1) / align * align);

@@ -21,20 +21,20 @@ struct factor_method {
     enum status (*create)(const struct factor_pattern *pattern, int *position,
                           struct factor_part *part);
 
-    /* Where entry (i,j), i >= j, in positions, lives in the part's values. */
+    /* Returns the place of entry (i,j), i >= j, in positions, in the part's values. */
     ptrdiff_t (*slot)(const struct factor_part *part, int i, int j);
 
     enum status (*refactor)(struct factor_part *part, double *value);
 
-    /* A x = b in place; b[rows] by position, 64-byte aligned, zeros behind n. */
+    /* Solves A x = b in place; b[rows] by position, 64-byte aligned, zeros behind n. */
     enum status (*solve)(struct factor_part *part, const double *value, double *b);
 
-    /* A x = b in place for three sides: b in blocks (tile_three.h), by position, zeros
-     * behind n. `prepare_three` comes once after a refactor. */
+    /* Solves A x = b in place for three sides: b in blocks (tile_three.h), by position,
+     * zeros behind n. `prepare_three` comes once after a refactor. */
     enum status (*prepare_three)(struct factor_part *part, const double *value);
     enum status (*solve_three)(struct factor_part *part, const double *value, double *b);
 
-    /* refactor and solve in single precision; NULL: cannot. */
+    /* Factor and solve in single precision; NULL: the method cannot. */
     enum status (*refactor_single)(struct factor_part *part, float *value);
     enum status (*solve_single)(struct factor_part *part, const float *value, float *b);
 
@@ -52,11 +52,11 @@ struct factor_part {
     void *state;     /* the method's own                                     owned    */
 };
 
-/* Room for count numbers: zeros, aligned to cache lines, on huge pages where that pays.
- * Owned by the caller, freed with free; NULL if there is none. */
+/* Allocates count numbers: zeros, aligned to cache lines, on huge pages where that pays.
+ * Owned by the caller, freed with free; NULL if there is no memory. */
 double *factor_numbers(ptrdiff_t count);
 
-/* The numbers rounded to floats, in place: the first half of their room. */
+/* Rounds the numbers to floats, in place: in the first half of their room. */
 float *factor_numbers_narrow(ptrdiff_t count, double *x);
 
 extern const struct factor_method factor_banded;

@@ -1,4 +1,4 @@
-/* factor_pattern.h - where a symmetric matrix has numbers, and its independent parts. */
+/* factor_pattern.h - the nonzero pattern of a symmetric matrix, and its components. */
 #ifndef FACTOR_PATTERN_H
 #define FACTOR_PATTERN_H
 
@@ -16,8 +16,8 @@ struct factor_pattern {
                           orders by itself.                                            */
 };
 
-/* part_of[n]: components numbered by their first unknown; parent[n] is work. Returns their
- * number. */
+/* Finds the components, part_of[n], numbered by their first unknown; parent[n] is work.
+ * Returns their number. */
 int factor_pattern_parts(const struct factor_pattern *a, int *parent, int *part_of);
 
 /* The pattern of one part alone. Arrays owned. */
@@ -27,7 +27,7 @@ struct factor_pattern_part {
     int *row, *order;
 };
 
-/* unknown[n]: the part's unknowns, ascending; local: their inverse. */
+/* Restricts to a part; unknown[n]: its unknowns, ascending; local: their inverse. */
 enum status factor_pattern_restrict(const struct factor_pattern *a, const int *unknown,
                                     int n, const int *local, const int *part_of,
                                     struct factor_pattern_part *p);

@@ -54,7 +54,7 @@ struct supernodal {
 /* --- CHOLMOD: order and symbolic factorisation ------------------------------------------
  */
 
-/* The pattern with unknown i moved to position[i]; lower triangle. */
+/* Returns the pattern with unknown i moved to position[i]; lower triangle. */
 static cholmod_sparse *permuted_pattern(const struct factor_pattern *a, const int *position,
                                         cholmod_common *c)
 {
@@ -87,8 +87,8 @@ static cholmod_factor *analyse_by(cholmod_sparse *lower, const int *order, int f
     return cholmod_analyze_p(lower, (int *)order, NULL, 0, c);
 }
 
-/* position[n] and the supernodes in *l: the best of AMD's order, METIS's and the given one;
- * METIS, which takes longest, is not asked where the given one beats AMD. */
+/* Finds position[n] and the supernodes *l: the best of AMD's order, METIS's and the given
+ * one; METIS, which takes longest, is not tried where the given one beats AMD. */
 static enum status analyse(const struct factor_pattern *a, int *position,
                            cholmod_factor **l, cholmod_common *c)
 {
@@ -130,7 +130,7 @@ static void link_node(struct supernodal *s, int k)
         s->flops += (double)(node->below + i + 1) * (node->below + i + 1);
 }
 
-/* Row of a position in the front of `node`; binary search below the pivots. */
+/* Returns the row of a position in the front of `node`; binary search below the pivots. */
 static int row_in_front(const struct supernode *node, int position)
 {
     if (position < node->first + node->count)
@@ -165,8 +165,8 @@ static void place_in_parents(struct supernodal *s)
     }
 }
 
-/* Every update lives from its node's turn to its parent's. First fit: live[] holds the
- * nodes whose updates are in the arena, by place. */
+/* Places updates in the arena; each lives from its node's turn to its parent's. First fit:
+ * live[] holds the nodes whose updates are in the arena, by place. */
 static void plan_arena(struct supernodal *s, int *live)
 {
     int count = 0;
@@ -307,7 +307,7 @@ static enum status prepare_three(struct factor_part *part, const double *value)
     return STATUS_OK;
 }
 
-/* Pivot rows of three sides between the right-hand side and a front. */
+/* Moves pivot rows of three sides between the right-hand side and a front. */
 TILE_INLINE void move_pivots(const struct supernode *node, double *x, double *b, bool into)
 {
     for (int i = 0; i < node->count; i++) {

@@ -3,8 +3,7 @@
 #include "models/linalg/tile.h"
 #include "models/linalg/tile_three.h"
 
-/* Pivot tiles a panel: three tile rows of it (18 kB) and one more stay in the first cache.
- */
+/* Pivot tiles a panel: three of its tile rows (18 kB) and one more fit the first cache. */
 enum { PANEL = 12 };
 
 #define REAL       double

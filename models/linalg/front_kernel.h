@@ -4,7 +4,7 @@
 #define COLUMN  ((REAL *const *)f->column)
 #define INVERSE ((REAL *)f->inverse)
 
-/* Tiles (row .. row + count - 1, column) of L, with updates from panel tiles from ..
+/* Finishes tiles (row .. row + count - 1, column) of L, updated by panel tiles from ..
  * column. */
 TILE_INLINE void NAME(finish)(const struct front *f, int count, int row, int column,
                               int from)
@@ -18,7 +18,7 @@ TILE_INLINE void NAME(finish)(const struct front *f, int count, int row, int col
     NAME(tile_store)(count, c, target);
 }
 
-/* Tiles (row .. row + count - 1, column) minus their product over the panel from .. to. */
+/* Subtracts their product over the panel from tiles (row .. row + count - 1, column). */
 TILE_INLINE void NAME(update)(const struct front *f, int count, int row, int column,
                               int from, int to)
 {
@@ -41,7 +41,7 @@ static bool NAME(factor_panel_diagonal)(const struct front *f, int from, int to)
     return true;
 }
 
-/* Rows row .. row + count - 1 of the panel, then of everything right of it. */
+/* Sweeps rows row .. row + count - 1 of the panel, then of everything right of it. */
 TILE_INLINE void NAME(sweep_rows)(const struct front *f, int count, int row, int from,
                                   int to)
 {

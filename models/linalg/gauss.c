@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* P_n(t) and P_n'(t), |t| < 1, by the three-term recurrence. */
+/* Evaluates P_n(t) and P_n'(t), |t| < 1, by the three-term recurrence. */
 static double legendre(int n, double t, double *slope)
 {
     double before = 1.0, now = t;

@@ -6,7 +6,7 @@
 
 #include "models/room.h"
 
-/* Of the diagonal: first shift, and its growth from try to try. */
+/* The first shift of the diagonal, its growth from try to try, and the largest. */
 static const double FIRST_SHIFT = 1e-3, GROWTH = 4, MOST_SHIFT = 1;
 
 struct ichol {
@@ -20,7 +20,7 @@ struct ichol {
     long *where;            /* [n] work: of each row in the present column, -1         */
 };
 
-/* Rows of the strict lower triangle, by counting. */
+/* Lists the rows of the strict lower triangle, by counting. */
 static void list_rows(struct ichol *f)
 {
     for (int j = 0; j < f->n; j++)
@@ -72,7 +72,7 @@ double *ichol_values(struct ichol *f)
     return f->value;
 }
 
-/* Column k takes what the columns before it leave in its pattern. */
+/* Updates column k by the columns before it, within its pattern. */
 static void update(struct ichol *f, int k)
 {
     double *l = f->factor;
@@ -91,7 +91,7 @@ static void update(struct ichol *f, int k)
         f->where[f->row[s]] = -1;
 }
 
-/* L of A + shift diag A; false at a pivot that is not positive. */
+/* Factors A + shift diag A; false at a pivot that is not positive. */
 static bool factor(struct ichol *f, double shift)
 {
     double *l = f->factor;

@@ -1,7 +1,6 @@
 /* ichol.h - incomplete Cholesky factor without fill-in, IC(0) (Meijerink, van der Vorst,
  * Math. Comp. 31, 1977): a preconditioner. Where a pivot is not positive the diagonal grows
- * and the factor is begun again (Manteuffel, Math. Comp. 34, 1980).
- */
+ * and the factorisation starts again (Manteuffel, Math. Comp. 34, 1980). */
 #ifndef ICHOL_H
 #define ICHOL_H
 
@@ -9,17 +8,18 @@
 
 struct ichol;
 
-/* pattern as for factor.h, which see; its order is not used. Owned by the caller. */
+/* Creates a factor; of the pattern (factor.h) the order is not used. Owned by the
+ * caller. */
 enum status ichol_create(const struct factor_pattern *pattern, struct ichol **f);
 void ichol_destroy(struct ichol *f); /* NULL is allowed */
 
-/* The pattern's values, to fill before ichol_refactor, which leaves them. Borrowed. */
+/* Returns the values to fill before ichol_refactor, which leaves them. Borrowed. */
 double *ichol_values(struct ichol *f);
 
-/* STATUS_INDEFINITE if a diagonal is not positive or the shift passes 1. */
+/* Factors. STATUS_INDEFINITE if a diagonal is not positive or the shift passes 1. */
 enum status ichol_refactor(struct ichol *f);
 
-/* x = (L L^T)^-1 x. */
+/* Computes x = (L L^T)^-1 x. */
 void ichol_solve(const struct ichol *f, double *x);
 
 #endif

@@ -12,7 +12,7 @@ static double product(int n, const double *a, const double *b)
     return sum;
 }
 
-/* Of the vectors of three that the numbers are: the same on whatever axes. */
+/* Returns the longest length of the vectors of three numbers: independent of the axes. */
 static double longest(int n, const double *a)
 {
     double most = 0;
@@ -47,7 +47,7 @@ size_t krylov_cg_work(int n)
     return 4 * (size_t)n;
 }
 
-/* x += part q, r -= part A q, for the part that leaves the least of r: q is replaced. */
+/* Steps x += part q, r -= part A q, for the part that minimizes r: q is replaced. */
 static enum status descend(const struct krylov *k, double size, const double *q, double *Aq,
                            double *x, double *r)
 {
@@ -109,7 +109,7 @@ size_t krylov_gmres_work(int n)
     return (size_t)(ROWS + 1) * (size_t)n;
 }
 
-/* P A v_c against the vectors so far: column c of H, and v_{c+1}. */
+/* Orthogonalizes P A v_c against the vectors so far: column c of H, and v_{c+1}. */
 static enum status extend(const struct krylov *k, struct cycle *y, int c)
 {
     enum status st;
@@ -132,7 +132,7 @@ out:
     return st;
 }
 
-/* Turns column c to triangular form, and what is left of the right-hand side with it. */
+/* Rotates column c to triangular form, and the rest of the right-hand side with it. */
 static void rotate(struct cycle *y, int c)
 {
     double *h = y->h[c];
@@ -150,7 +150,7 @@ static void rotate(struct cycle *y, int c)
     y->rest[c] *= y->cosine[c];
 }
 
-/* x += the combination of `count` vectors that leaves least. */
+/* Adds to x the combination of `count` vectors with the least residual. */
 static void combine(const struct krylov *k, struct cycle *y, int count, double *x)
 {
     for (int i = count - 1; i >= 0; i--) {

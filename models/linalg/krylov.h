@@ -19,21 +19,20 @@ struct krylov {
     int iterations;   /* products of P that the last call took, written                */
 };
 
-/* Numbers of work: conjugate gradients; GMRES. */
+/* Return the numbers of work space: conjugate gradients; GMRES. */
 size_t krylov_cg_work(int n);
 size_t krylov_gmres_work(int n);
 
-/* Conjugate gradients (Hestenes, Stiefel 1952) from x[n], A symmetric positive definite.
- * Converged when the residual is below `tolerance` in the norm of P, of what x = 0 leaves
- * or, where the guess is so good that this is not known, of the guess's x b; or when no
- * three entries in a row of what P makes of it, about what x still lacks, are a vector
- * longer than `near`; *done tells. STATUS_INDEFINITE where A or P turns out not to be
- * positive definite, STATUS_NAN. */
+/* Solves by conjugate gradients (Hestenes, Stiefel 1952) from x[n], A symmetric positive
+ * definite. *done: the residual r in the norm of P is below `tolerance` times the larger of
+ * its first value and (x b)^1/2 of the guess, about its value at x = 0; or no vector of
+ * three entries of P r, the estimated error of x, is longer than `near`. STATUS_INDEFINITE
+ * where A or P turns out not to be positive definite, STATUS_NAN. */
 enum status krylov_cg(struct krylov *k, const double *b, double *x, bool *done);
 
-/* GMRES (Saad, Schultz 1986; modified Gram-Schmidt, restarted after KRYLOV_RESTART
- * products) from x[n], preconditioned from the left: the norm is that of P r, of P b. A
- * need not be definite. STATUS_NAN. */
+/* Solves by GMRES (Saad, Schultz 1986; modified Gram-Schmidt, restarted after
+ * KRYLOV_RESTART products) from x[n], preconditioned from the left: the norm is that of P
+ * r, of P b. A need not be definite. STATUS_NAN. */
 enum { KRYLOV_RESTART = 60 };
 enum status krylov_gmres(struct krylov *k, const double *b, double *x, bool *done);
 

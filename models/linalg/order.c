@@ -8,7 +8,7 @@ struct net {
     int *order, end;
 };
 
-/* The columns of the box [i0,i1) x [j0,j1), the shorter side fastest. */
+/* Orders the columns of the box [i0,i1) x [j0,j1), the shorter side fastest. */
 static void take(struct net *net, int i0, int i1, int j0, int j1)
 {
     for (int a = 0; a < (i1 - i0) * (j1 - j0); a++) {
@@ -27,7 +27,7 @@ static void dissect(struct net *net, int i0, int i1, int j0, int j1)
     int u = i1 - i0, v = j1 - j0, long_side = u > v ? u : v;
     if (u <= 0 || v <= 0)
         return;
-    /* Too small to gain by a cut: measured, and the supernodes merge more anyway. */
+    /* Smaller boxes do not gain by a cut, as measured; the supernodes merge more anyway. */
     if (long_side < 3 * net->reach || u * v <= 8) {
         take(net, i0, i1, j0, j1);
         return;

@@ -15,9 +15,9 @@
 
 enum { TILE = 8, TILE_SIZE = TILE * TILE };
 
-/* What the accumulators of one pass may take: TILE_PASS tiles one under the other, of which
- * as many columns at a time as a register has numbers: 24 of 32 registers with AVX-512, 8
- * of 16 without. */
+/* The accumulators of one pass: TILE_PASS tiles one under the other, of which as many
+ * columns at a time as a register has numbers: 24 of 32 registers with AVX-512, 8 of 16
+ * without. */
 enum { TILE_PASS_MAX = 3 };
 #if defined(__AVX512VL__)
 enum { TILE_LANES = 8, TILE_LANES_single = 8, TILE_PASS = TILE_PASS_MAX };

@@ -83,9 +83,9 @@ TILE_INLINE void NAME(tile_column)(const REAL *a, REAL x, REAL *y)
         ((NAME(tile_word) *)y)[w] -= ((const NAME(tile_word) *)a)[w] * x;
 }
 
-/* Cholesky of one tile in place: lower triangle read, L written over it, zeros above.
- * inverse[TILE]: reciprocals of the diagonal. False if not positive definite or not finite.
- */
+/* Factors one tile in place: lower triangle read, L written over it, zeros above.
+ * inverse[TILE]: reciprocals of the diagonal. False if not positive definite or not
+ * finite. */
 TILE_INLINE bool NAME(tile_cholesky)(REAL *a, REAL *inverse)
 {
     for (int j = 0; j < TILE; j++) {

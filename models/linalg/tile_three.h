@@ -18,14 +18,14 @@ typedef double tile_line __attribute__((vector_size(TILE * sizeof(double)), may_
 
 enum { SIDES = 3, BLOCK = SIDES * TILE, TILE_PAIR = 2 * TILE_SIZE };
 
-/* Where row i of the first side lies among blocks; the others follow TILE apart. */
+/* Returns the place of row i of the first side in blocks; the others follow TILE apart. */
 static inline ptrdiff_t block_place(ptrdiff_t i)
 {
     return (i & ~(ptrdiff_t)(TILE - 1)) * SIDES + (i & (TILE - 1)); /* i >= 0 */
 }
 
-/* pair[TILE_PAIR]: l^-1 and l^-T, column by column; inverse: reciprocals of l's diagonal.
- */
+/* Fills pair[TILE_PAIR]: l^-1, l^-T, column by column; inverse: reciprocals of l's
+ * diagonal. */
 static inline void tile_invert(const double *l, const double *inverse, double *pair)
 {
     double *down = pair, *up = pair + TILE_SIZE;

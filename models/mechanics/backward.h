@@ -11,7 +11,7 @@
 
 #include "models/status.h"
 
-/* Of `count` coordinates [m]; those of points that are held follow their path. */
+/* The history of `count` coordinates [m]; those of held points follow their path. */
 struct backward {
     size_t count;
     double *x, *v;          /* a step ago                                              */
@@ -19,22 +19,22 @@ struct backward {
     void *room;             /* of the arrays; NULL: not in use                 owned   */
 };
 
-/* *b all zero, or initialised. */
+/* Allocates; *b must be all zero, or initialised. */
 enum status backward_init(struct backward *b, size_t count);
 void backward_clear(struct backward *b);
 
-/* The history of x, v with the constant acceleration a, all [count]; NULL: none. */
+/* Makes the history of x, v with the constant acceleration a, all [count]; NULL: none. */
 void backward_start(struct backward *b, double dt, const double *x, const double *v,
                     const double *a);
 
-/* origin and speed of the step from x, v, which then are the ones of a step ago. */
+/* Computes origin and speed of the step from x, v, which then are those of a step ago. */
 void backward_begin(struct backward *b, const double *x, const double *v);
 
-/* v <- factor v follows, a blow: a step ago it was as much slower, and the acceleration
- * what it was. */
+/* Follows v <- factor v as an impulse: a step ago it was as much slower, and the
+ * acceleration stays. */
 void backward_scale(struct backward *b, double dt, double factor, const double *v);
 
-/* s [s]. */
+/* Returns s [s]. */
 double backward_span(double dt);
 
 #endif

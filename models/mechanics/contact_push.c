@@ -5,13 +5,13 @@
 
 #include "models/contact.h"
 
-/* Of a point between several obstacles, which push it to and fro. */
+/* The most sweeps over a point between several obstacles, which push it to and fro. */
 enum { MOST_SWEEPS = 100 };
 
-/* Of the length: a gap that is closed to round-off. */
+/* A gap below this share of the length is closed to round-off. */
 static const double CLOSED = 1e-15;
 
-/* A normal whose free part is shorter has nowhere to push. */
+/* A point is not pushed along a normal whose free part is shorter than this. */
 static const double LEAST_FREE = 1e-3;
 
 static double dot(const double a[3], const double b[3])
@@ -19,7 +19,7 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Takes up to mu push from the way of x across the normal, in free components. */
+/* Takes up to mu push off the way of x across the normal, in free components. */
 static void rub(double mu, double push, const double normal[3], const int *place,
                 const double *start, double *x)
 {
@@ -35,7 +35,7 @@ static void rub(double mu, double push, const double normal[3], const int *place
         x[i] -= size > bound ? way[i] * (bound / size) : way[i];
 }
 
-/* Out of one obstacle; false if x was out of it. */
+/* Pushes x out of one obstacle; false if x was out of it. */
 static bool push(const struct scene *scene, const struct scene_obstacle *obstacle,
                  double offset, const int *place, const double *start, double *x)
 {

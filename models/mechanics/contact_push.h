@@ -12,14 +12,15 @@
 #include "models/mechanics/supports.h"
 #include "models/model.h"
 
-/* offset: distance that points keep, h/2 of a mid-surface [m]. Moves x[nodes][3],
- * start[nodes][3] where the step began; held components stay. force[3] += sum of
- * weight[node] dx: with weight m/dt^2, newtons. Returns how many points were set back. */
+/* Moves x[nodes][3] out of obstacles; start[nodes][3]: where the step began; held
+ * components stay. offset: distance that points keep, h/2 of a mid-surface [m]. force[3] +=
+ * sum of weight[node] dx: with weight m/dt^2, newtons. Returns how many points were set
+ * back. */
 int contact_push_out(const struct scene *scene, const struct supports *supports,
                      double offset, const double *weight, const double *start, double *x,
                      double force[3]);
 
-/* Least gap of the points, less h/2 [m]. */
+/* Returns the least gap of the points, less h/2 [m]. */
 double contact_push_gap(const struct scene *scene, long nodes, const double *x);
 
 #endif

@@ -80,8 +80,8 @@ void contact_set_detect(struct contact_set *c, const double *x)
     }
 }
 
-/* Takes the normal, as far as it is free, into the node's base, if it is independent of
- * what is there; low[] are its components. */
+/* Adds the normal, as far as it is free, to the node's base, if it is independent of those
+ * there; low[] are its components. */
 static bool extend_base(const struct contact_set *c, int a, const double normal[3],
                         double low[3])
 {
@@ -104,7 +104,7 @@ static bool extend_base(const struct contact_set *c, int a, const double normal[
     return true;
 }
 
-/* Normals are low base; then dual = low^-T base. */
+/* Computes dual = low^-T base, where the normals are low base. */
 static void make_dual(struct contact_node *node, double low[3][3])
 {
     for (int j = node->touches - 1; j >= 0; j--)
@@ -222,8 +222,7 @@ double contact_set_arrest(const struct contact_set *c, const double *v, double *
     return largest;
 }
 
-/* Friction of node a against f[3], which it shortens; all that is left of it if `sticks`.
- */
+/* Applies friction of node a against f[3], which becomes zero if the node sticks. */
 static void rub(struct contact_set *c, int a, const struct contact_pair *pair, double f[3])
 {
     struct contact_node *node = &c->node[a];

@@ -60,53 +60,54 @@ struct contact_set {
 /* A normal adds a direction to others if the part of it outside their span is longer. */
 static const double CONTACT_SET_INDEPENDENT = 1e-3;
 
-/* Nothing is allocated for a scene without obstacles: contact_set_used says false. */
+/* Initialises; allocates nothing without obstacles: contact_set_used then says false. */
 enum status contact_set_init(struct contact_set *c, const struct scene *scene,
                              const struct supports *held, double offset);
 void contact_set_clear(struct contact_set *c);
 
 bool contact_set_used(const struct contact_set *c);
 
-/* Gaps and normals at the start of a step, x[nodes][3]. Keeps which pairs are active: the
- * step's first guess. */
+/* Finds gaps and normals at the start of a step, x[nodes][3]. Keeps which pairs are active:
+ * the step's first guess. */
 void contact_set_detect(struct contact_set *c, const double *x);
 
-/* Bases and projectors from the active pairs. Returns whether they or the drags differ from
- * those of the present factor. */
+/* Makes bases and projectors of the active pairs. Returns whether they or the drags differ
+ * from those of the present factor. */
 bool contact_set_project(struct contact_set *c);
 
-/* The present projectors and drags are those of the factor. */
+/* Notes that the present projectors and drags are those of the factor. */
 void contact_set_remember(struct contact_set *c);
 
-/* The system's matrix is no longer the one that was factored. */
+/* Notes that the system's matrix is no longer the one that was factored. */
 void contact_set_forget(struct contact_set *c);
 
-/* True if an obstacle carries any node. */
+/* Whether an obstacle carries any node. */
 bool contact_set_any(const struct contact_set *c);
 
-/* v <- P v for P[nodes][9], c->projector or the like, v[nodes][3]. */
+/* Computes v <- P v for P[nodes][9], c->projector or the like, v[nodes][3]. */
 void contact_set_apply(const struct contact_set *c, const double (*P)[9], double *v);
 
-/* The smallest change[nodes][3] that takes from the rates v what the set does not allow:
+/* Finds the smallest change[nodes][3] that takes from the rates v what the set forbids:
  * motion along normals, and any motion of nodes that stick. Returns its largest component;
  * the projectors P[nodes] leave what it may not touch. */
 double contact_set_arrest(const struct contact_set *c, const double *v, double *change,
                           double (*P)[9]);
 
-/* v[3] of node a less its parts in held components and in its normals. */
+/* Subtracts from v[3] of node a its parts in held components and along its normals. */
 void contact_set_along(const struct contact_set *c, int a, double v[3]);
 
-/* Reactions at x[nodes][3] to the forces F[nodes][3] on a body at rest: those that
+/* Finds reactions at x[nodes][3] to the forces F[nodes][3] on a body at rest: those that
  * obstacles may have - they push, along normals, and rub within Coulomb's limit - and that
- * leave least of F, are taken from it and kept in lambda, force and sticks (below the
- * limit). Pairs farther apart than `touching` [m] are let go. */
+ * leave least of F, are subtracted from it and kept in lambda, force and sticks (below the
+ * limit). Pairs farther apart than `touching` [m] become inactive. */
 void contact_set_balance(struct contact_set *c, const double *x, double touching,
                          double *F);
 
-/* What obstacles add to the tangent of a body at rest, after contact_set_balance: springs
- * of `stiffness` [N/m] along normals, and in all directions where a node sticks; and where
- * a ball pushes lambda / R, by which it is the less stable the less its radius (the second
- * derivative of the gap). K[pairs], diagonal blocks first in each of graph's columns. */
+/* Adds the obstacles' part of the tangent of a body at rest, after contact_set_balance:
+ * springs of `stiffness` [N/m] along normals, and in all directions where a node sticks;
+ * and where a ball pushes lambda / R, which destabilizes the more the smaller its radius
+ * (the second derivative of the gap). K[pairs], diagonal blocks first in each of graph's
+ * columns. */
 void contact_set_stiffen(const struct contact_set *c, const struct blocks *graph,
                          double stiffness, double (*K)[9]);
 

@@ -12,10 +12,10 @@ enum {
     MOST_DOUBLINGS = 5 /* see hurry                                                     */
 };
 
-/* Friction forces are repeated to this share of the largest. */
+/* Friction has settled when its forces change by less than this share of the largest. */
 static const double FRICTION_SETTLED = 1e-7;
 
-/* What sticks may creep by this share of what gravity moves in a step of rest. */
+/* A sticking node may creep by this share of what gravity moves from rest in a step. */
 static const double CREEP = 1e-7;
 
 static double dot(const double a[3], const double b[3])
@@ -28,7 +28,7 @@ static struct contact_pair *pairs_of(const struct contact_set *c, int a)
     return c->pair + (size_t)a * (size_t)c->obstacles;
 }
 
-/* What the pair asks of n . x: at least this. */
+/* Returns the least value of n . x that the pair allows. */
 static double target(const struct contact_problem *p, const struct contact_pair *pair,
                      int a)
 {
@@ -37,7 +37,7 @@ static double target(const struct contact_problem *p, const struct contact_pair 
     return from - p->scale * pair->gap;
 }
 
-/* The part of x that the active pairs give, y[nodes][3]; zero at held unknowns. */
+/* Fills y[nodes][3] with the active pairs' part of x; zero at held unknowns. */
 static void given_part(const struct contact_set *c, const struct contact_problem *p,
                        const double *x, double *y)
 {
@@ -57,7 +57,7 @@ static void given_part(const struct contact_set *c, const struct contact_problem
     }
 }
 
-/* r += drag still: friction is zero where nothing moves. */
+/* Adds drag still to r: friction is zero where nothing moves. */
 static void add_friction(const struct contact_set *c, const struct contact_problem *p,
                          double *r)
 {
@@ -66,7 +66,7 @@ static void add_friction(const struct contact_set *c, const struct contact_probl
             r[3 * (size_t)a + i] += dot(c->drag[a] + 3 * i, p->still + 3 * (size_t)a);
 }
 
-/* Solution for the present set into x, and the forces that it takes. */
+/* Solves for x with the present set, and computes the forces that it requires. */
 static enum status solve_once(struct contact_set *c, struct system *s,
                               const struct contact_problem *p, double *x)
 {
@@ -104,7 +104,7 @@ out:
     return st;
 }
 
-/* Multipliers and friction from the forces and x. */
+/* Splits the forces into multipliers and, from x, friction. */
 static void split_forces(struct contact_set *c, const struct contact_problem *p,
                          const double *x)
 {
@@ -122,7 +122,7 @@ static void split_forces(struct contact_set *c, const struct contact_problem *p,
     }
 }
 
-/* Mean diagonal of A at node a. */
+/* Returns the mean diagonal of A at node a. */
 static double stiffness(const struct system *s, const struct contact_problem *p, int a)
 {
     long n = s->graph->start[a];
@@ -131,8 +131,8 @@ static double stiffness(const struct system *s, const struct contact_problem *p,
     return p->k * (K[0] + K[4] + K[8]) / 3 + (p->M ? p->m * p->M[n] : 0);
 }
 
-/* Length of the pair's normal as far as supports leave it free and, in *beside, outside
- * what else is held at the node. */
+/* Returns the length of the pair's normal in directions left free by supports and, in
+ * *beside, also by the node's other contacts. */
 static double free_normal(const struct contact_set *c, int a, int o, double *beside)
 {
     double v[3], free[3];
@@ -145,8 +145,8 @@ static double free_normal(const struct contact_set *c, int a, int o, double *bes
     return sqrt(dot(free, free));
 }
 
-/* Should the pair change? An active one if it pulls, another if its node is too far; both
- * by more than `slack`, as a value of x. An active one that adds no direction is let go. */
+/* Whether the pair should change: an active one if it pulls or adds no direction, another
+ * if its node is too far; by more than `slack`, as a value of x. */
 static bool violated(const struct contact_set *c, const struct system *s,
                      const struct contact_problem *p, const double *x, int a, int o,
                      double slack)
@@ -164,7 +164,7 @@ static bool violated(const struct contact_set *c, const struct system *s,
     return !counts || pair->lambda < -slack * stiffness(s, p, a);
 }
 
-/* Where a new pair adds no direction to the node's others, it takes the place of the one
+/* Changes a pair. A new one that adds no direction to the node's others replaces the one
  * whose normal is nearest to its own. */
 static void change(struct contact_set *c, int a, int o)
 {
@@ -185,7 +185,7 @@ static void change(struct contact_set *c, int a, int o)
         pair[other].active = false;
 }
 
-/* Changes all violated pairs. Returns their number before. */
+/* Changes all violated pairs. Returns how many they were. */
 static long exchange(struct contact_set *c, const struct system *s,
                      const struct contact_problem *p, const double *x, double slack)
 {
@@ -200,7 +200,7 @@ static long exchange(struct contact_set *c, const struct system *s,
     return count;
 }
 
-/* The primal method starts where nothing has moved, y[nodes][3], with the pairs that are
+/* Starts the primal method where nothing has moved, y[nodes][3], with the pairs that are
  * closed there. */
 static void start_primal(struct contact_set *c, const struct contact_problem *p,
                          const double *x, double slack, double *y)
@@ -215,7 +215,7 @@ static void start_primal(struct contact_set *c, const struct contact_problem *p,
     }
 }
 
-/* The active pair that pulls most, as a motion; false if none does. */
+/* Drops the active pair that pulls most, as a motion; false if none does. */
 static bool let_go(struct contact_set *c, const struct system *s,
                    const struct contact_problem *p, double slack)
 {
@@ -234,9 +234,9 @@ static bool let_go(struct contact_set *c, const struct system *s,
     return worst;
 }
 
-/* One pass of the primal method from x, the solution for the present set: y goes towards it
- * until the first pair closes, which joins; where none does, one that pulls is let go.
- * Returns whether the set changed. */
+/* Does one pass of the primal method from x, the solution for the present set: y goes
+ * towards it until the first pair closes, which joins; where none does, one that pulls is
+ * dropped. Returns whether the set changed. */
 static bool primal_pass(struct contact_set *c, const struct system *s,
                         const struct contact_problem *p, const double *x, double slack,
                         double *y)
@@ -263,7 +263,7 @@ static bool primal_pass(struct contact_set *c, const struct system *s,
     return true;
 }
 
-/* Greatest friction that node a can have. */
+/* Returns the greatest friction that node a can have. */
 static double friction_limit(const struct contact_set *c, int a)
 {
     const struct contact_node *node = &c->node[a];
@@ -285,9 +285,9 @@ static void set_drag(struct contact_set *c, int a, double drag)
             place[t / 3] >= 0 && place[t % 3] >= 0 ? drag * c->projector[a][t] : 0;
 }
 
-/* From the drag `old` to one that is wanted, farther the longer it has gone the same way:
- * that of a node which sticks grows without end, that of one which breaks loose falls, by
- * the same small factor in each pass. */
+/* Extrapolates from the drag `old` to the wanted one, farther the longer it has changed the
+ * same way: the drag of a sticking node grows without end, that of one that breaks loose
+ * falls, by the same small factor in each pass. */
 static double hurry(struct contact_node *node, double old, double want)
 {
     if (!(old > 0 && want > 0))
@@ -302,8 +302,8 @@ static double hurry(struct contact_node *node, double old, double want)
                ldexp(1, doublings < MOST_DOUBLINGS ? doublings : MOST_DOUBLINGS) - 1);
 }
 
-/* The drag that gives node a its greatest friction at the speed of x. Returns by how much
- * that changes its friction. */
+/* Sets the drag that gives node a its greatest friction at the speed of x. Returns the
+ * change of its friction. */
 static double update_drag(struct contact_set *c, const struct contact_problem *p,
                           const double *x, int a, double creep)
 {
@@ -321,7 +321,7 @@ static double update_drag(struct contact_set *c, const struct contact_problem *p
     return fabs(want - old) * length;
 }
 
-/* True if friction is where the solution wants it; otherwise the drags are new. */
+/* Updates the drags; returns whether friction already agreed with the solution. */
 static bool settle_friction(struct contact_set *c, const struct contact_problem *p,
                             const double *x)
 {

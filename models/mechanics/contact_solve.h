@@ -20,17 +20,17 @@
 #include "models/mechanics/contact_set.h"
 #include "models/mechanics/system.h"
 
-/* How far a solve goes with friction: until it repeats; one pass, for an outer iteration
- * that goes on with it from call to call until contact_set says `settled`; or none, with
- * the drags as they are, which such an iteration that finds no end needs. */
+/* How long a solve iterates on friction: until it settles; one pass, for an outer iteration
+ * that continues from call to call until contact_set is `settled`; or not at all, with the
+ * present drags, for such an iteration that does not end. */
 enum contact_friction {
     CONTACT_FRICTION_SETTLES,
     CONTACT_FRICTION_ONCE,
     CONTACT_FRICTION_KEPT
 };
 
-/* A = k K + m M. The unknown x and a node's displacement u over the step are related by
- * x = still + scale u. */
+/* The problem has A = k K + m M. The unknown x and a node's displacement u over the step
+ * are related by x = still + scale u. */
 struct contact_problem {
     double k;
     const double (*K)[9];
@@ -42,9 +42,9 @@ struct contact_problem {
     enum contact_friction friction;
 };
 
-/* x[nodes][3]: on entry the held unknowns, on return the solution beside them. Gaps and
- * normals from contact_set_detect. Factorises where the system's factor is not the one that
- * the set wants (contact_set_forget). STATUS_DIVERGED if no set is found. */
+/* Solves for x[nodes][3]: on entry the held unknowns, on return the solution beside them.
+ * Gaps and normals are those of contact_set_detect. Factorises where the system's factor
+ * does not fit the set (contact_set_forget). STATUS_DIVERGED if no set is found. */
 enum status contact_solve(struct contact_set *c, struct system *s,
                           const struct contact_problem *p, double *x,
                           struct counters *counters);

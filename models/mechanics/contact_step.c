@@ -65,8 +65,7 @@ out:
     return st;
 }
 
-/* b = 2 M v + dt (f - K d), less what held unknowns contribute; w: theirs, else anything.
- */
+/* Makes b = 2 M v + dt (f - K d), less held unknowns' part; w: their values, else 0. */
 static void linear_side(struct newmark *n, const struct system *s, const double (*K)[9],
                         const double *M, const double *load,
                         const struct newmark_held *held, double *b, double *w)
@@ -104,7 +103,7 @@ static void linear_side(struct newmark *n, const struct system *s, const double 
     }
 }
 
-/* The step's w = v0 + v1 into d and v. */
+/* Updates d and v by the step's w = v0 + v1. */
 static void linear_finish(struct newmark *n, const struct supports *s,
                           const struct newmark_held *held, const double *w)
 {

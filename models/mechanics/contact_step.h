@@ -27,14 +27,15 @@ enum status contact_step_init(struct contact_step *c, const struct scene *scene,
                               const struct discretization *d);
 void contact_step_clear(struct contact_step *c);
 
-/* Inelastic impact of the points in contact: v <- the velocity nearest to it in the norm of
- * M that has none along the set's normals, nor any where a point sticks. The impulse times
- * `unit` joins the set's forces; dt is the step [s]. work: 2 [nodes][3]. */
+/* Makes the inelastic impact of the points in contact: v <- the velocity nearest to it in
+ * the norm of M that has none along the set's normals, nor any where a point sticks. The
+ * impulse times `unit` is added to the set's forces; dt is the step [s]. work: 2
+ * [nodes][3]. */
 enum status contact_step_impact(struct contact_step *c, const double *M, double dt,
                                 double unit, double *v, double *work,
                                 struct counters *counters);
 
-/* One step of the trapezoidal rule with r constant over the step,
+/* Takes a step of the trapezoidal rule with r constant over the step,
  *     M (v1 - v0) / dt = f - K (d0 + d1) / 2 - C (v0 + v1) / 2 + r,
  *     d1 - d0 = dt (v0 + v1) / 2,
  * that is average acceleration with the contact force taken wholly at the step's end (Kane,

@@ -29,8 +29,7 @@ static double end_of(const struct dead_load_line *line, int k)
     return line->at ? line->at[k] : (double)k / (line->n - 1);
 }
 
-/* Means of the functions over [lo, hi] into mean[n], or their values if lo = hi. `work` is
- * [n]. */
+/* Computes means of the functions over [lo, hi], or values if lo = hi, mean[n]; work[n]. */
 static void line_means(const struct dead_load_line *line, double lo, double hi,
                        double *mean, double *work)
 {

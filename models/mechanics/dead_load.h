@@ -1,20 +1,18 @@
-/* dead_load.h - a scene's loads as forces on the coefficients of a tensor-product net: the
- * work that they do over a displacement sum N_a d_a, N_a a product of functions of u, v, w.
- */
+/* dead_load.h - a scene's loads as forces on the coefficients of a tensor-product net:
+ * their work over a displacement sum N_a d_a, N_a a product of functions of u, v, w. */
 #ifndef DEAD_LOAD_H
 #define DEAD_LOAD_H
 
 #include "models/scene.h"
 
-/* Functions of one direction on [0,1]. */
+/* The functions of one direction on [0,1]. */
 struct dead_load_line {
     int n;            /* functions                                                 */
     int degree;       /* of the pieces                                             */
     int breaks;       /* values in `at`                                            */
     const double *at; /* [breaks] pieces' ends, non-decreasing, from 0 to 1;
                          NULL: k / (n - 1)                                borrowed */
-    /* Values of all functions at t into N[n]; NULL: hats at k / (n - 1), the constant 1 if
-     * n = 1. */
+    /* Evaluates all functions at t, N[n]; NULL: hats at k / (n - 1), 1 if n = 1. */
     void (*value)(const void *context, double t, double *N);
     const void *context;
 };
@@ -23,8 +21,8 @@ struct dead_load_line {
 enum status dead_load_add(const struct scene *scene, const struct dead_load_line line[3],
                           double *f);
 
-/* The scene's loads into *dead[nodes][3], owned by the caller, and added to load[nodes][3];
- * NULL if there are none. */
+/* Computes the scene's loads, *dead[nodes][3], owned by the caller, and adds them to
+ * load[nodes][3]; NULL if there are none. */
 enum status dead_load_make(const struct scene *scene, const struct dead_load_line line[3],
                            double **dead, double *load);
 

@@ -23,8 +23,8 @@ static bool normalise(double a[3])
     return length > 0 && isfinite(1 / length);
 }
 
-/* From the column before column a to the one behind it, `stride` apart, at the ends of the
- * line from or to itself. */
+/* Computes e from the column before a to the one behind, `stride` apart; at the ends of a
+ * line one of them is a itself. */
 static void along(const double *x, long a, int at, int count, long stride, double e[3])
 {
     const double *from = x + 3 * (a - (at > 0 ? stride : 0));

@@ -6,10 +6,10 @@
 
 enum { LANCZOS_STEPS = 200, LANCZOS_LOOK = 8 };
 
-/* Of omega^2: it has converged when it gains less in LANCZOS_LOOK steps. */
+/* omega^2 has converged when it gains less than this share in LANCZOS_LOOK steps. */
 static const double LANCZOS_GAIN = 1e-3;
 
-/* y = m^-1/2 K m^-1/2 x among the free unknowns. */
+/* The operator y = m^-1/2 K m^-1/2 x among the free unknowns. */
 struct operator
 {
     const struct blocks *graph;
@@ -42,7 +42,7 @@ static double product(const struct operator* o, const double *x, const double *y
     return sum;
 }
 
-/* A start without symmetry: a low-discrepancy sequence. */
+/* Fills q with a start without symmetry: a low-discrepancy sequence. */
 static void start_vector(const struct operator* o, double *q)
 {
     size_t count = count_of(o);
@@ -56,7 +56,7 @@ static void start_vector(const struct operator* o, double *q)
         q[t] /= length;
 }
 
-/* No eigenvalue of the tridiagonal matrix of n steps is above x: by Sturm's sequence. */
+/* Whether no eigenvalue of the tridiagonal matrix of n steps exceeds x (Sturm sequence). */
 static bool above_all(int n, const double *alpha, const double *beta, double x)
 {
     double d = alpha[0] - x;
@@ -66,7 +66,7 @@ static bool above_all(int n, const double *alpha, const double *beta, double x)
     return d < 0;
 }
 
-/* Its largest eigenvalue, by bisection: one alone costs less than a library's all. */
+/* Returns its largest eigenvalue, by bisection: cheaper than all of them from a library. */
 static double ritz(int n, const double *alpha, const double *beta)
 {
     double low = alpha[0], high = alpha[0];
@@ -86,7 +86,7 @@ static double ritz(int n, const double *alpha, const double *beta)
     }
 }
 
-/* room: 3 [nodes][3], zero. */
+/* Iterates; returns the largest eigenvalue. room: 3 [nodes][3], zero. */
 static double iterate(const struct operator* o, double *room)
 {
     size_t count = count_of(o);

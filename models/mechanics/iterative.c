@@ -8,20 +8,20 @@
 #include "models/linalg/krylov.h"
 #include "models/room.h"
 
-/* Of a solution, where the owner says nothing. */
+/* The relative tolerance of a solution, unless the owner sets one. */
 static const double TOLERANCE = 1e-10;
 
-/* Iterations with a factor of this very A, which round-off alone asks for; and with what is
- * no factor, of each unknown. */
+/* The most iterations with a factor of this very A, which only round-off requires; and with
+ * other preconditioners, per unknown and in addition. */
 enum { MOST_FRESH = 30, MOST_AN_UNKNOWN = 10, MOST_ANYWAY = 100 };
 
-/* The first for a factor in single precision: those beyond cost more than it saves; and the
- * least that it solves its own A to, as one in double does in one product: 1e-2 of a large
- * movement leads Newton astray (a strip 1000 : 1 took 135 steps for 88, now 93). */
+/* The most iterations with a factor in single precision: more cost more than it saves; and
+ * the tolerance it must reach on its own A, as one in double does in one product: 1e-2 of a
+ * large movement leads Newton astray (a strip 1000 : 1 took 135 steps for 88, now 93). */
 enum { MOST_SINGLE = 8 };
 static const double SINGLE_TOLERANCE = 1e-4;
 
-/* Solutions that are extrapolated. */
+/* The solutions that are extrapolated. */
 enum { PAST = 3 };
 
 struct iterative {
@@ -37,7 +37,7 @@ struct iterative {
     struct ichol *ichol;
     long *entry; /* [pairs][9] of ichol's values, -1: none                             */
     bool factored, fresh, single;
-    double tolerance, near; /* of systems in a row                                     */
+    double tolerance, near; /* of systems of a sequence                                */
 
     void (*frames)(const void *body, double (*Q)[9]);
     const void *body;
@@ -46,7 +46,7 @@ struct iterative {
     double *turned;               /* [nodes][3]                                        */
     double *past[PAST];           /* [nodes][3] solutions, the last first, to extrapolate */
     int known;                    /* of those                                          */
-    long age, spent; /* of the factor: systems, iterations worth of work on them       */
+    long age, spent; /* the factor's: systems solved, iterations' work on them         */
     bool spent_more; /* the last took more than they did on average                    */
     long solves, factorisations;
 };
@@ -65,7 +65,7 @@ static bool coupled(const struct iterative_owner *o, int a, int b)
 /* --- the preconditioners -----------------------------------------------------------------
  */
 
-/* y = R x or R^T x node by node; nodes of which a part is held do not turn. */
+/* Computes y = R x or R^T x node by node; nodes of which a part is held do not turn. */
 static void turn(const struct iterative *it, bool back, const double *x, double *y)
 {
     const int *place = it->owner.held->free_index;
@@ -196,7 +196,7 @@ out:
 /* --- life --------------------------------------------------------------------------------
  */
 
-/* The entries of the pattern's columns in the order in which system.c makes them. */
+/* Finds ichol's entries in the order in which system.c makes the pattern's columns. */
 static void find_entries(struct iterative *it)
 {
     const struct blocks *g = it->owner.graph;
@@ -347,8 +347,8 @@ static double product(size_t count, const double *a, const double *b)
     return sum;
 }
 
-/* The last solutions extrapolated, by the factor that is best in the norm of A; zero
- * without them. */
+/* Guesses x by extrapolating the last solutions, times the factor that is best in the norm
+ * of A; zero without them. */
 static void guess(struct iterative *it, double *x)
 {
     static const double weight[PAST + 1][PAST] = {{0}, {1}, {2, -1}, {3, -3, 1}};
@@ -388,7 +388,7 @@ static enum status iterate(struct iterative *it, int most, double *x, bool *done
                                    : krylov_gmres(k, it->b, x, done);
 }
 
-/* With a factor of this very A. */
+/* Iterates with a factor of this very A. */
 static enum status iterate_fresh(struct iterative *it, double *x, bool *done)
 {
     enum status st = STATUS_OK;

@@ -16,50 +16,50 @@
 
 struct iterative;
 
-/* What the owner does and says; borrowed until iterative_destroy. */
+/* The owner's functions and data; borrowed until iterative_destroy. */
 struct iterative_owner {
     void *self;
     const struct blocks *graph;
     const struct supports *held;
     const unsigned char *parity; /* or NULL                                            */
-    /* Factors A (in iterative_matrix's form); solves with that factor in place. */
+    /* Factor A (in iterative_matrix's form), and solve with that factor in place. */
     enum status (*factor)(void *self, const double (*A)[9]);
     enum status (*solve)(void *self, double *x);
     void (*single)(void *self, bool single); /* factors from now on (factor_single)    */
     int patience; /* iterations that cost as much as a factorisation                   */
 };
 
-/* `pattern` of the free unknowns, for incomplete Cholesky. Owned by the caller. */
+/* Creates; `pattern` (free unknowns) is for incomplete Cholesky. Owned by the caller. */
 enum status iterative_create(const struct iterative_owner *owner,
                              const struct factor_pattern *pattern, enum solver solver,
                              enum preconditioner preconditioner, struct iterative **it);
 void iterative_destroy(struct iterative *it); /* NULL is allowed */
 
-/* A[pairs][9] to fill before iterative_update, which clears what belongs to held unknowns
- * or couples unlike parities. Borrowed. */
+/* Returns A[pairs][9] to fill before iterative_update, which clears entries that belong to
+ * held unknowns or couple unlike parities. Borrowed. */
 double (*iterative_matrix(struct iterative *it))[9];
 
-/* A is new. keep: an earlier factor may serve on. STATUS_INDEFINITE if the preconditioner
- * cannot be. */
+/* Notes that A is new. keep: an earlier factor may be kept. STATUS_INDEFINITE if the
+ * preconditioner cannot be made. */
 enum status iterative_update(struct iterative *it, bool keep);
 
-/* The nodes' frames, three orthonormal columns each, of the present A: Q[nodes][9], filled
- * by `frames` at each iterative_update. guess: right-hand sides follow one another
+/* Follows the nodes' frames, three orthonormal columns each, of the present A: Q[nodes][9],
+ * filled by `frames` at each iterative_update. guess: right-hand sides follow one another
  * smoothly, so that solutions are extrapolated. */
 enum status iterative_follow(struct iterative *it,
                              void (*frames)(const void *body, double (*Q)[9]),
                              const void *body, bool guess);
 
-/* Of each solution of a system that may keep an earlier factor: relative, in the norm that
+/* Sets the tolerance of systems that may keep an earlier factor: relative, in the norm that
  * the preconditioner gives, or `near`, by conjugate gradients, no node farther off; 1e-10
- * and 0 unless set, and of a system that stands alone, from its iterative_update on. */
+ * and 0 unless set. A system that stands alone gets it from its iterative_update on. */
 void iterative_tolerate(struct iterative *it, double tolerance, double near);
 
-/* Factors are in single precision while that does: until one cannot be made so, or takes
- * more than a few iterations on its own A. */
+/* Makes factors in single precision as long as that works: until one cannot be made so, or
+ * takes more than a few iterations on its own A. */
 void iterative_single(struct iterative *it);
 
-/* The factor is of something else: the next iterative_update makes another. */
+/* Notes that the factor is of another matrix: iterative_update makes a new one. */
 void iterative_forget(struct iterative *it);
 
 /* Solves in place, x[nodes][3], zero at held unknowns. STATUS_UNSOLVED if that takes too
@@ -68,7 +68,7 @@ enum status iterative_solve(struct iterative *it, double *x);
 
 enum solver iterative_method(const struct iterative *it);
 
-/* Since the last call: products with the preconditioner, factorisations. */
+/* Returns products with the preconditioner and factorisations since the last call. */
 void iterative_work(struct iterative *it, long *solves, long *factorisations);
 
 #endif

@@ -4,7 +4,7 @@
 #include <omp.h>
 #include <string.h>
 
-/* What one pass over the elements is to do. */
+/* The task of one pass over the elements. */
 struct task {
     const struct large_body *body;
     const struct large_path *path;
@@ -19,7 +19,7 @@ size_t large_body_strains(const struct large_body *b)
     return (size_t)b->slab[b->slabs] * b->strains;
 }
 
-/* The strains of the path, from those at x. */
+/* Combines the strains of the path from those at x. */
 static void follow_path(const struct task *t, int element, double *strain)
 {
     const struct large_path *path = t->path;

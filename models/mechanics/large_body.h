@@ -1,14 +1,14 @@
-/* large_body.h - a body at large displacements: what shell or solid gives, and the state
- * that Newton's method (large_newton.h), stepping (large_motion.h) and equilibrium
- * (large_rest.h) work on. */
+/* large_body.h - a body at large displacements: the functions that shell or solid provide,
+ * and the state that Newton's method (large_newton.h), stepping (large_motion.h) and
+ * equilibrium (large_rest.h) work on. */
 #ifndef LARGE_BODY_H
 #define LARGE_BODY_H
 
 #include "models/mechanics/contact_step.h"
 #include "models/model.h"
 
-/* Where the stress and the geometry of an equation come from: stress of s0 e_old + s1 e(x)
- * on the geometry (1 - g1) x_old + g1 x. Statics: s1 = g1 = 1. */
+/* The stress and geometry of an equation: stress of s0 e_old + s1 e(x) on the geometry (1 -
+ * g1) x_old + g1 x. Statics: s1 = g1 = 1. */
 struct large_path {
     double s0, s1, g1;
     double lag;               /* added to s1, taken from s0, for the body's stiff strains */
@@ -16,9 +16,9 @@ struct large_path {
     const double *strain_old; /* NULL if s0 == 0                               borrowed   */
 };
 
-/* Which stress the geometric part of a tangent takes; all unset: that of the path. A thin
- * body whose step has turned it has spurious membrane stress to second order in the step,
- * enormous beside the true one; Newton's method then takes an order of magnitude more
+/* The stress that the geometric part of a tangent takes; all unset: that of the path. A
+ * thin body whose step has turned it has spurious membrane stress to second order in the
+ * step, enormous beside the true one; Newton's method then takes an order of magnitude more
  * iterations. */
 struct large_foresight {
     const double *strain; /* these strains, such as those at the step's start          */
@@ -30,42 +30,45 @@ struct large_foresight {
     bool none;            /* no stress at all: a tangent that is never indefinite      */
 };
 
-/* What moves: elements whose nodes have coefficients x[nodes][3], and what each is asked. A
- * thread keeps what it found: geometry, force and tangent come after the element's strain.
- * Elements of one slab are one thread's, in order; slabs s and s + 2 share no node. */
+/* The body: elements whose nodes have coefficients x[nodes][3], and the functions of
+ * each. A thread keeps what it found: geometry, force and tangent come after the
+ * element's strain. Elements of one slab are one thread's, in order; slabs s and s + 2
+ * share no node. */
 struct large_body {
     const void *self;
     int nodes, slabs, threads;
     const int *slab; /* [slabs + 1]                                          borrowed  */
     long pairs;      /* of K                                                           */
     size_t strains;  /* numbers an element                                             */
-    size_t lagged;   /* of which the first so many feel the lag                        */
+    size_t lagged;   /* the first of these, to which the lag applies                   */
 
-    /* Strains at x, in the thread's own room, or NULL if x is no body there. With
-     * `foresight` the strains that its change's linearisation foresaw; bodies of no
-     * membrane that steps turn far may take `change` for `beside`. */
+    /* Returns strains at x, in the thread's own room, or NULL if x is not a valid shape
+     * there. With `foresight` they are the strains that its change's linearisation foresaw;
+     * bodies of no membrane that steps turn far may take `change` for `beside`. */
     double *(*strain)(const void *self, int thread, int element, const double *x,
                       const struct large_foresight *foresight);
-    /* The geometry becomes (1 - share) x_old + share x; x_old is NULL if share == 1. */
+    /* Sets the geometry to (1 - share) x_old + share x; x_old is NULL if share == 1. */
     void (*geometry)(const void *self, int thread, int element, const double *x_old,
                      double share);
-    /* Add the element's to force[nodes][3] and K[pairs], of the strains in the room. */
+    /* Add the element's part to force[nodes][3] and K[pairs], of the strains in the
+     * room. */
     void (*force)(const void *self, int thread, int element, double *force);
     void (*tangent)(const void *self, int thread, int element,
                     const struct large_path *path, double (*K)[9]);
-    /* Elastic energy at x [J]; for explicit steps. STATUS_NAN or _INVERTED. */
+    /* Returns elastic energy at x [J]; for explicit steps. STATUS_NAN or _INVERTED. */
     enum status (*energy)(const void *self, const double *x, double *energy);
 };
 
-/* Numbers in an array of strains. */
+/* Returns the length of an array of strains. */
 size_t large_body_strains(const struct large_body *b);
 
-/* All elements, in parallel; the sums' order does not depend on the number of threads.
- * STATUS_NAN, or STATUS_INVERTED where x is no body; results are then of no use.
+/* Evaluate all elements, in parallel; the sums' order does not depend on the number of
+ * threads. STATUS_NAN, or STATUS_INVERTED where x is not a valid shape; results are then
+ * unusable.
  *
  * K is symmetric: exact in statics without foresight; in time, where the derivative of the
  * force is not symmetric, with the geometry's strain variations on both sides, and without
- * what is nothing beside the inertia (shell_tangent.h). */
+ * terms that are negligible beside the inertia (shell_tangent.h). */
 enum status large_body_strain(const struct large_body *b, const double *x, double *strain);
 enum status large_body_force(const struct large_body *b, const struct large_path *path,
                              const double *x, double *force);
@@ -73,7 +76,7 @@ enum status large_body_tangent(const struct large_body *b, const struct large_pa
                                const double *x, struct large_foresight foresight,
                                double (*K)[9]);
 
-/* Loads that follow the shape, for tests: adds `factor` times the load to force[nodes][3]
+/* A load that follows the shape, for tests: adds `factor` times the load to force[nodes][3]
  * and, unless K is NULL, minus its derivative to K. */
 struct large_follower {
     void (*add)(void *context, const double *x, double factor, double *force,
@@ -82,7 +85,7 @@ struct large_follower {
 };
 
 struct large_motion {
-    /* Set by the owner before large_motion_init; borrowed. */
+    /* The owner sets these before large_motion_init; borrowed. */
     struct large_body body;
     const struct scene *scene;
     const struct blocks *graph;
@@ -109,7 +112,7 @@ struct large_motion {
     double *strain_mean; /* of the last step, in the same room; NULL: not rings        */
     double *room;        /* [6][nodes][3]: x_old, hat, work of large_newton     owned   */
     double factored;     /* mass factor of the tangent that is factored; -1: none       */
-    double added;        /* to the factored tangent, of mass; 0: none         [1/s^2]   */
+    double added;        /* mass added to the factored tangent; 0: none       [1/s^2]   */
     bool stressless;     /* the present tangent leaves out the stress                   */
     bool worn;           /* the last equation could not do with one factored tangent    */
     bool started;        /* strain_old belongs to x                                     */

@@ -10,20 +10,20 @@
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
 
-/* Of the greatest stable step about rest. */
+/* The chosen step, as a share of the greatest stable one about rest. */
 static const double CHOSEN = 0.95;
 
 static const double MOST_SUBSTEPS = 1e6;
 
-/* How often the steps of a frame are doubled. */
+/* The most times that the steps of a frame are doubled. */
 enum { DOUBLINGS = 8 };
 
-/* Energy that a frame may gain, of the most that moved or was stored so far. A stable step
- * moves the energy of what it hardly resolves to and fro; one that is not stable gains this
- * in a few frames from nothing. */
+/* The energy that a frame may gain, as a share of the most that moved or was stored so far.
+ * Stable steps exchange the energy of what they hardly resolve; unstable ones gain this
+ * much in a few frames from nothing. */
 static const double GAIN = 0.05;
 
-/* Strains that are round-off. */
+/* Strains below this are round-off. */
 static const double ROUND_OFF = 1e-10;
 
 struct large_leapfrog {
@@ -40,7 +40,7 @@ struct large_leapfrog {
     double *before, *weight;   /* [nodes][3], [nodes] with obstacles                      */
     double *pull, *shift;      /* [held_count] with supports that move: force less load,
                                   and the step's way                                      */
-    int pushed;                /* nodes that obstacles bore at the end                    */
+    int pushed;                /* nodes that obstacles carried at the end                 */
 };
 
 static size_t count_of(const struct large_leapfrog *l)
@@ -84,7 +84,7 @@ static void make_mass(struct large_leapfrog *l)
     }
 }
 
-/* Of m->K. l->a is work. */
+/* Finds omega of m->K. l->a is work. */
 static enum status largest_frequency(struct large_leapfrog *l, double *omega)
 {
     struct large_motion *m = l->m;
@@ -144,7 +144,7 @@ out:
     return st;
 }
 
-/* a of x; what of the scene's is not there costs nothing. */
+/* Computes a at x; features that the scene lacks cost nothing. */
 static enum status accelerate(struct large_leapfrog *l, struct counters *counters)
 {
     enum status st;
@@ -165,7 +165,7 @@ out:
     return st;
 }
 
-/* Energy of what is free to move, and all that is stored, less the supports' work. */
+/* Returns the free unknowns' kinetic and all stored energy, less the supports' work. */
 static double energy_now(const struct large_leapfrog *l)
 {
     const struct large_motion *m = l->m;
@@ -188,7 +188,7 @@ static enum status store(struct large_leapfrog *l, double *elastic)
     return st;
 }
 
-/* From x and v at time t, wherever they come from. */
+/* Starts from any x and v at time t. */
 static enum status begin(struct large_leapfrog *l, double t, struct counters *counters)
 {
     enum status st;
@@ -212,7 +212,7 @@ out:
     return st;
 }
 
-/* Held unknowns to time t. */
+/* Moves held unknowns to time t. */
 static void move_supports(struct large_leapfrog *l, double t, double dt)
 {
     struct large_motion *m = l->m;
@@ -233,7 +233,7 @@ static void add_work(struct large_leapfrog *l)
         l->work += l->pull[h] * l->shift[h] / 2;
 }
 
-/* Nodes out of obstacles; those that were pushed come as they went. */
+/* Pushes nodes out of obstacles; v of those that were pushed is that of their real way. */
 static void leave_obstacles(struct large_leapfrog *l, double dt)
 {
     struct large_motion *m = l->m;
@@ -249,7 +249,7 @@ static void leave_obstacles(struct large_leapfrog *l, double dt)
         m->push[i] += unit * force[i];
 }
 
-/* v <- keep v + push a. */
+/* Computes v <- keep v + push a. */
 static void kick(struct large_leapfrog *l, double keep, double push)
 {
     double *v = l->m->newmark->v;
@@ -258,7 +258,7 @@ static void kick(struct large_leapfrog *l, double keep, double push)
         v[t] = keep * v[t] + push * l->a[t];
 }
 
-/* A frame from time t. */
+/* Runs a frame from time t. */
 static enum status run(struct large_leapfrog *l, double t, struct counters *counters)
 {
     enum status st = STATUS_OK;
@@ -290,7 +290,7 @@ out:
     return st;
 }
 
-/* A body that has gained energy is none. */
+/* Rejects a state that has gained energy: STATUS_DIVERGED. */
 static enum status judge(struct large_leapfrog *l)
 {
     const struct scene *s = l->m->scene;
@@ -307,7 +307,7 @@ static enum status judge(struct large_leapfrog *l)
     return STATUS_OK;
 }
 
-/* Back to where the frame began. */
+/* Restores the state where the frame began. */
 static void restore(struct large_leapfrog *l, double work)
 {
     size_t bytes = count_of(l) * sizeof *l->a;

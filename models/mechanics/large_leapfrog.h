@@ -28,17 +28,17 @@
  * substeps that do not go together. */
 enum status large_leapfrog_refuse(const struct discretization *d, struct message *why);
 
-/* Steps of *m, initialised and at rest, become explicit if d says so: m->leapfrog, which
+/* Makes steps of *m, initialised and at rest, explicit if d says so: m->leapfrog, which
  * large_motion_clear frees. Overwrites m->K. STATUS_INPUT with a sentence if a frame needs
  * more than a million steps. */
 enum status large_leapfrog_make(struct large_motion *m, const struct discretization *d,
                                 struct message *why);
 void large_leapfrog_free(struct large_leapfrog *l);
 
-/* Its steps and mass in a line; none if steps are implicit. */
+/* Describes its steps and mass in a line; none if steps are implicit. */
 void large_leapfrog_describe(const struct large_motion *m, struct message *line);
 
-/* What large_motion.h promises of its own. */
+/* Do for explicit steps what large_motion.h promises. */
 enum status large_leapfrog_step(struct large_motion *m, double t,
                                 struct counters *counters);
 void large_leapfrog_contact(const struct large_motion *m, struct model_contact *contact);

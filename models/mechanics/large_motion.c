@@ -8,12 +8,12 @@
 #include "models/mechanics/large_newton.h"
 
 /* A step of Newton's method with an old tangent is good enough if it is this much shorter
- * than the last: an assembly and a factor cost as much as three or four of them. */
+ * than the last: an assembly and a factorisation cost as much as three or four of them. */
 static const double CHORD = 0.4;
 
 const double large_motion_lag = 0.1;
 
-/* Where nothing damps, substeps that take more iterations than this would fail if they were
+/* Where nothing damps, substeps with more iterations than this would fail if they were
  * longer, and longer ones are not tried (edge_drop, undamped, no viscosity, to 2 s, shell
  * 10x10, p = 3: .72 of the assemblies of trying each time; 6 and 10 do as well). */
 enum { EASY = 8 };
@@ -46,7 +46,7 @@ static size_t count_of(const struct large_motion *m)
     return 3 * (size_t)m->graph->nodes;
 }
 
-/* Held unknowns at the step's end into x; hat such that mass (x - hat) is their inertia. */
+/* Moves held unknowns of x to the step's end; mass (x - hat) becomes their inertia. */
 static void move_supports(struct large_motion *m, double t, double dt, double mass,
                           const double *x_old, double *hat)
 {
@@ -61,7 +61,7 @@ static void move_supports(struct large_motion *m, double t, double dt, double ma
     }
 }
 
-/* New velocities; a keeps the mean acceleration of the step for the next predictor. */
+/* Computes new velocities; a keeps the step's mean acceleration for the next predictor. */
 static void finish(struct large_motion *m, double dt, const double *x_old)
 {
     struct newmark *n = m->newmark;
@@ -77,7 +77,7 @@ static void finish(struct large_motion *m, double dt, const double *x_old)
         n->v[m->supports->held[h]] = v_held[h];
 }
 
-/* The end of a substep under contact: its impact, and its share of the step's force. */
+/* Ends a substep under contact: its impact, and its share of the step's force. */
 static enum status meet_obstacles(struct large_motion *m, double dt,
                                   struct counters *counters)
 {
@@ -103,7 +103,7 @@ void large_motion_contact(const struct large_motion *m, struct model_contact *co
     memcpy(contact->force, m->push, sizeof contact->force);
 }
 
-/* The strains where a step ends, and the mean of the step. */
+/* Stores the strains where a step ends, and the mean of the step. */
 static enum status keep_strains(struct large_motion *m)
 {
     const size_t count = large_body_strains(&m->body);
@@ -136,7 +136,7 @@ static enum status substep(struct large_motion *m, double t, double dt,
         .mass = mass,
         .hat = hat,
         .load = 1,
-        /* without another step of Newton to mend it, a step needs its own tangent */
+        /* a step that no other Newton step will correct needs its own tangent */
         .chord = m->full || m->enough ? 0 : CHORD,
         .limit = 40,
         .enough = m->enough,

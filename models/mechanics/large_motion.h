@@ -30,7 +30,7 @@
 
 #include "models/mechanics/large_body.h"
 
-/* The viscosity of bodies that need one, in steps. */
+/* The viscosity of bodies that need one, in steps; the lag above. */
 extern const double large_motion_lag;
 
 enum status large_motion_init(struct large_motion *m);
@@ -40,7 +40,7 @@ void large_motion_clear(struct large_motion *m);
  * fails. STATUS_DIVERGED, _INDEFINITE, _INVERTED or _NAN if step / 256 fails too. */
 enum status large_motion_step(struct large_motion *m, double t, struct counters *counters);
 
-/* Present nodes and gap, mean force of the last step; m->contact is not NULL. */
+/* Reports present nodes and gap, mean force of the last step; m->contact is not NULL. */
 void large_motion_contact(const struct large_motion *m, struct model_contact *contact);
 
 #endif

@@ -11,21 +11,19 @@ static const double STEP_TOLERANCE = 1e-7;
  * more tangents: shell 10x10 selective p = 2, .81 of the iterations; p = 3, .87; IGA
  * selective p = 3, .86.) */
 static const double FIRST_CHORD = 0.03;
-/* Where nothing damps the membrane, a new tangent shortens steps little: it leaves out how
- * the geometry of forces turns against that of strains. An old one, at a quarter of the
- * cost, then serves if it does half as well, but for steps that hardly shrink at all.
- * (edge_drop, undamped, no viscosity, to 2 s, shell 16x16, p = 3: .96 of the assemblies.)
- */
+/* Where nothing damps the membrane, a new tangent shortens steps little: it leaves out
+ * how the geometry of forces turns against that of strains. An old one, at a quarter of
+ * the cost, is then kept if it does half as well, but for steps that hardly shrink at
+ * all. (edge_drop, undamped, no viscosity, to 2 s, shell 16x16, p = 3: .96 of the
+ * assemblies.) */
 static const double RINGING_CHORD = 0.8;
-/* Halvings of a step that leads to a surface without normals or to numbers that are none.
- */
+/* The most halvings of a step that leads to a surface without normals or to NaN. */
 enum { HALVINGS = 6 };
-/* Friction that has not settled by then stays as it is for the rest of the step. */
+/* Friction that has not settled after so many iterations stays as it is for the step. */
 enum { FRICTION_ITERATIONS = 20 };
 /* Steps in time that do not halve in so many iterations creep about a tangent without
- * stress, and most never settle: two halves of the time step are cheaper than the rest of
- * the limit. (edge_drop, undamped, no lag, to 0.9 s, shell 16x16, p = 3: .60 of the
- * assemblies.) */
+ * stress, and most never converge: two halves of the time step are cheaper than going on.
+ * (edge_drop, undamped, no lag, to 0.9 s, shell 16x16, p = 3: .60 of the assemblies.) */
 enum { PATIENCE = 5 };
 
 static size_t count_of(const struct large_motion *m)
@@ -33,7 +31,7 @@ static size_t count_of(const struct large_motion *m)
     return 3 * (size_t)m->graph->nodes;
 }
 
-/* Right-hand side at x into r; work[nodes][3]. */
+/* Computes the right-hand side at x, r; work[nodes][3]. */
 static enum status residual(struct large_motion *m, const struct large_equation *q,
                             const double *x, double *r, double *work)
 {
@@ -82,7 +80,7 @@ static enum status factor(struct large_motion *m, double mass, struct counters *
     return st;
 }
 
-/* Statics know no obstacles. */
+/* Whether obstacles matter; statics do not see them. */
 static bool in_contact(const struct large_motion *m, const struct large_equation *q)
 {
     return m->contact && q->mass > 0;
@@ -125,12 +123,12 @@ struct iteration {
     double *r, *next; /* right-hand side at x; the step from there                     */
     double *work;
     double tolerance; /* [m]                                                           */
-    double chord; /* the tangent serves on if it makes the next step so much shorter   */
-    double gain;  /* what the last new tangent made of the step before it              */
+    double chord; /* the tangent is kept if the next step is so much shorter           */
+    double gain;  /* ratio of steps at the last new tangent                            */
     enum contact_friction friction;
 };
 
-/* The same with obstacles, which factors as it needs. */
+/* Solves with obstacles, factoring as needed. */
 static enum status solve_contact(struct large_motion *m, const struct large_equation *q,
                                  struct iteration *i, struct counters *counters)
 {
@@ -150,9 +148,9 @@ static enum status solve_contact(struct large_motion *m, const struct large_equa
     return contact_solve(&m->contact->set, m->system, &problem, i->next, counters);
 }
 
-/* i->next from i->r with the factored tangent. One that a solve finds not to be positive
- * definite, as conjugate gradients and contact do, is replaced by one without stress; so is
- * one that GMRES finds no solution for, which does not see why. */
+/* Solves for i->next from i->r with the factored tangent. A tangent found not to be
+ * positive definite, by conjugate gradients or contact, is replaced by one without stress;
+ * so is one for which GMRES finds no solution, since it cannot tell why. */
 static enum status solve(struct large_motion *m, const struct large_equation *q,
                          struct iteration *i, double *size, struct counters *counters)
 {
@@ -179,7 +177,7 @@ out:
     return st;
 }
 
-/* x += d and the right-hand side there; d is halved while there is none. */
+/* Takes the step d and computes the right-hand side there; halves d while there is none. */
 static enum status take_step(struct large_motion *m, const struct large_equation *q,
                              struct iteration *i)
 {
@@ -200,10 +198,10 @@ static enum status take_step(struct large_motion *m, const struct large_equation
     return st;
 }
 
-/* To i->work: what large_foresight wants beside d, which led to x. With B of the geometry
- * that the tangent had, (1 - g) x_old + g (x - d), it foresaw e(x - d) + B d: of
- * e(x), (d + 2 (1 - g) (x - d - x_old)) d / 2 less. A stress that leaves out the second
- * part is wrong by the turn of the step, not only by that of d. */
+/* Fills i->work with what large_foresight needs beside d, which led to x. With B of the
+ * geometry that the tangent had, (1 - g) x_old + g (x - d), it foresaw e(x - d) + B d: of
+ * e(x), (d + 2 (1 - g) (x - d - x_old)) d / 2 less. A stress without the second part is
+ * wrong by the turn of the step, not only by that of d. */
 static void fill_beside(const struct large_motion *m, const struct large_equation *q,
                         const struct iteration *i)
 {
@@ -213,7 +211,7 @@ static void fill_beside(const struct large_motion *m, const struct large_equatio
         i->work[t] = i->d[t] + (back > 0 ? back * (i->x[t] - i->d[t] - old[t]) : 0);
 }
 
-/* What the next step must be of the last, at most, for the old tangent to serve. */
+/* Returns the largest ratio of the next step to the last for which the tangent is kept. */
 static double chord_of(const struct large_motion *m, const struct iteration *i)
 {
     bool slow = m->rings && i->gain < 1;
@@ -221,7 +219,7 @@ static double chord_of(const struct large_motion *m, const struct iteration *i)
     return slow ? fmax(i->chord, fmin(RINGING_CHORD, sqrt(i->gain))) : i->chord;
 }
 
-/* The next step, with the old tangent if that still does well. */
+/* Finds the next step, with the old tangent if that still works well. */
 static enum status next_step(struct large_motion *m, const struct large_equation *q,
                              struct iteration *i, struct counters *counters)
 {
@@ -245,7 +243,7 @@ out:
     return st;
 }
 
-/* Whether a step below the tolerance says that nothing is left to do. */
+/* Whether a step below the tolerance means convergence. */
 static bool settled(const struct large_motion *m, double size, double before)
 {
     const double shrink = 0.1, round_off = 1e-14;
@@ -293,7 +291,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
         }
         bool calm = i.size <= i.tolerance && settled(m, i.size, before);
         before = i.size;
-        /* how far a step goes says little of what friction still has to become */
+        /* the length of a step says little about changes that friction still has to make */
         bool rubbed = in_contact(m, q) && !m->contact->set.settled;
         if ((calm && !rubbed) || n + 1 == q->enough) {
             for (size_t t = 0; t < count; t++)

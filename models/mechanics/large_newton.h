@@ -30,15 +30,15 @@ struct large_equation {
     double load;       /* factor on m->load and the follower                           */
     double chord;      /* a tangent is kept while steps shrink by this; 0: never       */
     int limit;         /* iterations                                                   */
-    int enough;        /* after so many x is taken as it is; 0: never                  */
+    int enough;        /* iterations to stop after, converged or not; 0: none          */
 };
 
-/* x[nodes][3]: predictor on entry, with held unknowns where they shall be; solution on
- * return. Stops when a step is below 1e-7 of the sheet's length, and friction settled. Mass
- * that had to be added to the tangent shortens steps where nothing is settled: there the
- * steps must shrink fast as well, as they do towards an equilibrium that is not stable
- * (m->added > 0 tells of it). STATUS_DIVERGED if that takes too many iterations; the codes
- * of body and factor. */
+/* Solves for x[nodes][3]: predictor on entry, with held unknowns where they shall be;
+ * solution on return. Stops when a step is below 1e-7 of the sheet's length, and friction
+ * settled. Mass that had to be added to the tangent shortens steps before convergence: then
+ * the steps must shrink fast as well, as they do towards an unstable equilibrium (which
+ * m->added > 0 indicates). STATUS_DIVERGED if that takes too many iterations; the codes of
+ * body and factor. */
 enum status large_newton_solve(struct large_motion *m,
                                const struct large_equation *equation, double *x,
                                struct counters *counters);

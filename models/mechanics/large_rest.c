@@ -9,18 +9,18 @@
 
 static const struct large_path statics = {.s1 = 1, .g1 = 1};
 
-/* First increment, of the load or of the paths' time; the smallest before giving up; the
- * largest along a path. */
+/* Increments of the load or of the paths' time: the first; the smallest before giving up,
+ * also along a path; the largest along a path. */
 static const double FIRST_INCREMENT = 1.0 / 8, SMALLEST_INCREMENT = 1e-7,
                     SMALLEST_MOVE = 1e-6, LARGEST_MOVE = 1.0 / 16;
 enum { MOST_INCREMENTS = 2000 };
 
-/* About modes obstacles hold nodes by springs of so many times the largest stiffness, which
- * lowers modes that bend by far less than a hundredth. Stiffer springs' round-off would
+/* In modes, obstacles hold nodes by springs of so many times the largest stiffness, which
+ * lowers bending modes by far less than a hundredth. Round-off of stiffer springs would
  * hide which modes cost nothing. */
 static const double HOLDING = 100;
 
-/* What grows from 0 to 1: the load, then the time of the supports' paths. */
+/* The quantity that grows from 0 to 1: the load, then the time of the supports' paths. */
 enum stage { LOADING, MOVING };
 
 static void begin(struct large_motion *m)
@@ -35,7 +35,7 @@ static void begin(struct large_motion *m)
     m->halvings = 0;
 }
 
-/* Held unknowns where they are at this part of the stage. */
+/* Places held unknowns for this part of the stage. */
 static void place(struct large_motion *m, enum stage stage, double part)
 {
     double t = stage == MOVING ? part * m->scene->end : 0;
@@ -48,8 +48,8 @@ static void place(struct large_motion *m, enum stage stage, double part)
     }
 }
 
-/* The shape at `part`, guessed `ahead` times as far beyond the last two shapes as they are
- * apart. */
+/* Finds the shape at `part`, guessed `ahead` times as far beyond the last two shapes as
+ * they are apart. */
 static enum status increment_to(struct large_motion *m, enum stage stage, double part,
                                 double ahead, struct counters *counters)
 {
@@ -69,7 +69,7 @@ out:
     return st;
 }
 
-/* Where growing loads do not lead: a sheet that hangs from a hinge or from corners has no
+/* Relaxes where growing loads fail: a sheet that hangs from a hinge or from corners has no
  * stiffness at first. Backward Euler steps that forget their velocity go downhill instead,
  * in growing steps, until one without mass arrives (pseudo-transient continuation). */
 static enum status relax(struct large_motion *m, struct counters *counters)
@@ -103,8 +103,8 @@ out:
     return st;
 }
 
-/* Where supports that move leave no shape near the last, at `last`: to one far off,
- * downhill, as a snapping sheet goes. */
+/* Snaps: where moving supports leave no shape near `last`, goes to one far off, downhill,
+ * as a snapping sheet does. */
 static enum status snap(struct large_motion *m, double part, struct counters *counters)
 {
     enum status st;
@@ -125,7 +125,7 @@ struct progress {
     bool stable; /* MOVING: the last shape is */
 };
 
-/* Goes on from m->x, the shape at `part`. */
+/* Accepts m->x, the shape at `part`. */
 static void accept(struct large_motion *m, struct progress *p, enum stage stage,
                    double part)
 {
@@ -139,7 +139,7 @@ static void accept(struct large_motion *m, struct progress *p, enum stage stage,
     p->stable = stage == MOVING && m->added == 0;
 }
 
-/* All of a stage from the present shape. */
+/* Does all of a stage from the present shape. */
 static enum status follow(struct large_motion *m, enum stage stage,
                           struct counters *counters)
 {
@@ -213,7 +213,7 @@ out:
     return st;
 }
 
-/* The largest number on the tangent's diagonal [N/m]. */
+/* Returns the largest number on the tangent's diagonal [N/m]. */
 static double stiffest(const struct large_motion *m)
 {
     double most = 0;

@@ -18,11 +18,10 @@
 enum status large_rest_equilibrium(struct large_motion *m, struct counters *counters,
                                    struct message *why);
 
-/* model.h's modes about m->x: of its tangent, stress and all. Nodes that an obstacle
+/* Finds model.h's modes about m->x: of its tangent, stress included. Nodes that an obstacle
  * carries may move along it, with the ball's curvature against them, unless friction has
- * strength left: then they stay, by stiff springs, whose own modes are told where nothing
- * else moves.
- */
+ * strength left: then they stay, by stiff springs, whose own modes appear where nothing
+ * else moves. */
 enum status large_rest_modes(struct large_motion *m, int count, double *omega,
                              struct message *why);
 

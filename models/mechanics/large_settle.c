@@ -5,23 +5,24 @@
 
 #include "models/mechanics/large_newton.h"
 
-/* Of the loads and what supports bear, left unbalanced in what is called rest. */
+/* Rest: the unbalanced share of the loads and the supports' reactions is below this. */
 static const double RESIDUAL = 1e-6;
 
 /* Nodes nearer than this share of the length touch: an obstacle is met at its tangent
  * plane, which is off by d^2 / 2 R where the last step moved by d. */
 static const double TOUCHING = 1e-8;
 
-/* The mass of a step that failed is multiplied by the first, by the second where the step
- * needed a tangent without stress - a shape with an unstable way out is left, not settled
- * in - and by the third where it went well. */
+/* The mass is multiplied by FAILED after a step that failed, by SHORTER where the step
+ * needed a tangent without stress - a shape with an unstable way out is to be left - or
+ * moved too far, and by GOOD where it went well. */
 static const double FAILED = 8, SHORTER = 2, GOOD = 0.5;
 
-/* Of the length: where a node moves farther in a step, the next is shorter; where it moves
- * less than half as far, the next is longer: the way down is followed and not leapt. */
+/* Where a node moves farther than this share of the length in a step, the next is shorter;
+ * where it moves less than half as far, the next is longer: the way down is followed, not
+ * leapt. */
 static const double FARTHEST = 0.02;
 
-/* Mass of the longest step, of that of the scene's step. */
+/* The mass of the longest step, relative to that of the scene's step. */
 static const double LONGEST = 1e-8;
 
 enum { MOST_STEPS = 600 };
@@ -31,7 +32,7 @@ static double length_of(const double f[3])
     return sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
 }
 
-/* What is unbalanced at m->x, of the loads and what supports bear. */
+/* Computes the unbalanced share of the loads and the supports' reactions at m->x. */
 static enum status unbalanced(struct large_motion *m, double *share)
 {
     static const struct large_path statics = {.s1 = 1, .g1 = 1};
@@ -57,7 +58,7 @@ out:
     return st;
 }
 
-/* A step from m->x, which stays there if it fails; the farthest that a node *moved. */
+/* Steps from m->x, which stays there on failure; *moved: the farthest that a node moved. */
 static enum status step(struct large_motion *m, double mass, double *moved,
                         struct counters *counters)
 {
@@ -86,7 +87,7 @@ out:
     return st;
 }
 
-/* The next step's mass, of this one's. */
+/* Returns the factor from this step's mass to the next one's. */
 static double growth(const struct large_motion *m, enum status st, double moved)
 {
     double farthest = FARTHEST * m->scene->length;

@@ -1,4 +1,4 @@
-/* large_settle.h - a body at large displacements comes to rest, among obstacles and where
+/* large_settle.h - brings a body at large displacements to rest, among obstacles and where
  * it snaps to a shape far off (large_rest.h). */
 #ifndef LARGE_SETTLE_H
 #define LARGE_SETTLE_H
@@ -10,7 +10,7 @@
  * motion (contact_solve.h), in steps that grow while they succeed (pseudo-transient
  * continuation; Kelley, Keyes 1998). That is a slow lowering of the sheet: which of many
  * equilibria friction holds is that of this way. The end is judged by the state alone: of
- * the loads and what supports bear no more than 1e-6 is left unbalanced, summed over nodes
+ * the loads and support reactions no more than 1e-6 is left unbalanced, summed over nodes
  * as lengths, by forces that obstacles may have (contact_set_balance). m->push are their
  * reactions. It may be an unstable state where symmetry leads to one: large_rest_modes
  * tells. STATUS_DIVERGED, with what is left in a sentence, if there is no such state within

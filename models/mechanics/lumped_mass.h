@@ -1,16 +1,15 @@
-/* lumped_mass.h - row sums of a mass, which explicit steps divide by. Those of B-splines
- * are positive: the functions are, and sum to one.
- */
+/* lumped_mass.h - row sums of a mass matrix, by which explicit steps divide. Those of
+ * B-splines are positive: the functions are, and sum to one. */
 #ifndef LUMPED_MASS_H
 #define LUMPED_MASS_H
 
 #include "models/discretization.h"
 #include "models/linalg/blocks.h"
 
-/* True if d wants row sums: leapfrog steps. */
+/* Whether d needs row sums: leapfrog steps do. */
 bool lumped_mass_wanted(const struct discretization *d);
 
-/* Row sums in place of M[pairs] if d wants them, on the diagonal, zero elsewhere.
+/* Replaces M[pairs] by row sums if d needs them, on the diagonal, zero elsewhere.
  * STATUS_UNSUPPORTED with a sentence where one is not positive. */
 enum status lumped_mass_make(const struct discretization *d, const struct blocks *graph,
                              double *M, struct message *why);

@@ -53,8 +53,8 @@ struct newmark_held newmark_follow(const struct supports *s, const struct scene 
     return (struct newmark_held){d, v, a};
 }
 
-/* rhs -= M (a + alpha v + gamma d) + K (d + beta v) of the held unknowns, whose motion is
- * given. */
+/* Subtracts M (a + alpha v + gamma d) + K (d + beta v) of the held unknowns, whose motion
+ * is given, from rhs. */
 static void subtract_held(struct newmark *n, struct system *s, const double (*K)[9],
                           const double *M, const struct newmark_held *held, double *rhs)
 {

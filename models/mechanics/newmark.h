@@ -19,47 +19,47 @@ struct newmark {
     double *work;       /* [3][nodes][3]                                               */
 };
 
-/* All zero at the start. */
+/* Starts with all zero. */
 enum status newmark_init(struct newmark *n, int nodes, double dt, double alpha,
                          double beta);
 void newmark_clear(struct newmark *n);
 
-/* The factors of K and M in the step's system: k K + m M. */
+/* Return the factors of K and M in the step's system: k K + m M. */
 double newmark_k(const struct newmark *n);
 double newmark_m(const struct newmark *n);
 
-/* Motion of the held unknowns at the end of the step, each [held_count]. */
+/* The motion of the held unknowns at the end of the step, each [held_count]. */
 struct newmark_held {
     const double *d, *v, *a;
 };
 
-/* What the supports' paths give at time t, by central differences over +-dt; borrowed from
- * room[4][held_count]. */
+/* Returns the motion by the supports' paths at time t, by central differences over +-dt;
+ * borrowed from room[4][held_count]. */
 struct newmark_held newmark_follow(const struct supports *s, const struct scene *scene,
                                    double t, double dt, double *room);
 
-/* The acceleration of the present d and v (rest, static equilibrium, any start):
+/* Computes the acceleration of the present d and v (rest, static equilibrium, any start):
  *   M a = load - M alpha v - K (d + beta v),
  * held unknowns taking the motion given (NULL: at rest). Leaves the factor of M in `s`. */
 enum status newmark_start(struct newmark *n, struct system *s, const double (*K)[9],
                           const double *M, const double *load,
                           const struct newmark_held *held);
 
-/* newmark_start, then the factor of the steps in `s`. Counts both. */
+/* Calls newmark_start, then factors the steps' system in `s`. Counts both. */
 enum status newmark_begin(struct newmark *n, struct system *s, const double (*K)[9],
                           const double *M, const double *load,
                           const struct newmark_held *held, struct counters *counters);
 
-/* One step. `s` holds the factor of newmark_k K + newmark_m M; load[nodes][3] [N] at the
- * end of the step. `held` NULL: held unknowns stay as they are (at rest), and K is not
+/* Takes one step. `s` holds the factor of newmark_k K + newmark_m M; load[nodes][3] [N] at
+ * the end of the step. `held` NULL: held unknowns stay as they are (at rest), and K is not
  * read; it may then be NULL. */
 enum status newmark_step(struct newmark *n, struct system *s, const double (*K)[9],
                          const double *M, const double *load,
                          const struct newmark_held *held);
 
-/* The two halves of a step, for those who solve between them: the right-hand side of
+/* The two halves of a step, for callers that solve between them: the right-hand side of
  *   (newmark_k K + newmark_m M) w = rhs,   newmark_k w = d + beta v at the end of the step,
- * is left in n->work[nodes][3], what held unknowns contribute taken off; then w (which may
+ * is left in n->work[nodes][3], without the part of held unknowns; then w (which may
  * be n->work; held entries are not read) becomes the new d, v, a. */
 void newmark_predict(struct newmark *n, struct system *s, const double (*K)[9],
                      const double *M, const double *load, const struct newmark_held *held);

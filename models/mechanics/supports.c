@@ -5,7 +5,7 @@
 
 #include "models/room.h"
 
-/* Greville abscissae are sums of a few knots in [0,1]: round-off of a few ulp. */
+/* Greville abscissae are sums of a few knots in [0,1], with round-off of a few ulp. */
 static const double ROUNDING = 1e-12;
 
 static bool inside(double x, double lo, double hi)
@@ -18,7 +18,7 @@ static bool full_thickness(const struct scene_support *s)
     return s->lo[2] <= 0 && s->hi[2] >= 1;
 }
 
-/* The mid-surface and neither face: a hinge. */
+/* Whether the support holds the mid-surface and neither face: a hinge. */
 static bool middle_only(const struct scene_support *s)
 {
     return s->lo[2] > 0 && s->hi[2] < 1 && inside(0.5, s->lo[2], s->hi[2]);
@@ -68,7 +68,7 @@ enum status supports_hinge(const struct scene *scene, int layers, const double (
     return STATUS_OK;
 }
 
-/* owner[3 nodes]: the support holding each unknown, -1 if none; the first one wins. */
+/* Fills owner[3 nodes]: the support holding each unknown, -1 if none; the first wins. */
 static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3],
                           int *owner, struct message *why)
 {

@@ -1,16 +1,17 @@
-/* supports.h - which unknowns of a node model a scene's supports hold, and where.
+/* supports.h - the unknowns of a node model that a scene's supports hold, and where.
  *
  * The paper's rule: a node is held if its parameters lie in the support's region, in all
  * layers the region covers (an edge: all control points of the edge, both layers). Where it
- * covers the mid-surface w = 1/2 alone, what is held is that surface: the sheet may turn.
+ * covers the mid-surface w = 1/2 alone, that surface is held: the sheet may turn.
  */
 #ifndef SUPPORTS_H
 #define SUPPORTS_H
 
 #include "models/scene.h"
 
-/* Parameters w of coefficients that stand for a whole column: its mid-surface, which moves
- * with a support, and its differences across the thickness, which a shift leaves alone. */
+/* Parameters w of coefficients that describe a whole column: its mid-surface, which
+ * moves with a support, and its differences across the thickness, which a shift does not
+ * change. */
 enum { SUPPORTS_MIDDLE = -1, SUPPORTS_DIFFERENCE = -2 };
 
 struct supports {
@@ -22,43 +23,43 @@ struct supports {
     bool moving;     /* any of them has a path                                         */
 };
 
-/* uvw[nodes][3]: parameters of the nodes; w < 0 (above) belongs to a whole column, which
- * only a support through the full thickness may hold, or of its middle alone. STATUS_INPUT
- * with a sentence if a support holds no node, STATUS_UNSUPPORTED if it takes part of a
- * column. */
+/* Finds the held unknowns. uvw[nodes][3]: parameters of the nodes; w < 0 (above) belongs to
+ * a whole column, which only a support through the full thickness may hold, or of its
+ * middle alone. STATUS_INPUT with a sentence if a support holds no node, STATUS_UNSUPPORTED
+ * if it takes part of a column. */
 enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
                           double (*uvw)[3], struct message *why);
 void supports_clear(struct supports *s);
 
-/* STATUS_INPUT or STATUS_UNSUPPORTED with a sentence where a scene has no static
- * equilibrium that a model looks for: nothing is held and there are no obstacles; or there
- * are, and it can't rest on `obstacles`, or supports move besides. */
+/* Refuses, with STATUS_INPUT or STATUS_UNSUPPORTED and a sentence, where a scene has no
+ * static equilibrium that the model can find: nothing is held and there are no obstacles;
+ * or there are, and it cannot rest on `obstacles`, or supports move besides. */
 enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
                                 bool obstacles, struct message *why);
 
-/* Initial velocities (scene_initial_velocity) into v[nodes][3] [m/s]: of coefficients at
- * rest[nodes][3], with parameters uvw[nodes][3] if some of them are differences (NULL:
+/* Fills v[nodes][3] with initial velocities (scene_initial_velocity) [m/s]: of coefficients
+ * at rest[nodes][3], with parameters uvw[nodes][3] if some of them are differences (NULL:
  * none). Zero where held; supports that move bring their own. */
 void supports_initial_velocity(const struct supports *s, const struct scene *scene,
                                const double *rest, const double (*uvw)[3], double *v);
 
-/* What a scene's supports take of the columns: each the full thickness; or some of them the
- * mid-surface and neither face, a hinge; or parts that columns as unknowns can't hold. */
+/* The parts of the columns that a scene's supports take: each the full thickness; or some
+ * of them the mid-surface and neither face, a hinge; or parts that columns as unknowns
+ * cannot hold. */
 enum supports_columns { SUPPORTS_WHOLE, SUPPORTS_HINGED, SUPPORTS_LAYERED };
 enum supports_columns supports_columns(const struct scene *scene);
 
-/* Whether a support takes the middle of a column of nodes at uvw[layers][3], and at most
- * one of them. If so, its mid-surface takes the place of node `middle`: STATUS_UNSUPPORTED
- * with a sentence where a support takes that node with a part of the thickness. */
+/* Finds whether a support takes the middle of a column of nodes at uvw[layers][3], and at
+ * most one of them. If so, its mid-surface replaces node `middle`: STATUS_UNSUPPORTED with
+ * a sentence where a support takes that node with a part of the thickness. */
 enum status supports_hinge(const struct scene *scene, int layers, const double (*uvw)[3],
                            int middle, bool *hinged, struct message *why);
 
-/* Shift of each held unknown from its rest position at time t into shift[held_count] [m].
- */
+/* Computes the shift of each held unknown from rest at time t, shift[held_count] [m]. */
 void supports_shift(const struct supports *s, const struct scene *scene, double t,
                     double *shift);
 
-/* The time at which static equilibrium is: the scene's end if supports move, else 0. */
+/* Returns the time of static equilibrium: the scene's end if supports move, else 0. */
 double supports_rest_time(const struct supports *s, const struct scene *scene);
 
 #endif

@@ -5,8 +5,8 @@
 
 #include "models/room.h"
 
-/* One entry of the lower triangle among free unknowns: block pair n, component i of node a
- * (column) and j of node b (row). */
+/* Finds one entry of the lower triangle among free unknowns: block pair n, component i of
+ * node a (column) and j of node b (row). */
 static bool entry(const struct blocks *graph, const struct supports *held,
                   const unsigned char *parity, int a, long n, int i, int j, int *column,
                   int *row)
@@ -49,7 +49,8 @@ static enum status pattern(const struct blocks *graph, const struct supports *he
     return STATUS_OK;
 }
 
-/* Where each block entry goes; those above the diagonal, held or uncoupled to the dump. */
+/* Finds each block entry's slot; those above the diagonal, held or uncoupled get the
+ * dump. */
 static void find_slots(struct system *s, const unsigned char *parity)
 {
     const struct blocks *g = s->graph;
@@ -65,7 +66,7 @@ static void find_slots(struct system *s, const unsigned char *parity)
                             : dump;
 }
 
-/* Node order to order of free unknowns. */
+/* Turns a node order into an order of free unknowns. */
 static int *order_unknowns(const struct supports *held, const int *order)
 {
     int *p = malloc(((size_t)held->free_count + 1) * sizeof *p), count = 0;
@@ -85,7 +86,7 @@ void system_clear(struct system *s)
     memset(s, 0, sizeof *s);
 }
 
-/* A's numbers where the factor wants them. */
+/* Copies A's numbers to the factor's slots and factors. */
 static enum status factor_blocks(void *self, const double (*A)[9])
 {
     struct system *s = self;
@@ -120,8 +121,8 @@ static void set_single(void *self, bool single)
     factor_single(((struct system *)self)->factor, single);
 }
 
-/* A factorisation's cost in iterations: it does its arithmetic this much faster, an
- * iteration waits for memory (factor.c's measurements, a product with A included). */
+/* Returns the cost of a factorisation in iterations: its arithmetic is this much faster, as
+ * an iteration waits for memory (factor.c's measurements, with a product with A). */
 static int patience(const struct factor *f)
 {
     const double advantage = 16;
@@ -193,7 +194,7 @@ struct model_size system_size(const struct system *s, const char *unknown_basis)
                                .unknown_basis = unknown_basis};
 }
 
-/* The same into A, to iterate on. */
+/* Sums k K + m M into A, to iterate on. */
 static enum status update(struct system *s, bool keep, double k, const double (*K)[9],
                           double m, const double *M)
 {
@@ -278,7 +279,7 @@ enum status system_factor(struct system *s, double k, const double (*K)[9], doub
     return factor_refactor(s->factor);
 }
 
-/* C = A B, 3x3; not aliased. */
+/* Computes C = A B, 3x3; not aliased. */
 static void multiply(const double A[9], const double B[9], double C[9])
 {
     for (int i = 0; i < 3; i++)
@@ -287,7 +288,7 @@ static void multiply(const double A[9], const double B[9], double C[9])
                 A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
 }
 
-/* B <- P_a B P_b, and on the diagonal what P_a takes out gets B's mean diagonal. */
+/* Computes B <- P_a B P_b; on the diagonal what P_a removes gets B's mean diagonal. */
 static void project_block(const double Pa[9], const double Pb[9], bool diagonal,
                           double B[9])
 {

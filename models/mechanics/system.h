@@ -1,8 +1,7 @@
 /* system.h - the symmetric positive definite system k K + m M of a vector field with held
  * unknowns (Dirichlet data by elimination; Ren et al. 2024, eq. 20-22): pattern and
- * symbolic factorisation once, numbers as often as wanted. By a factor, or iterated
- * (iterative.h) where the discretization's solver says so.
- */
+ * symbolic factorisation once, numbers as often as needed. It is solved by a factor, or
+ * iteratively (iterative.h) where the discretization's solver says so. */
 #ifndef SYSTEM_H
 #define SYSTEM_H
 
@@ -24,29 +23,30 @@ struct system {
     long factorisations; /* system_work                                                */
 };
 
-/* parity[nodes][3] or NULL: entries that couple unlike parities are left out (they must be
- * zero; see solid_space.h). order[nodes] or NULL: a node order for the factorisation. d
- * has the solver; NULL: a factor, as the program chooses. *s must stay where it is. */
+/* Initialises; *s must stay where it is. parity[nodes][3] or NULL: entries that couple
+ * unlike parities are left out (they must be zero; see solid_space.h). order[nodes] or
+ * NULL: a node order for the factorisation. d has the solver; NULL: a factor, as the
+ * program chooses. */
 enum status system_init(struct system *s, const struct blocks *graph,
                         const struct supports *held, const unsigned char *parity,
                         const int *order, const struct discretization *d);
 void system_clear(struct system *s);
 
-/* What a model says of its size (model.h); unknown_basis is static. */
+/* Returns the size as a model reports it (model.h); unknown_basis is static. */
 struct model_size system_size(const struct system *s, const char *unknown_basis);
 
 /* Factorises k K + m M; M may be NULL if m == 0. STATUS_INDEFINITE if it can't be. */
 enum status system_factor(struct system *s, double k, const double (*K)[9], double m,
                           const double *M);
 
-/* The same for one in a row of systems that differ little, as steps in time and iterations
- * do: iterated, an earlier factor goes on preconditioning. Counts what it factorises in
- * system_work, as system_factor does not. */
+/* Factorises one of a row of systems that differ little, as in steps in time and
+ * iterations: iterative solvers keep an earlier factor as preconditioner. Counts its
+ * factorisations in system_work, as system_factor does not. */
 enum status system_update(struct system *s, double k, const double (*K)[9], double m,
                           const double *M);
 
-/* Where systems are iterated, iterative_follow, _tolerate, _forget and, with a factor,
- * unless it is small, _single; nothing else. */
+/* Call iterative_follow, _tolerate, _forget and, with a factor, unless it is small,
+ * _single, where systems are iterated; do nothing else. */
 enum status system_follow(struct system *s,
                           void (*frames)(const void *body, double (*Q)[9]),
                           const void *body, bool guess);
@@ -54,9 +54,9 @@ void system_tolerate(struct system *s, double tolerance, double near);
 void system_forget(struct system *s);
 void system_single(struct system *s);
 
-/* Adds to *counters the factorisations of system_update and system_solve, and a solve for
- * each product with the preconditioner but the first of each system_solve, which its caller
- * counts. Since the last call. */
+/* Adds to *counters the factorisations of system_update and system_solve since the last
+ * call, and a solve for each product with the preconditioner but the first of each
+ * system_solve, which its caller counts. */
 void system_work(struct system *s, struct counters *counters);
 
 /* Factorises P A P + S for A = k K + m M + D, D[nodes][3][3] on the diagonal, or NULL:
@@ -69,7 +69,7 @@ enum status system_factor_projected(struct system *s, double k, const double (*K
                                     double m, const double *M, const double (*D)[9],
                                     const double (*P)[9], const unsigned char *touched);
 
-/* y = (k K + m M) x; x, y [nodes][3], work [nodes][3], not aliased. */
+/* Computes y = (k K + m M) x; x, y [nodes][3], work [nodes][3], not aliased. */
 void system_multiply(const struct system *s, double k, const double (*K)[9], double m,
                      const double *M, const double *x, double *y, double *work);
 
@@ -77,8 +77,9 @@ void system_multiply(const struct system *s, double k, const double (*K)[9], dou
  * solution on return; held entries become zero. */
 enum status system_solve(struct system *s, double *x);
 
-/* Lower triangle by columns of the free unknowns of k K + m M for eigen.h and the like:
- * start[free_count + 1], row and value [start[free_count]], all owned by the caller. */
+/* Makes the lower triangle by columns of the free unknowns of k K + m M for eigen.h and
+ * the like: start[free_count + 1], row and value [start[free_count]], all owned by the
+ * caller. */
 enum status system_columns(const struct blocks *graph, const struct supports *held,
                            const unsigned char *parity, double k, const double (*K)[9],
                            double m, const double *M, long **start, int **row,

@@ -7,10 +7,10 @@
 
 #include "models/metric/triangle.h"
 
-/* Pairs of cells tested at a time: the memory does not grow with what overlaps. */
+/* Pairs of cells tested at a time, so that memory does not grow with overlaps. */
 enum { CANDIDATES = 1 << 15, FIRST_PAIRS = 1024 };
 
-/* Below this share of the largest coordinate: 0. What is left fits predicate.h. */
+/* Coordinates below this share of the largest become 0; the others suit predicate.h. */
 static const double negligible = 0x1p-247;
 
 void intersection_clear(struct intersection *s)
@@ -120,7 +120,7 @@ static void fit_parents(const struct intersection_level *below,
         }
 }
 
-/* Boxes of the cells, of 2 x 2 of those, and so on to a single one. */
+/* Fits boxes around the cells, around 2 x 2 of those, and so on to a single one. */
 static void fit_boxes(struct intersection *s)
 {
     int n_u = s->n_u - 1, n_v = s->n_v - 1;
@@ -141,8 +141,8 @@ static void fit_boxes(struct intersection *s)
     s->levels++;
 }
 
-/* Brings the corners that both have to the front, in the same order; returns their number.
- * At most two: no two triangles of the grid have all three. */
+/* Moves the corners that both share to the front, in the same order; returns their number.
+ * At most two: no two triangles of the grid share all three. */
 static int match_corners(int p[3], int q[3])
 {
     int shared = 0;
@@ -176,8 +176,7 @@ static bool triangles_intersect(const struct intersection *s, int first, int sec
     return shared ? triangle_meets_beyond_vertex(a, b) : triangle_meets(a, b);
 }
 
-/* Bit 2a + b for triangle a of the first cell and b of the second; a cell with itself: bit
- * 1 only. */
+/* Returns bits 2a + b for triangles a, b of two cells; a cell with itself: bit 1 only. */
 static unsigned char test_cells(const struct intersection *s, struct intersection_pair cell)
 {
     unsigned char hit = 0;
@@ -237,7 +236,7 @@ out:
     return st;
 }
 
-/* Children of box n of level l + 1 in level l; returns how many. */
+/* Finds the children of box n of level l + 1 in level l; returns how many. */
 static int children(const struct intersection *s, int l, int n, int child[4])
 {
     const struct intersection_level *above = &s->level[l + 1], *level = &s->level[l];
@@ -251,7 +250,7 @@ static int children(const struct intersection *s, int l, int n, int child[4])
     return count;
 }
 
-/* Boxes that touch meet. */
+/* Whether boxes meet; touching counts. */
 static bool boxes_meet(const double p[6], const double q[6])
 {
     for (int c = 0; c < 3; c++)
@@ -260,7 +259,7 @@ static bool boxes_meet(const double p[6], const double q[6])
     return true;
 }
 
-/* Pairs of cells, one below box m, one below box n of level l. */
+/* Tests pairs of cells, one below box m, one below box n of level l. */
 static enum status across(struct intersection *s, int l, int m, int n, long *count)
 {
     enum status st = STATUS_OK;
@@ -278,7 +277,7 @@ out:
     return st;
 }
 
-/* Pairs of cells both below box n of level l. */
+/* Tests pairs of cells both below box n of level l. */
 static enum status within(struct intersection *s, int l, int n, long *count)
 {
     enum status st = STATUS_OK;

@@ -1,5 +1,5 @@
-/* intersection.h - where a sheet passes through itself: pairs of triangles of its grid that
- * have points in common which they should not have.
+/* intersection.h - finds where a sheet passes through itself: pairs of triangles of its
+ * grid with common points that they should not have.
  *
  * The surface is a grid of points xyz[n_v][n_u][3], u fastest. Cell (i,j), number
  * j (n_u - 1) + i, is cut along the diagonal from (i,j) to (i+1,j+1) into the triangles
@@ -62,12 +62,12 @@ void intersection_clear(struct intersection *s);
 enum status intersection_count(struct intersection *s, int n_u, int n_v, const double *xyz,
                                long *count);
 
-/* The same count by testing every pair, boxes of cells and all: for tests and to show what
- * the tree saves. Lists no pairs. */
+/* Counts by testing every pair, boxes of cells and all: for tests and to show what the tree
+ * saves. Lists no pairs. */
 enum status intersection_count_all(struct intersection *s, int n_u, int n_v,
                                    const double *xyz, long *count);
 
-/* Grid points of a triangle. */
+/* Returns the grid points of a triangle. */
 void intersection_corners(int n_u, int triangle, int corner[3]);
 
 #endif

@@ -33,7 +33,7 @@ static void down(const struct scene *scene, double direction[3])
 
 double metric_rmse(const double *a, const double *b)
 {
-    /* rows first, then the sum of rows: less round-off than one long sum */
+    /* sums rows first, then the sum of rows: less round-off than one long sum */
     double sum = 0;
     for (int row = 0; row < GRID_V * GRID_W; row++) {
         const double *p = a + row * ROW, *q = b + row * ROW;
@@ -45,7 +45,7 @@ double metric_rmse(const double *a, const double *b)
     return sqrt(sum / GRID_POINTS);
 }
 
-/* Largest singular value of the 3x2 gradient at mid-surface point (i,j). */
+/* Returns the largest singular value of the 3x2 gradient at mid-surface point (i,j). */
 static double largest_stretch(const struct metric_rest *rest, const double *xyz, int i,
                               int j)
 {
@@ -65,7 +65,7 @@ static double largest_stretch(const struct metric_rest *rest, const double *xyz,
             fb[c] -= s.shear * fa[c];
         fb[c] /= s.b;
     }
-    /* eigenvalue of the right Cauchy-Green tensor */
+    /* the square is an eigenvalue of the right Cauchy-Green tensor */
     double aa = dot(fa, fa), bb = dot(fb, fb), ab = dot(fa, fb);
     return sqrt(0.5 * (aa + bb + hypot(aa - bb, 2 * ab)));
 }
@@ -134,7 +134,7 @@ double metric_mean_drop(const struct scene *scene, const double *xyz)
     return sum / GRID_POINTS / scene->length;
 }
 
-/* Mid-surface points around the interior grid point (i,j). */
+/* Gathers mid-surface points around the interior grid point (i,j). */
 static void around(const double *xyz, int i, int j, double x[3][3][3])
 {
     for (int q = 0; q < 3; q++)
@@ -142,8 +142,7 @@ static void around(const double *xyz, int i, int j, double x[3][3][3])
             middle(xyz, i + p - 1, j + q - 1, x[q][p]);
 }
 
-/* x_aa, x_ab, x_bb of the mid-surface at an interior point; da, db: the grid's steps [m].
- */
+/* Computes x_aa, x_ab, x_bb at an interior point; da, db: the grid's steps [m]. */
 static void second(const double *xyz, int i, int j, double da, double db, double d[3][3])
 {
     double x[3][3][3];
@@ -156,7 +155,7 @@ static void second(const double *xyz, int i, int j, double da, double db, double
     }
 }
 
-/* |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 */
+/* Returns |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2. */
 static double squared(double d[3][3])
 {
     return dot(d[0], d[0]) + 2 * dot(d[1], d[1]) + dot(d[2], d[2]);
@@ -175,7 +174,7 @@ static double squared_bending(const struct metric_rest *rest, const double *xyz,
     return squared(d);
 }
 
-/* Over the grid points that lie at least `margin` steps from the edges. */
+/* Averages over the grid points that lie at least `margin` steps from the edges. */
 static double roughness(const struct scene *scene, const double *xyz, int margin)
 {
     double da = scene->length / (GRID_U - 1), db = scene->width / (GRID_V - 1), sum = 0;
@@ -263,8 +262,9 @@ static double norm(const double x[3])
     return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
 }
 
-/* As far as a rigid sheet can come by time t: with its initial speed (and the wind's) and
- * what gravity and loads add; and against these no higher than that speed lifts it. */
+/* Limits a shift to what a rigid sheet can reach by time t: with its initial speed (and the
+ * wind's) and what gravity and loads add; and against these no higher than that speed lifts
+ * it. */
 static void clip_to_flight(const struct scene *scene, double t, double shift[3])
 {
     const double mass = scene->density * scene->length * scene->width * scene->thickness;
@@ -323,7 +323,7 @@ enum status metric_blowup(const struct scene *scene, double t, const double *xyz
     return STATUS_OK;
 }
 
-/* Mid-surface at v = 1/2, which lies between two rows of the grid. */
+/* Returns the mid-surface at v = 1/2, which lies between two rows of the grid. */
 static void middle_line(const double *xyz, int i, double x[3])
 {
     double south[3], north[3];
@@ -333,7 +333,7 @@ static void middle_line(const double *xyz, int i, double x[3])
         x[c] = 0.5 * (south[c] + north[c]);
 }
 
-/* Of the line that metric_angle follows. */
+/* Returns the direction at rest of the line that metric_angle follows. */
 static void rest_direction(const struct scene *scene, double line[3])
 {
     const double start[3] = {0, 0.5, 0.5}, end[3] = {1, 0.5, 0.5};

@@ -10,25 +10,25 @@
 
 #include "models/model.h"
 
-/* sqrt( sum over the grid of |a - b|^2 / GRID_POINTS ) [m]. A shift by (3,4,12) cm gives
- * 0.13 m. */
+/* Returns sqrt( sum over the grid of |a - b|^2 / GRID_POINTS ) [m]. A shift by (3,4,12) cm
+ * gives 0.13 m. */
 double metric_rmse(const double *a, const double *b);
 
-/* Largest principal stretch of the mid-surface [1], >= 0: largest singular value of the
- * gradient by central differences (one-sided on the edges), measured against those of the
+/* Returns the largest principal stretch of the mid-surface [1], >= 0: largest singular
+ * value of the gradient by central differences (one-sided on the edges), relative to the
  * rest shape. Exact for an affine map of a flat sheet; 1 for a curved one at rest. */
 double metric_stretch(const struct scene *scene, const double *xyz);
 
-/* How far the lowest mid-surface point lies below the highest mid-surface rest point of the
- * supports (of the sheet, if it has none), over L. Zero for a level sheet at rest, whatever
- * its thickness. */
+/* Returns how far the lowest mid-surface point lies below the highest mid-surface rest
+ * point of the supports (of the sheet, if it has none), over L. Zero for a level sheet at
+ * rest. */
 double metric_drop(const struct scene *scene, const double *xyz);
 
-/* How far the mid-surface has gone down since it was at rest, the mean over the grid's
- * points, over L. */
+/* Returns how far the mid-surface has gone down since it was at rest, the mean over the
+ * grid's points, over L. */
 double metric_mean_drop(const struct scene *scene, const double *xyz);
 
-/* L times the root mean square, over the interior points of the mid-surface, of
+/* Returns L times the root mean square, over the mid-surface's interior points, of
  *     sqrt( |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 )                                [1],
  * second derivatives by central differences in the arc lengths a = u L, b = v W of the rest
  * shape; of a curved one its covariant second derivatives in an orthonormal frame: normal
@@ -38,51 +38,53 @@ double metric_mean_drop(const struct scene *scene, const double *xyz);
  * Noise of one grid step is magnified by 1/s^2. */
 double metric_roughness(const struct scene *scene, const double *xyz);
 
-/* The same over the inner points 0.2 <= u, v <= 0.8 alone: away from edges, and from points
- * that are held, around which a sheet has no limit under refinement. */
+/* Returns the same over the inner points 0.2 <= u, v <= 0.8 alone: away from edges, and
+ * from held points, around which a sheet has no limit under refinement. */
 double metric_inner_roughness(const struct scene *scene, const double *xyz);
 
-/* How suddenly the mid-surface bends: L times the rms of its third derivatives over that of
- * its second ones, |x_aaa|^2 + 3 |x_aab|^2 + 3 |x_abb|^2 + |x_bbb|^2 over those of
+/* Returns how suddenly the mid-surface bends: L times the rms of its third derivatives over
+ * that of its second ones, |x_aaa|^2 + 3 |x_aab|^2 + 3 |x_abb|^2 + |x_bbb|^2 over those of
  * roughness (differences along a = u L, b = v W) [1]. n waves over the length give 2 pi n,
  * whatever their height; jumps of curvature, as splines of degree 2 have at their knots,
  * give more than that. NaN for a flat sheet. */
 double metric_unevenness(const struct scene *scene, const double *xyz);
 
-/* Greatest depth of a grid point below any obstacle's surface [m]; 0 without obstacles. */
+/* Returns the greatest depth of a grid point in any obstacle [m]; 0 without obstacles. */
 double metric_penetration(const struct scene *scene, const double *xyz);
 
-/* How far the sheet as a whole has been carried at time t: the mean displacement of points
- * uvw[count][3] (NULL: of the grid) that are at xyz[count][3], in the components that no
- * support holds, 0 in the others; but no farther than a rigid sheet could fly [m]. */
+/* Returns how far the sheet as a whole has been carried at time t: the mean displacement
+ * of points uvw[count][3] (NULL: of the grid) that are at xyz[count][3], in the
+ * components that no support holds, 0 in the others; but no farther than a rigid sheet
+ * could fly [m]. */
 void metric_carried(const struct scene *scene, double t, int count, const double *uvw,
                     const double *xyz, double shift[3]);
 
-/* STATUS_NAN (a coordinate is not finite), STATUS_ESCAPED (a point farther than 10 L, or W
- * if that is more, from the nearest point of a support where the support is at time t; from
- * its own rest point without supports; either carried along with the sheet as a whole where
- * nothing holds it) or STATUS_OK. */
+/* Returns STATUS_NAN (a coordinate is not finite), STATUS_ESCAPED (a point farther than 10
+ * L, or W if that is more, from the nearest point of a support where the support is at time
+ * t; from its own rest point without supports; either carried along with the sheet as a
+ * whole where nothing holds it) or STATUS_OK. */
 enum status metric_blowup(const struct scene *scene, double t, const double *xyz);
 
-/* Angle below the horizontal of the line from (0, 1/2) to (1, 1/2) on the mid-surface, in
- * degrees, -180 to 180: past 90 the line points back over the rest direction of u. */
+/* Returns the angle below the horizontal of the line from (0, 1/2) to (1, 1/2) on the
+ * mid-surface, in degrees, -180 to 180: past 90 the line points back over the rest
+ * direction of u. */
 double metric_angle(const struct scene *scene, const double *xyz);
 
-/* Pairs of triangles of the mid-surface that intersect (intersection.h: touching counts,
- * thickness does not); 0 for a sheet clear of itself. NaN also if memory ran out. Some 10
- * ms, more for a sheet that is crumpled: a hundred times what the others cost. */
+/* Counts pairs of triangles of the mid-surface that intersect (intersection.h: touching
+ * counts, thickness does not); 0 for a sheet clear of itself. NaN also if memory ran out.
+ * Takes some 10 ms, more for a crumpled sheet: a hundred times what the others cost. */
 double metric_intersections(const double *xyz);
 
-/* The same of the surface through every `step`-th grid point, step a divisor of 99, and so
- * of fewer triangles: at step 3, 34 x 34 points, a tenth of the time. It may miss folds
- * that are narrower than a step, and meet itself where the finer surface just does not. */
+/* Counts those of the surface through every `step`-th grid point, step a divisor of 99: at
+ * step 3, 34 x 34 points, in a tenth of the time. It may miss folds narrower than a step,
+ * and meet itself where the finer surface just does not. */
 double metric_intersections_every(const double *xyz, int step);
 
-/* drift[n] = (E_n - E_0) / E_max of a motion's energies [count], count >= 1, with E the sum
- * of the three and E_max the largest of kinetic + elastic + |potential - potential_0|: the
- * share of the energy in play that was lost (negative) or won. 0 at rest. A scene without
- * damping, drag, friction and moving supports should keep 0; none should rise without
- * supports that move. */
+/* Fills drift[n] = (E_n - E_0) / E_max of a motion's energies [count], count >= 1, with E
+ * the sum of the three and E_max the largest of kinetic + elastic + |potential -
+ * potential_0|: the share of the energy in play that was lost (negative) or gained. 0 at
+ * rest. A scene without damping, drag, friction and moving supports should keep 0; none
+ * should rise without supports that move. */
 void metric_energy_drift(int count, const struct energy *energy, double *drift);
 
 #endif

@@ -1,6 +1,5 @@
-/* metric_rest.h - the rest shape's mid-surface as metrics need it: what length a step of
- * the material grid has, and how it is curved there already. Flat sheets have closed forms.
- */
+/* metric_rest.h - the rest shape's mid-surface for metrics: the length of a step of the
+ * material grid, and its curvature at rest. Flat sheets have closed forms. */
 #ifndef METRIC_REST_H
 #define METRIC_REST_H
 
@@ -22,23 +21,24 @@ struct metric_rest_step {
 struct metric_rest_step metric_rest_step(const struct metric_rest *rest, int i, int j,
                                          int i0, int i1, int j0, int j1);
 
-/* |nabla nabla x|^2 [1/m^2] of the field x[row][column][component] around the interior grid
- * point (i,j), of a curved rest shape: second derivatives by central differences, less what
- * the rest's own tangential ones (Christoffel symbols) make of them, in an orthonormal
- * frame of the rest shape. Flat rest shapes would give |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2. */
+/* Returns |nabla nabla x|^2 [1/m^2] of the field x[row][column][component] around the
+ * interior grid point (i,j), of a curved rest shape: second derivatives by central
+ * differences, less the part due to the rest's own tangential ones (Christoffel symbols),
+ * in an orthonormal frame of the rest shape. Flat rest shapes would give |x_aa|^2 + 2
+ * |x_ab|^2 + |x_bb|^2. */
 double metric_rest_bending(const struct metric_rest *rest, int i, int j, double x[3][3][3]);
 
-/* Highest rest point of the mid-surface against `down` inside the box [lo, hi] of (u,v):
- * height [m]. Of a curved one, over 33 x 33 points. */
+/* Returns the height [m] of the highest rest point of the mid-surface against `down` inside
+ * the box [lo, hi] of (u,v). Of a curved one, over 33 x 33 points. */
 double metric_rest_highest(const struct scene *scene, const double lo[3],
                            const double hi[3], const double down[3]);
 
-/* Squared distance [m^2] of x from the rest points of the box [lo, hi]. Of a curved one,
- * the nearest of 3 x 3 points, or the first nearer than `near` [m]. */
+/* Returns the squared distance [m^2] of x from the rest points of the box [lo, hi]. Of a
+ * curved one, the nearest of 3 x 3 points, or the first nearer than `near` [m]. */
 double metric_rest_distance(const struct scene *scene, const double lo[3],
                             const double hi[3], double near, const double x[3]);
 
-/* The rest shape on the whole grid (grid.h) [m]; freed by the receiver; NULL: no memory. */
+/* Returns the rest shape on the whole grid (grid.h) [m]; freed by the receiver, or NULL. */
 double *metric_rest_field(const struct scene *scene);
 
 #endif

@@ -5,8 +5,8 @@
 
 #define HALF_ULP (0.5 * DBL_EPSILON)
 
-/* Shewchuk (1997), figures 21 and 22, error bounds A: relative to the sum of absolute
- * products. */
+/* Error bounds A of Shewchuk (1997), figures 21, 22, relative to the absolute products'
+ * sum. */
 static const double turn_bound = (3 + 16 * HALF_ULP) * HALF_ULP;
 static const double side_bound = (7 + 56 * HALF_ULP) * HALF_ULP;
 
@@ -29,7 +29,7 @@ static int expansion_sign(const struct expansion *e)
     return e->n ? sign(e->x[e->n - 1]) : 0;
 }
 
-/* e += b. Shewchuk's GROW-EXPANSION, zeros left out. */
+/* Adds b to e: Shewchuk's GROW-EXPANSION, zeros left out. */
 static void add(struct expansion *e, double b)
 {
     double sum = b;
@@ -48,7 +48,7 @@ static void add(struct expansion *e, double b)
     e->n = n;
 }
 
-/* e += a b */
+/* Adds a b to e. */
 static void add_product(struct expansion *e, double a, double b)
 {
     double product = a * b;
@@ -59,7 +59,7 @@ static void add_product(struct expansion *e, double a, double b)
     }
 }
 
-/* d[1] + d[0] = a - b, exactly. */
+/* Computes d[1] + d[0] = a - b, exactly. */
 static void subtract(double a, double b, double d[2])
 {
     d[1] = a - b;
@@ -67,7 +67,7 @@ static void subtract(double a, double b, double d[2])
     d[0] = (a - (d[1] + part)) + (part - b);
 }
 
-/* e += factor x y for differences x and y; factor 1 or -1. */
+/* Adds factor x y to e for differences x and y; factor 1 or -1. */
 static void add_difference_product(struct expansion *e, double factor, const double x[2],
                                    const double y[2])
 {
@@ -77,7 +77,7 @@ static void add_difference_product(struct expansion *e, double factor, const dou
                 add_product(e, factor * x[i], y[j]);
 }
 
-/* *e = x[0] y[1] - x[1] y[0] */
+/* Sets *e = x[0] y[1] - x[1] y[0]. */
 static void set_minor(struct expansion *e, double x[2][2], double y[2][2])
 {
     e->n = 0;

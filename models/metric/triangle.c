@@ -5,9 +5,9 @@
 
 #include "models/metric/predicate.h"
 
-/* A projection m . (x - o) in floating point: a difference, a product, two sums, each with
- * a relative error of DBL_EPSILON / 2, of terms whose sizes add up to `size`. Twice that.
- */
+/* The error bound of a projection m . (x - o): a difference, a product, two sums, each
+ * with a relative error of DBL_EPSILON / 2, of terms whose sizes add up to `size`; twice
+ * that. */
 static const double projection_bound = 4 * DBL_EPSILON;
 
 static bool same(const double a[3], const double b[3])
@@ -35,7 +35,7 @@ static bool boxes_apart(const double *const p[3], const double *const q[3])
     return false;
 }
 
-/* m . (x - o) within [low, high]. */
+/* Computes bounds [low, high] of m . (x - o). */
 static void project(const double m[3], const double o[3], const double x[3], double *low,
                     double *high)
 {
@@ -46,7 +46,7 @@ static void project(const double m[3], const double o[3], const double x[3], dou
     *high = (a + b + c) + error;
 }
 
-/* True if a plane across the line of centroids certainly parts the two. */
+/* Whether a plane across the line of centroids certainly separates the two. */
 static bool centroids_part(const double *const p[3], const double *const q[3])
 {
     double m[3], p_high = -INFINITY, q_low = INFINITY;
@@ -78,7 +78,7 @@ static void add_bisector(double factor, const double o[3], const double x[3],
         m[c] += size * d[c];
 }
 
-/* The same through the shared vertex, which alone lies on the plane. */
+/* Whether a plane through the shared vertex, which alone lies on it, separates the two. */
 static bool bisectors_part(const double *const p[3], const double *const q[3])
 {
     double m[3] = {0, 0, 0}, low, high;
@@ -105,7 +105,7 @@ static bool segment_boxes_meet(const double a[3], const double b[3], const doubl
     return true;
 }
 
-/* Segments a b and c d of one plane, seen along `axis`. -1 if all look collinear. */
+/* Whether segments a b, c d of one plane meet, seen along `axis`; -1 if all collinear. */
 static int projected_segments_meet(int axis, const double a[3], const double b[3],
                                    const double c[3], const double d[3])
 {
@@ -136,7 +136,7 @@ static bool all_of_one_sign(int a, int b, int c)
     return !((a > 0 || b > 0 || c > 0) && (a < 0 || b < 0 || c < 0));
 }
 
-/* Segment s t in the plane of p, which is no segment seen along `axis`. */
+/* Whether segment s t meets p in its plane; p is no segment seen along `axis`. */
 static bool flat_segment_meets(int axis, const double s[3], const double t[3],
                                const double *const p[3])
 {
@@ -153,7 +153,7 @@ static bool flat_segment_meets(int axis, const double s[3], const double t[3],
     return false;
 }
 
-/* Segment s t against p; side_s, side_t: of which side of p they are. */
+/* Whether segment s t meets p; side_s, side_t: the sides of p on which they lie. */
 static bool segment_meets(const double s[3], const double t[3], const double *const p[3],
                           int side_s, int side_t)
 {
@@ -200,7 +200,7 @@ bool triangle_meets(const double *const p[3], const double *const q[3])
     return false;
 }
 
-/* Segments a c and a d run along each other. */
+/* Whether segments a c and a d run along each other. */
 static bool same_direction(const double a[3], const double c[3], const double d[3])
 {
     if (same(a, c) || same(a, d) || !predicate_collinear(a, c, d))
@@ -211,7 +211,7 @@ static bool same_direction(const double a[3], const double c[3], const double d[
     return true;
 }
 
-/* The triangle `flat` is a segment through the shared corner, p is none. */
+/* Whether they meet off the shared corner; `flat` is a segment through it, p is none. */
 static bool flat_meets_beyond_vertex(const double *const flat[3], const double *const p[3])
 {
     /* p[1] p[2] does not pass through p[0], so any point counts */
@@ -248,7 +248,7 @@ bool triangle_meets_beyond_vertex(const double *const p[3], const double *const 
     return segment_meets(q[1], q[2], p, q1, q2) || segment_meets(p[1], p[2], q, p1, p2);
 }
 
-/* All of a, b, c, d on a line, or a = b: a common point of a b c and a b d off a b. */
+/* Whether a b c and a b d meet off a b, where all lie on a line, or a = b. */
 static bool flat_meet_beyond_edge(const double a[3], const double b[3], const double c[3],
                                   const double d[3])
 {

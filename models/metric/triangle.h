@@ -1,4 +1,4 @@
-/* triangle.h - whether two triangles in space have points in common, decided exactly.
+/* triangle.h - decides exactly whether two triangles in space have points in common.
  *
  * A triangle is the convex hull of its three corners, border included; three corners on a
  * line make it a segment, three equal ones a point, and they are decided as such. Touching
@@ -15,13 +15,13 @@
 
 #include <stdbool.h>
 
-/* p and q share no corner. */
+/* Whether p and q, which share no corner, meet. */
 bool triangle_meets(const double *const p[3], const double *const q[3]);
 
-/* p[0] and q[0] are the same corner: any other common point? */
+/* Whether p and q, with the corner p[0] = q[0], have any other common point. */
 bool triangle_meets_beyond_vertex(const double *const p[3], const double *const q[3]);
 
-/* p[0], p[1] and q[0], q[1] are the same corners: any common point off the edge between? */
+/* Whether p and q, with corners p[0], p[1] = q[0], q[1], share a point off the edge. */
 bool triangle_meets_beyond_edge(const double *const p[3], const double *const q[3]);
 
 #endif

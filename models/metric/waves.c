@@ -9,7 +9,7 @@ enum { U = GRID_U - 2, V = GRID_V - 2, LAYER = GRID_U * GRID_V };
 
 static const double PI = 3.14159265358979323846;
 
-/* table[i][k]: cosine k of n points at the i-th, orthonormal. */
+/* Fills table[i][k]: cosine k of n points at the i-th, orthonormal. */
 static void cosines(int n, double *table)
 {
     for (int k = 0; k < n; k++)
@@ -17,7 +17,7 @@ static void cosines(int n, double *table)
             table[i * n + k] = sqrt((k ? 2.0 : 1.0) / n) * cos(PI * k * (i + 0.5) / n);
 }
 
-/* The mid-surface's component c. */
+/* Returns the mid-surface's component c. */
 static double at(const double *xyz, int i, int j, int c)
 {
     const double *below = xyz + 3 * (j * GRID_U + i) + c;
@@ -35,7 +35,7 @@ static void bend(const double *xyz, int c, double da, double db, double f[V][U])
         }
 }
 
-/* Along u, then along v; rows innermost, as they lie in memory. */
+/* Transforms along u, then along v; rows innermost, as they lie in memory. */
 static void transform(const double *along_u, const double *along_v, double f[V][U])
 {
     double g[V][U] = {{0}};
@@ -51,13 +51,13 @@ static void transform(const double *along_u, const double *along_v, double f[V][
                 f[l][k] += along_v[j * V + l] * g[j][k];
 }
 
-/* What second differences of step d make of cosine k of n points, less its sign. */
+/* Returns minus the factor of second differences of step d on cosine k of n points. */
 static double symbol(int k, int n, double d)
 {
     return (2 - 2 * cos(PI * k / n)) / (d * d);
 }
 
-/* Of the wave of k halves over n steps da and l over m steps db. */
+/* Returns the band of the wave of k halves over n steps da and l over m steps db. */
 static int band_of(double length, double a, double b)
 {
     const double wave = 2 / sqrt(a * a + b * b);

@@ -1,4 +1,4 @@
-/* waves.h - how high a sheet's wrinkles are, octave by octave of their length: numbers read
+/* waves.h - the height of a sheet's wrinkles, octave by octave of their length, as read
  * off sampled fields (grid.h), as those of metric.h.
  *
  * The mid-surface's x_aa + x_bb (central differences in a = u L, b = v W, inner points
@@ -16,7 +16,7 @@
 /* Bands of wavelengths: longer than L; L to L/2; ... ; the last: shorter than L/16. */
 enum { WAVES_BANDS = 6 };
 
-/* Into rms[]: root mean square over the inner points of the waves of that length, over L
+/* Fills rms[]: root mean square over the inner points of the waves of that length, over L
  * [1]. NaN in all where a coordinate that is read is NaN. The same bits on every run. */
 void waves_spectrum(const struct scene *scene, const double *xyz, double rms[WAVES_BANDS]);
 

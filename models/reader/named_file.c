@@ -53,7 +53,7 @@ out:
     return st;
 }
 
-/* First found first. */
+/* The folders are searched in this order. */
 enum { FOLDERS = 3 };
 struct folders {
     char path[FOLDERS][PATH_MAX]; /* "" if there is none */
@@ -79,7 +79,7 @@ static struct folders find_folders(const struct named_file_kind *kind)
     return f;
 }
 
-/* folder/name.yaml; NULL if memory is out. Free it. */
+/* Returns folder/name.yaml; NULL if memory is out. Free it. */
 static char *join(const struct named_file_kind *kind, const char *folder, const char *name)
 {
     const size_t room = strlen(folder) + strlen(name) + strlen(kind->ending) + 2;
@@ -117,7 +117,7 @@ static enum status describe(const struct named_file_kind *kind, const char *fold
     return *text ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* Adds what is in `file` of a folder, unless it has another ending or a known name. */
+/* Adds `file` of a folder, unless it has another ending or a known name. */
 static enum status add_entry(const struct named_file_kind *kind, const char *folder,
                              const char *file, struct named_file_entry **entries,
                              int *count)
@@ -204,7 +204,7 @@ void named_file_list_free(struct named_file_entry *entries, int count)
     free(entries);
 }
 
-/* The sentence for a name that is none. */
+/* Fails with the sentence for an unknown name. */
 static enum status refuse_name(const struct named_file_kind *kind, const char *argument,
                                struct message *why)
 {

@@ -1,4 +1,4 @@
-/* named_file.h - files that have names: where they are looked for, and what is there.
+/* named_file.h - files that have names: where they are searched, and which there are.
  *
  * NAME is NAME.yaml (or another ending) in the user's folder (an environment variable),
  * else in the one installed with the program (seen from the program, so that an installed
@@ -11,19 +11,20 @@
 
 #include "models/status.h"
 
-/* Scenes are one kind, the plans of sweeps another. */
+/* A kind of files: scenes are one, the plans of sweeps another. */
 struct named_file_kind {
     const char *what;         /* in sentences: "scene"                                 */
     const char *ending;       /* ".yaml"                                               */
     const char *environment;  /* variable that may hold the user's folder              */
     const char *from_program; /* the installed folder, seen from the program's         */
     const char *in_source;    /* the source tree's                                     */
-    /* A line on the file for lists, or what is wrong with it; NULL if memory is out.
-     * NULL itself: lists have no lines, and no file is read for one. */
+    /* Returns a line on the file for lists, or what is wrong with it; NULL if memory is
+     * out. The pointer may be NULL: lists then have no lines, and no file is read for
+     * one. */
     char *(*describe)(const char *path);
 };
 
-/* The file of an argument: one with a '/' or its ending is a path already; another is
+/* Finds the file of an argument: one with a '/' or its ending is a path already; another is
  * a name. *path is freed by the receiver. STATUS_INPUT: no such name, with a sentence that
  * lists the known ones. */
 enum status named_file_find(const struct named_file_kind *kind, const char *argument,
@@ -34,19 +35,19 @@ struct named_file_entry {
     char *text; /* the line that `describe` made, or NULL                      owned   */
 };
 
-/* All that have names, sorted; *entries is freed with named_file_list_free. */
+/* Lists all files with names, sorted; *entries is freed with named_file_list_free. */
 enum status named_file_list(const struct named_file_kind *kind,
                             struct named_file_entry **entries, int *count,
                             struct message *why);
-/* The same without a line: no file is read. */
+/* Lists them without lines: no file is read. */
 enum status named_file_names(const struct named_file_kind *kind,
                              struct named_file_entry **entries, int *count,
                              struct message *why);
 void named_file_list_free(struct named_file_entry *entries, int count);
 
-/* The bytes of a file, at most one more than a YAML text may have (YAML_TREE_MAX_TEXT), so
- * that its reader sees when it is too long. *bytes is freed by the receiver. STATUS_FILE
- * with a sentence. */
+/* Reads the bytes of a file, at most one more than a YAML text may have
+ * (YAML_TREE_MAX_TEXT), so that its reader sees when it is too long. *bytes is freed by the
+ * receiver. STATUS_FILE with a sentence. */
 enum status named_file_read(const struct named_file_kind *kind, const char *path,
                             char **bytes, size_t *size, struct message *why);
 

@@ -1,4 +1,4 @@
-/* scene_check.c - values of a scene that must fit together. */
+/* scene_check.c - checks values of a scene that must fit together. */
 #include "models/reader/scene_check.h"
 #include "models/damping.h"
 
@@ -7,13 +7,12 @@
 #include "models/contact.h"
 #include "models/discretization.h"
 
-/* Axes written with four digits or more are meant as unit vectors at right angles, which
- * the reader makes of them; what is farther off is a mistake. */
+/* Axes written with four digits or more are meant as orthonormal, and the reader makes them
+ * so; what is farther off is a mistake. */
 #define TOL_AXES 1e-3
-/* Axes written with ten digits stay as they are: what is stored of a scene is found by its
- * numbers. */
+/* Axes written with ten digits stay: stored results are found by a scene's numbers. */
 #define TOL_EXACT 1e-9
-/* Round-off of two ways to write the same path, relative to the shift. */
+/* The round-off of two ways to write the same path, relative to the shift. */
 #define TOL_PATH 1e-12
 
 static bool is_setting(const struct yaml_tree *node)
@@ -46,7 +45,7 @@ static enum status check_axis(const struct yaml_tree *node, const char *name,
     return STATUS_OK;
 }
 
-/* One number of a section (damping, pose), which its `kind` either takes or does not. */
+/* Checks a number of a section (damping, pose), which its `kind` takes or does not. */
 static enum status check_taken(const struct yaml_tree *section, const char *kind_name,
                                const char *name, bool taken, double *number,
                                struct message *why)
@@ -63,7 +62,7 @@ static enum status check_taken(const struct yaml_tree *section, const char *kind
     return STATUS_OK;
 }
 
-/* A cloak's inner face must not reach its axis, at either end. */
+/* Refuses a cloak whose inner face reaches its axis, at either end. */
 static enum status check_radius(const struct yaml_tree *root, const struct scene *scene,
                                 struct message *why)
 {
@@ -104,7 +103,7 @@ out:
     return st;
 }
 
-/* Spread evenly over parameters: on a curved shape that would be no even spread. */
+/* Refuses loads on a curved shape, where even over parameters is not even over area. */
 static enum status check_loads(const struct yaml_tree *root, const struct scene *scene,
                                struct message *why)
 {
@@ -115,7 +114,7 @@ static enum status check_loads(const struct yaml_tree *root, const struct scene 
     return STATUS_OK;
 }
 
-/* Takes from v what it has of u, and makes its length one. */
+/* Removes u's component from v, and makes its length one. */
 static void turn_upright(const double u[3], double cosine, double v[3])
 {
     for (int i = 0; i < 3; i++)
@@ -226,7 +225,7 @@ static enum status check_snapshots(const struct yaml_tree *root, struct scene *s
     return STATUS_OK;
 }
 
-/* Closed boxes with a point in common. */
+/* Whether closed boxes have a point in common. */
 static bool overlap(const struct scene_support *a, const struct scene_support *b)
 {
     for (int i = 0; i < 3; i++)
@@ -235,7 +234,7 @@ static bool overlap(const struct scene_support *a, const struct scene_support *b
     return true;
 }
 
-/* Equal at every row of `a`, in the components held by both. */
+/* Whether paths agree at every row of `a`, in the components held by both. */
 static bool agrees_at_rows(const struct scene_support *a, const struct scene_support *b)
 {
     for (int k = 0; k < a->path_count; k++) {
@@ -251,7 +250,8 @@ static bool agrees_at_rows(const struct scene_support *a, const struct scene_sup
     return true;
 }
 
-/* O(supports^2 rows log rows). Piecewise linear paths are equal if they are at all rows. */
+/* Compares all pairs, O(supports^2 rows log rows): piecewise linear paths are equal if they
+ * are so at all rows. */
 static enum status check_supports(const struct yaml_tree *root, const struct scene *scene,
                                   struct message *why)
 {

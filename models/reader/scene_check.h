@@ -1,4 +1,4 @@
-/* scene_check.h - what no single key of a scene can tell: values that must fit together. */
+/* scene_check.h - checks values of a scene that no single key can judge. */
 #ifndef SCENE_CHECK_H
 #define SCENE_CHECK_H
 

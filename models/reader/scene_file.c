@@ -1,4 +1,4 @@
-/* scene_file.c - files and settings to scenes. The keys are in scene_schema.c. */
+/* scene_file.c - makes scenes from files and settings. scene_schema.c has the keys. */
 #include "models/reader/scene_file.h"
 
 #include <stdlib.h>
@@ -14,7 +14,7 @@ static bool is_numerics(const char *setting)
            (setting[length] == '.' || setting[length] == '=');
 }
 
-/* The text with the settings below it as comments. */
+/* Makes the text with the settings below it as comments. */
 static enum status annotate(const char *text, size_t size, int setting_count,
                             const char *const *settings, char **annotated)
 {
@@ -39,7 +39,7 @@ static enum status annotate(const char *text, size_t size, int setting_count,
     return STATUS_OK;
 }
 
-/* Settings onto the scene's tree, or onto that of the discretization. */
+/* Applies settings to the scene's tree, or to that of the discretization. */
 static enum status apply(int setting_count, const char *const *settings,
                          struct yaml_tree *root, struct yaml_tree *numerics,
                          struct message *why)
@@ -110,7 +110,7 @@ out:
     return st;
 }
 
-/* What happens in a scene or, if it does not tell, its source; or what is wrong with it. */
+/* Returns what happens in a scene or, if it does not say, its source; or what is wrong. */
 static char *describe(const char *path)
 {
     struct scene scene;

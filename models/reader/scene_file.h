@@ -25,16 +25,16 @@ enum status scene_file_read(const char *path, int setting_count,
                             const char *const *settings, struct scene *scene,
                             struct discretization *d, struct message *why);
 
-/* The same for text[size] in memory (any bytes), called `name` in sentences. */
+/* Reads likewise text[size] in memory (any bytes), called `name` in sentences. */
 enum status scene_file_parse(const char *name, const char *text, size_t size,
                              int setting_count, const char *const *settings,
                              struct scene *scene, struct discretization *d,
                              struct message *why);
 
-/* Where scenes with names are (named_file.h): $CLOTHBENCH_SCENES first. */
+/* The places of scenes with names (named_file.h): $CLOTHBENCH_SCENES first. */
 extern const struct named_file_kind scene_file_kind;
 
-/* named_file_find of a SCENE argument. */
+/* Calls named_file_find for a SCENE argument. */
 enum status scene_file_find(const char *argument, char **path, struct message *why);
 
 /* Calls line() for every key that a scene or a setting may have, with what it may be. */

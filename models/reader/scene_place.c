@@ -1,5 +1,4 @@
-/* scene_place.c - the keys of what sits somewhere on the sheet: supports and loads.
- */
+/* scene_place.c - the keys of supports and loads, which have a place on the sheet. */
 #include "models/reader/scene_place.h"
 
 #include <stdlib.h>
@@ -9,13 +8,13 @@
 #define PLACE     .low = -1e6, .high = 1e6
 #define PARAMETER .low = 0, .high = 1
 
-/* A load while it is read: its place first, as `at` of a support is. */
+/* A load while it is read: it begins with its place, like a support with its `at`. */
 struct placed {
     struct scene_support at;
     double force[3];
 };
 
-/* `u: 0` or `u: [0, 0.1]` of a support's `at`. */
+/* Reads `u: 0` or `u: [0, 0.1]` of a support's `at`. */
 static enum status read_interval(const struct schema_key *key, const struct yaml_tree *node,
                                  void *target, struct message *why)
 {

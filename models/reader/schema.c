@@ -1,4 +1,4 @@
-/* schema.c - table-driven reading of YAML trees. */
+/* schema.c - reads YAML trees by tables. */
 #include "models/reader/schema.h"
 
 #include <assert.h>
@@ -48,7 +48,7 @@ static void write_names(char *text, size_t size, const struct schema_key *key)
     }
 }
 
-/* What would be right for a key. */
+/* Returns what would be right for a key. */
 static struct wanted wanted(const struct schema_key *key)
 {
     static const char *const noun[] = {
@@ -85,7 +85,7 @@ enum status schema_refuse(const struct schema_key *key, const struct yaml_tree *
                             yaml_tree_describe(node).text, wanted(key).text);
 }
 
-/* The same for a value inside a list. */
+/* Refuses a value inside a list, like schema_refuse. */
 static enum status refuse_inside(const struct schema_key *key, const struct yaml_tree *node,
                                  struct message *why)
 {
@@ -93,7 +93,7 @@ static enum status refuse_inside(const struct schema_key *key, const struct yaml
                             yaml_tree_describe(node).text, wanted(key).text);
 }
 
-/* A decimal number as YAML and C both write it: no hexadecimal, inf, nan, spaces. */
+/* Parses a decimal number as YAML and C both write it: no hexadecimal, inf, nan, spaces. */
 static bool parse_number(const struct yaml_tree *node, double *value)
 {
     char *end;
@@ -183,7 +183,7 @@ out:
     return st;
 }
 
-/* A whole number in digits alone. */
+/* Parses a whole number in digits alone. */
 static bool parse_count(const struct schema_key *key, const struct yaml_tree *node,
                         int *count)
 {
@@ -229,7 +229,7 @@ static enum status read_word(const struct schema_key *key, const struct yaml_tre
     return schema_refuse(key, node, why);
 }
 
-/* ASCII's, or U+0080 to U+009F: terminals obey both. */
+/* Whether the text has control characters, of ASCII or U+0080 to U+009F: terminals obey. */
 static bool has_control(const char *text)
 {
     for (const unsigned char *c = (const unsigned char *)text; *c; c++)
@@ -296,7 +296,7 @@ enum status schema_value(const struct schema_key *key, const struct yaml_tree *n
     return STATUS_INPUT;
 }
 
-/* Edits (insert, delete, exchange) from a to b; words longer than 31 count as far. */
+/* Counts edits (insert, delete, exchange) from a to b; words over 31 letters are far. */
 static int distance(const char *a, const char *b)
 {
     enum { FAR = 99, MOST = 32 };

@@ -21,12 +21,12 @@ enum status schema_value(const struct schema_key *key, const struct yaml_tree *n
 enum status schema_number(const struct schema_key *key, const struct yaml_tree *node,
                           double *value, struct message *why);
 
-/* Likewise a line of text that is not empty and has no control characters, owned, in place
- * of *text. */
+/* Reads likewise a line of text that is not empty and has no control characters, owned, in
+ * place of *text. */
 enum status schema_text(const struct schema_key *key, const struct yaml_tree *node,
                         char **text, struct message *why);
 
-/* The sentence "KEY is FOUND, but must be WANTED". */
+/* Fails with the sentence "KEY is FOUND, but must be WANTED". */
 enum status schema_refuse(const struct schema_key *key, const struct yaml_tree *node,
                           struct message *why);
 

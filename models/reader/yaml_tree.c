@@ -1,4 +1,4 @@
-/* yaml_tree.c - libyaml's events as a tree with origins.
+/* yaml_tree.c - makes a tree with origins from libyaml's events.
  *
  * Events rather than libyaml's documents: those resolve aliases, and so can be cyclic. */
 #include "models/reader/yaml_tree.h"
@@ -42,8 +42,8 @@ struct yaml_tree_words yaml_tree_describe(const struct yaml_tree *node)
     return words;
 }
 
-/* `file:line: `, `--set setting: ` for line 0, `file: ` for line -1; long names keep their
- * end, long settings their beginning. */
+/* Writes `file:line: `, `--set setting: ` for line 0, `file: ` for line -1; long names keep
+ * their end, long settings their beginning. */
 static int write_origin(char *text, size_t size, const char *origin, int line)
 {
     const size_t length = strlen(origin), most = 400;
@@ -101,7 +101,7 @@ struct yaml_tree *yaml_tree_find(const struct yaml_tree *map, const char *key)
     return child;
 }
 
-/* What one parse carries along. */
+/* The state of one parse. */
 struct parse {
     yaml_parser_t parser;
     yaml_event_t event; /* the current one; all-zero if none */
@@ -128,7 +128,7 @@ refuse_at(const struct parse *p, int line, const char *format, ...)
     return st;
 }
 
-/* Line of a byte, from 1. */
+/* Returns the line of a byte, from 1. */
 static int line_of(const char *text, size_t offset)
 {
     int line = 1;
@@ -138,7 +138,7 @@ static int line_of(const char *text, size_t offset)
     return line;
 }
 
-/* True if the text's line (from 1) begins with white space that has a tab in it. */
+/* Whether the text's line (from 1) begins with white space that has a tab in it. */
 static bool indented_by_tab(const struct parse *p, int line)
 {
     const char *c = p->text, *end = p->text + p->size;
@@ -150,7 +150,7 @@ static bool indented_by_tab(const struct parse *p, int line)
     return c < end && *c == '\t';
 }
 
-/* libyaml's complaint as our sentence. */
+/* Turns libyaml's error into our sentence. */
 static enum status refuse_syntax(const struct parse *p)
 {
     const yaml_parser_t *y = &p->parser;
@@ -174,7 +174,7 @@ static enum status refuse_syntax(const struct parse *p)
                      y->context ? y->context : "", y->context ? ")" : "");
 }
 
-/* The next event into p->event. */
+/* Reads the next event, p->event. */
 static enum status advance(struct parse *p)
 {
     yaml_event_delete(&p->event);
@@ -232,7 +232,7 @@ static enum status parse_key(struct parse *p, const struct yaml_tree *map, char 
     return copy_scalar(p, key);
 }
 
-/* Children of a list or map up to its end event. */
+/* Parses the children of a list or map up to its end event. */
 static enum status parse_children(struct parse *p, int depth, struct yaml_tree *node)
 {
     enum status st = STATUS_OK;
@@ -258,7 +258,7 @@ out:
     return st;
 }
 
-/* The node that begins with the current event. */
+/* Parses the node that begins with the current event. */
 static enum status parse_node(struct parse *p, int depth, struct yaml_tree **out)
 {
     enum status st = STATUS_OK;
@@ -290,7 +290,7 @@ out:
     return st;
 }
 
-/* U+0085, U+2028 and U+2029 end lines for YAML, but not for editors. */
+/* Whether a text begins with U+0085, U+2028 or U+2029: YAML's line ends, not editors'. */
 static bool is_odd_break(const char *text, size_t left)
 {
     return (left >= 2 && !memcmp(text, "\xc2\x85", 2)) ||
@@ -298,7 +298,7 @@ static bool is_odd_break(const char *text, size_t left)
            (left >= 3 && !memcmp(text, "\xe2\x80\xa9", 3));
 }
 
-/* Bytes that no text has; libyaml would name them less plainly. */
+/* Refuses bytes that no text has; libyaml would name them less plainly. */
 static enum status check_bytes(const struct parse *p)
 {
     if (p->size > YAML_TREE_MAX_TEXT)

@@ -46,21 +46,21 @@ enum status yaml_tree_set(struct yaml_tree *root, const char *setting, struct me
 /* Frees a node, its children and its later siblings; NULL is allowed. */
 void yaml_tree_free(struct yaml_tree *tree);
 
-/* Child of a map by key; NULL if there is none. */
+/* Returns the child of a map by key; NULL if there is none. */
 struct yaml_tree *yaml_tree_find(const struct yaml_tree *map, const char *key);
 
-/* One sentence `origin:line: ...` or `--set SETTING: ...` without control characters;
- * returns STATUS_INPUT. */
+/* Writes one sentence `origin:line: ...` or `--set SETTING: ...` without control
+ * characters; returns STATUS_INPUT. */
 enum status yaml_tree_refuse(const struct yaml_tree *node, struct message *why,
                              const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* What was found, for a sentence: 'text', a list of 3, a section. Printable ASCII. */
+/* Describes a node in a sentence: 'text', a list of 3, a section. Printable ASCII. */
 struct yaml_tree_words {
     char text[64];
 };
 struct yaml_tree_words yaml_tree_describe(const struct yaml_tree *node);
 
-/* Text in quotes, cut short, with '?' for what is not printable ASCII. */
+/* Quotes text, cut short, with '?' for what is not printable ASCII. */
 struct yaml_tree_words yaml_tree_quote(const char *text);
 
 #endif

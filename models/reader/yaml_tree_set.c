@@ -1,17 +1,17 @@
-/* yaml_tree_set.c - `--set material.young=5e4` applied to a tree. */
+/* yaml_tree_set.c - applies `--set material.young=5e4` to a tree. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "models/reader/yaml_tree.h"
 
-/* A path is at most as deep as a tree. */
+/* A step of a path, which is at most as deep as a tree. */
 struct step {
     char key[64]; /* "" for an index */
     int index;
 };
 
-/* A node made by a setting, or what stands in for one in a sentence. */
+/* Returns a node made by a setting, or its substitute in a sentence. */
 static struct yaml_tree from_setting(const char *setting)
 {
     return (struct yaml_tree){.kind = YAML_TREE_MAP, .origin = setting};
@@ -45,7 +45,7 @@ static bool take_step(const char **c, bool first, struct step *step)
     return true;
 }
 
-/* The steps before '='; 0 if the path is not well formed. */
+/* Returns the number of steps before '='; 0 if the path is not well formed. */
 static int take_path(const char *setting, struct step steps[YAML_TREE_MAX_DEPTH])
 {
     const char *c = setting, *end = strchr(setting, '=');
@@ -59,8 +59,8 @@ static int take_path(const char *setting, struct step steps[YAML_TREE_MAX_DEPTH]
     return c == end ? count : 0;
 }
 
-/* The link that holds the step's node, or the link behind the last child of a map. NULL
- * with a sentence if the parent has no such place. */
+/* Returns the link that holds the step's node, or the link behind the last child of a map.
+ * NULL with a sentence if the parent has no such place. */
 static struct yaml_tree **find_link(struct yaml_tree *parent, const struct step *step,
                                     const char *name, const char *setting,
                                     struct message *why)
@@ -95,7 +95,7 @@ static struct yaml_tree **find_link(struct yaml_tree *parent, const struct step 
     return link;
 }
 
-/* A new empty map behind the last child of `parent`. */
+/* Adds an empty map behind the last child of `parent`. */
 static enum status add_map(struct yaml_tree *parent, struct yaml_tree **link,
                            const struct step *step, const char *setting)
 {
@@ -114,7 +114,7 @@ static enum status add_map(struct yaml_tree *parent, struct yaml_tree **link,
     return STATUS_OK;
 }
 
-/* Puts value's content where *node has its own. */
+/* Replaces the content of *node by that of value. */
 static void replace(struct yaml_tree *node, struct yaml_tree *value)
 {
     struct yaml_tree old = *node;

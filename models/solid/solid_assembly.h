@@ -24,13 +24,13 @@ struct solid_assembly {
     struct solid_element *work; /* [threads]                                           */
 };
 
-/* Threads: as many as OpenMP would give at this moment. */
+/* Prepares the assembly, with as many threads as OpenMP would give at this moment. */
 enum status solid_assembly_init(struct solid_assembly *s, const struct solid_space *space,
                                 const struct solid_material *material);
 void solid_assembly_clear(struct solid_assembly *s);
 
-/* K, M and volume on the coefficients x[nodes][3]. On STATUS_INVERTED or STATUS_NAN the
- * matrices are of no use. */
+/* Computes K, M and volume on the coefficients x[nodes][3]. On STATUS_INVERTED or
+ * STATUS_NAN the matrices are unusable. */
 enum status solid_assembly_compute(struct solid_assembly *s, const double *x);
 
 #endif

@@ -7,7 +7,7 @@ static const double (*stiffness(const struct solid_motion *m))[9]
     return (const double(*)[9])m->assembly.K;
 }
 
-/* No motion in the terms of newmark.h's w: d1 = 0, v1 = 2 (d1 - d0) / dt - v0. */
+/* Fills what newmark.h's w is without motion: d1 = 0, v1 = 2 (d1 - d0) / dt - v0. */
 static void still_values(const struct newmark *n, size_t count, double *still)
 {
     for (size_t t = 0; t < count; t++)

@@ -16,9 +16,9 @@
 
 #include "models/solid/solid_state.h"
 
-/* One step of m->kinematics from m->x, without the velocity's damping. `held`: motion of
- * the held unknowns at its end, NULL at rest. On the rebuilt kinematics' present matrices.
- */
+/* Takes one step of m->kinematics from m->x, without the velocity's damping. `held`: motion
+ * of the held unknowns at its end, NULL at rest. Uses the rebuilt kinematics' present
+ * matrices. */
 enum status solid_contact_linear(struct solid_motion *m, const struct newmark_held *held,
                                  struct counters *counters);
 enum status solid_contact_rebuilt(struct solid_motion *m, const struct newmark_held *held,

@@ -74,7 +74,7 @@ static void cross(const double a[4], const double b[4], double out[3])
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* J[j] = sum_a X_a N_a,j and its cofactors; G's rows are `row` apart. Returns det J. */
+/* Computes J[j] = sum_a X_a N_a,j, its cofactors and det J; G's rows are `row` apart. */
 static double jacobian(int local, int row, const double *X, const double *G,
                        double cofactor[3][3])
 {
@@ -93,7 +93,7 @@ static double jacobian(int local, int row, const double *X, const double *G,
     return J[0][0] * cofactor[0][0] + J[0][1] * cofactor[0][1] + J[0][2] * cofactor[0][2];
 }
 
-/* T = J^-T. Returns det J; the unit normal of w = const into n[3], unless NULL. */
+/* Computes T = J^-T. Returns det J; the unit normal of w = const in n[3], unless NULL. */
 static double inverse_jacobian(int local, int row, const double *X, const double *G,
                                double T[3][3], double *n)
 {
@@ -109,7 +109,7 @@ static double inverse_jacobian(int local, int row, const double *X, const double
     return det;
 }
 
-/* g_i = scale sum_j T_ij G_j and wg_i = dV g_i for `count` columns. */
+/* Computes g_i = scale sum_j T_ij G_j and wg_i = dV g_i for `count` columns. */
 static void push_forward(int count, double T[3][3], double scale, const double *G,
                          int G_row, double dV, double *restrict g, double *restrict wg,
                          int g_row)
@@ -129,7 +129,7 @@ static enum status bad_jacobian(double det)
     return isnan(det) ? STATUS_NAN : STATUS_INVERTED;
 }
 
-/* Physical gradients at every Gauss point; internal modes behind the functions. */
+/* Computes gradients at every Gauss point; internal modes are behind the functions. */
 static enum status physical_gradients(struct solid_element *e,
                                       const struct solid_space *space, int element)
 {
@@ -162,7 +162,7 @@ static enum status physical_gradients(struct solid_element *e,
     return STATUS_OK;
 }
 
-/* dV alone. */
+/* Computes dV alone. */
 static enum status volumes(struct solid_element *e)
 {
     for (int q = 0; q < e->gauss; q++) {
@@ -175,7 +175,7 @@ static enum status volumes(struct solid_element *e)
     return STATUS_OK;
 }
 
-/* What plane_stress has in place of lambda: y = P g and n (n.g) at every point. */
+/* Computes plane_stress's terms in place of lambda: y = P g and n (n.g) at every point. */
 static void split_gradients(struct solid_element *e, const struct solid_material *material)
 {
     size_t size = 3 * (size_t)e->padded;
@@ -200,7 +200,7 @@ static void split_gradients(struct solid_element *e, const struct solid_material
     solid_outer(e->local + e->modes, e->padded, 2 * e->points, e->wy, e->y, e->L);
 }
 
-/* Blocks of four columns, row-major, from their entries. */
+/* Unpacks blocks of four columns, row-major, from their entries. */
 static void unpack(const lanes k[9], double *K)
 {
     for (int b = 0; b < SOLID_LANES; b++)
@@ -208,7 +208,7 @@ static void unpack(const lanes k[9], double *K)
             K[9 * b + t] = k[t][b];
 }
 
-/* K_ab from H_ab, four b at a time. `plane`: what goes with lambda is in L. */
+/* Computes K_ab from H_ab, four b at a time. `plane`: L has the part of lambda. */
 static void stiffness(struct solid_element *e, const struct solid_material *material,
                       bool plane)
 {
@@ -261,7 +261,7 @@ static void mass(struct solid_element *e, double density)
 /* Internal modes are a hexahedron's: three of them, eight functions. */
 enum { MODES_MAX = 3, INTERNAL_MAX = 3 * MODES_MAX, CONDENSED_MAX = 3 * 8 };
 
-/* Entry (mode m, component i; column b, component j) of the stiffness with its modes. */
+/* Returns entry (mode m, component i; column b, component j) of the modes' stiffness. */
 static double internal_entry(const struct solid_element *e, int m, int i, int b, int j)
 {
     size_t row = (size_t)e->padded, p = (size_t)(e->local + m), c = (size_t)b;
@@ -270,7 +270,7 @@ static double internal_entry(const struct solid_element *e, int m, int i, int b,
                  : e->K[(p * row + c) * 9 + (size_t)(3 * i + j)];
 }
 
-/* Cholesky factor of the internal stiffness B, positive definite where det J > 0. */
+/* Computes the Cholesky factor of the internal stiffness B, definite where det J > 0. */
 static void internal_factor(const struct solid_element *e,
                             double L[INTERNAL_MAX][INTERNAL_MAX])
 {
@@ -283,7 +283,7 @@ static void internal_factor(const struct solid_element *e,
         }
 }
 
-/* K_ab -= K_ai B^-1 K_ib: with Y = L^-1 K_ib, K -= Y^T Y. */
+/* Computes K_ab -= K_ai B^-1 K_ib: with Y = L^-1 K_ib, K -= Y^T Y. */
 static void condense(struct solid_element *e)
 {
     double L[INTERNAL_MAX][INTERNAL_MAX], Y[INTERNAL_MAX][CONDENSED_MAX];
@@ -307,7 +307,7 @@ static void condense(struct solid_element *e)
         }
 }
 
-/* K of one layer as a plate. */
+/* Computes K of one layer as a plate. */
 static enum status layer_stiffness(struct solid_element *e, const struct solid_space *space,
                                    int element, const struct solid_material *material)
 {

@@ -50,7 +50,7 @@ static void keep_layer(struct solid_green *s, const struct solid_layer *from, in
     memcpy((double *)rest.dV, from->dV, points * sizeof *rest.dV);
 }
 
-/* Copies what solid_element_compute found on the rest shape. */
+/* Copies the results of solid_element_compute on the rest shape. */
 static void keep_rest(struct solid_green *s, const struct solid_element *from, int element)
 {
     s->points[SOLID_KINDS * element] = from->points;
@@ -74,7 +74,7 @@ static void keep_rest(struct solid_green *s, const struct solid_element *from, i
                                   (double *)rest.A);
 }
 
-/* Room for what the rest shape gives. */
+/* Allocates the rest shape's data. */
 static enum status make_room(struct solid_green *s, const struct solid_space *space)
 {
     size_t elements = (size_t)space->elements, modes = (size_t)space->modes;
@@ -97,7 +97,7 @@ static const int *nodes_of(const struct solid_space *space, int element)
     return space->ien + (size_t)element * (size_t)space->local;
 }
 
-/* x less `from` (NULL: nothing) of an element's nodes. */
+/* Gathers x less `from` (NULL: nothing) at an element's nodes. */
 static void gather(const struct solid_space *space, int element, const double *x,
                    const double *from, double *U)
 {

@@ -17,7 +17,7 @@ struct solid_green {
     const struct solid_assembly *assembly; /* pattern, places, material      borrowed  */
     struct large_body body; /* the lag is for all strains                              */
     void *room;             /* of the arrays                                 owned     */
-    /* of a space with a layer, g, n and dV are solid_layer_rest's q, t and dV         */
+    /* In a space with a layer, g, n and dV are solid_layer_rest's q, t and dV. */
     double *g;    /* [elements][gauss][3][row]                                         */
     double *dV;   /* [elements][gauss]                                                 */
     int *points;  /* [elements][SOLID_KINDS] of the stiffness; of a layer              */
@@ -28,12 +28,12 @@ struct solid_green {
     struct solid_green_element *work; /* [threads]                                     */
 };
 
-/* `assembly` and *s stay where they are until solid_green_clear. STATUS_INVERTED if the
- * rest shape is folded. */
+/* Prepares; `assembly` and *s must stay where they are until solid_green_clear.
+ * STATUS_INVERTED if the rest shape is folded. */
 enum status solid_green_init(struct solid_green *s, const struct solid_assembly *assembly);
 void solid_green_clear(struct solid_green *s);
 
-/* Elastic energy at x[nodes][3] [J]. STATUS_INVERTED where x is no body. */
+/* Returns elastic energy at x[nodes][3] [J]. STATUS_INVERTED where x is no valid shape. */
 enum status solid_green_energy(const struct solid_green *s, const double *x,
                                double *energy);
 

@@ -44,7 +44,7 @@ out:
     return st;
 }
 
-/* E += factor (A^T B + B^T A) / 4. */
+/* Adds factor (A^T B + B^T A) / 4 to E. */
 static void add_product(double A[3][3], double B[3][3], double factor, double *E)
 {
     for (int i = 0; i < 3; i++)
@@ -86,7 +86,7 @@ void solid_green_element_modes(const struct solid_green_element *e,
         }
 }
 
-/* Adds the modes' strains that leave them without stress on average. */
+/* Adds the strains of the internal modes that make their average stress vanish. */
 static void add_modes(struct solid_green_element *e, const struct solid_material *material,
                       const struct solid_green_rest *rest)
 {

@@ -22,26 +22,25 @@ enum status solid_green_element_init(struct solid_green_element *e,
                                      const struct solid_space *space);
 void solid_green_element_clear(struct solid_green_element *e);
 
-/* Stiffness of the internal modes into A, factored. For set-up. */
+/* Computes the factored stiffness of the internal modes, A. For set-up. */
 void solid_green_element_modes(const struct solid_green_element *e,
                                const struct solid_material *material,
                                const struct solid_green_rest *rest, double *A);
 
-/* e->strain of the displacement e->U[0]: zero, to the bit, at rest. False if it is no
- * number or det F <= 0 somewhere. With `change`, less the product of e->U[1] and e->U[2],
- * `beside` and `change` of large_foresight: the strain as a linearisation foresaw it
- * (Magisano, Leonetti, Garcea, CMAME 313, 2017).
- * Modes included. */
+/* Computes e->strain of the displacement e->U[0]: zero, to the bit, at rest. False if it is
+ * not finite or det F <= 0 somewhere. With `change`, less the product of e->U[1] and
+ * e->U[2], `beside` and `change` of large_foresight: the strain as a linearisation foresaw
+ * it (Magisano, Leonetti, Garcea, CMAME 313, 2017). Modes included. */
 bool solid_green_element_strain(struct solid_green_element *e,
                                 const struct solid_material *material,
                                 const struct solid_green_rest *rest, bool change);
 
-/* Elastic energy of e->strain [J]. */
+/* Returns the elastic energy of e->strain [J]. */
 double solid_green_element_energy(const struct solid_green_element *e,
                                   const struct solid_material *material,
                                   const struct solid_green_rest *rest);
 
-/* e->f of the stress of e->strain on the geometry e->U[1]. */
+/* Computes e->f of the stress of e->strain on the geometry e->U[1]. */
 void solid_green_element_force(struct solid_green_element *e,
                                const struct solid_material *material,
                                const struct solid_green_rest *rest);

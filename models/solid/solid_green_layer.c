@@ -17,7 +17,7 @@ static const double *rows_at(const struct solid_green_element *e,
     return rest->q + (size_t)n * VECTORS * (size_t)e->row;
 }
 
-/* d_k = sum_a U_a q_k[a] of one point. */
+/* Computes d_k = sum_a U_a q_k[a] of one point. */
 static void vectors(const struct solid_green_element *e, const double *U, const double *q,
                     double d[VECTORS][3])
 {
@@ -33,7 +33,7 @@ static void vectors(const struct solid_green_element *e, const double *U, const 
             d[k][i] = sum[k][i];
 }
 
-/* c_k of the geometry e->U[1]. */
+/* Computes c_k of the geometry e->U[1]. */
 static void moved(const struct solid_green_element *e, const struct solid_layer_rest *rest,
                   int n, double c[VECTORS][3])
 {
@@ -111,7 +111,7 @@ double solid_green_layer_energy(const struct solid_green_element *e,
     return energy;
 }
 
-/* A such that the work of the stress (dV) at a point is sum_kl A_kl c_l.dc_k. */
+/* Computes A such that the stress (dV) at a point does the work sum_kl A_kl c_l.dc_k. */
 static void couple(enum solid_strains kind, const double *stress,
                    double A[VECTORS][VECTORS])
 {
@@ -153,7 +153,7 @@ void solid_green_layer_force(struct solid_green_element *e,
     }
 }
 
-/* C[a][b] += sum_kl q_k[a] A_kl q_l[b] */
+/* Adds sum_kl q_k[a] A_kl q_l[b] to C[a][b]. */
 static void add_geometric(struct solid_green_element *e, const double *q,
                           double A[VECTORS][VECTORS])
 {

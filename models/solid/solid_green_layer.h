@@ -1,13 +1,13 @@
 /* solid_green_layer.h - one layer of linear functions (solid_layer.h) at large
- * displacements: what solid_green_element.h and solid_green_stiffness.h promise, where the
+ * displacements: implements solid_green_element.h and solid_green_stiffness.h where the
  * space has a layer. */
 #ifndef SOLID_GREEN_LAYER_H
 #define SOLID_GREEN_LAYER_H
 
 #include "models/solid/solid_green_room.h"
 
-/* Looks for det F <= 0 at the points of SOLID_OTHER, where the director's length is asked
- * for; between them a fold within a span may shorten it to nothing, which harms nobody. */
+/* Checks for det F <= 0 only at the points of SOLID_OTHER, which see the director's length;
+ * between them a fold within a span may shorten it to nothing, which does no harm. */
 bool solid_green_layer_strain(struct solid_green_element *e,
                               const struct solid_layer_rest *rest, bool change);
 double solid_green_layer_energy(const struct solid_green_element *e,

@@ -1,6 +1,6 @@
-/* solid_green_point.h - what solid_green_element.c and solid_green_stiffness.c both do at a
- * Gauss point; nobody else's. Both are compiled with -ffp-contract=fast, as solid_element.c
- * is, and for the same reason. */
+/* solid_green_point.h - work at a Gauss point that solid_green_element.c and
+ * solid_green_stiffness.c share; private to them. Both are compiled with
+ * -ffp-contract=fast, as solid_element.c is, and for the same reason. */
 #ifndef SOLID_GREEN_POINT_H
 #define SOLID_GREEN_POINT_H
 
@@ -12,10 +12,10 @@
 
 typedef solid_lanes lanes;
 
-/* Place of the tensor component (i, j) among the strains. */
+/* The place of the tensor component (i, j) among the strains. */
 static const int PLACE[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
 
-/* sum_a U_ai g_j[a] into D[i][j]. */
+/* Computes D[i][j] = sum_a U_ai g_j[a]. */
 static inline void gradient(const struct solid_green_element *e, const double *U,
                             const double *g, double D[3][3])
 {
@@ -38,7 +38,7 @@ static inline void add_unit(double D[3][3])
         D[i][i] += 1;
 }
 
-/* F of the geometry. */
+/* Computes F of the geometry. */
 static inline void deformation(const struct solid_green_element *e, const double *g,
                                double F[3][3])
 {
@@ -64,7 +64,7 @@ static inline void stress_of(const double *E, const struct solid_material *m,
             S[PLACE[i][j]] += (m->across * across - pressure) * n[i] * n[j];
 }
 
-/* The normal at a point; NULL for a law that needs none. */
+/* Returns the normal at a point; NULL for a law that needs none. */
 static inline const double *normal_at(const struct solid_green_rest *rest, int q)
 {
     return rest->plane_stress ? rest->n + 3 * q : NULL;
@@ -82,7 +82,7 @@ static inline const double *mode_at(const struct solid_green_element *e,
     return rest->mode + 3 * (q * e->modes + m);
 }
 
-/* b <- A^-1 b with the Cholesky factor A; A^-T A^-1 b if `both`. */
+/* Computes b <- A^-1 b with the Cholesky factor A; A^-T A^-1 b if `both`. */
 static inline void solve_modes(int n, const double *A, double *b, bool both)
 {
     for (int s = 0; s < n; s++) {
@@ -97,7 +97,7 @@ static inline void solve_modes(int n, const double *A, double *b, bool both)
     }
 }
 
-/* Stress of sym(e_i m^T) . */
+/* Computes the stress of sym(e_i m^T). */
 static inline void mode_stress(const double *m, int i,
                                const struct solid_material *material, double S[6])
 {
@@ -108,7 +108,7 @@ static inline void mode_stress(const double *m, int i,
     stress_of(E, material, NULL, S);
 }
 
-/* (S m)_i */
+/* Returns (S m)_i. */
 static inline double traction(const double *S, const double *m, int i)
 {
     return S[PLACE[i][0]] * m[0] + S[PLACE[i][1]] * m[1] + S[PLACE[i][2]] * m[2];

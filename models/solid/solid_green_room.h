@@ -1,4 +1,4 @@
-/* solid_green_room.h - what a solid element at large displacements works with
+/* solid_green_room.h - working storage of a solid element at large displacements
  * (solid_green_element.h). */
 #ifndef SOLID_GREEN_ROOM_H
 #define SOLID_GREEN_ROOM_H
@@ -8,7 +8,7 @@
 /* Strains at a Gauss point: xx, yy, zz, xy, yz, zx, shear not doubled. */
 enum { SOLID_GREEN_STRAINS = 6, SOLID_GREEN_INTERNAL = 9 };
 
-/* What the rest shape gives an element; rows padded as in solid_space.h. */
+/* Rest data of an element; rows padded as in solid_space.h. */
 struct solid_green_rest {
     int points;         /* of the stiffness                                             */
     bool plane_stress;  /* solid_element.h                                              */
@@ -21,7 +21,7 @@ struct solid_green_rest {
     struct solid_layer_rest layer; /* of a space with a layer, instead of all this     */
 };
 
-/* Room for one element; one per thread. */
+/* Working storage for one element; one per thread. */
 struct solid_green_element {
     int local, row, gauss, modes;
     bool plane;   /* space->plane_stress                                                  */

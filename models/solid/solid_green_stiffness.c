@@ -5,7 +5,7 @@
 #include "models/solid/solid_green_layer.h"
 #include "models/solid/solid_green_point.h"
 
-/* p = F g and wp = w F g over the functions. */
+/* Computes p = F g and wp = w F g over the functions. */
 static void push(const struct solid_green_element *e, double F[3][3], const double *g,
                  double w, double *restrict p, double *restrict wp)
 {
@@ -18,8 +18,8 @@ static void push(const struct solid_green_element *e, double F[3][3], const doub
         }
 }
 
-/* C[a][.][b] += weight mu g_a.g_b F F^T + (g_a.S g_b) I, from Sg = S g and B = F F^T, both
- * with their weights. */
+/* Adds weight mu g_a.g_b F F^T + (g_a.S g_b) I to C[a][.][b], from Sg = S g and B = F F^T,
+ * both with their weights. */
 static void add_symmetric(struct solid_green_element *e, const double *g, const double B[6])
 {
     int row = e->row;
@@ -40,7 +40,7 @@ static void add_symmetric(struct solid_green_element *e, const double *g, const 
         }
 }
 
-/* What plane_stress has in place of lambda, into L: y = F P g and F n (n.g). */
+/* Computes L, which plane_stress uses in place of lambda: y = F P g and F n (n.g). */
 static void split(struct solid_green_element *e, const struct solid_material *material,
                   const struct solid_green_rest *rest)
 {
@@ -69,7 +69,7 @@ static void split(struct solid_green_element *e, const struct solid_material *ma
     solid_outer(e->local, e->row, 2 * rest->points, e->wy, e->y, e->L);
 }
 
-/* Y = L^-1 of the modes' coupling with the functions, A = L L^T. */
+/* Computes Y = L^-1 of the modes' coupling with the functions, A = L L^T. */
 static void couple_modes(struct solid_green_element *e,
                          const struct solid_material *material,
                          const struct solid_green_rest *rest)
@@ -149,7 +149,7 @@ void solid_green_stiffness_blocks(const struct solid_green_element *e,
     const double *H = e->H + (size_t)a * 9 * (size_t)e->row;
     const double *C = e->C + (size_t)a * 6 * (size_t)e->row;
     double mu = stress_share * material->mu;
-    /* what goes with lambda: by L if there is one */
+    /* the part of lambda: by L if there is one */
     double lambda = stress_share * (e->plane ? 1 : material->lambda);
     const double *G = e->plane ? e->L + (H - e->H) : H;
     int n = 3 * e->row;

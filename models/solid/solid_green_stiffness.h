@@ -4,8 +4,8 @@
 
 #include "models/solid/solid_green_room.h"
 
-/* On the geometry e->U[1]: stress_share times the material part and geometry_share times
- * the geometric part with the stress of e->strain. Kept in *e for
+/* Computes, on the geometry e->U[1], stress_share times the material part and
+ * geometry_share times the geometric part with the stress of e->strain. Kept in *e for
  * solid_green_stiffness_blocks. */
 void solid_green_stiffness_compute(struct solid_green_element *e,
                                    const struct solid_material *material,

@@ -6,7 +6,7 @@
 #include "models/mechanics/supports.h"
 #include "models/room.h"
 
-/* m of a column of nodes. */
+/* Returns m of a column of nodes. */
 static double mean(const struct solid_hinge *h, const double *x)
 {
     double m = 0;
@@ -64,7 +64,7 @@ out:
     return st;
 }
 
-/* A column's functions, or forces, `stride` apart. */
+/* Turns a column's functions, or forces, `stride` apart. */
 static void turn(const struct solid_hinge *h, size_t stride, double *f)
 {
     double *at = f + (size_t)h->at * stride, share = *at / h->middle[h->at];

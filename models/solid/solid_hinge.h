@@ -12,9 +12,9 @@
 #include "models/scene.h"
 #include "models/solid/solid_space.h"
 
-/* Finds the columns of `layers` nodes that the scene hinges, and takes m into their rest
- * coefficients and parameters; middle[layers] is copied. STATUS_UNSUPPORTED with a sentence
- * where another support takes a part of such a column's thickness. */
+/* Finds the columns of `layers` nodes that the scene hinges, and replaces their node by m
+ * in rest coefficients and parameters; middle[layers] is copied. STATUS_UNSUPPORTED with a
+ * sentence where another support takes a part of such a column's thickness. */
 enum status solid_hinge_init(struct solid_space *space, const struct scene *scene,
                              int layers, const double *middle, struct message *why);
 
@@ -23,11 +23,11 @@ enum status solid_hinge_init(struct solid_space *space, const struct scene *scen
 void solid_hinge_functions(const struct solid_space *space, int element, int rows, int row,
                            double *f);
 
-/* The same for forces f[nodes][3] on the nodes. */
+/* Turns forces f[nodes][3] on the nodes likewise. */
 void solid_hinge_forces(const struct solid_space *space, double *f);
 
-/* The nodes of coefficients x[nodes][3]: x itself without hinges, else the space's own
- * array, until the next call. */
+/* Returns the nodes of coefficients x[nodes][3]: x itself without hinges, else the space's
+ * own array, until the next call. */
 const double *solid_hinge_points(const struct solid_space *space, const double *x);
 
 #endif

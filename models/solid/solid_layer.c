@@ -121,7 +121,7 @@ static solid_lanes at(const double *row)
     return *(const solid_lanes *)row;
 }
 
-/* out[a] = sum_j m_j G_j[a] */
+/* Computes out[a] = sum_j m_j G_j[a]. */
 static void combine(int row, const double m[3], const double *G, double *out)
 {
     for (int a = 0; a < row; a += SOLID_LANES)
@@ -129,8 +129,8 @@ static void combine(int row, const double m[3], const double *G, double *out)
             m[0] * at(G + a) + m[1] * at(G + row + a) + m[2] * at(G + 2 * row + a);
 }
 
-/* J[j] = sum_a X_a G_j[a] for six rows: derivatives of the position by u, v, w, and the
- * derivatives of these by w. */
+/* Computes J[j] = sum_a X_a G_j[a] for six rows: derivatives of the position by u, v, w,
+ * and the derivatives of these by w. */
 static void tangents(const struct solid_layer *s, const double *X, const double *G,
                      double J[6][3])
 {
@@ -146,7 +146,7 @@ static void tangents(const struct solid_layer *s, const double *X, const double 
             J[j][i] = sum[j][i];
 }
 
-/* The frame t and m_k = J^-1 t_k; returns det J. */
+/* Computes the frame t and m_k = J^-1 t_k; returns det J. */
 static double frame(double J[6][3], double t[3][3], double m[3][3])
 {
     double cofactor[3][3], det;
@@ -163,7 +163,7 @@ static double frame(double J[6][3], double t[3][3], double m[3][3])
     return det;
 }
 
-/* Rows of F' t_k: G' less what J' makes of the gradients along the frame, q[3]. */
+/* Computes rows of F' t_k: G' less J's part by the gradients along the frame, q[3]. */
 static void slopes(const struct solid_layer *s, double J[6][3], double t[3][3],
                    const double m[3], const double *G, const double *const q[3],
                    double *out)
@@ -220,8 +220,7 @@ struct solid_layer_rest solid_layer_placed(const struct solid_layer *s)
     return rest;
 }
 
-/* b_i += factor (c_k q_l + c_l q_k)_i, a component of rows over functions; b = if `first`.
- */
+/* Adds factor (c_k q_l + c_l q_k)_i to b_i, rows over functions; sets b if `first`. */
 static void vary(int row, const struct solid_layer_term *term, const double *q,
                  double c[VECTORS][3], bool first, double *b)
 {

@@ -26,9 +26,9 @@ enum {
     SOLID_LAYER_VECTORS = 4, /* of a point: t_1, t_2, t_3, unused; or t_1, t_2, 0, 0   */
 };
 
-/* What a geometry gives an element, its points kind by kind. Vectors are rows q of t: of
- * the displacement u_a, d_k = sum u_a q_k[a]: those of F t_1, F t_2, F t_3; or of F t_1,
- * F t_2, F' t_1, F' t_2. */
+/* Data of an element in a geometry, its points kind by kind. Vectors are rows q of t: of
+ * the displacement u_a, d_k = sum u_a q_k[a]: those of F t_1, F t_2, F t_3; or of F t_1, F
+ * t_2, F' t_1, F' t_2. */
 struct solid_layer_rest {
     int points[SOLID_KINDS];
     const double *q;  /* [points][VECTORS][row]                                   [1/m] */
@@ -47,15 +47,15 @@ struct solid_layer {
     void *memory;
 };
 
-/* *layer is owned by the caller, also on failure. */
+/* Creates; *layer is owned by the caller, also on failure. */
 enum status solid_layer_create(const struct solid_space *space, struct solid_layer **layer);
 void solid_layer_destroy(struct solid_layer *s); /* NULL is allowed */
 
-/* Points and strains of an element, those of a point one after the other. */
+/* Return an element's number of points, and of strains, those of a point in sequence. */
 int solid_layer_points(const int points[SOLID_KINDS]);
 int solid_layer_strains(const int points[SOLID_KINDS]);
 
-/* The kind of an element's point n. */
+/* Returns the kind of an element's point n. */
 enum solid_strains solid_layer_kind(const int points[SOLID_KINDS], int n);
 
 /* Fills points, q, t and dV of an element on the coefficients X[local][4]. STATUS_INVERTED
@@ -64,7 +64,7 @@ enum status solid_layer_place(struct solid_layer *s, const struct solid_space *s
                               int element, const double *X);
 struct solid_layer_rest solid_layer_placed(const struct solid_layer *s);
 
-/* Stress dV of the strains at a point. */
+/* Computes the stress times dV of the strains at a point. */
 void solid_layer_stress(const struct solid_material *m, enum solid_strains kind, double dV,
                         const double *strain, double *stress);
 
@@ -79,8 +79,8 @@ struct solid_layer_form {
 };
 extern const struct solid_layer_form solid_layer_form[SOLID_KINDS];
 
-/* Variations of the strains of point n with vectors c[4][3], and the stress dV of them,
- * into the rows of s->b, s->wb that follow strain `first`. Returns the strains written. */
+/* Computes variations of the strains of point n with vectors c[4][3], and their stress dV,
+ * in the rows of s->b, s->wb that follow strain `first`. Returns the strains written. */
 int solid_layer_vary(struct solid_layer *s, const struct solid_layer_rest *rest, int n,
                      double c[SOLID_LAYER_VECTORS][3], const struct solid_material *m,
                      int first);

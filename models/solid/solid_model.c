@@ -85,8 +85,9 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
     return STATUS_OK;
 }
 
-/* 0/1 per component of a flat sheet in Legendre functions through the thickness
- * (solid_space.h); NULL unless the normal is a coordinate axis. STATUS_MEMORY. */
+/* Finds the parity of a flat sheet in Legendre functions through the thickness
+ * (solid_space.h), 0/1 per component; NULL unless the normal is a coordinate axis.
+ * STATUS_MEMORY. */
 static enum status find_parity(const struct scene *scene, int nodes, int layers,
                                unsigned char **found)
 {

@@ -12,7 +12,7 @@ struct solid_sheet {
     double misfit; /* of the rest shape, solid_model_misfit                        [m] */
 };
 
-/* What solid_motion can serve; bits of scene_need. */
+/* The scene's needs that solid_motion supports; bits of scene_need. */
 #define SOLID_MODEL_SERVES                                                                 \
     (SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |                  \
      SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS |                           \
@@ -28,28 +28,29 @@ enum status solid_model_equilibrium(void *state, struct counters *counters,
                                     struct message *why);
 enum status solid_model_modes(void *state, int count, double *omega, struct message *why);
 
-/* STATUS_UNSUPPORTED in the thickness basis and on hinges. */
+/* Makes the matrices; STATUS_UNSUPPORTED in the thickness basis and on hinges. */
 enum status solid_model_matrices(const void *state, struct matrix *K, struct matrix *M);
 
-/* A sentence on a misfit above round-off; empty otherwise. */
+/* Writes a sentence on a misfit above round-off; empty otherwise. */
 void solid_model_describe(const void *state, struct message *line);
 
-/* Which basis through the thickness to use: what was asked, or the thickness basis where
+/* Chooses the basis through the thickness: what was asked, or the thickness basis where
  * `possible`, all supports take whole columns or the middle of one of two layers, and there
- * are no obstacles (which touch one face). STATUS_INPUT if it was asked but can't be. */
+ * are no obstacles (which touch one face). STATUS_INPUT if it was asked but is not
+ * possible. */
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
                               bool possible, bool *thickness, struct message *why);
 
-/* Hinges or, with the thickness basis, the space's parity; and the motion. points[3]: the
- * net's, numbered w fastest, then v. middle[points[2]]: values at w = 1/2 of the functions
- * through the thickness, where that is one element without weights of its own; else NULL.
- */
+/* Makes hinges or, with the thickness basis, the space's parity; and the motion. points[3]:
+ * the net's, numbered w fastest, then v. middle[points[2]]: values at w = 1/2 of the
+ * functions through the thickness, where that is one element without weights of its own;
+ * else NULL. */
 enum status solid_model_init(struct solid_sheet *s, const struct scene *scene,
                              const struct discretization *d, const int points[3],
                              const double *middle, struct message *why);
 
-/* How far the rest shape (`sample` of the state) lies from the scene's, at most over the
- * grid: of curved ones; 0 for flat ones, unasked. */
+/* Measures how far a curved rest shape (`sample` of the state) lies from the scene's, at
+ * most over the grid; 0 for flat ones, unmeasured. */
 enum status solid_model_misfit(struct solid_sheet *s,
                                void (*sample)(const void *state, double *xyz));
 

@@ -13,8 +13,8 @@
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_large.h"
 
-/* Body drag is C = (c / rho) M, but not under `printed`, whose v is not the sheet's
- * velocity: there d / dt is, see drag_on_d. */
+/* Returns alpha. Body drag is C = (c / rho) M, but not under `printed`, whose v is not the
+ * sheet's velocity: there d / dt is, see drag_on_d. */
 static double mass_damping(const struct scene *scene, enum kinematics kinematics)
 {
     double drag = kinematics == KINEMATICS_PRINTED ? 0 : damping_drag(scene);
@@ -22,7 +22,7 @@ static double mass_damping(const struct scene *scene, enum kinematics kinematics
     return damping_mass(scene) + drag;
 }
 
-/* Drag c d / dt under `printed`, as a multiple of M d. */
+/* Returns drag c d / dt under `printed`, as a multiple of M d. */
 static double drag_on_d(const struct scene *scene, enum kinematics kinematics)
 {
     return kinematics == KINEMATICS_PRINTED ? damping_drag(scene) / scene->step : 0;
@@ -53,7 +53,7 @@ enum status solid_motion_add_loads(struct solid_motion *m,
     return st;
 }
 
-/* `printed` knows velocity as d / dt (solid_motion.h). */
+/* Sets the initial velocity; `printed` has it as d / dt (solid_motion.h). */
 static void start_moving(struct solid_motion *m)
 {
     const size_t count = 3 * (size_t)m->space->nodes;
@@ -89,8 +89,7 @@ static void frames(const void *body, double (*Q)[9])
     frames_of_net(m->points, m->space->thickness_basis, m->x, Q);
 }
 
-/* Of a system that is iterated: what frames rebuilt each step add to d, a step of Newton.
- */
+/* Sets up an iterated system; its solutions are increments of d, or steps of Newton. */
 static enum status follow(struct solid_motion *m)
 {
     static const double SOLVE_TOLERANCE = 1e-8, STEP_TOLERANCE = 1e-3;
@@ -155,14 +154,14 @@ static double *held_row(struct solid_motion *m, int row)
     return m->held + (size_t)row * (size_t)m->supports.held_count;
 }
 
-/* What the supports' paths give at time t, in m->held. */
+/* Returns the motion by the supports' paths at time t, in m->held. */
 static struct newmark_held path_motion(struct solid_motion *m, double t)
 {
     return newmark_follow(&m->supports, m->scene, t, m->newmark.dt, m->held);
 }
 
-/* Held motion for the kinematics that add d to the control points: d brings them to where
- * the path is. `printed` takes v and a from the paper's eq. 21. */
+/* Returns held motion for kinematics that add d to the control points: d brings them to the
+ * path. `printed` takes v and a from the paper's eq. 21. */
 static struct newmark_held step_motion(struct solid_motion *m, double t)
 {
     struct newmark_held held = path_motion(m, t);
@@ -185,7 +184,7 @@ static const double (*stiffness(const struct solid_motion *m))[9]
     return (const double(*)[9])m->assembly.K;
 }
 
-/* The first acceleration, then the constant system of the steps. */
+/* Computes the first acceleration, then the constant system of the steps. */
 static enum status start_linear(struct solid_motion *m, struct counters *counters)
 {
     enum status st;
@@ -201,7 +200,7 @@ out:
     return st;
 }
 
-/* With obstacles the steps need no acceleration and factor for themselves. */
+/* Starts with obstacles: the steps need no acceleration and factor for themselves. */
 static void start_contact(struct solid_motion *m)
 {
     struct newmark_held held;

@@ -19,8 +19,8 @@
 #include "models/model.h"
 #include "models/solid/solid_state.h"
 
-/* `order`: node order for the factorisation or NULL. The assembled matrices of the rest
- * shape are there after it. *m must stay where it is: it holds pointers into itself. */
+/* Initialises, including the assembled matrices of the rest shape. `order`: node order for
+ * the factorisation or NULL. *m must stay where it is: it holds pointers into itself. */
 enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                               const struct solid_space *space,
                               const struct discretization *d, const int *order,
@@ -31,10 +31,10 @@ void solid_motion_clear(struct solid_motion *m);
 enum status solid_motion_add_loads(struct solid_motion *m,
                                    const struct dead_load_line line[3]);
 
-/* One step of scene->step. */
+/* Takes one step of scene->step. */
 enum status solid_motion_step(struct solid_motion *m, struct counters *counters);
 
-/* Energies; the elastic one is NaN where the kinematics has none (printed, incremental). */
+/* Returns energies; the elastic one is NaN under `printed` and `incremental`. */
 void solid_motion_energy(const struct solid_motion *m, struct energy *energy);
 
 void solid_motion_contact(const struct solid_motion *m, struct model_contact *contact);

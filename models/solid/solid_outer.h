@@ -34,7 +34,7 @@ static inline void solid_outer_rows(int padded, int points, const double *w,
     }
 }
 
-/* H[a][3 i + j][b] = sum over points of w[.][i][a] g[.][j][b], for a < columns and
+/* Computes H[a][3 i + j][b] = sum over points of w[.][i][a] g[.][j][b], for a < columns and
  * b >= a; H has room for an even number of columns. */
 static inline void solid_outer(int columns, int padded, int points, const double *w,
                                const double *g, double *H)

@@ -8,7 +8,7 @@
 #include "models/mechanics/pencil.h"
 #include "models/solid/solid_large.h"
 
-/* r = load - K d, zero at held unknowns. */
+/* Computes r = load - K d, zero at held unknowns. */
 static void residual(const struct solid_motion *m, const double *d, double *r)
 {
     size_t count = 3 * (size_t)m->space->nodes;
@@ -28,8 +28,7 @@ static double largest(size_t count, const double *x)
     return most;
 }
 
-/* Correction above this part of the solution: the system is singular to working accuracy.
- */
+/* A correction above this part of the solution means a numerically singular system. */
 static const double LARGEST_CORRECTION = 1e-2;
 
 enum status solid_rest_equilibrium(struct solid_motion *m, struct counters *counters,

@@ -63,9 +63,9 @@ struct solid_space {
                          supports.h's SUPPORTS_MIDDLE, SUPPORTS_DIFFERENCE             */
     double *rest;     /* [nodes][3] rest coefficients                  [m]             */
 
-    /* For a flat sheet with the thickness basis: 0/1 per component, such that linear
+    /* The parity, 0/1 per component, of a flat sheet with the thickness basis: linear
      * stiffness and mass couple only equal ones (membrane and bending motion). NULL where
-     * that is not known. */
+     * it is unknown. */
     unsigned char *parity; /* [nodes][3]                                       owned   */
     bool thickness_basis;  /* coefficients are Legendre through the thickness          */
 
@@ -75,16 +75,16 @@ struct solid_space {
                       struct solid_functions *out);
     void *tables; /* of the owner of `functions`                                       */
 
-    /* Cure for locking: the stiffness by fewer points than the mass (NULL: the same
-     * points). Fills `out` as `functions` does, returns the points used, at most `gauss`.
-     */
+    /* Remedy for locking: the stiffness by fewer points than the mass (NULL: the same
+     * points). Fills `out` as `functions` does, returns the points used, at most
+     * `gauss`. */
     int (*reduced)(const struct solid_space *space, int element,
                    struct solid_functions *out);
-    /* Strain across the thickness is not coupled with those along the sheet: what one
-     * linear function through the thickness needs (solid_element.h). */
+    /* Decouples the strain across the thickness from those along the sheet, as one linear
+     * function through the thickness needs (solid_element.h). */
     bool plane_stress;
 
-    /* The other cure, of one layer of linear functions: its stiffness is that of
+    /* The other remedy, for one layer of linear functions: its stiffness is that of
      * solid_layer.h (NULL: not). Fills parametric gradients on the mid-surface and their
      * derivatives by w, [points][6][padded], and weights of the points of a kind of strain;
      * returns their number, at most layer_points[kind]. */
@@ -100,15 +100,15 @@ struct solid_space {
     const double *mode_gradient;
     const double *centre_gradient;
 
-    struct solid_hinge hinge; /* what is above knows nothing of it                        */
+    struct solid_hinge hinge; /* hidden from the layers above                             */
 };
 
 /* Frees what is marked owned, not `tables`. Accepts all-zero, leaves all-zero. */
 void solid_space_clear(struct solid_space *space);
 
-/* Room for ien, uvw and rest of the elements and nodes that *space says; slabs for elements
- * numbered in columns of `per_column`, of which `width` + 1 neighbouring ones share nodes.
- */
+/* Allocates ien, uvw and rest of the elements and nodes that *space says; makes slabs for
+ * elements numbered in columns of `per_column`, of which `width` + 1 neighbouring ones
+ * share nodes. */
 enum status solid_space_allocate(struct solid_space *space, int per_column, int width);
 
 #endif

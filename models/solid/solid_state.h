@@ -1,5 +1,5 @@
-/* solid_state.h - a solid in motion: what its kinematics (solid_motion.h, solid_contact.h,
- * solid_large.h) step. */
+/* solid_state.h - the state of a solid in motion, on which its kinematics (solid_motion.h,
+ * solid_contact.h, solid_large.h) step. */
 #ifndef SOLID_STATE_H
 #define SOLID_STATE_H
 
@@ -25,7 +25,7 @@ struct solid_motion {
     bool started; /* the constant system is factored                                  */
     struct solid_large *large; /* nonlinear only                                 owned */
 
-    /* with obstacles only: solid_contact.h */
+    /* These are used with obstacles only (solid_contact.h). */
     struct contact_step contact;
     double force_unit; /* of the set's forces                                 [N]     */
 };

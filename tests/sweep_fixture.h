@@ -5,7 +5,7 @@
 
 #include "bench/experiment/plan_read.h"
 #include "bench/files/folder.h"
-#include "bench/sweep/sweep_row.h"
+#include "bench/sweep/sweep_folder.h"
 #include "tests/check.h"
 
 /* Where the test's files go; the working folder. */

@@ -10,7 +10,7 @@
 #include "bench/experiment/plan_read.h"
 #include "bench/harness/run_file.h"
 #include "bench/sweep/sweep.h"
-#include "bench/sweep/sweep_row.h"
+#include "bench/sweep/sweep_folder.h"
 #include "tests/check.h"
 
 /* AddressSanitizer, where it is on, keeps what was freed: not for long here. */

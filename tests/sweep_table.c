@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include "bench/files/seal.h"
-#include "bench/sweep/sweep_print.h"
 #include "tests/sweep_fixture.h"
 
 static const char plan_text[] =
@@ -202,8 +201,8 @@ static char *print(const struct plan *plan, const struct pool *pool,
     FILE *memory = open_memstream(&text, &size);
 
     REQUIRE(memory);
-    CHECK(sweep_print(plan, &(struct sweep_folder){.path = "there"}, pool, table, NULL,
-                      plot, memory) == STATUS_OK);
+    CHECK(sweep_table_print(plan, &(struct sweep_folder){.path = "there"}, pool, table,
+                            NULL, plot, memory) == STATUS_OK);
     REQUIRE(fclose(memory) == 0);
     return text;
 }

@@ -11,7 +11,7 @@
 #include "bench/stress/stress.h"
 #include "bench/sweep/sweep.h"
 #include "bench/sweep/sweep_map.h"
-#include "bench/sweep/sweep_row.h"
+#include "bench/sweep/sweep_folder.h"
 #include "bench/experiment/plan_read.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"

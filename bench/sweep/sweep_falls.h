@@ -4,8 +4,7 @@
 #ifndef SWEEP_FALLS_H
 #define SWEEP_FALLS_H
 
-#include "bench/experiment/plan_case.h"
-#include "bench/sweep/sweep_row.h"
+#include "bench/sweep/sweep_folder.h"
 #include "bench/ui/table.h"
 
 struct sweep_falls;

@@ -5,8 +5,7 @@
 #ifndef SWEEP_MAP_H
 #define SWEEP_MAP_H
 
-#include "bench/experiment/plan_case.h"
-#include "bench/sweep/sweep_row.h"
+#include "bench/sweep/sweep_folder.h"
 #include "bench/ui/chart.h"
 
 struct sweep_map;

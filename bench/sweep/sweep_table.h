@@ -1,14 +1,13 @@
-/* sweep_table.h - what a sweep found, as files: table.csv with every key and measure to 17
- * digits, the verdict, the labels and how the case ended, and seconds.csv. Seconds stand
- * apart so that the table is the same bits however it came about.
+/* sweep_table.h - what a sweep found: table.csv with every key and measure to 17 digits,
+ * the verdict, the labels and how the case ended; seconds.csv; and words for people.
+ * Seconds stand apart so that the table is the same bits however it came about.
  */
 #ifndef SWEEP_TABLE_H
 #define SWEEP_TABLE_H
 
 #include "bench/files/output.h"
-#include "bench/ui/table.h"
-#include "bench/experiment/plan_case.h"
-#include "bench/sweep/sweep_row.h"
+#include "bench/harness/pool.h"
+#include "bench/sweep/sweep_falls.h"
 
 enum { SWEEP_TABLES = 2 }; /* table.csv, seconds.csv */
 
@@ -35,5 +34,13 @@ bool sweep_table_row(struct sweep_table *t, const struct plan_case *c,
                      const struct sweep_row *row, char *labels, int size);
 enum status sweep_table_close(struct sweep_table *t, struct message *why);
 void sweep_table_discard(struct sweep_table *t); /* all-zero is allowed */
+
+/* The plan, how many cases have which label and end, what falls (NULL: nothing is to), what
+ * they cost, where they are. `plot`: why there is no picture, or "". STATUS_FILE: the file
+ * cannot be written. */
+enum status sweep_table_print(const struct plan *plan, const struct sweep_folder *folder,
+                              const struct pool *pool, const struct sweep_table *table,
+                              const struct sweep_falls *falls, const char *plot,
+                              FILE *file);
 
 #endif

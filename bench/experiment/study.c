@@ -361,13 +361,12 @@ const struct study *study_find(const struct study_results *r, const char *name)
     return NULL;
 }
 
-double study_distance(const struct study *s, int level, const struct study *other,
-                      int of_other, int time)
+double study_distance(const struct place *a, const struct place *b)
 {
-    const double *a = s->row[level].frame[time].xyz;
-    const double *b = other->row[of_other].frame[time].xyz;
+    const double *one = a->s->row[a->level].frame[a->time].xyz;
+    const double *other = b->s->row[b->level].frame[a->time].xyz;
 
-    return a && b ? metric_rmse(a, b) / s->length : NAN;
+    return one && other ? metric_rmse(one, other) / a->s->length : NAN;
 }
 
 int study_reference(const struct study_results *d, const struct study *s, int level)

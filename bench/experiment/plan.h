@@ -124,7 +124,7 @@ const struct plan_setting *plan_settings_find(const struct plan_settings *settin
 
 void plan_settings_clear(struct plan_settings *settings); /* all-zero is allowed */
 
-/* --- Axes (plan_axis.c): a key and its values, listed or from ... to. */
+/* --- Axes: a key and its values, listed or from ... to. */
 
 enum { PLAN_AXIS_MOST = 10000 }; /* values */
 
@@ -138,16 +138,7 @@ struct plan_axis {
     struct plan_settings values; /* each with the axis's key                           */
 };
 
-/* Of an axis, for the list of a plan's keys. */
-extern const struct schema_key plan_axis_keys[];
-
-/* Reads `{key: ..., values: [...]}` or `{key: ..., from: ..., to: ..., count: ...}` into
- * the struct plan_axis, which is overwritten; free it with plan_axis_clear after a failure,
- * too. STATUS_INPUT with one sentence `origin:line: ...`. */
-enum status plan_axis_read(const struct yaml_tree *node, void *axis, struct message *why);
-void plan_axis_clear(struct plan_axis *axis); /* all-zero is allowed */
-
-/* --- Studies (plan_study.c). */
+/* --- Studies. */
 
 enum {
     PLAN_STUDY_MOST = 100,
@@ -210,58 +201,6 @@ struct plan_study {
     int line, times_line; /* in the plan                                           */
 };
 
-/* What a plan may have of these, too, read into the struct plan_study that begins `at`
- * bytes into the target: rows of a schema. */
-/* clang-format off */
-#define PLAN_STUDY_TIMES_AT(at, values, count)                                             \
-    SCHEMA_NUMBERS, .low = 0, .high = 1e9, .open = true, .order = SCHEMA_INCREASING,       \
-    .most = PLAN_STUDY_TIMES, .offset = (at) + offsetof(struct plan_study, values),        \
-    .count_offset = (at) + offsetof(struct plan_study, count)
-#define PLAN_STUDY_KEYS(at)                                                                \
-    {"levels", "from coarse to fine; {AXIS: [...], AXIS: [...]}: all products",            \
-     SCHEMA_SPECIAL, .keys = plan_study_level_keys, .read = plan_study_read_levels,        \
-     .low = 1, .most = PLAN_STUDY_LEVELS, .offset = (at),                                  \
-     .want = "a list of 1 to 128 levels {label: ..., settings: {KEY: VALUE, ...}}, or a "  \
-             "map of up to 4 axes with such a list each"},                                 \
-    {"times", "at which sheets are compared [s]",                                          \
-     PLAN_STUDY_TIMES_AT(at, times, time_count)},                                          \
-    {"quick_times", "instead of them in a quick run [s]",                                  \
-     PLAN_STUDY_TIMES_AT(at, quick_times, quick_count)},                                   \
-    {"truth", "errors against the scene's truth; plate: Kirchhoff's, of linear theory",    \
-     SCHEMA_WORD, .word = plan_study_truth,                                                \
-     .offset = (at) + offsetof(struct plan_study, truth)},                                 \
-    {"timed", "repeats of the milliseconds a frame", SCHEMA_COUNT, .low = 0, .high = 1000, \
-     .offset = (at) + offsetof(struct plan_study, timed)}
-/* clang-format on */
-
-extern const struct schema_key plan_study_keys[], plan_study_level_keys[];
-
-/* The words of schema.h for enum plan_truth. */
-const char *plan_study_truth(int value);
-
-/* A reader of schema.h, into the struct plan_study at key->offset. */
-enum status plan_study_read_levels(const struct schema_key *key,
-                                   const struct yaml_tree *node, void *target,
-                                   struct message *why);
-
-/* Nothing given yet. */
-struct plan_study plan_study_none(void);
-
-/* Reads one of the list `studies` into the struct plan_study, which is overwritten; free it
- * with plan_study_clear after a failure, too. STATUS_INPUT with one sentence. */
-enum status plan_study_read(const struct yaml_tree *node, void *target,
-                            struct message *why);
-
-/* Fills in from the plan's base what a study does not have; what is given nowhere is none.
- * Products of axes that the plan's `skip` does not take away become its levels.
- * STATUS_INPUT with one sentence: there are too many of them. */
-struct plan;
-enum status plan_study_inherit(struct plan_study *study, const struct plan *plan,
-                               struct message *why);
-
-/* `base`: of its plan. All-zero is allowed. */
-void plan_study_clear(struct plan_study *study, const struct plan_study *base);
-
 /* --- The plan. */
 
 struct plan_listed {
@@ -303,7 +242,6 @@ struct plan_table {
     char *file;                    /* of its CSV and chart; NULL: the plan's name owned */
     struct plan_settings shown;    /* axis and label: people see levels with these alone */
     char *note;                    /* below it, or NULL                         owned */
-    int line;                      /* in the plan                                     */
 };
 
 /* A chart of all studies, both axes logarithmic: quantities at the last time over another,

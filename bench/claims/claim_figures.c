@@ -209,14 +209,7 @@ static enum judge net_decides(const struct study_results *d, FILE *because)
 /* The largest roughness of a level over all times; NaN: it died. */
 static double roughest(const struct study_results *d, const char *level)
 {
-    double value[PLAN_STUDY_TIMES], most = 0;
-    const int times =
-        dataset_values(d, QUANTITY_ROUGHNESS, WHERE({"level", level}, {"at", "*"}),
-                       PLAN_STUDY_TIMES, value);
-
-    for (int t = 0; t < times; t++)
-        most = judge_most(most, value[t]);
-    return most;
+    return dataset_all_most(d, QUANTITY_ROUGHNESS, WHERE({"level", level}, {"at", "*"}));
 }
 
 static enum judge nets_crumple(const struct study_results *d, FILE *because)

@@ -116,7 +116,7 @@ static double fold(const struct study_results *d, enum quantity q,
                    const struct where *where, double of_two(double a, double b))
 {
     struct place p = begin(d);
-    double all = NAN;
+    double all = next_row(where, &p) ? quantity_table[q].at(&p) : NAN;
 
     while (next_row(where, &p))
         all = of_two(all, quantity_table[q].at(&p));
@@ -133,6 +133,12 @@ double dataset_least(const struct study_results *d, enum quantity q,
                      const struct where *where)
 {
     return fold(d, q, where, fmin);
+}
+
+double dataset_all_most(const struct study_results *d, enum quantity q,
+                        const struct where *where)
+{
+    return fold(d, q, where, judge_most);
 }
 
 int dataset_values(const struct study_results *d, enum quantity q,

@@ -35,11 +35,14 @@ double dataset_at(const struct study_results *d, enum quantity q,
 enum judge dataset_verdict(const struct study_results *d, const char *label,
                            const struct where *where);
 
-/* The largest and the smallest of all rows that the labels name; NaN if there is none. */
+/* The largest and the smallest of all rows that the labels name and that have one; NaN if
+ * there is none. The third is the largest, and NaN if a row has none. */
 double dataset_most(const struct study_results *d, enum quantity q,
                     const struct where *where);
 double dataset_least(const struct study_results *d, enum quantity q,
                      const struct where *where);
+double dataset_all_most(const struct study_results *d, enum quantity q,
+                        const struct where *where);
 
 /* The values of the first `most` rows that the labels name, in the plan's order; returns
  * how many there are. The second writes them as "2.1, died, 5.6". */

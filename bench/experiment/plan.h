@@ -1,59 +1,17 @@
 /* plan.h - the plan of a sweep: which cases to run, what to read off them, how to judge and
  * draw them; or of studies, which have levels instead of cases. Read from YAML; every error
- * is one sentence `file:line: ...`.
+ * is one sentence `file:line: ...`. doc/sweeps.md and doc/studies.md show plans, the schema
+ * in plan.c (clothbench help plan) has all keys.
  *
- *     name: stiffness
- *     source: who wants to know
- *     scene: flag                      # a name or a path, seen from the plan's folder
- *     model: iga
- *     settings: {time.end: 3, discretization.points: [10,10,2]}     # of all cases
- *     axes:                            # every combination, the first changes slowest
- *       - {key: gamma, from: 10, to: 1e4, count: 25, scale: log, by: material.young}
- *       - {key: damping.value, values: [0.1, 0.3, 0.5]}
- *     cases:                           # each with every combination of the axes
- *       - {name: thin, sheet.thickness: 1e-3}
- *     look: 10                         # frames from one reading of the metrics to the next
- *     intersections: true              # looks for self-intersections, too
- *     keep: none                       # or snapshots: fields at the scene's snapshots
- *     time_limit: 60                   # [s] of a case; 600 unless told otherwise
- *     verdicts: [...]                  # verdict.h; or the name of the plan whose they are
- *     learnt: [...]                    # a second opinion, of the same form
- *     map: {x: gamma, y: damping.value, panel: material.poisson}
+ * A key of settings, axes and cases is any that --set takes, or `scene`, or `model`, or one
+ * of two that stand for another key: `gamma` and `young_over_density` set the key `by`
+ * (material.young unless told otherwise) so that the number takes the value with all else
+ * of the case as given. Cases are all combinations of the axes, the first changing slowest,
+ * for each listed case.
  *
- * A key is any that --set takes, or `scene`, or `model`, or one of two that stand for
- * another key: `gamma` and `young_over_density` set the key `by` (material.young unless
- * told otherwise) so that the number takes the value with all else of the case as given.
- *
- * Studies are of scenes at several levels of one parameter, from coarse to fine:
- *
- *     what: a line on it, for lists
- *     levels:
- *       - {label: 5x5x2, size: 0.33, settings: {discretization.points: [5,5,2]}}
- *       - {label: 9x9x2, size: 0.14, settings: {discretization.points: [9,9,2]}}
- *     times: [0.5, 1]      # [s] at which sheets are compared; none: at rest
- *     truth: true          # hold them against the scene's truth (truth.h), with its bar
- *     timed: 9             # milliseconds a frame, from so many interleaved repeats
- *     studies:             # each with the plan's levels, times, ... unless it has its own
- *       - {name: edge, caption: ..., scene: edge_drop, settings: {...}}
- *       - {name: corners, scene: corners_drop, times: [0.25]}
- *
- * Levels may be products of axes, each product a level that has all their settings:
- *
- *     levels:
- *       solver: [{label: direct}, {label: CG, settings: {discretization.solver: cg}}]
- *       net: [{label: 5x5x2, settings: {...}}, {label: 40x40x2, settings: {...}}]
- *     skip:                # without these products; quick: a quick run goes without them
- *       - {solver: CG, net: 40x40x2}
- *       - {net: [20x20x2, 40x40x2], quick: true}
- *     reference: {solver: direct}  # what `apart` and `of_reference` compare a level with
- *     paper:                       # what somebody else's frame costs
- *       - {solver: direct, net: 40x40x2, paper_ms: 16048}
- *     table: {columns: [unknowns, frame_ms, of_reference, apart], note: ...}
- *                          # shown: {solver: direct}: people see these levels alone
- *     chart: {x: "thickness [m]", y: [tip], from: 1, panel: [study], line: [solver]}
- *
- * Without `studies` the plan is one, of its own name. Settings of a level go before those
- * of a study, these before the plan's.
+ * Studies are of scenes at several levels of one parameter, from coarse to fine, or at the
+ * products of several axes of levels. Without `studies` the plan is one, of its own name.
+ * Settings of a level go before those of a study, these before the plan's.
  */
 #ifndef PLAN_H
 #define PLAN_H

@@ -1,6 +1,6 @@
 /* What a sweep tells: its tables, cell by cell and row by row; its summary, each sentence
  * each way; the sentences that it keeps, of which no damaged one is believed. */
-#include "bench/sweep/sweep_table.h"
+#include "bench/sweep/sweep.h"
 
 #include <unistd.h>
 

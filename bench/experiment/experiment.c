@@ -1,5 +1,5 @@
 #include "bench/experiment/experiment.h"
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "bench/experiment/measurement.h"
-#include "bench/experiment/plan_case.h"
+#include "bench/experiment/plan.h"
 #include "bench/harness/run.h"
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth.h"

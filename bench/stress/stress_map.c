@@ -10,9 +10,7 @@
 #include "bench/files/store.h"
 #include "bench/stress/stress.h"
 #include "bench/sweep/sweep.h"
-#include "bench/sweep/sweep_map.h"
-#include "bench/sweep/sweep_folder.h"
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 

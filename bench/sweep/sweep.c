@@ -9,13 +9,11 @@
 #include "bench/harness/looks.h"
 #include "bench/harness/pool.h"
 #include "bench/harness/run_file.h"
-#include "bench/sweep/sweep_map.h"
-#include "bench/sweep/sweep_table.h"
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_made.h"
 #include "bench/truth/truth_plan.h"
 #include "models/metric/metric.h"
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 
 /* What the processes of a sweep share. */
 struct sweep {

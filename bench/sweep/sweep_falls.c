@@ -1,4 +1,4 @@
-#include "bench/sweep/sweep_falls.h"
+#include "bench/sweep/sweep.h"
 
 #include <math.h>
 #include <stdlib.h>

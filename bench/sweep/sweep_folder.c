@@ -1,5 +1,5 @@
 #define _GNU_SOURCE /* open_memstream, strsep */
-#include "bench/sweep/sweep_folder.h"
+#include "bench/sweep/sweep.h"
 
 #include <dirent.h>
 #include <errno.h>

@@ -1,4 +1,4 @@
-#include "bench/sweep/sweep_map.h"
+#include "bench/sweep/sweep.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -29,26 +29,16 @@ static double most_of(const struct study_results *d, const char *level, enum qua
 /* A word on a level: over-stretched, rough, ... */
 typedef enum judge word(const struct study_results *d, const char *level);
 
-static enum judge over_stretches(const struct study_results *d, const char *level)
-{
-    return judge_below(OVER_STRETCHED, most_of(d, level, QUANTITY_STRETCH));
-}
-
-static enum judge keeps_length(const struct study_results *d, const char *level)
-{
-    return judge_below(most_of(d, level, QUANTITY_STRETCH), OVER_STRETCHED);
-}
-
-static enum judge crosses(const struct study_results *d, const char *level)
-{
-    return judge_below(0, most_of(d, level, QUANTITY_CROSSINGS));
-}
-
-static enum judge is_rough(const struct study_results *d, const char *level)
-{
-    return judge_below(ROUGH * most_of(d, PLATE, QUANTITY_ROUGHNESS),
-                       most_of(d, level, QUANTITY_ROUGHNESS));
-}
+#define WORD(name, ...)                                                                    \
+    static enum judge name(const struct study_results *d, const char *level)               \
+    {                                                                                      \
+        return judge_below(__VA_ARGS__);                                                   \
+    }
+WORD(over_stretches, OVER_STRETCHED, most_of(d, level, QUANTITY_STRETCH))
+WORD(keeps_length, most_of(d, level, QUANTITY_STRETCH), OVER_STRETCHED)
+WORD(crosses, 0, most_of(d, level, QUANTITY_CROSSINGS))
+WORD(is_rough, ROUGH *most_of(d, PLATE, QUANTITY_ROUGHNESS),
+     most_of(d, level, QUANTITY_ROUGHNESS))
 
 static enum judge is_smooth(const struct study_results *d, const char *level)
 {

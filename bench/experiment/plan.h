@@ -194,7 +194,7 @@ struct plan_falls {
 
 /* One table of all studies, a row for each level and time. */
 struct plan_table {
-    struct plan_settings columns;  /* names of quantities (quantity.h), as keys; none: a
+    struct plan_settings columns;  /* names of quantities (dataset.h), as keys; none: a
                                       plan's studies are printed one by one (study.h)   */
     struct plan_settings pictures; /* names of studies whose sheets are drawn, as keys */
     int last;                      /* 1: people see the last time of each study alone   */

@@ -1,12 +1,10 @@
-#include "bench/experiment/quantity.h"
+#include "bench/experiment/dataset.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/experiment/bench_solid.h"
-#include "bench/experiment/judge.h"
-#include "bench/experiment/study.h"
 #include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"

@@ -83,18 +83,6 @@ out:
     return st;
 }
 
-/* A text file of one text. */
-static enum status write_file(const char *path, const char *text, struct message *why)
-{
-    struct output *out = NULL;
-    enum status st = output_create(path, &out, why);
-
-    if (st != STATUS_OK)
-        return st;
-    output_print(out, "%s", text);
-    return output_close(out, why);
-}
-
 /* The manifest as it should be, freed by the receiver, and the folder's sums. */
 static enum status make_manifest(struct sweep_folder *folder, const struct plan *plan,
                                  char **text, struct message *why)
@@ -135,20 +123,24 @@ static enum status settle_manifest(struct sweep_folder *folder, const struct pla
 {
     enum status st = STATUS_OK;
     char path[SWEEP_FOLDER_PATH + 16], *text = NULL;
+    struct output *out = NULL;
     FILE *file = NULL;
 
     TRY(make_manifest(folder, plan, &text, why));
     snprintf(path, sizeof path, "%s/manifest.txt", folder->path);
     file = fopen(path, "r");
-    if (!file)
-        TRY(write_file(path, text, why));
-    else if (!resume)
+    if (!file) {
+        TRY(output_create(path, &out, why));
+        output_print(out, "%s", text);
+        TRY(output_close(out, why));
+    } else if (!resume) {
         TRY(status_fail(why, STATUS_INPUT,
                         "%s has a sweep already; --resume goes on with it, --out DIR "
                         "begins another",
                         folder->path));
-    else
+    } else {
         TRY(compare_manifest(path, file, text, why));
+    }
 out:
     if (file)
         fclose(file);

@@ -667,7 +667,8 @@ static const struct schema_key MAP[] = {
     {"y", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
     {"panel", "key of a panel each, or name (of cases)", SCHEMA_TEXT, IN(plan, map.panel)},
     {"marks", "points that are no cases", SCHEMA_SPECIAL, .most = PLAN_MAX_LISTED,
-     .read = read_marks, IN(plan, map), .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
+     .read = read_marks, IN(plan, map),
+     .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
     {NULL}};
 
 static const struct schema_key TABLE[] = {

@@ -16,7 +16,7 @@
 #include "bench/truth/truth_file.h"
 #include "bench/verify/verify.h"
 #include "bench/experiment/plan.h"
-#include "bench/experiment/quantity.h"
+#include "bench/experiment/dataset.h"
 #include "bench/harness/contestant.h"
 #include "bench/ui/table.h"
 #include "models/reader/scene_file.h"

@@ -1,5 +1,5 @@
 /* What ensembles of numbers say: errors, distances, bounds, against tables and by lot. */
-#include "bench/studies/distribution.h"
+#include "bench/studies/studies.h"
 
 #include <stdint.h>
 

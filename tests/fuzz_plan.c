@@ -3,8 +3,7 @@
  * Beyond crashes, leaks and undefined behaviour it stops at: a refusal without a printable
  * sentence or with something left in the plan; a plan with names that a terminal or a
  * table could take for more than words; cases that were promised and cannot be opened. */
-#include "bench/experiment/plan_case.h"
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 #include "tests/fuzz.h"
 
 static const char SCENE[] = "name: good\n"

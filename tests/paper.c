@@ -2,8 +2,7 @@
  * table4 - against a second transcription, cell by cell and both ways round. */
 #include "bench/truth/paper.h"
 
-#include "bench/experiment/plan_case.h"
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 #include "fem_ref/reference.h"
 #include "tests/check.h"
 

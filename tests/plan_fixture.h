@@ -4,8 +4,7 @@
 
 #include <stdlib.h>
 
-#include "bench/experiment/plan_case.h"
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 #include "bench/harness/derived_key.h"
 #include "tests/scratch.h"
 

@@ -5,7 +5,7 @@
 #include "bench/files/folder.h"
 #include "bench/harness/run_file.h"
 #include "bench/stress/stress.h"
-#include "bench/sweep/sweep_row.h"
+#include "bench/sweep/sweep.h"
 #include "tests/scripted_model.h"
 
 static const char plan[] =

@@ -4,7 +4,7 @@
 #include "bench/experiment/experiment.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 
 #include "bench/files/folder.h"
 #include "bench/files/store.h"

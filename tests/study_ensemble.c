@@ -3,12 +3,11 @@
  *
  *   study_ensemble FOLDER
  */
-#include "bench/studies/study_ensemble.h"
+#include "bench/studies/studies.h"
 
 #include <stdint.h>
 #include <sys/stat.h>
 
-#include "bench/studies/studies.h"
 #include "bench/truth/truth_level.h"
 #include "tests/study_fixture.h"
 

@@ -7,7 +7,7 @@
 
 #include "bench/experiment/experiment.h"
 #include "bench/experiment/judge.h"
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 #include "bench/experiment/study.h"
 #include "models/grid.h"
 #include "tests/check.h"

@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 #include "tests/fresh.h"
 
 static const char *folder;

@@ -1,6 +1,6 @@
 /* Whether a measure falls along an axis: which values grow, which are not judged, and what
  * the table, the sentence and the status say of it, each way round. */
-#include "bench/sweep/sweep_falls.h"
+#include "bench/sweep/sweep.h"
 
 #include <unistd.h>
 

@@ -3,9 +3,9 @@
 #ifndef SWEEP_FIXTURE_H
 #define SWEEP_FIXTURE_H
 
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 #include "bench/files/folder.h"
-#include "bench/sweep/sweep_row.h"
+#include "bench/sweep/sweep.h"
 #include "tests/check.h"
 
 /* Where the test's files go; the working folder. */

@@ -1,6 +1,6 @@
 /* The feasibility map: which key lies on which axis, on what scale, in which panel and
  * colour, told from the script that draws it. */
-#include "bench/sweep/sweep_map.h"
+#include "bench/sweep/sweep.h"
 
 #include <unistd.h>
 

@@ -7,10 +7,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 #include "bench/harness/run_file.h"
 #include "bench/sweep/sweep.h"
-#include "bench/sweep/sweep_row.h"
 #include "tests/check.h"
 
 /* AddressSanitizer, where it is on, keeps what was freed: not for long here. */

@@ -1,11 +1,10 @@
 /* What a sweep tells: its tables, cell by cell and row by row; its summary, each sentence
  * each way; the sentences that it keeps, of which no damaged one is believed. */
-#include "bench/sweep/sweep_table.h"
+#include "bench/sweep/sweep.h"
 
 #include <unistd.h>
 
 #include "bench/files/seal.h"
-#include "bench/sweep/sweep_print.h"
 #include "tests/sweep_fixture.h"
 
 static const char plan_text[] =
@@ -202,8 +201,8 @@ static char *print(const struct plan *plan, const struct pool *pool,
     FILE *memory = open_memstream(&text, &size);
 
     REQUIRE(memory);
-    CHECK(sweep_print(plan, &(struct sweep_folder){.path = "there"}, pool, table, NULL,
-                      plot, memory) == STATUS_OK);
+    CHECK(sweep_table_print(plan, &(struct sweep_folder){.path = "there"}, pool, table,
+                            NULL, plot, memory) == STATUS_OK);
     REQUIRE(fclose(memory) == 0);
     return text;
 }

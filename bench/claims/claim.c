@@ -3,30 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define LIST(plan, list) {plan, claim_##list},
 static const struct {
     const char *plan;
     const struct claim *claims;
-} table[] = {
-    {"artefacts", claim_artefacts},
-    {"contact", claim_contact},
-    {"cures", claim_cures},
-    {"degree", claim_degree},
-    {"drops", claim_drops},
-    {"fig6", claim_fig6},
-    {"flag", claim_flag},
-    {"local-global", claim_local_global},
-    {"locking", claim_locking},
-    {"mesh", claim_mesh},
-    {"mesh-degree", claim_mesh_degree},
-    {"solvers", claim_solvers},
-    {"table1", claim_table1},
-    {"table2", claim_table2},
-    {"table3", claim_table3},
-    {"table4-readings", claim_table4},
-    {"thickness", claim_thickness},
-    {"thickness-degree", claim_thickness_degree},
-    {"timestep", claim_timestep},
-};
+} table[] = {CLAIM_PLANS(LIST)};
 
 const struct claim *claim_find(const char *plan)
 {

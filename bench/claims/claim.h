@@ -18,6 +18,13 @@ struct claim {
     enum judge (*judge)(const struct study_results *d, FILE *because);
 };
 
+/* Defines the judge of a claim that is one expression of `d` and `because`. */
+#define CLAIM_JUDGE(name, ...)                                                             \
+    static enum judge name(const struct study_results *d, FILE *because)                   \
+    {                                                                                      \
+        return __VA_ARGS__;                                                                \
+    }
+
 /* The claims on the plan of this name, up to one without a quote; NULL: there are none. */
 const struct claim *claim_find(const char *plan);
 
@@ -33,25 +40,29 @@ enum status claim_tell(const struct study_results *d, const char *folder,
 enum status claim_table4_tell(const struct study_results *d, const char *folder,
                               enum table_format format, FILE *file, struct message *why);
 
-/* A list for each plan. */
-extern const struct claim claim_artefacts[];
-extern const struct claim claim_contact[];
-extern const struct claim claim_cures[];
-extern const struct claim claim_degree[];
-extern const struct claim claim_drops[];
-extern const struct claim claim_fig6[];
-extern const struct claim claim_flag[];
-extern const struct claim claim_local_global[];
-extern const struct claim claim_locking[];
-extern const struct claim claim_mesh[];
-extern const struct claim claim_mesh_degree[];
-extern const struct claim claim_solvers[];
-extern const struct claim claim_table1[];
-extern const struct claim claim_table2[];
-extern const struct claim claim_table3[];
-extern const struct claim claim_table4[];
-extern const struct claim claim_thickness[];
-extern const struct claim claim_thickness_degree[];
-extern const struct claim claim_timestep[];
+/* The plans with claims: name and list. */
+#define CLAIM_PLANS(X)                                                                     \
+    X("artefacts", artefacts)                                                              \
+    X("contact", contact)                                                                  \
+    X("cures", cures)                                                                      \
+    X("degree", degree)                                                                    \
+    X("drops", drops)                                                                      \
+    X("fig6", fig6)                                                                        \
+    X("flag", flag)                                                                        \
+    X("local-global", local_global)                                                        \
+    X("locking", locking)                                                                  \
+    X("mesh", mesh)                                                                        \
+    X("mesh-degree", mesh_degree)                                                          \
+    X("solvers", solvers)                                                                  \
+    X("table1", table1)                                                                    \
+    X("table2", table2)                                                                    \
+    X("table3", table3)                                                                    \
+    X("table4-readings", table4)                                                           \
+    X("thickness", thickness)                                                              \
+    X("thickness-degree", thickness_degree)                                                \
+    X("timestep", timestep)
+#define CLAIM_LIST(plan, list) extern const struct claim claim_##list[];
+CLAIM_PLANS(CLAIM_LIST)
+#undef CLAIM_LIST
 
 #endif

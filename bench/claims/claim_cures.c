@@ -40,15 +40,10 @@ static enum judge within(const struct study_results *d, int count,
     return turn;
 }
 
-static enum judge thin_within(const struct study_results *d, FILE *because)
-{
-    return within(d, 3, (const char *const[]){"linear", "gamma_10", "gamma_100"}, because);
-}
-
-static enum judge thick_within(const struct study_results *d, FILE *because)
-{
-    return within(d, 2, (const char *const[]){"linear_thick", "gamma_10_thick"}, because);
-}
+CLAIM_JUDGE(thin_within,
+            within(d, 3, (const char *const[]){"linear", "gamma_10", "gamma_100"}, because))
+CLAIM_JUDGE(thick_within,
+            within(d, 2, (const char *const[]){"linear_thick", "gamma_10_thick"}, because))
 
 /* How far the clamp, where nu is large, keeps a solid from changing its thickness. */
 static enum judge clamp_is_why(const struct study_results *d, FILE *because)

@@ -29,26 +29,16 @@ static double most_of(const struct study_results *d, const char *level, enum qua
 /* A word on a level: over-stretched, rough, ... */
 typedef enum judge word(const struct study_results *d, const char *level);
 
-static enum judge over_stretches(const struct study_results *d, const char *level)
-{
-    return judge_below(OVER_STRETCHED, most_of(d, level, QUANTITY_STRETCH));
-}
-
-static enum judge keeps_length(const struct study_results *d, const char *level)
-{
-    return judge_below(most_of(d, level, QUANTITY_STRETCH), OVER_STRETCHED);
-}
-
-static enum judge crosses(const struct study_results *d, const char *level)
-{
-    return judge_below(0, most_of(d, level, QUANTITY_CROSSINGS));
-}
-
-static enum judge is_rough(const struct study_results *d, const char *level)
-{
-    return judge_below(ROUGH * most_of(d, PLATE, QUANTITY_ROUGHNESS),
-                       most_of(d, level, QUANTITY_ROUGHNESS));
-}
+#define WORD(name, ...)                                                                    \
+    static enum judge name(const struct study_results *d, const char *level)               \
+    {                                                                                      \
+        return judge_below(__VA_ARGS__);                                                   \
+    }
+WORD(over_stretches, OVER_STRETCHED, most_of(d, level, QUANTITY_STRETCH))
+WORD(keeps_length, most_of(d, level, QUANTITY_STRETCH), OVER_STRETCHED)
+WORD(crosses, 0, most_of(d, level, QUANTITY_CROSSINGS))
+WORD(is_rough, ROUGH *most_of(d, PLATE, QUANTITY_ROUGHNESS),
+     most_of(d, level, QUANTITY_ROUGHNESS))
 
 static enum judge is_smooth(const struct study_results *d, const char *level)
 {
@@ -95,35 +85,12 @@ static enum judge of_all(const struct study_results *d, const char *first, word 
     return turn;
 }
 
-static enum judge springs_stretch(const struct study_results *d, FILE *because)
-{
-    return of_all(d, "mass-spring", over_stretches, because);
-}
-
-static enum judge springs_cross(const struct study_results *d, FILE *because)
-{
-    return of_all(d, "mass-spring", crosses, because);
-}
-
-static enum judge projective_keeps(const struct study_results *d, FILE *because)
-{
-    return of_all(d, "projective", keeps_length, because);
-}
-
-static enum judge projective_is_rough(const struct study_results *d, FILE *because)
-{
-    return of_all(d, "projective", is_rough, because);
-}
-
-static enum judge plate_is_smooth(const struct study_results *d, FILE *because)
-{
-    return of_all(d, "IGA", is_smooth, because);
-}
-
-static enum judge plate_keeps(const struct study_results *d, FILE *because)
-{
-    return of_all(d, "IGA", keeps_length, because);
-}
+CLAIM_JUDGE(springs_stretch, of_all(d, "mass-spring", over_stretches, because))
+CLAIM_JUDGE(springs_cross, of_all(d, "mass-spring", crosses, because))
+CLAIM_JUDGE(projective_keeps, of_all(d, "projective", keeps_length, because))
+CLAIM_JUDGE(projective_is_rough, of_all(d, "projective", is_rough, because))
+CLAIM_JUDGE(plate_is_smooth, of_all(d, "IGA", is_smooth, because))
+CLAIM_JUDGE(plate_keeps, of_all(d, "IGA", keeps_length, because))
 
 #define FIG6 "Ren et al. 2024, Fig. 6", false
 const struct claim claim_fig6[] = {
@@ -183,15 +150,8 @@ static enum judge swings(const struct study_results *d, const char *study, FILE 
     return judge_both(judge_below(PLUMB, most), judge_below(after, PLUMB));
 }
 
-static enum judge edge_swings(const struct study_results *d, FILE *because)
-{
-    return swings(d, "edge", because);
-}
-
-static enum judge corners_swing(const struct study_results *d, FILE *because)
-{
-    return swings(d, "corners", because);
-}
+CLAIM_JUDGE(edge_swings, swings(d, "edge", because))
+CLAIM_JUDGE(corners_swing, swings(d, "corners", because))
 
 const struct claim claim_drops[] = {
     {"Fig. 7, an edge held: the sheet falls, swings through, and back",
@@ -239,14 +199,7 @@ static enum judge net_decides(const struct study_results *d, FILE *because)
 /* The largest roughness of a level over all times; NaN: it died. */
 static double roughest(const struct study_results *d, const char *level)
 {
-    double value[PLAN_STUDY_TIMES], most = 0;
-    const int times =
-        dataset_values(d, QUANTITY_ROUGHNESS, WHERE({"level", level}, {"at", "*"}),
-                       PLAN_STUDY_TIMES, value);
-
-    for (int t = 0; t < times; t++)
-        most = judge_most(most, value[t]);
-    return most;
+    return dataset_all_most(d, QUANTITY_ROUGHNESS, WHERE({"level", level}, {"at", "*"}));
 }
 
 static enum judge nets_crumple(const struct study_results *d, FILE *because)
@@ -292,35 +245,18 @@ static enum judge shows(const struct study_results *d, const char *label,
     return dataset_verdict(d, label, row);
 }
 
-static enum judge row_14_is_normal(const struct study_results *d, FILE *because)
-{
-    return shows(d, NULL, WHERE({"level", "normal: row 14, the paper's"}), because);
-}
-
-static enum judge shell_is_normal(const struct study_results *d, FILE *because)
-{
-    return shows(d, NULL, WHERE({"level", "normal: row 4, shell"}), because);
-}
-
-static enum judge row_4_elongates(const struct study_results *d, FILE *because)
-{
-    return shows(d, "over-stretched", WHERE({"level", "super-elongation: row 4"}), because);
-}
-
-static enum judge row_13_floats(const struct study_results *d, FILE *because)
-{
-    return shows(d, "too light", WHERE({"level", "floating: row 13"}), because);
-}
-
-static enum judge shell_floats(const struct study_results *d, FILE *because)
-{
-    return shows(d, "too light", WHERE({"level", "floating: row 13, shell"}), because);
-}
-
-static enum judge row_2_penetrates(const struct study_results *d, FILE *because)
-{
-    return shows(d, "penetration", WHERE({"level", "penetration: row 2"}), because);
-}
+CLAIM_JUDGE(row_14_is_normal,
+            shows(d, NULL, WHERE({"level", "normal: row 14, the paper's"}), because))
+CLAIM_JUDGE(shell_is_normal,
+            shows(d, NULL, WHERE({"level", "normal: row 4, shell"}), because))
+CLAIM_JUDGE(row_4_elongates, shows(d, "over-stretched",
+                                   WHERE({"level", "super-elongation: row 4"}), because))
+CLAIM_JUDGE(row_13_floats,
+            shows(d, "too light", WHERE({"level", "floating: row 13"}), because))
+CLAIM_JUDGE(shell_floats,
+            shows(d, "too light", WHERE({"level", "floating: row 13, shell"}), because))
+CLAIM_JUDGE(row_2_penetrates,
+            shows(d, "penetration", WHERE({"level", "penetration: row 2"}), because))
 
 const struct claim claim_artefacts[] = {
     {"Fig. 16, normal: row 14 of Table 4", "Ren et al. 2024, Fig. 16", true,

@@ -22,7 +22,7 @@ static double step_takes(const struct study_results *d, const char *study, const
 }
 
 /* Both scenes: the first number below the second. */
-static enum judge in_both(const double value[2], const double bound[2], const char *format,
+static enum judge in_both(const double value[2], const double bound[2], const char *words,
                           FILE *because)
 {
     static const char *const scenes[] = {"edge_drop", "corners_patch"};
@@ -30,66 +30,45 @@ static enum judge in_both(const double value[2], const double bound[2], const ch
 
     for (int n = 0; n < 2; n++) {
         turn = judge_both(turn, judge_below(value[n], bound[n]));
-        fprintf(because, "%s%s: %.2g L ", n ? "; " : "", scenes[n], value[n]);
-        fprintf(because, "%s %.2g L", format, bound[n]);
+        fprintf(because, "%s%s: %.2g L %s %.2g L", n ? "; " : "", scenes[n], value[n],
+                words, bound[n]);
     }
     fputs(".", because);
     return turn;
 }
 
-static enum judge iterations_limit(const struct study_results *d, FILE *because)
+/* A number of both scenes. */
+#define BOTH(of, ...)                                                                      \
+    (double[])                                                                             \
+    {                                                                                      \
+        of(d, "edge_drop", __VA_ARGS__), of(d, "corners_patch", __VA_ARGS__)               \
+    }
+
+CLAIM_JUDGE(iterations_limit,
+            in_both(BOTH(step_takes, "Euler"), BOTH(left, "plain", "20"),
+                    "is what Euler's step takes, 20 plain iterations leave", because))
+CLAIM_JUDGE(chebyshev_pays,
+            in_both(BOTH(left, "Chebyshev", "50"), BOTH(left, "plain", "50"),
+                    "is what 50 iterations leave, without it", because))
+CLAIM_JUDGE(admm_pays, in_both(BOTH(left, "ADMM", "20"), BOTH(left, "plain", "20"),
+                               "is what 20 iterations leave, without it", because))
+CLAIM_JUDGE(second_order_pays, in_both(BOTH(step_takes, "BDF2"), BOTH(step_takes, "Euler"),
+                                       "is what BDF2's step takes, Euler's", because))
+
+/* Returns the worse of what the step takes and how far the net is from truth: small steps,
+ * iterated to their end. */
+static double step_or_net(const struct study_results *d, const char *study,
+                          const char *time)
 {
-    return in_both((double[]){step_takes(d, "edge_drop", "Euler"),
-                              step_takes(d, "corners_patch", "Euler")},
-                   (double[]){left(d, "edge_drop", "plain", "20"),
-                              left(d, "corners_patch", "plain", "20")},
-                   "is what Euler's step takes, 20 plain iterations leave", because);
+    return fmax(
+        step_takes(d, study, time),
+        dataset_at(d, QUANTITY_ERROR,
+                   WHERE({"study", study}, {"step", "small"}, {"iterations", "end"})));
 }
 
-static enum judge chebyshev_pays(const struct study_results *d, FILE *because)
-{
-    return in_both((double[]){left(d, "edge_drop", "Chebyshev", "50"),
-                              left(d, "corners_patch", "Chebyshev", "50")},
-                   (double[]){left(d, "edge_drop", "plain", "50"),
-                              left(d, "corners_patch", "plain", "50")},
-                   "is what 50 iterations leave, without it", because);
-}
-
-static enum judge admm_pays(const struct study_results *d, FILE *because)
-{
-    return in_both((double[]){left(d, "edge_drop", "ADMM", "20"),
-                              left(d, "corners_patch", "ADMM", "20")},
-                   (double[]){left(d, "edge_drop", "plain", "20"),
-                              left(d, "corners_patch", "plain", "20")},
-                   "is what 20 iterations leave, without it", because);
-}
-
-static enum judge second_order_pays(const struct study_results *d, FILE *because)
-{
-    return in_both((double[]){step_takes(d, "edge_drop", "BDF2"),
-                              step_takes(d, "corners_patch", "BDF2")},
-                   (double[]){step_takes(d, "edge_drop", "Euler"),
-                              step_takes(d, "corners_patch", "Euler")},
-                   "is what BDF2's step takes, Euler's", because);
-}
-
-/* Returns how far the net is from truth: small steps, iterated to their end. */
-static double net_takes(const struct study_results *d, const char *study)
-{
-    return dataset_at(d, QUANTITY_ERROR,
-                      WHERE({"study", study}, {"step", "small"}, {"iterations", "end"}));
-}
-
-static enum judge twenty_do(const struct study_results *d, FILE *because)
-{
-    return in_both(
-        (double[]){left(d, "edge_drop", "ADMM", "20"),
-                   left(d, "corners_patch", "ADMM", "20")},
-        (double[]){
-            fmax(step_takes(d, "edge_drop", "Euler"), net_takes(d, "edge_drop")),
-            fmax(step_takes(d, "corners_patch", "Euler"), net_takes(d, "corners_patch"))},
-        "is what they leave, the worse of step and net takes", because);
-}
+CLAIM_JUDGE(twenty_do,
+            in_both(BOTH(left, "ADMM", "20"), BOTH(step_or_net, "Euler"),
+                    "is what they leave, the worse of step and net takes", because))
 
 const struct claim claim_local_global[] = {
     {"Frames of 5 ms: iterations limit, not the step", "", false, iterations_limit},

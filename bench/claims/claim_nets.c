@@ -78,10 +78,7 @@ static enum judge elevated_less(int count, const double *value)
 }
 
 #define OF_SHEETS(name, sheets, quantity, how)                                             \
-    static enum judge name(const struct study_results *d, FILE *because)                   \
-    {                                                                                      \
-        return judge_sheets(d, &sheets, quantity, how, because);                           \
-    }
+    CLAIM_JUDGE(name, judge_sheets(d, &sheets, quantity, how, because))
 OF_SHEETS(denser_wrinkles, mesh_sheets, QUANTITY_ROUGHNESS, grows)
 OF_SHEETS(higher_details, degree_sheets, QUANTITY_ROUGHNESS, grows)
 OF_SHEETS(higher_smooths, degree_sheets, QUANTITY_UNEVENNESS, shrinks)

@@ -36,15 +36,8 @@ static enum judge iterations_pay(const struct study_results *d, const char *stud
     return turn;
 }
 
-static enum judge printed_iterations_pay(const struct study_results *d, FILE *because)
-{
-    return iterations_pay(d, "printed", because);
-}
-
-static enum judge nonlinear_iterations_pay(const struct study_results *d, FILE *because)
-{
-    return iterations_pay(d, "nonlinear", because);
-}
+CLAIM_JUDGE(printed_iterations_pay, iterations_pay(d, "printed", because))
+CLAIM_JUDGE(nonlinear_iterations_pay, iterations_pay(d, "nonlinear", because))
 
 static enum judge keeping_pays(const struct study_results *d, FILE *because)
 {

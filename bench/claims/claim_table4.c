@@ -349,15 +349,10 @@ static enum judge stretch_is_physics(const struct study_results *d, FILE *becaus
     return physics(d, PAPER_OVER_STRETCHED, because);
 }
 
-#define PHYSICS(name, label)                                                               \
-    static enum judge name(const struct study_results *d, FILE *because)                   \
-    {                                                                                      \
-        return physics(d, label, because);                                                 \
-    }
-PHYSICS(penetration_is_physics, PAPER_PENETRATION)
-PHYSICS(lightness_is_physics, PAPER_TOO_LIGHT)
-PHYSICS(chaos_is_physics, PAPER_CHAOTIC)
-PHYSICS(wrinkles_are_physics, PAPER_FINE_WRINKLES)
+CLAIM_JUDGE(penetration_is_physics, physics(d, PAPER_PENETRATION, because))
+CLAIM_JUDGE(lightness_is_physics, physics(d, PAPER_TOO_LIGHT, because))
+CLAIM_JUDGE(chaos_is_physics, physics(d, PAPER_CHAOTIC, because))
+CLAIM_JUDGE(wrinkles_are_physics, physics(d, PAPER_FINE_WRINKLES, because))
 
 static enum judge one_parameter(const struct study_results *d, FILE *because)
 {

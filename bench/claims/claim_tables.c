@@ -44,10 +44,7 @@ static enum judge criterion(const struct study_results *d, FILE *because)
                                               : JUDGE_FAILS;
 }
 
-static enum judge fem_costs(const struct study_results *d, FILE *because)
-{
-    return costs(d, FEM, IGA, because);
-}
+CLAIM_JUDGE(fem_costs, costs(d, FEM, IGA, because))
 
 static enum judge shell_costs(const struct study_results *d, FILE *because)
 {
@@ -153,10 +150,8 @@ static enum judge contact_costs(const struct study_results *d, FILE *because)
     return turn;
 }
 
-static enum judge degree_4_costs(const struct study_results *d, FILE *because)
-{
-    return costs(d, ROW("fig13c", "printed"), ROW("fig12b", "printed"), because);
-}
+CLAIM_JUDGE(degree_4_costs,
+            costs(d, ROW("fig13c", "printed"), ROW("fig12b", "printed"), because))
 
 static enum judge milliseconds(const struct study_results *d, FILE *because)
 {
@@ -186,15 +181,8 @@ static enum judge degree_3_costs(const struct study_results *d, const char *net,
                  because);
 }
 
-static enum judge degree_3_on_10(const struct study_results *d, FILE *because)
-{
-    return degree_3_costs(d, "2x10x10", because);
-}
-
-static enum judge degree_3_on_15(const struct study_results *d, FILE *because)
-{
-    return degree_3_costs(d, "2x15x15", because);
-}
+CLAIM_JUDGE(degree_3_on_10, degree_3_costs(d, "2x10x10", because))
+CLAIM_JUDGE(degree_3_on_15, degree_3_costs(d, "2x15x15", because))
 
 const struct claim claim_table3[] = {{"Degree (1,3,3) costs 2.1 times (1,2,2) on 2x10x10",
                                       "Ren et al. 2024, Table 3", false, degree_3_on_10},

@@ -91,14 +91,8 @@ const struct claim claim_thickness[] = {
 /* How far r = 1 and the highest r are apart at most [m]; the cloak is 1 m long. */
 static double farthest(const struct study_results *d, const char *study)
 {
-    double apart[PLAN_STUDY_TIMES], most = 0;
-    const int count = dataset_values(
-        d, QUANTITY_FINEST, WHERE({"study", study}, {"level", "r = 1"}, {"at", "*"}),
-        PLAN_STUDY_TIMES, apart);
-
-    for (int n = 0; n < count; n++)
-        most = judge_most(most, apart[n]);
-    return count ? most : NAN;
+    return dataset_all_most(d, QUANTITY_FINEST,
+                            WHERE({"study", study}, {"level", "r = 1"}, {"at", "*"}));
 }
 
 static enum judge looks_alike(const struct study_results *d, FILE *because)

@@ -52,17 +52,21 @@ struct settings *batch_settings(struct batch *b)
     return &b->settings[b->count - 1];
 }
 
+/* Makes the folder; STATUS_MEMORY: a file among the first `count` has no name. */
+static enum status prepare(const struct batch *b, int count, struct message *why)
+{
+    for (int n = 0; n < count; n++)
+        if (!b->files[n])
+            return STATUS_MEMORY;
+    return folder_make(b->folder, why);
+}
+
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why)
 {
-    enum status st = STATUS_OK;
+    const enum status st = prepare(b, b->count, why);
 
-    for (int n = 0; n < b->count; n++)
-        TRY(b->files[n] ? STATUS_OK : STATUS_MEMORY);
-    TRY(folder_make(b->folder, why));
-    TRY(measurement_run(options, b->count, b->cases, why));
-out:
-    return st;
+    return st ? st : measurement_run(options, b->count, b->cases, why);
 }
 
 struct apart {
@@ -102,9 +106,7 @@ enum status batch_run_apart(struct batch *b, int count,
                         .settle = settle};
     enum status st;
 
-    for (int n = 0; n < count; n++)
-        TRY(b->files[n] ? STATUS_OK : STATUS_MEMORY);
-    TRY(folder_make(b->folder, why));
+    TRY(prepare(b, count, why));
     TRY(pool_run(&pool, why));
     if (pool.stopped_by) {
         fprintf(stderr,

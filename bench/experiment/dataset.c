@@ -19,72 +19,65 @@ const char *dataset_label(const struct study *s, int level, const char *axis)
     return s->plan->axis_count || strcmp(axis, "level") ? NULL : s->row[level].level->label;
 }
 
-/* A level of a study at one of the study's times. */
-struct place {
-    int study, level, time;
-};
-
 /* Whether a row has all of these labels; without a time, whether it is the last. */
-static bool is_named(const struct study *s, const struct place *p,
-                     const struct where *where)
+static bool is_named(const struct place *p, const struct where *where)
 {
+    const double *time = p->s->time;
     bool timed = false;
 
     for (; where->axis; where++) {
-        const char *label = dataset_label(s, p->level, where->axis);
+        const char *label = dataset_label(p->s, p->level, where->axis);
         const bool other = where->label[0] == '!';
         const char *text = where->label + other;
         const size_t size = strlen(text) - (*text && text[strlen(text) - 1] == '*');
         if (!strcmp(where->axis, "at")) {
-            const double want = strtod(where->label, NULL);
             timed = true;
             if (strcmp(where->label, "*") &&
-                (!s->time || fabs(s->time[p->time] - want) > 1e-9))
+                (!time || fabs(time[p->time] - strtod(where->label, NULL)) > 1e-9))
                 return false;
         } else if (!label || !strncmp(label, text, size + !text[size]) == other) {
             return false;
         }
     }
-    return timed || p->time == s->frames - 1;
+    return timed || p->time == p->s->frames - 1;
+}
+
+/* Before the first row. */
+static struct place begin(const struct study_results *d)
+{
+    return (struct place){d, d->study, 0, -1};
 }
 
 /* Goes on to the next row that the labels name, times being the last to change; false:
- * there is none. Begin with FIRST. */
-static bool next_row(const struct study_results *d, const struct where *where,
-                     struct place *p)
+ * there is none. */
+static bool next_row(const struct where *where, struct place *p)
 {
-    for (; p->study < d->count; ++p->study, p->level = 0, p->time = -1) {
-        const struct study *s = &d->study[p->study];
-        for (; p->level < s->plan->level_count; ++p->level, p->time = -1)
-            while (++p->time < s->frames)
-                if (!s->row[p->level].left_out && is_named(s, p, where))
+    for (; p->s < p->d->study + p->d->count; ++p->s, p->level = 0, p->time = -1)
+        for (; p->level < p->s->plan->level_count; ++p->level, p->time = -1)
+            while (++p->time < p->s->frames)
+                if (!p->s->row[p->level].left_out && is_named(p, where))
                     return true;
-    }
     return false;
 }
-
-static const struct place FIRST = {0, 0, -1};
 
 /* The only row that the labels name. */
 static bool find(const struct study_results *d, const struct where *where, struct place *p)
 {
-    struct place after;
-
-    *p = FIRST;
-    if (!next_row(d, where, p))
+    *p = begin(d);
+    if (!next_row(where, p))
         return false;
-    after = *p;
-    return !next_row(d, where, &after);
+    struct place after = *p;
+    return !next_row(where, &after);
 }
 
 int dataset_labels(const struct study_results *d, const char *axis, int most,
                    const char **label)
 {
-    struct place p = FIRST;
+    struct place p = begin(d);
     int count = 0;
 
-    while (next_row(d, WHERE({NULL, NULL}), &p)) {
-        const char *word = dataset_label(&d->study[p.study], p.level, axis);
+    while (next_row(WHERE({NULL, NULL}), &p)) {
+        const char *word = dataset_label(p.s, p.level, axis);
         int n = 0;
         while (word && n < count && strcmp(label[n], word))
             n++;
@@ -94,16 +87,11 @@ int dataset_labels(const struct study_results *d, const char *axis, int most,
     return count;
 }
 
-static double value(const struct study_results *d, enum quantity q, const struct place *p)
-{
-    return quantity_table[q].at(d, &d->study[p->study], p->level, p->time);
-}
-
 double dataset_at(const struct study_results *d, enum quantity q, const struct where *where)
 {
     struct place p;
 
-    return find(d, where, &p) ? value(d, q, &p) : NAN;
+    return find(d, where, &p) ? quantity_table[q].at(&p) : NAN;
 }
 
 enum judge dataset_verdict(const struct study_results *d, const char *label,
@@ -114,7 +102,7 @@ enum judge dataset_verdict(const struct study_results *d, const char *label,
 
     if (!find(d, where, &p))
         return JUDGE_OPEN;
-    const struct verdict v = verdict_of(rules, &d->study[p.study].row[p.level].result);
+    const struct verdict v = verdict_of(rules, &p.s->row[p.level].result);
     if (!label)
         return v.kind == VERDICT_FEASIBLE     ? JUDGE_HOLDS
                : v.kind == VERDICT_INFEASIBLE ? JUDGE_FAILS
@@ -124,47 +112,54 @@ enum judge dataset_verdict(const struct study_results *d, const char *label,
                                             : JUDGE_FAILS;
 }
 
+static double fold(const struct study_results *d, enum quantity q,
+                   const struct where *where, double of_two(double a, double b))
+{
+    struct place p = begin(d);
+    double all = next_row(where, &p) ? quantity_table[q].at(&p) : NAN;
+
+    while (next_row(where, &p))
+        all = of_two(all, quantity_table[q].at(&p));
+    return all;
+}
+
 double dataset_most(const struct study_results *d, enum quantity q,
                     const struct where *where)
 {
-    struct place p = FIRST;
-    double most = NAN;
-
-    while (next_row(d, where, &p))
-        most = fmax(most, value(d, q, &p));
-    return most;
+    return fold(d, q, where, fmax);
 }
 
 double dataset_least(const struct study_results *d, enum quantity q,
                      const struct where *where)
 {
-    struct place p = FIRST;
-    double least = NAN;
+    return fold(d, q, where, fmin);
+}
 
-    while (next_row(d, where, &p))
-        least = fmin(least, value(d, q, &p));
-    return least;
+double dataset_all_most(const struct study_results *d, enum quantity q,
+                        const struct where *where)
+{
+    return fold(d, q, where, judge_most);
 }
 
 int dataset_values(const struct study_results *d, enum quantity q,
                    const struct where *where, int most, double *values)
 {
-    struct place p = FIRST;
+    struct place p = begin(d);
     int count = 0;
 
-    while (count < most && next_row(d, where, &p))
-        values[count++] = value(d, q, &p);
+    while (count < most && next_row(where, &p))
+        values[count++] = quantity_table[q].at(&p);
     return count;
 }
 
 void dataset_write(const struct study_results *d, enum quantity q,
                    const struct where *where, FILE *file)
 {
-    struct place p = FIRST;
+    struct place p = begin(d);
 
-    for (const char *comma = ""; next_row(d, where, &p); comma = ", ") {
-        const struct study_row *row = &d->study[p.study].row[p.level];
-        const double v = value(d, q, &p);
+    for (const char *comma = ""; next_row(where, &p); comma = ", ") {
+        const struct study_row *row = &p.s->row[p.level];
+        const double v = quantity_table[q].at(&p);
         if (isnan(v) && !row->frame[p.time].xyz)
             fprintf(file, "%s%s", comma,
                     run_result_refused(&row->result) ? "refused" : "died");
@@ -184,22 +179,19 @@ double dataset_apart(const struct study_results *d, const struct where *a,
 {
     struct place p, other;
 
-    if (!find(d, a, &p) || !find(d, b, &other))
-        return NAN;
-    return study_distance(&d->study[p.study], p.level, &d->study[other.study], other.level,
-                          p.time);
+    return find(d, a, &p) && find(d, b, &other) ? study_distance(&p, &other) : NAN;
 }
 
 double dataset_exponent(const struct study_results *d, enum quantity x, enum quantity y,
                         const struct where *where)
 {
     double xs[PLAN_STUDY_LEVELS], ys[PLAN_STUDY_LEVELS];
-    struct place p = FIRST;
+    struct place p = begin(d);
     int count = 0;
 
-    while (count < PLAN_STUDY_LEVELS && next_row(d, where, &p)) {
-        xs[count] = value(d, x, &p);
-        ys[count] = value(d, y, &p);
+    while (count < PLAN_STUDY_LEVELS && next_row(where, &p)) {
+        xs[count] = quantity_table[x].at(&p);
+        ys[count] = quantity_table[y].at(&p);
         count += isfinite(log(xs[count])) && isfinite(log(ys[count]));
     }
     return count < 2 ? NAN : fit_exponent(count, xs, ys);
@@ -289,9 +281,9 @@ static int find_axes(const struct study_results *d, const char *axis[AXES])
     return count;
 }
 
-static void add_row(struct table *t, const struct study_results *d, enum part part,
-                    const struct study *s, int level, int time)
+static void add_row(struct table *t, enum part part, const struct place *p)
 {
+    const struct study_results *d = p->d;
     const struct plan_table *plan = &d->plan->table;
     const struct verdict_rules *rules = &d->plan->verdicts;
     const char *axis[AXES];
@@ -300,25 +292,25 @@ static void add_row(struct table *t, const struct study_results *d, enum part pa
 
     table_row(t);
     for (int n = 0; n < axes; n++) {
-        const char *label = dataset_label(s, level, axis[n]);
+        const char *label = dataset_label(p->s, p->level, axis[n]);
         if (label)
             table_text(t, "%s", label);
         else
             table_dash(t);
     }
     if (part != PART_RUN && has_times(d))
-        table_number(t, s->time ? s->time[time] : NAN, 4);
+        table_number(t, p->s->time ? p->s->time[p->time] : NAN, 4);
     for (int n = 0; n < plan->columns.count; n++) {
         const struct quantity_row *q = quantity_of(&plan->columns, n);
         if (is_in(part, q) && q->digits)
-            table_number(t, q->at(d, s, level, time), q->digits);
+            table_number(t, q->at(p), q->digits);
         else if (is_in(part, q))
-            table_fixed(t, q->at(d, s, level, time), 0);
+            table_fixed(t, q->at(p), 0);
     }
     if (rules->count && part != PART_TIMES)
         table_text(t, "%s",
-                   verdict_text(rules, verdict_of(rules, &s->row[level].result), words,
-                                sizeof words));
+                   verdict_text(rules, verdict_of(rules, &p->s->row[p->level].result),
+                                words, sizeof words));
 }
 
 /* Whether people see a level. */
@@ -369,7 +361,7 @@ static struct table *fill(const struct study_results *d, enum part part, bool pe
         for (int n = 0; n < s->plan->level_count; n++)
             for (int time = last ? s->frames - 1 : 0; time < s->frames; time++)
                 if (!s->row[n].left_out && (!people || is_shown(d, s, n)))
-                    add_row(t, d, part, s, n, time);
+                    add_row(t, part, &(struct place){d, s, n, time});
         if (k + 1 < d->count && table_rows(t) > rows)
             table_rule(t);
     }
@@ -418,8 +410,7 @@ static void add_notes(struct table *t, const struct study_results *d)
  */
 
 struct dot {
-    const struct study *study;
-    int level;
+    struct place at; /* the last time of a level */
     const struct quantity_row *of;
     double x, y;
 };
@@ -446,11 +437,11 @@ static struct dot *find_dots(const struct study_results *d, int *count)
         for (int k = 0; k < d->count; k++)
             for (int n = 0; n < d->study[k].plan->level_count; n++) {
                 const struct study *s = &d->study[k];
+                const struct place at = {d, s, n, s->frames - 1};
                 const struct quantity_row *x = x_of(plan), *of = quantity_of(&plan->y, i);
-                const double y = of->at(d, s, n, s->frames - 1);
-                const struct dot dot = {
-                    s, n, of, x ? x->at(d, s, n, s->frames - 1) : s->row[n].level->size,
-                    isnan(plan->from) ? y : fabs(y - plan->from)};
+                const double y = of->at(&at);
+                const struct dot dot = {at, of, x ? x->at(&at) : s->row[n].level->size,
+                                        isnan(plan->from) ? y : fabs(y - plan->from)};
                 if (dot.x > 0 && dot.y > 0 && isfinite(dot.y))
                     dots[(*count)++] = dot;
             }
@@ -466,8 +457,8 @@ static bool alike(const struct plan_chart *plan, bool line, const struct dot *a,
         const struct plan_setting *axis = n < plan->panel.count
                                               ? &plan->panel.list[n]
                                               : &plan->line.list[n - plan->panel.count];
-        const char *one = dataset_label(a->study, a->level, axis->key);
-        const char *other = dataset_label(b->study, b->level, axis->key);
+        const char *one = dataset_label(a->at.s, a->at.level, axis->key);
+        const char *other = dataset_label(b->at.s, b->at.level, axis->key);
         if (strcmp(one ? one : "", other ? other : ""))
             return false;
     }
@@ -490,7 +481,7 @@ static const char *name_of(const struct dot *dot, const struct plan_settings *ax
     snprintf(text, 128, "%s", first);
     for (int n = 0; n < axes->count; n++) {
         const char *axis = axes->list[n].key;
-        const char *label = dataset_label(dot->study, dot->level, axis);
+        const char *label = dataset_label(dot->at.s, dot->at.level, axis);
         const bool bare = axes->count == 1 || !strcmp(axis, "study");
         const size_t used = strlen(text);
         if (label)

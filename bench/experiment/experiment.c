@@ -1,5 +1,5 @@
 #include "bench/experiment/experiment.h"
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -26,13 +26,6 @@ const struct command_option experiment_command_options[] = {
     {"--quick", NULL, false, "a smaller job of the same shape"},
     {NULL, NULL, false, NULL},
 };
-
-struct measurement_options experiment_measurement(const struct experiment_options *options,
-                                                  const char *what)
-{
-    return (struct measurement_options){what, options->quick, options->repeats,
-                                        options->progress, options->context};
-}
 
 struct bar {
     struct progress progress;
@@ -105,7 +98,10 @@ enum status experiment_measure(const struct experiment *e,
                                const struct experiment_options *options,
                                struct message *why)
 {
-    const struct measurement_options how = experiment_measurement(options, NULL);
+    const struct measurement_options how = {.quick = options->quick,
+                                            .repeats = options->repeats,
+                                            .progress = options->progress,
+                                            .context = options->context};
     struct plan plan = {0};
     enum status st = STATUS_OK;
 

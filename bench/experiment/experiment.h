@@ -55,10 +55,6 @@ struct experiment {
     experiment_tell *tell; /* the same with a plan; NULL: dataset_print                */
 };
 
-/* For runs that are measured together, as the experiment is. */
-struct measurement_options experiment_measurement(const struct experiment_options *options,
-                                                  const char *what);
-
 /* What the commands `table` and `study` do: the experiment that the first word names, or,
  * if there is a `plans` to tell of them, the studies of the plan that it names. Results go
  * to results/<command><name> unless said otherwise. */

@@ -59,16 +59,6 @@ void judge_keep(struct table *rows)
     kept = rows;
 }
 
-void judge_kept(const char *quote, const char *verdict, const char *sentence)
-{
-    if (!kept)
-        return;
-    table_row(kept);
-    table_text(kept, "%s", quote);
-    table_text(kept, "%s", verdict);
-    table_text(kept, "%s", sentence);
-}
-
 void judge_print(FILE *file, const char *quote, enum judge turn, const char *format, ...)
 {
     static const char *const word[] = {"does not hold", "holds", "cannot be judged",
@@ -81,7 +71,12 @@ void judge_print(FILE *file, const char *quote, enum judge turn, const char *for
     va_end(words);
     snprintf(text, sizeof text, "- \"%s\": %s. %s\n", quote, word[turn], sentence);
     table_print_wrapped(text, file);
-    judge_kept(quote, word[turn], sentence);
+    if (!kept)
+        return;
+    table_row(kept);
+    table_text(kept, "%s", quote);
+    table_text(kept, "%s", word[turn]);
+    table_text(kept, "%s", sentence);
 }
 
 static void path_of(const char *folder, char path[4096])

@@ -46,9 +46,6 @@ void judge_print(FILE *file, const char *quote, enum judge turn, const char *for
  * NULL: no more. */
 void judge_keep(struct table *rows);
 
-/* Such a row alone, for a sentence that was printed in another way. */
-void judge_kept(const char *quote, const char *verdict, const char *sentence);
-
 /* FOLDER/quick.txt says that what is there is of a quick run: set before the first run of a
  * quick one, taken away after the last of a full one. */
 void judge_mark(const char *folder, bool quick);

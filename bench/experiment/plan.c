@@ -1,25 +1,474 @@
 /* plan.c - a plan from YAML: one schema reads, refuses and documents. */
 #include "bench/experiment/plan.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/files/output.h"
+#include "bench/harness/derived_key.h"
+
 #define IN(type, member) .offset = offsetof(struct type, member)
+#define ANY              .low = -1e30, .high = 1e30
+
+/* Defines the reader of a list into the members `list` and `count` of a `type` at
+ * key->offset, whose elements `one` reads. */
+#define LIST_READER(name, type, list, count, one)                                          \
+    static enum status name(const struct schema_key *key, const struct yaml_tree *node,    \
+                            void *target, struct message *why)                             \
+    {                                                                                      \
+        struct type *to = (void *)((char *)target + key->offset);                          \
+        enum status st;                                                                    \
+        to->list =                                                                         \
+            plan_settings_list(key, node, sizeof *to->list, &to->count, one, &st, why);    \
+        return st;                                                                         \
+    }
+
+/* --- Axes. */
+
+static const char *const SCALES[] = {"linear", "log", NULL};
+
+/* An axis as it is read. */
+struct axis_reading {
+    struct plan_axis axis;
+    const struct yaml_tree *values; /* NULL: from ... to */
+    double from, to;                /* NaN: not given */
+    int count;
+};
+
+static enum status read_values(const struct schema_key *key, const struct yaml_tree *node,
+                               void *target, struct message *why)
+{
+    struct axis_reading *r = target;
+
+    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > PLAN_AXIS_MOST)
+        return schema_refuse(key, node, why);
+    r->values = node;
+    return STATUS_OK;
+}
+
+/* clang-format off */
+static const struct schema_key AXIS[] = {
+    {"key", "what changes", SCHEMA_TEXT, .required = true, IN(axis_reading, axis.key)},
+    {"by", "the key that a stand-in sets", SCHEMA_TEXT, IN(axis_reading, axis.by)},
+    {"values", "its values", SCHEMA_SPECIAL, .read = read_values,
+     .want = "a list of 1 to 10000 values"},
+    {"from", "first value", SCHEMA_NUMBER, ANY, IN(axis_reading, from)},
+    {"to", "last value", SCHEMA_NUMBER, ANY, IN(axis_reading, to)},
+    {"count", "values from first to last", SCHEMA_COUNT, .low = 2, .high = PLAN_AXIS_MOST,
+     IN(axis_reading, count)},
+    {"scale", "steps between them", SCHEMA_WORD, .words = SCALES,
+     IN(axis_reading, axis.scale)},
+    {NULL}};
+/* clang-format on */
+
+static enum status fill_range(struct axis_reading *r)
+{
+    enum status st = STATUS_OK;
+    const bool log = r->axis.scale == PLAN_AXIS_LOG;
+
+    for (int n = 0; n < r->count; n++) {
+        const double share = (double)n / (r->count - 1);
+        double value = log ? r->from * pow(r->to / r->from, share)
+                           : r->from + (r->to - r->from) * share;
+        char text[32];
+
+        value = n == r->count - 1 ? r->to : value;
+        snprintf(text, sizeof text, "%.*g", output_digits(value), value);
+        TRY(plan_settings_add_text(&r->axis.values, r->axis.key, text, r->axis.line));
+    }
+out:
+    return st;
+}
+
+/* The values of an axis that was read, from its list or its range. */
+static enum status fill_axis(struct axis_reading *r, const struct yaml_tree *node,
+                             struct message *why)
+{
+    enum status st = STATUS_OK;
+    const bool range = !isnan(r->from) && !isnan(r->to) && r->count;
+    const bool some = !isnan(r->from) || !isnan(r->to) || r->count;
+
+    TRY(plan_settings_check_key(r->axis.key, node, why));
+    if (r->values ? some : !range)
+        return yaml_tree_refuse(node, why,
+                                "the axis %s needs either values or all of from, to, count",
+                                yaml_tree_quote(r->axis.key).text);
+    if (r->axis.by && !derived_key_is(r->axis.key))
+        return yaml_tree_refuse(node, why,
+                                "the axis %s has 'by', but only gamma and "
+                                "young_over_density are set by another key",
+                                yaml_tree_quote(r->axis.key).text);
+    if (!r->values && r->axis.scale == PLAN_AXIS_LOG && !(r->from > 0 && r->to > 0))
+        return yaml_tree_refuse(node, why,
+                                "the axis %s goes from %g to %g on a log scale, but both "
+                                "must be above 0",
+                                yaml_tree_quote(r->axis.key).text, r->from, r->to);
+    if (!r->values)
+        return fill_range(r);
+    for (const struct yaml_tree *v = r->values->first; v; v = v->next)
+        TRY(plan_settings_add(&r->axis.values, r->axis.key, v, why));
+out:
+    return st;
+}
+
+static enum status read_axis(const struct yaml_tree *node, void *axis, struct message *why)
+{
+    struct axis_reading r = {.axis.line = node->line, .from = NAN, .to = NAN};
+    enum status st = schema_read(AXIS, node, "an axis", &r, why);
+
+    if (st == STATUS_OK)
+        st = fill_axis(&r, node, why);
+    *(struct plan_axis *)axis = r.axis;
+    return st;
+}
+
+static void clear_axis(struct plan_axis *axis)
+{
+    free(axis->key);
+    free(axis->by);
+    plan_settings_clear(&axis->values);
+    *axis = (struct plan_axis){0};
+}
+
+/* --- Studies. */
+
+static const char *const TRUTHS[] = {"false", "true", "plate", NULL};
+
+/* clang-format off */
+static const struct schema_key LEVEL[] = {
+    {"label", "in tables and pictures", SCHEMA_TEXT, .required = true, IN(plan_level, label)},
+    {"name", "of its file (made of the label)", SCHEMA_TEXT, IN(plan_level, name)},
+    {"size", "mesh width, step, ...: for observed orders", SCHEMA_NUMBER, .low = 0,
+     .high = 1e30, .open = true, IN(plan_level, size)},
+    {"model", "model or contestant", SCHEMA_SPECIAL, .read = plan_settings_read_word,
+     IN(plan_level, settings), .want = "the name of a model"},
+    {"settings", "what makes the level", SCHEMA_SPECIAL, .read = plan_settings_read_key,
+     IN(plan_level, settings), .want = "a map {KEY: VALUE, ...}"},
+    {"quick", "on top of them in a quick run", SCHEMA_SPECIAL, .read = plan_settings_read_key,
+     IN(plan_level, quick), .want = "a map {KEY: VALUE, ...}"},
+    {"phases", "time assembly, factorisation and solve of a frame, too", SCHEMA_WORD,
+     .words = plan_settings_truth, IN(plan_level, phases)},
+    {"paper_ms", "what somebody else's frame costs [ms]", SCHEMA_NUMBER, .low = 0,
+     .high = 1e9, .open = true, IN(plan_level, paper_ms)},
+    {"timed", "repeats of its milliseconds a frame (as the study has it)", SCHEMA_COUNT,
+     .low = 0, .high = 1000, IN(plan_level, timed)},
+    {NULL}};
+/* clang-format on */
+
+/* "10x10x2, p = 2": "10x10x2_p_2". */
+static char *make_name(const char *label)
+{
+    char *name = strdup(label);
+    size_t used = 0;
+
+    for (const char *c = label; name && *c; c++)
+        if (isalnum((unsigned char)*c))
+            name[used++] = (char)tolower((unsigned char)*c);
+        else if (used && name[used - 1] != '_')
+            name[used++] = '_';
+    if (name)
+        name[used] = '\0';
+    return name;
+}
+
+static enum status read_level(const struct yaml_tree *node, void *target,
+                              struct message *why)
+{
+    struct plan_level *level = target;
+    enum status st;
+
+    level->line = node->line;
+    level->paper_ms = NAN;
+    level->timed = -1;
+    TRY(schema_read(LEVEL, node, "a level", level, why));
+    if (!level->name)
+        level->name = make_name(level->label);
+    if (!level->name)
+        TRY(STATUS_MEMORY);
+out:
+    return st;
+}
+
+/* A map of axes. */
+static enum status read_level_axes(const struct schema_key *key,
+                                   const struct yaml_tree *node, struct plan_study *study,
+                                   struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (node->count < 1 || node->count > PLAN_STUDY_AXES)
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *n = node->first; n; n = n->next) {
+        struct plan_study_axis *axis = &study->axis[study->axis_count++];
+        axis->name = strdup(n->key);
+        TRY(axis->name ? STATUS_OK : STATUS_MEMORY);
+        axis->levels = plan_settings_list(key, n, sizeof *axis->levels, &axis->count,
+                                          read_level, &st, why);
+        TRY(st);
+    }
+out:
+    return st;
+}
+
+LIST_READER(read_level_list, plan_study, levels, level_count, read_level)
+
+static enum status read_levels(const struct schema_key *key, const struct yaml_tree *node,
+                               void *target, struct message *why)
+{
+    return node->kind == YAML_TREE_MAP
+               ? read_level_axes(key, node, (void *)((char *)target + key->offset), why)
+               : read_level_list(key, node, target, why);
+}
+
+/* What plan and study may have, read into the struct plan_study that begins `at` bytes into
+ * the target. */
+/* clang-format off */
+#define PLAN_STUDY_TIMES_AT(at, values, count)                                             \
+    SCHEMA_NUMBERS, .low = 0, .high = 1e9, .open = true, .order = SCHEMA_INCREASING,       \
+    .most = PLAN_STUDY_TIMES, .offset = (at) + offsetof(struct plan_study, values),        \
+    .count_offset = (at) + offsetof(struct plan_study, count)
+#define PLAN_STUDY_KEYS(at)                                                                \
+    {"levels", "from coarse to fine; {AXIS: [...], AXIS: [...]}: all products",            \
+     SCHEMA_SPECIAL, .keys = LEVEL, .read = read_levels,        \
+     .low = 1, .most = PLAN_STUDY_LEVELS, .offset = (at),                                  \
+     .want = "a list of 1 to 128 levels {label: ..., settings: {KEY: VALUE, ...}}, or a "  \
+             "map of up to 4 axes with such a list each"},                                 \
+    {"times", "at which sheets are compared [s]",                                          \
+     PLAN_STUDY_TIMES_AT(at, times, time_count)},                                          \
+    {"quick_times", "instead of them in a quick run [s]",                                  \
+     PLAN_STUDY_TIMES_AT(at, quick_times, quick_count)},                                   \
+    {"truth", "errors against the scene's truth; plate: Kirchhoff's, of linear theory",    \
+     SCHEMA_WORD, .words = TRUTHS,                                                \
+     .offset = (at) + offsetof(struct plan_study, truth)},                                 \
+    {"timed", "repeats of the milliseconds a frame", SCHEMA_COUNT, .low = 0, .high = 1000, \
+     .offset = (at) + offsetof(struct plan_study, timed)}
+static const struct schema_key STUDY[] = {
+    {"name", "of its files", SCHEMA_TEXT, .required = true, IN(plan_study, name)},
+    {"caption", "of its tables (the name)", SCHEMA_TEXT, IN(plan_study, caption)},
+    {"scene", "instead of the plan's", SCHEMA_SPECIAL, .read = plan_settings_read_word,
+     IN(plan_study, settings), .want = "the name or the path of a scene"},
+    {"model", "instead of the plan's", SCHEMA_SPECIAL, .read = plan_settings_read_word,
+     IN(plan_study, settings), .want = "the name of a model"},
+    {"settings", "of its levels; the physics are the truth's, too", SCHEMA_SPECIAL,
+     .read = plan_settings_read_key, IN(plan_study, settings),
+     .want = "a map {KEY: VALUE, ...}"},
+    PLAN_STUDY_KEYS(0),
+    {NULL}};
+/* clang-format on */
+
+/* The line of a key of a map; `otherwise`: it is not there. */
+static int line_of(const struct yaml_tree *map, const char *key, int otherwise)
+{
+    const struct yaml_tree *node = yaml_tree_find(map, key);
+
+    return node ? node->line : otherwise;
+}
+
+/* Nothing given yet. */
+static struct plan_study no_study(void)
+{
+    return (struct plan_study){.time_count = -1, .truth = -1, .timed = -1};
+}
+
+static enum status read_study(const struct yaml_tree *node, void *target,
+                              struct message *why)
+{
+    struct plan_study *study = target;
+    enum status st;
+
+    *study = no_study();
+    study->line = node->line;
+    TRY(schema_read(STUDY, node, "a study", study, why));
+    study->times_line = line_of(node, "times", 0);
+out:
+    return st;
+}
+
+static void clear_level(struct plan_level *level)
+{
+    free(level->label);
+    free(level->name);
+    plan_settings_clear(&level->settings);
+    plan_settings_clear(&level->quick);
+    *level = (struct plan_level){0};
+}
+
+/* Whether a level of a study is among these products. */
+static bool is_among(const struct plan_product *product, const struct plan_study *study,
+                     const struct plan_level *level)
+{
+    for (int axis = -1; axis < study->axis_count; axis++) {
+        const char *name = axis < 0 ? "study" : study->axis[axis].name;
+        const char *word = axis < 0 ? study->name : level->word[axis];
+        bool named = false, met = false;
+        for (int n = 0; n < product->labels.count; n++)
+            if (!strcmp(product->labels.list[n].key, name)) {
+                named = true;
+                met |= !strcmp(product->labels.list[n].value, word);
+            }
+        if (named && !met)
+            return false;
+    }
+    return true;
+}
+
+/* More of a text behind a comma, a blank, ...; false without memory. */
+static bool append(char **text, const char *between, const char *more)
+{
+    const size_t used = *text ? strlen(*text) : 0;
+    char *grown = realloc(*text, used + strlen(between) + strlen(more) + 1);
+
+    if (!grown)
+        return false;
+    *text = grown;
+    sprintf(grown + used, "%s%s", used ? between : "", more);
+    return true;
+}
+
+static enum status add_settings(struct plan_settings *to, const struct plan_settings *from)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < from->count && st == STATUS_OK; n++)
+        st = plan_settings_add_text(to, from->list[n].key, from->list[n].value,
+                                    from->list[n].line);
+    return st;
+}
+
+/* The product of one level of each axis. */
+static enum status multiply(const struct plan_study *study, int number,
+                            struct plan_level *product)
+{
+    int stride = 1;
+    enum status st = STATUS_OK;
+
+    *product = (struct plan_level){.paper_ms = NAN, .timed = -1};
+    for (int n = 0; n < study->axis_count; n++)
+        stride *= study->axis[n].count;
+    for (int n = 0; n < study->axis_count; n++) {
+        const struct plan_study_axis *axis = &study->axis[n];
+        stride /= axis->count;
+        const struct plan_level *level = &axis->levels[number / stride % axis->count];
+        TRY(append(&product->label, ", ", level->label) &&
+                    append(&product->name, "_", level->name)
+                ? STATUS_OK
+                : STATUS_MEMORY);
+        TRY(add_settings(&product->settings, &level->settings));
+        TRY(add_settings(&product->quick, &level->quick));
+        product->word[n] = level->label;
+        product->line = level->line;
+        product->size = level->size > 0 ? level->size : product->size;
+        product->timed = level->timed >= 0 ? level->timed : product->timed;
+        product->paper_ms = isnan(level->paper_ms) ? product->paper_ms : level->paper_ms;
+        product->phases |= level->phases;
+    }
+out:
+    return st;
+}
+
+/* Makes the levels of a study with axes. */
+static enum status multiply_all(struct plan_study *study, const struct plan *plan,
+                                struct message *why)
+{
+    const struct yaml_tree place = {.origin = plan->path, .line = study->line};
+    double all = 1;
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < study->axis_count; n++)
+        all *= study->axis[n].count;
+    if (all > PLAN_STUDY_LEVELS)
+        return yaml_tree_refuse(&place, why,
+                                "the axes of the study %s have %.0f products, but a study "
+                                "has at most %d levels",
+                                study->name, all, PLAN_STUDY_LEVELS);
+    study->levels = calloc((size_t)all, sizeof *study->levels);
+    TRY(study->levels ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < (int)all; n++) {
+        struct plan_level *level = &study->levels[study->level_count++];
+        bool gone = false;
+        TRY(multiply(study, n, level));
+        for (int k = 0; k < plan->skip.count; k++)
+            if (is_among(&plan->skip.list[k], study, level)) {
+                level->slow |= plan->skip.list[k].quick;
+                gone |= !plan->skip.list[k].quick;
+            }
+        for (int k = 0; k < plan->paper.count; k++)
+            if (is_among(&plan->paper.list[k], study, level))
+                level->paper_ms = plan->paper.list[k].paper_ms;
+        if (gone)
+            clear_level(&study->levels[--study->level_count]);
+    }
+out:
+    return st;
+}
+
+static enum status inherit(struct plan_study *study, const struct plan *plan,
+                           struct message *why)
+{
+    const struct plan_study *base = &plan->base;
+    enum status st = STATUS_OK;
+
+    if (!study->level_count && !study->axis_count) {
+        study->level_count = base->level_count;
+        study->levels = base->levels;
+        study->axis_count = base->axis_count;
+        memcpy(study->axis, base->axis, sizeof study->axis);
+    }
+    if (study->axis_count)
+        TRY(multiply_all(study, plan, why));
+    if (study->time_count < 0) {
+        study->time_count = base->time_count < 0 ? 0 : base->time_count;
+        study->times = base->times;
+        study->times_line = base->times_line;
+        if (!study->quick_count) {
+            study->quick_count = base->quick_count;
+            study->quick_times = base->quick_times;
+        }
+    }
+    if (study->truth < 0)
+        study->truth = base->truth < 0 ? PLAN_TRUTH_NONE : base->truth;
+    if (study->timed < 0)
+        study->timed = base->timed < 0 ? 0 : base->timed;
+    if (!study->caption)
+        study->caption = strdup(study->name);
+    st = study->caption ? STATUS_OK : STATUS_MEMORY;
+out:
+    return st;
+}
+
+static void clear_study(struct plan_study *study, const struct plan_study *base)
+{
+    const bool own = study == base;
+
+    for (int n = 0; (own || study->levels != base->levels) && n < study->level_count; n++)
+        clear_level(&study->levels[n]);
+    if (own || study->levels != base->levels)
+        free(study->levels);
+    if (own || study->times != base->times)
+        free(study->times);
+    if (own || study->quick_times != base->quick_times)
+        free(study->quick_times);
+    for (int n = 0; (own || study->axis->name != base->axis->name) && n < study->axis_count;
+         n++) {
+        for (int k = 0; k < study->axis[n].count; k++)
+            clear_level(&study->axis[n].levels[k]);
+        free(study->axis[n].levels);
+        free(study->axis[n].name);
+    }
+    plan_settings_clear(&study->settings);
+    free(study->name);
+    free(study->caption);
+    *study = (struct plan_study){0};
+}
+
+/* --- The plan. */
 
 static const char *const KEEPS[] = {"none", "snapshots", NULL};
 
-static enum status read_axes(const struct schema_key *key, const struct yaml_tree *node,
-                             void *target, struct message *why)
-{
-    enum status st;
-    struct plan *plan = target;
-
-    plan->axes = plan_settings_list(key, node, sizeof *plan->axes, &plan->axis_count,
-                                    plan_axis_read, &st, why);
-    return st;
-}
+LIST_READER(read_axes, plan, axes, axis_count, read_axis)
 
 static const struct schema_key CASE_NAME = {"name", .type = SCHEMA_TEXT};
 
@@ -42,27 +491,8 @@ out:
     return st;
 }
 
-static enum status read_cases(const struct schema_key *key, const struct yaml_tree *node,
-                              void *target, struct message *why)
-{
-    enum status st;
-    struct plan *plan = target;
-
-    plan->listed = plan_settings_list(key, node, sizeof *plan->listed, &plan->listed_count,
-                                      read_listed, &st, why);
-    return st;
-}
-
-static enum status read_studies(const struct schema_key *key, const struct yaml_tree *node,
-                                void *target, struct message *why)
-{
-    enum status st;
-    struct plan *plan = target;
-
-    plan->studies = plan_settings_list(key, node, sizeof *plan->studies, &plan->study_count,
-                                       plan_study_read, &st, why);
-    return st;
-}
+LIST_READER(read_cases, plan, listed, listed_count, read_listed)
+LIST_READER(read_studies, plan, studies, study_count, read_study)
 
 /* A label, or a list of them, on each axis of a map; of a product what is no axis, too. */
 static enum status read_labels(const struct yaml_tree *node, struct plan_settings *labels,
@@ -107,30 +537,12 @@ static enum status read_product(const struct yaml_tree *node, void *target,
     return read_labels(node, &product->labels, product, why);
 }
 
-static enum status read_products(const struct schema_key *key, const struct yaml_tree *node,
-                                 void *target, struct message *why)
-{
-    struct plan_products *products = (void *)((char *)target + key->offset);
-    enum status st;
+LIST_READER(read_products, plan_products, list, count, read_product)
 
-    products->list = plan_settings_list(key, node, sizeof *products->list, &products->count,
-                                        read_product, &st, why);
-    return st;
-}
-
-static enum status read_shown(const struct schema_key *key, const struct yaml_tree *node,
-                              void *target, struct message *why)
+static enum status read_chosen(const struct schema_key *key, const struct yaml_tree *node,
+                               void *target, struct message *why)
 {
-    (void)key;
-    return read_labels(node, &((struct plan *)target)->table.shown, NULL, why);
-}
-
-static enum status read_reference(const struct schema_key *key,
-                                  const struct yaml_tree *node, void *target,
-                                  struct message *why)
-{
-    (void)key;
-    return read_labels(node, &((struct plan *)target)->reference, NULL, why);
+    return read_labels(node, (void *)((char *)target + key->offset), NULL, why);
 }
 
 static enum status read_words(const struct schema_key *key, const struct yaml_tree *node,
@@ -236,23 +648,15 @@ static enum status read_mark(const struct yaml_tree *node, void *target,
     return schema_read(MARK, node, "a mark", mark, why);
 }
 
-static enum status read_marks(const struct schema_key *key, const struct yaml_tree *node,
-                              void *target, struct message *why)
-{
-    enum status st;
-    struct plan_map *map = &((struct plan *)target)->map;
-
-    map->marks = plan_settings_list(key, node, sizeof *map->marks, &map->mark_count,
-                                    read_mark, &st, why);
-    return st;
-}
+LIST_READER(read_marks, plan_map, marks, mark_count, read_mark)
 
 static const struct schema_key MAP[] = {
     {"x", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.x)},
     {"y", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
     {"panel", "key of a panel each, or name (of cases)", SCHEMA_TEXT, IN(plan, map.panel)},
     {"marks", "points that are no cases", SCHEMA_SPECIAL, .most = PLAN_MAX_LISTED,
-     .read = read_marks, .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
+     .read = read_marks, IN(plan, map),
+     .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
     {NULL}};
 
 static const struct schema_key TABLE[] = {
@@ -262,7 +666,7 @@ static const struct schema_key TABLE[] = {
     {"last", "people see the last time of each study alone", SCHEMA_WORD,
      .words = plan_settings_truth, IN(plan, table.last)},
     {"shown", "people see the levels with these labels alone", SCHEMA_SPECIAL,
-     .read = read_shown, .want = "a map {AXIS: LABEL}"},
+     .read = read_chosen, IN(plan, table.shown), .want = "a map {AXIS: LABEL}"},
     {"pictures", "studies whose sheets are drawn", SCHEMA_SPECIAL, .read = read_words,
      .most = PLAN_TABLE_COLUMNS, IN(plan, table.pictures),
      .want = "a list of 1 to 16 names of studies"},
@@ -296,7 +700,7 @@ static const struct schema_key PLAN[] = {
     {"settings", "of all cases", SCHEMA_SPECIAL, .read = plan_settings_read_key,
      IN(plan, settings), .want = "a map {KEY: VALUE, ...} of keys that --set takes"},
     {"axes", "every combination", SCHEMA_SPECIAL, .low = 1, .most = PLAN_MAX_AXES,
-     .read = read_axes, .keys = plan_axis_keys,
+     .read = read_axes, .keys = AXIS,
      .want = "a list of 1 to 16 axes {key: ..., values: [...]}"},
     {"cases", "each with all combinations of the axes", SCHEMA_SPECIAL, .low = 1,
      .most = PLAN_MAX_LISTED, .read = read_cases,
@@ -321,7 +725,7 @@ static const struct schema_key PLAN[] = {
     {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
     PLAN_STUDY_KEYS(offsetof(struct plan, base)),
     {"studies", "each of these levels, times, ... unless it has its own", SCHEMA_SPECIAL,
-     .read = read_studies, .low = 1, .most = PLAN_STUDY_MOST, .keys = plan_study_keys,
+     .read = read_studies, .low = 1, .most = PLAN_STUDY_MOST, .keys = STUDY,
      .want = "a list of 1 to 100 studies {name: ..., scene: ..., settings: {KEY: VALUE}}"},
     {"skip", "products of a study's axes that are not run; quick: true, by a quick run",
      SCHEMA_SPECIAL, .read = read_products, .low = 1, .most = PLAN_STUDY_MOST,
@@ -330,7 +734,7 @@ static const struct schema_key PLAN[] = {
      .read = read_products, .low = 1, .most = PLAN_STUDY_MOST, IN(plan, paper),
      .want = "a list of maps {AXIS: LABEL, paper_ms: NUMBER}"},
     {"reference", "axis and label of what levels are compared with", SCHEMA_SPECIAL,
-     .read = read_reference, .want = "a map {AXIS: LABEL}"},
+     .read = read_chosen, IN(plan, reference), .want = "a map {AXIS: LABEL}"},
     {"table", "one table of all studies", SCHEMA_SECTION, .keys = TABLE},
     {"chart", "a point for each level", SCHEMA_SECTION, .keys = CHART},
     {NULL}};
@@ -356,14 +760,14 @@ static enum status settle_studies(struct plan *plan, const struct yaml_tree *roo
     if (alone) {
         plan->studies = calloc(1, sizeof *plan->studies);
         TRY(plan->studies ? STATUS_OK : STATUS_MEMORY);
-        plan->studies[plan->study_count++] = plan_study_none();
+        plan->studies[plan->study_count++] = no_study();
         plan->studies->line = root->line;
         plan->studies->name = strdup(plan->name);
         plan->studies->caption = strdup(plan->source);
         TRY(plan->studies->name && plan->studies->caption ? STATUS_OK : STATUS_MEMORY);
     }
     for (int n = 0; n < plan->study_count; n++)
-        TRY(plan_study_inherit(&plan->studies[n], plan, why));
+        TRY(inherit(&plan->studies[n], plan, why));
 out:
     return st;
 }
@@ -372,24 +776,17 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
                              struct message *why)
 {
     enum status st = STATUS_OK;
-    const struct yaml_tree *name, *map, *times, *falls, *table;
 
     TRY(schema_read(PLAN, root, "the plan", plan, why));
-    name = yaml_tree_find(root, "name");
     if (strlen(plan->name) > 64 ||
         plan->name[strspn(plan->name, "abcdefghijklmnopqrstuvwxyz0123456789_-")])
-        return yaml_tree_refuse(name, why,
+        return yaml_tree_refuse(yaml_tree_find(root, "name"), why,
                                 "name is %s, but must be 1 to 64 of the characters a-z, "
                                 "0-9, _ and -",
-                                yaml_tree_describe(name).text);
-    map = yaml_tree_find(root, "map");
-    plan->map.line = map ? map->line : root->line;
-    falls = yaml_tree_find(root, "falls");
-    plan->falls.line = falls ? falls->line : root->line;
-    table = yaml_tree_find(root, "table");
-    plan->table.line = table ? table->line : root->line;
-    times = yaml_tree_find(root, "times");
-    plan->base.times_line = times ? times->line : 0;
+                                yaml_tree_describe(yaml_tree_find(root, "name")).text);
+    plan->map.line = line_of(root, "map", root->line);
+    plan->falls.line = line_of(root, "falls", root->line);
+    plan->base.times_line = line_of(root, "times", 0);
     TRY(settle_studies(plan, root, why));
 out:
     return st;
@@ -404,7 +801,7 @@ enum status plan_parse(const char *path, struct plan *plan, struct message *why)
                           .time_limit = 600,
                           .falls = {.by = -1},
                           .chart.from = NAN,
-                          .base = plan_study_none()};
+                          .base = no_study()};
     if (why)
         why->text[0] = '\0';
     plan->path = strdup(path);
@@ -467,7 +864,7 @@ static void clear_products(struct plan_products *products)
 void plan_clear(struct plan *plan)
 {
     for (int n = 0; n < plan->axis_count; n++)
-        plan_axis_clear(&plan->axes[n]);
+        clear_axis(&plan->axes[n]);
     for (int n = 0; n < plan->listed_count; n++) {
         free(plan->listed[n].name);
         plan_settings_clear(&plan->listed[n].settings);
@@ -478,36 +875,23 @@ void plan_clear(struct plan *plan)
         plan_settings_clear(&plan->map.marks[n].settings);
     }
     for (int n = 0; n < plan->study_count; n++)
-        plan_study_clear(&plan->studies[n], &plan->base);
-    plan_study_clear(&plan->base, &plan->base);
+        clear_study(&plan->studies[n], &plan->base);
+    clear_study(&plan->base, &plan->base);
     clear_products(&plan->skip);
     clear_products(&plan->paper);
-    plan_settings_clear(&plan->reference);
-    plan_settings_clear(&plan->table.columns);
-    plan_settings_clear(&plan->table.shown);
-    plan_settings_clear(&plan->table.pictures);
-    free(plan->table.note);
-    plan_settings_clear(&plan->chart.panel);
-    plan_settings_clear(&plan->chart.line);
-    free(plan->chart.x);
-    plan_settings_clear(&plan->chart.y);
-    free(plan->table.file);
-    plan_settings_clear(&plan->settings);
+    struct plan_settings *const settings[] = {
+        &plan->settings,       &plan->reference,   &plan->table.columns, &plan->table.shown,
+        &plan->table.pictures, &plan->chart.panel, &plan->chart.line,    &plan->chart.y};
+    for (size_t n = 0; n < sizeof settings / sizeof *settings; n++)
+        plan_settings_clear(settings[n]);
+    void *const owned[] = {
+        plan->table.note, plan->table.file, plan->chart.x,     plan->studies, plan->axes,
+        plan->listed,     plan->map.marks,  plan->falls.along, plan->map.x,   plan->map.y,
+        plan->map.panel,  plan->keys,       plan->path,        plan->text,    plan->name,
+        plan->source,     plan->what};
+    for (size_t n = 0; n < sizeof owned / sizeof *owned; n++)
+        free(owned[n]);
     verdict_clear(&plan->verdicts);
     verdict_clear(&plan->learnt);
-    free(plan->studies);
-    free(plan->axes);
-    free(plan->listed);
-    free(plan->map.marks);
-    free(plan->falls.along);
-    free(plan->map.x);
-    free(plan->map.y);
-    free(plan->map.panel);
-    free(plan->keys);
-    free(plan->path);
-    free(plan->text);
-    free(plan->name);
-    free(plan->source);
-    free(plan->what);
     *plan = (struct plan){0};
 }

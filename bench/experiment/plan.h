@@ -1,59 +1,17 @@
 /* plan.h - the plan of a sweep: which cases to run, what to read off them, how to judge and
  * draw them; or of studies, which have levels instead of cases. Read from YAML; every error
- * is one sentence `file:line: ...`.
+ * is one sentence `file:line: ...`. doc/sweeps.md and doc/studies.md show plans, the schema
+ * in plan.c (clothbench help plan) has all keys.
  *
- *     name: stiffness
- *     source: who wants to know
- *     scene: flag                      # a name or a path, seen from the plan's folder
- *     model: iga
- *     settings: {time.end: 3, discretization.points: [10,10,2]}     # of all cases
- *     axes:                            # every combination, the first changes slowest
- *       - {key: gamma, from: 10, to: 1e4, count: 25, scale: log, by: material.young}
- *       - {key: damping.value, values: [0.1, 0.3, 0.5]}
- *     cases:                           # each with every combination of the axes
- *       - {name: thin, sheet.thickness: 1e-3}
- *     look: 10                         # frames from one reading of the metrics to the next
- *     intersections: true              # looks for self-intersections, too
- *     keep: none                       # or snapshots: fields at the scene's snapshots
- *     time_limit: 60                   # [s] of a case; 600 unless told otherwise
- *     verdicts: [...]                  # verdict.h; or the name of the plan whose they are
- *     learnt: [...]                    # a second opinion, of the same form
- *     map: {x: gamma, y: damping.value, panel: material.poisson}
+ * A key of settings, axes and cases is any that --set takes, or `scene`, or `model`, or one
+ * of two that stand for another key: `gamma` and `young_over_density` set the key `by`
+ * (material.young unless told otherwise) so that the number takes the value with all else
+ * of the case as given. Cases are all combinations of the axes, the first changing slowest,
+ * for each listed case.
  *
- * A key is any that --set takes, or `scene`, or `model`, or one of two that stand for
- * another key: `gamma` and `young_over_density` set the key `by` (material.young unless
- * told otherwise) so that the number takes the value with all else of the case as given.
- *
- * Studies are of scenes at several levels of one parameter, from coarse to fine:
- *
- *     what: a line on it, for lists
- *     levels:
- *       - {label: 5x5x2, size: 0.33, settings: {discretization.points: [5,5,2]}}
- *       - {label: 9x9x2, size: 0.14, settings: {discretization.points: [9,9,2]}}
- *     times: [0.5, 1]      # [s] at which sheets are compared; none: at rest
- *     truth: true          # hold them against the scene's truth (truth.h), with its bar
- *     timed: 9             # milliseconds a frame, from so many interleaved repeats
- *     studies:             # each with the plan's levels, times, ... unless it has its own
- *       - {name: edge, caption: ..., scene: edge_drop, settings: {...}}
- *       - {name: corners, scene: corners_drop, times: [0.25]}
- *
- * Levels may be products of axes, each product a level that has all their settings:
- *
- *     levels:
- *       solver: [{label: direct}, {label: CG, settings: {discretization.solver: cg}}]
- *       net: [{label: 5x5x2, settings: {...}}, {label: 40x40x2, settings: {...}}]
- *     skip:                # without these products; quick: a quick run goes without them
- *       - {solver: CG, net: 40x40x2}
- *       - {net: [20x20x2, 40x40x2], quick: true}
- *     reference: {solver: direct}  # what `apart` and `of_reference` compare a level with
- *     paper:                       # what somebody else's frame costs
- *       - {solver: direct, net: 40x40x2, paper_ms: 16048}
- *     table: {columns: [unknowns, frame_ms, of_reference, apart], note: ...}
- *                          # shown: {solver: direct}: people see these levels alone
- *     chart: {x: "thickness [m]", y: [tip], from: 1, panel: [study], line: [solver]}
- *
- * Without `studies` the plan is one, of its own name. Settings of a level go before those
- * of a study, these before the plan's.
+ * Studies are of scenes at several levels of one parameter, from coarse to fine, or at the
+ * products of several axes of levels. Without `studies` the plan is one, of its own name.
+ * Settings of a level go before those of a study, these before the plan's.
  */
 #ifndef PLAN_H
 #define PLAN_H
@@ -61,6 +19,7 @@
 #include <stdbool.h>
 
 #include "bench/experiment/verdict.h"
+#include "bench/harness/run.h"
 #include "models/reader/named_file.h"
 #include "models/reader/schema.h"
 
@@ -124,7 +83,7 @@ const struct plan_setting *plan_settings_find(const struct plan_settings *settin
 
 void plan_settings_clear(struct plan_settings *settings); /* all-zero is allowed */
 
-/* --- Axes (plan_axis.c): a key and its values, listed or from ... to. */
+/* --- Axes: a key and its values, listed or from ... to. */
 
 enum { PLAN_AXIS_MOST = 10000 }; /* values */
 
@@ -138,16 +97,7 @@ struct plan_axis {
     struct plan_settings values; /* each with the axis's key                           */
 };
 
-/* Of an axis, for the list of a plan's keys. */
-extern const struct schema_key plan_axis_keys[];
-
-/* Reads `{key: ..., values: [...]}` or `{key: ..., from: ..., to: ..., count: ...}` into
- * the struct plan_axis, which is overwritten; free it with plan_axis_clear after a failure,
- * too. STATUS_INPUT with one sentence `origin:line: ...`. */
-enum status plan_axis_read(const struct yaml_tree *node, void *axis, struct message *why);
-void plan_axis_clear(struct plan_axis *axis); /* all-zero is allowed */
-
-/* --- Studies (plan_study.c). */
+/* --- Studies. */
 
 enum {
     PLAN_STUDY_MOST = 100,
@@ -210,58 +160,6 @@ struct plan_study {
     int line, times_line; /* in the plan                                           */
 };
 
-/* What a plan may have of these, too, read into the struct plan_study that begins `at`
- * bytes into the target: rows of a schema. */
-/* clang-format off */
-#define PLAN_STUDY_TIMES_AT(at, values, count)                                             \
-    SCHEMA_NUMBERS, .low = 0, .high = 1e9, .open = true, .order = SCHEMA_INCREASING,       \
-    .most = PLAN_STUDY_TIMES, .offset = (at) + offsetof(struct plan_study, values),        \
-    .count_offset = (at) + offsetof(struct plan_study, count)
-#define PLAN_STUDY_KEYS(at)                                                                \
-    {"levels", "from coarse to fine; {AXIS: [...], AXIS: [...]}: all products",            \
-     SCHEMA_SPECIAL, .keys = plan_study_level_keys, .read = plan_study_read_levels,        \
-     .low = 1, .most = PLAN_STUDY_LEVELS, .offset = (at),                                  \
-     .want = "a list of 1 to 128 levels {label: ..., settings: {KEY: VALUE, ...}}, or a "  \
-             "map of up to 4 axes with such a list each"},                                 \
-    {"times", "at which sheets are compared [s]",                                          \
-     PLAN_STUDY_TIMES_AT(at, times, time_count)},                                          \
-    {"quick_times", "instead of them in a quick run [s]",                                  \
-     PLAN_STUDY_TIMES_AT(at, quick_times, quick_count)},                                   \
-    {"truth", "errors against the scene's truth; plate: Kirchhoff's, of linear theory",    \
-     SCHEMA_WORD, .words = plan_study_truth,                                                \
-     .offset = (at) + offsetof(struct plan_study, truth)},                                 \
-    {"timed", "repeats of the milliseconds a frame", SCHEMA_COUNT, .low = 0, .high = 1000, \
-     .offset = (at) + offsetof(struct plan_study, timed)}
-/* clang-format on */
-
-extern const struct schema_key plan_study_keys[], plan_study_level_keys[];
-
-/* The words of schema.h for enum plan_truth. */
-extern const char *const plan_study_truth[];
-
-/* A reader of schema.h, into the struct plan_study at key->offset. */
-enum status plan_study_read_levels(const struct schema_key *key,
-                                   const struct yaml_tree *node, void *target,
-                                   struct message *why);
-
-/* Nothing given yet. */
-struct plan_study plan_study_none(void);
-
-/* Reads one of the list `studies` into the struct plan_study, which is overwritten; free it
- * with plan_study_clear after a failure, too. STATUS_INPUT with one sentence. */
-enum status plan_study_read(const struct yaml_tree *node, void *target,
-                            struct message *why);
-
-/* Fills in from the plan's base what a study does not have; what is given nowhere is none.
- * Products of axes that the plan's `skip` does not take away become its levels.
- * STATUS_INPUT with one sentence: there are too many of them. */
-struct plan;
-enum status plan_study_inherit(struct plan_study *study, const struct plan *plan,
-                               struct message *why);
-
-/* `base`: of its plan. All-zero is allowed. */
-void plan_study_clear(struct plan_study *study, const struct plan_study *base);
-
 /* --- The plan. */
 
 struct plan_listed {
@@ -296,14 +194,13 @@ struct plan_falls {
 
 /* One table of all studies, a row for each level and time. */
 struct plan_table {
-    struct plan_settings columns;  /* names of quantities (quantity.h), as keys; none: a
+    struct plan_settings columns;  /* names of quantities (dataset.h), as keys; none: a
                                       plan's studies are printed one by one (study.h)   */
     struct plan_settings pictures; /* names of studies whose sheets are drawn, as keys */
     int last;                      /* 1: people see the last time of each study alone   */
     char *file;                    /* of its CSV and chart; NULL: the plan's name owned */
     struct plan_settings shown;    /* axis and label: people see levels with these alone */
     char *note;                    /* below it, or NULL                         owned */
-    int line;                      /* in the plan                                     */
 };
 
 /* A chart of all studies, both axes logarithmic: quantities at the last time over another,
@@ -352,14 +249,83 @@ struct plan {
  * no studies as "". */
 extern const struct named_file_kind plan_kind, plan_study_kind;
 
-/* Reads a plan as its schema has it (plan_read.h tries its values, too). STATUS_INPUT with
- * a sentence; *plan is overwritten, and all-zero on failure. Free with plan_clear, which
- * accepts all-zero. */
+/* Reads a plan as its schema has it. STATUS_INPUT with a sentence; *plan is overwritten,
+ * and all-zero on failure. Free with plan_clear, which accepts all-zero. */
 enum status plan_parse(const char *path, struct plan *plan, struct message *why);
 void plan_clear(struct plan *plan);
 
 /* Calls line() for every key that a plan may have, with what it may be. */
 void plan_keys(void (*line)(void *context, const char *key, const char *text),
                void *context);
+
+/* Likewise of a plan that can be run (plan_read.c): plan->keys, no key from two places, no
+ * more cases than anybody can want, and every value good in a case with all else at its
+ * first. */
+enum status plan_read(const char *path, struct plan *plan, struct message *why);
+
+/* --- Cases, and levels of studies, one by one, as what a run needs (plan_case.c). */
+
+struct plan_case {
+    long number;      /* from 0                                                       */
+    const char *name; /* of the listed case, or NULL                         borrowed */
+    const struct contestant *contestant;
+    char *path;               /* scene file                                      owned */
+    struct settings settings; /* stand-ins as what they stand for                owned */
+    /* [plan->key_count] as the plan gives them; NULL: not in this case; array   owned */
+    const struct plan_setting **given;
+};
+
+/* Listed cases times the values of every axis. */
+long plan_case_count(const struct plan *plan);
+
+/* Case `number`, 0 <= number < count. STATUS_INPUT with a sentence `plan:line: ...`: its
+ * scene or a value is impossible. *c is all-zero on failure; free with plan_case_clear. */
+enum status plan_case_open(const struct plan *plan, long number, struct plan_case *c,
+                           struct message *why);
+void plan_case_clear(struct plan_case *c);
+
+/* A level of a study, for a quick run or not; NULL: what all its levels have. The same
+ * errors. */
+enum status plan_case_level(const struct plan *plan, const struct plan_study *study,
+                            const struct plan_level *level, bool quick, struct plan_case *c,
+                            struct message *why);
+
+/* What run.h runs of a case; borrows from it. */
+struct run_plan plan_case_run(const struct plan_case *c);
+
+/* The case `number` without path, contestant and settings: what the plan says of it.
+ * STATUS_MEMORY. */
+enum status plan_case_given(const struct plan *plan, long number, struct plan_case *c);
+
+/* The scene of a case. Errors as scene_file_read: plan_case_blame finds the plan's line. */
+enum status plan_case_scene(const struct plan_case *c, struct scene *scene,
+                            struct message *why);
+
+/* The scene of the first case with other settings on top: of a mark on the map.
+ * STATUS_INPUT with a sentence. */
+enum status plan_case_mark(const struct plan *plan, const struct plan_settings *settings,
+                           struct scene *scene, struct message *why);
+
+/* Turns a sentence on a case's scene into `plan:line: ...` with the line of the setting
+ * that it blames, else that of the scene. STATUS_INPUT then, or st. */
+enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
+                            enum status st, struct message *why);
+
+/* The sentence `plan:line: ...`; returns STATUS_INPUT. */
+enum status plan_case_refuse(const struct plan *plan, int line, struct message *why,
+                             const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+/* The failure st of somebody who knows no plan, with what they said, at a line of this one:
+ * STATUS_INPUT. STATUS_OK and STATUS_MEMORY as they are. */
+enum status plan_case_pass(const struct plan *plan, int line, enum status st,
+                           const struct message *said, struct message *why);
+
+/* The file of a scene's name or path, a path seen from the plan's folder; *path is freed by
+ * the receiver. STATUS_INPUT: no such name. */
+enum status plan_case_find_scene(const struct plan *plan, const char *argument, char **path,
+                                 struct message *why);
+
+/* The key that a stand-in (derived_key.h) sets in this plan. */
+const char *plan_case_set_by(const struct plan *plan, const char *key);
 
 #endif

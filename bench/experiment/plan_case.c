@@ -1,4 +1,4 @@
-#include "bench/experiment/plan_case.h"
+#include "bench/experiment/plan.h"
 
 #include <math.h>
 #include <stdarg.h>

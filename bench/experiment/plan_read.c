@@ -1,10 +1,9 @@
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/experiment/plan_case.h"
 #include "bench/harness/derived_key.h"
 #include "bench/harness/measures.h"
 

@@ -1,34 +1,34 @@
-#include "bench/experiment/quantity.h"
+#include "bench/experiment/dataset.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/experiment/bench_solid.h"
-#include "bench/experiment/judge.h"
-#include "bench/experiment/study.h"
 #include "bench/truth/truth_plate.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
+/* The sheet there; NULL after a death. */
+static const double *sheet(const struct place *p)
+{
+    return p->s->row[p->level].frame[p->time].xyz;
+}
+
 /* Numbers that a level has whatever the time. */
 #define OF_LEVEL(name, value)                                                              \
-    static double name(const struct study_results *d, const struct study *s, int level,    \
-                       int time)                                                           \
+    static double name(const struct place *p)                                              \
     {                                                                                      \
-        const struct study_row *row = &s->row[level];                                      \
+        const struct study_row *row = &p->s->row[p->level];                                \
         const struct run_result *r = &row->result;                                         \
-        (void)d, (void)time, (void)r;                                                      \
         return row->left_out || run_result_refused(r) ? NAN : (value);                     \
     }
 
 /* Members of its frame at a time. */
 #define OF_FRAME(name)                                                                     \
-    static double name(const struct study_results *d, const struct study *s, int level,    \
-                       int time)                                                           \
+    static double name(const struct place *p)                                              \
     {                                                                                      \
-        (void)d;                                                                           \
-        return s->row[level].frame[time].name;                                             \
+        return p->s->row[p->level].frame[p->time].name;                                    \
     }
 
 static double a_step(const struct run_result *r, long count)
@@ -61,7 +61,7 @@ OF_LEVEL(frame_upper, isnan(row->milliseconds) ? NAN : MILLISECONDS(r->step, upp
 OF_LEVEL(assemble, MILLISECONDS(r->phase[BENCH_SOLID_ASSEMBLE], median))
 OF_LEVEL(factor, MILLISECONDS(r->phase[BENCH_SOLID_FACTOR], median))
 OF_LEVEL(solve, MILLISECONDS(r->phase[BENCH_SOLID_SOLVE], median))
-OF_LEVEL(paper, s->plan->truth ? NAN : row->paper_ms)
+OF_LEVEL(paper, p->s->plan->truth ? NAN : row->paper_ms)
 OF_LEVEL(seconds, row->seconds)
 OF_LEVEL(factorisations, a_step(r, r->work.factorisations))
 OF_LEVEL(solves, a_step(r, r->work.solves))
@@ -76,13 +76,9 @@ OF_FRAME(drop)
 OF_FRAME(unevenness)
 OF_FRAME(angle)
 
-static double crossings(const struct study_results *d, const struct study *s, int level,
-                        int time)
+static double crossings(const struct place *p)
 {
-    const double *xyz = s->row[level].frame[time].xyz;
-
-    (void)d;
-    return xyz ? metric_intersections(xyz) : NAN;
+    return sheet(p) ? metric_intersections(sheet(p)) : NAN;
 }
 
 /* Measures that did not come, such as the time of a crossing, are infinite. */
@@ -90,93 +86,88 @@ static double crossings(const struct study_results *d, const struct study *s, in
     OF_LEVEL(of_##name, isfinite(r->value[MEASURE_##code]) ? r->value[MEASURE_##code] : NAN)
 MEASURE_LIST(OF_RUN)
 
+/* The same time of the level that this one is compared with; false: there is none. */
+static bool find_other(const struct place *p, struct place *other)
+{
+    *other = *p;
+    other->level = study_reference(p->d, p->s, p->level);
+    return other->level >= 0;
+}
+
 /* A run that died is no solution, and its cost is compared with none. */
-static double of_reference(const struct study_results *d, const struct study *s, int level,
-                           int time)
+static double of_reference(const struct place *p)
 {
-    const int other = study_reference(d, s, level);
+    struct place other;
 
-    return other < 0 || s->row[level].result.outcome || s->row[other].result.outcome
+    return !find_other(p, &other) || p->s->row[p->level].result.outcome ||
+                   p->s->row[other.level].result.outcome
                ? NAN
-               : frame(d, s, level, time) / frame(d, s, other, time);
+               : frame(p) / frame(&other);
 }
 
-static double paper_of_reference(const struct study_results *d, const struct study *s,
-                                 int level, int time)
+static double paper_of_reference(const struct place *p)
 {
-    const int other = study_reference(d, s, level);
+    struct place other;
 
-    return other < 0 ? NAN : paper(d, s, level, time) / paper(d, s, other, time);
+    return find_other(p, &other) ? paper(p) / paper(&other) : NAN;
 }
 
-static double apart(const struct study_results *d, const struct study *s, int level,
-                    int time)
+static double apart(const struct place *p)
 {
-    const int other = study_reference(d, s, level);
+    struct place other;
 
-    return other < 0 || other == level ? NAN : study_distance(s, level, s, other, time);
+    return find_other(p, &other) && other.level != p->level ? study_distance(p, &other)
+                                                            : NAN;
 }
 
 /* The middle of the edge u = 1. */
-static double depth(const struct study_results *d, const struct study *s, int level,
-                    int time)
+static double depth(const struct place *p)
 {
-    const double *xyz = s->row[level].frame[time].xyz;
-
-    (void)d;
-    return xyz ? -truth_plate_edge(xyz, NULL) : NAN;
+    return sheet(p) ? -truth_plate_edge(sheet(p), NULL) : NAN;
 }
 
-static double speed(const struct study_results *d, const struct study *s, int level,
-                    int time)
+static double speed(const struct place *p)
 {
-    return time ? (depth(d, s, level, time) - depth(d, s, level, time - 1)) /
-                      (s->time[time] - s->time[time - 1])
-                : NAN;
+    struct place before = *p;
+    const double *time = p->s->time;
+
+    if (!before.time--)
+        return NAN;
+    return (depth(p) - depth(&before)) / (time[p->time] - time[before.time]);
 }
 
-static double tip(const struct study_results *d, const struct study *s, int level, int time)
+static double tip(const struct place *p)
 {
-    const struct study_row *row = &s->row[level];
-    const double *xyz = row->frame[time].xyz;
-
-    (void)d;
-    return xyz ? -truth_plate_edge(xyz, NULL) / s->length / row->theory : NAN;
+    return depth(p) / p->s->length / p->s->row[p->level].theory;
 }
 
-static double tip_of_reference(const struct study_results *d, const struct study *s,
-                               int level, int time)
+static double tip_of_reference(const struct place *p)
 {
-    const int other = study_reference(d, s, level);
-    const double own = tip(d, s, level, time);
+    struct place other;
 
-    return other < 0 ? own : own / tip(d, s, other, time);
+    return find_other(p, &other) ? tip(p) / tip(&other) : tip(p);
 }
 
-static double swing(const struct study_results *d, const struct study *s, int level,
-                    int time)
+static double swing(const struct place *p)
 {
-    const struct study_row *row = &s->row[level];
+    const struct study_row *row = &p->s->row[p->level];
     double *rest = row->left_out ? NULL : metric_rest_field(&row->run.scene);
     const double angle = rest ? metric_angle(&row->run.scene, rest) : NAN;
     double most = NAN;
 
-    (void)d;
-    for (int t = 0; t <= time; t++)
+    for (int t = 0; t <= p->time; t++)
         if (row->frame[t].xyz)
             most = fmax(most, metric_angle(&row->run.scene, row->frame[t].xyz) - angle);
     free(rest);
     return most;
 }
 
-static double edge_moved(const struct study_results *d, const struct study *s, int level,
-                         int time)
+static double edge_moved(const struct place *p)
 {
-    const double *xyz = s->row[level].frame[time].xyz;
-    double *rest = xyz ? metric_rest_field(&s->row[level].run.scene) : NULL,
+    const double *xyz = sheet(p);
+    double *rest = xyz ? metric_rest_field(&p->s->row[p->level].run.scene) : NULL,
            sum = rest ? 0 : NAN;
 
-    (void)d;
     for (int n = GRID_U - 1; rest && n < GRID_POINTS; n += GRID_U)
         for (int c = 0; c < 3; c++)
             sum += pow(xyz[3 * n + c] - rest[3 * n + c], 2);
@@ -184,123 +175,39 @@ static double edge_moved(const struct study_results *d, const struct study *s, i
     return sqrt(sum / (GRID_V * GRID_W));
 }
 
-static double apart_most(const struct study_results *d, const struct study *s, int level,
-                         int time)
+static double apart_most(const struct place *p)
 {
-    double most = apart(d, s, level, 0);
+    struct place at = *p;
+    double most = -INFINITY;
 
-    (void)time;
-    for (int t = 1; t < s->frames; t++)
-        most = judge_most(most, apart(d, s, level, t));
+    for (at.time = 0; at.time < p->s->frames; at.time++)
+        most = judge_most(most, apart(&at));
     return most;
 }
 
 /* Over how far the truth has moved. */
-static double off(const struct study_results *d, const struct study *s, int level, int time)
+static double off(const struct place *p)
 {
-    double *rest = s->truth ? metric_rest_field(&s->row[level].run.scene) : NULL;
-    double moved = NAN;
+    const struct study *s = p->s;
+    double *rest = s->truth ? metric_rest_field(&s->row[p->level].run.scene) : NULL;
+    const double moved = rest ? metric_rmse(s->truth->xyz[p->time], rest) : NAN;
 
-    if (rest)
-        moved = metric_rmse(s->truth->xyz[time], rest);
     free(rest);
-    return error(d, s, level, time) * s->length / moved;
+    return error(p) * s->length / moved;
 }
 
-static double bar(const struct study_results *d, const struct study *s, int level, int time)
+static double bar(const struct place *p)
 {
-    (void)d, (void)level;
-    return s->truth ? s->truth->error[time] / s->length : NAN;
+    return p->s->truth ? p->s->truth->error[p->time] / p->s->length : NAN;
 }
 
-/* clang-format off */
 const struct quantity_row quantity_table[QUANTITIES] = {
-    [QUANTITY_SIZE] = {"size", "size", NULL, 3, false, size,
-        "what the plan calls the size of a level: a mesh width, a step [s], ..."},
-    [QUANTITY_CONTROL_POINTS] = {"control_points", "points", NULL, 0, false, control_points,
-        "points of the net"},
-    [QUANTITY_UNKNOWNS] = {"unknowns", "unknowns", NULL, 0, false, unknowns,
-        "components of points that are not held"},
-    [QUANTITY_FACTOR_ENTRIES] = {"factor_entries", "factor", NULL, 0, false, factor_entries,
-        "numbers stored in the factor"},
-    [QUANTITY_CREATE] = {"create_ms", "set-up", "ms", 3, false, create,
-        "building the model, median over repeats"},
-    [QUANTITY_FRAME] = {"frame_ms", "a frame", "ms", 3, false, frame,
-        "a time step, or the equilibrium: median over repeats, one thread"},
-    [QUANTITY_FRAME_LOWER] = {"frame_lower_ms", "", "ms", 3, false, frame_lower,
-        "lower quartile of a frame's milliseconds"},
-    [QUANTITY_FRAME_UPPER] = {"frame_upper_ms", "", "ms", 3, false, frame_upper,
-        "upper quartile of them"},
-    [QUANTITY_OF_REFERENCE] = {"of_reference", "of reference", NULL, 3, false, of_reference,
-        "a frame's milliseconds over those of the reference"},
-    [QUANTITY_ASSEMBLE] = {"assemble_ms", "K and M", "ms", 3, false, assemble,
-        "assembly of K and M alone"},
-    [QUANTITY_FACTOR] = {"factor_ms", "factor", "ms", 3, false, factor,
-        "one factorisation alone"},
-    [QUANTITY_SOLVE] = {"solve_ms", "solve", "ms", 3, false, solve,
-        "one solution with the factor alone"},
-    [QUANTITY_PAPER] = {"paper_ms", "paper", "ms", 0, false, paper,
-        "what the paper prints for a frame"},
-    [QUANTITY_PAPER_OF_REFERENCE] = {"paper_of_reference", "paper's", NULL, 3, false,
-        paper_of_reference, "the paper's milliseconds over its own for the reference"},
-    [QUANTITY_SECONDS] = {"stepping_s", "stepping", "s", 3, false, seconds,
-        "all frames to the last time"},
-    [QUANTITY_FACTORISATIONS] = {"factorisations", "factors", "a frame", 3, false, factorisations,
-        "factorisations, mean over the frames"},
-    [QUANTITY_SOLVES] = {"solves", "solves", "a frame", 3, false, solves,
-        "products with the factor or the preconditioner, mean over the frames"},
-    [QUANTITY_ITERATIONS] = {"iterations", "iterations", "a frame", 3, false, iterations,
-        "iterations of the step, mean over the frames"},
-    [QUANTITY_APART] = {"apart", "apart", "L", 2, true, apart,
-        "rms distance to the reference on the material grid, over the length"},
-    [QUANTITY_TIP] = {"tip", "tip", NULL, 4, false, tip,
-        "how far the middle of a cantilever's free edge drops, over Kirchhoff's plate or, "
-        "not linear, over a strip, the elastica"},
-    [QUANTITY_TIP_OF_REFERENCE] = {"tip_of_reference", "over reference", NULL, 4, false,
-        tip_of_reference, "tip over that of the reference; without one, tip"},
-    [QUANTITY_DEPTH] = {"depth", "depth", "m", 4, true, depth,
-        "how far the middle of the edge u = 1 is below z = 0"},
-    [QUANTITY_SPEED] = {"speed", "speed", "m/s", 4, true, speed,
-        "mean speed at which it sinks, since the time before"},
-    [QUANTITY_SWING] = {"swing", "swing", "degrees", 3, true, swing,
-        "largest turn, at any of the times so far, of the line between the middles of the "
-        "edges u = 0 and 1 out of its angle at rest"},
-    [QUANTITY_EDGE_MOVED] = {"edge_moved", "edge moved", "m", 3, true, edge_moved,
-        "rms displacement of the edge u = 1"},
-    [QUANTITY_DEATH] = {"death_s", "death", "s", 3, false, death,
-        "when the run died"},
-    [QUANTITY_APART_MOST] = {"apart_most", "most apart", "L", 2, false, apart_most,
-        "the largest of these distances over all times"},
-    [QUANTITY_NEXT] = {"to_next", "to next", "L", 3, true, next,
-        "rms distance to the next level"},
-    [QUANTITY_FINEST] = {"to_finest", "to finest", "L", 3, true, finest,
-        "rms distance to the last level"},
-    [QUANTITY_ERROR] = {"error", "error", "L", 3, true, error,
-        "rms distance to the scene's truth"},
-    [QUANTITY_OFF] = {"off", "off", NULL, 3, true, off,
-        "rms distance to the truth over the rms way that the truth has moved"},
-    [QUANTITY_BAR] = {"error_bar", "error bar", "L", 2, true, bar,
-        "error bar of the truth"},
-    [QUANTITY_ROUGHNESS] = {"roughness", "roughness", NULL, 3, true, roughness,
-        "length times the rms curvature"},
-    [QUANTITY_INNER] = {"inner_roughness", "inner", NULL, 3, true, inner,
-        "the same away from the edges"},
-    [QUANTITY_STRETCH] = {"stretch", "stretch", NULL, 4, true, stretch,
-        "largest principal stretch"},
-    [QUANTITY_DROP] = {"drop", "drop", "L", 4, true, drop,
-        "lowest point below the support"},
-    [QUANTITY_UNEVENNESS] = {"unevenness", "unevenness", NULL, 3, true, unevenness,
-        "rms change of the curvature over it, per length"},
-    [QUANTITY_ANGLE] = {"angle_degrees", "angle", "degrees", 3, true, angle,
-        "angle of the middle line below level"},
-    [QUANTITY_CROSSINGS] = {"crossings", "crossings", "pairs", 0, true, crossings,
-        "pairs of the mid-surface's triangles that cross"},
-#define QUANTITY_MEASURE(code, name, unit, sentence)                                       \
+#define ROW(code, function, name, head, unit, digits, moves, help)                         \
+    [QUANTITY_##code] = {name, head, unit, digits, moves, function, help},
+    QUANTITY_LIST(ROW)
+#define OF_MEASURE(code, name, unit, sentence)                                             \
     [QUANTITY_##code] = {#name, #name, unit, 3, false, of_##name, sentence},
-    MEASURE_LIST(QUANTITY_MEASURE)
-#undef QUANTITY_MEASURE
-};
-/* clang-format on */
+        MEASURE_LIST(OF_MEASURE)};
 
 int quantity_find(const char *name)
 {

@@ -269,22 +269,11 @@ static void compare(struct study *s, int t)
     }
 }
 
-static enum status read_scene(const struct plan *plan, const struct plan_study *study,
-                              struct scene *scene, struct message *why)
-{
-    struct plan_case c;
-    enum status st = plan_case_level(plan, study, NULL, false, &c, why);
-
-    if (st == STATUS_OK)
-        st = plan_case_scene(&c, scene, why);
-    plan_case_clear(&c);
-    return st;
-}
-
 static enum status read_one(const struct plan *plan, const struct plan_study *study,
                             const char *folder, bool quick, struct study *s,
                             struct message *why)
 {
+    struct plan_case all = {0};
     struct scene scene = {0};
     enum status st;
 
@@ -295,7 +284,8 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
         s->row[n].level = &study->levels[n];
         s->row[n].left_out = quick && study->levels[n].slow;
     }
-    TRY(read_scene(plan, study, &scene, why));
+    TRY(plan_case_level(plan, study, NULL, false, &all, why));
+    TRY(plan_case_scene(&all, &scene, why));
     s->gamma = scene_gamma(&scene);
     s->length = scene.length;
     for (int n = 0; n < study->level_count; n++)
@@ -316,6 +306,7 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
         compare(s, t);
     }
 out:
+    plan_case_clear(&all);
     scene_clear(&scene);
     return st;
 }
@@ -361,13 +352,12 @@ const struct study *study_find(const struct study_results *r, const char *name)
     return NULL;
 }
 
-double study_distance(const struct study *s, int level, const struct study *other,
-                      int of_other, int time)
+double study_distance(const struct place *a, const struct place *b)
 {
-    const double *a = s->row[level].frame[time].xyz;
-    const double *b = other->row[of_other].frame[time].xyz;
+    const double *one = a->s->row[a->level].frame[a->time].xyz;
+    const double *other = b->s->row[b->level].frame[a->time].xyz;
 
-    return a && b ? metric_rmse(a, b) / s->length : NAN;
+    return one && other ? metric_rmse(one, other) / a->s->length : NAN;
 }
 
 int study_reference(const struct study_results *d, const struct study *s, int level)

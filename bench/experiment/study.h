@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "bench/experiment/measurement.h"
-#include "bench/experiment/plan_case.h"
+#include "bench/experiment/plan.h"
 #include "bench/harness/run.h"
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth.h"
@@ -55,6 +55,13 @@ struct study_results {
     char machine[4096];  /* a file whose provenance holds for all                       */
 };
 
+/* A level of a study at one of the study's times, both from 0. */
+struct place {
+    const struct study_results *d;
+    const struct study *s;
+    int level, time;
+};
+
 /* Runs and times all levels of all studies, interleaved, and their truths. Deaths and
  * refusals are results. */
 enum status study_measure(const struct plan *plan, const char *folder,
@@ -76,10 +83,9 @@ double study_order(const struct study *s, int time);
 /* The level that the plan has this one compared with; -1: there is none. */
 int study_reference(const struct study_results *r, const struct study *s, int level);
 
-/* rms distance of two levels at a time of both, over the first one's length; NaN: one did
- * not live to see it. */
-double study_distance(const struct study *s, int level, const struct study *other,
-                      int of_other, int time);
+/* rms distance of two levels at the first one's time, over its length; NaN: one did not
+ * live to see it. */
+double study_distance(const struct place *a, const struct place *b);
 
 /* --- What is printed of one (study_print.c). */
 

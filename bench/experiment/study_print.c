@@ -63,55 +63,41 @@ static enum status print_cost(const struct study *s, enum table_format format, F
     return table_finish(t, format, file);
 }
 
-/* The columns of a row that stand for a sheet at a time, the truth's or a level's. */
-static void metric_cells(struct table *t, const struct study_frame *f)
-{
-    print_numbers(t, "33443",
-                  (double[]){f->roughness, f->inner, f->stretch, f->drop, f->unevenness});
-}
-
 static double bar_of(const struct study *s, int time)
 {
     return s->truth ? s->truth->error[time] / s->length : NAN;
 }
 
+/* A level at a time; n: all levels: the truth's own numbers, below them. */
 static void motion_row(struct table *t, const struct study *s, int n, int time)
 {
-    const struct study_row *row = &s->row[n];
-    const struct study_frame *f = &row->frame[time];
+    const bool truth = n == s->plan->level_count;
+    const struct study_row *row = truth ? NULL : &s->row[n];
+    const struct study_frame *f = truth ? &s->true_frame[time] : &row->frame[time];
+    const bool ran = row && !run_result_refused(&row->result);
 
     table_row(t);
     table_fixed(t, time_of(s, time), 3);
-    table_text(t, "%s", row->level->label);
-    table_number(t, row->level->size, 3);
+    table_text(t, "%s", truth ? "truth" : row->level->label);
+    table_number(t, truth ? NAN : row->level->size, 3);
     table_number(t, time_of(s, time), 3);
-    table_fixed(t, run_result_refused(&row->result) ? NAN : row->result.unknowns, 0);
-    table_fixed(t, run_result_refused(&row->result) ? NAN : row->result.factor_entries, 0);
-    print_numbers(t, "343333",
-                  (double[]){row->milliseconds, paper_of(s, n), row->seconds, f->next,
-                             f->finest, f->error});
-    table_missing(t, "%s", "");
-    table_number(t, f->error, 3);
-    table_number(t, bar_of(s, time), 2);
-    metric_cells(t, f);
-}
-
-/* The truth's own numbers, below the levels. */
-static void true_row(struct table *t, const struct study *s, int time)
-{
-    enum { OF_LEVELS = 7 }; /* columns from size to stepping; the second is the time */
-
-    table_row(t);
-    table_fixed(t, time_of(s, time), 3);
-    table_text(t, "truth");
-    for (int n = 0; n < OF_LEVELS; n++)
-        table_number(t, n == 1 ? time_of(s, time) : NAN, 3);
-    for (int n = 0; n < 3; n++)
+    table_fixed(t, ran ? row->result.unknowns : NAN, 0);
+    table_fixed(t, ran ? row->result.factor_entries : NAN, 0);
+    table_number(t, truth ? NAN : row->milliseconds, 3);
+    table_number(t, truth ? NAN : paper_of(s, n), 4);
+    table_number(t, truth ? NAN : row->seconds, 3);
+    for (int k = 0; k < 3 && truth; k++)
         table_missing(t, "%s", "");
+    if (truth)
+        table_number(t, bar_of(s, time), 2);
+    else
+        print_numbers(t, "333", (double[]){f->next, f->finest, f->error});
+    if (!truth)
+        table_missing(t, "%s", "");
+    table_number(t, truth ? 0 : f->error, 3);
     table_number(t, bar_of(s, time), 2);
-    table_number(t, 0, 3);
-    table_number(t, bar_of(s, time), 2);
-    metric_cells(t, &s->true_frame[time]);
+    print_numbers(t, "33443",
+                  (double[]){f->roughness, f->inner, f->stretch, f->drop, f->unevenness});
 }
 
 /* A row for each time and level, and one for the truth. */
@@ -145,18 +131,14 @@ static struct table *motion_of(const struct study *s)
     for (int time = 0; time < s->frames; time++) {
         if (time)
             table_rule(t);
-        for (int n = 0; n < s->plan->level_count; n++)
+        for (int n = 0; n < s->plan->level_count + (s->truth != NULL); n++)
             motion_row(t, s, n, time);
-        if (s->truth)
-            true_row(t, s, time);
     }
     return t;
 }
 
-static enum status print_motion(const struct study *s, enum table_format format, FILE *file)
+static void note_motion(struct table *t, const struct study *s)
 {
-    struct table *t = motion_of(s);
-
     for (int time = 0; time < s->frames; time++) {
         double order = study_order(s, time);
         if (isnan(order))
@@ -178,7 +160,6 @@ static enum status print_motion(const struct study *s, enum table_format format,
         table_note(t, "Truth: %s.", s->truth->source);
     else if (s->plan->truth)
         table_note(t, "Truth: none; %s.", s->no_truth.text);
-    return table_finish(t, format, file);
 }
 
 /* The truth's error bar at a time, across the levels' seconds. */
@@ -250,29 +231,25 @@ enum status study_print_sheets(const struct study *s, const char *folder,
     return picture_save(folder, name, columns, count, panels, why);
 }
 
-static enum status print_files(const struct study *s, const char *folder,
-                               struct message *why)
-{
-    struct table *t = motion_of(s);
-    enum status st;
-
-    TRY(table_save(t, folder, s->plan->name, why));
-    TRY(chart_save(chart_of(s, t), folder, s->plan->name, why));
-    TRY(study_print_sheets(s, folder, why));
-out:
-    table_destroy(t);
-    return st;
-}
-
 enum status study_print(const struct study *s, const char *folder, enum table_format format,
                         FILE *file, struct message *why)
 {
+    struct table *t = motion_of(s);
+    struct chart *chart = chart_of(s, t);
     enum status st;
 
+    note_motion(t, s);
     TRY(print_cost(s, format, file));
-    TRY(print_motion(s, format, file));
-    TRY(print_files(s, folder, why));
+    st = table_publish(t, folder, s->plan->name, format, file, why);
+    t = NULL;
+    TRY(st);
+    st = chart_save(chart, folder, s->plan->name, why);
+    chart = NULL;
+    TRY(st);
+    TRY(study_print_sheets(s, folder, why));
 out:
+    table_destroy(t);
+    chart_destroy(chart);
     return st;
 }
 
@@ -281,8 +258,7 @@ enum status study_print_all(const struct study_results *r, const char *folder,
 {
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < r->count; n++)
-        TRY(study_print(&r->study[n], folder, format, file, why));
-out:
+    for (int n = 0; n < r->count && st == STATUS_OK; n++)
+        st = study_print(&r->study[n], folder, format, file, why);
     return st;
 }

@@ -20,6 +20,7 @@ struct judged {
     const struct stress_job *job; /*                                          borrowed */
     struct run run;
     struct stress_result *result; /* to be filled                             borrowed */
+    struct message *why;          /* of who judges                            borrowed */
     double *xyz, *first;          /* fields (grid.h), room for judges        xyz owned */
     struct kirchhoff *plate;      /* of the judges that need it                  owned */
     double load;                  /* on that plate [N/m^2]                             */
@@ -90,7 +91,7 @@ static enum status watch_time(void *context, const struct motion *m, struct mess
 
 /* Through the scene's motion, watch(run) at every frame (NULL: nobody); a death leaves its
  * time and sentence. */
-static enum status move(struct judged *r, motion_watcher *watch, struct message *why)
+static enum status move(struct judged *r, motion_watcher *watch)
 {
     const struct run *run = &r->run;
     struct motion m = {0};
@@ -98,25 +99,25 @@ static enum status move(struct judged *r, motion_watcher *watch, struct message 
 
     TRY(motion_init(&m, run->model, &run->scene, run->state));
     r->watch = watch;
-    TRY(motion_run(&m, watch_time, r, true, why));
+    TRY(motion_run(&m, watch_time, r, true, r->why));
     if (!m.death)
         goto out;
     r->result->time = m.death_time;
-    st = status_fail(why, m.death, "%s", status_text(m.death));
+    st = status_fail(r->why, m.death, "%s", status_text(m.death));
 out:
     motion_clear(&m);
     return st;
 }
 
 /* To static equilibrium; by damped motion where the model has no other way. */
-static enum status settle(struct judged *r, struct message *why)
+static enum status settle(struct judged *r)
 {
     struct counters counters = {0};
     enum status st;
 
     if (!r->run.model->equilibrium)
-        return move(r, NULL, why);
-    st = run_settle(&r->run, &counters, why);
+        return move(r, NULL);
+    st = run_settle(&r->run, &counters, r->why);
     if (status_is_death(st))
         r->result->time = 0;
     return st;
@@ -151,7 +152,7 @@ static const double tip[3] = {1, 0.5, 0.5}, middle[3] = {0.5, 0.5, 0.5};
 /* Functions a direction: 24 give statics to 1e-6. */
 enum { TERMS = 24 };
 
-static enum status make_plate(struct judged *r, struct message *why)
+static enum status make_plate(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
     const struct kirchhoff_plate plate = {s->length, s->width,   s->thickness,
@@ -159,29 +160,27 @@ static enum status make_plate(struct judged *r, struct message *why)
     enum status st = kirchhoff_create(&plate, TERMS, &r->plate);
 
     r->load = s->density * s->thickness * -s->gravity[2];
-    return st == STATUS_OK ? st : status_fail(why, st, "%s", status_text(st));
+    return st == STATUS_OK ? st : status_fail(r->why, st, "%s", status_text(st));
 }
 
-static enum status end_plate(struct judged *r, struct message *why)
+static enum status end_plate(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
     double d[3];
 
-    (void)why;
     displacement(r, tip, d);
     r->result->error =
         fabs(-d[2] / kirchhoff_static(r->plate, r->load, s->length, s->width / 2) - 1);
     return STATUS_OK;
 }
 
-static enum status end_elastica(struct judged *r, struct message *why)
+static enum status end_elastica(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
     struct elastica e;
     double d[3];
     enum status st;
 
-    (void)why;
     TRY(elastica_solve(scene_gamma(s), &e));
     displacement(r, tip, d);
     r->result->error = hypot(d[0] / s->length + 1 - e.reach, d[2] / s->length + e.drop);
@@ -218,7 +217,7 @@ static void change_units(struct scene *s, double length, double mass, double tim
 }
 
 /* The same once more in other units, in which it may die, too. */
-static enum status end_similar(struct judged *r, struct message *why)
+static enum status end_similar(struct judged *r)
 {
     const struct stress_case *c = r->job->c;
     struct judged other = *r;
@@ -226,10 +225,10 @@ static enum status end_similar(struct judged *r, struct message *why)
 
     other.run = (struct run){0};
     r->run.model->sample(r->run.state, r->xyz);
-    TRY(read_run(r->job, &other.run, why));
+    TRY(read_run(r->job, &other.run, r->why));
     change_units(&other.run.scene, c->length, c->mass, c->time);
-    TRY(run_build(&other.run, why));
-    TRY(move(&other, NULL, why));
+    TRY(run_build(&other.run, r->why));
+    TRY(move(&other, NULL));
     other.run.model->sample(other.run.state, r->first);
     for (size_t n = 0; n < 3 * GRID_POINTS; n++)
         r->first[n] *= c->length;
@@ -240,7 +239,7 @@ out:
     return st;
 }
 
-static enum status begin_energy(struct judged *r, struct message *why)
+static enum status begin_energy(struct judged *r)
 {
     struct energy rest = {NAN, NAN, NAN};
 
@@ -248,7 +247,7 @@ static enum status begin_energy(struct judged *r, struct message *why)
         r->run.model->energy(r->run.state, &rest);
     return isfinite(rest.elastic)
                ? STATUS_OK
-               : status_fail(why, STATUS_UNSUPPORTED,
+               : status_fail(r->why, STATUS_UNSUPPORTED,
                              "unsupported: no elastic energy that could be kept");
 }
 
@@ -265,11 +264,10 @@ static enum status watch_energy(void *context, const struct motion *m, struct me
     return STATUS_OK;
 }
 
-static enum status end_energy(struct judged *r, struct message *why)
+static enum status end_energy(struct judged *r)
 {
     double *drift = malloc((size_t)r->frames * sizeof *drift), most = 0, least = 0;
 
-    (void)why;
     if (!drift)
         return STATUS_MEMORY;
     metric_energy_drift(r->frames, r->energies, drift);
@@ -284,12 +282,11 @@ static enum status end_energy(struct judged *r, struct message *why)
     return STATUS_OK;
 }
 
-static enum status end_buckled(struct judged *r, struct message *why)
+static enum status end_buckled(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
     double d[3], shift[3];
 
-    (void)why;
     scene_support_shift(&s->supports[s->support_count - 1], s->end, shift);
     displacement(r, middle, d);
     r->result->error =
@@ -308,20 +305,19 @@ static enum status watch_still(void *context, const struct motion *m, struct mes
     return STATUS_OK;
 }
 
-static enum status begin_still_rest(struct judged *r, struct message *why)
+static enum status begin_still_rest(struct judged *r)
 {
     return r->run.model->equilibrium
-               ? settle(r, why)
-               : status_fail(why, STATUS_UNSUPPORTED,
+               ? settle(r)
+               : status_fail(r->why, STATUS_UNSUPPORTED,
                              "unsupported: no static equilibrium to start from");
 }
 
-static enum status end_shifted(struct judged *r, struct message *why)
+static enum status end_shifted(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
     double shift[3], *rest = metric_rest_field(s);
 
-    (void)why;
     if (!rest)
         return STATUS_MEMORY;
     scene_support_shift(&s->supports[0], s->end, shift);
@@ -333,13 +329,14 @@ static enum status end_shifted(struct judged *r, struct message *why)
     return STATUS_OK;
 }
 
-static enum status begin_shell(struct judged *r, struct message *why)
+static enum status begin_shell(struct judged *r)
 {
     const struct message *lost = r->job->no_truth;
     struct message missing = {""};
 
     if (stress_find_truth(r->job, false, &r->truth, &missing) != STATUS_OK)
-        return status_fail(why, STATUS_UNSUPPORTED, "no truth to hold it against: %.900s",
+        return status_fail(r->why, STATUS_UNSUPPORTED,
+                           "no truth to hold it against: %.900s",
                            lost && *lost->text ? lost->text : missing.text);
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
              "the truth's error bar is %.2g",
@@ -363,10 +360,10 @@ static enum status watch_shell(void *context, const struct motion *m, struct mes
 
 /* How a case of each truth is judged. */
 static const struct {
-    enum status (*begin)(struct judged *r, struct message *why); /* NULL: nothing to do  */
-    bool rests;                                                  /* instead of moving    */
+    enum status (*begin)(struct judged *r); /* NULL: nothing to do */
+    bool rests;                             /* instead of moving    */
     motion_watcher *watch;
-    enum status (*end)(struct judged *r, struct message *why); /* NULL: `watch` told all */
+    enum status (*end)(struct judged *r); /* NULL: `watch` told all */
 } judges[STRESS_TRUTHS] = {
     [STRESS_PLATE] = {make_plate, true, NULL, end_plate},
     [STRESS_ELASTICA] = {NULL, true, NULL, end_elastica},
@@ -380,14 +377,14 @@ static const struct {
     [STRESS_SHELL] = {begin_shell, false, watch_shell, NULL},
 };
 
-static enum status judge(struct judged *r, struct message *why)
+static enum status judge(struct judged *r)
 {
     const enum stress_truth n = r->job->c->truth;
     enum status st;
 
-    TRY(judges[n].begin ? judges[n].begin(r, why) : STATUS_OK);
-    TRY(judges[n].rests ? settle(r, why) : move(r, judges[n].watch, why));
-    TRY(judges[n].end ? judges[n].end(r, why) : STATUS_OK);
+    TRY(judges[n].begin ? judges[n].begin(r) : STATUS_OK);
+    TRY(judges[n].rests ? settle(r) : move(r, judges[n].watch));
+    TRY(judges[n].end ? judges[n].end(r) : STATUS_OK);
 out:
     return st;
 }
@@ -412,8 +409,8 @@ static enum status settle_result(enum status st, const struct message *said,
 enum status stress_judge(const struct stress_job *job, struct stress_result *result,
                          struct message *why)
 {
-    struct judged r = {.job = job, .result = result};
     struct message said = {""};
+    struct judged r = {.job = job, .result = result, .why = &said};
     const double start = clock_processor();
     enum status st;
 
@@ -424,7 +421,7 @@ enum status stress_judge(const struct stress_job *job, struct stress_result *res
     r.first = r.xyz + 3 * GRID_POINTS;
     TRY(read_run(job, &r.run, &said));
     TRY(run_build(&r.run, &said));
-    st = judge(&r, &said);
+    st = judge(&r);
 out:
     result->seconds = clock_processor() - start;
     kirchhoff_destroy(r.plate);

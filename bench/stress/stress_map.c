@@ -10,9 +10,7 @@
 #include "bench/files/store.h"
 #include "bench/stress/stress.h"
 #include "bench/sweep/sweep.h"
-#include "bench/sweep/sweep_map.h"
-#include "bench/sweep/sweep_row.h"
-#include "bench/experiment/plan_read.h"
+#include "bench/experiment/plan.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
@@ -28,13 +26,6 @@ static const char *const stiffnesses[] = {"[1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9]",
                                           "[1e4, 1e6, 1e8]"};
 #define QUICK " --quick" /* in the source of the map's plan */
 enum { SIDE = 6, TIME_LIMIT = 600, TIMES = 3, ENDS = STRESS_UNJUDGED };
-
-static void find_paths(const char *folder, char map[SWEEP_FOLDER_PATH],
-                       char plan[SWEEP_FOLDER_PATH])
-{
-    snprintf(map, SWEEP_FOLDER_PATH, "%s/map", folder);
-    snprintf(plan, SWEEP_FOLDER_PATH, "%s/map/plan.yaml", folder);
-}
 
 static enum status write_plan(const char *path, const struct stress_choice *choice,
                               struct message *why)
@@ -74,7 +65,8 @@ enum status stress_map_measure(const char *folder, const struct stress_choice *c
     struct plan plan = {0};
     enum status st;
 
-    find_paths(folder, map, path);
+    snprintf(map, sizeof map, "%s/map", folder);
+    snprintf(path, sizeof path, "%s/map/plan.yaml", folder);
     TRY(folder_make(map, why));
     TRY(write_plan(path, choice, why));
     TRY(plan_read(path, &plan, why));
@@ -134,7 +126,8 @@ static enum status open_map(struct map *m, const char *folder, bool *there,
     enum status st = STATUS_OK;
 
     *m = (struct map){.folder = {.lock = -1, .log = -1}};
-    find_paths(folder, m->folder.path, path);
+    snprintf(m->folder.path, sizeof m->folder.path, "%s/map", folder);
+    snprintf(path, sizeof path, "%s/map/plan.yaml", folder);
     *there = access(path, R_OK) == 0;
     if (!*there)
         return st;
@@ -156,16 +149,14 @@ static void clear_map(struct map *m)
     table_destroy(m->spots);
 }
 
-/* Takes the run with the finest step over. */
-static enum status set_reference(struct map *m, struct run_result *r, const char *path,
-                                 struct message *why)
+/* How far the run with the finest step has moved. */
+static enum status find_moved(struct map *m, const char *path, struct message *why)
 {
     struct store_read *file = NULL;
     struct scene scene = {0};
     double *rest = NULL;
     enum status st;
 
-    HAND_OVER(&m->reference, *r);
     TRY(store_read_open(path, &file, why));
     TRY(store_scene(file, path, &scene, why));
     rest = metric_rest_field(&scene);
@@ -192,21 +183,6 @@ static double worst(const struct map *m, const struct run_result *r)
     return error;
 }
 
-/* Of a run that came to its end: its error, and what that makes of it. */
-static enum status compare(struct map *m, bool finest, struct sweep_row *row,
-                           const char *path, double *error, enum stress_end *end,
-                           struct message *why)
-{
-    enum status st = STATUS_OK;
-
-    if (finest)
-        TRY(set_reference(m, &row->result, path, why));
-    *error = worst(m, finest ? &m->reference : &row->result);
-    *end = *error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
-out:
-    return st;
-}
-
 /* *label: how the case ended; *end: the same, STRESS_ENDS: nobody knows. */
 static enum status judge(struct map *m, long number, struct sweep_row *row,
                          enum stress_end *end, const char **label, double *error,
@@ -218,18 +194,23 @@ static enum status judge(struct map *m, long number, struct sweep_row *row,
 
     sweep_folder_file(&m->folder, number, "h5", path);
     TRY(sweep_row_read(&m->folder, number, NULL, true, row));
+    const bool open = sweep_row_is_open(row), refused = run_result_refused(&row->result);
+    const bool ran = row->state == SWEEP_ROW_RAN && row->result.outcome == STATUS_OK;
     if (finest) {
         run_result_clear(&m->reference);
-        m->lost = sweep_row_is_open(row);
+        m->lost = open;
+        if (ran) {
+            HAND_OVER(&m->reference, row->result);
+            TRY(find_moved(m, path, why));
+        }
     }
-    const bool ran = row->state == SWEEP_ROW_RAN && row->result.outcome == STATUS_OK;
-    *error = NAN;
-    *end = run_result_refused(&row->result) ? STRESS_REFUSED : STRESS_DIED;
-    if (sweep_row_is_open(row) || (ran && m->lost))
-        *end = STRESS_ENDS;
-    else if (ran)
-        TRY(compare(m, finest, row, path, error, end, why));
-    *label = finest && m->reference.xyz        ? "reference"
+    *error = ran ? worst(m, finest ? &m->reference : &row->result) : NAN;
+    *end = open || (ran && m->lost) ? STRESS_ENDS
+           : refused                ? STRESS_REFUSED
+           : !ran                   ? STRESS_DIED
+           : *error <= bound        ? STRESS_ACCURATE
+                                    : STRESS_DEGRADED;
+    *label = finest && ran                     ? "reference"
              : *end != STRESS_ENDS             ? stress_end_name[*end]
              : row->state == SWEEP_ROW_DAMAGED ? "damaged"
              : ran                             ? "not judged"

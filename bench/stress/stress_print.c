@@ -150,10 +150,28 @@ static void add_truth(struct table *t, const struct stress_case *c, bool quick)
     table_text(t, "%s", stress_truth_text[c->truth]);
 }
 
+/* How a run ended, in a word, and with everything. */
+static void add_row(struct tables *t, const struct stress_case *c,
+                    const struct contestant *contestant, const char *end,
+                    const struct stress_result *r)
+{
+    struct table *details = t->table[DETAILS];
+
+    table_row(details);
+    table_text(details, "%s", c->item.name);
+    table_text(details, "%s", contestant->name);
+    table_number(details, c->bound, 1);
+    table_text(details, "%s", end);
+    table_number(details, isfinite(r->error) ? r->error : NAN, 3);
+    table_number(details, r->time, 3);
+    table_fixed(details, r->seconds, 2);
+    table_text(details, "%s", r->sentence.text);
+}
+
 static void add_result(struct tables *t, const struct stress_case *c,
                        const struct contestant *contestant, const struct stress_result *r)
 {
-    struct table *overview = t->table[OVERVIEW], *details = t->table[DETAILS];
+    struct table *overview = t->table[OVERVIEW];
     const enum stress_end end = stress_result_end(r, c->bound);
 
     t->count[end]++;
@@ -163,37 +181,19 @@ static void add_result(struct tables *t, const struct stress_case *c,
         table_text(overview, "died %.2g s", r->time);
     else if (end == STRESS_UNJUDGED && isfinite(r->error))
         table_text(overview, "quick %.0e", r->error);
-    else if (end == STRESS_UNJUDGED)
-        table_text(overview, "quick");
     else
-        table_text(overview, "%s", stress_end_name[end]);
-
-    table_row(details);
-    table_text(details, "%s", c->item.name);
-    table_text(details, "%s", contestant->name);
-    table_number(details, c->bound, 1);
-    table_text(details, "%s", stress_end_name[end]);
-    table_number(details, isfinite(r->error) ? r->error : NAN, 3);
-    table_number(details, r->time, 3);
-    table_fixed(details, r->seconds, 2);
-    table_text(details, "%s", r->sentence.text);
+        table_text(overview, "%s", end == STRESS_UNJUDGED ? "quick" : stress_end_name[end]);
+    add_row(t, c, contestant, stress_end_name[end], r);
 }
 
 static void add_damaged(struct tables *t, const struct stress_case *c,
-                        const struct contestant *contestant, const char *why)
+                        const struct contestant *contestant, const struct message *why)
 {
-    struct table *details = t->table[DETAILS];
-
     t->damaged++;
     table_text(t->table[OVERVIEW], "damaged");
-    table_row(details);
-    table_text(details, "%s", c->item.name);
-    table_text(details, "%s", contestant->name);
-    table_number(details, c->bound, 1);
-    table_text(details, "damaged");
-    for (int n = 0; n < 3; n++)
-        table_dash(details);
-    table_text(details, "%s", why);
+    add_row(t, c, contestant, "damaged",
+            &(struct stress_result){
+                .error = NAN, .time = NAN, .seconds = NAN, .sentence = *why});
 }
 
 /* How many files a case has, of the contestants that were asked for, and how many of them
@@ -234,7 +234,7 @@ static void add_case(struct tables *t, const char *folder,
         else if (st == STATUS_FILE)
             table_dash(t->table[OVERVIEW]);
         else
-            add_damaged(t, c, at, why.text);
+            add_damaged(t, c, at, &why);
     }
     table_rule(t->table[DETAILS]);
 }

@@ -1,4 +1,4 @@
-#include "bench/studies/distribution.h"
+#include "bench/studies/studies.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,9 +6,59 @@
 
 extern const struct command studies_command, studies_table_command;
 
-/* Of headers of their own. */
+enum { STUDIES_SCENES = 8 }; /* most that study ensemble takes */
+
+/* --- Ensembles (study_ensemble.c): beyond the horizon, where a change of 1e-6 has grown a
+ * thousandfold, points cannot be compared, but distributions can (doc/truths.md). */
+
+/* The first two ensembles are the truth's, contestants follow. */
+enum { STUDY_ENSEMBLE_TRUTHS = 2, STUDY_ENSEMBLE_MOST = STUDY_ENSEMBLE_TRUTHS + 16 };
+enum { STUDY_ENSEMBLE_NUMBERS = 9, STUDY_ENSEMBLE_FIELDS = 12 };
+
+struct study_ensemble {
+    char scene[64];
+    bool quick;
+    int runs, looks, fields, count;           /* count of ensembles                     */
+    double *time;                             /* [looks] [s]                      owned */
+    double field_time[STUDY_ENSEMBLE_FIELDS]; /* of points, up to the end [s]           */
+    struct study_ensemble_one {
+        char title[96], net[24];
+        int lived, died; /* runs that came to the end, and others, of which the first:  */
+        struct message sentence;
+        double growth[STUDY_ENSEMBLE_FIELDS]; /* rms spread of points / (1e-6 L)        */
+        double points[STUDY_ENSEMBLE_FIELDS]; /* mean positions off the truth's / L     */
+        double *value;                        /* [NUMBERS][looks][runs]           owned */
+    } one[STUDY_ENSEMBLE_MOST];
+};
+
+/* Judges the contestants and prints tables, sentences and a chart. */
+enum status study_ensemble_tell(const struct study_ensemble *e, const char *folder,
+                                enum table_format format, FILE *file, struct message *why);
+
 extern const struct experiment study_ensemble_experiment;
 
-enum { STUDIES_SCENES = 8 }; /* most that study ensemble takes */
+/* --- What an ensemble of runs says of a number, and whether two ensembles say the same:
+ * the runs are independent, nothing is taken to be normal but means of them
+ * (distribution.c). */
+
+enum { DISTRIBUTION_RUNS = 256 };
+
+/* The mean of value[n], and its standard error, sd / sqrt(n); NaN of too few. */
+double distribution_mean(int n, const double *value, double *error);
+
+/* How far the means of a[n] and b[m] are apart in standard errors, (mean a - mean b) /
+ * sqrt(se^2 + se^2 + bar^2): Welch (1938), and `bar`, what b's mean may be off by besides.
+ * Equal means are 0 apart, others without any error infinitely. */
+double distribution_apart(int n, const double *a, int m, const double *b, double bar);
+
+/* |value - median| of each: their means tell spreads apart, whatever the shape of the
+ * distribution (Brown, Forsythe 1974). n <= DISTRIBUTION_RUNS. */
+void distribution_deviations(int n, const double *value, double *deviation);
+
+/* How far apart means of n runs each may be in standard errors before they are not of one
+ * distribution: of so many comparisons none passes it by chance in all but 5 of 100 cases
+ * (Bonferroni; Student's t of n - 1 degrees of freedom, the fewest that Welch's may have).
+ * INFINITY for fewer than two runs. */
+double distribution_bound(int comparisons, int n);
 
 #endif

@@ -1,4 +1,4 @@
-#include "bench/studies/study_ensemble.h"
+#include "bench/studies/studies.h"
 
 #include <math.h>
 #include <omp.h>
@@ -9,8 +9,6 @@
 #include "bench/files/seal.h"
 #include "bench/files/store.h"
 #include "bench/harness/net_fit.h"
-#include "bench/studies/distribution.h"
-#include "bench/studies/studies.h"
 #include "bench/truth/truth_made.h"
 #include "bench/truth/truth_plan.h"
 #include "iga/support_knots.h"

@@ -1,19 +1,19 @@
 #include "bench/sweep/sweep.h"
 
+#include <math.h>
 #include <omp.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/harness/looks.h"
 #include "bench/harness/pool.h"
 #include "bench/harness/run_file.h"
-#include "bench/sweep/sweep_falls.h"
-#include "bench/sweep/sweep_map.h"
-#include "bench/sweep/sweep_print.h"
-#include "bench/sweep/sweep_row.h"
-#include "bench/sweep/sweep_table.h"
-#include "bench/sweep/sweep_truth.h"
-#include "bench/experiment/plan_read.h"
+#include "bench/truth/truth.h"
+#include "bench/truth/truth_made.h"
+#include "bench/truth/truth_plan.h"
+#include "models/metric/metric.h"
+#include "bench/experiment/plan.h"
 
 /* What the processes of a sweep share. */
 struct sweep {
@@ -25,19 +25,48 @@ struct sweep {
     struct pool pool;
 };
 
-/* A case in its own process, which leaves its file. */
+/* --- A case in its own process. */
+
+/* What is known of a case's scene without a run, and what the case keeps of it: how far it
+ * is from that, look by look (LOOKS_TRUTH). */
+struct known {
+    struct truth_made made; /* nothing is claimed: no truth is known                   */
+    double length;          /* of the scene [m]                                        */
+};
+
+/* Fills in the distance and the bar where the truth is known at this time. */
+static enum status look(void *context, const struct motion *m, const double *xyz,
+                        double *value)
+{
+    const struct known *truth = context;
+    const struct truth_made *made = &truth->made;
+
+    value[LOOKS_TRUTH_ERROR] = value[LOOKS_TRUTH_BAR] = NAN;
+    for (int n = 0; n < made->claimed; n++)
+        if (fabs(made->time[n] - m->time) < 1e-9) {
+            value[LOOKS_TRUTH_ERROR] = metric_rmse(xyz, made->xyz[n]) / truth->length;
+            value[LOOKS_TRUTH_BAR] = made->value[n][TRUTH_ERROR] / truth->length;
+        }
+    return STATUS_OK;
+}
+
+/* Leaves the file of a case. */
 static enum status work(void *context, long number, struct message *why)
 {
     const struct sweep *s = context;
     struct plan_case c = {0};
     struct scene scene = {0};
-    struct sweep_truth truth = {{0}};
+    struct known truth = {{0}};
+    struct run_own own[LOOKS_TRUTH];
     char path[SWEEP_FOLDER_PATH], made_for[SWEEP_ROW_MADE_FOR];
     enum status st;
 
     TRY(plan_case_open(s->plan, number, &c, why));
     TRY(plan_case_scene(&c, &scene, why));
-    TRY(sweep_truth_open(&truth, &scene, why));
+    truth.length = scene.length;
+    /* A factor a step is no physics that a truth could have: nothing needs to be read. */
+    if (!truth_plan_damping(&scene))
+        TRY(truth_judged(&scene, &truth.made, why));
     const struct run_plan run = plan_case_run(&c);
     sweep_folder_file(&s->folder, number, "h5", path);
     sweep_row_made_for(&s->folder, s->plan, &c, made_for);
@@ -48,11 +77,16 @@ static enum status work(void *context, long number, struct message *why)
         .times = scene.snapshot_count,
         .time = scene.snapshots,
         .fields = s->plan->keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES : RUN_FIELDS_NONE,
-        .intersections = s->plan->intersections};
-    sweep_truth_keep(&truth, &keep);
+        .intersections = s->plan->intersections,
+        .own_count = truth.made.claimed ? LOOKS_TRUTH : 0,
+        .own = own,
+        .own_look = look,
+        .context = &truth};
+    for (int n = 0; n < LOOKS_TRUTH; n++)
+        own[n] = (struct run_own){looks_truth[n], "1"};
     st = run_file_write(&run, &keep, NULL, why);
 out:
-    sweep_truth_close(&truth);
+    truth_made_clear(&truth.made);
     scene_clear(&scene);
     plan_case_clear(&c);
     return st;
@@ -230,7 +264,8 @@ static enum status lead(struct sweep *s, struct message *why)
     TRY(sweep_falls_create(&falls, s->plan));
     TRY(collect(s, &table, falls, &plot, why));
     if (!o->quiet)
-        TRY(sweep_print(s->plan, &s->folder, &s->pool, &table, falls, plot.text, stdout));
+        TRY(sweep_table_print(s->plan, &s->folder, &s->pool, &table, falls, plot.text,
+                              stdout));
     TRY(sweep_falls_check(falls, why));
 out:
     sweep_falls_destroy(falls);

@@ -1,21 +1,14 @@
-#include "bench/sweep/sweep_falls.h"
+#include "bench/sweep/sweep.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Why a case has no value. */
-enum lack { LACK_NOTHING, LACK_DEATH, LACK_SUPPORT, LACK_RESULT, LACK_NUMBER };
-static const char *const lack_word[] = {
-    [LACK_DEATH] = "died",
-    [LACK_SUPPORT] = "unsupported",
-    [LACK_RESULT] = "no result",
-    [LACK_NUMBER] = "no value",
-};
+static const char DIED[] = "died";
 
 struct point {
     double value, by;
-    enum lack lack;
+    const char *lack; /* why the case has no value; NULL: it has one */
     bool grows;
 };
 
@@ -70,18 +63,17 @@ void sweep_falls_row(struct sweep_falls *f, long number, const struct sweep_row 
     if (!f)
         return;
     const struct plan_falls *falls = &f->plan->falls;
-    const double *value = row->result.value;
+    const struct run_result *r = &row->result;
     const bool ran = row->state == SWEEP_ROW_RAN;
-
     struct point *p = &f->point[number];
 
-    *p = (struct point){.value = ran ? value[falls->measure] : NAN,
-                        .by = ran && falls->by >= 0 ? value[falls->by] : 0};
-    p->lack = !ran                                   ? LACK_RESULT
-              : status_is_death(row->result.outcome) ? LACK_DEATH
-              : row->result.outcome                  ? LACK_SUPPORT
-              : isnan(p->value) || isnan(p->by)      ? LACK_NUMBER
-                                                     : LACK_NOTHING;
+    *p = (struct point){.value = ran ? r->value[falls->measure] : NAN,
+                        .by = ran && falls->by >= 0 ? r->value[falls->by] : 0};
+    p->lack = !ran                              ? "no result"
+              : status_is_death(r->outcome)     ? DIED
+              : r->outcome                      ? "unsupported"
+              : isnan(p->value) || isnan(p->by) ? "no value"
+                                                : NULL;
 }
 
 /* Says if all listed cases have names, which then stand for their keys. */
@@ -148,8 +140,8 @@ static double judge_row(struct sweep_falls *f, long first)
 
     for (int n = 0; n < f->axis->values.count; n++) {
         struct point *p = &f->point[first + n * f->stride];
-        const bool has = p->lack == LACK_NOTHING;
-        const bool died = p->lack == LACK_DEATH && isfinite(least);
+        const bool has = !p->lack;
+        const bool died = p->lack == DIED && isfinite(least);
         p->grows = died || (has && p->value > least + p->by);
         grows |= p->grows;
         judged += has || died;
@@ -169,10 +161,10 @@ static void add_values(struct sweep_falls *f, long first, double by)
     for (int n = 0; n < f->axis->values.count; n++) {
         const struct point *p = &f->point[first + n * f->stride];
         const size_t used = strlen(text);
-        if (p->lack == LACK_NOTHING)
-            table_number(f->table, p->value, 3);
+        if (p->lack)
+            table_missing(f->table, "%s", p->lack);
         else
-            table_missing(f->table, "%s", lack_word[p->lack]);
+            table_number(f->table, p->value, 3);
         if (p->grows)
             snprintf(text + used, sizeof text - used, "%s%s", used ? " " : "",
                      f->axis->values.list[n].value);
@@ -221,11 +213,13 @@ enum status sweep_falls_print(const struct sweep_falls *f, FILE *file)
     if (!f || !f->table)
         return STATUS_OK;
     const enum status st = table_print(f->table, TABLE_TEXT, file);
-    struct message said = {"It grows in none"};
 
     if (f->grown)
-        snprintf(said.text, sizeof said.text, "It grows in %ld", f->grown);
-    table_say(file, "\n%s of %ld rows with two values to compare.\n", said.text, f->rows);
+        table_say(file, "\nIt grows in %ld of %ld rows with two values to compare.\n",
+                  f->grown, f->rows);
+    else
+        table_say(file, "\nIt grows in none of %ld rows with two values to compare.\n",
+                  f->rows);
     return st;
 }
 

@@ -1,9 +1,10 @@
-#define _GNU_SOURCE /* open_memstream */
-#include "bench/sweep/sweep_folder.h"
+#define _GNU_SOURCE /* open_memstream, strsep */
+#include "bench/sweep/sweep.h"
 
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <regex.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +15,6 @@
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
 #include "bench/files/seal.h"
-#include "bench/experiment/plan_case.h"
 #include "models/reader/scene_file.h"
 
 /* Adds the texts of the scenes among these settings. */
@@ -83,18 +83,6 @@ out:
     return st;
 }
 
-/* A text file of one text. */
-static enum status write_file(const char *path, const char *text, struct message *why)
-{
-    struct output *out = NULL;
-    enum status st = output_create(path, &out, why);
-
-    if (st != STATUS_OK)
-        return st;
-    output_print(out, "%s", text);
-    return output_close(out, why);
-}
-
 /* The manifest as it should be, freed by the receiver, and the folder's sums. */
 static enum status make_manifest(struct sweep_folder *folder, const struct plan *plan,
                                  char **text, struct message *why)
@@ -135,20 +123,24 @@ static enum status settle_manifest(struct sweep_folder *folder, const struct pla
 {
     enum status st = STATUS_OK;
     char path[SWEEP_FOLDER_PATH + 16], *text = NULL;
+    struct output *out = NULL;
     FILE *file = NULL;
 
     TRY(make_manifest(folder, plan, &text, why));
     snprintf(path, sizeof path, "%s/manifest.txt", folder->path);
     file = fopen(path, "r");
-    if (!file)
-        TRY(write_file(path, text, why));
-    else if (!resume)
+    if (!file) {
+        TRY(output_create(path, &out, why));
+        output_print(out, "%s", text);
+        TRY(output_close(out, why));
+    } else if (!resume) {
         TRY(status_fail(why, STATUS_INPUT,
                         "%s has a sweep already; --resume goes on with it, --out DIR "
                         "begins another",
                         folder->path));
-    else
+    } else {
         TRY(compare_manifest(path, file, text, why));
+    }
 out:
     if (file)
         fclose(file);
@@ -181,79 +173,44 @@ static enum status lock(const struct sweep_folder *folder, struct message *why)
                        folder->path);
 }
 
-/* What follows the number of digits that a text begins with; NULL: there are fewer. */
-static const char *after_digits(const char *text, size_t least)
-{
-    const size_t count = strspn(text, "0123456789");
-
-    return count >= least ? text + count : NULL;
-}
-
-static const char *after_word(const char *text, const char *word)
-{
-    return text && !strncmp(text, word, strlen(word)) ? text + strlen(word) : NULL;
-}
-
-/* What follows the name of a case's file that this name begins with; NULL: it does not. */
-static const char *after_case(const char *name)
-{
-    const char *digits = after_word(name, "case_");
-    const char *rest = digits ? after_digits(digits, 6) : NULL;
-    const char *const ends[] = {after_word(rest, ".h5"), after_word(rest, ".xdmf"),
-                                after_word(rest, ".txt")};
-
-    return ends[0] ? ends[0] : ends[1] ? ends[1] : ends[2];
-}
-
-/* Likewise of any other file that a sweep writes. */
-static const char *after_own(const char *name)
-{
-    static const char *const own[] = {"manifest.txt", "log.txt",   "table.csv",
-                                      "seconds.csv",  "falls.csv", "map.gp",
-                                      "map.png",      "map.svg",   "map.pdf"};
-    const char *rest = NULL;
-
-    for (size_t n = 0; !rest && n < sizeof own / sizeof *own; n++)
-        rest = after_word(name, own[n]);
-    return rest;
-}
-
-/* Whether it is `.PID-N.part` (atomic_file.h). */
-static bool is_part(const char *rest)
-{
-    rest = *rest == '.' ? after_digits(rest + 1, 1) : NULL;
-    rest = rest && *rest == '-' ? after_digits(rest + 1, 1) : NULL;
-    return rest && !strcmp(rest, ".part");
-}
+/* Files that a sweep writes; the second group: of a case; the last: one that is half done,
+ * `NAME.PID-N.part` (atomic_file.h). */
+static const char OWN[] =
+    "^((case_[0-9]{6,}\\.(h5|xdmf|txt))|(manifest|log)\\.txt|(table|seconds|falls)\\.csv|"
+    "map\\.(gp|png|svg|pdf))(\\.[0-9]+-[0-9]+\\.part)?$";
+enum { OF_CASE = 2, PART = 7, GROUPS };
 
 /* Whether an entry of the folder goes before a sweep begins: what a killed one was writing;
  * links where it will write; and, of `all`, the cases and what they were of. */
-static bool is_to_go(const char *name, const char *path, bool all)
+static bool is_to_go(const regex_t *own, const char *name, const char *path, bool all)
 {
-    const char *of_case = after_case(name), *rest = of_case ? of_case : after_own(name);
+    regmatch_t group[GROUPS];
     struct stat info;
 
-    if (!rest)
+    if (regexec(own, name, GROUPS, group, 0) != 0)
         return false;
-    if (*rest)
-        return is_part(rest);
-    return (lstat(path, &info) == 0 && S_ISLNK(info.st_mode)) ||
-           (all && (of_case || !strcmp(name, "manifest.txt")));
+    return group[PART].rm_so >= 0 || (lstat(path, &info) == 0 && S_ISLNK(info.st_mode)) ||
+           (all && (group[OF_CASE].rm_so >= 0 || !strcmp(name, "manifest.txt")));
 }
 
-static void remove_files(const struct sweep_folder *folder, bool all)
+static enum status remove_files(const struct sweep_folder *folder, bool all)
 {
-    DIR *directory = opendir(folder->path);
     const struct dirent *file;
+    regex_t own;
 
+    if (regcomp(&own, OWN, REG_EXTENDED) != 0)
+        return STATUS_MEMORY;
+    DIR *directory = opendir(folder->path);
     while (directory && (file = readdir(directory))) {
         char path[SWEEP_FOLDER_PATH + 257];
         snprintf(path, sizeof path, "%s/%s", folder->path, file->d_name);
-        if (is_to_go(file->d_name, path, all))
+        if (is_to_go(&own, file->d_name, path, all))
             unlink(path);
     }
     if (directory)
         closedir(directory);
+    regfree(&own);
+    return STATUS_OK;
 }
 
 void sweep_folder_tidy(const struct sweep_folder *folder)
@@ -274,7 +231,7 @@ enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
     TRY(folder_make(folder->path, why));
     TRY(open_file(folder, "lock", &folder->lock, why));
     TRY(lock(folder, why));
-    remove_files(folder, start == SWEEP_AGAIN);
+    TRY(remove_files(folder, start == SWEEP_AGAIN));
     TRY(settle_manifest(folder, plan, start == SWEEP_RESUME, why));
     TRY(open_file(folder, "log.txt", &folder->log, why));
 out:
@@ -306,4 +263,150 @@ enum status sweep_folder_log(const struct sweep_folder *folder, const char *even
         return STATUS_OK;
     return status_fail(why, STATUS_FILE, "%s/log.txt: cannot be written: %s", folder->path,
                        strerror(errno));
+}
+
+bool sweep_row_is_open(const struct sweep_row *row)
+{
+    return row->state == SWEEP_ROW_GONE || row->state == SWEEP_ROW_DAMAGED ||
+           row->state == SWEEP_ROW_CUT;
+}
+
+#define MADE_FOR "case %08lx plan %08lx program %08lx"
+
+const char *sweep_row_made_for(const struct sweep_folder *folder, const struct plan *plan,
+                               const struct plan_case *c, char text[SWEEP_ROW_MADE_FOR])
+{
+    unsigned long sum = 0;
+
+    for (int k = 0; k < plan->key_count; k++) {
+        const struct plan_setting *s = c->given[k];
+        if (!s)
+            continue;
+        sum = seal_text_sum(sum, s->key, strlen(s->key) + 1);
+        sum = seal_text_sum(sum, s->value, strlen(s->value) + 1);
+    }
+    snprintf(text, SWEEP_ROW_MADE_FOR, MADE_FOR, sum, folder->plan, folder->program);
+    return text;
+}
+
+/* What a file that was made for `is` has of another, being wanted for `want`. */
+static void tell_foreign(const char *path, const char *is, const char *want,
+                         struct message *why)
+{
+    unsigned long a[3] = {0}, b[3] = {0};
+
+    sscanf(is, MADE_FOR, &a[0], &a[1], &a[2]);
+    sscanf(want, MADE_FOR, &b[0], &b[1], &b[2]);
+    status_fail(why, STATUS_INPUT,
+                "%s: is of another %s; take it away, or give another folder with --out",
+                path,
+                a[2] != b[2]   ? "build of the program"
+                : a[1] != b[1] ? "plan or scene"
+                               : "case");
+}
+
+/* The parts of a sentence's file. */
+static enum sweep_row_state read_sentence(char *text, const char *path,
+                                          const char *made_for, struct message *why)
+{
+    static const char *const word[] = {
+        [SWEEP_ROW_CUT] = "cut", [SWEEP_ROW_FAILED] = "failed"};
+    char *rest = text;
+    const char *is = strsep(&rest, "\n"), *state = strsep(&rest, "\n");
+    const char *sentence = strsep(&rest, "\n");
+
+    for (int n = SWEEP_ROW_CUT; sentence && n <= SWEEP_ROW_FAILED; n++) {
+        if (strcmp(state, word[n]) != 0)
+            continue;
+        if (made_for && strcmp(is, made_for) != 0) {
+            tell_foreign(path, is, made_for, why);
+            return SWEEP_ROW_FOREIGN;
+        }
+        snprintf(why->text, sizeof why->text, "%s%s", sentence,
+                 n == SWEEP_ROW_CUT ? "; --resume runs it again" : "");
+        return (enum sweep_row_state)n;
+    }
+    return SWEEP_ROW_DAMAGED;
+}
+
+static enum status read_text(const char *path, const char *made_for, struct sweep_row *row)
+{
+    char *text = NULL;
+
+    if (access(path, F_OK) != 0) {
+        row->state = SWEEP_ROW_GONE;
+        snprintf(row->why.text, sizeof row->why.text,
+                 "its file is gone; --resume runs it again");
+        return STATUS_OK;
+    }
+    const enum status st = seal_text_read(path, &text, NULL);
+    if (st == STATUS_OK)
+        row->state = read_sentence(text, path, made_for, &row->why);
+    free(text);
+    return st;
+}
+
+static enum status read_result(const char *path, const char *made_for, bool fields,
+                               struct sweep_row *row)
+{
+    struct run_result *r = &row->result;
+    const enum status st = run_result_read(path, fields, r, NULL);
+
+    if (st != STATUS_OK)
+        return st;
+    row->state = r->outcome == STATUS_INPUT ? SWEEP_ROW_FAILED : SWEEP_ROW_RAN;
+    row->why = r->sentence;
+    if (made_for && strcmp(r->made_for, made_for) != 0) {
+        row->state = SWEEP_ROW_FOREIGN;
+        tell_foreign(path, r->made_for, made_for, &row->why);
+        run_result_clear(r);
+    }
+    return STATUS_OK;
+}
+
+enum status sweep_row_read(const struct sweep_folder *folder, long number,
+                           const char *made_for, bool fields, struct sweep_row *row)
+{
+    char path[SWEEP_FOLDER_PATH];
+    enum status st;
+
+    *row = (struct sweep_row){.state = SWEEP_ROW_DAMAGED};
+    sweep_folder_file(folder, number, "h5", path);
+    if (access(path, F_OK) == 0) {
+        st = read_result(path, made_for, fields, row);
+    } else {
+        sweep_folder_file(folder, number, "txt", path);
+        st = read_text(path, made_for, row);
+    }
+    if (st == STATUS_MEMORY) {
+        *row = (struct sweep_row){0};
+        return st;
+    }
+    if (row->state == SWEEP_ROW_DAMAGED)
+        snprintf(row->why.text, sizeof row->why.text,
+                 "its file is damaged; --resume runs it again");
+    return STATUS_OK;
+}
+
+enum status sweep_row_write(const struct sweep_folder *folder, long number,
+                            const char *made_for, enum sweep_row_state state,
+                            const char *sentence, struct message *why)
+{
+    char path[SWEEP_FOLDER_PATH], text[SWEEP_ROW_MADE_FOR + sizeof why->text + 16];
+
+    sweep_folder_file(folder, number, "txt", path);
+    snprintf(text, sizeof text, "%s\n%s\n%s\n", made_for,
+             state == SWEEP_ROW_CUT ? "cut" : "failed", sentence);
+    return seal_text_write(path, text, why);
+}
+
+void sweep_row_remove(const struct sweep_folder *folder, long number)
+{
+    static const char *const endings[] = {"h5", "xdmf", "txt"};
+    char path[SWEEP_FOLDER_PATH];
+
+    for (size_t n = 0; n < sizeof endings / sizeof *endings; n++) {
+        sweep_folder_file(folder, number, endings[n], path);
+        unlink(path);
+    }
 }

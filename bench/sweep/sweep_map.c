@@ -1,4 +1,4 @@
-#include "bench/sweep/sweep_map.h"
+#include "bench/sweep/sweep.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -260,21 +260,24 @@ static struct chart_axis axis_of(const struct dimension *d, struct chart_tic *ti
     return axis;
 }
 
-/* A spot of the series started last. */
-static void draw_spot(const struct sweep_map *m, struct chart *c, const struct spot *s)
+/* The spots of a panel with this label, or, of -1, those that are hatched. */
+static void draw_spots(const struct sweep_map *m, struct chart *c, int panel, int label)
 {
     double x[2], y[2];
 
-    if (!has_cells(m)) {
-        chart_point(c, s->x, s->y);
-        return;
+    for (const struct spot *s = m->spot; s < m->spot + m->count; s++) {
+        if (s->panel != panel || (label < 0 ? !s->learnt : s->label != label))
+            continue;
+        if (!has_cells(m)) {
+            chart_point(c, s->x, s->y);
+            continue;
+        }
+        find_cell(&m->x, s->x, x);
+        find_cell(&m->y, s->y, y);
+        chart_cell(c, s->x, s->y, x, y);
     }
-    find_cell(&m->x, s->x, x);
-    find_cell(&m->y, s->y, y);
-    chart_cell(c, s->x, s->y, x, y);
 }
 
-/* The spots of a panel and a label. */
 static void draw_label(const struct sweep_map *m, struct chart *c, int panel, int label)
 {
     const char *name = m->labels.name[label];
@@ -285,9 +288,7 @@ static void draw_label(const struct sweep_map *m, struct chart *c, int panel, in
                  &(struct chart_series){.label = text,
                                         .style = has_cells(m) ? CHART_CELLS : CHART_SQUARES,
                                         .rgb = colour_of(name, label)});
-    for (long n = 0; n < m->count; n++)
-        if (m->spot[n].panel == panel && m->spot[n].label == label)
-            draw_spot(m, c, &m->spot[n]);
+    draw_spots(m, c, panel, label);
 }
 
 /* Over the colours: where the second opinion has nothing against a sheet. */
@@ -304,9 +305,7 @@ static void draw_learnt(const struct sweep_map *m, struct chart *c, int panel)
                                                                  : CHART_POINTS,
                                            .second = true,
                                            .rgb = "#000000"});
-    for (long n = 0; n < m->count; n++)
-        if (m->spot[n].panel == panel && m->spot[n].learnt)
-            draw_spot(m, c, &m->spot[n]);
+    draw_spots(m, c, panel, -1);
 }
 
 /* Where a mark lies in a direction. */

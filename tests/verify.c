@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bench/files/folder.h"
-#include "bench/verify/verify_file.h"
+#include "bench/verify/verify.h"
 #include "tests/check.h"
 
 static const struct verify_check check = {.item = {"unit_rows", "rows of a test"},

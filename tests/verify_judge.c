@@ -2,7 +2,6 @@
  * every verdict each way. Nothing is computed. */
 #include "bench/files/folder.h"
 #include "bench/verify/verify.h"
-#include "bench/verify/verify_file.h"
 #include "tests/known_misses.h"
 
 static char folder[4096];

@@ -1,6 +1,6 @@
 /* The runs behind rows, by a model that does as it is told: whose death, refusal and
  * failure is whose, which frames are looked at, and what refinement holds against what. */
-#include "bench/verify/verify_trial.h"
+#include "bench/verify/verify_check.h"
 
 #include "tests/scripted_model.h"
 

@@ -48,21 +48,16 @@ static const struct command_option options[] = {
 #define TEXTS(X) X(0, quantity) X(1, subject) X(10, note) X(13, changed)
 enum { VERDICT = 8, COLUMNS = 14 };
 
+#define WORDS NULL, TABLE_LEFT
+#define ASIDE WORDS, .readers = TABLE_MACHINES
 static const struct table_column columns[COLUMNS] = {
-    {"quantity", NULL, TABLE_LEFT, "quantity"},
-    {"model", NULL, TABLE_LEFT, "model"},
-    {"value", .key = "value"},
-    {"truth", .key = "truth"},
-    {"error bar", .key = "error_bar"},
-    {"error", .key = "error"},
-    {"tolerance", .key = "tolerance"},
-    {"order", .key = "order"},
-    {"verdict", NULL, TABLE_LEFT, "verdict"},
-    {"time", "s", .key = "time_s"},
-    {"remark", NULL, TABLE_LEFT, "remark", TABLE_MACHINES},
-    {"check", NULL, TABLE_LEFT, "check", TABLE_MACHINES},
-    {"source", NULL, TABLE_LEFT, "source", TABLE_MACHINES},
-    {"claimed at first", NULL, TABLE_LEFT, "claimed_at_first", TABLE_MACHINES}};
+    {"quantity", WORDS}, {"model", WORDS},
+    {"value"},           {"truth"},
+    {"error bar"},       {"error"},
+    {"tolerance"},       {"order"},
+    {"verdict", WORDS},  {"time", "s"},
+    {"remark", ASIDE},   {"check", ASIDE},
+    {"source", ASIDE},   {"claimed at first", ASIDE}};
 
 static void add_row(struct table *t, const struct verify_check *check,
                     const struct verify_row *row)
@@ -128,10 +123,12 @@ static bool take_row(const struct csv_table *t, int n, struct verify_row *row)
 
 static bool is_ours(const struct csv *csv)
 {
+    struct table *t = table_create(COLUMNS, columns, NULL);
     bool ours = csv->count == 1 && csv->table->columns == COLUMNS;
 
     for (int n = 0; ours && n < COLUMNS; n++)
-        ours = !strcmp(csv->table->cell[n], columns[n].key);
+        ours = table_find(t, csv->table->cell[n]) == n;
+    table_destroy(t);
     return ours;
 }
 
@@ -181,8 +178,7 @@ static enum status choose(struct job *job, const struct command_line *line,
     char known[768] = "";
 
     for (int n = 0; job->known[n]; n++) {
-        const size_t used = strlen(known);
-        snprintf(known + used, sizeof known - used, "%s%s", n ? ", " : "",
+        snprintf(known + strlen(known), sizeof known - strlen(known), "%s%s", n ? ", " : "",
                  job->known[n]->item.name);
         if (!line->word_count && !(job->quick && job->known[n]->slow))
             job->check[job->count++] = job->known[n];
@@ -361,18 +357,16 @@ static enum status tell_failures(const struct job *job, struct message *why)
     char names[512] = "";
 
     for (int n = 0; n < job->count; n++) {
-        int before = rows;
-        size_t used = strlen(names);
+        const int before = rows;
         for (int i = 0; i < job->sheet[n].count; i++)
             rows += verify_row_failed(&job->sheet[n].rows[i]);
         if (rows > before)
-            snprintf(names + used, sizeof names - used, "%s%s", before ? ", " : "",
-                     job->check[n]->item.name);
+            snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s",
+                     before ? ", " : "", job->check[n]->item.name);
     }
-    if (!rows)
-        return STATUS_OK;
-    return status_fail(why, STATUS_FAILED, "%d %s not met, in: %s", rows,
-                       rows == 1 ? "claim is" : "claims are", names);
+    return rows ? status_fail(why, STATUS_FAILED, "%d %s not met, in: %s", rows,
+                              rows == 1 ? "claim is" : "claims are", names)
+                : STATUS_OK;
 }
 
 enum status verify_run(const struct verify_check *const *known,

@@ -61,17 +61,6 @@ static double product(const struct line line[3], int a, int b, int i, int j)
     return value;
 }
 
-static double stiffness_entry(const struct line line[3], const struct verify_box *box,
-                              int a, int b, int i, int j)
-{
-    double value =
-        box->lambda * product(line, a, b, i, j) + box->mu * product(line, a, b, j, i);
-
-    for (int k = 0; i == j && k < 3; k++)
-        value += box->mu * product(line, a, b, k, k);
-    return value;
-}
-
 int verify_box_nodes(const struct verify_box *box)
 {
     int nodes = 1;
@@ -94,9 +83,14 @@ enum status verify_box_matrices(const struct verify_box *box, double *K, double 
         for (int b = 0; b < nodes; b++) {
             if (M)
                 M[a * nodes + b] = box->density * product(line, a, b, 3, 3);
-            for (int ij = 0; K && ij < 9; ij++)
-                K[(3 * a + ij / 3) * 3 * nodes + 3 * b + ij % 3] =
-                    stiffness_entry(line, box, a, b, ij / 3, ij % 3);
+            for (int i = 0; K && i < 3; i++)
+                for (int j = 0; j < 3; j++) {
+                    double *entry = &K[(3 * a + i) * 3 * nodes + 3 * b + j];
+                    *entry = box->lambda * product(line, a, b, i, j) +
+                             box->mu * product(line, a, b, j, i);
+                    for (int k = 0; i == j && k < 3; k++)
+                        *entry += box->mu * product(line, a, b, k, k);
+                }
         }
 out:
     for (int d = 0; d < 3; d++)

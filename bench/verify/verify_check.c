@@ -161,30 +161,20 @@ void verify_subject_title(const struct verify_subject *s, char text[VERIFY_SUBJE
              s->grade ? ", graded" : "");
 }
 
-/* Open knots of `points` functions, inner ones at (k / spans)^grade. */
-static void add_knots(int points, int degree, double grade, struct settings *all)
-{
-    const int spans = points - degree, count = points + degree + 1;
-    double *knot = malloc((size_t)count * sizeof *knot);
-
-    if (!knot) {
-        all->status = STATUS_MEMORY;
-        return;
-    }
-    for (int k = 0; k < count; k++)
-        knot[k] = pow(fmin(fmax((double)(k - degree) / spans, 0), 1), grade);
-    settings_numbers(all, "discretization.knots_u", count, knot);
-    free(knot);
-}
-
 void verify_subject_settings(const struct verify_subject *s, int n, struct settings *all)
 {
     const int points[] = {s->along[n], s->across[n], s->layers};
+    const int count = points[0] + s->degree + 1;
 
     settings_list(all, VERIFY_SETTINGS, s->settings);
     settings_integers(all, "discretization.points", s->layers ? 3 : 2, points);
-    if (s->grade)
-        add_knots(points[0], s->degree, s->grade, all);
+    if (s->grade) /* open knots, inner ones at (k / spans)^grade */
+        settings_set(all, "discretization.knots_u=[");
+    for (int k = 0; s->grade && k < count; k++) {
+        const double share = (double)(k - s->degree) / (points[0] - s->degree);
+        settings_more(all, "%s%.17g%s", k ? "," : "",
+                      pow(fmin(fmax(share, 0), 1), s->grade), k + 1 < count ? "" : "]");
+    }
 }
 
 bool verify_subject_is_linear(const struct verify_subject *s)
@@ -341,30 +331,27 @@ void verify_sheet_clear(struct verify_sheet *sheet)
 
 /* --- Checks. */
 
-static void run_part(struct verify_sheet *sheet, const struct verify_part *p)
-{
-    const int all = p->cases ? p->cases : reference_rows(sheet->table);
-    struct verify_subject s;
-
-    for (int n = 0, count = 0; n < all; n++) {
-        if (p->column && (n = reference_find(sheet->table, n, p->column, p->text)) < 0)
-            return;
-        if (sheet->quick && p->every && count++ % p->every)
-            continue;
-        for (int k = 0; verify_sheet_next(sheet, p->field, &k, &s);) {
-            s.at = n;
-            p->row(&s);
-        }
-    }
-}
-
 void verify_check_run(const struct verify_check *check, struct verify_sheet *sheet)
 {
+    struct verify_subject s;
+
     if (check->table && !verify_sheet_table(sheet, check->table))
         return;
     if (check->run)
         check->run(sheet);
-    for (const struct verify_part *p = check->parts; p->row; p++)
-        if (!p->table || verify_sheet_table(sheet, p->table))
-            run_part(sheet, p);
+    for (const struct verify_part *p = check->parts; p->row; p++) {
+        if (p->table && !verify_sheet_table(sheet, p->table))
+            return;
+        const int all = p->cases ? p->cases : reference_rows(sheet->table);
+        for (int n = 0, count = 0; n < all; n++) {
+            if (p->column && (n = reference_find(sheet->table, n, p->column, p->text)) < 0)
+                break;
+            if (sheet->quick && p->every && count++ % p->every)
+                continue;
+            for (int k = 0; verify_sheet_next(sheet, p->field, &k, &s);) {
+                s.at = n;
+                p->row(&s);
+            }
+        }
+    }
 }

@@ -128,18 +128,6 @@ out:
     return t->lived;
 }
 
-/* The full matrix [rows][rows] of a lower triangle; NULL: out of memory. */
-static double *dense(const struct matrix *m)
-{
-    const size_t rows = (size_t)m->rows;
-    double *full = calloc(rows * rows, sizeof *full);
-
-    for (long t = 0; full && t < m->entries; t++)
-        full[(size_t)m->row[t] * rows + (size_t)m->column[t]] =
-            full[(size_t)m->column[t] * rows + (size_t)m->row[t]] = m->value[t];
-    return full;
-}
-
 double *verify_trial_matrix(struct verify_trial *t, bool mass, int *rows)
 {
     struct verify_sheet *sheet = t->subject->sheet;
@@ -160,9 +148,14 @@ double *verify_trial_matrix(struct verify_trial *t, bool mass, int *rows)
                        model->matrices ? "it has none for control points as unknowns"
                                        : "it has no constant matrices");
     else if (verify_sheet_holds(sheet, st)) {
-        *rows = sparse[0].rows;
-        full = dense(&sparse[mass]);
+        const struct matrix *m = &sparse[mass];
+        const size_t n = (size_t)m->rows;
+        *rows = m->rows;
+        full = calloc(n * n, sizeof *full);
         verify_sheet_holds(sheet, full ? STATUS_OK : STATUS_MEMORY);
+        for (long i = 0; full && i < m->entries; i++) /* of a lower triangle */
+            full[(size_t)m->row[i] * n + (size_t)m->column[i]] =
+                full[(size_t)m->column[i] * n + (size_t)m->row[i]] = m->value[i];
     }
     matrix_clear(&sparse[0]);
     matrix_clear(&sparse[1]);

@@ -25,11 +25,6 @@ static const struct verify_entry entries[] = {
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, VERIFY_REMEDIES, {8}, {7}};
 
-static double step_of(const struct verify_subject *s)
-{
-    return s->layers ? 2e-4 : 0.005;
-}
-
 enum { SIDE = 21, LOOKS = 12 };
 
 /* What is seen of the last frames. */
@@ -76,36 +71,15 @@ static enum status look(void *context, const struct motion *m, struct message *w
     return STATUS_OK;
 }
 
-/* Runs a sheet on a plane inclined by `slope` (gravity is): what is seen of it. */
-static bool watch_sheet(struct verify_trial *t, double slope, double friction, double mass,
-                        struct seen *seen)
-{
-    const bool solid = t->subject->layers;
-    const double dt = step_of(t->subject);
-
-    *seen = (struct seen){.settled = solid ? 450 * dt : 0};
-    verify_trial_set(
-        t,
-        "sheet={length: 0.5, width: 0.4, thickness: 0.004};"
-        "pose={origin: [0,0,0.002], u: [1,0,0], v: [0,1,0]};"
-        "material={young: 1e5, poisson: 0.3, density: 200};"
-        "gravity=[%.17g,0,%.17g]; time.step=%.17g; damping={kind: none};"
-        "obstacles=[{plane: {point: [3,-1,0], normal: [0,0,2], friction: %g}}]",
-        G * sin(slope), -G * cos(slope), dt, friction);
-    if (solid)
-        verify_trial_set(t, "damping={kind: rayleigh, alpha: %g, beta: 4e-3}", mass);
-    t->end = seen->settled + LOOKS * dt;
-    return verify_trial_watch(t, look, seen);
-}
-
-/* At rest on the level, and then inclined by SLOPE. Where nothing is claimed, the hasty do
- * not look. */
+/* At rest on the level, and then on a plane inclined by SLOPE (gravity is). Where nothing
+ * is claimed, the hasty do not look. */
 static void add_rows(struct verify_subject *s)
 {
     const bool rest = s->at == 0;
-    const double friction = (double[]){0.5, 0, 0.2, 0.6}[s->at], dt = step_of(s);
-    const double pull = G * (sin(SLOPE) - friction * cos(SLOPE));
-    struct seen seen;
+    const double friction = (double[]){0.5, 0, 0.2, 0.6}[s->at], slope = rest ? 0 : SLOPE;
+    const double dt = s->layers ? 2e-4 : 0.005,
+                 pull = G * (sin(slope) - friction * cos(slope));
+    struct seen seen = {.settled = s->layers ? 450 * dt : 0};
 
     if (s->sheet->quick && isnan(s->tolerance))
         return;
@@ -117,7 +91,19 @@ static void add_rows(struct verify_subject *s)
                                friction);
     if (!rest && pull <= 0 && !isnan(t.row->tolerance))
         t.row->tolerance = STUCK;
-    if (!watch_sheet(&t, rest ? 0 : SLOPE, friction, rest ? 300 : 0, &seen))
+    verify_trial_set(
+        &t,
+        "sheet={length: 0.5, width: 0.4, thickness: 0.004};"
+        "pose={origin: [0,0,0.002], u: [1,0,0], v: [0,1,0]};"
+        "material={young: 1e5, poisson: 0.3, density: 200};"
+        "gravity=[%.17g,0,%.17g]; time.step=%.17g; damping={kind: none};"
+        "obstacles=[{plane: {point: [3,-1,0], normal: [0,0,2], friction: %g}}]",
+        G * sin(slope), -G * cos(slope), dt, friction);
+    if (s->layers)
+        verify_trial_set(&t, "damping={kind: rayleigh, alpha: %d, beta: 4e-3}",
+                         rest ? 300 : 0);
+    t.end = seen.settled + LOOKS * dt;
+    if (!verify_trial_watch(&t, look, &seen))
         return;
     if (rest) {
         verify_row_judge(t.row, seen.force, WEIGHT, 0);

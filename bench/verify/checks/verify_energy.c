@@ -88,17 +88,6 @@ static enum status note_energy(void *context, const struct motion *m, struct mes
     return STATUS_OK;
 }
 
-static void note_work(struct verify_row *row, double dt, const struct counters *work)
-{
-    const double steps = (double)work->steps, substeps = (double)work->substeps / steps;
-
-    if (steps > 0 && work->iterations)
-        verify_row_note(row, "%.3g iterations a step of %g ms, in %.3g substeps",
-                        (double)work->iterations / steps, 1e3 * dt, fmax(substeps, 1));
-    else if (steps > 0 && substeps > 1)
-        verify_row_note(row, "%.3g substeps a step of %g ms", substeps, 1e3 * dt);
-}
-
 static void add_rows(struct verify_subject *s)
 {
     static const double dts[] = {0.005, 0.0025, 0.005}, ends[] = {2, 2, 10};
@@ -112,16 +101,20 @@ static void add_rows(struct verify_subject *s)
     t.end = end;
     verify_trial_set(&t, "damping={kind: none}; time.step=%.17g", dt);
     verify_trial_watch(&t, note_energy, &l);
-    note_work(t.row, dt, &l.work);
+    const double steps = (double)l.work.steps, substeps = (double)l.work.substeps / steps;
+    if (steps > 0 && l.work.iterations)
+        verify_row_note(t.row, "%.3g iterations a step of %g ms, in %.3g substeps",
+                        (double)l.work.iterations / steps, 1e3 * dt, fmax(substeps, 1));
+    else if (steps > 0 && substeps > 1)
+        verify_row_note(t.row, "%.3g substeps a step of %g ms", substeps, 1e3 * dt);
     if (t.lived && isnan(l.gained))
         verify_row_end(t.row, VERIFY_NOT_APPLICABLE, "it has no elastic energy");
     else if (t.lived) {
         verify_row_judge_error(t.row, l.gained / l.turned, 0);
         s->tolerance = s->second;
         s->reason = NULL;
-        verify_row_judge_error(
-            verify_sheet_add(s, "energy lost, %g s by %g ms", end, 1e3 * dt),
-            l.lost / l.turned, 0);
+        t.row = verify_sheet_add(s, "energy lost, %g s by %g ms", end, 1e3 * dt);
+        verify_row_judge_error(t.row, l.lost / l.turned, 0);
     }
 }
 

@@ -15,11 +15,7 @@ static const double THICKNESS = 5e-4;
 /* The secant method ends at this part of the overhang. */
 static const double FOUND = 1e-6;
 enum { MOST_TRIES = 12 };
-
-static double angle_wanted(void)
-{
-    return 41.5 * acos(-1) / 180;
-}
+#define ANGLE (41.5 * acos(-1) / 180)
 
 /* Gamma at which the elastica's tip is there: 8.0042. */
 static enum status gamma_wanted(double *gamma)
@@ -31,20 +27,13 @@ static enum status gamma_wanted(double *gamma)
         struct elastica e;
         *gamma = (low + high) / 2;
         TRY(elastica_solve(*gamma, &e));
-        if (atan2(e.drop, e.reach) < angle_wanted())
+        if (atan2(e.drop, e.reach) < ANGLE)
             low = *gamma;
         else
             high = *gamma;
     }
 out:
     return st;
-}
-
-/* The overhang that follows from weight and bending stiffness [m]. */
-static double overhang_of(const struct verify_subject *s, double gamma)
-{
-    return cbrt(gamma * verify_number(s, "D_eq_Nm") /
-                (verify_number(s, "area_density_kg_m2") * GRAVITY));
 }
 
 /* How far below 41.5 degrees the tip is at an overhang [m]. */
@@ -61,7 +50,7 @@ static double tip_angle(struct verify_trial *t, double overhang)
                      overhang, VERIFY_STRIPS_WIDTH * overhang, THICKNESS,
                      12 * D / (THICKNESS * THICKNESS * THICKNESS), weight / THICKNESS);
     verify_trial_tip(t, xyz);
-    return atan2(-xyz[2], xyz[0]) - angle_wanted();
+    return atan2(-xyz[2], xyz[0]) - ANGLE;
 }
 
 /* Half the overhang at 41.5 degrees, by the secant method in log(overhang). */
@@ -93,7 +82,9 @@ static void add_row(struct verify_subject *s)
 
     if (gamma == 0)
         verify_sheet_holds(s->sheet, gamma_wanted(&gamma));
-    double overhang = overhang_of(s, gamma);
+    const double D = verify_number(s, "D_eq_Nm");
+    const double weight = verify_number(s, "area_density_kg_m2") * GRAVITY;
+    double overhang = cbrt(gamma * D / weight);
     s->changed = NULL;
     struct verify_trial t =
         verify_trial_of(s, "cantilever", "bending length [m], %s", name);
@@ -102,9 +93,7 @@ static void add_row(struct verify_subject *s)
                        "at this Gamma it does not come to rest (see elastica)");
     else if (verify_trial_nets(&t, bending_length, &overhang, overhang / 2, FOUND)) {
         verify_row_note(t.row, "%s: weight c^3 = %.4g N m for D = %.4g N m", name,
-                        verify_number(s, "area_density_kg_m2") * GRAVITY *
-                            pow(t.row->value, 3),
-                        verify_number(s, "D_eq_Nm"));
+                        weight * pow(t.row->value, 3), D);
         if (verify_subject_is_linear(s))
             verify_row_end(t.row, VERIFY_OUT_OF_RANGE,
                            "small strains reach to Gamma = %g, this is at %.4g",

@@ -2,7 +2,6 @@
  * a large swing by the one; plates let go, as three-dimensional solids, by the other.
  */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "bench/verify/checks/verify_plates.h"
@@ -69,18 +68,14 @@ static const struct verify_entry twin[] = {
     {"hex_incompatible_linear", 1e-6, "the same element", {33}}, {NULL}};
 static const struct verify_field twin_field = {.entry = twin};
 
-/* What round-off leaves of an answer in nodes of both faces, which CalculiX solves for: the
- * condition of K, 2.5e12 at h/L = 1e-3 and as h^-4. */
-static double rounding(double h)
-{
-    return 1e-16 * 2.5e12 * pow(h / 1e-3, -4);
-}
-
 static void add_tip(struct verify_subject *s)
 {
     const double uvw[2][3] = {{1, 0.5, 0.5}, {1, 1, 0.5}};
     const char *const column[] = {"middle", "corner"};
     const double h = verify_number(s, "thickness");
+    /* What round-off leaves of an answer in nodes of both faces, which CalculiX solves for:
+     * the condition of K, 2.5e12 at h/L = 1e-3 and as h^-4. */
+    const double rounding = 1e-16 * 2.5e12 * pow(h / 1e-3, -4);
     double xyz[2][3];
     struct verify_trial t =
         verify_trial_of(s, "cantilever", "tip [m] by C3D8I, h/L = %g, %s", h, column[0]);
@@ -91,7 +86,7 @@ static void add_tip(struct verify_subject *s)
     for (int k = 0; k < 2 && t.lived; k++) {
         if (k == 1)
             t.row = verify_sheet_add(s, "tip [m] by C3D8I, h/L = %g, %s", h, column[1]);
-        verify_row_judge(t.row, -xyz[k][2], verify_number(s, column[k]), rounding(h));
+        verify_row_judge(t.row, -xyz[k][2], verify_number(s, column[k]), rounding);
     }
 }
 

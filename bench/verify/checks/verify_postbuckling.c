@@ -14,6 +14,7 @@ static const double BAR = 1e-9; /* of the table, by its header */
  * it buckled to is 1e-4 of the elastic energy, and works on its shape to second order. */
 static const double MIRROR = 1e-3;
 
+#define CLAMPED "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz, "
 static const double THICKNESS = 1e-3, WIDTH = 0.1, YOUNG = 1e5; /* of the scene, L = 1 */
 
 /* Odd numbers of points, one of them in the middle. */
@@ -34,7 +35,7 @@ static const struct verify_field field = {
     entries, CONTESTANT_LARGE, VERIFY_LOCKED "," VERIFY_TWINS, {25, 49}};
 
 struct shape {
-    double energy, elastic, deflection; /* [J], [J], of the middle [m]                 */
+    double energy, elastic, deflection; /* [J], [J], of the middle [m]                    */
 };
 
 /* Equilibrium with the supports that t->settings have, at time `end`. */
@@ -64,14 +65,12 @@ static bool settle(struct verify_trial *t, double end, struct shape *shape)
  * derivative by it, of two equilibria on both sides. */
 static bool press(struct verify_trial *t, double shortening, double value[2])
 {
-    const double pi = acos(-1.0), part = 0.01;
-    const double critical = 4 * pi * pi * YOUNG * pow(THICKNESS, 3) / 12 * WIDTH;
+    const double part = 0.01, h = THICKNESS;
+    const double critical = 4 * pow(acos(-1.0), 2) * YOUNG * pow(h, 3) / 12 * WIDTH;
     struct shape shape[3];
 
     for (int n = 0; n < 3; n++) {
-        verify_trial_set(t,
-                         "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz, "
-                         "path: [[0,0,0,0],[1,%.17g,0,0]]}]",
+        verify_trial_set(t, CLAMPED "path: [[0,0,0,0],[1,%.17g,0,0]]}]",
                          -shortening * (1 + (n - 1) * part));
         if (!settle(t, 1, &shape[n]))
             return false;
@@ -96,14 +95,12 @@ static void add_rows(struct verify_subject *s)
         for (int q = 0; q < 2; q++)
             error[q][t.net] = fabs(value[q] - truth[q]) / truth[q];
     for (int q = 0; q < 2; q++) {
-        struct verify_row *row =
-            verify_sheet_add(s, "%s, shortened by %g", names[q], shortening);
-        row->seconds = work.seconds / 2;
-        if (t.lived) {
-            verify_row_judge(row, value[q], truth[q], BAR);
-            row->order = verify_subject_order(s, error[q], BAR);
-        } else
-            verify_row_end(row, work.verdict, "%s", work.note);
+        t.row = verify_sheet_add(s, "%s, shortened by %g", names[q], shortening);
+        t.row->seconds = work.seconds / 2;
+        if (t.lived)
+            verify_trial_worst(&t, value[q], truth[q], error[q], BAR);
+        else
+            verify_row_end(t.row, work.verdict, "%s", work.note);
     }
 }
 
@@ -112,9 +109,8 @@ static void add_rows(struct verify_subject *s)
  * energy at the end is that of the start. */
 static void add_crossing(struct verify_subject *s)
 {
-    static const char supports[] =
-        "supports=[{at: {u: 0}, fix: xyz}, "
-        "{at: {u: 1}, fix: xyz, path: [[0,0,0,0],[1,-0.1,0,0]]}, "
+    static const char supports[] = CLAMPED
+        "path: [[0,0,0,0],[1,-0.1,0,0]]}, "
         "{at: {u: 0.5}, fix: z, path: [[0,0,0,0],[0.01,0,0,-0.0201],[0.1,0,0,-0.0635],"
         "[0.2,0,0,-0.0895],[0.5,0,0,-0.1401],[1,0,0,-0.1949],[2,0,0,0.1949]]}]";
     struct shape shape[2]; /* before and after */

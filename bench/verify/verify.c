@@ -257,28 +257,6 @@ static void add_notes(struct table *t, const struct verify_sheet *sheet, size_t 
     }
 }
 
-static enum status print_sheet(const struct job *job, int which)
-{
-    const struct verify_check *check = job->check[which];
-    const struct verify_sheet *sheet = &job->sheet[which];
-    const struct verify_row *row = sheet->rows;
-    char caption[512];
-
-    snprintf(caption, sizeof caption, "%s: %s", check->item.name, check->item.text);
-    struct table *t = table_create(COLUMNS, columns, caption);
-    for (int n = 0; n < sheet->count; n++) {
-        if (n && strcmp(row[n].quantity, row[n - 1].quantity) &&
-            !strcmp(row[n].subject, row[0].subject))
-            table_rule(t);
-        add_row(t, check, &row[n]);
-    }
-    table_note(t, "Truth: %s", check->source);
-    add_notes(t, sheet, offsetof(struct verify_row, note), "%s: %s.");
-    add_notes(t, sheet, offsetof(struct verify_row, changed),
-              "%s, claimed before a first result: %s.");
-    return table_finish(t, job->format, job->out);
-}
-
 /* How many rows end how, all of them, and their seconds. */
 static void add_tally(struct table *t, const char *name, const struct verify_sheet *sheet,
                       int sheets)
@@ -335,17 +313,31 @@ static enum status print_summary(const struct job *job)
 static enum status print(const struct job *job)
 {
     enum status st = STATUS_OK;
+    const bool data = table_format_is_data(job->format);
+    struct table *t = data ? table_create(COLUMNS, columns, NULL) : NULL;
+    char caption[512];
 
-    if (table_format_is_data(job->format)) {
-        struct table *t = table_create(COLUMNS, columns, NULL);
-        for (int s = 0; s < job->count; s++)
-            for (int n = 0; n < job->sheet[s].count; n++)
-                add_row(t, job->check[s], &job->sheet[s].rows[n]);
-        return table_finish(t, job->format, job->out);
+    for (int s = 0; s < job->count; s++) {
+        const struct verify_check *check = job->check[s];
+        const struct verify_row *row = job->sheet[s].rows;
+        snprintf(caption, sizeof caption, "%s: %s", check->item.name, check->item.text);
+        if (!data)
+            t = table_create(COLUMNS, columns, caption);
+        for (int n = 0; n < job->sheet[s].count; n++) {
+            if (n && strcmp(row[n].quantity, row[n - 1].quantity) &&
+                !strcmp(row[n].subject, row[0].subject))
+                table_rule(t);
+            add_row(t, check, &row[n]);
+        }
+        if (data)
+            continue;
+        table_note(t, "Truth: %s", check->source);
+        add_notes(t, &job->sheet[s], offsetof(struct verify_row, note), "%s: %s.");
+        add_notes(t, &job->sheet[s], offsetof(struct verify_row, changed),
+                  "%s, claimed before a first result: %s.");
+        TRY(table_finish(t, job->format, job->out));
     }
-    for (int s = 0; s < job->count; s++)
-        TRY(print_sheet(job, s));
-    TRY(print_summary(job));
+    st = data ? table_finish(t, job->format, job->out) : print_summary(job);
 out:
     return st;
 }

@@ -22,8 +22,7 @@
  * reach so far, says so. Nothing is claimed by default; a claim is a tolerance with its
  * reason, fixed before the first result, and a claim that is not met makes the command
  * fail. One that is another after a result says what was claimed before (`changed`).
- * Tests hold what is missed to tests/known_misses.txt.
- */
+ * Tests hold what is missed to tests/known_misses.txt. */
 #ifndef VERIFY_CHECK_H
 #define VERIFY_CHECK_H
 
@@ -202,15 +201,8 @@ struct verify_row *verify_sheet_add(const struct verify_subject *subject,
     __attribute__((format(printf, 2, 3)));
 
 /* What its table has in the row of a subject's case; in the notes. */
-static inline double verify_number(const struct verify_subject *s, const char *column)
-{
-    return reference_number(s->sheet->table, s->at, column);
-}
-
-static inline double verify_note(const struct verify_subject *s, const char *key)
-{
-    return truth_table_note(s->sheet->table, key);
-}
+#define verify_number(s, column) reference_number((s)->sheet->table, (s)->at, column)
+#define verify_note(s, key)      truth_table_note((s)->sheet->table, key)
 
 /* --- Runs behind rows. Seconds go into the row, and so does a refusal or a death, which is
  * no error: `lived` is false then, as all functions tell. What is neither goes to the sheet
@@ -250,8 +242,7 @@ bool verify_trial_equilibrium(struct verify_trial *t, int n, const double *uvw,
 bool verify_trial_tip(struct verify_trial *t, double xyz[3]);
 
 /* The `count` lowest angular frequencies about the rest shape into omega[] [rad/s];
- * settled: about static equilibrium, under its stress: -s where a mode grows as exp(s t).
- */
+ * settled: about static equilibrium, under its stress: -s for growth as exp(s t). */
 bool verify_trial_modes(struct verify_trial *t, bool settled, int count, double *omega);
 
 /* Motion from the scene's start to t->end, looked at by `watch` (motion.h). */

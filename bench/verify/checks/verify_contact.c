@@ -1,4 +1,3 @@
-/* A sheet that lies on a plane, level and inclined, with Coulomb friction. */
 #include <math.h>
 
 #include "bench/verify/verify_check.h"
@@ -37,26 +36,11 @@ struct seen {
     int looks;
 };
 
-/* Centre of mass along x, by the trapezoidal rule. */
-static double centre(const struct motion *m)
-{
-    double sum = 0, total = 0;
-
-    for (int n = 0; n < SIDE * SIDE; n++) {
-        const double i = n % SIDE, j = n / SIDE, last = SIDE - 1;
-        const double weight = (fmod(i, last) > 0 ? 1 : 0.5) * (fmod(j, last) > 0 ? 1 : 0.5);
-        double x[3];
-        m->model->probe(m->state, 1, (double[]){i / last, j / last, 0.5}, x);
-        sum += weight * x[0];
-        total += weight;
-    }
-    return sum / total;
-}
-
 static enum status look(void *context, const struct motion *m, struct message *why)
 {
     struct seen *s = context;
     struct model_contact c = {0};
+    double sum = 0, total = 0;
 
     (void)why;
     if (m->time < s->settled - m->scene->step / 4 || m->frames == 0)
@@ -65,7 +49,15 @@ static enum status look(void *context, const struct motion *m, struct message *w
     if (s->looks == 0 || fabs(c.force[2] - WEIGHT) > fabs(s->force - WEIGHT))
         s->force = c.force[2];
     s->gap = s->looks ? fmin(s->gap, c.least_gap) : c.least_gap;
-    s->along[0] = s->along[1], s->along[1] = s->along[2], s->along[2] = centre(m);
+    for (int n = 0; n < SIDE * SIDE; n++) { /* the trapezoidal rule */
+        const double i = n % SIDE, j = n / SIDE, last = SIDE - 1;
+        const double weight = (fmod(i, last) > 0 ? 1 : 0.5) * (fmod(j, last) > 0 ? 1 : 0.5);
+        double x[3];
+        m->model->probe(m->state, 1, (double[]){i / last, j / last, 0.5}, x);
+        sum += weight * x[0];
+        total += weight;
+    }
+    s->along[0] = s->along[1], s->along[1] = s->along[2], s->along[2] = sum / total;
     if (s->looks++ == 0)
         s->from = s->along[2];
     return STATUS_OK;
@@ -83,14 +75,14 @@ static void add_rows(struct verify_subject *s)
 
     if (s->sheet->quick && isnan(s->tolerance))
         return;
+    if (!rest && pull <= 0)
+        verify_subject_claim(s, STUCK, s->reason);
     struct verify_trial t =
         rest ? verify_trial_of(s, "ground", "force on the ground [N]")
              : verify_trial_of(s, "ground",
                                pull > 0 ? "slides, mu = %g [m/s^2], error / g"
                                         : "slips / L, mu = %g",
                                friction);
-    if (!rest && pull <= 0 && !isnan(t.row->tolerance))
-        t.row->tolerance = STUCK;
     verify_trial_set(
         &t,
         "sheet={length: 0.5, width: 0.4, thickness: 0.004};"

@@ -1,12 +1,10 @@
-/* The heavy elastica: a strip of nu = 0 that is clamped level and hangs under its weight.
- */
+/* The heavy elastica: a strip of nu = 0, clamped level, that hangs under its weight. */
 #include <math.h>
 #include <string.h>
 
 #include "bench/verify/checks/verify_strips.h"
 
-/* Of the table, relative. */
-static const double BAR = 1e-10;
+static const double BAR = 1e-10; /* of the table, relative */
 /* What a strip may still move in the last half of its time, of its drop, and count as at
  * rest: less than any net here errs by. */
 static const double REST = 1e-4;
@@ -59,34 +57,31 @@ static void measure(struct verify_trial *t, double at[2])
     at[0] = -xyz[2], at[1] = xyz[0];
 }
 
-static double gamma_of(const struct verify_subject *s, int row)
-{
-    return reference_number(s->sheet->table, row, "Gamma");
-}
-
 static int decade(const struct verify_subject *s, int row)
 {
-    return (int)floor(log10(gamma_of(s, row)) + 1e-9);
+    return (int)floor(log10(reference_number(s->sheet->table, row, "Gamma")) + 1e-9);
 }
 
 /* The loads of a decade, from its first on; the row tells of the worst of them. */
 static void add_row(struct verify_subject *s)
 {
     static const char *const truth[] = {"H_over_L", "W_over_L"};
+    const struct reference *table = s->sheet->table;
     const bool linear = verify_subject_is_linear(s);
-    const int first = s->at, rows = reference_rows(s->sheet->table);
+    const int first = s->at, rows = reference_rows(table);
     int last = first;
 
     if (first && decade(s, first - 1) == decade(s, first))
         return;
     while (last + 1 < rows && decade(s, last + 1) == decade(s, first))
         last++;
-    struct verify_trial t =
-        verify_trial_of(s, "cantilever", "%s, Gamma = %.3g .. %.3g",
-                        linear ? "drop / L" : "tip", gamma_of(s, first), gamma_of(s, last));
+    const double from = verify_number(s, "Gamma"),
+                 to = reference_number(table, last, "Gamma");
+    struct verify_trial t = verify_trial_of(s, "cantilever", "%s, Gamma = %.3g .. %.3g",
+                                            linear ? "drop / L" : "tip", from, to);
     if (!verify_strips_worst(&t, s, measure, last, s->sheet->quick ? rows : 1, truth, BAR))
-        verify_row_note(t.row, "Gamma = %.4g", gamma_of(s, s->at));
-    else if (linear && gamma_of(s, last) > VERIFY_STRIPS_LINEAR_GAMMA)
+        verify_row_note(t.row, "Gamma = %.4g", verify_number(s, "Gamma"));
+    else if (linear && to > VERIFY_STRIPS_LINEAR_GAMMA)
         verify_row_end(t.row, VERIFY_OUT_OF_RANGE, "small strains reach to Gamma = %g",
                        VERIFY_STRIPS_LINEAR_GAMMA);
 }
@@ -101,7 +96,7 @@ static const struct verify_field squares = {.entry = square};
 
 static void add_square(struct verify_subject *s)
 {
-    const double gamma = gamma_of(s, s->at);
+    const double gamma = verify_number(s, "Gamma");
     double xyz[3];
 
     if (gamma != 10 && gamma != 100)
@@ -116,7 +111,6 @@ static void add_square(struct verify_subject *s)
 const struct verify_check verify_elastica = {
     {"elastica", "tip of a heavy strip, clamped level, at any weight"},
     "inextensible elastica by shooting, tests/reference/heavy_elastica.csv, 1e-10; error: "
-    "the "
-    "tip's distance, of its drop; the worst of a decade",
+    "the tip's distance, of its drop; the worst of a decade",
     "heavy_elastica",
     .parts = {{&verify_strips, add_row}, {&squares, add_square}}};

@@ -1,4 +1,3 @@
-/* Undamped swings of a plate: what each model makes of its energy. */
 #include <math.h>
 
 #include "bench/verify/verify_check.h"

@@ -1,8 +1,6 @@
 /* The cantilever of ASTM D1388, option A, in numbers: a strip is pushed over an edge until
  * its tip lies 41.5 degrees below the edge; half the overhang O is the bending length c,
- * and weight per area times c^3 the flexural rigidity. For measured fabrics, by every
- * model.
- */
+ * and weight per area times c^3 the flexural rigidity. Of measured fabrics. */
 #include <math.h>
 
 #include "bench/verify/checks/verify_strips.h"
@@ -12,28 +10,23 @@ static const double GRAVITY = 9.81;
 /* Fabrics have no thickness in the table, and no model but a solid asks for one: half a
  * millimetre, which is 1/60 to 1/100 of these overhangs; E follows from D. */
 static const double THICKNESS = 5e-4;
-/* The secant method ends at this part of the overhang. */
-static const double FOUND = 1e-6;
+static const double FOUND = 1e-6; /* of the overhang: the secant method ends            */
 enum { MOST_TRIES = 12 };
 #define ANGLE (41.5 * acos(-1) / 180)
 
 /* Gamma at which the elastica's tip is there: 8.0042. */
-static enum status gamma_wanted(double *gamma)
+static double gamma_wanted(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
-    double low = 7, high = 9;
+    double low = 7, high = 9, gamma = NAN;
+    struct elastica e;
 
     for (int n = 0; n < 40; n++) {
-        struct elastica e;
-        *gamma = (low + high) / 2;
-        TRY(elastica_solve(*gamma, &e));
-        if (atan2(e.drop, e.reach) < ANGLE)
-            low = *gamma;
-        else
-            high = *gamma;
+        gamma = (low + high) / 2;
+        if (!verify_sheet_holds(sheet, elastica_solve(gamma, &e)))
+            break;
+        *(atan2(e.drop, e.reach) < ANGLE ? &low : &high) = gamma;
     }
-out:
-    return st;
+    return gamma;
 }
 
 /* How far below 41.5 degrees the tip is at an overhang [m]. */
@@ -81,7 +74,7 @@ static void add_row(struct verify_subject *s)
     const char *name = reference_text(s->sheet->table, s->at, "fabric");
 
     if (gamma == 0)
-        verify_sheet_holds(s->sheet, gamma_wanted(&gamma));
+        gamma = gamma_wanted(s->sheet);
     const double D = verify_number(s, "D_eq_Nm");
     const double weight = verify_number(s, "area_density_kg_m2") * GRAVITY;
     double overhang = cbrt(gamma * D / weight);
@@ -105,7 +98,6 @@ const struct verify_check verify_fabrics = {
     {"fabrics", "bending length of ten fabrics by the cantilever of ASTM D1388"},
     "the elastica at 41.5 degrees, Gamma = 8.0042 (fem_ref/elastica.h, 1e-10), for D and "
     "weight of tests/reference/fabrics.csv; error bar: of the overhang found; h = 0.5 mm, "
-    "E = "
-    "12 D / h^3, nu = 0",
+    "E = 12 D / h^3, nu = 0",
     "fabrics",
     .parts = {{&verify_strips, add_row, .every = 9}}};

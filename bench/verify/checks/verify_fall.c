@@ -68,12 +68,12 @@ static void add_fall(struct verify_subject *s)
         truth[n][0] = uvw[n][0], truth[n][1] = uvw[n][1], truth[n][2] = -way;
     if (rate > 0 && exact)
         verify_subject_claim(s, SECOND, "second order");
-    verify_trial_refine(
-        s,
-        &(struct verify_trial_refine){"drag_fall", f->settings,
-                                      rate == 0 && exact ? 1 : VERIFY_TRIAL_STEPS, DT, 1,
-                                      &time, POINTS, uvw[0], truth[0], 0, deviation, &way},
-        f->quantity);
+    struct verify_trial_refine r = {
+        .scene = "drag_fall", .settings = f->settings, .step = DT};
+    r.steps = rate == 0 && exact ? 1 : VERIFY_TRIAL_STEPS;
+    r.times = 1, r.time = &time, r.n = POINTS, r.uvw = uvw[0], r.truth = truth[0];
+    r.measure = deviation, r.context = &way;
+    verify_trial_refine(s, &r, f->quantity);
 }
 
 /* Speed of a sheet of mass rho h L W by its kinetic energy [m/s]. */
@@ -90,40 +90,32 @@ static enum status see_speed(void *context, const struct motion *m, struct messa
     return STATUS_OK;
 }
 
-/* The speed at `end` over `unit`, judged; a part of it, `missing`, is still to come. */
-static void judge_speed(struct verify_trial *t, double end, double unit, double less,
-                        double truth, double missing)
+/* Terminal speed rho g / c, of which exp(-c t / rho) is missing; and, in rows of the table,
+ * v <- mu v after every step: mu / (1 - mu) g dt, set by the step, but for mu^n. */
+static void add_speed(struct verify_subject *s)
 {
+    const bool drag = s->at == 0;
+    const double mu = drag ? 1 : verify_number(s, "a"), dt = 0.001,
+                 end = mu > 0.95 ? 2 : 0.2;
+    const double missing = drag ? exp(-5 * end) : fmax(pow(mu, end / dt), 1e-12);
     double speed;
 
-    t->end = end;
-    if (verify_trial_watch(t, see_speed, &speed))
-        verify_row_judge(t->row, speed / unit - less, truth, missing);
-}
-
-/* Terminal speed rho g / c; exp(-c t / rho) of it is missing. */
-static void add_terminal(struct verify_subject *s)
-{
-    const double end = 2, missing = exp(-5 * end);
-
-    verify_subject_claim(s, missing, NULL);
+    verify_subject_claim(s, drag ? missing : SPEED, NULL);
     struct verify_trial t =
-        verify_trial_of(s, "drag_fall", "terminal speed with drag [m/s]");
-    judge_speed(&t, end, 1, 0, 1.962, missing);
-}
-
-/* v <- mu v after every step: mu / (1 - mu) g dt, a speed that the step sets. */
-static void add_scaled(struct verify_subject *s)
-{
-    const double mu = verify_number(s, "a"), dt = 0.001, end = mu > 0.95 ? 2 : 0.2;
-
-    verify_subject_claim(s, SPEED, NULL);
-    struct verify_trial t =
-        verify_trial_of(s, "drag_fall", "v <- %g v: speed / (g dt)", mu);
-    verify_trial_set(
-        &t, DRAG("0") "; time.step=0.001; damping={kind: velocity_scale, value: %g}", mu);
-    judge_speed(&t, end, G * dt, s->mark ? 0.5 : 0, verify_number(s, "v1"),
-                fmax(pow(mu, end / dt), 1e-12)); /* mu^n */
+        drag ? verify_trial_of(s, "drag_fall", "terminal speed with drag [m/s]")
+             : verify_trial_of(s, "drag_fall", "v <- %g v: speed / (g dt)", mu);
+    t.end = end;
+    if (!drag)
+        verify_trial_set(
+            &t, DRAG("0") "; time.step=0.001; damping={kind: velocity_scale, value: %g}",
+            mu);
+    if (!verify_trial_watch(&t, see_speed, &speed))
+        return;
+    if (drag)
+        verify_row_judge(t.row, speed, 1.962, missing);
+    else
+        verify_row_judge(t.row, speed / (G * dt) - (s->mark ? 0.5 : 0),
+                         verify_number(s, "v1"), missing);
 }
 
 const struct verify_check verify_fall = {
@@ -131,5 +123,5 @@ const struct verify_check verify_fall = {
     "closed forms; mu / (1 - mu) by tests/reference/beam_elastica_cable.csv",
     "beam_elastica_cable",
     .parts = {{&field, add_fall, FALLS},
-              {&field, add_terminal, 1},
-              {&field, add_scaled, .column = "case", .text = "newmark_vscale"}}};
+              {&field, add_speed, 1},
+              {&field, add_speed, .column = "case", .text = "newmark_vscale"}}};

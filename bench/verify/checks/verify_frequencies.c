@@ -1,4 +1,3 @@
-/* Frequencies of thin rectangular plates with clamped, simply supported and free edges. */
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
 /* Stiffness and mass of a box against products of matrices of one variable; six motions
- * without energy, flat and curved; and a sheet turned as a whole, which keeps no energy.
- */
+ * without energy, flat and curved; and a sheet turned as a whole, which keeps no energy. */
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -47,11 +46,8 @@ static const struct verify_entry entries[] = {
 static const struct verify_field field = {
     entries, CONTESTANT_SMALL, "iga,hex,shell", {6}, {5}};
 
-/* --- K and M. */
-
 /* Products for the box: K, or M spread over three components, into zeros [3 nodes][3
- * nodes].
- */
+ * nodes]. */
 static enum status products(const struct discretization *d, bool solid, bool mass,
                             double *full, struct message *why)
 {
@@ -109,8 +105,7 @@ static void add_box(struct verify_subject *s)
     free(ours);
 }
 
-/* --- Motions without energy. */
-
+/* Motions without energy. */
 static void add_zero_modes(struct verify_subject *s)
 {
     const char *scene = s->at ? "cloak" : "cantilever";

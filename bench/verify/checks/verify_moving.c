@@ -1,12 +1,9 @@
-/* A plate whose held edge is accelerated: seen from the edge, a plate at rest under an
- * inertial force. */
 #include <math.h>
 
 #include "bench/verify/verify_check.h"
 
 /* Both are the same equations: round-off of a solve, over tens of steps, for a linear
- * model; where Newton's method or others iterate they end at 1e-7 L, or at what is asked.
- */
+ * model; where Newton's method or others iterate they end at 1e-7 L, or as asked. */
 #define EXACT    1e-8, NULL
 #define ITERATED 1e-6, NULL
 

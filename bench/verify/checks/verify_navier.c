@@ -1,13 +1,9 @@
-/* Simply supported square plates, thick to thin, in linear theory: deflection under their
- * own weight and the first two flexural frequencies, against three-dimensional elasticity,
- * and for surfaces against Kirchhoff's plate. */
 #include <math.h>
 #include <string.h>
 
 #include "bench/verify/checks/verify_plates.h"
 
-/* Where every model's answer is that of linear theory. */
-static const double GAMMA = 0.01;
+static const double GAMMA = 0.01; /* every model's answer is that of linear theory */
 /* Of the table: ten digits, uniform loads a series to 6e-7. */
 static const double BAR = 1e-6;
 /* Modes computed: those in the plane lie about, the one nearest to the truth counts. */

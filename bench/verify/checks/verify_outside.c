@@ -1,12 +1,9 @@
 /* What CalculiX and FreeFEM computed, stored in tests/reference: element matrices, tips and
- * a large swing by the one; plates let go, as three-dimensional solids, by the other.
- */
+ * a large swing by the one; plates let go, as three-dimensional solids, by the other. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "bench/verify/checks/verify_plates.h"
-
-/* ------------------------------------------------------------------ matrices -------- */
 
 /* Asked: two codes that do the same sums differ by round-off. The file has 14 digits. */
 #define MATRIX 1e-12
@@ -20,48 +17,40 @@ static const struct verify_entry blocks[] = {
     {NULL}};
 static const struct verify_field block_field = {.entry = blocks};
 
-/* Largest difference of the lower triangle's entries, which are the table's rows, of the
- * largest; INFINITY for other sizes. */
-static double matrix_error(double *full, int rows, const struct reference *table,
-                           const char *column)
-{
-    double most = 0, apart = 0;
-
-    for (int n = 0; n < reference_rows(table); n++) {
-        const double i = reference_number(table, n, "row");
-        const double j = reference_number(table, n, "column");
-        const double value = reference_number(table, n, column);
-        most = fmax(most, fabs(value));
-        if (i >= 0 && j >= 0 && i < rows && j < rows)
-            full[rows * (int)i + (int)j] -= value;
-        else
-            apart = INFINITY;
-    }
-    for (int n = 0; n < rows * rows; n++)
-        if (n % rows <= n / rows)
-            apart = verify_row_worse(fabs(full[n]), apart);
-    return apart / most;
-}
-
+/* The largest difference of the lower triangle's entries, which are the table's rows, of
+ * the largest; INFINITY for other sizes. */
 static void add_block(struct verify_subject *s)
 {
     const char *const column[] = {"stiffness", "mass"};
-    int rows;
+    const struct reference *table = s->sheet->table;
 
-    for (int mass = 0; mass < 2; mass++) {
+    for (int mass = 0, rows; mass < 2; mass++) {
+        double most = 0, apart = 0;
         struct verify_trial t = verify_trial_of(
             s, "cantilever", "%s matrix of a block, CalculiX", column[mass]);
         verify_plates_physics(s->sheet, &t.settings);
         double *full = verify_trial_matrix(&t, mass, &rows);
+        for (int n = 0; full && n < reference_rows(table); n++) {
+            const double i = reference_number(table, n, "row");
+            const double j = reference_number(table, n, "column");
+            const double value = reference_number(table, n, column[mass]);
+            most = fmax(most, fabs(value));
+            if (i >= 0 && j >= 0 && i < rows && j < rows)
+                full[rows * (int)i + (int)j] -= value;
+            else
+                apart = INFINITY;
+        }
+        for (int n = 0; full && n < rows * rows; n++)
+            if (n % rows <= n / rows)
+                apart = verify_row_worse(fabs(full[n]), apart);
         if (full)
-            verify_row_judge_error(
-                t.row, matrix_error(full, rows, s->sheet->table, column[mass]), DIGITS);
+            verify_row_judge_error(t.row, apart / most, DIGITS);
         free(full);
         run_close(&t.run);
     }
 }
 
-/* ------------------------------------------------------------------ tips ------------ */
+/* --- Tips. */
 
 /* The same element on the same nodes, to the 7 digits of the file. */
 static const struct verify_entry twin[] = {
@@ -90,11 +79,9 @@ static void add_tip(struct verify_subject *s)
     }
 }
 
-/* ------------------------------------------------------------------ swing ----------- */
+/* --- A large swing. */
 
-/* Asked of nonlinear solids. */
-#define SWING 1e-3, "asked"
-
+#define SWING 1e-3, "asked" /* of nonlinear solids */
 static const struct verify_entry strips[] = {
     {"iga_nonlinear_3", SWING, {19}, {4}, 0, "r = 2", {"discretization.degree=[3,3,2]"}, 3},
     {"iga_reduced", SWING, {66}, {3}},
@@ -138,9 +125,8 @@ static void add_swing(struct verify_subject *s)
                            verify_note(s, "mesh_error_m") + verify_note(s, "step_error_m"));
 }
 
-/* ------------------------------------------------------------------ plates let go --- */
-
-/* As in `transient`, on its finest nets: a solid 1 %; a thin shell is to be as good. */
+/* --- Plates let go. As in `transient`, on its finest nets: a solid 1 %; a thin shell is to
+ * be as good. */
 #define PLATE 0.01, NULL
 
 static const struct verify_entry plates[] = {
@@ -163,17 +149,17 @@ static void add_plate(struct verify_subject *s)
     static const char *const names[] = {"freefem_transient_h10mm",
                                         "freefem_transient_h1mm"};
     struct freefem_field f;
-    double uvw[VERIFY_PLATES_POINTS][3], xyz[FREEFEM_TIMES][VERIFY_PLATES_POINTS][3];
+    double xyz[FREEFEM_TIMES][VERIFY_PLATES_POINTS][3];
 
     if (!verify_plates_read(s->sheet, names[s->at], &f))
         return;
     struct verify_trial t = verify_trial_of(s, "cantilever_transient",
                                             "let go, field by FreeFEM to 0.4 s, h/L = %g",
                                             verify_note(s, "thickness"));
-    verify_plates_points(uvw);
     settings_set(&t.settings, "time.step=0.00125");
     verify_plates_physics(s->sheet, &t.settings);
-    if (!verify_trial_motion(&t, f.times, f.time, VERIFY_PLATES_POINTS, uvw[0], xyz[0][0]))
+    if (!verify_trial_motion(&t, f.times, f.time, VERIFY_PLATES_POINTS,
+                             verify_plates_points(), xyz[0][0]))
         return;
     for (int n = 0; n < f.times; n++) {
         double bar, error = verify_plates_error(&f, n, xyz[n], 1, &bar);

@@ -107,25 +107,23 @@ static void add_rows(struct verify_subject *s)
         {1, 0.5, 0.5}, {0.75, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.25, 0.5, 0.5}};
     static double time[TIMES], truth[TIMES][POINTS][3];
     const struct swing *swing = &swings[s->at];
-    const bool once = s->mark || s->sheet->quick;
     const int fine = s->along[swing->thin]; /* spans */
     char quantity[VERIFY_TEXT];
+    struct verify_trial_refine r = {.scene = "hinge", .settings = swing->settings};
 
     if (!read_truth(s->sheet, swing->file, time, truth))
         return;
+    r.steps = s->mark || s->sheet->quick ? 1 : VERIFY_TRIAL_STEPS, r.step = STEP;
+    r.times = TIMES, r.time = time, r.n = POINTS, r.uvw = uvw[0], r.truth = truth[0][0];
+    r.measure = distance, r.bar = BAR;
     s->along[0] = fine / 2 + s->degree, s->along[1] = fine + s->degree;
     if (s->mark)
         verify_subject_last(s, 1);
+    if (verify_subject_is_linear(s))
+        r.beyond = "small strains reach to Gamma = 0.9";
     snprintf(quantity, sizeof quantity, "%s: position / L until %g s", swing->name,
              TIMES * APART);
-    verify_trial_refine(s,
-                        &(struct verify_trial_refine){
-                            "hinge", swing->settings, once ? 1 : VERIFY_TRIAL_STEPS, STEP,
-                            TIMES, time, POINTS, uvw[0], truth[0][0], BAR, distance,
-                            .beyond = verify_subject_is_linear(s)
-                                          ? "small strains reach to Gamma = 0.9"
-                                          : NULL},
-                        quantity);
+    verify_trial_refine(s, &r, quantity);
 }
 
 const struct verify_check verify_pendulum = {

@@ -9,11 +9,7 @@
  * splines have their knots drawn together there, hexahedra are many. */
 #define GRADED {16, 32}, {3, 3}, 2
 #define CUBIC  GRADED, NULL, {"discretization.degree=[3,2,1]"}, 0
-#define MANY                                                                               \
-    {80, 160},                                                                             \
-    {                                                                                      \
-        2, 2                                                                               \
-    }
+#define MANY   {80, 160}, {2, 2}, 0
 
 /* Changed after a first result of `elastica`, and of that alone: nets drawn to the clamp,
  * or made finer. */

@@ -4,8 +4,7 @@
 
 #include "bench/verify/checks/verify_strips.h"
 
-/* Of the columns exact1, exact2. */
-static const double BAR = 1e-8;
+static const double BAR = 1e-8; /* of the columns exact1, exact2 */
 /* Sheets of 3.1 and 3.2, but for the length. */
 #define STRIP                                                                              \
     "sheet.width=1; sheet.thickness=0.1; material.young=1.2e6; material.poisson=0; "       \
@@ -60,8 +59,7 @@ static const double LONG = 12, BENDING = 100; /* L [m], E I [N m^2]             
 /* Slow against the strip's first frequency, 22.4 sqrt(E I / m L^4) = 22.4 / s by this
  * density, and damped near it: what moves at the end is e^-20 of what was moved. */
 #define SLOWLY                                                                             \
-    "material.density=0.0482253; damping={kind: mass, value: 40}; time={step: 0.02, end: " \
-    "4}"
+    "material.density=0.0482253;damping={kind: mass, value: 40};time.step=0.02;time.end=4"
 static const double LED = 2, REST_AT = 4; /* [s]                                         */
 
 /* Where the arc of angle `turn` over the length puts the point s, z from the middle. */

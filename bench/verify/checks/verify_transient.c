@@ -1,4 +1,3 @@
-/* A cantilevered plate that is let go, as long as its deflection is small. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -111,36 +110,6 @@ static double plate_error(const void *context, const double *a, const double *b)
     return worst;
 }
 
-static void add_rows(struct verify_subject *s, struct transient *t)
-{
-    const bool quick = s->sheet->quick;
-    const struct verify_trial_refine r = {SCENE,
-                                          settings,
-                                          quick ? 1 : VERIFY_TRIAL_STEPS,
-                                          STEP,
-                                          TIMES,
-                                          times,
-                                          GRID_POINTS,
-                                          t->uvw,
-                                          t->truth,
-                                          KIRCHHOFF_TRANSIENT_ERROR,
-                                          plate_error,
-                                          t,
-                                          t->field};
-
-    if (quick) /* the finest two, no coarser step */
-        verify_subject_last(s, 2);
-    if (!verify_trial_refine(s, &r, "rms deflection, Kirchhoff") || quick)
-        return;
-    struct verify_row *row = verify_sheet_add(s, "rms deflection, 3-D elasticity");
-    for (int n = 0; n < TIMES; n++) { /* of the mid-surface, the worst likewise */
-        const double *xyz = t->field + 3 * GRID_POINTS * n;
-        const double e = freefem_rmse(&t->solid, n, &t->scene, xyz) / t->fallen[n];
-        if (n == 0 || e > row->error)
-            verify_row_judge_error(row, e, t->solid.error[n] / t->fallen[n]);
-    }
-}
-
 static void run(struct verify_sheet *sheet)
 {
     struct transient *t = calloc(1, sizeof *t);
@@ -149,8 +118,24 @@ static void run(struct verify_sheet *sheet)
     if (!verify_sheet_holds(sheet, t ? STATUS_OK : STATUS_MEMORY))
         return;
     verify_sheet_holds(sheet, transient_init(t, &sheet->why));
-    for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
-        add_rows(&s, t);
+    struct verify_trial_refine r = {.scene = SCENE, .settings = settings, .step = STEP};
+    r.steps = sheet->quick ? 1 : VERIFY_TRIAL_STEPS;
+    r.times = TIMES, r.time = times, r.n = GRID_POINTS, r.uvw = t->uvw, r.truth = t->truth;
+    r.measure = plate_error, r.context = t, r.bar = KIRCHHOFF_TRANSIENT_ERROR;
+    r.field = t->field;
+    for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);) {
+        if (sheet->quick) /* the finest two, no coarser step */
+            verify_subject_last(&s, 2);
+        if (!verify_trial_refine(&s, &r, "rms deflection, Kirchhoff") || sheet->quick)
+            continue;
+        struct verify_row *row = verify_sheet_add(&s, "rms deflection, 3-D elasticity");
+        for (int k = 0; k < TIMES; k++) { /* of the mid-surface, the worst likewise */
+            const double *xyz = t->field + 3 * GRID_POINTS * k;
+            const double e = freefem_rmse(&t->solid, k, &t->scene, xyz) / t->fallen[k];
+            if (k == 0 || e > row->error)
+                verify_row_judge_error(row, e, t->solid.error[k] / t->fallen[k]);
+        }
+    }
     scene_clear(&t->scene);
     truth_plate_clear(&t->plate);
     free(t);

@@ -1,4 +1,3 @@
-/* The scenes that have no closed form: every model against the truths that are stored. */
 #include <stdlib.h>
 
 #include "bench/truth/truth_file.h"
@@ -41,21 +40,7 @@ struct stored {
     double uvw[3 * GRID_POINTS], xyz[3 * GRID_POINTS];
 };
 
-/* At time number `index`. */
-static void add_row(struct stored *s, const struct verify_subject *subject, int index)
-{
-    const double time = s->truth.time[index];
-    struct verify_trial t =
-        verify_trial_of(subject, s->scene, "%s, rms / L at %.3g s", s->scene, time);
-
-    settings_append(&t.settings, &s->settings);
-    if (verify_trial_motion(&t, 1, &time, GRID_POINTS, s->uvw, s->xyz))
-        verify_row_judge_error(t.row, metric_rmse(s->xyz, s->truth.xyz[index]) / s->length,
-                               s->truth.value[index][TRUTH_ERROR] / s->length);
-}
-
-/* The scene as its truth moves, and that truth. STATUS_UNSUPPORTED: it is of other physics.
- */
+/* The scene as its truth moves, and that truth. STATUS_UNSUPPORTED: of other physics. */
 static enum status find_truth(struct stored *s, struct message *why)
 {
     char *path = NULL;
@@ -89,8 +74,16 @@ static void add_scene(struct verify_sheet *sheet, struct stored *s)
         if (st == STATUS_UNSUPPORTED)
             verify_row_end(verify_sheet_add(&subject, "%s, rms / L", s->scene),
                            VERIFY_NOT_APPLICABLE, "%s", sentence.text);
-        else if (index >= 0)
-            add_row(s, &subject, index);
+        else if (index >= 0) {
+            const double time = s->truth.time[index], length = s->length;
+            struct verify_trial t = verify_trial_of(
+                &subject, s->scene, "%s, rms / L at %.3g s", s->scene, time);
+            settings_append(&t.settings, &s->settings);
+            if (verify_trial_motion(&t, 1, &time, GRID_POINTS, s->uvw, s->xyz))
+                verify_row_judge_error(t.row,
+                                       metric_rmse(s->xyz, s->truth.xyz[index]) / length,
+                                       s->truth.value[index][TRUTH_ERROR] / length);
+        }
     truth_made_clear(&s->truth);
     settings_clear(&s->settings);
 }

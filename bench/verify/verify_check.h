@@ -281,9 +281,8 @@ struct verify_trial_refine {
     const double *uvw;   /* [n][3] material points                                        */
     const double *truth; /* [times][n][3] [m]                                             */
     double bar;          /* of the truth, as `measure` has it                             */
-    double (*measure)(const void *context, const double *a,
-                      const double *b); /* how far a is
-                       from b, both [times][n][3]   */
+    /* How far a is from b, both [times][n][3]. */
+    double (*measure)(const void *context, const double *a, const double *b);
     const void *context;
     double *field;      /* [times][n][3] the finest run's, for more rows; or NULL         */
     const char *beyond; /* why the subject's theory does not reach so far; NULL: it does  */
@@ -297,7 +296,8 @@ bool verify_trial_refine(const struct verify_subject *subject,
 
 /* --- Checks. */
 
-/* In every case, a row (or more) of everyone in the field. */
+/* In every case, a row (or more) of everyone in the field. A check has fewer than
+ * VERIFY_PARTS. */
 struct verify_part {
     const struct verify_field *field;
     void (*row)(struct verify_subject *s); /* s->at: the case; NULL ends the parts        */

@@ -40,8 +40,6 @@ static const struct command_option options[] = {
     {NULL, NULL, false, NULL},
 };
 
-/* --- Rows as a table: printed, written to a file, read from it. */
-
 /* Columns of the numbers and texts of a row, and of its verdict. */
 #define NUMBERS(X)                                                                         \
     X(2, value) X(3, truth) X(4, bar) X(5, error) X(6, tolerance) X(7, order) X(9, seconds)
@@ -156,8 +154,6 @@ out:
         verify_sheet_clear(sheet);
     return st;
 }
-
-/* --- The command. */
 
 /* What was asked for, of which checks (NULL ends them), and where tables go. */
 struct job {

@@ -11,8 +11,6 @@
 #include "bench/harness/fit.h"
 #include "models/clock.h"
 
-/* --- Rows. */
-
 const char *verify_verdict_name(int verdict)
 {
 #define VERIFY_WORD(code, word) word,
@@ -77,8 +75,6 @@ bool verify_row_failed(const struct verify_row *row)
 {
     return verify_row_claims(row) && row->verdict != VERIFY_MET;
 }
-
-/* --- Subjects. */
 
 static void add_net(struct verify_subject *s, int along, int across)
 {
@@ -197,8 +193,6 @@ double verify_subject_order(const struct verify_subject *s, const double *error,
         2, (double[]){s->along[fine - 1] - s->degree, s->along[fine] - s->degree},
         &error[fine - 1]);
 }
-
-/* --- Sheets. */
 
 bool verify_sheet_holds(struct verify_sheet *sheet, enum status st)
 {
@@ -331,8 +325,6 @@ void verify_sheet_clear(struct verify_sheet *sheet)
     free(sheet->rows);
     memset(sheet, 0, sizeof *sheet);
 }
-
-/* --- Runs. */
 
 void verify_trial_set(struct verify_trial *t, const char *settings, ...)
 {
@@ -636,8 +628,6 @@ bool verify_trial_refine(const struct verify_subject *subject,
     free(room);
     return lived;
 }
-
-/* --- Checks. */
 
 void verify_check_run(const struct verify_check *check, struct verify_sheet *sheet)
 {

@@ -1,5 +1,3 @@
-/* A square plate, clamped along one edge, under its own weight in linear theory: against
- * Kirchhoff's plate at any thickness, and against three-dimensional elasticity. */
 #include <math.h>
 
 #include "bench/truth/truth_plate.h"

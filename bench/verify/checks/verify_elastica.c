@@ -1,4 +1,3 @@
-/* The heavy elastica: a strip of nu = 0, clamped level, that hangs under its weight. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,3 @@
-/* A free sheet that falls without deforming: what time stepping and damping make of a rigid
- * body. */
 #include <math.h>
 
 #include "bench/verify/verify_check.h"

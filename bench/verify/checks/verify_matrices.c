@@ -1,5 +1,3 @@
-/* Stiffness and mass of a box against products of matrices of one variable; six motions
- * without energy, flat and curved; and a sheet turned as a whole, which keeps no energy. */
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,3 @@
-/* What CalculiX and FreeFEM computed, stored in tests/reference: element matrices, tips and
- * a large swing by the one; plates let go, as three-dimensional solids, by the other. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,4 +1,3 @@
-/* Strips of nu = 0 that swing down from level under their weight. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,5 +1,3 @@
-/* One bar element that swings along itself under sudden weight: what average acceleration
- * makes of a single frequency. */
 #include <math.h>
 
 #include "bench/verify/verify_check.h"

@@ -1,5 +1,3 @@
-/* A strip of nu = 0, clamped at both ends, whose ends are moved together: it buckles and
- * bends far out. And one that is then pushed through to the other side at its middle. */
 #include <math.h>
 #include <string.h>
 

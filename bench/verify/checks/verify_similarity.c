@@ -1,5 +1,3 @@
-/* The same physics told otherwise: in other units, E and density together larger, the whole
- * scene turned. Motions over the length must be the same. */
 #include <math.h>
 
 #include "bench/verify/verify_check.h"

@@ -4,7 +4,7 @@
 #ifndef KNOWN_MISSES_H
 #define KNOWN_MISSES_H
 
-#include "bench/verify/verify_sheet.h"
+#include "bench/verify/verify_check.h"
 #include "tests/check.h"
 
 /* A line of the list: check | row | model | why; # begins a remark. */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bench/files/folder.h"
-#include "bench/verify/verify_file.h"
+#include "bench/verify/verify.h"
 #include "tests/check.h"
 
 static const struct verify_check check = {.item = {"unit_rows", "rows of a test"},
@@ -74,7 +74,10 @@ static void walk(struct verify_sheet *sheet, const struct verify_field *f, char 
 /* Entries first, then the others that enter, each as --models has it. */
 static void check_walk(void)
 {
-    static const struct verify_entry wrong[] = {{"nobody"}, {NULL}};
+    static const struct verify_entry wrong[] = {{"nobody"}, {NULL}},
+                                     several[] = {{"shell_linear,hex_linear"},
+                                                  {"mass_spring_paper"},
+                                                  {NULL}};
     struct verify_sheet sheet = {0};
     char text[512], want[512];
 
@@ -98,9 +101,42 @@ static void check_walk(void)
     CHECK(sheet.status == STATUS_OK);
     walk(&sheet, &(struct verify_field){.entry = wrong}, text);
     CHECK(sheet.status == STATUS_INPUT && strstr(sheet.why.text, "nobody"));
-    sheet.status = STATUS_OK;
+    sheet = (struct verify_sheet){0}; /* an entry of several, whom nobody names twice */
+    walk(&sheet, &(struct verify_field){.entry = several, .enters = CONTESTANT_SMALL},
+         text);
+    CHECK(!strncmp(text, "shell_linear hex_linear mass_spring_paper ", 42));
+    CHECK(!strstr(text + 42, "shell_linear ") && !strstr(text + 42, "hex_linear "));
     walk(&sheet, &(struct verify_field){.without = "nobody"}, text);
     CHECK(sheet.status == STATUS_INPUT);
+}
+
+/* The rows of a table that read so, each with its own numbers; --quick: one in three. */
+static void add_period(struct verify_subject *s)
+{
+    const double a = verify_number(s, "a");
+
+    verify_row_judge(verify_sheet_add(s, "%g", a), 2 * atan(a / 2) / a,
+                     verify_number(s, "v1"), 0);
+}
+
+static void check_parts(void)
+{
+    static const struct verify_check periods = {
+        .table = "beam_elastica_cable",
+        .parts = {{&field, add_period, .column = "case", .text = "newmark", .every = 3}}};
+    struct verify_sheet sheet = {.models = "mass_spring_paper"}, quick = sheet;
+
+    quick.quick = true;
+    verify_check_run(&periods, &sheet);
+    verify_check_run(&periods, &quick);
+    CHECK(sheet.status == STATUS_OK && sheet.count > 6);
+    CHECK(quick.count == (sheet.count + 2) / 3);
+    for (int n = 0; n < sheet.count; n++)
+        CHECK(sheet.rows[n].error < 1e-11);
+    for (int n = 0; n < quick.count; n++)
+        CHECK(!strcmp(quick.rows[n].quantity, sheet.rows[3 * n].quantity));
+    verify_sheet_clear(&sheet);
+    verify_sheet_clear(&quick);
 }
 
 /* The first failure is kept, and walks end with it. */
@@ -269,6 +305,7 @@ int main(int argc, char **argv)
     check_verdicts();
     check_worse();
     check_walk();
+    check_parts();
     check_failure();
     check_nets();
     check_subject();

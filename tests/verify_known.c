@@ -4,7 +4,7 @@
  *   test_verify_known PROGRAM CHECK FOLDER [--quick] */
 #include <sys/wait.h>
 
-#include "bench/verify/verify_file.h"
+#include "bench/verify/verify.h"
 #include "tests/known_misses.h"
 
 static int run(char **argv, const char *quick)

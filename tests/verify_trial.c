@@ -1,6 +1,6 @@
 /* The runs behind rows, by a model that does as it is told: whose death, refusal and
  * failure is whose, which frames are looked at, and what refinement holds against what. */
-#include "bench/verify/verify_trial.h"
+#include "bench/verify/verify_check.h"
 
 #include "tests/scripted_model.h"
 
@@ -203,6 +203,25 @@ static void check_nets(void)
     CHECK(!verify_trial_nets(&t, value_of, dead, 1, 0) && t.row->verdict == VERIFY_DIED);
 }
 
+/* Of several numbers the worst is judged, with its own order; one that is none stays. */
+static void check_worst(void)
+{
+    const struct verify_subject s = subject_of(0.1);
+    const double errors[4][2] = {{0.16, 0.02}, {0.3, 0.01}, {0.4, 0.2}, {0.4, NAN}};
+
+    reset();
+    struct verify_trial t = verify_trial_of(&s, SCENE, "w");
+    CHECK(verify_trial_worst(&t, 5, 4, errors[0], 0.001) && t.row->verdict == VERIFY_MET);
+    CHECK_NEAR(t.row->order, 3, 1e-9);
+    CHECK(!verify_trial_worst(&t, 6, 7, errors[1], 0.002) && t.row->value == 5);
+    CHECK(verify_trial_worst(&t, 8, 9, errors[2], 0.003) &&
+          t.row->verdict == VERIFY_MISSED);
+    CHECK(t.row->value == 8 && t.row->truth == 9 && t.row->bar == 0.003);
+    CHECK_NEAR(t.row->order, 1, 1e-9);
+    CHECK(verify_trial_worst(&t, 1, 1, errors[3], 0) && isnan(t.row->error));
+    CHECK(!verify_trial_worst(&t, 8, 9, errors[2], 0) && t.row->verdict == VERIFY_MISSED);
+}
+
 /* --- Refinement: what is held against what, in which order. */
 
 static struct {
@@ -314,6 +333,7 @@ int main(void)
     check_motion();
     check_modes();
     check_nets();
+    check_worst();
     check_refine();
     check_refine_ends();
     reset();

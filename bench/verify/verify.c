@@ -6,9 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/files/csv.h"
 #include "bench/files/folder.h"
+#include "bench/files/output.h"
+#include "bench/files/provenance.h"
 #include "bench/ui/progress.h"
-#include "bench/verify/verify_file.h"
+#include "bench/ui/table.h"
 
 /* Statics first, then motions, and what outside programs and stored truths say. */
 #define CHECKS(X)                                                                          \
@@ -26,7 +29,7 @@ static const struct verify_check *const checks[] = {CHECKS(CHECK_ADDRESS), NULL}
 #define CHECK_ITEM(name) &verify_##name.item
 static const struct command_item *const items[] = {CHECKS(CHECK_ITEM), NULL};
 
-enum { MOST_CHECKS = 64 };
+enum { MOST_CHECKS = 64, DIGITS = 6, PATH = 4096 };
 
 static const struct command_option options[] = {
     {"--models", "A,B,...", false, "rows of these models or contestants only (all)"},
@@ -36,6 +39,121 @@ static const struct command_option options[] = {
     {"--from", "DIR", false, "print again from the files of an earlier run"},
     {NULL, NULL, false, NULL},
 };
+
+/* Columns of the numbers and texts of a row, and of its verdict. */
+#define NUMBERS(X)                                                                         \
+    X(2, value) X(3, truth) X(4, bar) X(5, error) X(6, tolerance) X(7, order) X(9, seconds)
+#define TEXTS(X) X(0, quantity) X(1, subject) X(10, note) X(13, changed)
+enum { VERDICT = 8, COLUMNS = 14 };
+
+#define WORDS NULL, TABLE_LEFT
+#define ASIDE WORDS, .readers = TABLE_MACHINES
+static const struct table_column columns[COLUMNS] = {
+    {"quantity", WORDS}, {"model", WORDS},
+    {"value"},           {"truth"},
+    {"error bar"},       {"error"},
+    {"tolerance"},       {"order"},
+    {"verdict", WORDS},  {"time", "s"},
+    {"remark", ASIDE},   {"check", ASIDE},
+    {"source", ASIDE},   {"claimed at first", ASIDE}};
+
+static void add_row(struct table *t, const struct verify_check *check,
+                    const struct verify_row *row)
+{
+    table_row(t);
+    table_text(t, "%s", row->quantity);
+    table_text(t, "%s", row->subject);
+    table_number(t, row->value, DIGITS);
+    table_number(t, row->truth, DIGITS);
+    table_number(t, row->bar, 1);
+    table_number(t, row->error, 2);
+    table_number(t, row->tolerance, 2);
+    table_fixed(t, row->order, 2);
+    table_text(t, "%s", verify_verdict_name((int)row->verdict));
+    table_number(t, row->seconds, 2);
+    table_text(t, "%s", row->note);
+    table_text(t, "%s", check->item.name);
+    table_text(t, "%s", check->source);
+    table_text(t, "%s", row->changed);
+}
+
+enum status verify_file_write(const struct verify_check *check,
+                              const struct verify_sheet *sheet, const char *folder,
+                              struct message *why)
+{
+    enum status st;
+    struct output *file = NULL;
+    struct provenance provenance;
+    struct table *t = table_create(COLUMNS, columns, NULL);
+    char path[PATH];
+
+    snprintf(path, PATH, "%s/%s.csv", folder, check->item.name);
+    TRY(output_create(path, &file, why));
+    provenance_collect(&provenance);
+    output_print(file, "# clothbench verify %s\n", check->item.name);
+    for (int n = 0; n < provenance.count; n++)
+        output_print(file, "# %s: %s\n", provenance.entry[n].key,
+                     provenance.entry[n].value);
+    for (int n = 0; n < sheet->count; n++)
+        add_row(t, check, &sheet->rows[n]);
+    table_flush(t, output_stream(file));
+    st = output_close(file, why);
+out:
+    table_destroy(t);
+    return st;
+}
+
+/* False for a verdict that is none. */
+static bool take_row(const struct csv_table *t, int n, struct verify_row *row)
+{
+#define TAKE_NUMBER(column, field) row->field = csv_number(t, n, column);
+#define TAKE_TEXT(column, field)                                                           \
+    snprintf(row->field, sizeof row->field, "%s", csv_words(t, n, column));
+    NUMBERS(TAKE_NUMBER)
+    TEXTS(TAKE_TEXT)
+    for (int v = 0; v < VERIFY_VERDICTS; v++)
+        if (!strcmp(csv_words(t, n, VERDICT), verify_verdict_name(v))) {
+            row->verdict = (enum verify_verdict)v;
+            return true;
+        }
+    return false;
+}
+
+static bool is_ours(const struct csv *csv)
+{
+    struct table *t = table_create(COLUMNS, columns, NULL);
+    bool ours = csv->count == 1 && csv->table->columns == COLUMNS;
+
+    for (int n = 0; ours && n < COLUMNS; n++)
+        ours = table_find(t, csv->table->cell[n]) == n;
+    table_destroy(t);
+    return ours;
+}
+
+enum status verify_file_read(const struct verify_check *check, const char *folder,
+                             struct verify_sheet *sheet, struct message *why)
+{
+    struct csv csv = {0};
+    char path[PATH];
+    enum status st;
+
+    *sheet = (struct verify_sheet){0};
+    snprintf(path, PATH, "%s/%s.csv", folder, check->item.name);
+    TRY(csv_read(path, &csv, why));
+    if (!is_ours(&csv))
+        TRY(status_fail(why, STATUS_INPUT, "%s: its columns are not those of verify",
+                        path));
+    for (int n = 0; n < csv.table->rows; n++)
+        if (!take_row(csv.table, n, verify_sheet_grow(sheet)))
+            TRY(status_fail(why, STATUS_INPUT, "%s: '%s' is no verdict", path,
+                            csv_words(csv.table, n, VERDICT)));
+    st = sheet->status;
+out:
+    csv_clear(&csv);
+    if (st != STATUS_OK)
+        verify_sheet_clear(sheet);
+    return st;
+}
 
 /* What was asked for, of which checks (NULL ends them), and where tables go. */
 struct job {
@@ -49,46 +167,33 @@ struct job {
     struct verify_sheet sheet[MOST_CHECKS];
 };
 
-static enum status find(const struct verify_check *const *all, const char *name,
-                        const struct verify_check **check, struct message *why)
-{
-    char known[768] = "";
-
-    for (int n = 0; all[n]; n++) {
-        size_t used = strlen(known);
-        if (!strcmp(all[n]->item.name, name)) {
-            *check = all[n];
-            return STATUS_OK;
-        }
-        snprintf(known + used, sizeof known - used, "%s%s", n ? ", " : "",
-                 all[n]->item.name);
-    }
-    return status_fail(why, STATUS_INPUT, "verify: there is no check '%s'; there are %s",
-                       name, known);
-}
-
 /* The checks named, each once, or all; with --quick the cheap ones of all. */
 static enum status choose(struct job *job, const struct command_line *line,
                           struct message *why)
 {
-    enum status st = STATUS_OK;
+    char known[768] = "";
 
-    for (int n = 0; n < line->word_count; n++) {
+    for (int n = 0; job->known[n]; n++) {
+        snprintf(known + strlen(known), sizeof known - strlen(known), "%s%s", n ? ", " : "",
+                 job->known[n]->item.name);
+        if (!line->word_count && !(job->quick && job->known[n]->slow))
+            job->check[job->count++] = job->known[n];
+    }
+    for (int n = 0, i; n < line->word_count; n++) {
         const struct verify_check *check = NULL;
-        bool known = false;
-        TRY(find(job->known, line->words[n], &check, why));
-        for (int i = 0; i < job->count; i++)
-            known |= job->check[i] == check;
-        if (!known)
+        for (i = 0; job->known[i] && !check; i++)
+            if (!strcmp(job->known[i]->item.name, line->words[n]))
+                check = job->known[i];
+        if (!check)
+            return status_fail(why, STATUS_INPUT,
+                               "verify: there is no check '%s'; there are %s",
+                               line->words[n], known);
+        for (i = 0; i < job->count && job->check[i] != check; i++)
+            ;
+        if (i == job->count)
             job->check[job->count++] = check;
     }
-    if (line->word_count)
-        return STATUS_OK;
-    for (int n = 0; job->known[n]; n++)
-        if (!job->quick || !job->known[n]->slow)
-            job->check[job->count++] = job->known[n];
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status prepare(struct job *job, const struct command_line *line,
@@ -126,95 +231,52 @@ static enum status run_check(struct job *job, int n, struct message *why)
     if (job->read_only)
         return verify_file_read(check, job->folder, sheet, why);
     *sheet = (struct verify_sheet){.models = job->models, .quick = job->quick};
-    if (!check->table || verify_sheet_table(sheet, check->table))
-        check->run(sheet);
+    verify_check_run(check, sheet);
     verify_sheet_sound(sheet);
     if (sheet->status != STATUS_OK)
         return status_fail(why, sheet->status, "%s", sheet->why.text);
     return verify_file_write(check, sheet, job->folder, why);
 }
 
-/* Whether an earlier row of the sheet has the same text (at `text` in it) of the same
- * subject: one note does for all. */
-static bool told(const struct verify_sheet *sheet, int row, size_t text)
+/* The texts at `text` in the rows, each once of a subject. */
+static void add_notes(struct table *t, const struct verify_sheet *sheet, size_t text,
+                      const char *format)
 {
-    const struct verify_row *r = sheet->rows;
-
-    for (int n = 0; n < row; n++)
-        if (!strcmp((const char *)&r[n] + text, (const char *)&r[row] + text) &&
-            !strcmp(r[n].subject, r[row].subject))
-            return true;
-    return false;
-}
-
-static enum status print_sheet(const struct job *job, int which)
-{
-    const struct verify_check *check = job->check[which];
-    const struct verify_sheet *sheet = &job->sheet[which];
-    const struct verify_row *row = sheet->rows;
-    char caption[512];
-
-    snprintf(caption, sizeof caption, "%s: %s", check->item.name, check->item.text);
-    struct table *t = verify_file_table(caption);
-    for (int n = 0; n < sheet->count; n++) {
-        if (n && strcmp(row[n].quantity, row[n - 1].quantity) &&
-            !strcmp(row[n].subject, row[0].subject))
-            table_rule(t);
-        verify_file_row(t, check, &row[n]);
-    }
-    table_note(t, "Truth: %s", check->source);
-    for (int n = 0; n < sheet->count; n++)
-        if (*row[n].note && !told(sheet, n, offsetof(struct verify_row, note)))
-            table_note(t, "%s: %s.", row[n].subject, row[n].note);
-    for (int n = 0; n < sheet->count; n++)
-        if (*row[n].changed && !told(sheet, n, offsetof(struct verify_row, changed)))
-            table_note(t, "%s, claimed before a first result: %s.", row[n].subject,
-                       row[n].changed);
-    return table_finish(t, job->format, job->out);
-}
-
-/* For machines: all rows in one table. */
-static enum status print_flat(const struct job *job)
-{
-    struct table *t = verify_file_table(NULL);
-
-    for (int s = 0; s < job->count; s++)
-        for (int n = 0; n < job->sheet[s].count; n++)
-            verify_file_row(t, job->check[s], &job->sheet[s].rows[n]);
-    return table_finish(t, job->format, job->out);
-}
-
-/* How many rows end how, and their seconds. */
-struct tally {
-    long rows[VERIFY_VERDICTS], all;
-    long claims, changed; /* that something came of; of them, after a first result     */
-    double seconds;
-};
-
-static void count_rows(const struct verify_sheet *sheet, struct tally *tally)
-{
-    for (int n = 0; n < sheet->count; n++, tally->all++) {
-        tally->rows[sheet->rows[n].verdict]++;
-        tally->claims += verify_row_claims(&sheet->rows[n]);
-        tally->changed += verify_row_claims(&sheet->rows[n]) && *sheet->rows[n].changed;
-        tally->seconds += sheet->rows[n].seconds;
+    for (int n = 0, i; n < sheet->count; n++) {
+        const char *own = (const char *)&sheet->rows[n] + text;
+        for (i = 0; i < n; i++)
+            if (!strcmp((const char *)&sheet->rows[i] + text, own) &&
+                !strcmp(sheet->rows[i].subject, sheet->rows[n].subject))
+                break;
+        if (*own && i == n)
+            table_note(t, format, sheet->rows[n].subject, own);
     }
 }
 
-static void add_tally(struct table *t, const char *name, const struct tally *tally)
+/* How many rows end how, all of them, and their seconds. */
+static void add_tally(struct table *t, const char *name, const struct verify_sheet *sheet,
+                      int sheets)
 {
+    long rows[VERIFY_VERDICTS + 1] = {0};
+    double seconds = 0;
+
+    for (const struct verify_sheet *end = sheet + sheets; sheet < end; sheet++)
+        for (int n = 0; n < sheet->count; n++) {
+            rows[sheet->rows[n].verdict]++;
+            rows[VERIFY_VERDICTS]++;
+            seconds += sheet->rows[n].seconds;
+        }
     table_row(t);
     table_text(t, "%s", name);
-    for (int v = 0; v < VERIFY_VERDICTS; v++)
-        table_integer(t, tally->rows[v]);
-    table_integer(t, tally->all);
-    table_number(t, tally->seconds, 2);
+    for (int v = 0; v <= VERIFY_VERDICTS; v++)
+        table_integer(t, rows[v]);
+    table_number(t, seconds, 2);
 }
 
 static enum status print_summary(const struct job *job)
 {
     struct table_column heads[VERIFY_VERDICTS + 3] = {{"check", NULL, TABLE_LEFT}};
-    struct tally sum = {{0}};
+    long claims = 0, changed = 0; /* that something came of; after a first result */
 
     for (int v = 0; v < VERIFY_VERDICTS; v++)
         heads[v + 1] = (struct table_column){verify_verdict_name(v)};
@@ -222,34 +284,56 @@ static enum status print_summary(const struct job *job)
     heads[VERIFY_VERDICTS + 2] = (struct table_column){"time", "s"};
     struct table *t = table_create(VERIFY_VERDICTS + 3, heads, "How many rows end how");
     for (int s = 0; s < job->count; s++) {
-        struct tally one = {{0}};
-        count_rows(&job->sheet[s], &one);
-        count_rows(&job->sheet[s], &sum);
-        add_tally(t, job->check[s]->item.name, &one);
+        add_tally(t, job->check[s]->item.name, &job->sheet[s], 1);
+        for (int n = 0; n < job->sheet[s].count; n++) {
+            const struct verify_row *row = &job->sheet[s].rows[n];
+            claims += verify_row_claims(row);
+            changed += verify_row_claims(row) && *row->changed;
+        }
     }
     table_rule(t);
-    add_tally(t, "all", &sum);
+    add_tally(t, "all", job->sheet, job->count);
     table_note(t, "met: error <= tolerance + error bar. A tolerance is a claim, fixed with "
                   "its reason before the first result; where nothing is claimed, the error "
                   "is measured all the same. The command fails if a claim is missed, or "
                   "dies.");
-    table_note(t, "Changed after a first result: %ld of %ld claims%s.", sum.changed,
-               sum.claims, sum.changed ? "; the notes say what was claimed before" : "");
+    table_note(t, "Changed after a first result: %ld of %ld claims%s.", changed, claims,
+               changed ? "; the notes say what was claimed before" : "");
     enum status st = table_print(t, job->format, job->out);
     table_destroy(t);
     return st;
 }
 
-/* Tables of all checks, and below them how many rows of each end how. CSV: one table. */
+/* Tables of all checks, and below them how many rows of each end how. For machines: all
+ * rows in one table. */
 static enum status print(const struct job *job)
 {
     enum status st = STATUS_OK;
+    const bool data = table_format_is_data(job->format);
+    struct table *t = data ? table_create(COLUMNS, columns, NULL) : NULL;
+    char caption[512];
 
-    if (table_format_is_data(job->format))
-        return print_flat(job);
-    for (int s = 0; s < job->count; s++)
-        TRY(print_sheet(job, s));
-    TRY(print_summary(job));
+    for (int s = 0; s < job->count; s++) {
+        const struct verify_check *check = job->check[s];
+        const struct verify_row *row = job->sheet[s].rows;
+        snprintf(caption, sizeof caption, "%s: %s", check->item.name, check->item.text);
+        if (!data)
+            t = table_create(COLUMNS, columns, caption);
+        for (int n = 0; n < job->sheet[s].count; n++) {
+            if (n && strcmp(row[n].quantity, row[n - 1].quantity) &&
+                !strcmp(row[n].subject, row[0].subject))
+                table_rule(t);
+            add_row(t, check, &row[n]);
+        }
+        if (data)
+            continue;
+        table_note(t, "Truth: %s", check->source);
+        add_notes(t, &job->sheet[s], offsetof(struct verify_row, note), "%s: %s.");
+        add_notes(t, &job->sheet[s], offsetof(struct verify_row, changed),
+                  "%s, claimed before a first result: %s.");
+        TRY(table_finish(t, job->format, job->out));
+    }
+    st = data ? table_finish(t, job->format, job->out) : print_summary(job);
 out:
     return st;
 }
@@ -261,18 +345,16 @@ static enum status tell_failures(const struct job *job, struct message *why)
     char names[512] = "";
 
     for (int n = 0; n < job->count; n++) {
-        int before = rows;
-        size_t used = strlen(names);
+        const int before = rows;
         for (int i = 0; i < job->sheet[n].count; i++)
             rows += verify_row_failed(&job->sheet[n].rows[i]);
         if (rows > before)
-            snprintf(names + used, sizeof names - used, "%s%s", before ? ", " : "",
-                     job->check[n]->item.name);
+            snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s",
+                     before ? ", " : "", job->check[n]->item.name);
     }
-    if (!rows)
-        return STATUS_OK;
-    return status_fail(why, STATUS_FAILED, "%d %s not met, in: %s", rows,
-                       rows == 1 ? "claim is" : "claims are", names);
+    return rows ? status_fail(why, STATUS_FAILED, "%d %s not met, in: %s", rows,
+                              rows == 1 ? "claim is" : "claims are", names)
+                : STATUS_OK;
 }
 
 enum status verify_run(const struct verify_check *const *known,

@@ -12,4 +12,14 @@ extern const struct command verify_command;
 enum status verify_run(const struct verify_check *const *known,
                        const struct command_line *line, FILE *out, struct message *why);
 
+/* FOLDER/CHECK.csv: the rows of a check, with provenance in comments above them. */
+enum status verify_file_write(const struct verify_check *check,
+                              const struct verify_sheet *sheet, const char *folder,
+                              struct message *why);
+
+/* The same rows from the file; *sheet is overwritten. STATUS_FILE: there is none;
+ * STATUS_INPUT: it is none of these. */
+enum status verify_file_read(const struct verify_check *check, const char *folder,
+                             struct verify_sheet *sheet, struct message *why);
+
 #endif

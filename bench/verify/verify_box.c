@@ -4,11 +4,10 @@
 
 #include "models/linalg/gauss.h"
 
-/* mass, int N_a' N_b, stiffness of one direction, [n][n] each, functions of length `size`.
- */
+/* Of one direction, [n][n] each: int N_a N_b, int N_a' N_b, int N_a' N_b'. */
 struct line {
-    int n;
-    double *mass, *mixed, *stiffness;
+    int n, below; /* functions; of the directions behind it, all together */
+    double *of[3];
 };
 
 static void add_point(struct line *line, const struct bspline *b, int span, const double *N,
@@ -19,31 +18,28 @@ static void add_point(struct line *line, const struct bspline *b, int span, cons
     for (int a = 0; a <= b->p; a++)
         for (int c = 0; c <= b->p; c++) {
             int at = (span - b->p + a) * line->n + span - b->p + c;
-            line->mass[at] += weight * size * N[a] * N[c];
-            line->mixed[at] += weight * slope[a] * N[c];
-            line->stiffness[at] += weight / size * slope[a] * slope[c];
+            line->of[0][at] += weight * size * N[a] * N[c];
+            line->of[1][at] += weight * slope[a] * N[c];
+            line->of[2][at] += weight / size * slope[a] * slope[c];
         }
 }
 
 /* basis = NULL: the function 1. */
 static enum status line_init(struct line *line, const struct bspline *b, double size)
 {
-    int n = b ? b->n : 1;
+    const int n = b ? b->n : 1;
     double x[GAUSS_MAX], w[GAUSS_MAX], N[2 * BSPLINE_MAX_ORDER];
+    double *room = calloc(3 * (size_t)(n * n), sizeof *room);
 
-    line->n = n;
-    line->mass = calloc(3 * (size_t)(n * n), sizeof(double));
-    if (!line->mass)
+    *line = (struct line){n, 1, {room, room + n * n, room + 2 * n * n}};
+    if (!room)
         return STATUS_MEMORY;
-    line->mixed = line->mass + n * n;
-    line->stiffness = line->mixed + n * n;
-    if (!b) {
-        *line->mass = size;
-        return STATUS_OK;
-    }
-    gauss_rule(b->p + 3, x, w);
-    for (int k = b->p; k < b->n; k++) {
-        double edge = b->U[k + 1] - b->U[k];
+    if (!b)
+        *room = size;
+    else
+        gauss_rule(b->p + 3, x, w);
+    for (int k = b ? b->p : n; k < n; k++) {
+        const double edge = b->U[k + 1] - b->U[k];
         for (int q = 0; edge > 0 && q < b->p + 3; q++) {
             bspline_eval(b, k, b->U[k] + edge * x[q], 1, N);
             add_point(line, b, k, N, edge * w[q], size);
@@ -53,29 +49,15 @@ static enum status line_init(struct line *line, const struct bspline *b, double 
 }
 
 /* int N_a,i N_b,j dV; i = j = 3: int N_a N_b dV. */
-static double product(const struct line line[3], const int a[3], const int b[3], int i,
-                      int j)
+static double product(const struct line line[3], int a, int b, int i, int j)
 {
     double value = 1;
 
     for (int d = 0; d < 3; d++) {
-        const struct line *l = &line[d];
-        value *= d == i && d == j ? l->stiffness[a[d] * l->n + b[d]]
-                 : d == i         ? l->mixed[a[d] * l->n + b[d]]
-                 : d == j         ? l->mixed[b[d] * l->n + a[d]]
-                                  : l->mass[a[d] * l->n + b[d]];
+        const int n = line[d].n, p = a / line[d].below % n, q = b / line[d].below % n;
+        const double *of = line[d].of[(d == i) + (d == j)];
+        value *= d == j && d != i ? of[q * n + p] : of[p * n + q];
     }
-    return value;
-}
-
-static double stiffness_entry(const struct line line[3], const struct verify_box *box,
-                              const int a[3], const int b[3], int i, int j)
-{
-    double value =
-        box->lambda * product(line, a, b, i, j) + box->mu * product(line, a, b, j, i);
-
-    for (int k = 0; i == j && k < 3; k++)
-        value += box->mu * product(line, a, b, k, k);
     return value;
 }
 
@@ -88,33 +70,30 @@ int verify_box_nodes(const struct verify_box *box)
     return nodes;
 }
 
-static void split(const struct line line[3], int node, int at[3])
-{
-    at[2] = node % line[2].n;
-    at[1] = node / line[2].n % line[1].n;
-    at[0] = node / (line[2].n * line[1].n);
-}
-
 enum status verify_box_matrices(const struct verify_box *box, double *K, double *M)
 {
     enum status st = STATUS_OK;
     struct line line[3] = {{0}};
-    int nodes = verify_box_nodes(box), at[3], bt[3];
+    const int nodes = verify_box_nodes(box);
 
     for (int d = 0; d < 3; d++)
         TRY(line_init(&line[d], box->basis[d], box->size[d]));
+    line[1].below = line[2].n, line[0].below = line[1].n * line[2].n;
     for (int a = 0; a < nodes; a++)
         for (int b = 0; b < nodes; b++) {
-            split(line, a, at);
-            split(line, b, bt);
             if (M)
-                M[a * nodes + b] = box->density * product(line, at, bt, 3, 3);
-            for (int ij = 0; K && ij < 9; ij++)
-                K[(3 * a + ij / 3) * 3 * nodes + 3 * b + ij % 3] =
-                    stiffness_entry(line, box, at, bt, ij / 3, ij % 3);
+                M[a * nodes + b] = box->density * product(line, a, b, 3, 3);
+            for (int i = 0; K && i < 3; i++)
+                for (int j = 0; j < 3; j++) {
+                    double *entry = &K[(3 * a + i) * 3 * nodes + 3 * b + j];
+                    *entry = box->lambda * product(line, a, b, i, j) +
+                             box->mu * product(line, a, b, j, i);
+                    for (int k = 0; i == j && k < 3; k++)
+                        *entry += box->mu * product(line, a, b, k, k);
+                }
         }
 out:
     for (int d = 0; d < 3; d++)
-        free(line[d].mass);
+        free(line[d].of[0]);
     return st;
 }

@@ -1,8 +1,7 @@
 /* verify_box.h - stiffness and mass of a box as products of three matrices of one variable:
  *   int N_a,i N_b,j dV = A_0 A_1 A_2,
  * with A_d the mass matrix of direction d, its stiffness (d = i = j), or int N_a' N_b
- * (d = i) and its transpose (d = j). Made from bspline_eval alone: no code of any element.
- */
+ * (d = i) and its transpose (d = j). Made from bspline_eval alone: no element's code. */
 #ifndef VERIFY_BOX_H
 #define VERIFY_BOX_H
 

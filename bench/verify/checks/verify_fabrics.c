@@ -1,8 +1,6 @@
 /* The cantilever of ASTM D1388, option A, in numbers: a strip is pushed over an edge until
  * its tip lies 41.5 degrees below the edge; half the overhang O is the bending length c,
- * and weight per area times c^3 the flexural rigidity. For measured fabrics, by every
- * model.
- */
+ * and weight per area times c^3 the flexural rigidity. Of measured fabrics. */
 #include <math.h>
 
 #include "bench/verify/checks/verify_strips.h"
@@ -12,68 +10,56 @@ static const double GRAVITY = 9.81;
 /* Fabrics have no thickness in the table, and no model but a solid asks for one: half a
  * millimetre, which is 1/60 to 1/100 of these overhangs; E follows from D. */
 static const double THICKNESS = 5e-4;
-/* The secant method ends at this part of the overhang. */
-static const double FOUND = 1e-6;
+static const double FOUND = 1e-6; /* of the overhang: the secant method ends            */
 enum { MOST_TRIES = 12 };
-
-static double angle_wanted(void)
-{
-    return 41.5 * acos(-1) / 180;
-}
+#define ANGLE (41.5 * acos(-1) / 180)
 
 /* Gamma at which the elastica's tip is there: 8.0042. */
-static enum status gamma_wanted(double *gamma)
+static double gamma_wanted(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_OK;
-    double low = 7, high = 9;
+    double low = 7, high = 9, gamma = NAN;
+    struct elastica e;
 
     for (int n = 0; n < 40; n++) {
-        struct elastica e;
-        *gamma = (low + high) / 2;
-        TRY(elastica_solve(*gamma, &e));
-        if (atan2(e.drop, e.reach) < angle_wanted())
-            low = *gamma;
-        else
-            high = *gamma;
+        gamma = (low + high) / 2;
+        if (!verify_sheet_holds(sheet, elastica_solve(gamma, &e)))
+            break;
+        *(atan2(e.drop, e.reach) < ANGLE ? &low : &high) = gamma;
     }
-out:
-    return st;
+    return gamma;
 }
 
-struct fabric {
-    const char *name;
-    double weight, D; /* area density [kg/m^2], bending stiffness [N m]                */
-    double overhang;  /* that follows from them [m]                                    */
-};
-
 /* How far below 41.5 degrees the tip is at an overhang [m]. */
-static double tip_angle(struct verify_trial *t, const struct fabric *f, double overhang)
+static double tip_angle(struct verify_trial *t, double overhang)
 {
+    const double D = verify_number(t->subject, "D_eq_Nm");
+    const double weight = verify_number(t->subject, "area_density_kg_m2");
     double xyz[3] = {0};
 
-    settings_print(&t->settings, "sheet={length: %.17g, width: %.17g, thickness: %.17g}",
-                   overhang, VERIFY_STRIPS_WIDTH * overhang, THICKNESS);
-    settings_print(&t->settings, "material={young: %.17g, poisson: 0, density: %.17g}",
-                   12 * f->D / (THICKNESS * THICKNESS * THICKNESS), f->weight / THICKNESS);
-    settings_set(&t->settings, "gravity=[0,0,-9.81]");
+    verify_trial_set(t,
+                     "sheet={length: %.17g, width: %.17g, thickness: %.17g};"
+                     "material={young: %.17g, poisson: 0, density: %.17g};"
+                     "gravity=[0,0,-9.81]",
+                     overhang, VERIFY_STRIPS_WIDTH * overhang, THICKNESS,
+                     12 * D / (THICKNESS * THICKNESS * THICKNESS), weight / THICKNESS);
     verify_trial_tip(t, xyz);
-    return atan2(-xyz[2], xyz[0]) - angle_wanted();
+    return atan2(-xyz[2], xyz[0]) - ANGLE;
 }
 
 /* Half the overhang at 41.5 degrees, by the secant method in log(overhang). */
 static double bending_length(struct verify_trial *t, void *context)
 {
-    const struct fabric *f = context;
-    double x[2] = {log(f->overhang), log(1.05 * f->overhang)}, off[2] = {0};
+    const double *overhang = context;
+    double x[2] = {log(*overhang), log(1.05 * *overhang)}, off[2] = {0};
 
     t->lived = true;
     for (int n = 0; n < 2 && t->lived; n++)
-        off[n] = tip_angle(t, f, exp(x[n]));
+        off[n] = tip_angle(t, exp(x[n]));
     for (int n = 0; t->lived && n < MOST_TRIES && fabs(x[1] - x[0]) > FOUND; n++) {
         double step = -off[1] * (x[1] - x[0]) / (off[1] - off[0]);
         x[0] = x[1], off[0] = off[1];
         x[1] += fmin(fmax(step, -1), 1);
-        off[1] = tip_angle(t, f, exp(x[1]));
+        off[1] = tip_angle(t, exp(x[1]));
     }
     if (t->lived && !(fabs(x[1] - x[0]) <= FOUND)) {
         t->lived = false;
@@ -82,50 +68,36 @@ static double bending_length(struct verify_trial *t, void *context)
     return exp(x[1]) / 2;
 }
 
-static void add_row(const struct verify_subject *s, struct fabric *f, double gamma)
+static void add_row(struct verify_subject *s)
 {
-    struct verify_trial t =
-        verify_trial_of(s, "cantilever", "bending length [m], %s", f->name);
+    static double gamma;
+    const char *name = reference_text(s->sheet->table, s->at, "fabric");
 
-    if (!s->contestant->model->equilibrium) {
+    if (gamma == 0)
+        gamma = gamma_wanted(s->sheet);
+    const double D = verify_number(s, "D_eq_Nm");
+    const double weight = verify_number(s, "area_density_kg_m2") * GRAVITY;
+    double overhang = cbrt(gamma * D / weight);
+    s->changed = NULL;
+    struct verify_trial t =
+        verify_trial_of(s, "cantilever", "bending length [m], %s", name);
+    if (!s->contestant->model->equilibrium)
         verify_row_end(t.row, VERIFY_NOT_APPLICABLE,
                        "at this Gamma it does not come to rest (see elastica)");
-        return;
-    }
-    if (!verify_trial_nets(&t, bending_length, f, f->overhang / 2, FOUND))
-        return;
-    verify_row_note(t.row, "%s: weight c^3 = %.4g N m for D = %.4g N m", f->name,
-                    f->weight * GRAVITY * pow(t.row->value, 3), f->D);
-    if (verify_subject_is_linear(s))
-        verify_row_end(t.row, VERIFY_OUT_OF_RANGE,
-                       "small strains reach to Gamma = %g, this is at %.4g",
-                       VERIFY_STRIPS_LINEAR_GAMMA, gamma);
-}
-
-static void run(struct verify_sheet *sheet)
-{
-    const struct reference *table = sheet->table;
-    const int rows = reference_rows(table), every = sheet->quick ? rows - 1 : 1;
-    struct verify_subject s;
-    double gamma;
-
-    verify_sheet_holds(sheet, gamma_wanted(&gamma));
-    for (int n = 0; n < rows; n += every) {
-        struct fabric f = {reference_text(table, n, "fabric"),
-                           reference_number(table, n, "area_density_kg_m2"),
-                           reference_number(table, n, "D_eq_Nm")};
-        f.overhang = cbrt(gamma * f.D / (f.weight * GRAVITY));
-        for (int k = 0; verify_sheet_next(sheet, &verify_strips, &k, &s);)
-            add_row(&s, &f, gamma);
+    else if (verify_trial_nets(&t, bending_length, &overhang, overhang / 2, FOUND)) {
+        verify_row_note(t.row, "%s: weight c^3 = %.4g N m for D = %.4g N m", name,
+                        weight * pow(t.row->value, 3), D);
+        if (verify_subject_is_linear(s))
+            verify_row_end(t.row, VERIFY_OUT_OF_RANGE,
+                           "small strains reach to Gamma = %g, this is at %.4g",
+                           VERIFY_STRIPS_LINEAR_GAMMA, gamma);
     }
 }
 
 const struct verify_check verify_fabrics = {
-    .item = {"fabrics", "bending length of ten fabrics by the cantilever of ASTM D1388"},
-    .table = "fabrics",
-    .source =
-        "the elastica at 41.5 degrees, Gamma = 8.0042 (fem_ref/elastica.h, 1e-10), for "
-        "D and weight of tests/reference/fabrics.csv; error bar: of the overhang found; "
-        "h = 0.5 mm, E = 12 D / h^3, nu = 0",
-    .run = run,
-};
+    {"fabrics", "bending length of ten fabrics by the cantilever of ASTM D1388"},
+    "the elastica at 41.5 degrees, Gamma = 8.0042 (fem_ref/elastica.h, 1e-10), for D and "
+    "weight of tests/reference/fabrics.csv; error bar: of the overhang found; h = 0.5 mm, "
+    "E = 12 D / h^3, nu = 0",
+    "fabrics",
+    .parts = {{&verify_strips, add_row, .every = 9}}};

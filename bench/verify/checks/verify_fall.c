@@ -1,5 +1,3 @@
-/* A free sheet that falls without deforming: what time stepping and damping make of a rigid
- * body. */
 #include <math.h>
 
 #include "bench/verify/verify_check.h"
@@ -24,77 +22,55 @@ static const struct verify_entry entries[] = {
     {"iga_linear", EXACT, NULL, {5}, {4}},
     {"iga_paper", 0, "the paper's scheme", {5}, {4}, .mark = true},
     {"iga_incremental", FIRST, LATE, {5}, {4}, .mark = true},
-    {"iga_nonlinear", EXACT, NULL, {5}, {4}},
-    {"hex_linear", EXACT, NULL, {5}, {4}},
-    {"hex_nonlinear", EXACT, NULL, {5}, {4}},
-    {"shell_linear", EXACT, NULL, {5}},
-    {"shell_2", EXACT, NULL, {5}},
-    {"triangles", EXACT, NULL, {5}},
+    {"iga_nonlinear,hex_linear,hex_nonlinear", EXACT, NULL, {5}, {4}},
+    {"shell_linear,shell_2,triangles", EXACT, NULL, {5}},
     {"mass_spring", FIRST, "implicit Euler: dt / t", {5}},
     {"position_based", FIRST, "as implicit Euler: dt / t", {5}},
-    {"mass_spring_leapfrog", EXACT, NULL, {5}},
-    {"mass_spring_momentum", EXACT, NULL, {5}},
+    {"mass_spring_leapfrog,mass_spring_momentum", EXACT, NULL, {5}},
     {"projective_dynamics", FIRST, "implicit Euler: dt / t", {5}},
     {"projective_dynamics_bdf2", EXACT, NULL, {5}},
     {NULL}};
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, VERIFY_REMEDIES, {5}, {5}};
 
-/* One kind of fall, until T: rest + way along -z. */
-struct fall {
-    const char *quantity;
-    const char *drag, *damping;
-    double rate; /* alpha = c / rho, or of mass damping                         [1/s] */
-};
-
-static const struct fall falls[] = {
-    {"free fall, way over g t^2 / 2", "drag.coefficient=0", "damping={kind: none}", 0},
-    {"fall with drag, way at 1 s", "drag.coefficient=2.5", "damping={kind: none}", 5},
-    {"fall with mass damping, way at 1 s", "drag.coefficient=0",
-     "damping={kind: mass, value: 5}", 5},
-};
+/* Kinds of fall until T, and alpha = c / rho, or of mass damping [1/s]. */
+#define DRAG(c) "drag.coefficient=" c
+static const struct fall {
+    const char *quantity, *settings[3];
+    double rate;
+} falls[] = {{"free fall, way over g t^2 / 2", {DRAG("0"), "damping={kind: none}"}, 0},
+             {"fall with drag, way at 1 s", {DRAG("2.5"), "damping={kind: none}"}, 5},
+             {"fall with mass damping, way at 1 s",
+              {DRAG("0"), "damping={kind: mass, value: 5}"},
+              5}};
 enum { FALLS = sizeof falls / sizeof *falls, POINTS = 5 };
-
-static const double uvw[POINTS][3] = {
-    {0, 0, 0.5}, {1, 0, 0.5}, {0, 1, 0.5}, {1, 1, 0.5}, {0.3, 0.6, 0.5}};
 
 /* Largest deviation over the way fallen. */
 static double deviation(const void *context, const double *a, const double *b)
 {
-    double worst = 0;
-
-    for (int n = 0; n < 3 * POINTS; n++)
-        worst = fmax(worst, fabs(a[n] - b[n]));
-    return worst / *(const double *)context;
+    return verify_row_apart(3 * POINTS, a, b) / *(const double *)context;
 }
 
-static void add_fall(struct verify_subject *s, const struct fall *f)
+static void add_fall(struct verify_subject *s)
 {
-    const char *settings[] = {f->drag, f->damping, NULL};
-    const double time = T, way = f->rate > 0
-                                     ? G / f->rate * (T - (1 - exp(-f->rate * T)) / f->rate)
-                                     : G * T * T / 2;
+    static const double uvw[POINTS][3] = {
+        {0, 0, 0.5}, {1, 0, 0.5}, {0, 1, 0.5}, {1, 1, 0.5}, {0.3, 0.6, 0.5}};
+    const struct fall *f = &falls[s->at];
+    const double time = T, rate = f->rate;
+    const double way =
+        rate > 0 ? G / rate * (T - (1 - exp(-rate * T)) / rate) : G * T * T / 2;
+    const bool exact = s->tolerance == EXACT;
     double truth[POINTS][3];
-    struct verify_trial_refine r = {.scene = "drag_fall",
-                                    .settings = settings,
-                                    .steps = VERIFY_TRIAL_STEPS,
-                                    .step = DT,
-                                    .times = 1,
-                                    .time = &time,
-                                    .n = POINTS,
-                                    .uvw = uvw[0],
-                                    .truth = truth[0],
-                                    .measure = deviation,
-                                    .context = &way};
 
-    for (int n = 0; n < POINTS; n++) {
-        truth[n][0] = uvw[n][0], truth[n][1] = uvw[n][1];
-        truth[n][2] = -way;
-    }
-    if (f->rate > 0 && s->tolerance == EXACT)
-        s->tolerance = SECOND, s->reason = "second order";
-    if (f->rate == 0 && s->tolerance == EXACT)
-        r.steps = 1;
+    for (int n = 0; n < POINTS; n++)
+        truth[n][0] = uvw[n][0], truth[n][1] = uvw[n][1], truth[n][2] = -way;
+    if (rate > 0 && exact)
+        verify_subject_claim(s, SECOND, "second order");
+    struct verify_trial_refine r = {
+        .scene = "drag_fall", .settings = f->settings, .step = DT};
+    r.steps = rate == 0 && exact ? 1 : VERIFY_TRIAL_STEPS;
+    r.times = 1, r.time = &time, r.n = POINTS, r.uvw = uvw[0], r.truth = truth[0];
+    r.measure = deviation, r.context = &way;
     verify_trial_refine(s, &r, f->quantity);
 }
 
@@ -112,57 +88,38 @@ static enum status see_speed(void *context, const struct motion *m, struct messa
     return STATUS_OK;
 }
 
-/* Terminal speed rho g / c; exp(-c t / rho) of it is missing. */
-static void add_terminal(struct verify_subject *s)
+/* Terminal speed rho g / c, of which exp(-c t / rho) is missing; and, in rows of the table,
+ * v <- mu v after every step: mu / (1 - mu) g dt, set by the step, but for mu^n. */
+static void add_speed(struct verify_subject *s)
 {
-    const double end = 2, truth = 1.962, missing = exp(-5 * end);
+    const bool drag = s->at == 0;
+    const double mu = drag ? 1 : verify_number(s, "a"), dt = 0.001,
+                 end = mu > 0.95 ? 2 : 0.2;
+    const double missing = drag ? exp(-5 * end) : fmax(pow(mu, end / dt), 1e-12);
     double speed;
 
-    verify_subject_claim(s, missing, NULL);
+    verify_subject_claim(s, drag ? missing : SPEED, NULL);
     struct verify_trial t =
-        verify_trial_of(s, "drag_fall", "terminal speed with drag [m/s]");
+        drag ? verify_trial_of(s, "drag_fall", "terminal speed with drag [m/s]")
+             : verify_trial_of(s, "drag_fall", "v <- %g v: speed / (g dt)", mu);
     t.end = end;
-    if (verify_trial_watch(&t, see_speed, &speed))
-        verify_row_judge(t.row, speed, truth, missing);
-}
-
-/* v <- mu v after every step: mu / (1 - mu) g dt, a speed that the step sets. */
-static void add_scaled(struct verify_subject *s, double mu, double truth)
-{
-    const double dt = 0.001, end = mu > 0.95 ? 2 : 0.2; /* mu^n is missing */
-    double speed;
-
-    verify_subject_claim(s, SPEED, NULL);
-    struct verify_trial t =
-        verify_trial_of(s, "drag_fall", "v <- %g v: speed / (g dt)", mu);
-    t.end = end;
-    settings_set(&t.settings, "drag.coefficient=0");
-    settings_set(&t.settings, "time.step=0.001");
-    settings_print(&t.settings, "damping={kind: velocity_scale, value: %g}", mu);
-    if (verify_trial_watch(&t, see_speed, &speed))
-        verify_row_judge(t.row, speed / (G * dt) - (s->mark ? 0.5 : 0), truth,
-                         fmax(pow(mu, end / dt), 1e-12));
-}
-
-static void run(struct verify_sheet *sheet)
-{
-    const struct reference *table = sheet->table;
-    struct verify_subject s;
-
-    for (int f = 0; f < FALLS; f++)
-        for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            add_fall(&s, &falls[f]);
-    for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-        add_terminal(&s);
-    for (int n = 0; (n = reference_find(table, n, "case", "newmark_vscale")) >= 0; n++)
-        for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            add_scaled(&s, reference_number(table, n, "a"),
-                       reference_number(table, n, "v1"));
+    if (!drag)
+        verify_trial_set(
+            &t, DRAG("0") "; time.step=0.001; damping={kind: velocity_scale, value: %g}",
+            mu);
+    if (!verify_trial_watch(&t, see_speed, &speed))
+        return;
+    if (drag)
+        verify_row_judge(t.row, speed, 1.962, missing);
+    else
+        verify_row_judge(t.row, speed / (G * dt) - (s->mark ? 0.5 : 0),
+                         verify_number(s, "v1"), missing);
 }
 
 const struct verify_check verify_fall = {
-    .item = {"fall", "free fall, body drag, mass damping and scaled velocities"},
-    .table = "beam_elastica_cable",
-    .source = "closed forms; mu / (1 - mu) by tests/reference/beam_elastica_cable.csv",
-    .run = run,
-};
+    {"fall", "free fall, body drag, mass damping and scaled velocities"},
+    "closed forms; mu / (1 - mu) by tests/reference/beam_elastica_cable.csv",
+    "beam_elastica_cable",
+    .parts = {{&field, add_fall, FALLS},
+              {&field, add_speed, 1},
+              {&field, add_speed, .column = "case", .text = "newmark_vscale"}}};

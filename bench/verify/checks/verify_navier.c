@@ -1,13 +1,9 @@
-/* Simply supported square plates, thick to thin, in linear theory: deflection under their
- * own weight and the first two flexural frequencies, against three-dimensional elasticity,
- * and for surfaces against Kirchhoff's plate. */
 #include <math.h>
 #include <string.h>
 
 #include "bench/verify/checks/verify_plates.h"
 
-/* Where every model's answer is that of linear theory. */
-static const double GAMMA = 0.01;
+static const double GAMMA = 0.01; /* every model's answer is that of linear theory */
 /* Of the table: ten digits, uniform loads a series to 6e-7. */
 static const double BAR = 1e-6;
 /* Modes computed: those in the plane lie about, the one nearest to the truth counts. */
@@ -34,31 +30,31 @@ static const struct verify_entry entries[] = {
     {NULL}};
 static const struct verify_field field = {entries, CONTESTANT_SMALL};
 
-struct plate {
-    const char *kind; /* unif, freq11, freq12                                          */
-    double h, nu, kirchhoff, exact;
-};
-
-static double truth_of(const struct verify_subject *s, const struct plate *p)
+static bool is(const struct verify_subject *s, const char *text)
 {
-    return s->layers ? p->exact : p->kirchhoff;
+    return !strcmp(reference_text(s->sheet->table, s->at, "case"), text);
+}
+
+static double truth_of(const struct verify_subject *s)
+{
+    return verify_number(s, s->layers ? "exact3D_body" : "kirchhoff");
 }
 
 /* w D / (q a^4) of the centre, or omega a^2 sqrt(rho h / D). */
 static double measure(struct verify_trial *t, void *context)
 {
-    const struct plate *p = context;
-    const double centre[3] = {0.5, 0.5, 0.5}, young = 1e5, density = 0.05;
-    const double D = young * p->h * p->h * p->h / (12 * (1 - p->nu * p->nu));
-    const double unit = sqrt(D / (density * p->h)), truth = truth_of(t->subject, p);
+    const double h = verify_number(t->subject, "h_over_a");
+    const double nu = verify_number(t->subject, "nu"), young = 1e5, density = 0.05;
+    const double D = young * h * h * h / (12 * (1 - nu * nu));
+    const double unit = sqrt(D / (density * h)), truth = truth_of(t->subject);
     double xyz[3] = {0}, omega[MODES], value = INFINITY;
 
-    settings_number(&t->settings, "sheet.thickness", p->h);
-    settings_number(&t->settings, "material.poisson", p->nu);
-    settings_numbers(&t->settings, "gravity", 3,
-                     (double[]){0, 0, -GAMMA * D / (density * p->h)});
-    if (!strcmp(p->kind, "unif")) {
-        verify_trial_equilibrium(t, 1, centre, xyz);
+    (void)context;
+    verify_trial_set(t,
+                     "sheet.thickness=%.17g; material.poisson=%.17g; gravity=[0,0,%.17g]",
+                     h, nu, -GAMMA * D / (density * h));
+    if (is(t->subject, "unif")) {
+        verify_trial_equilibrium(t, 1, (double[]){0.5, 0.5, 0.5}, xyz);
         return -xyz[2] / GAMMA;
     }
     verify_trial_modes(t, false, MODES, omega);
@@ -68,46 +64,30 @@ static double measure(struct verify_trial *t, void *context)
     return value;
 }
 
-static void add_row(struct verify_subject *s, struct plate *p)
+static void add_row(struct verify_subject *s)
 {
-    if ((s->layers == 2 && p->h > ONE_LAYER) ||
-        (s->layers == SOLID_LAYERS && p->h < SOLID_LOCKS))
+    const double h = verify_number(s, "h_over_a"), nu = verify_number(s, "nu");
+    const bool uniform = is(s, "unif");
+
+    if (is(s, "sin11") || /* no scene has that load: tests/navier.c */
+        (s->sheet->quick && (nu != 0.3 || h != (uniform ? 0.001 : 0.1))))
+        return;
+    if ((s->layers == 2 && h > ONE_LAYER) || (s->layers == SOLID_LAYERS && h < SOLID_LOCKS))
         s->tolerance = NAN;
     if (!s->mark)
         verify_subject_square(s, 8, 16);
     struct verify_trial t = verify_trial_of(s, "navier", "%s, h/a = %g, nu = %g",
-                                            !strcmp(p->kind, "unif")     ? "w D / (q a^4)"
-                                            : !strcmp(p->kind, "freq11") ? "lambda 1,1"
-                                                                         : "lambda 1,2",
-                                            p->h, p->nu);
-    verify_trial_nets(&t, measure, p, truth_of(s, p), BAR);
-}
-
-static void run(struct verify_sheet *sheet)
-{
-    const struct reference *table = sheet->table;
-    struct verify_subject s;
-
-    for (int n = 0; n < reference_rows(table); n++) {
-        struct plate p = {.kind = reference_text(table, n, "case"),
-                          .h = reference_number(table, n, "h_over_a"),
-                          .nu = reference_number(table, n, "nu"),
-                          .kirchhoff = reference_number(table, n, "kirchhoff"),
-                          .exact = reference_number(table, n, "exact3D_body")};
-        if (!strcmp(p.kind, "sin11") || /* no scene has that load: tests/navier.c */
-            (sheet->quick &&
-             (p.nu != 0.3 || p.h != (strcmp(p.kind, "unif") ? 0.1 : 0.001))))
-            continue;
-        for (int k = 0; verify_sheet_next(sheet, &field, &k, &s);)
-            add_row(&s, &p);
-    }
+                                            uniform           ? "w D / (q a^4)"
+                                            : is(s, "freq11") ? "lambda 1,1"
+                                                              : "lambda 1,2",
+                                            h, nu);
+    verify_trial_nets(&t, measure, NULL, truth_of(s), BAR);
 }
 
 const struct verify_check verify_navier = {
-    .item = {"navier", "simply supported plates, thick to thin: deflection, frequencies"},
-    .table = "navier_plate",
-    .source = "three-dimensional elasticity for solids, Kirchhoff's plate for surfaces, "
-              "tests/reference/navier_plate.csv",
+    {"navier", "simply supported plates, thick to thin: deflection, frequencies"},
+    "three-dimensional elasticity for solids, Kirchhoff's plate for surfaces, "
+    "tests/reference/navier_plate.csv",
+    "navier_plate",
     .slow = true,
-    .run = run,
-};
+    .parts = {{&field, add_row}}};

@@ -11,18 +11,22 @@
 #define CUBIC  GRADED, NULL, {"discretization.degree=[3,2,1]"}, 0
 #define MANY   {80, 160}, {2, 2}, 0
 
+/* Changed after a first result of `elastica`, and of that alone: nets drawn to the clamp,
+ * or made finer. */
+#define UNIFORM "1 % of 24x3x2, uniform knots, which the heaviest strips miss"
 /* clang-format off */
 static const struct verify_entry entries[] = {
     {"iga_linear", 0, "locks", {10, 20}, {3, 3}},
     {"iga_reduced_linear", 0.01, "what linear theory errs by at Gamma = 0.9", GRADED},
     {"iga_nonlinear", 0, "locks", GRADED},
     {"iga_nonlinear_3", 0, "locks", CUBIC},
-    {"iga_reduced", ASKED, GRADED},
+    {"iga_reduced", ASKED, GRADED, .changed = UNIFORM},
     {"iga_reduced_3", ASKED, CUBIC},
     {"iga_selective", ASKED, GRADED},
     {"hex_nonlinear", 0, "locks", MANY},
-    {"hex_incompatible", ASKED, MANY},
-    {"shell_3", THEORY, {16, 32}, {4, 4}, 2},
+    {"hex_incompatible", ASKED, MANY, .changed = "1 % of 40x2x2, which heavy strips miss"},
+    {"shell_3", THEORY, {16, 32}, {4, 4}, 2,
+     .changed = "0.5 % of 24x4, uniform knots, which heavy strips miss"},
     {"shell_selective_3", THEORY, {16, 32}, {4, 4}, 2},
     {"triangles", ASKED, {80, 160}, {3, 3}},
     {"mass_spring", 0, "springs bend as a plate only in the limit", {20, 40}, {3, 5}},
@@ -34,26 +38,26 @@ static const struct verify_entry entries[] = {
 const struct verify_field verify_strips = {
     entries, CONTESTANT_LARGE, VERIFY_TWINS, {20, 40}};
 
-const struct verify_strips_load *
-verify_strips_worst(struct verify_trial *t, verify_strips_measure *measure, int count,
-                    const struct verify_strips_load *load, int every, double bar)
+bool verify_strips_worst(struct verify_trial *t, struct verify_subject *s,
+                         verify_strips_measure *measure, int last, int every,
+                         const char *const truth[2], double bar)
 {
-    const int nets = t->subject->nets;
-    double error[VERIFY_NETS], out = NAN, worst = -1;
+    double at[2], error[VERIFY_NETS];
 
-    for (int n = 0; n < count; n += every) {
-        for (t->net = 0; t->net < nets; t->net++) {
-            measure(t, &load[n], &out, &error[t->net]);
-            if (!t->lived)
-                return &load[n];
+    for (; s->at <= last; s->at += every) {
+        const double out = verify_number(s, truth[0]);
+        const double along = verify_number(s, truth[1]);
+        for (t->net = 0; t->net < s->nets; t->net++) {
+            measure(t, at);
+            if (!t->lived) {
+                t->row->error = t->row->bar = NAN;
+                return false;
+            }
+            error[t->net] = verify_subject_is_linear(s) ? fabs(at[0] - out)
+                                                        : hypot(at[0] - out, at[1] - along);
+            error[t->net] /= out;
         }
-        if (error[nets - 1] > worst) {
-            worst = error[nets - 1];
-            t->row->value = out;
-            t->row->truth = load[n].out;
-            t->row->order = verify_subject_order(t->subject, error, bar);
-        }
+        verify_trial_worst(t, at[0], out, error, bar);
     }
-    verify_row_judge_error(t->row, worst, bar);
-    return NULL;
+    return true;
 }

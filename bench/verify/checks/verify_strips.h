@@ -1,6 +1,5 @@
 /* verify_strips.h - heavy strips of nu = 0, clamped at one end, as the checks on the
- * elastica judge them: who, and the worst of several loads.
- */
+ * elastica judge them: who, and the worst of several loads. */
 #ifndef VERIFY_STRIPS_H
 #define VERIFY_STRIPS_H
 
@@ -9,26 +8,18 @@
 /* The strips are this wide, of their length. */
 #define VERIFY_STRIPS_WIDTH 0.1
 
-/* Linear theory is 1 % wrong at this weight (heavy_elastica.csv, lin_err): it ends there.
- */
+/* Linear theory is 1 % wrong at this weight (heavy_elastica.csv, lin_err), and ends. */
 #define VERIFY_STRIPS_LINEAR_GAMMA 0.9
 
 extern const struct verify_field verify_strips;
 
-/* A load and where the truth has the tip: out of level, and along, as the check has it. */
-struct verify_strips_load {
-    double load, out, along;
-};
+/* On one net, in the case s->at: where the tip is, out of level and along. */
+typedef void verify_strips_measure(struct verify_trial *t, double at[2]);
 
-/* On one net: what is shown, and the tip's distance from the truth, of `out`. */
-typedef void verify_strips_measure(struct verify_trial *t,
-                                   const struct verify_strips_load *load, double *out,
-                                   double *error);
-
-/* Loads 0, every, 2 every, ...: the worst of them is judged. NULL: all lived, or the load
- * at which one did not. */
-const struct verify_strips_load *
-verify_strips_worst(struct verify_trial *t, verify_strips_measure *measure, int count,
-                    const struct verify_strips_load *load, int every, double bar);
+/* Judges the worst of the cases s->at, s->at + every .. last: the distance from the truth,
+ * which stands in these two columns, over the first. False: one did not live, s->at. */
+bool verify_strips_worst(struct verify_trial *t, struct verify_subject *s,
+                         verify_strips_measure *measure, int last, int every,
+                         const char *const truth[2], double bar);
 
 #endif

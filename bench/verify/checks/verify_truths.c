@@ -1,4 +1,3 @@
-/* The scenes that have no closed form: every model against the truths that are stored. */
 #include <stdlib.h>
 
 #include "bench/truth/truth_file.h"
@@ -38,25 +37,10 @@ struct stored {
     double length;
     struct settings settings; /* as its truth moves                                    */
     struct truth_made truth;
-    int index; /* of the time at which they are judged, -1: none                       */
     double uvw[3 * GRID_POINTS], xyz[3 * GRID_POINTS];
 };
 
-static void add_row(struct stored *s, const struct verify_subject *subject)
-{
-    const double time = s->truth.time[s->index];
-    struct verify_trial t =
-        verify_trial_of(subject, s->scene, "%s, rms / L at %.3g s", s->scene, time);
-
-    settings_append(&t.settings, &s->settings);
-    if (verify_trial_motion(&t, 1, &time, GRID_POINTS, s->uvw, s->xyz))
-        verify_row_judge_error(t.row,
-                               metric_rmse(s->xyz, s->truth.xyz[s->index]) / s->length,
-                               s->truth.value[s->index][TRUTH_ERROR] / s->length);
-}
-
-/* The scene as its truth moves, and that truth. STATUS_UNSUPPORTED: it is of other physics.
- */
+/* The scene as its truth moves, and that truth. STATUS_UNSUPPORTED: of other physics. */
 static enum status find_truth(struct stored *s, struct message *why)
 {
     char *path = NULL;
@@ -74,62 +58,57 @@ out:
 }
 
 /* Nobody is judged by a truth of other physics. */
-static void add_stale(struct verify_sheet *sheet, const struct stored *s,
-                      const struct message *sentence)
-{
-    struct verify_subject subject;
-
-    for (int n = 0; verify_sheet_next(sheet, &field, &n, &subject);)
-        verify_row_end(verify_sheet_add(&subject, "%s, rms / L", s->scene),
-                       VERIFY_NOT_APPLICABLE, "%s", sentence->text);
-}
-
-static enum status add_scene(struct verify_sheet *sheet, struct stored *s)
+static void add_scene(struct verify_sheet *sheet, struct stored *s)
 {
     const double latest = sheet->quick ? QUICK : LATEST;
     struct verify_subject subject;
     struct message sentence = {""};
     const enum status st = find_truth(s, &sentence);
+    int index = -1;
 
-    s->index = -1;
-    for (int n = 0; n < s->truth.claimed && s->truth.time[n] <= latest + 1e-9; n++)
-        s->index = n;
-    for (int n = 0; s->index >= 0 && verify_sheet_next(sheet, &field, &n, &subject);)
-        add_row(s, &subject);
+    while (index + 1 < s->truth.claimed && s->truth.time[index + 1] <= latest + 1e-9)
+        index++;
+    if (st != STATUS_OK && st != STATUS_UNSUPPORTED)
+        verify_sheet_holds(sheet, status_fail(&sheet->why, st, "%s", sentence.text));
+    for (int n = 0; verify_sheet_next(sheet, &field, &n, &subject);)
+        if (st == STATUS_UNSUPPORTED)
+            verify_row_end(verify_sheet_add(&subject, "%s, rms / L", s->scene),
+                           VERIFY_NOT_APPLICABLE, "%s", sentence.text);
+        else if (index >= 0) {
+            const double time = s->truth.time[index], length = s->length;
+            struct verify_trial t = verify_trial_of(
+                &subject, s->scene, "%s, rms / L at %.3g s", s->scene, time);
+            settings_append(&t.settings, &s->settings);
+            if (verify_trial_motion(&t, 1, &time, GRID_POINTS, s->uvw, s->xyz))
+                verify_row_judge_error(t.row,
+                                       metric_rmse(s->xyz, s->truth.xyz[index]) / length,
+                                       s->truth.value[index][TRUTH_ERROR] / length);
+        }
     truth_made_clear(&s->truth);
     settings_clear(&s->settings);
-    if (st == STATUS_UNSUPPORTED)
-        add_stale(sheet, s, &sentence);
-    else if (st != STATUS_OK)
-        return status_fail(&sheet->why, st, "%s", sentence.text);
-    return STATUS_OK;
 }
 
 static void run(struct verify_sheet *sheet)
 {
-    enum status st = STATUS_MEMORY;
     struct named_file_entry *files = NULL;
     struct stored *s = calloc(1, sizeof *s);
     int count = 0;
 
-    if (!s)
-        goto out;
-    for (int n = 0; n < GRID_POINTS; n++)
+    if (verify_sheet_holds(sheet, s ? STATUS_OK : STATUS_MEMORY))
+        verify_sheet_holds(sheet,
+                           named_file_names(&truth_file_kind, &files, &count, &sheet->why));
+    for (int n = 0; s && n < GRID_POINTS; n++)
         grid_point(n, s->uvw + 3 * n);
-    TRY(named_file_names(&truth_file_kind, &files, &count, &sheet->why));
-    for (int n = 0; n < count; n++) {
+    for (int n = 0; n < count && sheet->status == STATUS_OK; n++) {
         s->scene = files[n].name;
-        TRY(add_scene(sheet, s));
+        add_scene(sheet, s);
     }
-out:
-    verify_sheet_holds(sheet, st);
     named_file_list_free(files, count);
     free(s);
 }
 
 const struct verify_check verify_truths = {
-    .item = {"truths", "scenes that have no closed form: falls, a flag, clamps, contact"},
-    .source = "nonlinear solid and nonlinear shell, refined until they agree "
-              "(clothbench truth), with their error bars",
-    .run = run,
-};
+    {"truths", "scenes that have no closed form: falls, a flag, clamps, contact"},
+    "nonlinear solid and nonlinear shell, refined until they agree (clothbench truth), "
+    "with their error bars",
+    .run = run};

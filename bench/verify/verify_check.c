@@ -1,0 +1,655 @@
+#define _GNU_SOURCE /* vasprintf */
+#include "bench/verify/verify_check.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/harness/fit.h"
+#include "models/clock.h"
+
+const char *verify_verdict_name(int verdict)
+{
+#define VERIFY_WORD(code, word) word,
+    static const char *const words[] = {VERIFY_VERDICT_LIST(VERIFY_WORD)};
+
+    return verdict >= 0 && verdict < VERIFY_VERDICTS ? words[verdict] : "unknown";
+}
+
+void verify_row_judge_error(struct verify_row *row, double error, double bar)
+{
+    row->error = error;
+    row->bar = bar;
+    if (isnan(row->tolerance))
+        row->verdict = VERIFY_NO_CLAIM;
+    else /* written so that an error that is no number misses */
+        row->verdict = error <= row->tolerance + bar ? VERIFY_MET : VERIFY_MISSED;
+}
+
+void verify_row_judge(struct verify_row *row, double value, double truth, double bar)
+{
+    row->value = value;
+    row->truth = truth;
+    verify_row_judge_error(row, fabs(value - truth) / fabs(truth), bar);
+}
+
+double verify_row_worse(double a, double b)
+{
+    return a > b || isnan(a) ? a : b;
+}
+
+double verify_row_apart(int count, const double *a, const double *b)
+{
+    double worst = 0;
+
+    for (int n = 0; n < count; n++)
+        worst = verify_row_worse(fabs(a[n] - b[n]), worst);
+    return worst;
+}
+
+void verify_row_end(struct verify_row *row, enum verify_verdict verdict, const char *note,
+                    ...)
+{
+    size_t used = strlen(row->note);
+    va_list arguments;
+
+    row->verdict = verdict;
+    if (used)
+        used += (size_t)snprintf(row->note + used, sizeof row->note - used, "; ");
+    va_start(arguments, note);
+    if (used < sizeof row->note)
+        vsnprintf(row->note + used, sizeof row->note - used, note, arguments);
+    va_end(arguments);
+}
+
+bool verify_row_claims(const struct verify_row *row)
+{
+    return row->verdict == VERIFY_MET || row->verdict == VERIFY_MISSED ||
+           (row->verdict == VERIFY_DIED && !isnan(row->tolerance));
+}
+
+bool verify_row_failed(const struct verify_row *row)
+{
+    return verify_row_claims(row) && row->verdict != VERIFY_MET;
+}
+
+static void add_net(struct verify_subject *s, int along, int across)
+{
+    s->along[s->nets] = along;
+    s->across[s->nets++] = across;
+}
+
+void verify_subject_square(struct verify_subject *s, int coarse, int fine)
+{
+    s->nets = 0;
+    add_net(s, coarse, coarse);
+    add_net(s, fine, fine);
+}
+
+void verify_subject_last(struct verify_subject *s, int count)
+{
+    const int first = s->nets > count ? s->nets - count : 0;
+
+    s->nets -= first;
+    for (int n = 0; n < s->nets; n++) {
+        s->along[n] = s->along[first + n];
+        s->across[n] = s->across[first + n];
+    }
+}
+
+void verify_subject_claim(struct verify_subject *s, double tolerance, const char *reason)
+{
+    if (!isnan(s->tolerance)) {
+        s->tolerance = tolerance;
+        s->reason = reason;
+    }
+}
+
+/* Nets: the entry's, else the field's, else the contestant's own. */
+static void take_nets(struct verify_subject *s, const struct verify_entry *e,
+                      const struct verify_field *field)
+{
+    const bool own = e->along[0];
+    const int *along = own ? e->along : field->along,
+              *across = own ? e->across : field->across;
+
+    for (int n = 0; n < VERIFY_NETS && along[n]; n++)
+        add_net(s, along[n],
+                across[n] ? across[n]
+                : own     ? along[n]
+                          : contestant_least(s->contestant));
+    for (int n = 0; n < 2 && !along[0] && s->contestant->points[n]; n++)
+        add_net(s, s->contestant->points[n], s->contestant->points[n]);
+}
+
+struct verify_subject verify_subject_of(const struct verify_field *field,
+                                        const struct verify_entry *entry,
+                                        const struct contestant *contestant)
+{
+    static const struct verify_entry nothing;
+    const struct verify_entry *e = entry ? entry : &nothing;
+    struct verify_subject s = {.contestant = contestant,
+                               .tolerance = e->claim > 0 ? e->claim : NAN,
+                               .second = e->second > 0 ? e->second : NAN,
+                               .reason = e->reason,
+                               .changed = e->changed,
+                               .layers = e->layers ? e->layers : contestant->layers,
+                               .degree = e->degree ? e->degree : contestant->degree,
+                               .grade = e->grade,
+                               .more = e->more,
+                               .settings = e->settings,
+                               .dear = e->dear,
+                               .mark = e->mark};
+
+    take_nets(&s, e, field);
+    return s;
+}
+
+void verify_subject_title(const struct verify_subject *s, char text[VERIFY_SUBJECT_TEXT])
+{
+    const int n = s->nets - 1;
+    char layers[16] = "";
+
+    if (s->layers)
+        snprintf(layers, sizeof layers, "x%d", s->layers);
+    snprintf(text, VERIFY_SUBJECT_TEXT, "%s%s%s, %dx%d%s%s", s->contestant->title,
+             s->more ? ", " : "", s->more ? s->more : "", s->along[n], s->across[n], layers,
+             s->grade ? ", graded" : "");
+}
+
+void verify_subject_settings(const struct verify_subject *s, int n, struct settings *all)
+{
+    const int points[] = {s->along[n], s->across[n], s->layers};
+    const int count = points[0] + s->degree + 1;
+
+    settings_list(all, VERIFY_SETTINGS, s->settings);
+    settings_integers(all, "discretization.points", s->layers ? 3 : 2, points);
+    if (s->grade) /* open knots, inner ones at (k / spans)^grade */
+        settings_set(all, "discretization.knots_u=[");
+    for (int k = 0; s->grade && k < count; k++) {
+        const double share = (double)(k - s->degree) / (points[0] - s->degree);
+        settings_more(all, "%s%.17g%s", k ? "," : "",
+                      pow(fmin(fmax(share, 0), 1), s->grade), k + 1 < count ? "" : "]");
+    }
+}
+
+bool verify_subject_is_linear(const struct verify_subject *s)
+{
+    const char *value = contestant_setting(s->contestant, "discretization.kinematics");
+
+    return value && !strcmp(value, option_kinematics[KINEMATICS_LINEAR]);
+}
+
+double verify_subject_order(const struct verify_subject *s, const double *error, double bar)
+{
+    const int fine = s->nets - 1;
+
+    if (fine < 1 || !(error[fine] > 3 * bar) || !(error[fine - 1] > 0))
+        return NAN;
+    return -fit_exponent(
+        2, (double[]){s->along[fine - 1] - s->degree, s->along[fine] - s->degree},
+        &error[fine - 1]);
+}
+
+bool verify_sheet_holds(struct verify_sheet *sheet, enum status st)
+{
+    if (sheet->status == STATUS_OK)
+        sheet->status = st;
+    return sheet->status == STATUS_OK;
+}
+
+bool verify_sheet_sound(struct verify_sheet *sheet)
+{
+    struct message what;
+
+    /* what failed besides mostly follows from it */
+    if (sheet->table && reference_fault(sheet->table, &what) != STATUS_OK)
+        sheet->status = STATUS_INPUT, sheet->why = what;
+    return sheet->status == STATUS_OK;
+}
+
+bool verify_sheet_table(struct verify_sheet *sheet, const char *name)
+{
+    verify_sheet_sound(sheet);
+    reference_close(sheet->table);
+    sheet->table = NULL;
+    return sheet->status == STATUS_OK &&
+           verify_sheet_holds(sheet, truth_table_open(name, &sheet->table, &sheet->why));
+}
+
+/* The n-th name of a field's entries, counted over all of them, into name[VERIFY_TEXT];
+ * NULL: there are not so many. */
+static const struct verify_entry *named(const struct verify_field *field, int n, char *name)
+{
+    for (const struct verify_entry *e = field->entry; e && e->contestant; e++)
+        for (const char *at = e->contestant; at; at = strchr(at, ',')) {
+            at += *at == ',';
+            if (n-- == 0) {
+                snprintf(name, VERIFY_TEXT, "%.*s", (int)strcspn(at, ","), at);
+                return e;
+            }
+        }
+    return NULL;
+}
+
+/* Whether one that no entry names comes in. A model's name does not ask for the contestant
+ * of that name where it does not enter. */
+static bool comes_in(const struct verify_sheet *sheet, const struct verify_field *field,
+                     const struct contestant *c)
+{
+    enum { NOWHERE = 1 << 30 }; /* no contestant's: enters nowhere, but where it is named */
+    const bool left_out =
+        field->without && contestant_chosen(c, field->without, CONTESTANT_EVERYWHERE);
+    const bool enters = !left_out && c->enters & field->enters;
+    char name[VERIFY_TEXT];
+
+    for (int n = 0; named(field, n, name); n++)
+        if (!strcmp(name, c->name))
+            return false;
+    return field->enters && (enters || strcmp(c->name, c->model->name)) &&
+           contestant_chosen(c, sheet->models, left_out ? NOWHERE : field->enters);
+}
+
+bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *field, int *n,
+                       struct verify_subject *subject)
+{
+    char name[VERIFY_TEXT];
+    int names = 0;
+
+    if (*n == 0 && field->without)
+        verify_sheet_holds(sheet, contestant_check(field->without, &sheet->why));
+    while (named(field, names, name))
+        names++;
+    while (verify_sheet_sound(sheet)) { /* nothing runs against a truth that is not there */
+        const int at = (*n)++;
+        const struct verify_entry *entry = named(field, at, name);
+        const struct contestant *c = entry ? NULL : &contestant_table[at - names];
+        if ((entry && !verify_sheet_holds(sheet, contestant_find(name, &c, &sheet->why))) ||
+            !c->name)
+            return false;
+        if (entry ? contestant_chosen(c, sheet->models, 0) && !(entry->dear && sheet->quick)
+                  : comes_in(sheet, field, c)) {
+            *subject = verify_subject_of(field, entry, c);
+            subject->sheet = sheet;
+            return true;
+        }
+    }
+    return false;
+}
+
+struct verify_row *verify_sheet_grow(struct verify_sheet *sheet)
+{
+    if (sheet->count == sheet->room) {
+        int room = sheet->room ? 2 * sheet->room : 32;
+        struct verify_row *rows = realloc(sheet->rows, (size_t)room * sizeof *rows);
+        if (!rows) {
+            verify_sheet_holds(sheet, STATUS_MEMORY);
+            return &sheet->spare;
+        }
+        sheet->rows = rows;
+        sheet->room = room;
+    }
+    return &sheet->rows[sheet->count++];
+}
+
+struct verify_row *verify_sheet_add(const struct verify_subject *subject,
+                                    const char *quantity, ...)
+{
+    struct verify_row *row = verify_sheet_grow(subject->sheet);
+    va_list arguments;
+
+    *row = (struct verify_row){.value = NAN,
+                               .truth = NAN,
+                               .bar = NAN,
+                               .error = NAN,
+                               .order = NAN,
+                               .tolerance = subject->tolerance,
+                               .verdict = VERIFY_NOT_APPLICABLE};
+    va_start(arguments, quantity);
+    vsnprintf(row->quantity, sizeof row->quantity, quantity, arguments);
+    va_end(arguments);
+    verify_subject_title(subject, row->subject);
+    if (subject->reason)
+        verify_row_note(row, "%s", subject->reason);
+    if (subject->changed)
+        snprintf(row->changed, sizeof row->changed, "%s", subject->changed);
+    return row;
+}
+
+void verify_sheet_clear(struct verify_sheet *sheet)
+{
+    reference_close(sheet->table);
+    free(sheet->rows);
+    memset(sheet, 0, sizeof *sheet);
+}
+
+void verify_trial_set(struct verify_trial *t, const char *settings, ...)
+{
+    va_list arguments;
+    char *text = NULL, *rest = NULL;
+
+    va_start(arguments, settings);
+    if (vasprintf(&text, settings, arguments) < 0)
+        text = NULL, t->settings.status = STATUS_MEMORY;
+    va_end(arguments);
+    for (char *one = text ? strtok_r(text, ";", &rest) : NULL; one;
+         one = strtok_r(NULL, ";", &rest))
+        settings_set(&t->settings, one + strspn(one, " "));
+    free(text);
+}
+
+/* A refusal and a death are the row's, anything else is the sheet's. */
+static bool tell(struct verify_trial *t, enum status st, const struct message *sentence)
+{
+    t->lived = st == STATUS_OK;
+    if (st == STATUS_UNSUPPORTED)
+        verify_row_end(t->row, VERIFY_NOT_APPLICABLE, "%s", sentence->text);
+    else if (status_is_death(st))
+        verify_row_end(t->row, VERIFY_DIED, "%s",
+                       *sentence->text ? sentence->text : status_text(st));
+    else if (st != STATUS_OK)
+        verify_sheet_holds(t->subject->sheet,
+                           status_fail(&t->subject->sheet->why, st, "%s: %s",
+                                       t->subject->contestant->title, sentence->text));
+    return t->lived;
+}
+
+bool verify_trial_open(struct verify_trial *t)
+{
+    struct verify_sheet *sheet = t->subject->sheet;
+    const struct run_plan plan = {t->scene, t->subject->contestant, &t->settings, t->end};
+    struct message sentence = {""};
+
+    t->lived = false;
+    verify_subject_settings(t->subject, t->net, &t->settings);
+    if (verify_sheet_sound(sheet) &&
+        verify_sheet_holds(sheet, run_read(&t->run, &plan, &sheet->why))) {
+        enum status built = run_build(&t->run, &sentence);
+        t->row->seconds += t->run.create_seconds;
+        /* one that the check does not know has no such net */
+        if (built == STATUS_INPUT && isnan(t->row->tolerance))
+            built = STATUS_UNSUPPORTED;
+        tell(t, built, &sentence);
+    }
+    settings_clear(&t->settings);
+    return t->lived;
+}
+
+bool verify_trial_settle(struct verify_trial *t)
+{
+    struct counters work = {0};
+    struct message sentence = {""};
+
+    if (!verify_trial_open(t))
+        return false;
+    const double start = clock_now();
+    const enum status st = run_settle(&t->run, &work, &sentence);
+    t->row->seconds += clock_now() - start;
+    return tell(t, st, &sentence);
+}
+
+bool verify_trial_equilibrium(struct verify_trial *t, int n, const double *uvw, double *xyz)
+{
+    if (verify_trial_settle(t))
+        t->run.model->probe(t->run.state, n, uvw, xyz);
+    run_close(&t->run);
+    return t->lived;
+}
+
+bool verify_trial_tip(struct verify_trial *t, double xyz[3])
+{
+    return verify_trial_equilibrium(t, 1, (double[]){1, 0.5, 0.5}, xyz);
+}
+
+bool verify_trial_modes(struct verify_trial *t, bool settled, int count, double *omega)
+{
+    struct message sentence = {""};
+
+    if (settled ? verify_trial_settle(t) : verify_trial_open(t)) {
+        const double start = clock_now();
+        const enum status st = run_modes(&t->run, count, omega, &sentence);
+        t->row->seconds += clock_now() - start;
+        tell(t, st, &sentence);
+    }
+    run_close(&t->run);
+    return t->lived;
+}
+
+bool verify_trial_watch(struct verify_trial *t, motion_watcher *watch, void *context)
+{
+    struct verify_sheet *sheet = t->subject->sheet;
+    struct motion m = {0};
+
+    if (verify_trial_open(t)) {
+        t->lived =
+            verify_sheet_holds(
+                sheet, motion_init(&m, t->run.model, &t->run.scene, t->run.state)) &&
+            verify_sheet_holds(sheet, motion_run(&m, watch, context, true, &sheet->why)) &&
+            m.death == STATUS_OK;
+        for (int i = 0; i < m.steps; i++)
+            t->row->seconds += m.seconds[i];
+        if (m.death != STATUS_OK)
+            verify_row_end(t->row, VERIFY_DIED, "at %g s: %s", m.death_time,
+                           status_text(m.death));
+    }
+    motion_clear(&m);
+    run_close(&t->run);
+    return t->lived;
+}
+
+double *verify_trial_matrix(struct verify_trial *t, bool mass, int *rows)
+{
+    struct verify_sheet *sheet = t->subject->sheet;
+    struct matrix sparse[2] = {{0}};
+    double *full = NULL;
+
+    *rows = 0;
+    if (t->subject->layers) /* solids may have other unknowns than control points */
+        settings_set(&t->settings, "discretization.unknowns=points");
+    if (!verify_trial_open(t))
+        return NULL;
+    const struct model *model = t->run.model;
+    const enum status st = model->matrices
+                               ? model->matrices(t->run.state, &sparse[0], &sparse[1])
+                               : STATUS_UNSUPPORTED;
+    if (st == STATUS_UNSUPPORTED)
+        verify_row_end(t->row, VERIFY_NOT_APPLICABLE,
+                       model->matrices ? "it has none for control points as unknowns"
+                                       : "it has no constant matrices");
+    else if (verify_sheet_holds(sheet, st)) {
+        const struct matrix *m = &sparse[mass];
+        const size_t n = (size_t)m->rows;
+        *rows = m->rows;
+        full = calloc(n * n, sizeof *full);
+        verify_sheet_holds(sheet, full ? STATUS_OK : STATUS_MEMORY);
+        for (long i = 0; full && i < m->entries; i++) /* of a lower triangle */
+            full[(size_t)m->row[i] * n + (size_t)m->column[i]] =
+                full[(size_t)m->column[i] * n + (size_t)m->row[i]] = m->value[i];
+    }
+    matrix_clear(&sparse[0]);
+    matrix_clear(&sparse[1]);
+    return full;
+}
+
+/* Keeps the points at the times that are wanted. */
+struct keeper {
+    int times, n, kept;
+    const double *time, *uvw;
+    double *xyz; /* [times][n][3] */
+};
+
+static enum status keep(void *context, const struct motion *m, struct message *why)
+{
+    struct keeper *k = context;
+
+    (void)why;
+    if (k->kept == k->times || m->time < k->time[k->kept] - m->scene->step / 4)
+        return STATUS_OK;
+    m->model->probe(m->state, k->n, k->uvw, k->xyz + 3 * (size_t)k->n * k->kept);
+    k->kept++;
+    return STATUS_OK;
+}
+
+bool verify_trial_motion(struct verify_trial *t, int times, const double *time, int n,
+                         const double *uvw, double *xyz)
+{
+    struct keeper k = {.times = times, .n = n, .time = time, .uvw = uvw, .xyz = xyz};
+
+    t->end = time[times - 1];
+    return verify_trial_watch(t, keep, &k);
+}
+
+bool verify_trial_nets(struct verify_trial *t, verify_trial_measure *measure, void *context,
+                       double truth, double bar)
+{
+    double value = NAN, error[VERIFY_NETS];
+
+    for (t->net = 0; t->net < t->subject->nets; t->net++) {
+        value = measure(t, context);
+        if (!t->lived) {
+            t->row->value = t->row->truth = t->row->bar = NAN;
+            return false;
+        }
+        error[t->net] = isnan(truth) ? value : fabs(value - truth) / fabs(truth);
+    }
+    if (!isnan(truth))
+        t->row->value = value, t->row->truth = truth;
+    if (isnan(bar))
+        bar = t->row->bar;
+    verify_row_judge_error(t->row, error[t->net - 1], bar);
+    t->row->order = verify_subject_order(t->subject, error, bar);
+    return true;
+}
+
+bool verify_trial_worst(struct verify_trial *t, double value, double truth,
+                        const double *error, double bar)
+{
+    const double fine = error[t->subject->nets - 1];
+
+    if (t->row->verdict != VERIFY_NOT_APPLICABLE && !isnan(fine) && !(fine > t->row->error))
+        return false;
+    t->row->value = value;
+    t->row->truth = truth;
+    t->row->order = verify_subject_order(t->subject, error, bar);
+    verify_row_judge_error(t->row, fine, bar);
+    return true;
+}
+
+/* Net `net`, the finest step times 2^coarser. */
+static bool move(const struct verify_subject *s, const struct verify_trial_refine *r,
+                 struct verify_row *row, int net, int coarser, double *field)
+{
+    struct verify_trial t = {row, s, r->scene, net};
+
+    settings_list(&t.settings, INT_MAX, r->settings);
+    settings_number(&t.settings, "time.step", r->step * (1 << coarser));
+    return verify_trial_motion(&t, r->times, r->time, r->n, r->uvw, field);
+}
+
+/* Of halves: by the error (or change) before and after. */
+static double order_of(double before, double after)
+{
+    return fit_exponent(2, (double[]){2, 1}, (double[]){before, after});
+}
+
+/* The coarser nets, with the finest step: their errors into the row's note, its order from
+ * the last two. Leaves the row's verdict as it is. */
+static void refine_net(const struct verify_subject *s, const struct verify_trial_refine *r,
+                       struct verify_row *row, double *field)
+{
+    struct verify_row scratch = {.seconds = 0}; /* of the runs that are no rows           */
+    double coarser = NAN;
+
+    for (int n = 0; n + 1 < s->nets; n++) {
+        const bool lived = move(s, r, &scratch, n, 0, field);
+        coarser = lived ? r->measure(r->context, field, r->truth) : NAN;
+        verify_row_note(row, "error on %dx%d: %.2g", s->along[n], s->across[n], coarser);
+    }
+    if (s->nets > 1)
+        row->order = order_of(coarser, row->error);
+    row->seconds += scratch.seconds;
+}
+
+/* The coarser steps, each against the one before; field[0] is the finest run's. */
+static void refine_step(const struct verify_subject *s, const struct verify_trial_refine *r,
+                        struct verify_row *row, double *const field[3])
+{
+    struct verify_row scratch = {.seconds = 0};
+    double change[VERIFY_TRIAL_STEPS] = {NAN, NAN, NAN};
+    bool lived = true;
+
+    for (int n = 1; n < r->steps && lived; n++) {
+        double *now = field[2 - n % 2], *before = field[n == 1 ? 0 : 1 + n % 2];
+        lived = move(s, r, &scratch, s->nets - 1, n, now);
+        if (lived) {
+            change[n - 1] = r->measure(r->context, now, before);
+            verify_row_note(row, "error with %g ms: %.2g", 1e3 * r->step * (1 << n),
+                            r->measure(r->context, now, r->truth));
+        }
+    }
+    if (lived)
+        verify_row_judge_error(row, change[0], NAN);
+    else
+        verify_row_end(row, VERIFY_NOT_APPLICABLE, "a coarser step %s", scratch.note);
+    row->order = order_of(change[1], change[0]);
+    row->seconds += scratch.seconds;
+}
+
+bool verify_trial_refine(const struct verify_subject *subject,
+                         const struct verify_trial_refine *r, const char *quantity)
+{
+    const size_t size = 3 * (size_t)r->times * (size_t)r->n;
+    double *room = malloc(3 * size * sizeof *room);
+    double *const field[] = {room, room + size, room + 2 * size};
+    struct verify_subject unclaimed = *subject;
+    struct verify_row *row = verify_sheet_add(subject, "%s", quantity);
+    const bool lived =
+        verify_sheet_holds(subject->sheet, room ? STATUS_OK : STATUS_MEMORY) &&
+        move(subject, r, row, subject->nets - 1, 0, room);
+
+    if (lived) {
+        verify_row_judge_error(row, r->measure(r->context, room, r->truth), r->bar);
+        if (r->field)
+            memcpy(r->field, room, size * sizeof *room);
+        if (r->beyond)
+            verify_row_end(row, VERIFY_OUT_OF_RANGE, "%s", r->beyond);
+        refine_net(subject, r, row, field[1]);
+    }
+    if (lived && r->steps > 1) {
+        unclaimed.tolerance = NAN;
+        unclaimed.reason = NULL;
+        row = verify_sheet_add(&unclaimed, "%s: change by step %g to %g ms", quantity,
+                               2e3 * r->step, 1e3 * r->step);
+        refine_step(&unclaimed, r, row, field);
+    }
+    free(room);
+    return lived;
+}
+
+void verify_check_run(const struct verify_check *check, struct verify_sheet *sheet)
+{
+    struct verify_subject s;
+
+    if (check->table && !verify_sheet_table(sheet, check->table))
+        return;
+    if (check->run)
+        check->run(sheet);
+    for (const struct verify_part *p = check->parts; p->row; p++) {
+        if (p->table && !verify_sheet_table(sheet, p->table))
+            return;
+        const int all = p->cases ? p->cases : reference_rows(sheet->table);
+        for (int n = 0, count = 0; n < all; n++) {
+            if (p->column && (n = reference_find(sheet->table, n, p->column, p->text)) < 0)
+                break;
+            if (sheet->quick && p->every && count++ % p->every)
+                continue;
+            for (int k = 0; verify_sheet_next(sheet, p->field, &k, &s);) {
+                s.at = n;
+                p->row(&s);
+            }
+        }
+    }
+}

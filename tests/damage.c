@@ -9,7 +9,7 @@
 #include "bench/files/seal.h"
 #include "bench/harness/contestant.h"
 #include "bench/harness/run_file.h"
-#include "bench/truth/truth_file.h"
+#include "bench/truth/truth.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
 

@@ -25,7 +25,7 @@
 #include "bench/frames/frames.h"
 #include "bench/frames/frames_bytes.h"
 #include "bench/harness/run_result.h"
-#include "bench/truth/truth_file.h"
+#include "bench/truth/truth.h"
 #include "tests/fuzz.h"
 
 enum { ITEMS = 64, VALUES = 16, RANK = 5, MEMORY_SPACE = 1 << 20 };

@@ -5,8 +5,8 @@
 #include <sys/stat.h>
 
 #include "bench/files/folder.h"
-#include "bench/truth/truth_bar.h"
-#include "bench/truth/truth_file.h"
+#include "bench/files/provenance.h"
+#include "bench/truth/truth_parts.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/truth_fixture.h"

@@ -1,12 +1,10 @@
 /* The bar of a truth from made-up runs: sheets that are shifted by an error c h^p, so that
  * orders, bars and differences are known. */
-#include "bench/truth/truth_bar.h"
+#include "bench/truth/truth_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "bench/truth/truth_plan.h"
-#include "bench/truth/truth.h"
 #include "models/grid.h"
 #include "tests/check.h"
 

@@ -1,13 +1,10 @@
 /* Truths that are closed forms, held against what they solve: falls by steps of Runge and
  * Kutta, the hanging sheet's balance of forces, the elastica's table and the shell; whom
  * they are refused; that files, times and frames of them are as of other truths. */
-#include "bench/truth/truth_closed.h"
+#include "bench/truth/truth.h"
 
 #include "bench/harness/motion.h"
-#include "bench/truth/truth.h"
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_print.h"
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth_parts.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/opened_run.h"

@@ -5,8 +5,7 @@
 
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_physics.h"
+#include "bench/truth/truth.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
 

@@ -1,11 +1,10 @@
 /* What a truth is made of and told at: frames, nets, times at which tables judge; and what
  * has no truth. */
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "bench/truth/truth_made.h"
 #include "tests/check.h"
 
 static const double SUM = 1e-12; /* of a few products */

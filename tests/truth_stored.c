@@ -5,10 +5,7 @@
 
 #include "bench/files/folder.h"
 #include "bench/truth/truth.h"
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_plan.h"
-#include "bench/truth/truth_print.h"
-#include "bench/truth/truth_physics.h"
+#include "bench/truth/truth_parts.h"
 #include "bench/truth/truth_table.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"

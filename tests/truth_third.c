@@ -1,11 +1,10 @@
 /* A third mechanics beside a truth, of made-up legs: when it ends a claim, when it says
  * nothing, what of it is refused, and how frames on three nets become it. */
-#include "bench/truth/truth_third.h"
+#include "bench/truth/truth_parts.h"
 
 #include <unistd.h>
 
 #include "bench/files/folder.h"
-#include "bench/truth/truth_file.h"
 #include "models/grid.h"
 #include "tests/truth_fixture.h"
 

@@ -7,7 +7,8 @@
 #include "bench/experiment/bench_solid.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
-#include "bench/truth/truth_plate.h"
+#include "bench/truth/truth.h"
+#include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
@@ -124,7 +125,7 @@ static double depth(const struct study_results *d, const struct study *s, int le
     const double *xyz = s->row[level].frame[time].xyz;
 
     (void)d;
-    return xyz ? -truth_plate_edge(xyz, NULL) : NAN;
+    return xyz ? -truth_plate_edge(xyz) : NAN;
 }
 
 static double speed(const struct study_results *d, const struct study *s, int level,
@@ -141,7 +142,7 @@ static double tip(const struct study_results *d, const struct study *s, int leve
     const double *xyz = row->frame[time].xyz;
 
     (void)d;
-    return xyz ? -truth_plate_edge(xyz, NULL) / s->length / row->theory : NAN;
+    return xyz ? -truth_plate_edge(xyz) / s->length / row->theory : NAN;
 }
 
 static double tip_of_reference(const struct study_results *d, const struct study *s,

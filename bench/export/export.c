@@ -7,7 +7,6 @@
 #include "bench/export/export_numbers.h"
 #include "bench/files/folder.h"
 #include "bench/truth/truth.h"
-#include "bench/truth/truth_plan.h"
 #include "models/damping.h"
 #include "models/reader/scene_file.h"
 

@@ -4,7 +4,7 @@
 #define EXPORT_NUMBERS_H
 
 #include "bench/export/export_held.h"
-#include "bench/truth/truth_made.h"
+#include "bench/truth/truth.h"
 #include "bench/ui/table.h"
 
 /* What a net of points is made of (export_numbers.c) as a table: those that are alike stand

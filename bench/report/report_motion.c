@@ -9,7 +9,7 @@
 
 #include "bench/files/store.h"
 #include "bench/report/report_json.h"
-#include "bench/truth/truth_file.h"
+#include "bench/truth/truth.h"
 #include "models/grid.h"
 
 static const char *const scene = "edge_drop";

@@ -6,9 +6,6 @@
 #include <string.h>
 
 #include "bench/truth/truth.h"
-#include "bench/truth/truth_closed.h"
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_plan.h"
 #include "models/metric/metric_rest.h"
 #include "models/reader/scene_file.h"
 

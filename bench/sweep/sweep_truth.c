@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "bench/truth/truth.h"
-#include "bench/truth/truth_plan.h"
 #include "models/metric/metric.h"
 
 enum status sweep_truth_open(struct sweep_truth *truth, const struct scene *scene,

@@ -5,7 +5,7 @@
 
 #include "bench/harness/looks.h"
 #include "bench/harness/run_file.h"
-#include "bench/truth/truth_made.h"
+#include "bench/truth/truth.h"
 
 struct sweep_truth {
     struct truth_made made; /* nothing is claimed: no truth is known                   */

@@ -6,13 +6,191 @@
 #include <string.h>
 
 #include "bench/harness/distrust.h"
-#include "bench/truth/truth_closed.h"
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_physics.h"
-#include "bench/truth/truth_plate.h"
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth_parts.h"
+#include "fem_ref/kirchhoff_field.h"
+#include "models/contact.h"
+#include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
+
+/* --- A scene as its truth moves ---------------------------------------------------------
+ */
+
+static bool is_at(double time, double other)
+{
+    return fabs(time - other) < 1e-9;
+}
+
+bool truth_plan_judges(const struct scene *scene, double time)
+{
+    bool judged = is_at(time, round(time / 0.1) * 0.1);
+
+    for (int n = 0; n < scene->snapshot_count; n++)
+        judged |= is_at(scene->snapshots[n], time);
+    return judged;
+}
+
+/* Lying on an obstacle from the start on, within a thickness. */
+static enum status lies(const struct scene *scene, bool *does)
+{
+    double *rest = scene->obstacle_count ? metric_rest_field(scene) : NULL;
+
+    if (scene->obstacle_count && !rest)
+        return STATUS_MEMORY;
+    *does = contact_least_gap(scene, rest ? GRID_POINTS : 0, rest) <= scene->thickness;
+    free(rest);
+    return STATUS_OK;
+}
+
+enum status truth_plan_check(const struct scene *scene, struct message *why)
+{
+    bool laid = false;
+    enum status st;
+
+    for (int n = 0; n < scene->support_count; n++) {
+        const struct scene_support *s = &scene->supports[n];
+        if (!(s->hi[0] > s->lo[0]) && !(s->hi[1] > s->lo[1]))
+            return status_fail(
+                why, STATUS_UNSUPPORTED,
+                "%s has no truth: support %d holds a point, and the motion of a sheet that "
+                "is held at points has no limit under refinement (a point of a solid holds "
+                "nothing); held at patches it has one, as corners_patch, for which a truth "
+                "is claimed",
+                scene->name, n);
+    }
+    TRY(lies(scene, &laid));
+    if (laid && !scene->support_count)
+        TRY(status_fail(
+            why, STATUS_UNSUPPORTED,
+            "%s has no truth: it is laid on an obstacle, and a drape has many "
+            "equilibria, of which net and round-off choose one; claimed of each "
+            "is that it is in balance, its energy, and whether it is stable "
+            "(run %s --static); dropped onto an obstacle a sheet has a truth "
+            "for a while, as sphere",
+            scene->name, scene->name));
+out:
+    return st;
+}
+
+const char *truth_plan_damping(const struct scene *scene)
+{
+    return scene->damping.kind == DAMPING_VELOCITY_SCALE ? "damping={kind: none}" : NULL;
+}
+
+enum status truth_plan_scene(const char *path, struct settings *settings,
+                             struct scene *scene, struct message *why)
+{
+    enum status st;
+    const char *damping;
+
+    TRY(settings_read_scene(settings, path, scene, why));
+    damping = truth_plan_damping(scene);
+    if (!damping)
+        return STATUS_OK;
+    scene_clear(scene);
+    settings_set(settings, damping);
+    TRY(settings_read_scene(settings, path, scene, why));
+out:
+    return st;
+}
+
+/* --- A truth as it was made or read -----------------------------------------------------
+ */
+
+enum status truth_made_init(struct truth_made *made, int times, int claimed,
+                            const double *time)
+{
+    const size_t count = (size_t)times, field = 3 * GRID_POINTS;
+    const size_t numbers = count * (1 + TRUTH_COLUMNS) + (size_t)claimed * field;
+
+    *made = (struct truth_made){.times = times, .claimed = claimed};
+    made->xyz = calloc(1, count * sizeof *made->xyz + (numbers + 1) * sizeof(double));
+    if (!made->xyz)
+        return STATUS_MEMORY;
+    made->time = (double *)(made->xyz + count);
+    made->value = (double(*)[TRUTH_COLUMNS])(made->time + count);
+    for (int n = 0; n < claimed; n++)
+        made->xyz[n] = (double *)(made->value + count) + (size_t)n * field;
+    memcpy(made->time, time, count * sizeof *time);
+    for (int n = 0; n < times; n++)
+        made->value[n][TRUTH_THIRD] = made->value[n][TRUTH_THIRD_BAR] = NAN;
+    return STATUS_OK;
+}
+
+void truth_made_clear(struct truth_made *made)
+{
+    free(made->xyz);
+    *made = (struct truth_made){0};
+}
+
+void truth_made_thin(struct truth_made *made, const struct scene *scene)
+{
+    const int last = made->claimed - 1;
+    int times = 0, claimed = 0;
+
+    for (int n = 0; n < made->times; n++) {
+        if (!truth_plan_judges(scene, made->time[n]) && (n != last || claimed))
+            continue;
+        made->time[times] = made->time[n];
+        made->xyz[times] = made->xyz[n];
+        memcpy(made->value[times], made->value[n], sizeof *made->value);
+        times++;
+        claimed += n <= last;
+    }
+    made->times = times;
+    made->claimed = claimed;
+}
+
+enum status truth_known(const struct scene *scene, struct truth_made *made,
+                        struct message *why)
+{
+    enum status st = truth_closed_make(scene, made);
+
+    if (st == STATUS_UNSUPPORTED)
+        st = truth_file_find(scene->name, scene, made, why);
+    if (st == STATUS_FILE && truth_plan_check(scene, why) != STATUS_OK)
+        st = STATUS_UNSUPPORTED;
+    return st;
+}
+
+enum status truth_judged(const struct scene *scene, struct truth_made *made,
+                         struct message *why)
+{
+    struct message said = {""};
+    const enum status st = truth_known(scene, made, &said);
+
+    if (st == STATUS_OK && !made->closed)
+        truth_made_thin(made, scene);
+    if (st == STATUS_OK || st == STATUS_FILE || st == STATUS_UNSUPPORTED)
+        return STATUS_OK;
+    return status_fail(why, st, "%s", said.text);
+}
+
+enum status truth_stored_times(const char *path, const struct settings *settings,
+                               double until, int most, double *time, int *count,
+                               struct message *why)
+{
+    struct scene scene = {0};
+    struct truth_made made = {0};
+    enum status st;
+    int last = 0;
+
+    *count = 0;
+    TRY(settings_read_scene(settings, path, &scene, why));
+    TRY(truth_judged(&scene, &made, why));
+    while (last < made.claimed && made.time[last] <= until + 1e-9)
+        last++;
+    *count = last < most ? last : most;
+    for (int n = 0; n < *count; n++)
+        time[n] = made.time[last - *count + n];
+out:
+    truth_made_clear(&made);
+    scene_clear(&scene);
+    return st;
+}
+
+/* --- A truth at given times -------------------------------------------------------------
+ */
 
 /* One block holds all of it. */
 static struct truth *make(int times, const double *time)
@@ -132,54 +310,6 @@ static enum status take(const struct scene *scene, const struct truth_made *made
     return STATUS_OK;
 }
 
-enum status truth_known(const struct scene *scene, struct truth_made *made,
-                        struct message *why)
-{
-    enum status st = truth_closed_make(scene, made);
-
-    if (st == STATUS_UNSUPPORTED)
-        st = truth_file_find(scene->name, scene, made, why);
-    if (st == STATUS_FILE && truth_plan_check(scene, why) != STATUS_OK)
-        st = STATUS_UNSUPPORTED;
-    return st;
-}
-
-enum status truth_judged(const struct scene *scene, struct truth_made *made,
-                         struct message *why)
-{
-    struct message said = {""};
-    const enum status st = truth_known(scene, made, &said);
-
-    if (st == STATUS_OK && !made->closed)
-        truth_made_thin(made, scene);
-    if (st == STATUS_OK || st == STATUS_FILE || st == STATUS_UNSUPPORTED)
-        return STATUS_OK;
-    return status_fail(why, st, "%s", said.text);
-}
-
-enum status truth_stored_times(const char *path, const struct settings *settings,
-                               double until, int most, double *time, int *count,
-                               struct message *why)
-{
-    struct scene scene = {0};
-    struct truth_made made = {0};
-    enum status st;
-    int last = 0;
-
-    *count = 0;
-    TRY(settings_read_scene(settings, path, &scene, why));
-    TRY(truth_judged(&scene, &made, why));
-    while (last < made.claimed && made.time[last] <= until + 1e-9)
-        last++;
-    *count = last < most ? last : most;
-    for (int n = 0; n < *count; n++)
-        time[n] = made.time[last - *count + n];
-out:
-    truth_made_clear(&made);
-    scene_clear(&scene);
-    return st;
-}
-
 /* Fills t with what needs no file: a closed form, or the plate. */
 static enum status from_theory(const struct scene *scene, struct truth *t,
                                struct message *why)
@@ -215,12 +345,12 @@ static enum status from_stored(const struct scene *scene, struct truth *t,
 
 enum { PATH = 4096 };
 
+/* Where truth_find_or_make leaves one. */
 static void left_in(const char *folder, char path[PATH])
 {
     snprintf(path, PATH, "%s/truth.h5", folder);
 }
 
-/* Fills t with the truth that truth_find_or_make left in a folder. */
 static enum status from_folder(const char *folder, const struct scene *scene,
                                struct truth *t, struct message *why)
 {
@@ -240,67 +370,9 @@ out:
     return st;
 }
 
-/* Fills t with what is known. STATUS_FILE: nothing, but it can be made. */
-static enum status look_up(const struct scene *scene, struct truth *t, struct message *why)
-{
-    enum status st = from_theory(scene, t, why);
-
-    if (st == STATUS_UNSUPPORTED)
-        st = from_stored(scene, t, why);
-    if (st == STATUS_FILE && truth_plan_damping(scene))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "no truth of %s: its velocities are scaled by a factor each "
-                           "step, which is no rate and has no limit; it has one with "
-                           "damping {kind: none} or {kind: mass}",
-                           scene->name);
-    return st;
-}
-
-enum status truth_of_plate(const char *path, const struct settings *settings, int times,
-                           const double *time, struct truth **truth, struct message *why)
-{
-    struct scene scene = {0};
-    struct truth *t = make(times, time);
-    enum status st = t ? STATUS_OK : STATUS_MEMORY;
-
-    TRY(st);
-    TRY(settings_read_scene(settings, path, &scene, why));
-    TRY(from_kirchhoff(&scene, true, t, why));
-    *truth = t, t = NULL;
-out:
-    truth_destroy(t);
-    scene_clear(&scene);
-    return st;
-}
-
-enum status truth_find(const char *path, const struct settings *settings, int times,
-                       const double *time, const char *folder, struct truth **truth,
-                       struct message *why)
-{
-    struct scene scene = {0};
-    struct truth *t = make(times, time);
-    enum status st;
-
-    TRY(t ? STATUS_OK : STATUS_MEMORY);
-    TRY(settings_read_scene(settings, path, &scene, why));
-    st = look_up(&scene, t, why);
-    if (st == STATUS_FILE && folder)
-        st = from_folder(folder, &scene, t, NULL);
-    if (st == STATUS_FILE)
-        status_fail(why, st, "nothing is known of %s with these physics at these times",
-                    scene.name);
-    TRY(st);
-    *truth = t, t = NULL;
-out:
-    truth_destroy(t);
-    scene_clear(&scene);
-    return st;
-}
-
 /* Makes one, and leaves it in the folder of its runs. */
-static enum status make_one(const struct truth_runs *runs, const struct scene *scene,
-                            const struct truth_wish *wish, struct truth *t,
-                            struct message *why)
+static enum status make_one(const struct truth_runs *runs, const struct truth_wish *wish,
+                            const struct scene *scene, struct truth *t, struct message *why)
 {
     struct truth_made made = {0};
     struct truth_end end;
@@ -324,29 +396,68 @@ out:
     return st;
 }
 
-enum status truth_find_or_make(const char *path, const struct settings *settings, int times,
-                               const double *time, const char *folder,
-                               const struct truth_wish *wish, struct truth **truth,
-                               struct message *why)
+/* What is known, or what was left in the folder or, with a wish, is made there. */
+static enum status fill(struct truth_runs *runs, const struct truth_wish *wish,
+                        const struct scene *scene, struct truth *t, struct message *why)
 {
-    struct truth_runs runs = {.path = path,
-                              .settings = settings,
-                              .times = times,
-                              .time = time,
-                              .folder = folder,
-                              .say = stderr};
+    enum status st = from_theory(scene, t, why);
+
+    runs->frame = scene->step;
+    if (st == STATUS_UNSUPPORTED)
+        st = from_stored(scene, t, why);
+    if (st == STATUS_FILE && truth_plan_damping(scene))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "no truth of %s: its velocities are scaled by a factor each "
+                           "step, which is no rate and has no limit; it has one with "
+                           "damping {kind: none} or {kind: mass}",
+                           scene->name);
+    if (st == STATUS_FILE && wish)
+        return make_one(runs, wish, scene, t, why);
+    if (st == STATUS_FILE && runs->folder)
+        st = from_folder(runs->folder, scene, t, NULL);
+    if (st == STATUS_FILE)
+        status_fail(why, st, "nothing is known of %s with these physics at these times",
+                    scene->name);
+    return st;
+}
+
+/* `plate`: by linear theory, whatever else is known. */
+static enum status find(struct truth_runs *runs, const struct truth_wish *wish, bool plate,
+                        struct truth **truth, struct message *why)
+{
     struct scene scene = {0};
-    struct truth *t = make(times, time);
+    struct truth *t = make(runs->times, runs->time);
     enum status st;
 
     TRY(t ? STATUS_OK : STATUS_MEMORY);
-    TRY(settings_read_scene(settings, path, &scene, why));
-    runs.frame = scene.step;
-    st = look_up(&scene, t, why);
-    TRY(st == STATUS_FILE ? make_one(&runs, &scene, wish, t, why) : st);
+    TRY(settings_read_scene(runs->settings, runs->path, &scene, why));
+    TRY(plate ? from_kirchhoff(&scene, true, t, why) : fill(runs, wish, &scene, t, why));
     *truth = t, t = NULL;
 out:
     truth_destroy(t);
     scene_clear(&scene);
     return st;
+}
+
+enum status truth_of_plate(const char *path, const struct settings *settings, int times,
+                           const double *time, struct truth **truth, struct message *why)
+{
+    return find(&(struct truth_runs){path, settings, times, time}, NULL, true, truth, why);
+}
+
+enum status truth_find(const char *path, const struct settings *settings, int times,
+                       const double *time, const char *folder, struct truth **truth,
+                       struct message *why)
+{
+    return find(&(struct truth_runs){path, settings, times, time, folder}, NULL, false,
+                truth, why);
+}
+
+enum status truth_find_or_make(const char *path, const struct settings *settings, int times,
+                               const double *time, const char *folder,
+                               const struct truth_wish *wish, struct truth **truth,
+                               struct message *why)
+{
+    return find(&(struct truth_runs){path, settings, times, time, folder, .say = stderr},
+                wish, false, truth, why);
 }

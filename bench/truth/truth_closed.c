@@ -1,12 +1,12 @@
-#include "bench/truth/truth_closed.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/truth/truth.h"
 #include "fem_ref/elastica.h"
+#include "fem_ref/kirchhoff_field.h"
 #include "models/damping.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
@@ -208,9 +208,6 @@ static struct rest_shape rest_shape(const struct scene *s, const double *rest, d
     return (struct rest_shape){.bar = INFINITY};
 }
 
-/* ---------------------------------------------------------------------------------------
- */
-
 static enum status at_rest(const struct scene *s, const double *rest, int times,
                            const double *time, double *const *xyz, double *error,
                            char source[TRUTH_CLOSED_SOURCE])
@@ -299,5 +296,72 @@ out:
     if (st != STATUS_OK)
         truth_made_clear(made);
     free(time);
+    return st;
+}
+
+/* --- The plate -------------------------------------------------------------------------
+ */
+
+enum status truth_plate_fields(const struct scene *scene, int times, const double *time,
+                               double *const *xyz, struct message *why)
+{
+    struct kirchhoff_plate plate;
+    struct kirchhoff *k = NULL;
+    enum status st;
+
+    TRY(kirchhoff_field_plate(scene, &plate, why));
+    TRY(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
+    for (int n = 0; n < times; n++)
+        TRY(kirchhoff_field_sample(k, scene, time[n], xyz[n], why));
+out:
+    kirchhoff_destroy(k);
+    return st;
+}
+
+double truth_plate_edge(const double *xyz)
+{
+    double sum = 0;
+
+    for (int k = 0; k < GRID_W; k++)
+        for (int j = GRID_V / 2 - 1; j <= GRID_V / 2; j++)
+            sum += xyz[((k * GRID_V + j) * GRID_U + GRID_U - 1) * 3 + 2];
+    return sum / 4;
+}
+
+double truth_plate_drop(const struct scene *scene, bool linear)
+{
+    enum { TERMS = 24 }; /* six digits */
+    const double L = scene->length, W = scene->width, gamma = scene_gamma(scene);
+    struct kirchhoff_plate plate;
+    struct kirchhoff *k = NULL;
+    struct elastica e;
+    double drop = NAN;
+
+    if (kirchhoff_field_plate(scene, &plate, NULL) != STATUS_OK)
+        return NAN;
+    if (!linear)
+        return elastica_solve(gamma, &e) == STATUS_OK ? e.drop : NAN;
+    if (kirchhoff_create(&plate, TERMS, &k) == STATUS_OK)
+        drop = kirchhoff_static(k, gamma * scene_bending_stiffness(scene) / (L * L * L), L,
+                                W / 2) /
+               L;
+    kirchhoff_destroy(k);
+    return drop;
+}
+
+enum status truth_plate_coefficient(double nu, int terms, double *coefficient)
+{
+    const struct kirchhoff_plate plate = {.length = 1,
+                                          .width = 1,
+                                          .thickness = 1,
+                                          .young = 12 * (1 - nu * nu),
+                                          .poisson = nu,
+                                          .density = 1}; /* D = 1 */
+    struct kirchhoff *k = NULL;
+    const enum status st = kirchhoff_create(&plate, terms, &k);
+
+    if (st == STATUS_OK)
+        *coefficient = kirchhoff_static(k, 1, 1, 0.5);
+    kirchhoff_destroy(k);
     return st;
 }

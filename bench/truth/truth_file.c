@@ -1,5 +1,3 @@
-#include "bench/truth/truth_file.h"
-
 #include <inttypes.h>
 #include <libgen.h>
 #include <math.h>
@@ -9,11 +7,161 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "bench/files/provenance.h"
 #include "bench/files/store.h"
 #include "bench/harness/run.h"
-#include "bench/truth/truth_physics.h"
-#include "bench/truth/truth_third.h"
+#include "bench/truth/truth_parts.h"
+#include "models/damping.h"
 #include "models/grid.h"
+
+/* --- What it holds for ------------------------------------------------------------------
+ */
+
+static void print(FILE *out, const char *key, int count, const double *value)
+{
+    fprintf(out, "%s", key);
+    for (int n = 0; n < count; n++)
+        fprintf(out, " %.17g", value[n] + 0.0); /* no -0 */
+    fputc('\n', out);
+}
+
+static void print_supports(const struct scene *s, FILE *out)
+{
+    for (int n = 0; n < s->support_count; n++) {
+        const struct scene_support *support = &s->supports[n];
+        fprintf(out, "support fix %u\n", support->fix);
+        print(out, "support from", 3, support->lo);
+        print(out, "support to", 3, support->hi);
+        for (int k = 0; k < support->path_count; k++)
+            print(out, "support path", 4, support->path[k]);
+    }
+}
+
+static void print_loads(const struct scene *s, FILE *out)
+{
+    for (int n = 0; n < s->load_count; n++) {
+        print(out, "load from", 3, s->loads[n].lo);
+        print(out, "load to", 3, s->loads[n].hi);
+        print(out, "load force", 3, s->loads[n].force);
+    }
+}
+
+static void print_obstacles(const struct scene *s, FILE *out)
+{
+    for (int n = 0; n < s->obstacle_count; n++) {
+        const struct scene_obstacle *o = &s->obstacles[n];
+        bool plane = o->kind == OBSTACLE_PLANE;
+        print(out, plane ? "plane" : "sphere", 3, o->point);
+        print(out, plane ? "normal" : "radius", plane ? 3 : 1,
+              plane ? o->normal : &o->radius);
+        print(out, "friction", 1, &o->friction);
+    }
+}
+
+/* Only the numbers that the kind of damping has. A factor a step is a physics that depends
+ * on the step. */
+static void print_damping(const struct scene *s, FILE *out)
+{
+    const struct scene_damping *d = &s->damping;
+
+    fprintf(out, "damping %s\n", damping_name((int)d->kind));
+    if (d->kind == DAMPING_RAYLEIGH)
+        print(out, "rayleigh", 2, (double[]){d->alpha, d->beta});
+    else if (d->kind != DAMPING_NONE)
+        print(out, "value", 1, &d->value);
+    if (d->kind == DAMPING_VELOCITY_SCALE)
+        print(out, "step", 1, &s->step);
+}
+
+enum status truth_physics(const struct scene *s, char **text)
+{
+    char *result = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&result, &size);
+
+    if (!out)
+        return STATUS_MEMORY;
+    print(out, "sheet", 3, (double[]){s->length, s->width, s->thickness});
+    fprintf(out, "shape %s\n", scene_shape_name((int)s->shape));
+    if (s->shape == SCENE_CLOAK)
+        print(out, "cloak", 2, (double[]){s->opening, s->flare});
+    print(out, "origin", 3, s->origin);
+    print(out, "u", 3, s->axis_u);
+    print(out, "v", 3, s->axis_v);
+    print(out, "material", 3, (double[]){s->young, s->poisson, s->density});
+    print(out, "gravity", 3, s->gravity);
+    print(out, "drag", 1, &s->drag);
+    if (s->drag != 0)
+        print(out, "wind", 3, s->wind);
+    if (scene_needs(s) & SCENE_NEED_INITIAL_MOTION) {
+        print(out, "velocity", 3, s->velocity);
+        print(out, "spin", 3, s->spin);
+    }
+    print_damping(s, out);
+    print_supports(s, out);
+    print_loads(s, out);
+    print_obstacles(s, out);
+    if (fclose(out) != 0) {
+        free(result);
+        return STATUS_MEMORY;
+    }
+    *text = result;
+    return STATUS_OK;
+}
+
+/* Past the lines that both begin with. */
+static void skip_common(const char **a, const char **b)
+{
+    size_t line = 0;
+
+    for (size_t n = 0; (*a)[n] && (*a)[n] == (*b)[n]; n++)
+        if ((*a)[n] == '\n')
+            line = n + 1;
+    *a += line;
+    *b += line;
+}
+
+enum { LINE = 256 };
+
+/* The first line of a text, a blank before each word, with the digits that people write. */
+static void tell_line(const char *text, char line[LINE])
+{
+    size_t used = 0;
+
+    line[0] = '\0';
+    for (size_t word; *text && *text != '\n' && used < LINE / 2; text += word) {
+        char *after;
+        const double value = strtod(text, &after);
+        text += *text == ' ';
+        word = strcspn(text, " \n");
+        used +=
+            (size_t)(after == text + word
+                         ? snprintf(line + used, LINE - used, " %.15g", value)
+                         : snprintf(line + used, LINE - used, " %.*s", (int)word, text));
+    }
+}
+
+enum status truth_physics_check(const char *text, const struct scene *scene,
+                                struct message *why)
+{
+    char *wanted = NULL;
+    enum status st = truth_physics(scene, &wanted);
+
+    if (st == STATUS_OK && strcmp(text, wanted) != 0) {
+        const char *other = wanted;
+        char line[2][LINE];
+        skip_common(&text, &other);
+        tell_line(*text ? text : "nothing", line[0]);
+        tell_line(*other ? other : "nothing", line[1]);
+        st = status_fail(why, STATUS_UNSUPPORTED, "of other physics:%s, not%s", line[0],
+                         line[1]);
+    }
+    free(wanted);
+    return st;
+}
+
+/* --- Writing and reading ----------------------------------------------------------------
+ */
 
 static const struct {
     const char *name, *unit;
@@ -35,17 +183,6 @@ static uint64_t add(uint64_t sum, const void *bytes, size_t size)
     return sum;
 }
 
-/* Its four bytes, from the lowest: as add(), without a look at memory for each. */
-static uint64_t add_float(uint64_t sum, float x)
-{
-    uint32_t bits;
-
-    memcpy(&bits, &x, sizeof bits);
-    for (int n = 0; n < 4; n++, bits >>= 8)
-        sum = (sum ^ (bits & 255)) * PRIME;
-    return sum;
-}
-
 /* As the file has it: fields as float. Orders that do not exist are one NaN, not many. */
 static void checksum(const char *physics, const struct truth_made *m, char text[17])
 {
@@ -57,7 +194,7 @@ static void checksum(const char *physics, const struct truth_made *m, char text[
             if (!isnan(m->value[n][c]))
                 sum = add(sum, &m->value[n][c], sizeof m->value[n][c]);
         for (int k = 0; n < m->claimed && k < 3 * GRID_POINTS; k++)
-            sum = add_float(sum, (float)m->xyz[n][k]);
+            sum = add(sum, &(float){(float)m->xyz[n][k]}, sizeof(float));
     }
     snprintf(text, 17, "%016" PRIx64, sum);
 }
@@ -248,6 +385,9 @@ out:
     return st;
 }
 
+/* --- The third mechanics ----------------------------------------------------------------
+ */
+
 enum status truth_file_third(const char *path, char *third, size_t size,
                              struct message *why)
 {
@@ -257,6 +397,54 @@ enum status truth_file_third(const char *path, char *third, size_t size,
                  slash ? path : ".", name) < (int)size)
         return STATUS_OK;
     return status_fail(why, STATUS_INPUT, "%s: the name is too long", path);
+}
+
+enum { LAYER = GRID_U * GRID_V };
+static const double SAME_TIME = 1e-6; /* [s] */
+
+/* Rms between the middle surfaces. */
+static double apart(const double *a, const double *b)
+{
+    double sum = 0;
+
+    for (int n = 0; n < 3 * LAYER; n++) {
+        const double d = (a[n] + a[n + 3 * LAYER] - b[n] - b[n + 3 * LAYER]) / 2;
+        sum += d * d;
+    }
+    return sqrt(sum / LAYER);
+}
+
+/* Index of a time that the third claims, -1. */
+static int index_of(const struct truth_made *third, double time)
+{
+    for (int n = 0; n < third->claimed; n++)
+        if (fabs(third->time[n] - time) < SAME_TIME)
+            return n;
+    return -1;
+}
+
+/* Distances and bars at the times that both claim, and the sentence. */
+static void judge(const struct truth_made *third, struct truth_made *made)
+{
+    int end = made->claimed;
+
+    for (int n = 0; n < end; n++) {
+        const int k = index_of(third, made->time[n]);
+        double *v = made->value[n];
+        if (k < 0)
+            continue;
+        v[TRUTH_THIRD] = apart(made->xyz[n], third->xyz[k]);
+        v[TRUTH_THIRD_BAR] = third->value[k][TRUTH_ERROR];
+        if (v[TRUTH_THIRD] > v[TRUTH_ERROR] + v[TRUTH_THIRD_BAR])
+            end = n;
+    }
+    const bool contradicts = end < made->claimed;
+    snprintf(made->third, sizeof made->third, "%s%s", third->note,
+             contradicts ? "; it contradicts the truth, which is not claimed from then on"
+                         : "");
+    for (int n = end; n < made->claimed; n++)
+        made->xyz[n] = NULL;
+    made->claimed = end;
 }
 
 /* One of other physics than the truth's says nothing of it. */
@@ -273,7 +461,7 @@ static enum status judge_by_third(const char *path, const char *physics,
         goto out;
     TRY(read_alone(file, &third, &text, why));
     if (strcmp(text, physics) == 0)
-        truth_third_judge(&third, made);
+        judge(&third, made);
     else
         snprintf(made->third, sizeof made->third,
                  "not compared, as it is of other physics");

@@ -1,11 +1,98 @@
-#include "bench/truth/truth_make.h"
-
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "bench/harness/deadline.h"
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth_parts.h"
+#include "iga/support_knots.h"
 #include "models/metric/metric.h"
+
+/* --- Times, nets and steps --------------------------------------------------------------
+ */
+
+static bool is_multiple(double t, double step)
+{
+    return fabs(t - round(t / step) * step) < 1e-9;
+}
+
+static int compare_times(const void *a, const void *b)
+{
+    const double *left = a, *right = b;
+
+    return (*left > *right) - (*left < *right);
+}
+
+int truth_plan_times(double until, double longest, const struct scene *scene, double **time)
+{
+    const int frames = (int)floor(until / TRUTH_PLAN_FRAME + 1e-9);
+    int count = 0, kept = 0;
+    double *t = malloc((size_t)(frames + scene->snapshot_count + 1) * sizeof *t);
+
+    if (!t)
+        return -1;
+    for (int n = 1; n <= frames; n++)
+        t[count++] = n / round(1 / TRUTH_PLAN_FRAME);
+    for (int n = 0; n < scene->snapshot_count; n++)
+        if (scene->snapshots[n] <= until && scene->snapshots[n] > 0)
+            t[count++] = scene->snapshots[n];
+    qsort(t, (size_t)count, sizeof *t, compare_times);
+    for (int n = 0; n < count; n++)
+        if (is_multiple(t[n], longest) && (!kept || t[n] > t[kept - 1] + 1e-9))
+            t[kept++] = t[n];
+    *time = t;
+    return kept;
+}
+
+/* Whether so many spans a side have a knot at every edge of what is loaded; at those of
+ * what is held splines have knots by themselves. */
+static bool fits(const struct scene *scene, int spans)
+{
+    bool good = true;
+
+    for (int n = 0; n < scene->support_count; n++)
+        for (int i = 0; i < 2; i++)
+            good &= scene->supports[n].lo[i] < scene->supports[n].hi[i] ||
+                    is_multiple(scene->supports[n].lo[i], 1.0 / spans);
+    for (int n = 0; n < scene->load_count; n++)
+        for (int i = 0; i < 2; i++)
+            good &= is_multiple(scene->loads[n].lo[i], 1.0 / spans) &&
+                    is_multiple(scene->loads[n].hi[i], 1.0 / spans);
+    return good;
+}
+
+bool truth_plan_rung(const struct scene *scene, double frame, int k,
+                     struct truth_level *level)
+{
+    /* Some 1.4 apart: near enough to stop in time, far enough to show an order. */
+    static const int sizes[] = {1, 2, 3, 4, 6, 9, 13, 18, 26};
+    enum { DEGREE = 3, LEAST = 6, SIZES = sizeof sizes / sizeof *sizes };
+    int unit = 3, first = 0, repeats = 0;
+
+    for (int i = 0; i < 2; i++)
+        repeats = (int)fmax(repeats,
+                            support_knots_repeats(scene, i, DEGREE, SUPPORT_KNOTS_SOLID));
+    while (unit < 20 && !fits(scene, unit))
+        unit++;
+    unit = fits(scene, unit) ? unit : 3;
+    while (unit * sizes[first] < LEAST)
+        first++;
+    if (k + first >= SIZES)
+        return false;
+    *level = (struct truth_level){.degree = DEGREE,
+                                  .side = unit * sizes[k + first] + DEGREE + repeats,
+                                  .repeats = repeats};
+    /* Three spans for a piece of the frame. */
+    level->step = frame / (sizes[k + first] * fmax(1, round(unit / 3.0)));
+    return true;
+}
+
+double truth_plan_frame(const struct scene *scene)
+{
+    return TRUTH_PLAN_FRAME / ceil(TRUTH_PLAN_FRAME / scene->step - 1e-9);
+}
+
+/* --- The maker --------------------------------------------------------------------------
+ */
 
 /* Runs from the finest back to that which is pushed at the end. */
 enum { PUSHED_BEHIND = 3 };

@@ -1,63 +1,14 @@
-#include "bench/truth/truth_third.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/frames/frames.h"
-#include "bench/truth/truth_bar.h"
+#include "bench/truth/truth_parts.h"
 #include "models/grid.h"
 
 enum { LAYER = GRID_U * GRID_V, NETS = 3, DEGREE = 2, PATH = 4096 };
 static const double SAME_TIME = 1e-6, SAME_PLACE = 1e-6; /* [s]; of u and v */
-
-/* Rms between the middle surfaces. */
-static double apart(const double *a, const double *b)
-{
-    double sum = 0;
-
-    for (int n = 0; n < 3 * LAYER; n++) {
-        const double d = (a[n] + a[n + 3 * LAYER] - b[n] - b[n + 3 * LAYER]) / 2;
-        sum += d * d;
-    }
-    return sqrt(sum / LAYER);
-}
-
-/* Index of a time that the third claims, -1. */
-static int index_of(const struct truth_made *third, double time)
-{
-    for (int n = 0; n < third->claimed; n++)
-        if (fabs(third->time[n] - time) < SAME_TIME)
-            return n;
-    return -1;
-}
-
-void truth_third_judge(const struct truth_made *third, struct truth_made *made)
-{
-    int end = made->claimed;
-
-    for (int n = 0; n < end; n++) {
-        const int k = index_of(third, made->time[n]);
-        double *v = made->value[n];
-        if (k < 0)
-            continue;
-        v[TRUTH_THIRD] = apart(made->xyz[n], third->xyz[k]);
-        v[TRUTH_THIRD_BAR] = third->value[k][TRUTH_ERROR];
-        if (v[TRUTH_THIRD] > v[TRUTH_ERROR] + v[TRUTH_THIRD_BAR])
-            end = n;
-    }
-    const bool contradicts = end < made->claimed;
-    snprintf(made->third, sizeof made->third, "%s%s", third->note,
-             contradicts ? "; it contradicts the truth, which is not claimed from then on"
-                         : "");
-    for (int n = end; n < made->claimed; n++)
-        made->xyz[n] = NULL;
-    made->claimed = end;
-}
-
-/* --- making -----------------------------------------------------------------------------
- */
 
 /* Vertices are the material grid's, u fastest. */
 static enum status check_net(const struct frames *f, struct message *why)
@@ -81,23 +32,17 @@ static enum status check_net(const struct frames *f, struct message *why)
 /* Both layers of the field are the middle surface. */
 static enum status add_frame(struct run_result *r, double t, const double *xyz)
 {
-    const size_t count = (size_t)r->frames + 1, bytes = 3 * LAYER * sizeof *xyz;
+    const size_t count = (size_t)r->frames + 1, numbers = 3 * LAYER;
     double *time = realloc(r->time, count * sizeof *time);
+    double **all = time ? realloc(r->xyz, count * sizeof *all) : NULL;
 
-    if (time)
-        r->time = time;
-    double **all = realloc(r->xyz, count * sizeof *all);
-    if (all)
-        r->xyz = all;
-    double *field = malloc(GRID_W * bytes);
-    if (!time || !all || !field) {
-        free(field);
+    r->time = time ? time : r->time;
+    r->xyz = all ? all : r->xyz;
+    if (!all || !(all[r->frames] = malloc(GRID_W * numbers * sizeof *xyz)))
         return STATUS_MEMORY;
-    }
-    for (int k = 0; k < GRID_W; k++)
-        memcpy(field + 3 * LAYER * k, xyz, bytes);
-    time[r->frames] = t;
-    all[r->frames++] = field;
+    for (size_t n = 0; n < GRID_W * numbers; n++)
+        all[r->frames][n] = xyz[n % numbers];
+    time[r->frames++] = t;
     return STATUS_OK;
 }
 
@@ -121,31 +66,21 @@ out:
     return st;
 }
 
-/* N of FOLDER/N.csv; 0: another file. */
-static int elements_of(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    char *end;
-    const long n = strtol(slash ? slash + 1 : path, &end, 10);
-
-    return n > 0 && n < 10000 && !strcmp(end, ".csv") ? (int)n : 0;
-}
-
-/* From coarse to fine, as the folder's numbers are. */
+/* FOLDER/N.csv of N elements, from coarse to fine, as the folder's numbers are. */
 static enum status read_nets(const char *folder, struct truth_family *f,
                              struct message *why)
 {
     struct frames_folder files = {0};
     enum status st;
 
-    *f = (struct truth_family){0};
     TRY(frames_folder_read(folder, &files, why));
-    for (int n = 0; n < files.count; n++) {
-        const int elements = elements_of(files.path[n]);
-        if (!elements || f->count == NETS)
+    for (int n = 0; n < files.count && f->count < NETS; n++) {
+        char *end;
+        const long elements = strtol(files.path[n] + strlen(folder) + 1, &end, 10);
+        if (elements < 1 || elements > 9999 || strcmp(end, ".csv") != 0)
             continue;
-        f->level[f->count].degree = DEGREE;
-        f->level[f->count].side = elements + DEGREE;
+        f->level[f->count] =
+            (struct truth_level){.degree = DEGREE, .side = (int)elements + DEGREE};
         TRY(read_net(files.path[n], &f->run[f->count++], why));
     }
     if (f->count < NETS)

@@ -2,11 +2,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "bench/truth/truth_plate.h"
+#include "bench/truth/truth.h"
 #include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
 #include "fem_ref/freefem.h"
+#include "fem_ref/kirchhoff_field.h"
+#include "models/grid.h"
 #include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
 
 /* As in `pendulum`: a solid 1 %, a shell, whose theory is the truth's own, 1e-3. */
 #define SOLID 0.01, NULL
@@ -64,7 +67,6 @@ static const struct verify_field field = {
 /* Truths and room. */
 struct transient {
     struct scene scene; /* with all of gravity                                          */
-    struct truth_plate plate;
     struct freefem_field solid; /* 3-D elasticity                                       */
     double fallen[TIMES];       /* rms [m]                                              */
     double uvw[3 * GRID_POINTS], truth[TIMES * 3 * GRID_POINTS];
@@ -95,20 +97,25 @@ out:
 /* *t all zero. */
 static enum status transient_init(struct transient *t, struct message *why)
 {
+    double *truth[TIMES], *rest = NULL;
     enum status st;
 
+    for (int n = 0; n < TIMES; n++)
+        truth[n] = t->truth + 3 * GRID_POINTS * n;
     TRY(verify_trial_scene("cantilever_transient", &t->scene, why));
-    TRY(truth_plate_init(&t->plate, &t->scene, TIMES, times, why));
+    TRY(truth_plate_fields(&t->scene, TIMES, times, truth, why));
     TRY(read_solid(t, why));
+    rest = metric_rest_field(&t->scene);
+    TRY(rest ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < GRID_POINTS; n++)
         grid_point(n, t->uvw + 3 * n);
     for (int n = 0; n < TIMES; n++) {
-        double *truth = t->truth + 3 * GRID_POINTS * n;
         for (int i = 0; i < 3 * GRID_POINTS; i++)
-            truth[i] = t->plate.rest[i] + SMALL * (t->plate.xyz[n][i] - t->plate.rest[i]);
-        t->fallen[n] = metric_rmse(truth, t->plate.rest);
+            truth[n][i] = rest[i] + SMALL * (truth[n][i] - rest[i]);
+        t->fallen[n] = metric_rmse(truth[n], rest);
     }
 out:
+    free(rest);
     return st;
 }
 
@@ -177,7 +184,6 @@ static void run(struct verify_sheet *sheet)
     for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
         add_rows(&s, t);
     scene_clear(&t->scene);
-    truth_plate_clear(&t->plate);
     free(t);
 }
 

@@ -1,8 +1,7 @@
 /* The scenes that have no closed form: every model against the truths that are stored. */
 #include <stdlib.h>
 
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth.h"
 #include "bench/verify/verify_check.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"

@@ -13,8 +13,7 @@
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
-/* --- A scene as its truth moves ---------------------------------------------------------
- */
+/* --- A scene as its truth moves --- */
 
 static bool is_at(double time, double other)
 {
@@ -94,8 +93,7 @@ out:
     return st;
 }
 
-/* --- A truth as it was made or read -----------------------------------------------------
- */
+/* --- A truth as it was made or read --- */
 
 enum status truth_made_init(struct truth_made *made, int times, int claimed,
                             const double *time)
@@ -189,8 +187,7 @@ out:
     return st;
 }
 
-/* --- A truth at given times -------------------------------------------------------------
- */
+/* --- A truth at given times --- */
 
 /* One block holds all of it. */
 static struct truth *make(int times, const double *time)

@@ -18,7 +18,7 @@
 #include "bench/harness/settings.h"
 #include "models/reader/named_file.h"
 
-/* --- What truths are made of ------------------------------------------------------------
+/* --- What truths are made of ---
  *
  * Runs of the nonlinear solid whose bending has a rule of its own (on a clamped sheet's 9
  * spans it is nearer than one with reduced integration on 27, and costs the same), and of
@@ -72,8 +72,7 @@ struct truth_wish {
     bool shell;     /* the shell makes it alone: of a scene that holds points          */
 };
 
-/* --- A scene as its truth moves ---------------------------------------------------------
- */
+/* --- A scene as its truth moves --- */
 
 /* A factor on the velocity after each step is no physics: under every step and scheme it
  * means another damping, and no truth can be had. Such a scene's truth moves undamped: the
@@ -109,8 +108,7 @@ enum status truth_physics(const struct scene *scene, char **text);
 enum status truth_physics_check(const char *text, const struct scene *scene,
                                 struct message *why);
 
-/* --- A truth as it was made or read -----------------------------------------------------
- */
+/* --- A truth as it was made or read --- */
 
 /* What is known at each time: name, unit. Orders are NaN where differences do not shrink.
  */
@@ -190,8 +188,7 @@ enum status truth_stored_times(const char *path, const struct settings *settings
                                double until, int most, double *time, int *count,
                                struct message *why);
 
-/* --- A truth at given times -------------------------------------------------------------
- */
+/* --- A truth at given times --- */
 
 /* A cantilever's tip is off by 0.0125 Gamma^2 in linear theory (heavy elastica): 1e-4. */
 #define TRUTH_GAMMA 0.09
@@ -231,7 +228,7 @@ const char *truth_bar_name(const struct truth *t);
 
 void truth_destroy(struct truth *t); /* NULL is allowed */
 
-/* --- Closed forms -----------------------------------------------------------------------
+/* --- Closed forms ---
  *
  *   fall      nothing holds a sheet that does not spin: it moves as one body, by gravity,
  *             body drag and mass damping. Known at all times.
@@ -271,7 +268,7 @@ double truth_plate_drop(const struct scene *scene, bool linear);
 /* Kirchhoff's w D / (q L^4) there, of a square that `terms` functions a direction solve. */
 enum status truth_plate_coefficient(double nu, int terms, double *coefficient);
 
-/* --- Truths that are stored -------------------------------------------------------------
+/* --- Truths that are stored ---
  *
  * Result files (store.h) with a few numbers more. NAME.h5 is the truth of the scene NAME.
  * Besides what a result file has:

@@ -29,8 +29,7 @@ static double size(const double a[3])
     return sqrt(dot(a, a));
 }
 
-/* --- fall ------------------------------------------------------------------------------
- */
+/* --- fall --- */
 
 static bool falls(const struct scene *s)
 {
@@ -77,8 +76,7 @@ static void fall_field(const struct scene *s, const double *rest, double t, doub
     *error = ROUND_OFF * (size(s->origin) + s->length + s->width + size(shift));
 }
 
-/* --- at rest ---------------------------------------------------------------------------
- */
+/* --- at rest --- */
 
 /* Along which axis gravity pulls, +1 or -1; 0: not along it alone. */
 static double pull(const struct scene *s, const double axis[3])
@@ -299,8 +297,7 @@ out:
     return st;
 }
 
-/* --- The plate -------------------------------------------------------------------------
- */
+/* --- The plate --- */
 
 enum status truth_plate_fields(const struct scene *scene, int times, const double *time,
                                double *const *xyz, struct message *why)

@@ -132,8 +132,7 @@ static enum status print(const struct truth_made *made, const struct scene *scen
     return st;
 }
 
-/* --- Positions -------------------------------------------------------------------------
- */
+/* --- Positions --- */
 
 /* Mean of the two layers at (u, v). */
 static void mid_surface(const double *field, double u, double v, double at[3])
@@ -169,8 +168,7 @@ enum status truth_print_frames(const struct truth_made *made, const int points[2
     return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
 
-/* --- All scenes ------------------------------------------------------------------------
- */
+/* --- All scenes --- */
 
 static void add_known(struct table *t, const struct truth_made *made, double length)
 {
@@ -236,8 +234,7 @@ out:
     return st;
 }
 
-/* --- The command -----------------------------------------------------------------------
- */
+/* --- The command --- */
 
 enum { PATH = 4000, FRAMES_MOST = 1000 /* points a direction */ };
 
@@ -354,54 +351,42 @@ out:
     return st;
 }
 
-static enum status make_one(struct job *j, const struct command_line *line,
-                            struct message *why)
+/* The truth, by closed forms or runs; or beside it, in third/, what --third has. */
+static enum status make(struct job *j, const struct command_line *line, struct message *why)
 {
     struct truth_runs runs = {
         .path = j->path, .settings = &j->settings, .say = stderr, .ours = true};
+    const char *third = command_value(line, "--third");
     struct truth_made made = {0};
-    char file[PATH];
+    char truth[PATH], file[PATH + 8];
     enum status st;
 
-    TRY(truth_plan_check(&j->scene, why));
-    TRY(choose_file(j, line, file, why));
-    st = truth_closed_make(&j->scene, &made);
-    TRY(st == STATUS_UNSUPPORTED
-            ? make_by_runs(j, command_value(line, "--runs"), &runs, &made, why)
-            : st);
+    if (!third)
+        TRY(truth_plan_check(&j->scene, why));
+    TRY(choose_file(j, line, truth, why));
+    if (third) {
+        TRY(truth_file_third(truth, file, sizeof file, why));
+        TRY(truth_third_make(third, j->scene.length, &made, why));
+        char *slash = strrchr(file, '/');
+        *slash = '\0';
+        TRY(folder_make(file, why));
+        *slash = '/';
+    } else {
+        snprintf(file, sizeof file, "%s", truth);
+        st = truth_closed_make(&j->scene, &made);
+        TRY(st == STATUS_UNSUPPORTED
+                ? make_by_runs(j, command_value(line, "--runs"), &runs, &made, why)
+                : st);
+    }
     TRY(truth_file_write(file, &runs, &made, why));
     TRY(print(&made, &j->scene, j->format, stdout));
-    fprintf(stderr, "truth in %s\n", file);
+    fprintf(stderr, "%s in %s\n", third ? "third mechanics" : "truth", file);
     if (j->must && j->end.answer != TRUTH_MET)
         TRY(status_fail(why, STATUS_FAILED, "%s", j->end.text));
     if (*j->end.text)
         fprintf(stderr, "truth: %s\n", j->end.text);
 out:
     truth_made_clear(&made);
-    return st;
-}
-
-/* Beside the truth, from frames that somebody else's program left. */
-static enum status make_third(struct job *j, const struct command_line *line,
-                              struct message *why)
-{
-    struct truth_runs runs = {.path = j->path, .settings = &j->settings};
-    struct truth_made third = {0};
-    char truth[PATH], file[PATH + 8];
-    enum status st;
-
-    TRY(choose_file(j, line, truth, why));
-    TRY(truth_file_third(truth, file, sizeof file, why));
-    TRY(truth_third_make(command_value(line, "--third"), j->scene.length, &third, why));
-    char *slash = strrchr(file, '/');
-    *slash = '\0';
-    TRY(folder_make(file, why));
-    *slash = '/';
-    TRY(truth_file_write(file, &runs, &third, why));
-    TRY(print(&third, &j->scene, j->format, stdout));
-    fprintf(stderr, "third mechanics in %s\n", file);
-out:
-    truth_made_clear(&third);
     return st;
 }
 
@@ -452,10 +437,8 @@ static enum status run(const struct command_line *line, struct message *why)
             "--points prints positions of a truth that is known: with --stored"));
     if (command_given(line, "--stored"))
         TRY(print_known(&j, points, why));
-    else if (command_given(line, "--third"))
-        TRY(make_third(&j, line, why));
     else
-        TRY(make_one(&j, line, why));
+        TRY(make(&j, line, why));
 out:
     settings_clear(&j.settings);
     scene_clear(&j.scene);

@@ -14,8 +14,7 @@
 #include "models/damping.h"
 #include "models/grid.h"
 
-/* --- What it holds for ------------------------------------------------------------------
- */
+/* --- What it holds for --- */
 
 static void print(FILE *out, const char *key, int count, const double *value)
 {
@@ -160,8 +159,7 @@ enum status truth_physics_check(const char *text, const struct scene *scene,
     return st;
 }
 
-/* --- Writing and reading ----------------------------------------------------------------
- */
+/* --- Writing and reading --- */
 
 static const struct {
     const char *name, *unit;
@@ -311,42 +309,44 @@ out:
     return st;
 }
 
-/* An entry of the provenance, of what room[size] takes; "unknown" if the file has none. */
-static enum status read_origin(const struct store_read *file, const char *key, char *room,
-                               size_t size)
+/* A text, of it what room[size] takes; `else_say`, if not NULL, where the file has none. */
+static enum status read_text(const struct store_read *file, const char *group,
+                             const char *key, const char *else_say, char *room, size_t size)
 {
     char *text = NULL;
-    enum status st = store_read_text(file, "provenance", key, &text, NULL);
+    enum status st = store_read_text(file, group, key, &text, NULL);
 
-    snprintf(room, size, "%s", st == STATUS_OK ? text : "unknown");
+    if (st != STATUS_OK && st != STATUS_MEMORY && else_say)
+        st = STATUS_OK;
+    snprintf(room, size, "%s", text ? text : else_say ? else_say : "");
     free(text);
-    return st == STATUS_MEMORY ? st : STATUS_OK;
+    return st;
 }
 
-static enum status read_made(const struct store_read *file, struct truth_made *made)
+enum { SUM = 64 };
+
+static enum status read_made(const struct store_read *file, struct truth_made *made,
+                             char **physics, char sum[SUM])
 {
     enum status st;
     double *time = NULL;
-    char *note = NULL, *horizon = NULL;
     int times, width, claimed = store_read_frames(file);
 
+    TRY(store_read_text(file, "/", "physics", physics, NULL));
+    TRY(read_text(file, "/", "checksum", NULL, sum, SUM));
     TRY(store_read_array(file, "time", &time, &times, &width, NULL));
-    if (claimed > times)
-        TRY(STATUS_INPUT);
-    TRY(truth_made_init(made, times, claimed, time));
+    TRY(claimed > times ? STATUS_INPUT : truth_made_init(made, times, claimed, time));
     TRY(read_columns(file, made));
     for (int n = 0; n < claimed; n++)
         TRY(store_read_frame(file, n, made->xyz[n], NULL));
-    TRY(store_read_text(file, "/", "note", &note, NULL));
-    TRY(store_read_text(file, "/", "horizon", &horizon, NULL));
-    snprintf(made->note, sizeof made->note, "%s", note);
-    snprintf(made->horizon, sizeof made->horizon, "%s", horizon);
-    TRY(read_origin(file, "commit", made->commit, sizeof made->commit));
-    TRY(read_origin(file, "changed_files", made->changed, sizeof made->changed));
+    TRY(read_text(file, "/", "note", NULL, made->note, sizeof made->note));
+    TRY(read_text(file, "/", "horizon", NULL, made->horizon, sizeof made->horizon));
+    TRY(read_text(file, "provenance", "commit", "unknown", made->commit,
+                  sizeof made->commit));
+    TRY(read_text(file, "provenance", "changed_files", "unknown", made->changed,
+                  sizeof made->changed));
 out:
     free(time);
-    free(note);
-    free(horizon);
     return st;
 }
 
@@ -354,20 +354,15 @@ static enum status read_alone(const char *path, struct truth_made *made, char **
                               struct message *why)
 {
     struct store_read *file = NULL;
-    char sum[17], *kept = NULL, *text = NULL;
+    char sum[17], kept[SUM], *text = NULL;
     enum status st;
 
     memset(made, 0, sizeof *made);
     TRY(store_read_open(path, &file, why));
-    st = store_read_text(file, "/", "physics", &text, NULL);
-    if (st == STATUS_OK)
-        st = store_read_text(file, "/", "checksum", &kept, NULL);
-    if (st == STATUS_OK)
-        st = read_made(file, made);
-    if (st == STATUS_MEMORY)
-        goto out;
-    if (st != STATUS_OK)
-        TRY(status_fail(why, STATUS_INPUT, "%s: is not a stored truth", path));
+    st = read_made(file, made, &text, kept);
+    TRY(st == STATUS_OK || st == STATUS_MEMORY
+            ? st
+            : status_fail(why, STATUS_INPUT, "%s: is not a stored truth", path));
     checksum(text, made, sum);
     if (strcmp(sum, kept) != 0)
         TRY(status_fail(
@@ -380,13 +375,9 @@ out:
     if (st != STATUS_OK)
         truth_made_clear(made);
     free(text);
-    free(kept);
     store_read_close(file);
     return st;
 }
-
-/* --- The third mechanics ----------------------------------------------------------------
- */
 
 enum status truth_file_third(const char *path, char *third, size_t size,
                              struct message *why)

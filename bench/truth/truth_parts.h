@@ -8,8 +8,7 @@
 #include "bench/truth/truth.h"
 #include "bench/ui/table.h"
 
-/* --- Runs -------------------------------------------------------------------------------
- */
+/* --- Runs --- */
 
 /* Every 20 ms, and the scene's snapshots, up to `until`, as far as they are multiples of
  * the longest step. *time is freed by the receiver; its count, or -1: no memory. */
@@ -54,7 +53,7 @@ struct truth_push {
     const struct run_result *plain, *pushed;
 };
 
-/* --- The bar ----------------------------------------------------------------------------
+/* --- The bar ---
  *
  * Each model's own bar is what its observed orders leave; two models that share no
  * mechanics are held against each other; one run is pushed a little. */
@@ -118,8 +117,7 @@ void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,
 enum status truth_doubt(const struct scene *scene, const struct truth_made *made,
                         struct truth *t);
 
-/* --- The maker --------------------------------------------------------------------------
- */
+/* --- The maker --- */
 
 /* What the runs of a model show; all-zero: it will not serve the scene. */
 struct truth_seen {
@@ -197,8 +195,7 @@ double truth_make_known(const struct truth_made *made, double error);
 enum status truth_third_make(const char *folder, double length, struct truth_made *third,
                              struct message *why);
 
-/* --- Printing ---------------------------------------------------------------------------
- */
+/* --- Printing --- */
 
 /* Prints lines t,u,v,x,y,z of points[0] x points[1] points (u, v) = (i/(n-1), j/(m-1)) of
  * the mid-surface, u fastest, at every time that is claimed: bilinear in the material grid,

@@ -10,7 +10,7 @@ extern const struct command compare_command;
 
 /* The table of all runs to `file` and as compare.csv in the folder, what each contestant
  * needs for given errors (compare_targets.csv) and what limits it (compare_limits.csv);
- * charts (compare_chart.c) as it goes. */
+ * charts compare.png and compare_models.png as it goes. */
 enum status compare_print(const struct contest *c, const char *folder,
                           enum table_format format, FILE *file, struct message *why);
 
@@ -18,10 +18,5 @@ enum status compare_print(const struct contest *c, const char *folder,
  * were not asked for. */
 enum status compare_threads(const struct contest *c, const char *folder,
                             enum table_format format, FILE *file, struct message *why);
-
-/* Seconds against error, of the table of all runs: the best of each model in compare.png,
- * all by model in compare_models.png. */
-enum status compare_chart(const struct contest *c, const struct table *runs,
-                          const char *folder, struct message *why);
 
 #endif

@@ -5,7 +5,7 @@
 #ifndef ADVISE_H
 #define ADVISE_H
 
-#include "bench/compare/compare_job.h"
+#include "bench/compare/compare.h"
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
 

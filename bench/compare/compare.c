@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/compare/compare_job.h"
 #include "bench/compare/league.h"
 #include "bench/files/folder.h"
 #include "bench/harness/deadline.h"

@@ -1,11 +1,10 @@
-#include "bench/compare/compare_job.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "bench/compare/compare.h"
 #include "bench/experiment/batch.h"
 #include "bench/harness/timing.h"
 #include "bench/truth/truth.h"

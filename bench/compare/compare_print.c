@@ -317,7 +317,6 @@ static enum status print_targets(const struct contest *c, const char *folder,
         {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
     struct target_words words[CONTEST_TARGETS];
     const struct contestant *who;
-    enum status st;
 
     for (int n = 0; n < CONTEST_TARGETS; n++)
         add_columns(contest_target[n], &words[n], &columns[WHO + n * TARGET_COLUMNS]);
@@ -341,11 +340,7 @@ static enum status print_targets(const struct contest *c, const char *folder,
     }
     note_sizes(t, c);
     table_note(t, "Growth p: seconds go as error^-p along the best runs (three or more).");
-    TRY(table_save(t, folder, "compare_targets", why));
-    return table_finish(t, format, file);
-out:
-    table_destroy(t);
-    return st;
+    return table_publish(t, folder, "compare_targets", format, file, why);
 }
 
 static void add_limit(struct table *t, const struct contest *c,
@@ -403,7 +398,6 @@ static enum status print_limits(const struct contest *c, const char *folder,
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Lowest RMSE/L at the worst of the times, and why");
     const struct contestant *who;
-    enum status st;
 
     for (int k = 0; (who = contest_entrant(c, k)); k++)
         add_limit(t, c, who);
@@ -416,11 +410,7 @@ static enum status print_limits(const struct contest *c, const char *folder,
         "than %.0f %% is nothing. The truth: up to its error bar, %.2g %% at most.",
         c->truth->time[c->truth->times - 1], 100 * CONTEST_LEAST_GAIN,
         100 * contest_largest_bar(c));
-    TRY(table_save(t, folder, "compare_limits", why));
-    return table_finish(t, format, file);
-out:
-    table_destroy(t);
-    return st;
+    return table_publish(t, folder, "compare_limits", format, file, why);
 }
 
 /* --- more threads --- */
@@ -476,7 +466,6 @@ enum status compare_threads(const struct contest *c, const char *folder,
 {
     const struct contestant *who;
     struct team_words words;
-    enum status st;
 
     if (!c->teams)
         return STATUS_OK;
@@ -490,11 +479,7 @@ enum status compare_threads(const struct contest *c, const char *folder,
                    c->team_longest);
     table_note(t, "Times: of the seconds on one thread. Same bits: all errors are the same "
                   "numbers with every number of threads.");
-    TRY(table_save(t, folder, "compare_threads", why));
-    return table_finish(t, format, file);
-out:
-    table_destroy(t);
-    return st;
+    return table_publish(t, folder, "compare_threads", format, file, why);
 }
 
 enum status compare_print(const struct contest *c, const char *folder,

@@ -350,14 +350,14 @@ static void check_run(bool fields)
 
 static void check_truth(void)
 {
-    struct truth_made made;
+    struct truth made;
     struct message why = {""};
     char *physics = NULL;
 
     if (truth_file_read("fuzz", &made, &physics, &why) != STATUS_OK)
         fuzz_check_sentence(&why, "fuzz: ");
     else
-        truth_made_clear(&made);
+        truth_clear(&made);
     free(physics);
 }
 

@@ -36,7 +36,7 @@ static inline char *physics_of(const char *scene, int count, const char *const *
 }
 
 /* Writes a made-up truth of edge_drop with these settings. */
-static inline void write_truth(const char *file, const struct truth_made *made, int count,
+static inline void write_truth(const char *file, const struct truth *made, int count,
                                const char *const *settings)
 {
     struct settings s = settings_of(count, settings);

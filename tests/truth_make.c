@@ -199,7 +199,7 @@ static void push_finer(const char *folder)
     struct settings s = {0};
     struct scene scene = {0};
     struct truth_runs runs = {NULL, &s, 1, &time, folder, .frame = time};
-    struct truth_made made = {0};
+    struct truth made = {0};
     struct truth_end end;
     char *path = NULL, horizon[64];
     struct message why = {""};
@@ -211,7 +211,7 @@ static void push_finer(const char *folder)
     runs.path = path;
     REQUIRE(settings_read_scene(&s, path, &scene, NULL) == STATUS_OK);
     for (double error = 3e-6; error > 1e-7 && solids < 5; error /= 2) {
-        truth_made_clear(&made);
+        truth_clear(&made);
         REQUIRE(truth_make(&runs, &scene, &(struct truth_wish){error, 1e4}, &made, &end,
                            &why) == STATUS_OK);
         solids = count_solids(folder);
@@ -220,7 +220,7 @@ static void push_finer(const char *folder)
     snprintf(horizon, sizeof horizon, "(solid, %dx%d,", side[solids - 3], side[solids - 3]);
     if (!CHECK(strstr(made.horizon, horizon)))
         printf("%d solids: %s\n", solids, made.horizon);
-    truth_made_clear(&made);
+    truth_clear(&made);
     scene_clear(&scene);
     settings_clear(&s);
     free(path);
@@ -308,14 +308,14 @@ static void check_known(void)
                  {{.01, .01, .01, .01}, {0, 0, 0, 999}, .4}};
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        struct truth_made made;
-        REQUIRE(truth_made_init(&made, 4, 0, time) == STATUS_OK);
+        struct truth made;
+        REQUIRE(truth_init(&made, 4, 0, time) == STATUS_OK);
         for (int t = 0; t < 4; t++) {
-            made.value[t][TRUTH_ERROR] = cases[n].error[t];
+            made.error[t] = cases[n].error[t];
             made.value[t][TRUTH_GROWTH] = cases[n].growth[t];
         }
         CHECK(truth_make_known(&made, .01) == cases[n].known);
-        truth_made_clear(&made);
+        truth_clear(&made);
     }
 }
 

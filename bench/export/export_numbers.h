@@ -15,8 +15,7 @@ enum status export_numbers_table(const struct export_sheet *s, struct table **ta
  * the times at which its truth is known, the others what the scene has. *misfit: what
  * matched springs are not, for people; empty: none. */
 enum status export_numbers_write(const struct export_sheet *s,
-                                 const struct export_held *held,
-                                 const struct truth_made *known, struct message *misfit,
-                                 struct message *why);
+                                 const struct export_held *held, const struct truth *known,
+                                 struct message *misfit, struct message *why);
 
 #endif

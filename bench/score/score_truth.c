@@ -39,7 +39,7 @@ int score_truth_few(int n)
 }
 
 /* All frames that are stored, and before them the sheet at rest. */
-static enum status take_motion(const struct truth_made *made, struct score_truth *t)
+static enum status take_motion(const struct truth *made, struct score_truth *t)
 {
     const size_t count = (size_t)made->claimed + 1;
     double *rest = metric_rest_field(&t->scene);
@@ -62,7 +62,7 @@ static enum status take_motion(const struct truth_made *made, struct score_truth
 }
 
 /* A truth that is stored, if its physics are these. */
-static enum status from_stored(struct score_truth *t, struct truth_made *made,
+static enum status from_stored(struct score_truth *t, struct truth *made,
                                struct message *why)
 {
     enum status st = truth_file_find(t->scene.name, &t->scene, made, why);
@@ -71,7 +71,7 @@ static enum status from_stored(struct score_truth *t, struct truth_made *made,
         return STATUS_OK;
     TRY(st);
     TRY(take_motion(made, t));
-    truth_made_thin(made, &t->scene);
+    truth_thin(made, &t->scene);
 out:
     return st;
 }
@@ -79,21 +79,21 @@ out:
 /* Closed forms and what is stored; t->times stays 0 where there is neither. */
 static enum status from_known(struct score_truth *t, struct message *why)
 {
-    struct truth_made made = {0};
+    struct truth made = {0};
     enum status st = truth_closed_make(&t->scene, &made);
 
     TRY(st == STATUS_UNSUPPORTED ? from_stored(t, &made, why) : st);
     if (!made.claimed)
         goto out;
     TRY(make(t, made.claimed));
-    snprintf(t->source, sizeof t->source, "%s", made.note);
+    snprintf(t->source, sizeof t->source, "%s", made.source);
     for (int n = 0; n < t->times; n++) {
         t->time[n] = made.time[n];
-        t->bar[n] = made.value[n][TRUTH_ERROR];
+        t->bar[n] = made.error[n];
         middle(made.xyz[n], t->xyz + 3L * SCORE_POINTS * n);
     }
 out:
-    truth_made_clear(&made);
+    truth_clear(&made);
     return st;
 }
 

@@ -15,7 +15,7 @@ enum status sweep_truth_open(struct sweep_truth *truth, const struct scene *scen
 
 void sweep_truth_close(struct sweep_truth *truth)
 {
-    truth_made_clear(&truth->made);
+    truth_clear(&truth->made);
 }
 
 /* Fills in the distance and the bar where the truth is known at this time. */
@@ -23,13 +23,13 @@ static enum status look(void *context, const struct motion *m, const double *xyz
                         double *value)
 {
     const struct sweep_truth *truth = context;
-    const struct truth_made *made = &truth->made;
+    const struct truth *made = &truth->made;
 
     value[LOOKS_TRUTH_ERROR] = value[LOOKS_TRUTH_BAR] = NAN;
     for (int n = 0; n < made->claimed; n++)
         if (fabs(made->time[n] - m->time) < 1e-9) {
             value[LOOKS_TRUTH_ERROR] = metric_rmse(xyz, made->xyz[n]) / truth->length;
-            value[LOOKS_TRUTH_BAR] = made->value[n][TRUTH_ERROR] / truth->length;
+            value[LOOKS_TRUTH_BAR] = made->error[n] / truth->length;
         }
     return STATUS_OK;
 }

@@ -8,8 +8,8 @@
 #include "bench/truth/truth.h"
 
 struct sweep_truth {
-    struct truth_made made; /* nothing is claimed: no truth is known                   */
-    double length;          /* of the scene [m]                                        */
+    struct truth made; /* nothing is claimed: no truth is known                   */
+    double length;     /* of the scene [m]                                        */
     struct run_own own[LOOKS_TRUTH];
 };
 

@@ -95,52 +95,59 @@ out:
 
 /* --- A truth as it was made or read --- */
 
-enum status truth_made_init(struct truth_made *made, int times, int claimed,
-                            const double *time)
+enum status truth_init(struct truth *t, int times, int claimed, const double *time)
 {
     const size_t count = (size_t)times, field = 3 * GRID_POINTS;
-    const size_t numbers = count * (1 + TRUTH_COLUMNS) + (size_t)claimed * field;
+    const size_t numbers = count * (2 + TRUTH_COLUMNS) + (size_t)claimed * field;
 
-    *made = (struct truth_made){.times = times, .claimed = claimed};
-    made->xyz = calloc(1, count * sizeof *made->xyz + (numbers + 1) * sizeof(double));
-    if (!made->xyz)
+    *t = (struct truth){.times = times, .claimed = claimed};
+    t->xyz = calloc(1, count * sizeof *t->xyz + (numbers + 1) * sizeof(double));
+    if (!t->xyz)
         return STATUS_MEMORY;
-    made->time = (double *)(made->xyz + count);
-    made->value = (double(*)[TRUTH_COLUMNS])(made->time + count);
+    t->time = (double *)(t->xyz + count);
+    t->error = t->time + count;
+    t->value = (double(*)[TRUTH_COLUMNS])(t->error + count);
     for (int n = 0; n < claimed; n++)
-        made->xyz[n] = (double *)(made->value + count) + (size_t)n * field;
-    memcpy(made->time, time, count * sizeof *time);
+        t->xyz[n] = (double *)(t->value + count) + (size_t)n * field;
+    memcpy(t->time, time, count * sizeof *time);
     for (int n = 0; n < times; n++)
-        made->value[n][TRUTH_THIRD] = made->value[n][TRUTH_THIRD_BAR] = NAN;
+        t->value[n][TRUTH_THIRD] = t->value[n][TRUTH_THIRD_BAR] = NAN;
     return STATUS_OK;
 }
 
-void truth_made_clear(struct truth_made *made)
+void truth_clear(struct truth *t)
 {
-    free(made->xyz);
-    *made = (struct truth_made){0};
+    free(t->xyz);
+    *t = (struct truth){0};
 }
 
-void truth_made_thin(struct truth_made *made, const struct scene *scene)
+void truth_destroy(struct truth *t)
 {
-    const int last = made->claimed - 1;
+    if (t)
+        truth_clear(t);
+    free(t);
+}
+
+void truth_thin(struct truth *t, const struct scene *scene)
+{
+    const int last = t->claimed - 1;
     int times = 0, claimed = 0;
 
-    for (int n = 0; n < made->times; n++) {
-        if (!truth_plan_judges(scene, made->time[n]) && (n != last || claimed))
+    for (int n = 0; n < t->times; n++) {
+        if (!truth_plan_judges(scene, t->time[n]) && (n != last || claimed))
             continue;
-        made->time[times] = made->time[n];
-        made->xyz[times] = made->xyz[n];
-        memcpy(made->value[times], made->value[n], sizeof *made->value);
+        t->time[times] = t->time[n];
+        t->xyz[times] = t->xyz[n];
+        t->error[times] = t->error[n];
+        memcpy(t->value[times], t->value[n], sizeof *t->value);
         times++;
         claimed += n <= last;
     }
-    made->times = times;
-    made->claimed = claimed;
+    t->times = times;
+    t->claimed = claimed;
 }
 
-enum status truth_known(const struct scene *scene, struct truth_made *made,
-                        struct message *why)
+enum status truth_known(const struct scene *scene, struct truth *made, struct message *why)
 {
     enum status st = truth_closed_make(scene, made);
 
@@ -151,14 +158,13 @@ enum status truth_known(const struct scene *scene, struct truth_made *made,
     return st;
 }
 
-enum status truth_judged(const struct scene *scene, struct truth_made *made,
-                         struct message *why)
+enum status truth_judged(const struct scene *scene, struct truth *made, struct message *why)
 {
     struct message said = {""};
     const enum status st = truth_known(scene, made, &said);
 
     if (st == STATUS_OK && !made->closed)
-        truth_made_thin(made, scene);
+        truth_thin(made, scene);
     if (st == STATUS_OK || st == STATUS_FILE || st == STATUS_UNSUPPORTED)
         return STATUS_OK;
     return status_fail(why, st, "%s", said.text);
@@ -169,7 +175,7 @@ enum status truth_stored_times(const char *path, const struct settings *settings
                                struct message *why)
 {
     struct scene scene = {0};
-    struct truth_made made = {0};
+    struct truth made = {0};
     enum status st;
     int last = 0;
 
@@ -182,36 +188,12 @@ enum status truth_stored_times(const char *path, const struct settings *settings
     for (int n = 0; n < *count; n++)
         time[n] = made.time[last - *count + n];
 out:
-    truth_made_clear(&made);
+    truth_clear(&made);
     scene_clear(&scene);
     return st;
 }
 
 /* --- A truth at given times --- */
-
-/* One block holds all of it. */
-static struct truth *make(int times, const double *time)
-{
-    const size_t count = (size_t)times, field = 3 * GRID_POINTS;
-    struct truth *t =
-        calloc(1, sizeof *t + count * (sizeof *t->xyz + (2 + field) * sizeof(double)));
-
-    if (!t)
-        return NULL;
-    t->times = times;
-    t->xyz = (double **)(t + 1);
-    t->time = (double *)(t->xyz + count);
-    t->error = t->time + count;
-    for (size_t n = 0; n < count; n++)
-        t->xyz[n] = t->error + count + n * field;
-    memcpy(t->time, time, count * sizeof *time);
-    return t;
-}
-
-void truth_destroy(struct truth *t)
-{
-    free(t);
-}
 
 static enum status from_kirchhoff(const struct scene *scene, bool linear, struct truth *t,
                                   struct message *why)
@@ -243,16 +225,14 @@ const char *truth_bar_name(const struct truth *t)
     return t->alone ? "one model's own bar" : "truth's error bar";
 }
 
-enum status truth_doubt(const struct scene *scene, const struct truth_made *made,
-                        struct truth *t)
+enum status truth_doubt(const struct scene *scene, struct truth *t)
 {
     const double percent = 100 / scene->length;
     struct message said;
     int n = 0;
     enum status st;
 
-    t->alone =
-        isinf(made->value[0][TRUTH_SOLID_BAR]) || isinf(made->value[0][TRUTH_SHELL_BAR]);
+    t->alone = isinf(t->value[0][TRUTH_SOLID_BAR]) || isinf(t->value[0][TRUTH_SHELL_BAR]);
     while (n < t->times && t->error[n] <= TRUTH_MOST_ERROR * scene->length)
         n++;
     if (n < t->times && t->alone)
@@ -264,9 +244,9 @@ enum status truth_doubt(const struct scene *scene, const struct truth_made *made
         snprintf(t->unresolved, sizeof t->unresolved,
                  "%s is not resolved from %.3g s on: there solid and shell are %.2g %% of "
                  "the length apart, and their own bars are %.2g %% and %.2g %%.",
-                 scene->name, t->time[n], percent * made->value[n][TRUTH_DIFFERENCE],
-                 percent * made->value[n][TRUTH_SOLID_BAR],
-                 percent * made->value[n][TRUTH_SHELL_BAR]);
+                 scene->name, t->time[n], percent * t->value[n][TRUTH_DIFFERENCE],
+                 percent * t->value[n][TRUTH_SOLID_BAR],
+                 percent * t->value[n][TRUTH_SHELL_BAR]);
     TRY(distrust_fields(scene, n, t->time, t->xyz, &said));
     const size_t used = strlen(t->unresolved);
     if (*said.text)
@@ -277,7 +257,7 @@ out:
 }
 
 /* Index of a stored time, -1 if it has none. */
-static int stored_index(const struct truth_made *made, double time)
+static int stored_index(const struct truth *made, double time)
 {
     for (int n = 0; n < made->times; n++)
         if (fabs(made->time[n] - time) < 1e-9)
@@ -287,7 +267,7 @@ static int stored_index(const struct truth_made *made, double time)
 
 /* Copies what is stored for the times of t. STATUS_FILE: a time is missing;
  * STATUS_UNSUPPORTED: one is past the horizon. */
-static enum status take(const struct scene *scene, const struct truth_made *made,
+static enum status take(const struct scene *scene, const struct truth *made,
                         struct truth *t, struct message *why)
 {
     const double horizon = made->claimed ? made->time[made->claimed - 1] : 0;
@@ -302,7 +282,8 @@ static enum status take(const struct scene *scene, const struct truth_made *made
         if (k < 0)
             return STATUS_FILE;
         memcpy(t->xyz[n], made->xyz[k], 3 * GRID_POINTS * sizeof(double));
-        t->error[n] = made->value[k][TRUTH_ERROR];
+        memcpy(t->value[n], made->value[k], sizeof *t->value);
+        t->error[n] = made->error[k];
     }
     return STATUS_OK;
 }
@@ -312,8 +293,7 @@ static enum status from_theory(const struct scene *scene, struct truth *t,
                                struct message *why)
 {
     struct kirchhoff_plate plate;
-    const enum status st =
-        truth_closed_fields(scene, t->times, t->time, t->xyz, t->error, t->source);
+    const enum status st = truth_closed_fields(scene, t);
 
     if (st != STATUS_UNSUPPORTED || !(scene_gamma(scene) < TRUTH_GAMMA) ||
         kirchhoff_field_plate(scene, &plate, NULL) != STATUS_OK)
@@ -325,7 +305,7 @@ static enum status from_theory(const struct scene *scene, struct truth *t,
 static enum status from_stored(const struct scene *scene, struct truth *t,
                                struct message *why)
 {
-    struct truth_made made = {0};
+    struct truth made = {0};
     struct message said = {""};
     enum status st = truth_file_find(scene->name, scene, &made, &said);
 
@@ -335,8 +315,8 @@ static enum status from_stored(const struct scene *scene, struct truth *t,
         st = take(scene, &made, t, why);
     else if (st != STATUS_FILE)
         status_fail(why, st, "%s", said.text);
-    snprintf(t->source, sizeof t->source, "stored: %s", made.note);
-    truth_made_clear(&made);
+    snprintf(t->source, sizeof t->source, "stored: %.511s", made.source);
+    truth_clear(&made);
     return st;
 }
 
@@ -351,7 +331,7 @@ static void left_in(const char *folder, char path[PATH])
 static enum status from_folder(const char *folder, const struct scene *scene,
                                struct truth *t, struct message *why)
 {
-    struct truth_made made = {0};
+    struct truth made = {0};
     char *physics = NULL, path[PATH];
     enum status st;
 
@@ -359,10 +339,10 @@ static enum status from_folder(const char *folder, const struct scene *scene,
     TRY(truth_file_read(path, &made, &physics, why));
     TRY(truth_physics_check(physics, scene, NULL) == STATUS_OK ? STATUS_OK : STATUS_FILE);
     TRY(take(scene, &made, t, why));
-    snprintf(t->source, sizeof t->source, "%s", made.note);
-    TRY(truth_doubt(scene, &made, t));
+    snprintf(t->source, sizeof t->source, "%s", made.source);
+    TRY(truth_doubt(scene, t));
 out:
-    truth_made_clear(&made);
+    truth_clear(&made);
     free(physics);
     return st;
 }
@@ -371,25 +351,19 @@ out:
 static enum status make_one(const struct truth_runs *runs, const struct truth_wish *wish,
                             const struct scene *scene, struct truth *t, struct message *why)
 {
-    struct truth_made made = {0};
     struct truth_end end;
     char path[PATH];
     enum status st;
 
     left_in(runs->folder, path);
-    TRY(truth_make(runs, scene, wish, &made, &end, why));
+    truth_clear(t);
+    TRY(truth_make(runs, scene, wish, t, &end, why));
     if (end.answer == TRUTH_LOST)
         TRY(status_fail(why, STATUS_UNSUPPORTED, "no truth of %s: %s", scene->name,
                         end.text));
-    for (int n = 0; n < t->times; n++) {
-        memcpy(t->xyz[n], made.xyz[n], 3 * GRID_POINTS * sizeof(double));
-        t->error[n] = made.value[n][TRUTH_ERROR];
-    }
-    snprintf(t->source, sizeof t->source, "%s", made.note);
-    TRY(truth_doubt(scene, &made, t));
-    TRY(truth_file_write(path, runs, &made, why));
+    TRY(truth_doubt(scene, t));
+    TRY(truth_file_write(path, runs, t, why));
 out:
-    truth_made_clear(&made);
     return st;
 }
 
@@ -423,10 +397,10 @@ static enum status find(struct truth_runs *runs, const struct truth_wish *wish, 
                         struct truth **truth, struct message *why)
 {
     struct scene scene = {0};
-    struct truth *t = make(runs->times, runs->time);
+    struct truth *t = calloc(1, sizeof *t);
     enum status st;
 
-    TRY(t ? STATUS_OK : STATUS_MEMORY);
+    TRY(t ? truth_init(t, runs->times, runs->times, runs->time) : STATUS_MEMORY);
     TRY(settings_read_scene(runs->settings, runs->path, &scene, why));
     TRY(plate ? from_kirchhoff(&scene, true, t, why) : fill(runs, wish, &scene, t, why));
     *truth = t, t = NULL;

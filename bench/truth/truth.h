@@ -110,7 +110,8 @@ enum status truth_physics_check(const char *text, const struct scene *scene,
 
 /* --- A truth as it was made or read --- */
 
-/* What is known at each time: name, unit. Orders are NaN where differences do not shrink.
+/* What is known of its runs at each time: name, unit. Orders are NaN where differences do
+ * not shrink.
  */
 #define TRUTH_COLUMN_LIST(X)                                                               \
     X(SOLID_SPACE, "solid_space_order", "1")                                               \
@@ -120,8 +121,7 @@ enum status truth_physics_check(const char *text, const struct scene *scene,
     X(SHELL_TIME, "shell_time_order", "1")                                                 \
     X(SHELL_BAR, "shell_bar", "m")                                                         \
     X(DIFFERENCE, "difference", "m")                                                       \
-    X(GROWTH, "growth", "1") /* of the change of gravity: rms / (1e-6 L) */                \
-    X(ERROR, "error", "m")   /* the error bar   */
+    X(GROWTH, "growth", "1") /* of the change of gravity: rms / (1e-6 L) */
 
 enum truth_column {
 #define TRUTH_COLUMN_CODE(code, name, unit) TRUTH_##code,
@@ -143,15 +143,20 @@ enum truth_column {
 
 enum { TRUTH_WATCH_TEXT = 256 };
 
-struct truth_made {
-    int times, claimed;             /* times before the horizon                          */
-    double **xyz;                   /* [times] (grid.h) [m]; owns the other arrays, too  */
-    double *time;                   /* [times] [s]                                       */
+struct truth { /* with its arrays, in one block                                        */
+    int times;
+    double *time;     /* [times] [s]                                                     */
+    double **xyz;     /* [times] fields (grid.h) [m]; owns the other arrays, too         */
+    double *error;    /* [times] rms error bar [m]                                       */
+    char source[640]; /* a sentence, with how the error bar was had                      */
+
+    int claimed;                    /* times before the horizon; other fields are NULL   */
     double (*value)[TRUTH_COLUMNS]; /* [times]                                           */
     struct truth_level level;       /* whose field it is, at most of the claimed times   */
     bool closed;                    /* nobody's: a closed form                           */
     bool foreign;                   /* somebody else's (truth_third_make)                */
-    char note[512];                 /* a sentence: source and error bar                  */
+    bool alone;                     /* the bar is one model's own                        */
+    char unresolved[1200];          /* why it is none at some times, a sentence; else "" */
     char horizon[TRUTH_WATCH_TEXT]; /* until when it is predictable: gravity is changed a
                                        little, and the change watched as long as the scene
                                        lasts                                             */
@@ -161,25 +166,23 @@ struct truth_made {
 };
 
 /* Arrays of zeros for these times, fields for the first `claimed` of them, else NULL. */
-enum status truth_made_init(struct truth_made *made, int times, int claimed,
-                            const double *time);
-void truth_made_clear(struct truth_made *made); /* all-zero is allowed, and left */
+enum status truth_init(struct truth *t, int times, int claimed, const double *time);
+void truth_clear(struct truth *t); /* all-zero is allowed, and left */
 
 /* Leaves of a stored truth the times at which tables judge (truth_plan_judges): one with
  * many frames and one with few are judged alike. Where none is, the last that is claimed
  * stays. */
-void truth_made_thin(struct truth_made *made, const struct scene *scene);
+void truth_thin(struct truth *made, const struct scene *scene);
 
 /* Reads what is known of a scene as its truth moves: a closed form, or what is stored under
  * its name. STATUS_FILE: none is stored; STATUS_UNSUPPORTED: it can have none
  * (truth_plan_check), or what is stored is of other physics; STATUS_INPUT: it was changed;
- * with a sentence each. Free with truth_made_clear. */
-enum status truth_known(const struct scene *scene, struct truth_made *made,
-                        struct message *why);
+ * with a sentence each. Free with truth_clear. */
+enum status truth_known(const struct scene *scene, struct truth *made, struct message *why);
 
-/* The same at the times at which tables judge (truth_made_thin); `made->times` is 0 where
+/* The same at the times at which tables judge (truth_thin); `made->times` is 0 where
  * nothing is known. */
-enum status truth_judged(const struct scene *scene, struct truth_made *made,
+enum status truth_judged(const struct scene *scene, struct truth *made,
                          struct message *why);
 
 /* Its times up to `until`: the last ones, at most `most` of them, into time[most]. *count
@@ -192,16 +195,6 @@ enum status truth_stored_times(const char *path, const struct settings *settings
 
 /* A cantilever's tip is off by 0.0125 Gamma^2 in linear theory (heavy elastica): 1e-4. */
 #define TRUTH_GAMMA 0.09
-
-struct truth { /* with its arrays                                                      */
-    int times;
-    double *time;          /* [times] [s]                                                */
-    double **xyz;          /* [times] fields (grid.h) [m]                                */
-    double *error;         /* [times] rms error bar [m]                                  */
-    char source[640];      /* a sentence                                                 */
-    bool alone;            /* the bar is one model's own                                 */
-    char unresolved[1200]; /* a sentence on why it is none at some times; else ""       */
-};
 
 /* Returns what is known of the scene at `path` with the settings at time[times], by what is
  * stored or was left in `folder` by truth_find_or_make; NULL: nothing was. It runs nothing.
@@ -226,7 +219,7 @@ enum status truth_of_plate(const char *path, const struct settings *settings, in
 /* "truth's error bar", or "one model's own bar". */
 const char *truth_bar_name(const struct truth *t);
 
-void truth_destroy(struct truth *t); /* NULL is allowed */
+void truth_destroy(struct truth *t); /* of those three; NULL is allowed */
 
 /* --- Closed forms ---
  *
@@ -238,19 +231,15 @@ void truth_destroy(struct truth *t); /* NULL is allowed */
  *   cantilever  likewise, gravity normal to it: the heavy elastica (fem_ref/elastica.h).
  *
  * By what they are, not by name: --set may make any scene one of them. */
-enum { TRUTH_CLOSED_SOURCE = 400 };
 
-/* Fields xyz[times] (grid.h) and their rms error bars [m] at time[times], and the sentence
- * on them. STATUS_UNSUPPORTED: no closed form, or not at one of these times; what was
- * written is then of no use. */
-enum status truth_closed_fields(const struct scene *scene, int times, const double *time,
-                                double *const *xyz, double *error,
-                                char source[TRUTH_CLOSED_SOURCE]);
+/* Fills fields, error bars and source of a truth that has its times. STATUS_UNSUPPORTED: no
+ * closed form, or not at one of these times; what was written is then of no use. */
+enum status truth_closed_fields(const struct scene *scene, struct truth *t);
 
-/* The same as a truth that was made, `closed`: at the scene's snapshots and its end where
- * it falls, at the end where it has come to rest. STATUS_UNSUPPORTED: there is none.
- * Free with truth_made_clear. */
-enum status truth_closed_make(const struct scene *scene, struct truth_made *made);
+/* The same as a truth of its own times, `closed`: the scene's snapshots and its end where
+ * it falls, the end where it has come to rest. STATUS_UNSUPPORTED: there is none. Free with
+ * truth_clear. */
+enum status truth_closed_make(const struct scene *scene, struct truth *t);
 
 /* Fields xyz[times] of an undamped cantilever as a Kirchhoff plate at time[times];
  * INFINITY: in equilibrium. STATUS_UNSUPPORTED with a sentence: it is none. */
@@ -295,19 +284,19 @@ extern const struct named_file_kind truth_file_kind;
 
 /* Writes what was made. */
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
-                             const struct truth_made *made, struct message *why);
+                             const struct truth *made, struct message *why);
 
 /* Reads one, as the third mechanics beside it leaves it; the fields past the horizon are
  * NULL, `level` is left zero. *physics is freed by the receiver. STATUS_INPUT with a
- * sentence: no truth, or changed, or the third is. Free with truth_made_clear. */
-enum status truth_file_read(const char *path, struct truth_made *made, char **physics,
+ * sentence: no truth, or changed, or the third is. Free with truth_clear. */
+enum status truth_file_read(const char *path, struct truth *made, char **physics,
                             struct message *why);
 
 /* The stored truth of a name, if it is of this scene's physics. STATUS_FILE: none is
  * stored; STATUS_UNSUPPORTED: it is of other physics; STATUS_INPUT: it was changed; with a
- * sentence each. Free with truth_made_clear. */
-enum status truth_file_find(const char *name, const struct scene *scene,
-                            struct truth_made *made, struct message *why);
+ * sentence each. Free with truth_clear. */
+enum status truth_file_find(const char *name, const struct scene *scene, struct truth *made,
+                            struct message *why);
 
 /* The third's file of a truth's. STATUS_INPUT: third[size] is too short. */
 enum status truth_file_third(const char *path, char *third, size_t size,

@@ -226,8 +226,7 @@ static double growth(const struct truth_push *p, int time, double length)
 }
 
 void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
-                       const struct truth_push *push, double length,
-                       struct truth_made *made)
+                       const struct truth_push *push, double length, struct truth *made)
 {
     const struct truth_family *solid = &family[TRUTH_SOLID], *shell = &family[TRUTH_SHELL];
     struct judged so_far[TRUTH_MODELS] = {{{0}}};
@@ -255,16 +254,16 @@ void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_
              own ? "step " : "", 1e3 * l->step);
 }
 
-void truth_bar_claim(struct truth_made *made, double length)
+void truth_bar_claim(struct truth *made, double length)
 {
     int n = 0;
 
     for (int t = 0; t < made->times; t++) {
-        double *v = made->value[t];
-        v[TRUTH_ERROR] =
+        const double *v = made->value[t];
+        made->error[t] =
             fmax(fmin(v[TRUTH_SOLID_BAR], v[TRUTH_SHELL_BAR]), v[TRUTH_DIFFERENCE]);
     }
-    while (n < made->times && made->value[n][TRUTH_ERROR] <= TRUTH_MOST_ERROR * length &&
+    while (n < made->times && made->error[n] <= TRUTH_MOST_ERROR * length &&
            made->value[n][TRUTH_GROWTH] <= TRUTH_MOST_GROWTH)
         n++;
     made->claimed = n;
@@ -276,7 +275,7 @@ struct share {
     int times, limits;
 };
 
-static void fill(const struct truth_family family[TRUTH_MODELS], struct truth_made *made,
+static void fill(const struct truth_family family[TRUTH_MODELS], struct truth *made,
                  struct share share[TRUTH_MODELS])
 {
     struct judged so_far[TRUTH_MODELS] = {{{0}}};
@@ -316,7 +315,7 @@ static void tell_share(const struct truth_family *f, int limits, bool own, char 
 
 static void tell(const struct truth_family family[TRUTH_MODELS],
                  const struct share share[TRUTH_MODELS], enum truth_model most,
-                 struct truth_made *made)
+                 struct truth *made)
 {
     const struct share *more = &share[most], *less = &share[!most];
     char first[SHARE], other[SHARE] = "other", at[64] = "";
@@ -327,7 +326,7 @@ static void tell(const struct truth_family family[TRUTH_MODELS],
     if (less->times)
         snprintf(at, sizeof at, "; at %d of %d times the ", less->times,
                  less->times + more->times);
-    snprintf(made->note, sizeof made->note,
+    snprintf(made->source, sizeof made->source,
              "nonlinear %s%s%s; error bar: its own by %s%s%s", first, at,
              less->times ? other : "",
              more->limits + less->limits ? "how far its limit moved, and observed orders"
@@ -340,7 +339,7 @@ static void tell(const struct truth_family family[TRUTH_MODELS],
 }
 
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
-                      struct truth_made *made)
+                      struct truth *made)
 {
     struct share share[TRUTH_MODELS] = {{0}};
 

@@ -10,53 +10,54 @@
 #include "models/grid.h"
 #include "models/reader/scene_file.h"
 
-static void add_row(struct table *t, const struct truth_made *made, int n, double length)
+static void add_row(struct table *t, const struct truth *made, int n, double length)
 {
     const double *v = made->value[n];
 
     table_row(t);
     table_number(t, made->time[n], 3);
-    for (int c = 0; c < TRUTH_COLUMNS; c++)
-        if (c == TRUTH_ERROR && n >= made->claimed)
-            table_missing(t, "no claim");
-        else if (c == TRUTH_GROWTH)
-            table_number(t, v[c], 2);
-        else if (c < TRUTH_DIFFERENCE && c % 3 != TRUTH_SOLID_BAR)
+    for (int c = 0; c < TRUTH_GROWTH; c++)
+        if (c < TRUTH_DIFFERENCE && c % 3 != TRUTH_SOLID_BAR)
             table_fixed(t, v[c], 1);
         else
             table_number(t, v[c] / length, 2);
+    table_number(t, v[TRUTH_GROWTH], 2);
+    if (n < made->claimed)
+        table_number(t, made->error[n] / length, 2);
+    else
+        table_missing(t, "no claim");
+    table_number(t, v[TRUTH_THIRD] / length, 2);
+    table_number(t, v[TRUTH_THIRD_BAR] / length, 2);
 }
 
 /* Until when it is claimed, and what ends it. */
-static void note_horizon(struct table *t, const struct truth_made *made, double length)
+static void note_horizon(struct table *t, const struct truth *made, double length)
 {
     const int n = made->claimed;
-    const double time = n < made->times ? made->time[n] : NAN, *v = made->value[n];
+    const double percent = 100 / length, *v = made->value[n];
+    char end[128];
 
-    if (n == made->times)
-        table_note(t, "All of it is claimed.");
-    else if (v[TRUTH_THIRD] > v[TRUTH_ERROR] + v[TRUTH_THIRD_BAR])
-        table_note(t,
-                   "Nothing is claimed from %.3g s on: a third mechanics, with a bar of "
-                   "%.2g %%, is %.2g %% off there.",
-                   time, 100 * v[TRUTH_THIRD_BAR] / length, 100 * v[TRUTH_THIRD] / length);
-    else if (v[TRUTH_GROWTH] > TRUTH_MOST_GROWTH)
-        table_note(t,
-                   "Nothing is claimed from %.3g s on: the growth there, %.2g, is above "
-                   "%g.",
-                   time, v[TRUTH_GROWTH], TRUTH_MOST_GROWTH);
+    if (n < made->times && v[TRUTH_THIRD] > made->error[n] + v[TRUTH_THIRD_BAR])
+        snprintf(end, sizeof end,
+                 "a third mechanics, with a bar of %.2g %%, is %.2g %% off there",
+                 percent * v[TRUTH_THIRD_BAR], percent * v[TRUTH_THIRD]);
+    else if (n < made->times && v[TRUTH_GROWTH] > TRUTH_MOST_GROWTH)
+        snprintf(end, sizeof end, "the growth there, %.2g, is above %g", v[TRUTH_GROWTH],
+                 TRUTH_MOST_GROWTH);
+    else if (n < made->times)
+        snprintf(end, sizeof end, "the error bar there, %.2g %%, is above %g %%",
+                 percent * made->error[n], 100 * TRUTH_MOST_ERROR);
+    if (n < made->times)
+        table_note(t, "Nothing is claimed from %.3g s on: %s.", made->time[n], end);
     else
-        table_note(t,
-                   "Nothing is claimed from %.3g s on: the error bar there, %.2g %%, is "
-                   "above %g %%.",
-                   time, 100 * v[TRUTH_ERROR] / length, 100 * TRUTH_MOST_ERROR);
+        table_note(t, "All of it is claimed.");
     table_note(t, "Horizon: %s.", made->horizon);
 }
 
 /* What there is to say of truths that were made, and of all. */
-static void add_notes(struct table *t, const struct truth_made *made, double length)
+static void add_notes(struct table *t, const struct truth *made, double length)
 {
-    table_note(t, "The truth: %s.", made->note);
+    table_note(t, "The truth: %s.", made->source);
     if (made->foreign)
         return;
     if (made->closed) {
@@ -81,7 +82,7 @@ static void add_notes(struct table *t, const struct truth_made *made, double len
                    made->changed);
 }
 
-static bool has_third(const struct truth_made *made)
+static bool has_third(const struct truth *made)
 {
     for (int n = 0; n < made->times; n++)
         if (!isnan(made->value[n][TRUTH_THIRD]))
@@ -90,7 +91,7 @@ static bool has_third(const struct truth_made *made)
 }
 
 /* Of a truth with many frames the times at which tables judge, and the last claimed one. */
-static enum status print(const struct truth_made *made, const struct scene *scene,
+static enum status print(const struct truth *made, const struct scene *scene,
                          enum table_format format, FILE *file)
 {
     const double length = scene->length;
@@ -114,13 +115,13 @@ static enum status print(const struct truth_made *made, const struct scene *scen
     snprintf(caption, sizeof caption, "%s of %s: %serror bars",
              made->foreign ? "The third mechanics" : "Truth", scene->name,
              made->closed ? "" : "observed orders and ");
-    for (int n = 0; made->closed && n < TRUTH_ERROR; n++)
+    for (int n = 0; made->closed && n < TRUTH_STORED; n++)
         columns[1 + n].readers = TABLE_NOBODY; /* nobody's run */
-    for (int n = 0; made->foreign && n < TRUTH_ERROR; n++)
+    for (int n = 0; made->foreign && n < TRUTH_STORED; n++)
         if (n != TRUTH_SHELL_SPACE)
             columns[1 + n].readers = TABLE_NOBODY;
     for (int n = TRUTH_THIRD; !has_third(made) && n < TRUTH_COLUMNS; n++)
-        columns[1 + n].readers = TABLE_NOBODY;
+        columns[2 + n].readers = TABLE_NOBODY; /* behind time and error bar */
     struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
     for (int n = 0; n < made->times; n++)
         if (made->closed || n == made->claimed - 1 ||
@@ -149,12 +150,11 @@ static void mid_surface(const double *field, double u, double v, double at[3])
     }
 }
 
-enum status truth_print_frames(const struct truth_made *made, const int points[2],
-                               FILE *file)
+enum status truth_print_frames(const struct truth *made, const int points[2], FILE *file)
 {
-    fprintf(file, "# source: %s\n", made->note);
+    fprintf(file, "# source: %s\n", made->source);
     for (int t = 0; t < made->claimed; t++)
-        fprintf(file, "# bar: %.17g,%.17g\n", made->time[t], made->value[t][TRUTH_ERROR]);
+        fprintf(file, "# bar: %.17g,%.17g\n", made->time[t], made->error[t]);
     fprintf(file, "t,u,v,x,y,z\n");
     for (int t = 0; t < made->claimed; t++)
         for (int n = 0; n < points[0] * points[1]; n++) {
@@ -170,20 +170,20 @@ enum status truth_print_frames(const struct truth_made *made, const int points[2
 
 /* --- All scenes --- */
 
-static void add_known(struct table *t, const struct truth_made *made, double length)
+static void add_known(struct table *t, const struct truth *made, double length)
 {
     const int last = made->claimed - 1;
 
     table_text(t, "%s", made->closed ? "closed form" : "stored");
     table_number(t, made->time[last], 3);
-    table_number(t, made->value[last][TRUTH_ERROR] / length, 2);
+    table_number(t, made->error[last] / length, 2);
 }
 
 static enum status add_scene(struct table *t, const char *name, struct message *why)
 {
     struct settings settings = {0};
     struct scene scene = {0};
-    struct truth_made made = {0};
+    struct truth made = {0};
     struct message lack = {""};
     char *path = NULL;
     enum status st;
@@ -203,7 +203,7 @@ static enum status add_scene(struct table *t, const char *name, struct message *
     }
     st = STATUS_OK;
 out:
-    truth_made_clear(&made);
+    truth_clear(&made);
     scene_clear(&scene);
     settings_clear(&settings);
     free(path);
@@ -299,7 +299,7 @@ out:
 
 /* By runs, which are kept in a folder of their own. */
 static enum status make_by_runs(struct job *j, const char *own, struct truth_runs *runs,
-                                struct truth_made *made, struct message *why)
+                                struct truth *made, struct message *why)
 {
     const double until = isfinite(j->until) ? j->until : j->scene.end;
     char folder[PATH];
@@ -357,7 +357,7 @@ static enum status make(struct job *j, const struct command_line *line, struct m
     struct truth_runs runs = {
         .path = j->path, .settings = &j->settings, .say = stderr, .ours = true};
     const char *third = command_value(line, "--third");
-    struct truth_made made = {0};
+    struct truth made = {0};
     char truth[PATH], file[PATH + 8];
     enum status st;
 
@@ -386,7 +386,7 @@ static enum status make(struct job *j, const struct command_line *line, struct m
     if (*j->end.text)
         fprintf(stderr, "truth: %s\n", j->end.text);
 out:
-    truth_made_clear(&made);
+    truth_clear(&made);
     return st;
 }
 
@@ -394,13 +394,13 @@ out:
 static enum status print_known(const struct job *j, const int points[2],
                                struct message *why)
 {
-    struct truth_made made;
+    struct truth made;
     enum status st = truth_known(&j->scene, &made, why);
 
     if (st == STATUS_OK)
         st = *points ? truth_print_frames(&made, points, stdout)
                      : print(&made, &j->scene, j->format, stdout);
-    truth_made_clear(&made);
+    truth_clear(&made);
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
 }
 

@@ -167,7 +167,13 @@ static const struct {
 #define TRUTH_COLUMN_ROW(code, name, unit) {name, unit},
     TRUTH_COLUMN_LIST(TRUTH_COLUMN_ROW)
 #undef TRUTH_COLUMN_ROW
-};
+        {"error", "m"}};
+enum { COLUMNS = sizeof columns / sizeof *columns };
+
+static double *cell(const struct truth *t, int n, int column)
+{
+    return column < TRUTH_STORED ? &t->value[n][column] : &t->error[n];
+}
 
 /* FNV-1a, 64 bits (Fowler, Noll, Vo 1991). */
 static const uint64_t PRIME = UINT64_C(0x100000001b3);
@@ -182,30 +188,30 @@ static uint64_t add(uint64_t sum, const void *bytes, size_t size)
 }
 
 /* As the file has it: fields as float. Orders that do not exist are one NaN, not many. */
-static void checksum(const char *physics, const struct truth_made *m, char text[17])
+static void checksum(const char *physics, const struct truth *m, char text[17])
 {
     uint64_t sum = add(UINT64_C(0xcbf29ce484222325), physics, strlen(physics));
 
     for (int n = 0; n < m->times; n++) {
         sum = add(sum, &m->time[n], sizeof m->time[n]);
-        for (int c = 0; c < TRUTH_STORED; c++)
-            if (!isnan(m->value[n][c]))
-                sum = add(sum, &m->value[n][c], sizeof m->value[n][c]);
+        for (int c = 0; c < COLUMNS; c++)
+            if (!isnan(*cell(m, n, c)))
+                sum = add(sum, cell(m, n, c), sizeof(double));
         for (int k = 0; n < m->claimed && k < 3 * GRID_POINTS; k++)
             sum = add(sum, &(float){(float)m->xyz[n][k]}, sizeof(float));
     }
     snprintf(text, 17, "%016" PRIx64, sum);
 }
 
-static enum status put_columns(struct store *store, const struct truth_made *made,
+static enum status put_columns(struct store *store, const struct truth *made,
                                struct message *why)
 {
     double *column = malloc((size_t)made->times * sizeof *column);
     enum status st = column ? STATUS_OK : STATUS_MEMORY;
 
-    for (int c = 0; c < TRUTH_STORED && st == STATUS_OK; c++) {
+    for (int c = 0; c < COLUMNS && st == STATUS_OK; c++) {
         for (int n = 0; n < made->times; n++)
-            column[n] = made->value[n][c];
+            column[n] = *cell(made, n, c);
         st =
             store_metric(store, columns[c].name, columns[c].unit, column, made->times, why);
     }
@@ -214,7 +220,7 @@ static enum status put_columns(struct store *store, const struct truth_made *mad
 }
 
 static enum status put_all(struct store *store, const struct scene *scene,
-                           const struct truth_made *made, struct message *why)
+                           const struct truth *made, struct message *why)
 {
     char sum[17], *physics = NULL;
     enum status st;
@@ -225,7 +231,7 @@ static enum status put_all(struct store *store, const struct scene *scene,
         TRY(store_frame(store, made->time[n], n < made->claimed ? made->xyz[n] : NULL, NULL,
                         NULL, why));
     TRY(put_columns(store, made, why));
-    TRY(store_text(store, "note", made->note, why));
+    TRY(store_text(store, "note", made->source, why));
     TRY(store_text(store, "horizon", made->horizon, why));
     TRY(store_text(store, "physics", physics, why));
     TRY(store_text(store, "checksum", sum, why));
@@ -235,7 +241,7 @@ out:
 }
 
 /* The run that the field is from; of a closed form the scene alone. */
-static enum status read_run(const struct truth_runs *runs, const struct truth_made *made,
+static enum status read_run(const struct truth_runs *runs, const struct truth *made,
                             struct run *run, struct message *why)
 {
     struct settings settings = {0};
@@ -253,7 +259,7 @@ out:
 }
 
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
-                             const struct truth_made *made, struct message *why)
+                             const struct truth *made, struct message *why)
 {
     /* No models of ours: the names that the file has of them. */
     static const struct model none = {.name = "closed_form",
@@ -288,20 +294,20 @@ out:
     return st;
 }
 
-static enum status read_columns(const struct store_read *file, struct truth_made *made)
+static enum status read_columns(const struct store_read *file, struct truth *made)
 {
     enum status st = STATUS_OK;
     double *column = NULL;
     int rows, width;
 
-    for (int c = 0; c < TRUTH_STORED; c++) {
+    for (int c = 0; c < COLUMNS; c++) {
         char name[64];
         snprintf(name, sizeof name, "metrics/%s", columns[c].name);
         TRY(store_read_array(file, name, &column, &rows, &width, NULL));
         if (rows != made->times || width != 1)
             TRY(STATUS_INPUT);
         for (int n = 0; n < rows; n++)
-            made->value[n][c] = column[n];
+            *cell(made, n, c) = column[n];
         free(column), column = NULL;
     }
 out:
@@ -325,7 +331,7 @@ static enum status read_text(const struct store_read *file, const char *group,
 
 enum { SUM = 64 };
 
-static enum status read_made(const struct store_read *file, struct truth_made *made,
+static enum status read_made(const struct store_read *file, struct truth *made,
                              char **physics, char sum[SUM])
 {
     enum status st;
@@ -335,11 +341,11 @@ static enum status read_made(const struct store_read *file, struct truth_made *m
     TRY(store_read_text(file, "/", "physics", physics, NULL));
     TRY(read_text(file, "/", "checksum", NULL, sum, SUM));
     TRY(store_read_array(file, "time", &time, &times, &width, NULL));
-    TRY(claimed > times ? STATUS_INPUT : truth_made_init(made, times, claimed, time));
+    TRY(claimed > times ? STATUS_INPUT : truth_init(made, times, claimed, time));
     TRY(read_columns(file, made));
     for (int n = 0; n < claimed; n++)
         TRY(store_read_frame(file, n, made->xyz[n], NULL));
-    TRY(read_text(file, "/", "note", NULL, made->note, sizeof made->note));
+    TRY(read_text(file, "/", "note", NULL, made->source, sizeof made->source));
     TRY(read_text(file, "/", "horizon", NULL, made->horizon, sizeof made->horizon));
     TRY(read_text(file, "provenance", "commit", "unknown", made->commit,
                   sizeof made->commit));
@@ -350,7 +356,7 @@ out:
     return st;
 }
 
-static enum status read_alone(const char *path, struct truth_made *made, char **physics,
+static enum status read_alone(const char *path, struct truth *made, char **physics,
                               struct message *why)
 {
     struct store_read *file = NULL;
@@ -373,7 +379,7 @@ static enum status read_alone(const char *path, struct truth_made *made, char **
     *physics = text, text = NULL;
 out:
     if (st != STATUS_OK)
-        truth_made_clear(made);
+        truth_clear(made);
     free(text);
     store_read_close(file);
     return st;
@@ -406,7 +412,7 @@ static double apart(const double *a, const double *b)
 }
 
 /* Index of a time that the third claims, -1. */
-static int index_of(const struct truth_made *third, double time)
+static int index_of(const struct truth *third, double time)
 {
     for (int n = 0; n < third->claimed; n++)
         if (fabs(third->time[n] - time) < SAME_TIME)
@@ -415,7 +421,7 @@ static int index_of(const struct truth_made *third, double time)
 }
 
 /* Distances and bars at the times that both claim, and the sentence. */
-static void judge(const struct truth_made *third, struct truth_made *made)
+static void judge(const struct truth *third, struct truth *made)
 {
     int end = made->claimed;
 
@@ -425,12 +431,12 @@ static void judge(const struct truth_made *third, struct truth_made *made)
         if (k < 0)
             continue;
         v[TRUTH_THIRD] = apart(made->xyz[n], third->xyz[k]);
-        v[TRUTH_THIRD_BAR] = third->value[k][TRUTH_ERROR];
-        if (v[TRUTH_THIRD] > v[TRUTH_ERROR] + v[TRUTH_THIRD_BAR])
+        v[TRUTH_THIRD_BAR] = third->error[k];
+        if (v[TRUTH_THIRD] > made->error[n] + v[TRUTH_THIRD_BAR])
             end = n;
     }
     const bool contradicts = end < made->claimed;
-    snprintf(made->third, sizeof made->third, "%s%s", third->note,
+    snprintf(made->third, sizeof made->third, "%.511s%s", third->source,
              contradicts ? "; it contradicts the truth, which is not claimed from then on"
                          : "");
     for (int n = end; n < made->claimed; n++)
@@ -439,10 +445,10 @@ static void judge(const struct truth_made *third, struct truth_made *made)
 }
 
 /* One of other physics than the truth's says nothing of it. */
-static enum status judge_by_third(const char *path, const char *physics,
-                                  struct truth_made *made, struct message *why)
+static enum status judge_by_third(const char *path, const char *physics, struct truth *made,
+                                  struct message *why)
 {
-    struct truth_made third = {0};
+    struct truth third = {0};
     char *text = NULL, file[4096];
     struct stat there;
     enum status st;
@@ -457,12 +463,12 @@ static enum status judge_by_third(const char *path, const char *physics,
         snprintf(made->third, sizeof made->third,
                  "not compared, as it is of other physics");
 out:
-    truth_made_clear(&third);
+    truth_clear(&third);
     free(text);
     return st;
 }
 
-enum status truth_file_read(const char *path, struct truth_made *made, char **physics,
+enum status truth_file_read(const char *path, struct truth *made, char **physics,
                             struct message *why)
 {
     char *text = NULL;
@@ -473,7 +479,7 @@ enum status truth_file_read(const char *path, struct truth_made *made, char **ph
     *physics = text, text = NULL;
 out:
     if (st != STATUS_OK)
-        truth_made_clear(made);
+        truth_clear(made);
     free(text);
     return st;
 }
@@ -503,8 +509,8 @@ enum status truth_file_may_store(const char *path, const struct provenance *prog
                        path, commit, changed);
 }
 
-enum status truth_file_find(const char *name, const struct scene *scene,
-                            struct truth_made *made, struct message *why)
+enum status truth_file_find(const char *name, const struct scene *scene, struct truth *made,
+                            struct message *why)
 {
     char *path = NULL, *physics = NULL;
     struct message other = {""};
@@ -520,7 +526,7 @@ enum status truth_file_find(const char *name, const struct scene *scene,
         status_fail(why, st, "the stored truth of %s is %s", name, other.text);
 out:
     if (st != STATUS_OK)
-        truth_made_clear(made);
+        truth_clear(made);
     free(physics);
     free(path);
     return st;
@@ -528,15 +534,15 @@ out:
 
 static char *describe(const char *path)
 {
-    struct truth_made made;
+    struct truth made;
     struct message why;
-    char text[sizeof made.note + 64], *physics;
+    char text[sizeof made.source + 64], *physics;
 
     if (truth_file_read(path, &made, &physics, &why) != STATUS_OK)
         return strdup(why.text);
     snprintf(text, sizeof text, "to %.3g s; %s",
-             made.claimed ? made.time[made.claimed - 1] : 0, made.note);
-    truth_made_clear(&made);
+             made.claimed ? made.time[made.claimed - 1] : 0, made.source);
+    truth_clear(&made);
     free(physics);
     return strdup(text);
 }

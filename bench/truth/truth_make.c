@@ -119,11 +119,11 @@ static double seconds_of(const struct run_result *r)
 
 /* --- What runs show --- */
 
-double truth_make_known(const struct truth_made *made, double error)
+double truth_make_known(const struct truth *made, double error)
 {
     double known = 0;
 
-    for (int n = 0; n < made->times && made->value[n][TRUTH_ERROR] <= error &&
+    for (int n = 0; n < made->times && made->error[n] <= error &&
                     made->value[n][TRUTH_GROWTH] <= TRUTH_MOST_GROWTH;
          n++)
         known = made->time[n];
@@ -133,12 +133,12 @@ double truth_make_known(const struct truth_made *made, double error)
 /* Whether a run is, up to a time, as near to the truth as one that is claimed: what it says
  * of the growth of a change counts then. */
 static bool is_near(const struct truth_family *f, const struct run_result *run,
-                    const struct truth_made *made, double until, double length)
+                    const struct truth *made, double until, double length)
 {
     const struct run_result *fine = truth_bar_finest(f);
 
     for (int n = 0; n < made->times && made->time[n] <= until; n++)
-        if (!(metric_rmse(run->xyz[n], fine->xyz[n]) + made->value[n][TRUTH_ERROR] <=
+        if (!(metric_rmse(run->xyz[n], fine->xyz[n]) + made->error[n] <=
               TRUTH_MOST_ERROR * length))
             return false;
     return true;
@@ -147,8 +147,8 @@ static bool is_near(const struct truth_family *f, const struct run_result *run,
 /* From when on the change has grown beyond, and whether the run it was seen in may say so.
  */
 static void see_push(const struct truth_family family[TRUTH_MODELS],
-                     const struct truth_push *push, const struct truth_made *made,
-                     double length, struct truth_outlook *o)
+                     const struct truth_push *push, const struct truth *made, double length,
+                     struct truth_outlook *o)
 {
     int n = 0;
 
@@ -165,7 +165,7 @@ static void see_push(const struct truth_family family[TRUTH_MODELS],
 struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODELS],
                                      const struct truth_push *push,
                                      const struct scene *scene, double frame,
-                                     const struct truth_made *made, double error)
+                                     const struct truth *made, double error)
 {
     static const int bar[TRUTH_MODELS] = {TRUTH_SOLID_BAR, TRUTH_SHELL_BAR};
     const double length = scene->length;
@@ -174,7 +174,7 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
 
     for (int n = 0; n < made->times; n++) {
         const double *v = made->value[n];
-        o.error = fmax(o.error, v[TRUTH_ERROR] / length);
+        o.error = fmax(o.error, made->error[n] / length);
         o.difference = fmax(o.difference, v[TRUTH_DIFFERENCE] / length);
         for (int m = 0; m < TRUTH_MODELS; m++)
             if (family[m].count)
@@ -371,7 +371,7 @@ static bool find_finer(const struct maker *k, int *run)
            k->spent + seconds_of(&f->run[*run]) <= k->wish->seconds;
 }
 
-static struct truth_outlook look(struct maker *k, struct truth_made *made)
+static struct truth_outlook look(struct maker *k, struct truth *made)
 {
     struct truth_outlook o;
 
@@ -384,7 +384,7 @@ static struct truth_outlook look(struct maker *k, struct truth_made *made)
 }
 
 /* The cheapest run that may say what becomes of a change up to a time; false: none may. */
-static bool find_near(const struct maker *k, const struct truth_made *made, double until,
+static bool find_near(const struct maker *k, const struct truth *made, double until,
                       const struct truth_family **family, int *run)
 {
     double least = INFINITY;
@@ -404,8 +404,8 @@ static bool find_near(const struct maker *k, const struct truth_made *made, doub
 
 /* A net too coarse to know the motion does not say that it is lost: the push is made again
  * on one that does, as soon as there is one and the budget has its time. */
-static enum status look_again(struct maker *k, struct truth_made *made,
-                              struct truth_outlook *o, struct message *why)
+static enum status look_again(struct maker *k, struct truth *made, struct truth_outlook *o,
+                              struct message *why)
 {
     const struct truth_family *f = NULL;
     enum status st = STATUS_OK;
@@ -422,7 +422,7 @@ out:
 }
 
 /* Makes runs until there is an answer. */
-static enum status work(struct maker *k, struct truth_made *made, struct truth_outlook *o,
+static enum status work(struct maker *k, struct truth *made, struct truth_outlook *o,
                         struct truth_end *end, struct message *why)
 {
     enum truth_model next;
@@ -454,14 +454,14 @@ out:
 }
 
 enum status truth_make(const struct truth_runs *runs, const struct scene *scene,
-                       const struct truth_wish *wish, struct truth_made *made,
+                       const struct truth_wish *wish, struct truth *made,
                        struct truth_end *end, struct message *why)
 {
     struct maker k = {.runs = runs, .scene = scene, .wish = wish};
     struct truth_outlook o;
     enum status st;
 
-    TRY(truth_made_init(made, runs->times, runs->times, runs->time));
+    TRY(truth_init(made, runs->times, runs->times, runs->time));
     /* Nodes of a coarse net touch an obstacle one by one, in jumps that are the net's. */
     TRY(begin(&k, scene->obstacle_count ? LEAST_RUNS + 1 : LEAST_RUNS, why));
     const struct truth_family *f = pushed_family(&k);
@@ -475,7 +475,7 @@ out:
         truth_family_clear(&k.family[m]);
     run_result_clear(&k.pushed);
     if (st != STATUS_OK)
-        truth_made_clear(made);
+        truth_clear(made);
     return st;
 }
 
@@ -594,7 +594,7 @@ static enum status read_note(const char *folder, char *note, size_t size,
     return STATUS_OK;
 }
 
-enum status truth_third_make(const char *folder, double length, struct truth_made *third,
+enum status truth_third_make(const char *folder, double length, struct truth *third,
                              struct message *why)
 {
     struct truth_family family[TRUTH_MODELS] = {{0}};
@@ -606,7 +606,7 @@ enum status truth_third_make(const char *folder, double length, struct truth_mad
     const int times = common_times(f);
     if (!times)
         TRY(status_fail(why, STATUS_INPUT, "%s: its nets have no time in common", folder));
-    TRY(truth_made_init(third, times, times, f->run[0].time));
+    TRY(truth_init(third, times, times, f->run[0].time));
     third->foreign = true;
     /* Nobody pushed it: nothing is known of the growth. */
     truth_bar_compare(family, &(struct truth_push){.plain = f->run, .pushed = f->run},
@@ -614,11 +614,11 @@ enum status truth_third_make(const char *folder, double length, struct truth_mad
     truth_bar_claim(third, length);
     for (int n = 0; n < times; n++)
         truth_bar_limit(f, third->value[n][TRUTH_SHELL_SPACE], n, third->xyz[n]);
-    TRY(read_note(folder, third->note, sizeof third->note, why));
+    TRY(read_note(folder, third->source, sizeof third->source, why));
     snprintf(third->horizon, sizeof third->horizon, "not watched");
 out:
     truth_family_clear(f);
     if (st != STATUS_OK)
-        truth_made_clear(third);
+        truth_clear(third);
     return st;
 }

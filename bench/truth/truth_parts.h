@@ -80,19 +80,18 @@ struct truth_order truth_order(const double h[3], double first, double second,
  * the limit is what is held against the other model. A model that would not has an endless
  * bar. */
 void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
-                       const struct truth_push *push, double length,
-                       struct truth_made *made);
+                       const struct truth_push *push, double length, struct truth *made);
 
 /* Fills the error bars, at each time the larger of the smaller of both models' own bars and
  * their difference, and `claimed`: the times before one of the bounds is passed
  * (TRUTH_MOST_ERROR, TRUTH_MOST_GROWTH). */
-void truth_bar_claim(struct truth_made *made, double length);
+void truth_bar_claim(struct truth *made, double length);
 
 /* At each time the field (the finest run's or the limit, as the bars have it) of the model
  * whose own bar is the smaller one there (the solid's where they are equal), then the error
  * bars, level and note. */
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
-                      struct truth_made *made);
+                      struct truth *made);
 
 /* Where a family of three is going at an index of time, if the order seen there is
  * believed (truth_order), else where the finest run is: xyz (grid.h). */
@@ -114,8 +113,7 @@ void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,
 /* Fills in `alone` and `unresolved` of a truth whose runs, fields and bars are made: from
  * where on it is none, and why, be it what its bars leave open or that its own fields can't
  * be right. STATUS_MEMORY. */
-enum status truth_doubt(const struct scene *scene, const struct truth_made *made,
-                        struct truth *t);
+enum status truth_doubt(const struct scene *scene, struct truth *t);
 
 /* --- The maker --- */
 
@@ -161,9 +159,9 @@ struct truth_end {
  * too, if it is finer than that and the wish has time for it: its growth is what is told.
  * STATUS_DIVERGED: a run died; STATUS_UNSUPPORTED: a model will not serve the scene (where
  * the wish leaves one alone: neither will). STATUS_LATE: the deadline (deadline.h) came
- * before two runs of a model were made. Free with truth_made_clear. */
+ * before two runs of a model were made. Free with truth_clear. */
 enum status truth_make(const struct truth_runs *runs, const struct scene *scene,
-                       const struct truth_wish *wish, struct truth_made *made,
+                       const struct truth_wish *wish, struct truth *made,
                        struct truth_end *end, struct message *why);
 
 /* What families of two runs at least (or none), and a push of one of their runs, show, with
@@ -171,7 +169,7 @@ enum status truth_make(const struct truth_runs *runs, const struct scene *scene,
 struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODELS],
                                      const struct truth_push *push,
                                      const struct scene *scene, double frame,
-                                     const struct truth_made *made, double error);
+                                     const struct truth *made, double error);
 
 /* What comes next, with TRUTH_GO a run of `next`: of two models that are too blunt the one
  * whose finest run took less time, else the blunter one. No run is begun that the budget
@@ -185,14 +183,14 @@ void truth_make_tell(const struct truth_wish *wish, const struct truth_outlook *
                      char text[TRUTH_END_TEXT]);
 
 /* Returns the last time before the error bar first passes so much [m]; 0: none. */
-double truth_make_known(const struct truth_made *made, double error);
+double truth_make_known(const struct truth *made, double error);
 
 /* The third mechanics from FOLDER: note.txt, a sentence on who computed it and how; and
  * three files N.csv of frames (frames.h), the middle surface on the material grid of a net
  * of N elements along u, whose nets and steps shrink alike. Orders and bars are as above,
  * theory's order 2; the bar is the finest net's. STATUS_INPUT with a sentence. Free with
- * truth_made_clear. */
-enum status truth_third_make(const char *folder, double length, struct truth_made *third,
+ * truth_clear. */
+enum status truth_third_make(const char *folder, double length, struct truth *third,
                              struct message *why);
 
 /* --- Printing --- */
@@ -201,8 +199,7 @@ enum status truth_third_make(const char *folder, double length, struct truth_mad
  * the mid-surface, u fastest, at every time that is claimed: bilinear in the material grid,
  * and with 100 x 100 the grid itself, 17 digits. Before them comment lines `# source: ...`
  * and `# bar: t, error bar [m]` a time. STATUS_FILE: the stream does not take it. */
-enum status truth_print_frames(const struct truth_made *made, const int points[2],
-                               FILE *file);
+enum status truth_print_frames(const struct truth *made, const int points[2], FILE *file);
 
 /* Prints a row for each of the program's scenes, as its truth moves: closed form, stored or
  * none; until when it is known, the error bar there; a note on each that has none. */

@@ -36,7 +36,7 @@ struct stored {
     const char *scene;
     double length;
     struct settings settings; /* as its truth moves                                    */
-    struct truth_made truth;
+    struct truth truth;
     int index; /* of the time at which they are judged, -1: none                       */
     double uvw[3 * GRID_POINTS], xyz[3 * GRID_POINTS];
 };
@@ -51,7 +51,7 @@ static void add_row(struct stored *s, const struct verify_subject *subject)
     if (verify_trial_motion(&t, 1, &time, GRID_POINTS, s->uvw, s->xyz))
         verify_row_judge_error(t.row,
                                metric_rmse(s->xyz, s->truth.xyz[s->index]) / s->length,
-                               s->truth.value[s->index][TRUTH_ERROR] / s->length);
+                               s->truth.error[s->index] / s->length);
 }
 
 /* The scene as its truth moves, and that truth. STATUS_UNSUPPORTED: it is of other physics.
@@ -95,7 +95,7 @@ static enum status add_scene(struct verify_sheet *sheet, struct stored *s)
         s->index = n;
     for (int n = 0; s->index >= 0 && verify_sheet_next(sheet, &field, &n, &subject);)
         add_row(s, &subject);
-    truth_made_clear(&s->truth);
+    truth_clear(&s->truth);
     settings_clear(&s->settings);
     if (st == STATUS_UNSUPPORTED)
         add_stale(sheet, s, &sentence);

@@ -24,13 +24,10 @@ static enum status look(void *context, const struct motion *m, const double *xyz
 {
     const struct sweep_truth *truth = context;
     const struct truth *made = &truth->made;
+    const int n = truth_index(made, made->claimed, m->time);
 
-    value[LOOKS_TRUTH_ERROR] = value[LOOKS_TRUTH_BAR] = NAN;
-    for (int n = 0; n < made->claimed; n++)
-        if (fabs(made->time[n] - m->time) < 1e-9) {
-            value[LOOKS_TRUTH_ERROR] = metric_rmse(xyz, made->xyz[n]) / truth->length;
-            value[LOOKS_TRUTH_BAR] = made->error[n] / truth->length;
-        }
+    value[LOOKS_TRUTH_ERROR] = n < 0 ? NAN : metric_rmse(xyz, made->xyz[n]) / truth->length;
+    value[LOOKS_TRUTH_BAR] = n < 0 ? NAN : made->error[n] / truth->length;
     return STATUS_OK;
 }
 

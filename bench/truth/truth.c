@@ -128,6 +128,14 @@ void truth_destroy(struct truth *t)
     free(t);
 }
 
+int truth_index(const struct truth *t, int count, double time)
+{
+    for (int n = 0; n < count; n++)
+        if (is_at(t->time[n], time))
+            return n;
+    return -1;
+}
+
 void truth_thin(struct truth *t, const struct scene *scene)
 {
     const int last = t->claimed - 1;
@@ -256,15 +264,6 @@ out:
     return st;
 }
 
-/* Index of a stored time, -1 if it has none. */
-static int stored_index(const struct truth *made, double time)
-{
-    for (int n = 0; n < made->times; n++)
-        if (fabs(made->time[n] - time) < 1e-9)
-            return n;
-    return -1;
-}
-
 /* Copies what is stored for the times of t. STATUS_FILE: a time is missing;
  * STATUS_UNSUPPORTED: one is past the horizon. */
 static enum status take(const struct scene *scene, const struct truth *made,
@@ -273,7 +272,7 @@ static enum status take(const struct scene *scene, const struct truth *made,
     const double horizon = made->claimed ? made->time[made->claimed - 1] : 0;
 
     for (int n = 0; n < t->times; n++) {
-        const int k = stored_index(made, t->time[n]);
+        const int k = truth_index(made, made->times, t->time[n]);
         if (made->claimed < made->times && t->time[n] > horizon + 1e-9)
             return status_fail(why, STATUS_UNSUPPORTED,
                                "no truth is claimed for %s at %.3g s: its motion is known "

@@ -169,6 +169,9 @@ struct truth { /* with its arrays, in one block                                 
 enum status truth_init(struct truth *t, int times, int claimed, const double *time);
 void truth_clear(struct truth *t); /* all-zero is allowed, and left */
 
+/* Index of a time among the first `count`, to 1e-9 s; -1: it is none of them. */
+int truth_index(const struct truth *t, int count, double time);
+
 /* Leaves of a stored truth the times at which tables judge (truth_plan_judges): one with
  * many frames and one with few are judged alike. Where none is, the last that is claimed
  * stays. */

@@ -578,8 +578,8 @@ static int common_times(const struct truth_family *f)
                 return n;
 }
 
-static enum status read_note(const char *folder, char *note, size_t size,
-                             struct message *why)
+/* The first line of FOLDER/note.txt. */
+static enum status read_note(const char *folder, struct truth *third, struct message *why)
 {
     char path[PATH];
 
@@ -587,10 +587,9 @@ static enum status read_note(const char *folder, char *note, size_t size,
     FILE *file = fopen(path, "r");
     if (!file)
         return status_fail(why, STATUS_INPUT, "%s: cannot be read", path);
-    const size_t length = fread(note, 1, size - 1, file);
+    third->source[fread(third->source, 1, sizeof third->source - 1, file)] = '\0';
     fclose(file);
-    note[length] = '\0';
-    note[strcspn(note, "\n")] = '\0';
+    third->source[strcspn(third->source, "\n")] = '\0';
     return STATUS_OK;
 }
 
@@ -614,7 +613,7 @@ enum status truth_third_make(const char *folder, double length, struct truth *th
     truth_bar_claim(third, length);
     for (int n = 0; n < times; n++)
         truth_bar_limit(f, third->value[n][TRUTH_SHELL_SPACE], n, third->xyz[n]);
-    TRY(read_note(folder, third->source, sizeof third->source, why));
+    TRY(read_note(folder, third, why));
     snprintf(third->horizon, sizeof third->horizon, "not watched");
 out:
     truth_family_clear(f);

@@ -1,6 +1,6 @@
 /* What `advise` reads off measured rows, on made-up ones: who serves, in which order,
  * whether fast enough, what is said of the others; each way round. */
-#include "bench/advise/advise_print.h"
+#include "bench/advise/advise.h"
 
 #include <ctype.h>
 

@@ -2,7 +2,7 @@
  *
  *   claims_table4 FOLDER
  */
-#include "bench/truth/paper.h"
+#include "bench/claims/paper.h"
 #include "tests/claims_fixture.h"
 
 #define M(measure) MEASURE + MEASURE_##measure

@@ -9,7 +9,7 @@
 #include "bench/files/seal.h"
 #include "bench/harness/contestant.h"
 #include "bench/harness/run_file.h"
-#include "bench/truth/truth_file.h"
+#include "bench/truth/truth.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
 
@@ -96,12 +96,12 @@ static void try_all(const char *good, const char *bad,
 
 static enum status read_truth(const char *path, struct message *why)
 {
-    struct truth_made made;
+    struct truth made;
     char *physics = NULL;
     const enum status st = truth_file_read(path, &made, &physics, why);
 
     if (st == STATUS_OK)
-        truth_made_clear(&made);
+        truth_clear(&made);
     free(physics);
     return st;
 }

@@ -25,7 +25,7 @@
 #include "bench/frames/frames.h"
 #include "bench/frames/frames_bytes.h"
 #include "bench/harness/run_result.h"
-#include "bench/truth/truth_file.h"
+#include "bench/truth/truth.h"
 #include "tests/fuzz.h"
 
 enum { ITEMS = 64, VALUES = 16, RANK = 5, MEMORY_SPACE = 1 << 20 };
@@ -350,14 +350,14 @@ static void check_run(bool fields)
 
 static void check_truth(void)
 {
-    struct truth_made made;
+    struct truth made;
     struct message why = {""};
     char *physics = NULL;
 
     if (truth_file_read("fuzz", &made, &physics, &why) != STATUS_OK)
         fuzz_check_sentence(&why, "fuzz: ");
     else
-        truth_made_clear(&made);
+        truth_clear(&made);
     free(physics);
 }
 

@@ -1,6 +1,6 @@
-/* The paper's numbers as the program has them - bench/truth/paper.c and the plans table1 to
- * table4 - against a second transcription, cell by cell and both ways round. */
-#include "bench/truth/paper.h"
+/* The paper's numbers as the program has them - bench/claims/paper.c and the plans table1
+ * to table4 - against a second transcription, cell by cell and both ways round. */
+#include "bench/claims/paper.h"
 
 #include "bench/experiment/plan.h"
 #include "fem_ref/reference.h"

@@ -1,8 +1,8 @@
 /* The plans that are sweeps, against a second transcription: thresholds, and which way
  * round; axes; the 18 rows of the paper's Table 4, as cases of one and as marks of the
  * other. */
+#include "bench/claims/paper.h"
 #include "bench/experiment/plan.h"
-#include "bench/truth/paper.h"
 #include "tests/check.h"
 
 static void read_plan(const char *name, struct plan *plan)

@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <sys/stat.h>
 
-#include "bench/truth/truth_level.h"
+#include "bench/truth/truth.h"
 #include "tests/study_fixture.h"
 
 enum { LOOKS = 20, TIMES = 4, RUNS = 32, MODEL = STUDY_ENSEMBLE_TRUTHS, COUNT = MODEL + 1 };

@@ -5,8 +5,8 @@
 #include <sys/stat.h>
 
 #include "bench/files/folder.h"
-#include "bench/truth/truth_bar.h"
-#include "bench/truth/truth_file.h"
+#include "bench/files/provenance.h"
+#include "bench/truth/truth_parts.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/truth_fixture.h"
@@ -52,24 +52,24 @@ static const char *const undamped[] = {"damping={kind: none}",
                                        "discretization.points=[5,5,2]"};
 
 /* A made-up truth: a sheet that rises, known until the second of three times. */
-static void make_up(struct truth_made *made)
+static void make_up(struct truth *made)
 {
-    REQUIRE(truth_made_init(made, TIMES, TIMES, times) == STATUS_OK);
+    REQUIRE(truth_init(made, TIMES, TIMES, times) == STATUS_OK);
     made->claimed = 2;
     for (int n = 0; n < TIMES; n++) {
         for (int k = 0; k < 3 * GRID_POINTS; k++)
             made->xyz[n][k] = sin(1e-3 * k + n);
         for (int c = 0; c < TRUTH_STORED; c++)
             made->value[n][c] = c + 10 * n;
-        made->value[n][TRUTH_ERROR] = 0.01 * (n + 1);
+        made->error[n] = 0.01 * (n + 1);
     }
     made->value[1][TRUTH_SHELL_TIME] = NAN;
     made->level = (struct truth_level){TRUTH_SHELL, 3, 16, 5e-3, false};
-    strcpy(made->note, "made up");
+    strcpy(made->source, "made up");
     strcpy(made->horizon, "never");
 }
 
-static char *write_made_up(struct truth_made *made)
+static char *write_made_up(struct truth *made)
 {
     static char file[4096];
 
@@ -78,13 +78,13 @@ static char *write_made_up(struct truth_made *made)
     return file;
 }
 
-static void file_comes_back(const struct truth_made *made, const char *file)
+static void file_comes_back(const struct truth *made, const char *file)
 {
-    struct truth_made read;
+    struct truth read;
     char *text = NULL, *want = physics_of("edge_drop", 1, undamped);
 
     REQUIRE(truth_file_read(file, &read, &text, NULL) == STATUS_OK);
-    CHECK(read.times == TIMES && read.claimed == 2 && !strcmp(read.note, "made up") &&
+    CHECK(read.times == TIMES && read.claimed == 2 && !strcmp(read.source, "made up") &&
           !strcmp(read.horizon, "never"));
     CHECK(!strcmp(text, want));
     for (int n = 0; n < TIMES; n++) {
@@ -96,7 +96,7 @@ static void file_comes_back(const struct truth_made *made, const char *file)
     CHECK(!read.xyz[2]); /* past the horizon */
     for (int k = 0; k < 3 * GRID_POINTS; k += 997)
         CHECK_NEAR(read.xyz[1][k], made->xyz[1][k], TOL_SINGLE);
-    truth_made_clear(&read);
+    truth_clear(&read);
     free(text);
     free(want);
 }
@@ -115,7 +115,7 @@ static enum status find(const char *scene, int count, const char *const *setting
 }
 
 /* Who asks for these physics at these times gets it, whatever the numerics; nobody else. */
-static void who_gets_it(const struct truth_made *made)
+static void who_gets_it(const struct truth *made)
 {
     static const char *const other[] = {"damping={kind: none}", "material.young=1.1e5"};
     static const char *const held[] = {"damping={kind: none}",
@@ -129,7 +129,7 @@ static void who_gets_it(const struct truth_made *made)
 
     if (CHECK(find("edge_drop", 2, undamped, 2, times, &t, &why) == STATUS_OK)) {
         CHECK_NEAR(t->xyz[1][12345], made->xyz[1][12345], TOL_SINGLE);
-        CHECK(t->error[1] == made->value[1][TRUTH_ERROR] && strstr(t->source, "made up"));
+        CHECK(t->error[1] == made->error[1] && strstr(t->source, "made up"));
         truth_destroy(t), t = NULL;
     }
     CHECK(find("edge_drop", 2, undamped, 2, late, &t, &why) == STATUS_UNSUPPORTED);
@@ -178,10 +178,10 @@ static void are_listed(const char *file)
 }
 
 /* What is stored under a name, for whom; and what it says of its making. */
-static void find_stored(const struct truth_made *made)
+static void find_stored(const struct truth *made)
 {
     struct provenance here;
-    struct truth_made read;
+    struct truth read;
     struct message why = {""};
     struct scene s = {0};
     struct settings settings = settings_of(2, undamped);
@@ -194,7 +194,7 @@ static void find_stored(const struct truth_made *made)
     CHECK(read.claimed == made->claimed && read.xyz[1]);
     CHECK(!strcmp(read.commit, provenance_value(&here, "commit")) &&
           !strcmp(read.changed, provenance_value(&here, "changed_files")));
-    truth_made_clear(&read);
+    truth_clear(&read);
     CHECK(truth_file_find("nobody", &s, &read, &why) == STATUS_FILE && !read.xyz);
     CHECK(strstr(why.text, "no truth 'nobody'"));
     s.young = 2e5;
@@ -235,11 +235,11 @@ static void who_may_store(void)
 }
 
 /* Other physics, another checksum, none at all: a sentence each, and no truth. */
-static void changed_files_are_refused(struct truth_made *made)
+static void changed_files_are_refused(struct truth *made)
 {
     static const char *const stiffer[] = {"damping={kind: none}", "material.young=2e5"};
     struct truth *t = NULL;
-    struct truth_made read;
+    struct truth read;
     struct message why = {""};
     char *text = physics_of("edge_drop", 2, stiffer), *physics = NULL;
     const char *file = write_made_up(made);
@@ -351,7 +351,7 @@ static void levels(void)
 
 int main(int argc, char **argv)
 {
-    struct truth_made made;
+    struct truth made;
 
     REQUIRE(argc == 2);
     folder = argv[1];
@@ -369,6 +369,6 @@ int main(int argc, char **argv)
     are_listed(file);
     changed_files_are_refused(&made);
     remove(file);
-    truth_made_clear(&made);
+    truth_clear(&made);
     return check_result();
 }

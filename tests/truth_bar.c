@@ -1,12 +1,10 @@
 /* The bar of a truth from made-up runs: sheets that are shifted by an error c h^p, so that
  * orders, bars and differences are known. */
-#include "bench/truth/truth_bar.h"
+#include "bench/truth/truth_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "bench/truth/truth_plan.h"
-#include "bench/truth/truth.h"
 #include "models/grid.h"
 #include "tests/check.h"
 
@@ -68,9 +66,9 @@ static struct truth_push push_of(const struct truth_family family[2], int model,
 }
 
 static void compare(const struct truth_family family[2], const struct truth_push *push,
-                    struct truth_made *made)
+                    struct truth *made)
 {
-    REQUIRE(truth_made_init(made, TIMES, TIMES, times) == STATUS_OK);
+    REQUIRE(truth_init(made, TIMES, TIMES, times) == STATUS_OK);
     truth_bar_compare(family, push, LENGTH, made);
     truth_bar_choose(family, LENGTH, made);
 }
@@ -79,7 +77,7 @@ static void compare(const struct truth_family family[2], const struct truth_push
 static void three(void)
 {
     struct truth_family family[2];
-    struct truth_made made;
+    struct truth made;
     const struct scene scene = {.length = LENGTH};
 
     used = 0;
@@ -99,11 +97,11 @@ static void three(void)
         CHECK_RELATIVE(v[TRUTH_SHELL_BAR], much * promised, ORDER);
         CHECK_NEAR(v[TRUTH_DIFFERENCE], much * (0.3 / 12 - 0.3 / 1728) - 0.001, SUM);
         CHECK_RELATIVE(v[TRUTH_GROWTH], much * 3 / LENGTH, PUSH);
-        CHECK(v[TRUTH_ERROR] == fmax(v[TRUTH_SHELL_BAR], v[TRUTH_DIFFERENCE]));
+        CHECK(made.error[t] == fmax(v[TRUTH_SHELL_BAR], v[TRUTH_DIFFERENCE]));
         CHECK(made.xyz[t][0] == family[TRUTH_SHELL].run[2].xyz[t][0]);
     }
     CHECK(made.level.model == TRUTH_SHELL && made.level.side == 15);
-    CHECK(strstr(made.note,
+    CHECK(strstr(made.source,
                  "shell, cured of locking, p = 3, 15x15, step 1.25 ms; error bar: "
                  "its own by observed orders or, if larger, its difference from "
                  "the selective solid, p = 3, 15x15, 1.25 ms"));
@@ -113,17 +111,17 @@ static void three(void)
     CHECK(solid->runs == 3 && !solid->finest && o.lost == INFINITY);
     CHECK_RELATIVE(solid->bar, made.value[1][TRUTH_SOLID_BAR] / LENGTH, SUM);
     CHECK_RELATIVE(solid->seconds, 1e-3 * pow(12, 4), SUM);
-    CHECK_RELATIVE(o.error, made.value[1][TRUTH_ERROR] / LENGTH, SUM);
+    CHECK_RELATIVE(o.error, made.error[1] / LENGTH, SUM);
     CHECK_RELATIVE(o.difference, made.value[1][TRUTH_DIFFERENCE] / LENGTH, SUM);
     CHECK(o.known == 0.1); /* 1.2 and 2.5 % of two metres */
-    truth_made_clear(&made);
+    truth_clear(&made);
 }
 
 /* Two show no order: three times their difference. One model that would not is no judge. */
 static void two_and_none(void)
 {
     struct truth_family family[2];
-    struct truth_made made;
+    struct truth made;
     const struct scene scene = {.length = LENGTH};
 
     used = 0;
@@ -136,11 +134,11 @@ static void two_and_none(void)
         CHECK(isnan(v[TRUTH_SHELL_SPACE]) && isnan(v[TRUTH_SOLID_SPACE]));
         CHECK_NEAR(v[TRUTH_SHELL_BAR], (t + 1) * 3 * 0.01 * (1 / 6.0 - 1 / 9.0), SUM);
         CHECK(v[TRUTH_SOLID_BAR] == INFINITY && v[TRUTH_DIFFERENCE] == 0);
-        CHECK(v[TRUTH_ERROR] == v[TRUTH_SHELL_BAR]);
+        CHECK(made.error[t] == v[TRUTH_SHELL_BAR]);
     }
     CHECK(made.level.model == TRUTH_SHELL && made.claimed == 1);
-    CHECK(strstr(made.note, "its own by the difference of two runs, three times") &&
-          !strstr(made.note, "solid"));
+    CHECK(strstr(made.source, "its own by the difference of two runs, three times") &&
+          !strstr(made.source, "solid"));
     const struct truth_outlook o =
         truth_make_look(family, &push, &scene, 0.005, &made, 0.02);
     CHECK(!o.model[TRUTH_SOLID].runs && o.model[TRUTH_SHELL].runs == 2);
@@ -148,7 +146,7 @@ static void two_and_none(void)
     CHECK(o.lost == 0.2 && o.known == 0.1);
     CHECK_RELATIVE(o.growth, 1500.0, PUSH);
     CHECK(!o.blunt);
-    truth_made_clear(&made);
+    truth_clear(&made);
 }
 
 /* Three that cross at the second time, where they would show no error at all: what they
@@ -156,7 +154,7 @@ static void two_and_none(void)
 static void crossing(void)
 {
     struct truth_family family[2];
-    struct truth_made made;
+    struct truth made;
     const struct scene scene = {.length = LENGTH};
 
     used = 0;
@@ -174,7 +172,7 @@ static void crossing(void)
     const struct truth_outlook o =
         truth_make_look(family, &push, &scene, 0.005, &made, 0.02);
     CHECK_RELATIVE(o.model[TRUTH_SOLID].bar, made.value[0][TRUTH_SOLID_BAR] / LENGTH, SUM);
-    truth_made_clear(&made);
+    truth_clear(&made);
 }
 
 /* Four runs, on 6, 9, 12, 18 spans, that show one order show where they are going, and by
@@ -182,7 +180,7 @@ static void crossing(void)
 static void limits(void)
 {
     struct truth_family family[2];
-    struct truth_made made;
+    struct truth made;
 
     used = 0;
     fill(&family[TRUTH_SOLID], TRUTH_SOLID, 4, 1, 0.3, 1);
@@ -198,10 +196,10 @@ static void limits(void)
         CHECK(fabs(made.xyz[t][0] - 1) < ORDER || fabs(made.xyz[t][0] - shell) < 2e-6);
         CHECK(v[TRUTH_SHELL_BAR] > 0 && v[TRUTH_SHELL_BAR] < 2e-6);
     }
-    CHECK(strstr(made.note, "21x21, step 0.8333 ms, 2 times extrapolated from 9x9, "
-                            "12x12, 15x15 and that; error bar: its own by how far its "
-                            "limit moved"));
-    truth_made_clear(&made);
+    CHECK(strstr(made.source, "21x21, step 0.8333 ms, 2 times extrapolated from 9x9, "
+                              "12x12, 15x15 and that; error bar: its own by how far its "
+                              "limit moved"));
+    truth_clear(&made);
 }
 
 /* One of four is off. The first: then the first three show no order (as near as the second,
@@ -222,7 +220,7 @@ static void unsettled(void)
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         struct truth_family family[2];
-        struct truth_made made;
+        struct truth made;
         used = 0;
         fill(&family[TRUTH_SOLID], TRUTH_SOLID, 4, 1, 0.3, 1);
         fill(&family[TRUTH_SHELL], TRUTH_SHELL, 0, 0, 0, 1);
@@ -239,8 +237,8 @@ static void unsettled(void)
                 printf("unsettled %zu: %.10g, %.10g\n", n, bar, seen);
             CHECK(made.xyz[t][0] == family[TRUTH_SOLID].run[3].xyz[t][0]);
         }
-        CHECK(!strstr(made.note, "extrapolated"));
-        truth_made_clear(&made);
+        CHECK(!strstr(made.source, "extrapolated"));
+        truth_clear(&made);
     }
 }
 
@@ -248,7 +246,7 @@ static void unsettled(void)
 static void moved(void)
 {
     struct truth_family family[2];
-    struct truth_made made;
+    struct truth made;
 
     used = 0;
     fill(&family[TRUTH_SOLID], TRUTH_SOLID, 4, 1, 0.3, 1);
@@ -263,7 +261,7 @@ static void moved(void)
     const double bar = made.value[0][TRUTH_SOLID_BAR];
     CHECK(bar > 0.001 && bar < 1.25 * 0.3 / 18);
     CHECK_RELATIVE(made.value[1][TRUTH_SOLID_BAR], sqrt(.5) * bar, ORDER);
-    truth_made_clear(&made);
+    truth_clear(&made);
 }
 
 /* Who may say that a motion is lost: a run that is no further from the truth, up to there,
@@ -283,7 +281,7 @@ static void heard(void)
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         struct truth_family family[2];
-        struct truth_made made;
+        struct truth made;
         const struct scene scene = {.length = LENGTH};
         used = 0;
         fill(&family[TRUTH_SOLID], TRUTH_SOLID, 0, 0, 0, 1);
@@ -299,7 +297,7 @@ static void heard(void)
         CHECK(!strstr(text, "cannot be predicted") == (o.blunt || o.lost == INFINITY));
         if (!CHECK(o.lost == cases[n].lost && o.blunt == cases[n].blunt))
             printf("heard %zu: %g, %d\n", n, o.lost, (int)o.blunt);
-        truth_made_clear(&made);
+        truth_clear(&made);
     }
 }
 
@@ -344,7 +342,7 @@ static void shared(void)
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         struct truth_family family[2];
-        struct truth_made made;
+        struct truth made;
         used = 0;
         fill(&family[TRUTH_SOLID], TRUTH_SOLID, cases[n].runs, 1, 0.1, 1);
         fill(&family[TRUTH_SHELL], TRUTH_SHELL, 3, 1, 0.3, 1);
@@ -364,9 +362,9 @@ static void shared(void)
         CHECK_NEAR(made.xyz[0][0], cases[n].runs == 4 ? 1 : solid[0], ORDER);
         CHECK(made.xyz[1][0] == shell[0] && made.level.model == TRUTH_SOLID);
         CHECK(made.claimed == (cases[n].early > 0 ? 0 : cases[n].off > 0 ? 1 : 2));
-        if (!CHECK(strstr(made.note, cases[n].words)))
-            printf("shared %zu: %s\n", n, made.note);
-        truth_made_clear(&made);
+        if (!CHECK(strstr(made.source, cases[n].words)))
+            printf("shared %zu: %s\n", n, made.source);
+        truth_clear(&made);
     }
 }
 
@@ -399,8 +397,8 @@ static void check_choices(void)
 
     for (size_t n = 0; n < sizeof choices / sizeof *choices; n++) {
         const struct choice *c = &choices[n];
-        struct truth_made made;
-        REQUIRE(truth_made_init(&made, 3, 0, three) == STATUS_OK);
+        struct truth made;
+        REQUIRE(truth_init(&made, 3, 0, three) == STATUS_OK);
         for (int t = 0; t < 3; t++) {
             made.value[t][TRUTH_SOLID_BAR] = c->solid[t];
             made.value[t][TRUTH_SHELL_BAR] = c->shell[t];
@@ -412,10 +410,10 @@ static void check_choices(void)
             printf("choice %zu: %d claimed\n", n, made.claimed);
         for (int t = 0; t < 3; t++) {
             const bool solid = c->whose[t] == 'o';
-            CHECK(made.value[t][TRUTH_ERROR] ==
+            CHECK(made.error[t] ==
                   fmax(solid ? c->solid[t] : c->shell[t], c->difference[t]));
         }
-        truth_made_clear(&made);
+        truth_clear(&made);
     }
 }
 
@@ -440,9 +438,8 @@ static void check_doubt(void)
     scene.name = strdup("sheet");
     scene.length = scene.width = LENGTH;
     for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
-        struct truth_made made;
-        double error[] = {rows[n].first, rows[n].second};
-        REQUIRE(truth_made_init(&made, 2, 2, (double[]){0.1, 0.2}) == STATUS_OK);
+        struct truth made;
+        REQUIRE(truth_init(&made, 2, 2, (double[]){0.1, 0.2}) == STATUS_OK);
         for (int t = 0; t < 2; t++) {
             for (int g = 0; g < GRID_POINTS; g++) { /* flat, at rest */
                 double uvw[3];
@@ -450,18 +447,17 @@ static void check_doubt(void)
                 for (int i = 0; i < 2; i++)
                     made.xyz[t][3 * g + i] = LENGTH * uvw[i];
             }
+            made.error[t] = t ? rows[n].second : rows[n].first;
             made.value[t][TRUTH_SOLID_BAR] = rows[n].solid;
             made.value[t][TRUTH_SHELL_BAR] = rows[n].shell;
             made.value[t][TRUTH_DIFFERENCE] = rows[n].difference;
         }
-        struct truth truth = {
-            .times = 2, .time = made.time, .xyz = made.xyz, .error = error};
-        CHECK(truth_doubt(&scene, &made, &truth) == STATUS_OK);
-        CHECK(truth.alone == rows[n].alone);
-        if (!CHECK(strstr(truth.unresolved, rows[n].says) &&
-                   !*truth.unresolved == !*rows[n].says))
-            printf("row %zu says '%s'\n", n, truth.unresolved);
-        truth_made_clear(&made);
+        CHECK(truth_doubt(&scene, &made) == STATUS_OK);
+        CHECK(made.alone == rows[n].alone);
+        if (!CHECK(strstr(made.unresolved, rows[n].says) &&
+                   !*made.unresolved == !*rows[n].says))
+            printf("row %zu says '%s'\n", n, made.unresolved);
+        truth_clear(&made);
     }
     scene_clear(&scene);
 }

@@ -1,13 +1,10 @@
 /* Truths that are closed forms, held against what they solve: falls by steps of Runge and
  * Kutta, the hanging sheet's balance of forces, the elastica's table and the shell; whom
  * they are refused; that files, times and frames of them are as of other truths. */
-#include "bench/truth/truth_closed.h"
+#include "bench/truth/truth.h"
 
 #include "bench/harness/motion.h"
-#include "bench/truth/truth.h"
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_print.h"
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth_parts.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/opened_run.h"
@@ -43,10 +40,10 @@ static void read_scene(const char *name, const char *const *set, struct scene *s
 static double *field_at(const struct scene *s, double t, double *error)
 {
     double *xyz = malloc(FIELD * sizeof *xyz);
-    char source[TRUTH_CLOSED_SOURCE];
+    struct truth truth = {1, &t, &xyz, error};
 
     REQUIRE(xyz);
-    REQUIRE(truth_closed_fields(s, 1, &t, &xyz, error, source) == STATUS_OK);
+    REQUIRE(truth_closed_fields(s, &truth) == STATUS_OK);
     return xyz;
 }
 
@@ -237,7 +234,7 @@ static void refused(void)
     };
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        struct truth_made made;
+        struct truth made;
         struct scene s;
         read_scene(cases[n].scene, cases[n].set, &s);
         if (!CHECK(truth_closed_make(&s, &made) == STATUS_UNSUPPORTED && !made.xyz))
@@ -282,7 +279,7 @@ static void comes_back(void)
 {
     struct settings none = {0};
     struct truth_runs runs = {.settings = &none};
-    struct truth_made made, again;
+    struct truth made, again;
     struct message why = {""};
     struct scene s;
     char *path = NULL, *physics = NULL, *want = physics_of("hanging", 0, NULL);
@@ -295,12 +292,12 @@ static void comes_back(void)
     if (!CHECK(truth_file_write(file, &runs, &made, &why) == STATUS_OK))
         printf("%s\n", why.text);
     REQUIRE(truth_file_read(file, &again, &physics, &why) == STATUS_OK);
-    CHECK(!strcmp(physics, want) && !strcmp(again.note, made.note));
+    CHECK(!strcmp(physics, want) && !strcmp(again.source, made.source));
     CHECK(again.claimed == 1 && again.time[0] == s.end);
-    CHECK(again.value[0][TRUTH_ERROR] == made.value[0][TRUTH_ERROR]);
+    CHECK(again.error[0] == made.error[0]);
     CHECK(metric_rmse(again.xyz[0], made.xyz[0]) < TOL_SINGLE);
-    truth_made_clear(&made);
-    truth_made_clear(&again);
+    truth_clear(&made);
+    truth_clear(&again);
     scene_clear(&s);
     free(physics);
     free(want);
@@ -311,7 +308,7 @@ static void comes_back(void)
 static void printed_frames(void)
 {
     static const int grid[] = {GRID_U, GRID_V}, three[] = {3, 2};
-    struct truth_made made;
+    struct truth made;
     struct scene s;
     struct said said;
     double worst = 0;
@@ -344,7 +341,7 @@ static void printed_frames(void)
     said_close(&said, true);
     CHECK(said_count(&said, "\n5,0.5,") == 2 && said_count(&said, "\n5,") == 6);
     said_clear(&said);
-    truth_made_clear(&made);
+    truth_clear(&made);
     scene_clear(&s);
 }
 

@@ -5,8 +5,7 @@
 
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_physics.h"
+#include "bench/truth/truth.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
 
@@ -37,7 +36,7 @@ static inline char *physics_of(const char *scene, int count, const char *const *
 }
 
 /* Writes a made-up truth of edge_drop with these settings. */
-static inline void write_truth(const char *file, const struct truth_made *made, int count,
+static inline void write_truth(const char *file, const struct truth *made, int count,
                                const char *const *settings)
 {
     struct settings s = settings_of(count, settings);

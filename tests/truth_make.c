@@ -2,17 +2,16 @@
  * requested, and no more is run than time allows. What a killed command left is taken, what
  * is damaged made again, to the same bits. When it goes on and when it stops, of made-up
  * runs. A light cantilever needs no maker: it is Kirchhoff's plate. */
-#include "bench/truth/truth_make.h"
+#include "bench/truth/truth_parts.h"
 
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bench/truth/truth.h"
-#include "bench/truth/truth_plate.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
 #include "models/reader/scene_file.h"
 #include "tests/fresh.h"
 #include "tests/truth_fixture.h"
@@ -200,7 +199,7 @@ static void push_finer(const char *folder)
     struct settings s = {0};
     struct scene scene = {0};
     struct truth_runs runs = {NULL, &s, 1, &time, folder, .frame = time};
-    struct truth_made made = {0};
+    struct truth made = {0};
     struct truth_end end;
     char *path = NULL, horizon[64];
     struct message why = {""};
@@ -212,7 +211,7 @@ static void push_finer(const char *folder)
     runs.path = path;
     REQUIRE(contestant_read_scene(&s, path, &scene, NULL) == STATUS_OK);
     for (double error = 3e-6; error > 1e-7 && solids < 5; error /= 2) {
-        truth_made_clear(&made);
+        truth_clear(&made);
         REQUIRE(truth_make(&runs, &scene, &(struct truth_wish){error, 1e4}, &made, &end,
                            &why) == STATUS_OK);
         solids = count_solids(folder);
@@ -221,7 +220,7 @@ static void push_finer(const char *folder)
     snprintf(horizon, sizeof horizon, "(solid, %dx%d,", side[solids - 3], side[solids - 3]);
     if (!CHECK(strstr(made.horizon, horizon)))
         printf("%d solids: %s\n", solids, made.horizon);
-    truth_made_clear(&made);
+    truth_clear(&made);
     scene_clear(&scene);
     settings_clear(&s);
     free(path);
@@ -309,14 +308,14 @@ static void check_known(void)
                  {{.01, .01, .01, .01}, {0, 0, 0, 999}, .4}};
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        struct truth_made made;
-        REQUIRE(truth_made_init(&made, 4, 0, time) == STATUS_OK);
+        struct truth made;
+        REQUIRE(truth_init(&made, 4, 0, time) == STATUS_OK);
         for (int t = 0; t < 4; t++) {
-            made.value[t][TRUTH_ERROR] = cases[n].error[t];
+            made.error[t] = cases[n].error[t];
             made.value[t][TRUTH_GROWTH] = cases[n].growth[t];
         }
         CHECK(truth_make_known(&made, .01) == cases[n].known);
-        truth_made_clear(&made);
+        truth_clear(&made);
     }
 }
 
@@ -326,7 +325,7 @@ static void check_plate(void)
     static const char *const light[] = {"gravity=[0,0,-0.001]", "damping={kind: none}"};
     static const char *const heavy[] = {"gravity=[0,0,-0.03]", "damping={kind: none}"};
     struct truth *t = NULL;
-    struct truth_plate plate;
+    double *rest, *plate[TIMES];
     struct scene scene;
     struct settings s = settings_of(2, light), h = settings_of(2, heavy);
     char *path = NULL;
@@ -334,21 +333,25 @@ static void check_plate(void)
     REQUIRE(scene_file_find("cantilever_transient", &path, NULL) == STATUS_OK);
     REQUIRE(contestant_read_scene(&s, path, &scene, NULL) == STATUS_OK);
     const double gamma = scene_gamma(&scene), ratio = scene.thickness / scene.length;
-    REQUIRE(truth_plate_init(&plate, &scene, TIMES, TIME, NULL) == STATUS_OK);
+    REQUIRE((rest = metric_rest_field(&scene)) &&
+            (plate[0] = malloc(TIMES * 3 * GRID_POINTS * sizeof **plate)));
+    plate[1] = plate[0] + 3 * GRID_POINTS;
+    REQUIRE(truth_plate_fields(&scene, TIMES, TIME, plate, NULL) == STATUS_OK);
     CHECK(gamma > 0.001 && gamma < 0.09);
     REQUIRE(truth_find(path, &s, TIMES, TIME, NULL, &t, NULL) == STATUS_OK);
     for (int n = 0; n < TIMES; n++) {
-        CHECK(metric_rmse(t->xyz[n], plate.xyz[n]) == 0 && t->time[n] == TIME[n]);
+        CHECK(metric_rmse(t->xyz[n], plate[n]) == 0 && t->time[n] == TIME[n]);
         CHECK_RELATIVE(t->error[n],
                        (1e-5 + 0.0125 * gamma * gamma + 2 * ratio * ratio) *
-                           metric_rmse(plate.xyz[n], plate.rest),
+                           metric_rmse(plate[n], rest),
                        1e-12);
     }
     CHECK(strstr(t->source, "Kirchhoff plate"));
     truth_destroy(t), t = NULL;
     CHECK(30 * gamma > 0.09); /* of the heavy one: beyond linear theory */
     CHECK(truth_find(path, &h, TIMES, TIME, NULL, &t, NULL) == STATUS_FILE);
-    truth_plate_clear(&plate);
+    free(plate[0]);
+    free(rest);
     scene_clear(&scene);
     settings_clear(&s);
     settings_clear(&h);

@@ -1,11 +1,10 @@
 /* What a truth is made of and told at: frames, nets, times at which tables judge; and what
  * has no truth. */
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "bench/truth/truth_made.h"
 #include "tests/check.h"
 
 static const double SUM = 1e-12; /* of a few products */
@@ -29,18 +28,18 @@ static void check_thin(void)
                  {false, 1, 3, 1, .2}, {true, 1, 3, 1, .2}, {true, 0, 2, 0, .2}};
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        struct truth_made made;
-        REQUIRE(truth_made_init(&made, 5, cases[n].claimed, time) == STATUS_OK);
+        struct truth made;
+        REQUIRE(truth_init(&made, 5, cases[n].claimed, time) == STATUS_OK);
         for (int t = 0; t < 5; t++)
-            made.value[t][TRUTH_ERROR] = time[t];
-        truth_made_thin(&made, cases[n].plain ? &plain : &scene);
+            made.error[t] = time[t];
+        truth_thin(&made, cases[n].plain ? &plain : &scene);
         if (!CHECK(made.times == cases[n].times && made.claimed == cases[n].left &&
                    made.time[made.times - 1] == cases[n].last))
             printf("thin %zu: %d times, %d claimed\n", n, made.times, made.claimed);
         for (int t = 0; t < made.times; t++)
-            CHECK(made.value[t][TRUTH_ERROR] == made.time[t] &&
+            CHECK(made.error[t] == made.time[t] &&
                   (made.xyz[t] != NULL) == (t < made.claimed));
-        truth_made_clear(&made);
+        truth_clear(&made);
     }
 }
 

@@ -5,10 +5,7 @@
 
 #include "bench/files/folder.h"
 #include "bench/truth/truth.h"
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_plan.h"
-#include "bench/truth/truth_print.h"
-#include "bench/truth/truth_physics.h"
+#include "bench/truth/truth_parts.h"
 #include "bench/truth/truth_table.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
@@ -69,12 +66,12 @@ static void mid_size(const char *scene, enum truth_model model, int degree)
 /* A truth that comes with the program was made by a commit with no file changed. */
 static void check_origin(const char *name, const struct scene *s)
 {
-    struct truth_made made;
+    struct truth made;
 
     REQUIRE(truth_file_find(name, s, &made, NULL) == STATUS_OK);
     if (!CHECK(truth_file_clean(made.commit, made.changed)))
         printf("%s: commit %s, %s changed files\n", name, made.commit, made.changed);
-    truth_made_clear(&made);
+    truth_clear(&made);
 }
 
 /* Each file holds for the scene whose name it has, as it comes with the program. */
@@ -141,7 +138,7 @@ static void made_anew(const char *scene)
 {
     const struct truth_wish wish = {.error = 0.01, .seconds = 60};
     struct truth_end end;
-    struct truth_made made = {0}, stored = {0};
+    struct truth made = {0}, stored = {0};
     struct message why = {""};
     struct scene s = {0};
     struct settings settings = {0};
@@ -152,24 +149,24 @@ static void made_anew(const char *scene)
     struct truth_runs runs = {path, &settings, TIMES, times, folder, truth_plan_frame(&s)};
     REQUIRE(named_file_find(&truth_file_kind, scene, &file, NULL) == STATUS_OK);
     REQUIRE(truth_file_read(file, &stored, &physics, NULL) == STATUS_OK);
-    truth_made_thin(&stored, &s);
+    truth_thin(&stored, &s);
     if (!CHECK(truth_make(&runs, &s, &wish, &made, &end, &why) == STATUS_OK))
         printf("%s\n", why.text);
     CHECK(made.claimed == TIMES && strstr(made.horizon, "can be predicted"));
     for (int n = 0; n < made.claimed; n++) {
         REQUIRE(fabs(stored.time[n] - times[n]) < 1e-9 && stored.xyz[n]);
         double apart = metric_rmse(made.xyz[n], stored.xyz[n]);
-        double bars = made.value[n][TRUTH_ERROR] + stored.value[n][TRUTH_ERROR];
+        double bars = made.error[n] + stored.error[n];
         if (!CHECK(apart <= bars))
             printf("%s at %g s: %g m apart, bars %g m\n", scene, times[n], apart, bars);
         const double *v = made.value[n];
-        CHECK(v[TRUTH_ERROR] >= v[TRUTH_DIFFERENCE] &&
-              v[TRUTH_ERROR] >= fmin(v[TRUTH_SOLID_BAR], v[TRUTH_SHELL_BAR]) &&
-              v[TRUTH_ERROR] < 0.05 * s.length);
+        CHECK(made.error[n] >= v[TRUTH_DIFFERENCE] &&
+              made.error[n] >= fmin(v[TRUTH_SOLID_BAR], v[TRUTH_SHELL_BAR]) &&
+              made.error[n] < 0.05 * s.length);
         CHECK(v[TRUTH_GROWTH] > 0 && v[TRUTH_GROWTH] < 1); /* so early nothing grows */
     }
-    truth_made_clear(&made);
-    truth_made_clear(&stored);
+    truth_clear(&made);
+    truth_clear(&stored);
     settings_clear(&settings);
     scene_clear(&s);
     free(physics);
@@ -184,7 +181,7 @@ static const double TIP = 2.2360679774997896;
 /* The strip is a beam that somebody else has solved. */
 static void strip_is_the_beam(void)
 {
-    struct truth_made made = {0};
+    struct truth made = {0};
     char *file = NULL, *physics = NULL;
     struct reference *beam = NULL;
 
@@ -201,12 +198,12 @@ static void strip_is_the_beam(void)
             hypot((low[0] + high[0]) / 2 - reference_number(beam, row, "x1"),
                   (low[2] + high[2]) / 2 - reference_number(beam, row, "z1"));
         CHECK_NEAR(reference_number(beam, row, "t"), made.time[n], 1e-9);
-        if (!CHECK(apart <= TIP * made.value[n][TRUTH_ERROR]))
+        if (!CHECK(apart <= TIP * made.error[n]))
             printf("strip_swing at %g s: %g m from the beam, bar %g m\n", made.time[n],
-                   apart, made.value[n][TRUTH_ERROR]);
+                   apart, made.error[n]);
     }
     reference_close(beam);
-    truth_made_clear(&made);
+    truth_clear(&made);
     free(physics);
     free(file);
 }

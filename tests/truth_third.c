@@ -1,11 +1,10 @@
 /* A third mechanics beside a truth, of made-up legs: when it ends a claim, when it says
  * nothing, what of it is refused, and how frames on three nets become it. */
-#include "bench/truth/truth_third.h"
+#include "bench/truth/truth_parts.h"
 
 #include <unistd.h>
 
 #include "bench/files/folder.h"
-#include "bench/truth/truth_file.h"
 #include "models/grid.h"
 #include "tests/truth_fixture.h"
 
@@ -20,17 +19,16 @@ static const char *folder;
 static char truth_file[PATH], third_file[PATH];
 
 /* Layers at z = off -+ half: only the middle is compared. */
-static void make_up(struct truth_made *made, const double off[TIMES], double half,
-                    double bar)
+static void make_up(struct truth *made, const double off[TIMES], double half, double bar)
 {
-    REQUIRE(truth_made_init(made, TIMES, TIMES, times) == STATUS_OK);
+    REQUIRE(truth_init(made, TIMES, TIMES, times) == STATUS_OK);
     for (int n = 0; n < TIMES; n++) {
         for (int k = 0; k < GRID_POINTS; k++)
             made->xyz[n][3 * k + 2] = off[n] + (k < LAYER ? -half : half);
-        made->value[n][TRUTH_ERROR] = bar;
+        made->error[n] = bar;
     }
     made->foreign = true;
-    strcpy(made->note, "made up");
+    strcpy(made->source, "made up");
     strcpy(made->horizon, "never");
 }
 
@@ -82,13 +80,13 @@ static const struct leg {
 };
 
 /* Distances are there where it is compared, and bars stay. */
-static void check_values(const struct leg *leg, const struct truth_made *read)
+static void check_values(const struct leg *leg, const struct truth *read)
 {
     const bool compared = !leg->missing && !leg->young;
 
     for (int n = 0; n < TIMES; n++) {
         const double *v = read->value[n];
-        CHECK(v[TRUTH_ERROR] == BAR && (n < read->claimed) == (read->xyz[n] != NULL));
+        CHECK(read->error[n] == BAR && (n < read->claimed) == (read->xyz[n] != NULL));
         if (compared && n <= read->claimed && (!leg->claims || n < leg->claims)) {
             CHECK_NEAR(v[TRUTH_THIRD], fabs(leg->off[n]), SINGLE);
             CHECK(v[TRUTH_THIRD_BAR] == THIRD_BAR);
@@ -101,7 +99,7 @@ static void check_values(const struct leg *leg, const struct truth_made *read)
 static void judge(const struct leg *leg)
 {
     static const double none[TIMES] = {0};
-    struct truth_made truth, third, read;
+    struct truth truth, third, read;
     struct message why = {""};
     char *physics = NULL;
 
@@ -124,9 +122,9 @@ static void judge(const struct leg *leg)
     CHECK((st == STATUS_OK) == (physics != NULL));
     if (st == STATUS_OK)
         check_values(leg, &read);
-    truth_made_clear(&truth);
-    truth_made_clear(&third);
-    truth_made_clear(&read);
+    truth_clear(&truth);
+    truth_clear(&third);
+    truth_clear(&read);
     free(physics);
 }
 
@@ -169,7 +167,7 @@ static void extrapolates(double p)
 {
     static const int nets[] = {10, 14, 20};
     const double h2 = pow(14, -p) - pow(20, -p), left = 1 / (pow(20 / 14.0, 2) - 1);
-    struct truth_made third;
+    struct truth third;
     struct message why = {""};
 
     for (int n = 0; n < 3; n++)
@@ -185,22 +183,22 @@ static void extrapolates(double p)
         return;
     }
     CHECK(third.times == 1 && third.claimed == 1 && third.foreign);
-    CHECK(!strcmp(third.note, "somebody, somehow"));
+    CHECK(!strcmp(third.source, "somebody, somehow"));
     CHECK_NEAR(third.value[0][TRUTH_SHELL_SPACE], p, ORDER);
-    CHECK_RELATIVE(third.value[0][TRUTH_ERROR], 1.25 * 0.1 * h2 * left, ORDER);
+    CHECK_RELATIVE(third.error[0], 1.25 * 0.1 * h2 * left, ORDER);
     const double at = 1 + 0.1 * pow(20, -p) - left * 0.1 * h2;
     CHECK_NEAR(third.xyz[0][2], at, 1e-12);
     CHECK_NEAR(third.xyz[0][3 * GRID_POINTS - 1], at, 1e-12);
     if (p == 2)
         CHECK_NEAR(at, 1, 1e-12);
-    truth_made_clear(&third);
+    truth_clear(&third);
 }
 
 /* Two nets; a net that is not the grid, or its points in another order; no time in common:
  * a sentence each. */
 static void refuses(void)
 {
-    struct truth_made third;
+    struct truth third;
     struct message why = {""};
     char path[PATH], net[PATH + 16];
 

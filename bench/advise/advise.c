@@ -2,13 +2,388 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
-#include "bench/advise/advise_print.h"
+#include "bench/export/export_numbers.h"
 #include "bench/files/folder.h"
 #include "bench/harness/deadline.h"
+#include "bench/harness/distrust.h"
 #include "bench/harness/timing.h"
+#include "models/clock.h"
 
-enum { FOLDER = 4096 };
+/* --- the search --- */
+
+/* The truth is to be so many times sharper than what is asked for. */
+static const double SHARPER = 5;
+
+/* Runs of so many seconds at first, and so many times longer in each round. */
+static const double FIRST = 0.02, LONGER = 3;
+
+/* Nobody wants a run that is so many times dearer than one that serves, and takes longer
+ * than anybody waits. */
+static const double DEARER = 30, SHORT = 0.2;
+
+/* Of what is left of the budget a run may take, with its judging and its repeats. */
+static const double SHARE = 1.0 / 20;
+
+/* The truth, as sharp as it takes, in so many seconds at most: job->found, or NULL with a
+ * sentence in *said where none can be had. Fills `target`. */
+static enum status find_truth(struct advise_search *s, double seconds, struct message *said,
+                              struct message *why)
+{
+    struct compare_job *j = s->job;
+    const struct truth_wish wish = {s->wish.error / SHARPER, seconds, .alone = true};
+    const enum status st = truth_find_or_make(j->path, &j->truth, j->times, j->time,
+                                              j->folder, &wish, &j->found, said);
+
+    j->contest.truth = j->found;
+    if (st == STATUS_OK)
+        s->target = s->wish.error - contest_largest_bar(&j->contest);
+    if (st == STATUS_UNSUPPORTED || st == STATUS_LATE || status_is_death(st))
+        return STATUS_OK;
+    return st ? status_fail(why, st, "%s", said->text) : STATUS_OK;
+}
+
+static enum status add_cheapest(struct contest *c, const char *models)
+{
+    const struct model *model;
+    struct contest_at at[CONTEST_RUNGS];
+    struct contest_row *unused;
+    enum status st = STATUS_OK;
+
+    for (int m = 0; (model = contestant_model(m)); m++)
+        for (const struct contestant *who = contestant_table; who->name; who++)
+            if (who->model == model && !contestant_is_paper_scheme(who) &&
+                contestant_chosen(who, models, CONTESTANT_COMPARE)) {
+                contest_ladder(c, who, at);
+                TRY(contest_add(c, &at[0], &unused));
+            }
+out:
+    return st;
+}
+
+double advise_search_rate(const struct advise_search *s, const struct contest_row *row)
+{
+    return row->seconds / s->job->time[s->job->times - 1];
+}
+
+/* Of a contestant's rows the cheapest within the target; NULL: none is. */
+static const struct contest_row *cheapest(const struct advise_search *s,
+                                          const struct contestant *who)
+{
+    return contest_cheapest(&s->job->contest, who, s->target);
+}
+
+int advise_search_ranking(const struct advise_search *s, int most,
+                          const struct contest_row **row)
+{
+    const struct contestant *who;
+    int count = 0;
+
+    for (int k = 0; (who = contest_entrant(&s->job->contest, k)); k++) {
+        const struct contest_row *r = cheapest(s, who);
+        int n = count;
+        if (!r || (count == most && row[count - 1]->seconds <= r->seconds))
+            continue;
+        count += count < most;
+        n = n < most ? n : most - 1;
+        for (; n > 0 && row[n - 1]->seconds > r->seconds; n--)
+            row[n] = row[n - 1];
+        row[n] = r;
+    }
+    return count;
+}
+
+/* The longest run that is still worth a try. */
+static double most_seconds(const struct advise_search *s, double left)
+{
+    const struct contest_row *best;
+    double most = fmax(0, SHARE * left);
+
+    if (advise_search_ranking(s, 1, &best))
+        most = fmin(most, fmax(SHORT, DEARER * best->seconds));
+    return most;
+}
+
+/* Measures those of the choice (contestant_chosen), which was checked. */
+static enum status search(struct advise_search *s, const char *models, struct message *why)
+{
+    struct contest *c = &s->job->contest;
+    const double start = clock_now();
+    int first = 0;
+    enum status st = STATUS_OK;
+
+    TRY(add_cheapest(c, models));
+    s->longest = FIRST;
+    for (;;) {
+        if (c->count > first) {
+            fprintf(stderr, "advise: %d runs%s, %.0f s of the budget are left\n",
+                    c->count - first, first ? "" : ", the coarsest of each contestant",
+                    fmax(0, deadline_left()));
+            st = compare_job_rows(s->job, first, why);
+        }
+        if (st == STATUS_LATE) {
+            s->end = ADVISE_BUDGET;
+            break;
+        }
+        TRY(st);
+        first = c->count;
+        const double left = s->wish.budget - (clock_now() - start);
+        const double most = most_seconds(s, left);
+        const struct contest_wish wish = {1, &s->target, fmin(s->longest, most)};
+        TRY(compare_job_propose(s->job, &wish));
+        if (c->count > first)
+            continue;
+        if (s->longest >= most) {
+            s->end = most < SHARE * left ? ADVISE_DONE : ADVISE_BUDGET;
+            s->longest = most;
+            break;
+        }
+        s->longest *= LONGER;
+    }
+    st = STATUS_OK;
+out:
+    return st;
+}
+
+/* --- the table --- */
+
+enum { MOST = 64, TEXT = 256 };
+
+static const struct scene *scene_of(const struct advise_search *s)
+{
+    return s->job->contest.scene;
+}
+
+/* What kept a contestant from serving, for people. */
+static void tell_reason(const struct advise_search *s, const struct contestant *who,
+                        char text[TEXT])
+{
+    const struct contest *c = &s->job->contest;
+    const struct contest_limit limit = contest_limit(c, who);
+    char what[TEXT / 2];
+
+    contest_tell(c, &limit, what, sizeof what);
+    if (limit.kind == CONTEST_SKIPPED) {
+        snprintf(text, TEXT, "%s", what);
+    } else if (limit.kind == CONTEST_REFUSED || limit.kind == CONTEST_DIED) {
+        const struct contest_row *row = c->rows;
+        while (row->at.contestant != who)
+            row++;
+        snprintf(text, TEXT, "%.200s", row->result.sentence.text);
+    } else if (limit.kind == CONTEST_BY_UNKNOWN) {
+        if (s->longest > 0)
+            snprintf(text, TEXT, "runs of more than %.2g s were not tried", s->longest);
+        else
+            snprintf(text, TEXT, "the budget ended with its coarsest run");
+    } else {
+        snprintf(text, TEXT, "limited by %s", what);
+    }
+}
+
+static bool is_fast(const struct advise_search *s, const struct contest_row *row)
+{
+    return advise_search_rate(s, row) <= s->wish.rate;
+}
+
+static void add_size(struct table *t, const struct contest *c, const struct contest_row *r)
+{
+    const int *size = r ? r->at.size : NULL;
+
+    if (r)
+        table_text(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
+    else
+        table_dash(t);
+    table_number(t, r ? c->scene->step / size[CONTEST_STEP] : NAN, 3);
+    table_fixed(t, r && size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
+}
+
+static void add_row(struct table *t, const struct advise_search *s,
+                    const struct contestant *who, const struct contest_row *r)
+{
+    const bool serves = r && r->worst <= s->target;
+    char reason[TEXT];
+
+    table_row(t);
+    table_text(t, "%s", who->title);
+    table_text(t, "%s", who->name);
+    table_text(t, "%s", !serves ? "no" : is_fast(s, r) ? "yes" : "too slow");
+    add_size(t, &s->job->contest, r);
+    table_number(t, r ? r->worst : NAN, 2);
+    table_number(t, r ? advise_search_rate(s, r) : NAN, 2);
+    table_number(t, r ? r->result.bytes : NAN, 2);
+    tell_reason(s, who, reason);
+    table_text(t, "%s", serves ? "" : reason);
+}
+
+static struct table *create(const struct advise_search *s, char caption[TEXT])
+{
+    static const struct table_column columns[] = {
+        {"model", NULL, TABLE_LEFT, .key = "title"},
+        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
+        {"serves", NULL, TABLE_LEFT},
+        {"net", NULL, TABLE_LEFT},
+        {"step", "ms", .key = "step_s", .key_unit = "s", .scale = 1e3},
+        {"iterations"},
+        {"error", "% L", .key = "error_over_length", .key_unit = "L", .scale = 100},
+        {"time for 1 s", "s", .key = "seconds_per_second", .key_unit = "1"},
+        {"memory", "MB", .key = "model_bytes", .key_unit = "B", .scale = 1e-6},
+        {"why not", NULL, TABLE_LEFT, .key = "reason"}};
+
+    snprintf(caption, TEXT, "Who serves %s within %.3g %% of its length, to %.3g s",
+             scene_of(s)->name, 100 * s->wish.error, s->job->time[s->job->times - 1]);
+    return table_create(sizeof columns / sizeof *columns, columns, caption);
+}
+
+/* Those that serve from cheap to dear, then the others in the order of the contest. */
+static void fill(struct table *t, const struct advise_search *s)
+{
+    const struct contest_row *best[MOST];
+    const struct contest *c = &s->job->contest;
+    const struct contestant *who;
+    const int serving = advise_search_ranking(s, MOST, best);
+
+    for (int n = 0; n < serving; n++)
+        add_row(t, s, best[n]->at.contestant, best[n]);
+    if (serving)
+        table_rule(t);
+    for (int k = 0; (who = contest_entrant(c, k)); k++)
+        if (!cheapest(s, who))
+            add_row(t, s, who, contest_nearest(c, who));
+}
+
+static void note_method(struct table *t, const struct advise_search *s)
+{
+    const double bar = contest_largest_bar(&s->job->contest);
+
+    table_note(t,
+               "Error: rms over the sheet at the worst of %d times, over the length. To "
+               "serve for sure, %.3g %% is asked of a run: %.3g %% less the %s, %.2g %%. "
+               "Truth: %s.",
+               s->job->times, 100 * s->target, 100 * s->wish.error,
+               truth_bar_name(s->job->contest.truth), 100 * bar,
+               s->job->contest.truth->source);
+    table_note(t, "Time: set-up and stepping, one thread. Runs up to %.2g s were tried%s.",
+               s->longest,
+               s->end == ADVISE_BUDGET ? "; there the budget (--budget) ended"
+                                       : ", far dearer ones than the best are not");
+}
+
+/* --- the answer --- */
+
+static void say_needs(const struct advise_search *s, FILE *file)
+{
+    const struct scene *scene = scene_of(s);
+    const unsigned needs = scene_needs(scene);
+    char text[TEXT];
+
+    scene_needs_text(needs, text, sizeof text);
+    table_say(
+        file,
+        "%s: a sheet of %g x %g m, %g mm thick; Gamma = %.3g, weight against bending; "
+        "what it asks of a model beyond bending and stretching: %s. Motion: %s.",
+        scene->name, scene->length, scene->width, 1e3 * scene->thickness,
+        scene_gamma(scene), needs ? text : "nothing", s->job->contest.physics);
+}
+
+static void say_command(const struct advise_search *s, const struct contest_row *r,
+                        FILE *file)
+{
+    const struct compare_job *j = s->job;
+    const struct contestant *who = r->at.contestant;
+    struct settings all = {0};
+    const int along = r->at.size[CONTEST_NET], across = r->at.size[CONTEST_ACROSS];
+
+    contestant_points(who, along, across, &all);
+    settings_number(&all, "time.step", scene_of(s)->step / r->at.size[CONTEST_STEP]);
+    if (r->at.size[CONTEST_ITERATIONS])
+        settings_integer(&all, "discretization.iterations", r->at.size[CONTEST_ITERATIONS]);
+    settings_append(&all, &j->truth);
+    fprintf(file, "    clothbench run %s --model %s", j->path, who->name);
+    for (int n = 0; n < all.count; n++)
+        fprintf(file, " --set '%s'", all.text[n]);
+    fputs("\n\n", file);
+    settings_clear(&all);
+}
+
+/* What the net is made of, if it is one of points; advise_net.csv in the folder. */
+static enum status say_net(const struct advise_search *s, const struct contest_row *r,
+                           enum table_format format, FILE *file, struct message *why)
+{
+    const struct contestant *who = r->at.contestant;
+    const struct export_sheet sheet = {
+        .scene = scene_of(s),
+        .points = {r->at.size[CONTEST_NET], r->at.size[CONTEST_ACROSS]}};
+    struct table *t = NULL;
+    enum status st = STATUS_OK;
+
+    if (who->layers || who->degree != 1)
+        return st;
+    TRY(export_numbers_table(&sheet, &t));
+    TRY(table_save(t, s->job->folder, "advise_net", why));
+    if (!table_format_is_prose(format))
+        goto out;
+    st = table_finish(t, format, file), t = NULL;
+    fprintf(file,
+            "Every vertex and spring of it:\n\n    clothbench export %s "
+            "--points %d,%d --out DIR\n\n",
+            s->job->path, sheet.points[0], sheet.points[1]);
+out:
+    table_destroy(t);
+    return st;
+}
+
+static void say_answer(const struct advise_search *s, const struct contest_row *best,
+                       FILE *file)
+{
+    const double bar = contest_largest_bar(&s->job->contest);
+    struct message doubt;
+
+    if (!best) {
+        table_say(file, "No contestant came within %.3g %% (%.3g %% less the %s).",
+                  100 * s->target, 100 * s->wish.error,
+                  truth_bar_name(s->job->contest.truth));
+        return;
+    }
+    if (!is_fast(s, best))
+        table_say(file,
+                  "None of those within %.3g %% is as fast as was asked, %.3g s for a "
+                  "second of motion; the fastest:",
+                  100 * s->wish.error, s->wish.rate);
+    if (distrust(scene_of(s), best->result.value, &doubt))
+        table_say(file, "%s", doubt.text);
+    table_say(file,
+              "%s: error %.2g %% of the length, of which the truth leaves %.2g %% open; "
+              "%.2g s for a second of motion; %.2g MB.",
+              best->at.contestant->title, 100 * best->worst, 100 * bar,
+              advise_search_rate(s, best), 1e-6 * best->result.bytes);
+    say_command(s, best, file);
+}
+
+enum status advise_print(const struct advise_search *s, enum table_format format,
+                         FILE *file, struct message *why)
+{
+    char caption[TEXT];
+    struct table *t = create(s, caption);
+    const struct contest_row *best = NULL;
+    enum status st;
+
+    advise_search_ranking(s, 1, &best);
+    if (table_format_is_prose(format)) {
+        say_needs(s, file);
+        say_answer(s, best, file);
+    }
+    if (best)
+        TRY(say_net(s, best, format, file, why));
+    fill(t, s);
+    note_method(t, s);
+    return table_publish(t, s->job->folder, "advise", format, file, why);
+out:
+    table_destroy(t);
+    return st;
+}
+
+/* --- the command --- */
 
 static const double BUDGET = 240;
 
@@ -72,12 +447,12 @@ static enum status answer(struct advise_search *s, const char *models,
     TRY(folder_make(s->job->folder, why));
     timing_alone();
     deadline_set(FOR_TRUTH * s->wish.budget);
-    TRY(advise_search_truth(s, FOR_TRUTH * s->wish.budget, &said, why));
+    TRY(find_truth(s, FOR_TRUTH * s->wish.budget, &said, why));
     if (is_undecidable(s, &said))
         return STATUS_FAILED;
     s->wish.budget -= clock_now() - start;
     deadline_set(s->wish.budget);
-    TRY(advise_search(s, models, why));
+    TRY(search(s, models, why));
     TRY(advise_print(s, format, stdout, why));
 out:
     return st;
@@ -89,7 +464,7 @@ static enum status run(const struct command_line *line, struct message *why)
     struct advise_search s = {.job = &job};
     const char *word = command_value(line, "--format"), *out = command_value(line, "--out");
     enum table_format format = TABLE_TEXT;
-    char folder[FOLDER];
+    char folder[4096];
     double until = NAN;
     int given;
     enum status st;

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "bench/claims/claim.h"
+#include "bench/claims/paper.h"
 #include "bench/experiment/learn.h"
-#include "bench/truth/paper.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "bench/claims/claim.h"
-#include "bench/truth/paper.h"
+#include "bench/claims/paper.h"
 
 /* What a frame of one row costs over another's, here and in the paper. */
 static enum judge costs(const struct study_results *d, const struct where *a,

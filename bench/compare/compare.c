@@ -1,10 +1,10 @@
 #include "bench/compare/compare.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/compare/compare_job.h"
 #include "bench/compare/league.h"
 #include "bench/files/folder.h"
 #include "bench/harness/deadline.h"
@@ -16,43 +16,20 @@ static const double LONGEST = 3;
 
 enum { MOST_SCENES = 16, MOST_THREADS = 256 };
 
-static enum status read_until(const struct command_line *line, double *until,
-                              struct message *why)
+/* The least number above 0. */
+static const double ABOVE_0 = DBL_TRUE_MIN;
+
+/* An option of seconds from `least` to `most`, which `want` says in words. */
+static enum status read_seconds(const struct command_line *line, const char *option,
+                                double otherwise, double least, double most,
+                                const char *want, double *seconds, struct message *why)
 {
-    const char *word = command_value(line, "--until");
+    const char *word = command_value(line, option);
     char *end = NULL;
 
-    *until = word ? strtod(word, &end) : NAN;
-    if (word && (*end || !(*until > 0)))
-        return status_fail(why, STATUS_INPUT, "--until %s: a time in seconds, above 0",
-                           word);
-    return STATUS_OK;
-}
-
-static enum status read_longest(struct contest *c, const struct command_line *line,
-                                struct message *why)
-{
-    const char *word = command_value(line, "--longest");
-    char *end = NULL;
-
-    c->longest = word ? strtod(word, &end) : c->quick ? 0 : LONGEST;
-    if (word && (end == word || *end || !(c->longest >= 0)))
-        return status_fail(why, STATUS_INPUT,
-                           "--longest %s: seconds, or 0 for no search beyond the ladder",
-                           word);
-    return STATUS_OK;
-}
-
-static enum status read_budget(struct contest *c, const struct command_line *line,
-                               struct message *why)
-{
-    const char *word = command_value(line, "--budget");
-    char *end = NULL;
-
-    c->budget = word ? strtod(word, &end) : 0;
-    if (word && (end == word || *end || !(c->budget > 0 && isfinite(c->budget))))
-        return status_fail(why, STATUS_INPUT, "--budget %s: seconds for a scene, above 0",
-                           word);
+    *seconds = word ? strtod(word, &end) : otherwise;
+    if (word && (end == word || *end || !(*seconds >= least && *seconds <= most)))
+        return status_fail(why, STATUS_INPUT, "%s %s: %s", option, word, want);
     return STATUS_OK;
 }
 
@@ -89,10 +66,14 @@ static enum status prepare(struct compare_job *j, const struct command_line *lin
 
     j->contest.quick = command_given(line, "--quick");
     settings_set_all(&j->user, given, set);
-    TRY(read_until(line, &until, why));
+    TRY(read_seconds(line, "--until", NAN, ABOVE_0, INFINITY, "a time in seconds, above 0",
+                     &until, why));
     TRY(compare_job_open(j, scene, until, why));
-    TRY(read_longest(&j->contest, line, why));
-    TRY(read_budget(&j->contest, line, why));
+    TRY(read_seconds(line, "--longest", j->contest.quick ? 0 : LONGEST, 0, INFINITY,
+                     "seconds, or 0 for no search beyond the ladder", &j->contest.longest,
+                     why));
+    TRY(read_seconds(line, "--budget", 0, ABOVE_0, DBL_MAX, "seconds for a scene, above 0",
+                     &j->contest.budget, why));
     TRY(read_threads(&j->contest, line, why));
 out:
     return st;

@@ -1,14 +1,13 @@
-#include "bench/compare/compare_job.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "bench/compare/compare.h"
 #include "bench/experiment/batch.h"
 #include "bench/harness/timing.h"
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth.h"
 #include "bench/ui/progress.h"
 #include "models/damping.h"
 #include "models/reader/scene_file.h"
@@ -16,7 +15,7 @@
 /* Half a second: an edge drop's first quarter swing, before motions part for good. */
 static const double UNTIL = 0.5;
 
-/* All but the paper's own scheme move as the truth does (truth_plan.h). */
+/* All but the paper's own scheme move as the truth does (truth.h). */
 static void choose_damping(struct compare_job *j)
 {
     const char *truth = truth_plan_damping(&j->scene);

@@ -1,8 +1,117 @@
-/* The tables of compare.h. */
+/* The tables and charts of compare.h. */
 #include <math.h>
 #include <stdio.h>
 
 #include "bench/compare/compare.h"
+#include "bench/ui/chart.h"
+
+/* --- charts --- */
+
+/* A line through the best runs of a contestant, and its others as open points. */
+static void add_series(struct chart *c, const struct table *runs, const char *label,
+                       const char *contestant, int colour)
+{
+    const struct chart_where where[] = {{"contestant", contestant}, {"front", NULL, 1}};
+
+    chart_series(c, &(struct chart_series){label, .sorted = true, .colour = colour});
+    chart_rows(c, runs, "seconds", "worst_rmse_over_length", 2, where);
+    chart_series(
+        c, &(struct chart_series){NULL, CHART_POINTS, .colour = colour, .second = true});
+    chart_rows(c, runs, "seconds", "worst_rmse_over_length", 1, where);
+}
+
+/* All panels with the same axes, so that they can be compared; the bar is on them. */
+static struct chart *create_chart(const struct contest *c, const struct table *runs,
+                                  const char *of)
+{
+    const struct truth *truth = c->truth;
+    char title[256];
+    struct chart_axis x = chart_axis_of(runs, "seconds", true);
+    struct chart_axis y = chart_axis_of(runs, "worst_rmse_over_length", true);
+    double low = INFINITY, high = 0, error = contest_largest_bar(c), most = error;
+
+    for (int n = 0; n < c->count; n++)
+        if (!c->rows[n].probe && !isnan(c->rows[n].worst)) {
+            low = fmin(low, c->rows[n].seconds);
+            high = fmax(high, c->rows[n].seconds);
+            error = fmin(error, c->rows[n].worst);
+            most = fmax(most, c->rows[n].worst);
+        }
+    if (high > low)
+        x.low = pow(10, floor(log10(low))), x.high = pow(10, ceil(log10(high)));
+    y.low = error / 2, y.high = pow(10, ceil(log10(most)));
+    snprintf(title, sizeof title, "%s to %g s, Gamma = %.4g; lines join the best runs %s",
+             c->scene->name, truth->time[truth->times - 1], scene_gamma(c->scene), of);
+    struct chart *chart = chart_create(title);
+    chart_axes(chart, &x, &y);
+    return chart;
+}
+
+/* The contestant of a model that comes nearest to the truth; NULL: none lived. */
+static const struct contestant *best_of(const struct contest *c, const struct model *model)
+{
+    const struct contest_row *best = NULL;
+    const struct contestant *who;
+
+    for (int k = 0; (who = contest_entrant(c, k)); k++) {
+        const struct contest_row *r = contest_nearest(c, who);
+        if (who->model == model && r && (!best || r->worst < best->worst))
+            best = r;
+    }
+    return best ? best->at.contestant : NULL;
+}
+
+static struct chart *chart_best(const struct contest *c, const struct table *runs)
+{
+    struct chart *chart = create_chart(c, runs, "of each model's best contestant");
+    const struct model *model;
+
+    chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
+    for (int m = 0, lines = 0; (model = contestant_model(m)); m++) {
+        const struct contestant *who = best_of(c, model);
+        if (!who || lines++ == CHART_LINES_MOST)
+            continue;
+        add_series(chart, runs, who->title, who->name, lines);
+    }
+    return chart;
+}
+
+static struct chart *chart_models(const struct contest *c, const struct table *runs)
+{
+    struct chart *chart = create_chart(c, runs, "of each contestant");
+    const struct model *model;
+    int colour = 0;
+
+    for (int m = 0; (model = contestant_model(m)); m++) {
+        int lines = 0;
+        const struct contestant *who;
+        for (int k = 0; (who = contest_entrant(c, k)); k++) {
+            if (who->model != model || lines == CHART_LINES_MOST)
+                continue;
+            if (!lines++) {
+                chart_panel(chart, model->title);
+                chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
+            }
+            add_series(chart, runs, who->title, who->name, ++colour);
+        }
+    }
+    return chart;
+}
+
+/* Seconds against error, of the table of all runs: the best of each model in compare.png,
+ * all by model in compare_models.png. */
+static enum status draw(const struct contest *c, const struct table *runs,
+                        const char *folder, struct message *why)
+{
+    enum status st;
+
+    TRY(chart_save(chart_best(c, runs), folder, "compare", why));
+    TRY(chart_save(chart_models(c, runs), folder, "compare_models", why));
+out:
+    return st;
+}
+
+/* --- all runs --- */
 
 enum { FIXED = 15, MOST_COLUMNS = FIXED + CONTEST_TIMES + 3, SIZE_TEXT = 48 };
 
@@ -63,10 +172,18 @@ static void note_end(struct table *t, const struct contest *c, const struct cont
                    r->result.sentence.text);
 }
 
+static void add_net(struct table *t, const struct contest *c, const int size[CONTEST_AXES])
+{
+    table_integer(t, size[CONTEST_NET]);
+    table_integer(t, size[CONTEST_ACROSS]);
+    table_text(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
+    table_number(t, c->scene->step / size[CONTEST_STEP], 3);
+    table_fixed(t, size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
+}
+
 static void add_run(struct table *t, const struct contest *c, const struct contest_row *r)
 {
     const struct contestant *who = r->at.contestant;
-    const int *size = r->at.size;
     const bool ran = !run_result_refused(&r->result), timed = ran && !r->probe;
 
     table_row(t);
@@ -74,11 +191,7 @@ static void add_run(struct table *t, const struct contest *c, const struct conte
     table_text(t, "%s", who->column);
     table_text(t, "%s", who->name);
     table_text(t, "%s", who->model->name);
-    table_integer(t, size[CONTEST_NET]);
-    table_integer(t, size[CONTEST_ACROSS]);
-    table_text(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
-    table_number(t, c->scene->step / size[CONTEST_STEP], 3);
-    table_fixed(t, size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
+    add_net(t, c, r->at.size);
     table_fixed(t, ran ? r->result.unknowns : NAN, 0);
     table_number(t, timed ? r->result.create.median : NAN, 3);
     table_number(t, timed ? r->result.step.median * (double)r->result.steps : NAN, 3);
@@ -134,7 +247,7 @@ static enum status print_runs(const struct contest *c, const char *folder,
     }
     TRY(table_save(t, folder, "compare", why));
     if (c->truth->xyz)
-        TRY(compare_chart(c, t, folder, why));
+        TRY(draw(c, t, folder, why));
     add_bar(t, c);
 out:
     if (st == STATUS_OK)
@@ -204,7 +317,6 @@ static enum status print_targets(const struct contest *c, const char *folder,
         {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
     struct target_words words[CONTEST_TARGETS];
     const struct contestant *who;
-    enum status st;
 
     for (int n = 0; n < CONTEST_TARGETS; n++)
         add_columns(contest_target[n], &words[n], &columns[WHO + n * TARGET_COLUMNS]);
@@ -228,11 +340,7 @@ static enum status print_targets(const struct contest *c, const char *folder,
     }
     note_sizes(t, c);
     table_note(t, "Growth p: seconds go as error^-p along the best runs (three or more).");
-    TRY(table_save(t, folder, "compare_targets", why));
-    return table_finish(t, format, file);
-out:
-    table_destroy(t);
-    return st;
+    return table_publish(t, folder, "compare_targets", format, file, why);
 }
 
 static void add_limit(struct table *t, const struct contest *c,
@@ -290,7 +398,6 @@ static enum status print_limits(const struct contest *c, const char *folder,
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Lowest RMSE/L at the worst of the times, and why");
     const struct contestant *who;
-    enum status st;
 
     for (int k = 0; (who = contest_entrant(c, k)); k++)
         add_limit(t, c, who);
@@ -303,11 +410,76 @@ static enum status print_limits(const struct contest *c, const char *folder,
         "than %.0f %% is nothing. The truth: up to its error bar, %.2g %% at most.",
         c->truth->time[c->truth->times - 1], 100 * CONTEST_LEAST_GAIN,
         100 * contest_largest_bar(c));
-    TRY(table_save(t, folder, "compare_limits", why));
-    return table_finish(t, format, file);
-out:
-    table_destroy(t);
-    return st;
+    return table_publish(t, folder, "compare_limits", format, file, why);
+}
+
+/* --- more threads --- */
+
+/* What a table borrows: of each number of threads seconds and their ratio to one. */
+struct team_words {
+    char header[CONTEST_TEAMS][16], key[CONTEST_TEAMS][24], ratio[CONTEST_TEAMS][24];
+};
+
+static struct table *create_teams(const struct contest *c, struct team_words *w)
+{
+    struct table_column columns[9 + 2 * CONTEST_TEAMS + 1] = {
+        {"model", NULL, TABLE_LEFT, .key = "title"},
+        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
+        {"side", .readers = TABLE_MACHINES},
+        {"across", .readers = TABLE_MACHINES},
+        {"net", .readers = TABLE_PEOPLE},
+        {"step", "ms", .key = "step_s", .key_unit = "s", .scale = 1e3},
+        {"iterations"},
+        {"error", "%", .key = "worst_rmse_over_length", .key_unit = "1", .scale = 100},
+        {"1 thread", "s", .key = "seconds_1_thread"}};
+    int count = 9;
+
+    for (int t = 0; t < c->teams; t++) {
+        snprintf(w->header[t], sizeof w->header[t], "%d threads", c->team[t]);
+        snprintf(w->key[t], sizeof w->key[t], "seconds_%d_threads", c->team[t]);
+        snprintf(w->ratio[t], sizeof w->ratio[t], "times_%d_threads", c->team[t]);
+        columns[count++] = (struct table_column){w->header[t], "s", .key = w->key[t]};
+        columns[count++] = (struct table_column){"times", .key = w->ratio[t]};
+    }
+    columns[count++] = (struct table_column){"same bits", NULL, TABLE_LEFT};
+    return table_create(count, columns,
+                        "The best runs again with more threads, set-up and stepping");
+}
+
+static void add_best(struct table *t, const struct contest *c, const struct contest_row *r)
+{
+    table_row(t);
+    table_text(t, "%s", r->at.contestant->title);
+    table_text(t, "%s", r->at.contestant->name);
+    add_net(t, c, r->at.size);
+    table_number(t, r->worst, 2);
+    table_number(t, r->seconds, 3);
+    for (int n = 0; n < c->teams; n++) {
+        table_number(t, r->team_seconds[n], 3);
+        table_number(t, r->team_seconds[n] / r->seconds, 2);
+    }
+    table_text(t, "%s", r->parted ? "no" : "yes");
+}
+
+enum status compare_threads(const struct contest *c, const char *folder,
+                            enum table_format format, FILE *file, struct message *why)
+{
+    const struct contestant *who;
+    struct team_words words;
+
+    if (!c->teams)
+        return STATUS_OK;
+    struct table *t = create_teams(c, &words);
+    for (int k = 0; (who = contest_entrant(c, k)); k++)
+        for (int n = 0; n < c->count; n++)
+            if (c->rows[n].at.contestant == who && contest_is_best(c, &c->rows[n]))
+                add_best(t, c, &c->rows[n]);
+    if (isfinite(c->team_longest))
+        table_note(t, "Those that take up to %.2g s, as far as the budget goes.",
+                   c->team_longest);
+    table_note(t, "Times: of the seconds on one thread. Same bits: all errors are the same "
+                  "numbers with every number of threads.");
+    return table_publish(t, folder, "compare_threads", format, file, why);
 }
 
 enum status compare_print(const struct contest *c, const char *folder,

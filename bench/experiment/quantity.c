@@ -5,7 +5,8 @@
 #include <string.h>
 
 #include "bench/experiment/bench_solid.h"
-#include "bench/truth/truth_plate.h"
+#include "bench/truth/truth.h"
+#include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
@@ -123,7 +124,7 @@ static double apart(const struct place *p)
 /* The middle of the edge u = 1. */
 static double depth(const struct place *p)
 {
-    return sheet(p) ? -truth_plate_edge(sheet(p), NULL) : NAN;
+    return sheet(p) ? -truth_plate_edge(sheet(p)) : NAN;
 }
 
 static double speed(const struct place *p)

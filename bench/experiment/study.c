@@ -9,7 +9,7 @@
 #include "bench/files/folder.h"
 #include "bench/harness/fit.h"
 #include "bench/harness/timing.h"
-#include "bench/truth/truth_plate.h"
+#include "bench/truth/truth.h"
 #include "models/metric/metric.h"
 
 enum { PATH = 4096 };

@@ -7,7 +7,6 @@
 #include "bench/export/export_numbers.h"
 #include "bench/files/folder.h"
 #include "bench/truth/truth.h"
-#include "bench/truth/truth_plan.h"
 #include "models/damping.h"
 #include "models/reader/scene_file.h"
 
@@ -164,9 +163,9 @@ out:
 /* What README.md reports besides the sheet. */
 struct readme {
     const struct export_held *held;
-    const struct truth_made *known; /* no times: no truth is known                     */
-    const char *misfit;             /* of the matched springs; empty: none             */
-    bool undamped;                  /* the scene is damped by a factor a step          */
+    const struct truth *known; /* no times: no truth is known                     */
+    const char *misfit;        /* of the matched springs; empty: none             */
+    bool undamped;             /* the scene is damped by a factor a step          */
 };
 
 static void put_title(const struct export_sheet *s, struct output *out)
@@ -316,7 +315,7 @@ static void put_parameters(const struct export_sheet *s, const char *misfit,
     output_print(out, "\n");
 }
 
-static void put_score(const struct export_sheet *s, const struct truth_made *known,
+static void put_score(const struct export_sheet *s, const struct truth *known,
                       struct output *out)
 {
     struct message why = {""};
@@ -342,7 +341,7 @@ static void put_score(const struct export_sheet *s, const struct truth_made *kno
     output_print(out, "%s.\n",
                  known->claimed ? " (times.csv, with its error bar [m])" : "");
     if (known->claimed)
-        output_print(out, "What it is: %s.\n", known->note);
+        output_print(out, "What it is: %s.\n", known->source);
     output_print(
         out, "Every point of a 100 x 100 grid over (u,v) is compared, yours bilinear "
              "between vertices:\n\n    clothbench score scene.yaml FRAMES\n\n"
@@ -374,7 +373,7 @@ struct job {
     struct settings settings;
     struct export_sheet sheet;
     struct export_held held;
-    struct truth_made known;
+    struct truth known;
     unsigned formats;
     bool undamped; /* the truth is, the scene is not                                   */
 };
@@ -464,7 +463,7 @@ static enum status run(const struct command_line *line, struct message *why)
             export_sheet_vertices(&j.sheet), out);
 out:
     folder_aside_discard(&aside);
-    truth_made_clear(&j.known);
+    truth_clear(&j.known);
     export_held_clear(&j.held);
     settings_clear(&j.settings);
     scene_clear(&j.scene);

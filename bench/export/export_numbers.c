@@ -198,7 +198,7 @@ out:
 struct numbers {
     const struct export_sheet *sheet;
     const struct export_held *held;
-    const struct truth_made *known;
+    const struct truth *known;
     struct message *misfit;
 };
 struct file {
@@ -251,13 +251,12 @@ static enum status material_rows(const struct numbers *of, struct output *out)
 
 static enum status time_rows(const struct numbers *of, struct output *out)
 {
-    const struct truth_made *known = of->known;
+    const struct truth *known = of->known;
 
     output_print(out, "step,%.17g,\nend,%.17g,\n", of->sheet->scene->step,
                  of->sheet->scene->end);
     for (int n = 0; n < known->claimed; n++)
-        output_print(out, "truth,%.17g,%.17g\n", known->time[n],
-                     known->value[n][TRUTH_ERROR]);
+        output_print(out, "truth,%.17g,%.17g\n", known->time[n], known->error[n]);
     return STATUS_OK;
 }
 
@@ -331,9 +330,8 @@ static enum status velocity_rows(const struct numbers *of, struct output *out)
 }
 
 enum status export_numbers_write(const struct export_sheet *s,
-                                 const struct export_held *held,
-                                 const struct truth_made *known, struct message *misfit,
-                                 struct message *why)
+                                 const struct export_held *held, const struct truth *known,
+                                 struct message *misfit, struct message *why)
 {
     static const struct file files[] = {
         {0, "materials.csv", "quantity,a,b,value,unit,rest_length,compliance",

@@ -5,7 +5,7 @@
 #define EXPORT_NUMBERS_H
 
 #include "bench/export/export_held.h"
-#include "bench/truth/truth_made.h"
+#include "bench/truth/truth.h"
 #include "bench/ui/table.h"
 
 /* Makes a table of the numbers of a net of points (export_numbers.c): equal ones share a
@@ -16,8 +16,7 @@ enum status export_numbers_table(const struct export_sheet *s, struct table **ta
  * of the scene and the times at which its truth is known, the others what the scene has.
  * *misfit says what matched springs cannot represent; empty: nothing. */
 enum status export_numbers_write(const struct export_sheet *s,
-                                 const struct export_held *held,
-                                 const struct truth_made *known, struct message *misfit,
-                                 struct message *why);
+                                 const struct export_held *held, const struct truth *known,
+                                 struct message *misfit, struct message *why);
 
 #endif

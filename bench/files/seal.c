@@ -119,8 +119,7 @@ enum status seal_text_program(unsigned long *sum, struct message *why)
     FILE *file = fopen(path, "r");
 
     if (!file)
-        return status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path,
-                           strerror(errno));
+        return fail(path, "read", why);
     *sum = 0;
     while ((got = fread(part, 1, sizeof part, file)) > 0)
         *sum = seal_text_sum(*sum, part, got);
@@ -170,8 +169,7 @@ enum status seal_text_read(const char *path, char **text, struct message *why)
     enum status st = STATUS_OK;
 
     if (stat(path, &info) != 0)
-        return status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path,
-                           strerror(errno));
+        return fail(path, "read", why);
     if (S_ISREG(info.st_mode)) /* opening a pipe would wait for its writer */
         file = fopen(path, "r");
     bytes = malloc(SIZE_MOST + 1);

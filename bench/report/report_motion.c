@@ -9,7 +9,7 @@
 
 #include "bench/files/store.h"
 #include "bench/report/report_json.h"
-#include "bench/truth/truth_file.h"
+#include "bench/truth/truth.h"
 #include "models/grid.h"
 
 static const char *const scene = "edge_drop";
@@ -102,7 +102,7 @@ static enum status write_motion(struct player *p, const char *name, bool truth, 
     return STATUS_OK;
 }
 
-static enum status write_truth(struct player *p, const struct truth_made *made)
+static enum status write_truth(struct player *p, const struct truth *made)
 {
     const int frames = made->claimed < FRAMES_MOST ? made->claimed : FRAMES_MOST;
     double *xyz = calloc((size_t)frames + 1, NUMBERS * sizeof *xyz);
@@ -300,7 +300,7 @@ static enum status write_own(struct player *p, const char *folder)
 /* Writes the stored truth, if one can be read; runs are played without it, too. */
 static enum status play_truth(struct player *p)
 {
-    struct truth_made made = {0};
+    struct truth made = {0};
     struct message why = {""};
     char *path = NULL, *physics = NULL;
     enum status st;
@@ -312,7 +312,7 @@ static enum status play_truth(struct player *p)
     else if (st != STATUS_MEMORY)
         write_trouble(p, "truth", &why);
 out:
-    truth_made_clear(&made);
+    truth_clear(&made);
     free(physics);
     free(path);
     return st == STATUS_MEMORY ? st : STATUS_OK;
@@ -334,24 +334,21 @@ out:
 
 static enum status write_stored(FILE *file, const char *name, struct message *why)
 {
-    struct truth_made made = {0};
+    struct truth made = {0};
     char *path = NULL, *physics = NULL;
-    double bar[FRAMES_MOST];
     enum status st;
 
     TRY(named_file_find(&truth_file_kind, name, &path, why));
     TRY(truth_file_read(path, &made, &physics, why));
     const int times = made.times < FRAMES_MOST ? made.times : FRAMES_MOST;
-    for (int n = 0; n < times; n++)
-        bar[n] = made.value[n][TRUTH_ERROR];
-    report_json_pair(file, "note", made.note);
+    report_json_pair(file, "note", made.source);
     report_json_pair(file, "horizon", made.horizon);
     report_json_pair(file, "commit", made.commit);
     write_numbers(file, "time", made.time, times);
-    write_numbers(file, "bar", bar, times);
+    write_numbers(file, "bar", made.error, times);
     fprintf(file, "\"claimed\":%d,", made.claimed);
 out:
-    truth_made_clear(&made);
+    truth_clear(&made);
     free(physics);
     free(path);
     return st;

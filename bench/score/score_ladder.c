@@ -5,8 +5,7 @@
 
 #include "bench/frames/frames_npz.h"
 #include "bench/harness/settings.h"
-#include "bench/truth/truth_physics.h"
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth.h"
 #include "models/reader/named_file.h"
 #include "models/reader/scene_file.h"
 

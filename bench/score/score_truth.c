@@ -6,9 +6,6 @@
 #include <string.h>
 
 #include "bench/truth/truth.h"
-#include "bench/truth/truth_closed.h"
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_plan.h"
 #include "models/metric/metric_rest.h"
 #include "models/reader/scene_file.h"
 
@@ -20,20 +17,29 @@ static void middle(const double *xyz, double *field)
         field[n] = .5 * (xyz[n] + xyz[3 * SCORE_POINTS + n]);
 }
 
-static enum status make(struct score_truth *t, int times)
+/* The middle surfaces of a truth at the first `times` of its times. */
+static enum status take(const struct truth *from, int times, struct score_truth *t)
 {
     const size_t count = (size_t)times;
     double *rest = metric_rest_field(&t->scene);
+    enum status st = STATUS_MEMORY;
 
-    t->times = times;
     t->time = malloc(count * sizeof *t->time);
     t->bar = malloc(count * sizeof *t->bar);
     t->xyz = malloc(count * 3 * SCORE_POINTS * sizeof *t->xyz);
     t->rest = malloc(3 * SCORE_POINTS * sizeof *t->rest);
-    if (rest && t->rest)
+    if (rest && t->time && t->bar && t->xyz && t->rest) {
+        st = STATUS_OK;
+        t->times = times;
         middle(rest, t->rest);
+        snprintf(t->source, sizeof t->source, "%s", from->source);
+        memcpy(t->time, from->time, count * sizeof *t->time);
+        memcpy(t->bar, from->error, count * sizeof *t->bar);
+        for (int n = 0; n < times; n++)
+            middle(from->xyz[n], t->xyz + 3L * SCORE_POINTS * n);
+    }
     free(rest);
-    return rest && t->time && t->bar && t->xyz && t->rest ? STATUS_OK : STATUS_MEMORY;
+    return st;
 }
 
 int score_truth_few(int n)
@@ -41,8 +47,8 @@ int score_truth_few(int n)
     return n / SCORE_SIDE * SCORE_EVERY * GRID_U + n % SCORE_SIDE * SCORE_EVERY;
 }
 
-/* Takes the sheet at rest and all stored frames as the motion. */
-static enum status take_motion(const struct truth_made *made, struct score_truth *t)
+/* All frames that are stored, and before them the sheet at rest. */
+static enum status take_motion(const struct truth *made, struct score_truth *t)
 {
     const size_t count = (size_t)made->claimed + 1;
     double *rest = metric_rest_field(&t->scene);
@@ -64,8 +70,8 @@ static enum status take_motion(const struct truth_made *made, struct score_truth
     return t->motions ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* Reads a stored truth, if its physics are those of the scene. */
-static enum status from_stored(struct score_truth *t, struct truth_made *made,
+/* A truth that is stored, if its physics are these. */
+static enum status from_stored(struct score_truth *t, struct truth *made,
                                struct message *why)
 {
     enum status st = truth_file_find(t->scene.name, &t->scene, made, why);
@@ -74,7 +80,7 @@ static enum status from_stored(struct score_truth *t, struct truth_made *made,
         return STATUS_OK;
     TRY(st);
     TRY(take_motion(made, t));
-    truth_made_thin(made, &t->scene);
+    truth_thin(made, &t->scene);
 out:
     return st;
 }
@@ -82,21 +88,14 @@ out:
 /* Takes a closed form or a stored truth; t->times stays 0 where there is neither. */
 static enum status from_known(struct score_truth *t, struct message *why)
 {
-    struct truth_made made = {0};
+    struct truth made = {0};
     enum status st = truth_closed_make(&t->scene, &made);
 
     TRY(st == STATUS_UNSUPPORTED ? from_stored(t, &made, why) : st);
-    if (!made.claimed)
-        goto out;
-    TRY(make(t, made.claimed));
-    snprintf(t->source, sizeof t->source, "%s", made.note);
-    for (int n = 0; n < t->times; n++) {
-        t->time[n] = made.time[n];
-        t->bar[n] = made.value[n][TRUTH_ERROR];
-        middle(made.xyz[n], t->xyz + 3L * SCORE_POINTS * n);
-    }
+    if (made.claimed)
+        TRY(take(&made, made.claimed, t));
 out:
-    truth_made_clear(&made);
+    truth_clear(&made);
     return st;
 }
 
@@ -124,13 +123,7 @@ static enum status from_formula(const char *word, const char *path,
                          word, word);
     }
     TRY(st);
-    TRY(make(t, times));
-    snprintf(t->source, sizeof t->source, "%s", truth->source);
-    for (int n = 0; n < times; n++) {
-        t->time[n] = time[n];
-        t->bar[n] = truth->error[n];
-        middle(truth->xyz[n], t->xyz + 3L * SCORE_POINTS * n);
-    }
+    TRY(take(truth, times, t));
 out:
     truth_destroy(truth);
     return st;

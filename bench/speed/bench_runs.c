@@ -2,11 +2,11 @@
  * choice, growth with the net. */
 #include <math.h>
 
+#include "bench/claims/paper.h"
 #include "bench/experiment/bench_solid.h"
 #include "bench/harness/fit.h"
 #include "bench/speed/bench.h"
 #include "bench/speed/peers.h"
-#include "bench/truth/paper.h"
 
 #define LEN(array) (sizeof array / sizeof *array)
 

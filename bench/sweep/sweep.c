@@ -10,8 +10,6 @@
 #include "bench/harness/pool.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth.h"
-#include "bench/truth/truth_made.h"
-#include "bench/truth/truth_plan.h"
 #include "models/metric/metric.h"
 #include "bench/experiment/plan.h"
 
@@ -30,7 +28,7 @@ struct sweep {
 /* What is known of a case's scene without a run, and what the case keeps of it: how far it
  * is from that, look by look (LOOKS_TRUTH). */
 struct known {
-    struct truth_made made; /* nothing is claimed: no truth is known                   */
+    struct truth made; /* nothing is claimed: no truth is known                   */
     double length;          /* of the scene [m]                                        */
 };
 
@@ -39,14 +37,11 @@ static enum status look(void *context, const struct motion *m, const double *xyz
                         double *value)
 {
     const struct known *truth = context;
-    const struct truth_made *made = &truth->made;
+    const struct truth *made = &truth->made;
+    const int n = truth_index(made, made->claimed, m->time);
 
-    value[LOOKS_TRUTH_ERROR] = value[LOOKS_TRUTH_BAR] = NAN;
-    for (int n = 0; n < made->claimed; n++)
-        if (fabs(made->time[n] - m->time) < 1e-9) {
-            value[LOOKS_TRUTH_ERROR] = metric_rmse(xyz, made->xyz[n]) / truth->length;
-            value[LOOKS_TRUTH_BAR] = made->value[n][TRUTH_ERROR] / truth->length;
-        }
+    value[LOOKS_TRUTH_ERROR] = n < 0 ? NAN : metric_rmse(xyz, made->xyz[n]) / truth->length;
+    value[LOOKS_TRUTH_BAR] = n < 0 ? NAN : made->error[n] / truth->length;
     return STATUS_OK;
 }
 
@@ -86,7 +81,7 @@ static enum status work(void *context, long number, struct message *why)
         own[n] = (struct run_own){looks_truth[n], "1"};
     st = run_file_write(&run, &keep, NULL, why);
 out:
-    truth_made_clear(&truth.made);
+    truth_clear(&truth.made);
     scene_clear(&scene);
     plan_case_clear(&c);
     return st;

@@ -6,37 +6,202 @@
 #include <string.h>
 
 #include "bench/harness/distrust.h"
-#include "bench/truth/truth_closed.h"
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_physics.h"
-#include "bench/truth/truth_plate.h"
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth_parts.h"
+#include "fem_ref/kirchhoff_field.h"
+#include "models/contact.h"
+#include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
-/* One block holds all of it. */
-static struct truth *make(int times, const double *time)
+/* --- A scene as its truth moves --- */
+
+static bool is_at(double time, double other)
+{
+    return fabs(time - other) < 1e-9;
+}
+
+bool truth_plan_judges(const struct scene *scene, double time)
+{
+    bool judged = is_at(time, round(time / 0.1) * 0.1);
+
+    for (int n = 0; n < scene->snapshot_count; n++)
+        judged |= is_at(scene->snapshots[n], time);
+    return judged;
+}
+
+/* Lying on an obstacle from the start on, within a thickness. */
+static enum status lies(const struct scene *scene, bool *does)
+{
+    double *rest = scene->obstacle_count ? metric_rest_field(scene) : NULL;
+
+    if (scene->obstacle_count && !rest)
+        return STATUS_MEMORY;
+    *does = contact_least_gap(scene, rest ? GRID_POINTS : 0, rest) <= scene->thickness;
+    free(rest);
+    return STATUS_OK;
+}
+
+enum status truth_plan_check(const struct scene *scene, struct message *why)
+{
+    bool laid = false;
+    enum status st;
+
+    for (int n = 0; n < scene->support_count; n++) {
+        const struct scene_support *s = &scene->supports[n];
+        if (!(s->hi[0] > s->lo[0]) && !(s->hi[1] > s->lo[1]))
+            return status_fail(
+                why, STATUS_UNSUPPORTED,
+                "%s has no truth: support %d holds a point, and the motion of a sheet that "
+                "is held at points has no limit under refinement (a point of a solid holds "
+                "nothing); held at patches it has one, as corners_patch, for which a truth "
+                "is claimed",
+                scene->name, n);
+    }
+    TRY(lies(scene, &laid));
+    if (laid && !scene->support_count)
+        TRY(status_fail(
+            why, STATUS_UNSUPPORTED,
+            "%s has no truth: it is laid on an obstacle, and a drape has many "
+            "equilibria, of which net and round-off choose one; claimed of each "
+            "is that it is in balance, its energy, and whether it is stable "
+            "(run %s --static); dropped onto an obstacle a sheet has a truth "
+            "for a while, as sphere",
+            scene->name, scene->name));
+out:
+    return st;
+}
+
+const char *truth_plan_damping(const struct scene *scene)
+{
+    return scene->damping.kind == DAMPING_VELOCITY_SCALE ? "damping={kind: none}" : NULL;
+}
+
+enum status truth_plan_scene(const char *path, struct settings *settings,
+                             struct scene *scene, struct message *why)
+{
+    enum status st;
+    const char *damping;
+
+    TRY(contestant_read_scene(settings, path, scene, why));
+    damping = truth_plan_damping(scene);
+    if (!damping)
+        return STATUS_OK;
+    scene_clear(scene);
+    settings_set(settings, damping);
+    TRY(contestant_read_scene(settings, path, scene, why));
+out:
+    return st;
+}
+
+/* --- A truth as it was made or read --- */
+
+enum status truth_init(struct truth *t, int times, int claimed, const double *time)
 {
     const size_t count = (size_t)times, field = 3 * GRID_POINTS;
-    struct truth *t =
-        calloc(1, sizeof *t + count * (sizeof *t->xyz + (2 + field) * sizeof(double)));
+    const size_t numbers = count * (2 + TRUTH_COLUMNS) + (size_t)claimed * field;
 
-    if (!t)
-        return NULL;
-    t->times = times;
-    t->xyz = (double **)(t + 1);
+    *t = (struct truth){.times = times, .claimed = claimed};
+    t->xyz = calloc(1, count * sizeof *t->xyz + (numbers + 1) * sizeof(double));
+    if (!t->xyz)
+        return STATUS_MEMORY;
     t->time = (double *)(t->xyz + count);
     t->error = t->time + count;
-    for (size_t n = 0; n < count; n++)
-        t->xyz[n] = t->error + count + n * field;
+    t->value = (double(*)[TRUTH_COLUMNS])(t->error + count);
+    for (int n = 0; n < claimed; n++)
+        t->xyz[n] = (double *)(t->value + count) + (size_t)n * field;
     memcpy(t->time, time, count * sizeof *time);
-    return t;
+    for (int n = 0; n < times; n++)
+        t->value[n][TRUTH_THIRD] = t->value[n][TRUTH_THIRD_BAR] = NAN;
+    return STATUS_OK;
+}
+
+void truth_clear(struct truth *t)
+{
+    free(t->xyz);
+    *t = (struct truth){0};
 }
 
 void truth_destroy(struct truth *t)
 {
+    if (t)
+        truth_clear(t);
     free(t);
 }
+
+int truth_index(const struct truth *t, int count, double time)
+{
+    for (int n = 0; n < count; n++)
+        if (is_at(t->time[n], time))
+            return n;
+    return -1;
+}
+
+void truth_thin(struct truth *t, const struct scene *scene)
+{
+    const int last = t->claimed - 1;
+    int times = 0, claimed = 0;
+
+    for (int n = 0; n < t->times; n++) {
+        if (!truth_plan_judges(scene, t->time[n]) && (n != last || claimed))
+            continue;
+        t->time[times] = t->time[n];
+        t->xyz[times] = t->xyz[n];
+        t->error[times] = t->error[n];
+        memcpy(t->value[times], t->value[n], sizeof *t->value);
+        times++;
+        claimed += n <= last;
+    }
+    t->times = times;
+    t->claimed = claimed;
+}
+
+enum status truth_known(const struct scene *scene, struct truth *made, struct message *why)
+{
+    enum status st = truth_closed_make(scene, made);
+
+    if (st == STATUS_UNSUPPORTED)
+        st = truth_file_find(scene->name, scene, made, why);
+    if (st == STATUS_FILE && truth_plan_check(scene, why) != STATUS_OK)
+        st = STATUS_UNSUPPORTED;
+    return st;
+}
+
+enum status truth_judged(const struct scene *scene, struct truth *made, struct message *why)
+{
+    struct message said = {""};
+    const enum status st = truth_known(scene, made, &said);
+
+    if (st == STATUS_OK && !made->closed)
+        truth_thin(made, scene);
+    if (st == STATUS_OK || st == STATUS_FILE || st == STATUS_UNSUPPORTED)
+        return STATUS_OK;
+    return status_fail(why, st, "%s", said.text);
+}
+
+enum status truth_stored_times(const char *path, const struct settings *settings,
+                               double until, int most, double *time, int *count,
+                               struct message *why)
+{
+    struct scene scene = {0};
+    struct truth made = {0};
+    enum status st;
+    int last = 0;
+
+    *count = 0;
+    TRY(contestant_read_scene(settings, path, &scene, why));
+    TRY(truth_judged(&scene, &made, why));
+    while (last < made.claimed && made.time[last] <= until + 1e-9)
+        last++;
+    *count = last < most ? last : most;
+    for (int n = 0; n < *count; n++)
+        time[n] = made.time[last - *count + n];
+out:
+    truth_clear(&made);
+    scene_clear(&scene);
+    return st;
+}
+
+/* --- A truth at given times --- */
 
 static enum status from_kirchhoff(const struct scene *scene, bool linear, struct truth *t,
                                   struct message *why)
@@ -68,16 +233,14 @@ const char *truth_bar_name(const struct truth *t)
     return t->alone ? "one model's own bar" : "truth's error bar";
 }
 
-enum status truth_doubt(const struct scene *scene, const struct truth_made *made,
-                        struct truth *t)
+enum status truth_doubt(const struct scene *scene, struct truth *t)
 {
     const double percent = 100 / scene->length;
     struct message said;
     int n = 0;
     enum status st;
 
-    t->alone =
-        isinf(made->value[0][TRUTH_SOLID_BAR]) || isinf(made->value[0][TRUTH_SHELL_BAR]);
+    t->alone = isinf(t->value[0][TRUTH_SOLID_BAR]) || isinf(t->value[0][TRUTH_SHELL_BAR]);
     while (n < t->times && t->error[n] <= TRUTH_MOST_ERROR * scene->length)
         n++;
     if (n < t->times && t->alone)
@@ -89,9 +252,9 @@ enum status truth_doubt(const struct scene *scene, const struct truth_made *made
         snprintf(t->unresolved, sizeof t->unresolved,
                  "%s is not resolved from %.3g s on: there solid and shell are %.2g %% of "
                  "the length apart, and their own bars are %.2g %% and %.2g %%.",
-                 scene->name, t->time[n], percent * made->value[n][TRUTH_DIFFERENCE],
-                 percent * made->value[n][TRUTH_SOLID_BAR],
-                 percent * made->value[n][TRUTH_SHELL_BAR]);
+                 scene->name, t->time[n], percent * t->value[n][TRUTH_DIFFERENCE],
+                 percent * t->value[n][TRUTH_SOLID_BAR],
+                 percent * t->value[n][TRUTH_SHELL_BAR]);
     TRY(distrust_fields(scene, n, t->time, t->xyz, &said));
     const size_t used = strlen(t->unresolved);
     if (*said.text)
@@ -101,24 +264,15 @@ out:
     return st;
 }
 
-/* Index of a stored time, -1 if it has none. */
-static int stored_index(const struct truth_made *made, double time)
-{
-    for (int n = 0; n < made->times; n++)
-        if (fabs(made->time[n] - time) < 1e-9)
-            return n;
-    return -1;
-}
-
 /* Copies what is stored for the times of t. STATUS_FILE: a time is missing;
  * STATUS_UNSUPPORTED: one is past the horizon. */
-static enum status take(const struct scene *scene, const struct truth_made *made,
+static enum status take(const struct scene *scene, const struct truth *made,
                         struct truth *t, struct message *why)
 {
     const double horizon = made->claimed ? made->time[made->claimed - 1] : 0;
 
     for (int n = 0; n < t->times; n++) {
-        const int k = stored_index(made, t->time[n]);
+        const int k = truth_index(made, made->times, t->time[n]);
         if (made->claimed < made->times && t->time[n] > horizon + 1e-9)
             return status_fail(why, STATUS_UNSUPPORTED,
                                "no truth is claimed for %s at %.3g s: its motion is known "
@@ -127,57 +281,10 @@ static enum status take(const struct scene *scene, const struct truth_made *made
         if (k < 0)
             return STATUS_FILE;
         memcpy(t->xyz[n], made->xyz[k], 3 * GRID_POINTS * sizeof(double));
-        t->error[n] = made->value[k][TRUTH_ERROR];
+        memcpy(t->value[n], made->value[k], sizeof *t->value);
+        t->error[n] = made->error[k];
     }
     return STATUS_OK;
-}
-
-enum status truth_known(const struct scene *scene, struct truth_made *made,
-                        struct message *why)
-{
-    enum status st = truth_closed_make(scene, made);
-
-    if (st == STATUS_UNSUPPORTED)
-        st = truth_file_find(scene->name, scene, made, why);
-    if (st == STATUS_FILE && truth_plan_check(scene, why) != STATUS_OK)
-        st = STATUS_UNSUPPORTED;
-    return st;
-}
-
-enum status truth_judged(const struct scene *scene, struct truth_made *made,
-                         struct message *why)
-{
-    struct message said = {""};
-    const enum status st = truth_known(scene, made, &said);
-
-    if (st == STATUS_OK && !made->closed)
-        truth_made_thin(made, scene);
-    if (st == STATUS_OK || st == STATUS_FILE || st == STATUS_UNSUPPORTED)
-        return STATUS_OK;
-    return status_fail(why, st, "%s", said.text);
-}
-
-enum status truth_stored_times(const char *path, const struct settings *settings,
-                               double until, int most, double *time, int *count,
-                               struct message *why)
-{
-    struct scene scene = {0};
-    struct truth_made made = {0};
-    enum status st;
-    int last = 0;
-
-    *count = 0;
-    TRY(contestant_read_scene(settings, path, &scene, why));
-    TRY(truth_judged(&scene, &made, why));
-    while (last < made.claimed && made.time[last] <= until + 1e-9)
-        last++;
-    *count = last < most ? last : most;
-    for (int n = 0; n < *count; n++)
-        time[n] = made.time[last - *count + n];
-out:
-    truth_made_clear(&made);
-    scene_clear(&scene);
-    return st;
 }
 
 /* Fills t with what needs no file: a closed form, or the plate. */
@@ -185,8 +292,7 @@ static enum status from_theory(const struct scene *scene, struct truth *t,
                                struct message *why)
 {
     struct kirchhoff_plate plate;
-    const enum status st =
-        truth_closed_fields(scene, t->times, t->time, t->xyz, t->error, t->source);
+    const enum status st = truth_closed_fields(scene, t);
 
     if (st != STATUS_UNSUPPORTED || !(scene_gamma(scene) < TRUTH_GAMMA) ||
         kirchhoff_field_plate(scene, &plate, NULL) != STATUS_OK)
@@ -198,7 +304,7 @@ static enum status from_theory(const struct scene *scene, struct truth *t,
 static enum status from_stored(const struct scene *scene, struct truth *t,
                                struct message *why)
 {
-    struct truth_made made = {0};
+    struct truth made = {0};
     struct message said = {""};
     enum status st = truth_file_find(scene->name, scene, &made, &said);
 
@@ -208,23 +314,23 @@ static enum status from_stored(const struct scene *scene, struct truth *t,
         st = take(scene, &made, t, why);
     else if (st != STATUS_FILE)
         status_fail(why, st, "%s", said.text);
-    snprintf(t->source, sizeof t->source, "stored: %s", made.note);
-    truth_made_clear(&made);
+    snprintf(t->source, sizeof t->source, "stored: %.511s", made.source);
+    truth_clear(&made);
     return st;
 }
 
 enum { PATH = 4096 };
 
+/* Where truth_find_or_make leaves one. */
 static void left_in(const char *folder, char path[PATH])
 {
     snprintf(path, PATH, "%s/truth.h5", folder);
 }
 
-/* Fills t with the truth that truth_find_or_make left in a folder. */
 static enum status from_folder(const char *folder, const struct scene *scene,
                                struct truth *t, struct message *why)
 {
-    struct truth_made made = {0};
+    struct truth made = {0};
     char *physics = NULL, path[PATH];
     enum status st;
 
@@ -232,19 +338,41 @@ static enum status from_folder(const char *folder, const struct scene *scene,
     TRY(truth_file_read(path, &made, &physics, why));
     TRY(truth_physics_check(physics, scene, NULL) == STATUS_OK ? STATUS_OK : STATUS_FILE);
     TRY(take(scene, &made, t, why));
-    snprintf(t->source, sizeof t->source, "%s", made.note);
-    TRY(truth_doubt(scene, &made, t));
+    snprintf(t->source, sizeof t->source, "%s", made.source);
+    TRY(truth_doubt(scene, t));
 out:
-    truth_made_clear(&made);
+    truth_clear(&made);
     free(physics);
     return st;
 }
 
-/* Fills t with what is known. STATUS_FILE: nothing, but it can be made. */
-static enum status look_up(const struct scene *scene, struct truth *t, struct message *why)
+/* Makes one, and leaves it in the folder of its runs. */
+static enum status make_one(const struct truth_runs *runs, const struct truth_wish *wish,
+                            const struct scene *scene, struct truth *t, struct message *why)
+{
+    struct truth_end end;
+    char path[PATH];
+    enum status st;
+
+    left_in(runs->folder, path);
+    truth_clear(t);
+    TRY(truth_make(runs, scene, wish, t, &end, why));
+    if (end.answer == TRUTH_LOST)
+        TRY(status_fail(why, STATUS_UNSUPPORTED, "no truth of %s: %s", scene->name,
+                        end.text));
+    TRY(truth_doubt(scene, t));
+    TRY(truth_file_write(path, runs, t, why));
+out:
+    return st;
+}
+
+/* What is known, or what was left in the folder or, with a wish, is made there. */
+static enum status fill(struct truth_runs *runs, const struct truth_wish *wish,
+                        const struct scene *scene, struct truth *t, struct message *why)
 {
     enum status st = from_theory(scene, t, why);
 
+    runs->frame = scene->step;
     if (st == STATUS_UNSUPPORTED)
         st = from_stored(scene, t, why);
     if (st == STATUS_FILE && truth_plan_damping(scene))
@@ -253,75 +381,46 @@ static enum status look_up(const struct scene *scene, struct truth *t, struct me
                            "step, which is no rate and has no limit; it has one with "
                            "damping {kind: none} or {kind: mass}",
                            scene->name);
+    if (st == STATUS_FILE && wish)
+        return make_one(runs, wish, scene, t, why);
+    if (st == STATUS_FILE && runs->folder)
+        st = from_folder(runs->folder, scene, t, NULL);
+    if (st == STATUS_FILE)
+        status_fail(why, st, "nothing is known of %s with these physics at these times",
+                    scene->name);
+    return st;
+}
+
+/* `plate`: by linear theory, whatever else is known. */
+static enum status find(struct truth_runs *runs, const struct truth_wish *wish, bool plate,
+                        struct truth **truth, struct message *why)
+{
+    struct scene scene = {0};
+    struct truth *t = calloc(1, sizeof *t);
+    enum status st;
+
+    TRY(t ? truth_init(t, runs->times, runs->times, runs->time) : STATUS_MEMORY);
+    TRY(contestant_read_scene(runs->settings, runs->path, &scene, why));
+    TRY(plate ? from_kirchhoff(&scene, true, t, why) : fill(runs, wish, &scene, t, why));
+    *truth = t, t = NULL;
+out:
+    truth_destroy(t);
+    scene_clear(&scene);
     return st;
 }
 
 enum status truth_of_plate(const char *path, const struct settings *settings, int times,
                            const double *time, struct truth **truth, struct message *why)
 {
-    struct scene scene = {0};
-    struct truth *t = make(times, time);
-    enum status st = t ? STATUS_OK : STATUS_MEMORY;
-
-    TRY(st);
-    TRY(contestant_read_scene(settings, path, &scene, why));
-    TRY(from_kirchhoff(&scene, true, t, why));
-    *truth = t, t = NULL;
-out:
-    truth_destroy(t);
-    scene_clear(&scene);
-    return st;
+    return find(&(struct truth_runs){path, settings, times, time}, NULL, true, truth, why);
 }
 
 enum status truth_find(const char *path, const struct settings *settings, int times,
                        const double *time, const char *folder, struct truth **truth,
                        struct message *why)
 {
-    struct scene scene = {0};
-    struct truth *t = make(times, time);
-    enum status st;
-
-    TRY(t ? STATUS_OK : STATUS_MEMORY);
-    TRY(contestant_read_scene(settings, path, &scene, why));
-    st = look_up(&scene, t, why);
-    if (st == STATUS_FILE && folder)
-        st = from_folder(folder, &scene, t, NULL);
-    if (st == STATUS_FILE)
-        status_fail(why, st, "nothing is known of %s with these physics at these times",
-                    scene.name);
-    TRY(st);
-    *truth = t, t = NULL;
-out:
-    truth_destroy(t);
-    scene_clear(&scene);
-    return st;
-}
-
-/* Makes one, and leaves it in the folder of its runs. */
-static enum status make_one(const struct truth_runs *runs, const struct scene *scene,
-                            const struct truth_wish *wish, struct truth *t,
-                            struct message *why)
-{
-    struct truth_made made = {0};
-    struct truth_end end;
-    char path[PATH];
-    enum status st;
-
-    left_in(runs->folder, path);
-    TRY(truth_make(runs, scene, wish, &made, &end, why));
-    if (end.answer == TRUTH_LOST)
-        TRY(status_fail(why, STATUS_UNSUPPORTED, "no truth of %s: %s", scene->name,
-                        end.text));
-    for (int n = 0; n < t->times; n++) {
-        memcpy(t->xyz[n], made.xyz[n], 3 * GRID_POINTS * sizeof(double));
-        t->error[n] = made.value[n][TRUTH_ERROR];
-    }
-    snprintf(t->source, sizeof t->source, "%s", made.note);
-    TRY(truth_doubt(scene, &made, t));
-    TRY(truth_file_write(path, runs, &made, why));
-out:
-    truth_made_clear(&made);
-    return st;
+    return find(&(struct truth_runs){path, settings, times, time, folder}, NULL, false,
+                truth, why);
 }
 
 enum status truth_find_or_make(const char *path, const struct settings *settings, int times,
@@ -329,24 +428,6 @@ enum status truth_find_or_make(const char *path, const struct settings *settings
                                const struct truth_wish *wish, struct truth **truth,
                                struct message *why)
 {
-    struct truth_runs runs = {.path = path,
-                              .settings = settings,
-                              .times = times,
-                              .time = time,
-                              .folder = folder,
-                              .say = stderr};
-    struct scene scene = {0};
-    struct truth *t = make(times, time);
-    enum status st;
-
-    TRY(t ? STATUS_OK : STATUS_MEMORY);
-    TRY(contestant_read_scene(settings, path, &scene, why));
-    runs.frame = scene.step;
-    st = look_up(&scene, t, why);
-    TRY(st == STATUS_FILE ? make_one(&runs, &scene, wish, t, why) : st);
-    *truth = t, t = NULL;
-out:
-    truth_destroy(t);
-    scene_clear(&scene);
-    return st;
+    return find(&(struct truth_runs){path, settings, times, time, folder, .say = stderr},
+                wish, false, truth, why);
 }

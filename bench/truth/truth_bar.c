@@ -1,10 +1,8 @@
-#include "bench/truth/truth_bar.h"
-
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "bench/truth/truth_parts.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 
@@ -27,7 +25,7 @@ static double solve(const double h[3], double wanted)
     if (!(wanted > ratio(h, low)))
         return NAN;
     for (int n = 0; n < 60; n++) {
-        double middle = (low + high) / 2;
+        const double middle = (low + high) / 2;
         if (ratio(h, middle) < wanted)
             low = middle;
         else
@@ -70,43 +68,37 @@ static double between(const struct truth_family *f, int a, int b, int time)
     return metric_rmse(f->run[a].xyz[time], f->run[b].xyz[time]);
 }
 
-/* Of three runs, from time to time: sums of squares of both differences. */
+/* Sums of squares of both differences of three runs, from time to time. */
 struct chain {
     double first, second;
 };
 
-/* By runs a, b, c of sizes that shrink. Differences that cross zero would show any order,
- * and none of an error: the order is that of their rms up to now, and no difference counts
- * for less than that. */
-static struct truth_order judge(const struct truth_family *f, const int run[3],
-                                const double size[3], int time, struct chain *up_to_now)
+/* Sizes of the last three of the first `count` runs. */
+static void sizes(const struct truth_family *f, int count, double h[3])
 {
-    const double first = between(f, run[0], run[1], time);
-    const double second = between(f, run[1], run[2], time);
+    for (int k = 0; k < 3; k++) {
+        const struct truth_level *l = &f->level[count - 3 + k];
+        h[k] = 1.0 / (l->side - l->degree - l->repeats);
+    }
+}
 
+/* Judges these up to a time. Differences that cross zero would show any order, and none of
+ * an error: the order is that of their rms up to now, and no difference counts for less
+ * than that. */
+static struct truth_order judge(const struct truth_family *f, int count, int time,
+                                struct chain *up_to_now, double h[3])
+{
+    const double first = between(f, count - 3, count - 2, time);
+    const double second = between(f, count - 2, count - 1, time);
+
+    sizes(f, count, h);
     up_to_now->first += first * first;
     up_to_now->second += second * second;
     const double rms = sqrt(up_to_now->second / (time + 1));
     struct truth_order o =
-        truth_order(size, sqrt(up_to_now->first), sqrt(up_to_now->second), PROMISED);
+        truth_order(h, sqrt(up_to_now->first), sqrt(up_to_now->second), PROMISED);
     o.bar *= rms > 0 ? fmax(second, rms) / sqrt(up_to_now->second) : 1;
     return o;
-}
-
-static double span_of(const struct truth_level *level)
-{
-    return 1.0 / (level->side - level->degree - level->repeats);
-}
-
-/* The last three of the first `count` runs, up to a time. */
-static struct truth_order judge_three(const struct truth_family *f, int count, int time,
-                                      struct chain *chain, double h[3])
-{
-    const int run[3] = {count - 3, count - 2, count - 1};
-
-    for (int k = 0; k < 3; k++)
-        h[k] = span_of(&f->level[run[k]]);
-    return judge(f, run, h, time, chain);
 }
 
 /* A field: of two runs, fine + left (fine - middle). */
@@ -175,7 +167,7 @@ static void settle(const struct truth_family *f, int time, struct truth_order *o
 {
     double coarser[3];
     const struct truth_order before =
-        judge_three(f, f->count - 1, time, &so_far->before, coarser);
+        judge(f, f->count - 1, time, &so_far->before, coarser);
     const struct field limit = limit_of(f, f->count, h, o->order, time),
                        last = limit_of(f, f->count - 1, coarser, before.order, time);
     const double moved = apart(&limit, &last), three = o->bar;
@@ -204,7 +196,7 @@ static struct field judge_family(const struct truth_family *f, int time,
         value[2] = UNSEEN * between(f, 0, 1, time);
     if (n < 3)
         return field;
-    struct truth_order both = judge_three(f, n, time, &so_far->now, h);
+    struct truth_order both = judge(f, n, time, &so_far->now, h);
     if (n >= SETTLED)
         settle(f, time, &both, h, so_far, &field);
     value[0] = value[1] = both.order;
@@ -216,8 +208,7 @@ void truth_bar_limit(const struct truth_family *f, double order, int time, doubl
 {
     double h[3];
 
-    for (int k = 0; k < 3; k++)
-        h[k] = span_of(&f->level[f->count - 3 + k]);
+    sizes(f, f->count, h);
     const struct field limit = limit_of(f, f->count, h, order, time);
     for (int n = 0; n < 3 * GRID_POINTS; n++)
         xyz[n] = at(&limit, n);
@@ -235,8 +226,7 @@ static double growth(const struct truth_push *p, int time, double length)
 }
 
 void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
-                       const struct truth_push *push, double length,
-                       struct truth_made *made)
+                       const struct truth_push *push, double length, struct truth *made)
 {
     const struct truth_family *solid = &family[TRUTH_SOLID], *shell = &family[TRUTH_SHELL];
     struct judged so_far[TRUTH_MODELS] = {{{0}}};
@@ -264,16 +254,16 @@ void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_
              own ? "step " : "", 1e3 * l->step);
 }
 
-void truth_bar_claim(struct truth_made *made, double length)
+void truth_bar_claim(struct truth *made, double length)
 {
     int n = 0;
 
     for (int t = 0; t < made->times; t++) {
-        double *v = made->value[t];
-        v[TRUTH_ERROR] =
+        const double *v = made->value[t];
+        made->error[t] =
             fmax(fmin(v[TRUTH_SOLID_BAR], v[TRUTH_SHELL_BAR]), v[TRUTH_DIFFERENCE]);
     }
-    while (n < made->times && made->value[n][TRUTH_ERROR] <= TRUTH_MOST_ERROR * length &&
+    while (n < made->times && made->error[n] <= TRUTH_MOST_ERROR * length &&
            made->value[n][TRUTH_GROWTH] <= TRUTH_MOST_GROWTH)
         n++;
     made->claimed = n;
@@ -285,7 +275,7 @@ struct share {
     int times, limits;
 };
 
-static void fill(const struct truth_family family[TRUTH_MODELS], struct truth_made *made,
+static void fill(const struct truth_family family[TRUTH_MODELS], struct truth *made,
                  struct share share[TRUTH_MODELS])
 {
     struct judged so_far[TRUTH_MODELS] = {{{0}}};
@@ -307,60 +297,49 @@ static void fill(const struct truth_family family[TRUTH_MODELS], struct truth_ma
     }
 }
 
-__attribute__((format(printf, 2, 3))) static void add(struct truth_made *made,
-                                                      const char *format, ...)
-{
-    const size_t used = strlen(made->note);
-    va_list arguments;
+enum { SHARE = 256 };
 
-    va_start(arguments, format);
-    vsnprintf(made->note + used, sizeof made->note - used, format, arguments);
-    va_end(arguments);
-}
-
-/* Adds a model's finest run and, if the truth is somewhere its limit, what that is made of.
- */
-static void add_share(struct truth_made *made, const struct truth_family *f, int limits,
-                      bool own)
+/* A model's finest run and, if the truth is somewhere its limit, what that is made of. */
+static void tell_share(const struct truth_family *f, int limits, bool own, char text[SHARE])
 {
     const struct truth_level *l = &f->level[f->count - (limits ? SETTLED : 1)];
     char level[TRUTH_BAR_LEVEL];
 
     truth_bar_level(&f->level[f->count - 1], own, level);
-    add(made, "%s", level);
+    const int used = snprintf(text, SHARE, "%s", level);
     if (limits)
-        add(made, ", %d times extrapolated from %dx%d, %dx%d, %dx%d and that", limits,
-            l[0].side, l[0].side, l[1].side, l[1].side, l[2].side, l[2].side);
+        snprintf(text + used, SHARE - (size_t)used,
+                 ", %d times extrapolated from %dx%d, %dx%d, %dx%d and that", limits,
+                 l[0].side, l[0].side, l[1].side, l[1].side, l[2].side, l[2].side);
 }
 
 static void tell(const struct truth_family family[TRUTH_MODELS],
                  const struct share share[TRUTH_MODELS], enum truth_model most,
-                 struct truth_made *made)
+                 struct truth *made)
 {
     const struct share *more = &share[most], *less = &share[!most];
-    const struct truth_family *other = &family[!most];
+    char first[SHARE], other[SHARE] = "other", at[64] = "";
 
-    made->note[0] = '\0';
-    add(made, "nonlinear ");
-    add_share(made, &family[most], more->limits, true);
-    if (less->times) {
-        add(made, "; at %d of %d times the ", less->times, less->times + more->times);
-        add_share(made, other, less->limits, false);
-    }
-    add(made, "; error bar: its own by %s",
-        more->limits + less->limits ? "how far its limit moved, and observed orders"
-        : family[most].count < 3    ? "the difference of two runs, three times"
-                                    : "observed orders");
-    if (other->count)
-        add(made, " or, if larger, its difference from the ");
+    tell_share(&family[most], more->limits, true, first);
+    if (family[!most].count)
+        tell_share(&family[!most], less->limits, false, other);
     if (less->times)
-        add(made, "other");
-    else if (other->count)
-        add_share(made, other, 0, false);
+        snprintf(at, sizeof at, "; at %d of %d times the ", less->times,
+                 less->times + more->times);
+    snprintf(made->source, sizeof made->source,
+             "nonlinear %s%s%s; error bar: its own by %s%s%s", first, at,
+             less->times ? other : "",
+             more->limits + less->limits ? "how far its limit moved, and observed orders"
+             : family[most].count < 3    ? "the difference of two runs, three times"
+                                         : "observed orders",
+             family[!most].count ? " or, if larger, its difference from the " : "",
+             less->times           ? "other"
+             : family[!most].count ? other
+                                   : "");
 }
 
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
-                      struct truth_made *made)
+                      struct truth *made)
 {
     struct share share[TRUTH_MODELS] = {{0}};
 

@@ -1,12 +1,12 @@
-#include "bench/truth/truth_closed.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/truth/truth.h"
 #include "fem_ref/elastica.h"
+#include "fem_ref/kirchhoff_field.h"
 #include "models/damping.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
@@ -29,8 +29,7 @@ static double size(const double a[3])
     return sqrt(dot(a, a));
 }
 
-/* --- fall ------------------------------------------------------------------------------
- */
+/* --- fall --- */
 
 static bool falls(const struct scene *s)
 {
@@ -77,8 +76,7 @@ static void fall_field(const struct scene *s, const double *rest, double t, doub
     *error = ROUND_OFF * (size(s->origin) + s->length + s->width + size(shift));
 }
 
-/* --- at rest ---------------------------------------------------------------------------
- */
+/* --- at rest --- */
 
 /* Along which axis gravity pulls, +1 or -1; 0: not along it alone. */
 static double pull(const struct scene *s, const double axis[3])
@@ -208,96 +206,138 @@ static struct rest_shape rest_shape(const struct scene *s, const double *rest, d
     return (struct rest_shape){.bar = INFINITY};
 }
 
-/* ---------------------------------------------------------------------------------------
- */
-
-static enum status at_rest(const struct scene *s, const double *rest, int times,
-                           const double *time, double *const *xyz, double *error,
-                           char source[TRUTH_CLOSED_SOURCE])
+static enum status at_rest(const struct scene *s, const double *rest, struct truth *t)
 {
-    const struct rest_shape shape = rest_shape(s, rest, xyz[0]);
-    const double way = metric_rmse(xyz[0], rest);
+    const struct rest_shape shape = rest_shape(s, rest, t->xyz[0]);
+    const double way = metric_rmse(t->xyz[0], rest);
 
     if (!(shape.bar <= TRUTH_MOST_ERROR * s->length))
         return STATUS_UNSUPPORTED;
-    for (int n = 0; n < times; n++) {
-        const double share = left(damping_mass(s), shape.omega, time[n]);
+    for (int n = 0; n < t->times; n++) {
+        const double share = left(damping_mass(s), shape.omega, t->time[n]);
         if (!(share <= MOST_LEFT))
             return STATUS_UNSUPPORTED;
-        error[n] = shape.bar + share * way;
+        t->error[n] = shape.bar + share * way;
         if (n)
-            memcpy(xyz[n], xyz[0], 3 * GRID_POINTS * sizeof(double));
+            memcpy(t->xyz[n], t->xyz[0], 3 * GRID_POINTS * sizeof(double));
     }
-    snprintf(source, TRUTH_CLOSED_SOURCE, "%s", shape.source);
+    snprintf(t->source, sizeof t->source, "%s", shape.source);
     return STATUS_OK;
 }
 
-enum status truth_closed_fields(const struct scene *scene, int times, const double *time,
-                                double *const *xyz, double *error,
-                                char source[TRUTH_CLOSED_SOURCE])
+enum status truth_closed_fields(const struct scene *scene, struct truth *t)
 {
     enum status st = STATUS_OK;
-    double *rest = NULL;
+    double *rest;
 
-    if (times < 1 || (!falls(scene) && !rests(scene)))
+    if (t->times < 1 || (!falls(scene) && !rests(scene)))
         return STATUS_UNSUPPORTED;
     rest = metric_rest_field(scene);
     if (!rest)
         return STATUS_MEMORY;
-    if (rests(scene)) {
-        TRY(at_rest(scene, rest, times, time, xyz, error, source));
-    } else {
-        for (int n = 0; n < times; n++)
-            fall_field(scene, rest, time[n], xyz[n], &error[n]);
-        snprintf(source, TRUTH_CLOSED_SOURCE,
+    if (rests(scene))
+        st = at_rest(scene, rest, t);
+    for (int n = 0; falls(scene) && n < t->times; n++)
+        fall_field(scene, rest, t->time[n], t->xyz[n], &t->error[n]);
+    if (falls(scene))
+        snprintf(t->source, sizeof t->source,
                  "closed form: what nothing holds falls as one body; error bar: round-off");
-    }
-out:
     free(rest);
     return st;
 }
 
-/* Snapshots past t = 0 and the end, into time[snapshots + 1]; of what is known at rest
- * alone, the end. */
-static int list_times(const struct scene *s, double *time)
+enum status truth_closed_make(const struct scene *s, struct truth *t)
 {
+    double *time = calloc((size_t)s->snapshot_count + 1, sizeof *time);
+    enum status st;
     int count = 0;
 
+    *t = (struct truth){0};
+    TRY(time ? STATUS_OK : STATUS_MEMORY);
+    TRY(falls(s) || rests(s) ? STATUS_OK : STATUS_UNSUPPORTED);
     for (int n = 0; n < s->snapshot_count && falls(s); n++)
         if (s->snapshots[n] > 0)
             time[count++] = s->snapshots[n];
     if (!count || time[count - 1] < s->end)
         time[count++] = s->end;
-    return count;
-}
-
-enum status truth_closed_make(const struct scene *scene, struct truth_made *made)
-{
-    const size_t most = (size_t)scene->snapshot_count + 1;
-    double *time = calloc(2 * most, sizeof *time);
-    enum status st = STATUS_MEMORY;
-    int count;
-
-    *made = (struct truth_made){0};
-    if (!time)
-        goto out;
-    count = list_times(scene, time);
-    TRY(falls(scene) || rests(scene) ? STATUS_OK : STATUS_UNSUPPORTED);
-    TRY(truth_made_init(made, count, count, time));
-    double *error = time + most;
-    TRY(truth_closed_fields(scene, count, time, made->xyz, error, made->note));
-    made->closed = true;
-    for (int n = 0; n < count; n++) {
+    TRY(truth_init(t, count, count, time));
+    TRY(truth_closed_fields(s, t));
+    t->closed = true;
+    for (int n = 0; n < count; n++)
         for (int c = 0; c < TRUTH_STORED; c++)
-            made->value[n][c] = NAN;
-        made->value[n][TRUTH_ERROR] = error[n];
-    }
-    snprintf(made->horizon, sizeof made->horizon, "%s",
-             falls(scene) ? "none: it is known for ever"
-                          : "it is known once it has come to rest, however it was damped");
+            t->value[n][c] = NAN;
+    snprintf(t->horizon, sizeof t->horizon, "%s",
+             falls(s) ? "none: it is known for ever"
+                      : "it is known once it has come to rest, however it was damped");
 out:
     if (st != STATUS_OK)
-        truth_made_clear(made);
+        truth_clear(t);
     free(time);
+    return st;
+}
+
+/* --- The plate --- */
+
+enum status truth_plate_fields(const struct scene *scene, int times, const double *time,
+                               double *const *xyz, struct message *why)
+{
+    struct kirchhoff_plate plate;
+    struct kirchhoff *k = NULL;
+    enum status st;
+
+    TRY(kirchhoff_field_plate(scene, &plate, why));
+    TRY(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
+    for (int n = 0; n < times; n++)
+        TRY(kirchhoff_field_sample(k, scene, time[n], xyz[n], why));
+out:
+    kirchhoff_destroy(k);
+    return st;
+}
+
+double truth_plate_edge(const double *xyz)
+{
+    double sum = 0;
+
+    for (int k = 0; k < GRID_W; k++)
+        for (int j = GRID_V / 2 - 1; j <= GRID_V / 2; j++)
+            sum += xyz[((k * GRID_V + j) * GRID_U + GRID_U - 1) * 3 + 2];
+    return sum / 4;
+}
+
+double truth_plate_drop(const struct scene *scene, bool linear)
+{
+    enum { TERMS = 24 }; /* six digits */
+    const double L = scene->length, W = scene->width, gamma = scene_gamma(scene);
+    struct kirchhoff_plate plate;
+    struct kirchhoff *k = NULL;
+    struct elastica e;
+    double drop = NAN;
+
+    if (kirchhoff_field_plate(scene, &plate, NULL) != STATUS_OK)
+        return NAN;
+    if (!linear)
+        return elastica_solve(gamma, &e) == STATUS_OK ? e.drop : NAN;
+    if (kirchhoff_create(&plate, TERMS, &k) == STATUS_OK)
+        drop = kirchhoff_static(k, gamma * scene_bending_stiffness(scene) / (L * L * L), L,
+                                W / 2) /
+               L;
+    kirchhoff_destroy(k);
+    return drop;
+}
+
+enum status truth_plate_coefficient(double nu, int terms, double *coefficient)
+{
+    const struct kirchhoff_plate plate = {.length = 1,
+                                          .width = 1,
+                                          .thickness = 1,
+                                          .young = 12 * (1 - nu * nu),
+                                          .poisson = nu,
+                                          .density = 1}; /* D = 1 */
+    struct kirchhoff *k = NULL;
+    const enum status st = kirchhoff_create(&plate, terms, &k);
+
+    if (st == STATUS_OK)
+        *coefficient = kirchhoff_static(k, 1, 1, 0.5);
+    kirchhoff_destroy(k);
     return st;
 }

@@ -1,20 +1,242 @@
-#include "bench/truth/truth_command.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/files/folder.h"
+#include "bench/files/provenance.h"
 #include "bench/harness/timing.h"
-#include "bench/truth/truth.h"
-#include "bench/truth/truth_closed.h"
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_plan.h"
-#include "bench/truth/truth_print.h"
-#include "bench/truth/truth_third.h"
+#include "bench/truth/truth_parts.h"
+#include "bench/ui/command.h"
+#include "models/grid.h"
 #include "models/reader/scene_file.h"
 
-enum { PATH = 4000 };
+static void add_row(struct table *t, const struct truth *made, int n, double length)
+{
+    const double *v = made->value[n];
+
+    table_row(t);
+    table_number(t, made->time[n], 3);
+    for (int c = 0; c < TRUTH_GROWTH; c++)
+        if (c < TRUTH_DIFFERENCE && c % 3 != TRUTH_SOLID_BAR)
+            table_fixed(t, v[c], 1);
+        else
+            table_number(t, v[c] / length, 2);
+    table_number(t, v[TRUTH_GROWTH], 2);
+    if (n < made->claimed)
+        table_number(t, made->error[n] / length, 2);
+    else
+        table_missing(t, "no claim");
+    table_number(t, v[TRUTH_THIRD] / length, 2);
+    table_number(t, v[TRUTH_THIRD_BAR] / length, 2);
+}
+
+/* Until when it is claimed, and what ends it. */
+static void note_horizon(struct table *t, const struct truth *made, double length)
+{
+    const int n = made->claimed;
+    const double percent = 100 / length, *v = made->value[n];
+    char end[128];
+
+    if (n < made->times && v[TRUTH_THIRD] > made->error[n] + v[TRUTH_THIRD_BAR])
+        snprintf(end, sizeof end,
+                 "a third mechanics, with a bar of %.2g %%, is %.2g %% off there",
+                 percent * v[TRUTH_THIRD_BAR], percent * v[TRUTH_THIRD]);
+    else if (n < made->times && v[TRUTH_GROWTH] > TRUTH_MOST_GROWTH)
+        snprintf(end, sizeof end, "the growth there, %.2g, is above %g", v[TRUTH_GROWTH],
+                 TRUTH_MOST_GROWTH);
+    else if (n < made->times)
+        snprintf(end, sizeof end, "the error bar there, %.2g %%, is above %g %%",
+                 percent * made->error[n], 100 * TRUTH_MOST_ERROR);
+    if (n < made->times)
+        table_note(t, "Nothing is claimed from %.3g s on: %s.", made->time[n], end);
+    else
+        table_note(t, "All of it is claimed.");
+    table_note(t, "Horizon: %s.", made->horizon);
+}
+
+/* What there is to say of truths that were made, and of all. */
+static void add_notes(struct table *t, const struct truth *made, double length)
+{
+    table_note(t, "The truth: %s.", made->source);
+    if (made->foreign)
+        return;
+    if (made->closed) {
+        table_note(t, "Horizon: %s.", made->horizon);
+        return;
+    }
+    table_note(
+        t,
+        "Orders are of the rms over the material grid, over three nets and over three "
+        "steps, or over three runs of which both shrink; a dash: the differences do not "
+        "shrink. A model's bar is what its orders leave, with a factor of safety. Growth: "
+        "rms change after gravity was changed by 1e-6 in the direction (1,1,1), over 1e-6 "
+        "of the length.");
+    note_horizon(t, made, length);
+    if (*made->third)
+        table_note(t,
+                   "The third mechanics: %s. Its distance is from the truth's middle "
+                   "surface, its bar what its own order leaves.",
+                   made->third);
+    if (*made->commit)
+        table_note(t, "Made at commit %s with %s changed files.", made->commit,
+                   made->changed);
+}
+
+static bool has_third(const struct truth *made)
+{
+    for (int n = 0; n < made->times; n++)
+        if (!isnan(made->value[n][TRUTH_THIRD]))
+            return true;
+    return false;
+}
+
+/* Of a truth with many frames the times at which tables judge, and the last claimed one. */
+static enum status print(const struct truth *made, const struct scene *scene,
+                         enum table_format format, FILE *file)
+{
+    const double length = scene->length;
+    struct table_column columns[] = {
+        {"time", "s"},
+        {"solid: in space", .key = "solid_order_in_space"},
+        {"in time", .key = "solid_order_in_time"},
+        {"bar", "% L", .key = "solid_bar_over_length", .scale = 100, .key_unit = "L"},
+        {"shell: in space", .key = "shell_order_in_space"},
+        {"in time", .key = "shell_order_in_time"},
+        {"bar", "% L", .key = "shell_bar_over_length", .scale = 100, .key_unit = "L"},
+        {"difference", "% L", .key = "difference_over_length", .scale = 100,
+         .key_unit = "L"},
+        {"growth", "1"},
+        {"error bar", "% L", .key = "error_bar_over_length", .scale = 100, .key_unit = "L"},
+        {"third", "% L", .key = "third_over_length", .scale = 100, .key_unit = "L"},
+        {"its bar", "% L", .key = "third_bar_over_length", .scale = 100, .key_unit = "L"},
+    };
+    char caption[128];
+
+    snprintf(caption, sizeof caption, "%s of %s: %serror bars",
+             made->foreign ? "The third mechanics" : "Truth", scene->name,
+             made->closed ? "" : "observed orders and ");
+    for (int n = 0; made->closed && n < TRUTH_STORED; n++)
+        columns[1 + n].readers = TABLE_NOBODY; /* nobody's run */
+    for (int n = 0; made->foreign && n < TRUTH_STORED; n++)
+        if (n != TRUTH_SHELL_SPACE)
+            columns[1 + n].readers = TABLE_NOBODY;
+    for (int n = TRUTH_THIRD; !has_third(made) && n < TRUTH_COLUMNS; n++)
+        columns[2 + n].readers = TABLE_NOBODY; /* behind time and error bar */
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    for (int n = 0; n < made->times; n++)
+        if (made->closed || n == made->claimed - 1 ||
+            truth_plan_judges(scene, made->time[n]))
+            add_row(t, made, n, length);
+    add_notes(t, made, length);
+    const enum status st = table_print(t, format, file);
+    table_destroy(t);
+    return st;
+}
+
+/* --- Positions --- */
+
+/* Mean of the two layers at (u, v). */
+static void mid_surface(const double *field, double u, double v, double at[3])
+{
+    double across[2], along[2];
+    const int i = grid_cell(GRID_U, u, along), j = grid_cell(GRID_V, v, across);
+
+    at[0] = at[1] = at[2] = 0;
+    for (int n = 0; n < 4 * GRID_W; n++) {
+        const int di = n % 2, dj = n / 2 % 2, k = n / 4;
+        const double *x = field + 3 * ((k * GRID_V + j + dj) * GRID_U + i + di);
+        for (int c = 0; c < 3; c++)
+            at[c] += along[di] * across[dj] * x[c] / GRID_W;
+    }
+}
+
+enum status truth_print_frames(const struct truth *made, const int points[2], FILE *file)
+{
+    fprintf(file, "# source: %s\n", made->source);
+    for (int t = 0; t < made->claimed; t++)
+        fprintf(file, "# bar: %.17g,%.17g\n", made->time[t], made->error[t]);
+    fprintf(file, "t,u,v,x,y,z\n");
+    for (int t = 0; t < made->claimed; t++)
+        for (int n = 0; n < points[0] * points[1]; n++) {
+            const double u = n % points[0] / (points[0] - 1.0);
+            const double v = n / points[0] / (points[1] - 1.0);
+            double x[3];
+            mid_surface(made->xyz[t], u, v, x);
+            fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", made->time[t], u, v,
+                    x[0], x[1], x[2]);
+        }
+    return ferror(file) ? STATUS_FILE : STATUS_OK;
+}
+
+/* --- All scenes --- */
+
+static void add_known(struct table *t, const struct truth *made, double length)
+{
+    const int last = made->claimed - 1;
+
+    table_text(t, "%s", made->closed ? "closed form" : "stored");
+    table_number(t, made->time[last], 3);
+    table_number(t, made->error[last] / length, 2);
+}
+
+static enum status add_scene(struct table *t, const char *name, struct message *why)
+{
+    struct settings settings = {0};
+    struct scene scene = {0};
+    struct truth made = {0};
+    struct message lack = {""};
+    char *path = NULL;
+    enum status st;
+
+    TRY(scene_file_find(name, &path, why));
+    TRY(truth_plan_scene(path, &settings, &scene, why));
+    st = truth_known(&scene, &made, &lack);
+    if (st != STATUS_OK && st != STATUS_UNSUPPORTED && st != STATUS_FILE)
+        TRY(status_fail(why, st, "%s", lack.text));
+    table_row(t);
+    table_text(t, "%s", name);
+    if (st == STATUS_OK && made.claimed) {
+        add_known(t, &made, scene.length);
+    } else {
+        table_text(t, "none");
+        table_note(t, "%s.", lack.text);
+    }
+    st = STATUS_OK;
+out:
+    truth_clear(&made);
+    scene_clear(&scene);
+    settings_clear(&settings);
+    free(path);
+    return st;
+}
+
+enum status truth_print_all(enum table_format format, FILE *file, struct message *why)
+{
+    static const struct table_column columns[] = {{"scene", NULL, TABLE_LEFT},
+                                                  {"truth", NULL, TABLE_LEFT},
+                                                  {"known to", "s", .key = "known_to_s"},
+                                                  {"error bar there", "% L",
+                                                   .key = "error_bar_over_length",
+                                                   .scale = 100, .key_unit = "L"}};
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
+                                   "What is known of each scene");
+    struct named_file_entry *scenes = NULL;
+    int count = 0;
+    enum status st;
+
+    TRY(named_file_names(&scene_file_kind, &scenes, &count, why));
+    for (int n = 0; n < count; n++)
+        TRY(add_scene(t, scenes[n].name, why));
+    TRY(table_print(t, format, file));
+out:
+    named_file_list_free(scenes, count);
+    table_destroy(t);
+    return st;
+}
+
+/* --- The command --- */
+
+enum { PATH = 4000, FRAMES_MOST = 1000 /* points a direction */ };
 
 /* Without --error: what is requested, and how long all runs may take [s]. */
 static const double ERROR = 0.01, BUDGET = 3600;
@@ -77,7 +299,7 @@ out:
 
 /* By runs, which are kept in a folder of their own. */
 static enum status make_by_runs(struct job *j, const char *own, struct truth_runs *runs,
-                                struct truth_made *made, struct message *why)
+                                struct truth *made, struct message *why)
 {
     const double until = isfinite(j->until) ? j->until : j->scene.end;
     char folder[PATH];
@@ -129,54 +351,42 @@ out:
     return st;
 }
 
-static enum status make_one(struct job *j, const struct command_line *line,
-                            struct message *why)
+/* The truth, by closed forms or runs; or beside it, in third/, what --third has. */
+static enum status make(struct job *j, const struct command_line *line, struct message *why)
 {
     struct truth_runs runs = {
         .path = j->path, .settings = &j->settings, .say = stderr, .ours = true};
-    struct truth_made made = {0};
-    char file[PATH];
+    const char *third = command_value(line, "--third");
+    struct truth made = {0};
+    char truth[PATH], file[PATH + 8];
     enum status st;
 
-    TRY(truth_plan_check(&j->scene, why));
-    TRY(choose_file(j, line, file, why));
-    st = truth_closed_make(&j->scene, &made);
-    TRY(st == STATUS_UNSUPPORTED
-            ? make_by_runs(j, command_value(line, "--runs"), &runs, &made, why)
-            : st);
+    if (!third)
+        TRY(truth_plan_check(&j->scene, why));
+    TRY(choose_file(j, line, truth, why));
+    if (third) {
+        TRY(truth_file_third(truth, file, sizeof file, why));
+        TRY(truth_third_make(third, j->scene.length, &made, why));
+        char *slash = strrchr(file, '/');
+        *slash = '\0';
+        TRY(folder_make(file, why));
+        *slash = '/';
+    } else {
+        snprintf(file, sizeof file, "%s", truth);
+        st = truth_closed_make(&j->scene, &made);
+        TRY(st == STATUS_UNSUPPORTED
+                ? make_by_runs(j, command_value(line, "--runs"), &runs, &made, why)
+                : st);
+    }
     TRY(truth_file_write(file, &runs, &made, why));
-    TRY(truth_print(&made, &j->scene, j->format, stdout));
-    fprintf(stderr, "truth in %s\n", file);
+    TRY(print(&made, &j->scene, j->format, stdout));
+    fprintf(stderr, "%s in %s\n", third ? "third mechanics" : "truth", file);
     if (j->must && j->end.answer != TRUTH_MET)
         TRY(status_fail(why, STATUS_FAILED, "%s", j->end.text));
     if (*j->end.text)
         fprintf(stderr, "truth: %s\n", j->end.text);
 out:
-    truth_made_clear(&made);
-    return st;
-}
-
-/* Beside the truth, from frames that somebody else's program left. */
-static enum status make_third(struct job *j, const struct command_line *line,
-                              struct message *why)
-{
-    struct truth_runs runs = {.path = j->path, .settings = &j->settings};
-    struct truth_made third = {0};
-    char truth[PATH], file[PATH + 8];
-    enum status st;
-
-    TRY(choose_file(j, line, truth, why));
-    TRY(truth_file_third(truth, file, sizeof file, why));
-    TRY(truth_third_make(command_value(line, "--third"), j->scene.length, &third, why));
-    char *slash = strrchr(file, '/');
-    *slash = '\0';
-    TRY(folder_make(file, why));
-    *slash = '/';
-    TRY(truth_file_write(file, &runs, &third, why));
-    TRY(truth_print(&third, &j->scene, j->format, stdout));
-    fprintf(stderr, "third mechanics in %s\n", file);
-out:
-    truth_made_clear(&third);
+    truth_clear(&made);
     return st;
 }
 
@@ -184,13 +394,13 @@ out:
 static enum status print_known(const struct job *j, const int points[2],
                                struct message *why)
 {
-    struct truth_made made;
+    struct truth made;
     enum status st = truth_known(&j->scene, &made, why);
 
     if (st == STATUS_OK)
         st = *points ? truth_print_frames(&made, points, stdout)
-                     : truth_print(&made, &j->scene, j->format, stdout);
-    truth_made_clear(&made);
+                     : print(&made, &j->scene, j->format, stdout);
+    truth_clear(&made);
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
 }
 
@@ -220,17 +430,15 @@ static enum status run(const struct command_line *line, struct message *why)
     if (!line->word_count)
         return print_all(line, why);
     TRY(prepare(&j, line, why));
-    TRY(command_pair(line, "--points", 2, TRUTH_FRAMES_MOST, points, why));
+    TRY(command_pair(line, "--points", 2, FRAMES_MOST, points, why));
     if (*points && !command_given(line, "--stored"))
         TRY(status_fail(
             why, STATUS_INPUT,
             "--points prints positions of a truth that is known: with --stored"));
     if (command_given(line, "--stored"))
         TRY(print_known(&j, points, why));
-    else if (command_given(line, "--third"))
-        TRY(make_third(&j, line, why));
     else
-        TRY(make_one(&j, line, why));
+        TRY(make(&j, line, why));
 out:
     settings_clear(&j.settings);
     scene_clear(&j.scene);

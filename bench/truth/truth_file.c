@@ -1,5 +1,3 @@
-#include "bench/truth/truth_file.h"
-
 #include <inttypes.h>
 #include <libgen.h>
 #include <math.h>
@@ -9,11 +7,159 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "bench/files/provenance.h"
 #include "bench/files/store.h"
 #include "bench/harness/run.h"
-#include "bench/truth/truth_physics.h"
-#include "bench/truth/truth_third.h"
+#include "bench/truth/truth_parts.h"
+#include "models/damping.h"
 #include "models/grid.h"
+
+/* --- What it holds for --- */
+
+static void print(FILE *out, const char *key, int count, const double *value)
+{
+    fprintf(out, "%s", key);
+    for (int n = 0; n < count; n++)
+        fprintf(out, " %.17g", value[n] + 0.0); /* no -0 */
+    fputc('\n', out);
+}
+
+static void print_supports(const struct scene *s, FILE *out)
+{
+    for (int n = 0; n < s->support_count; n++) {
+        const struct scene_support *support = &s->supports[n];
+        fprintf(out, "support fix %u\n", support->fix);
+        print(out, "support from", 3, support->lo);
+        print(out, "support to", 3, support->hi);
+        for (int k = 0; k < support->path_count; k++)
+            print(out, "support path", 4, support->path[k]);
+    }
+}
+
+static void print_loads(const struct scene *s, FILE *out)
+{
+    for (int n = 0; n < s->load_count; n++) {
+        print(out, "load from", 3, s->loads[n].lo);
+        print(out, "load to", 3, s->loads[n].hi);
+        print(out, "load force", 3, s->loads[n].force);
+    }
+}
+
+static void print_obstacles(const struct scene *s, FILE *out)
+{
+    for (int n = 0; n < s->obstacle_count; n++) {
+        const struct scene_obstacle *o = &s->obstacles[n];
+        bool plane = o->kind == OBSTACLE_PLANE;
+        print(out, plane ? "plane" : "sphere", 3, o->point);
+        print(out, plane ? "normal" : "radius", plane ? 3 : 1,
+              plane ? o->normal : &o->radius);
+        print(out, "friction", 1, &o->friction);
+    }
+}
+
+/* Only the numbers that the kind of damping has. A factor a step is a physics that depends
+ * on the step. */
+static void print_damping(const struct scene *s, FILE *out)
+{
+    const struct scene_damping *d = &s->damping;
+
+    fprintf(out, "damping %s\n", damping_words[d->kind]);
+    if (d->kind == DAMPING_RAYLEIGH)
+        print(out, "rayleigh", 2, (double[]){d->alpha, d->beta});
+    else if (d->kind != DAMPING_NONE)
+        print(out, "value", 1, &d->value);
+    if (d->kind == DAMPING_VELOCITY_SCALE)
+        print(out, "step", 1, &s->step);
+}
+
+enum status truth_physics(const struct scene *s, char **text)
+{
+    char *result = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&result, &size);
+
+    if (!out)
+        return STATUS_MEMORY;
+    print(out, "sheet", 3, (double[]){s->length, s->width, s->thickness});
+    fprintf(out, "shape %s\n", scene_shape_words[s->shape]);
+    if (s->shape == SCENE_CLOAK)
+        print(out, "cloak", 2, (double[]){s->opening, s->flare});
+    print(out, "origin", 3, s->origin);
+    print(out, "u", 3, s->axis_u);
+    print(out, "v", 3, s->axis_v);
+    print(out, "material", 3, (double[]){s->young, s->poisson, s->density});
+    print(out, "gravity", 3, s->gravity);
+    print(out, "drag", 1, &s->drag);
+    if (s->drag != 0)
+        print(out, "wind", 3, s->wind);
+    if (scene_needs(s) & SCENE_NEED_INITIAL_MOTION) {
+        print(out, "velocity", 3, s->velocity);
+        print(out, "spin", 3, s->spin);
+    }
+    print_damping(s, out);
+    print_supports(s, out);
+    print_loads(s, out);
+    print_obstacles(s, out);
+    if (fclose(out) != 0) {
+        free(result);
+        return STATUS_MEMORY;
+    }
+    *text = result;
+    return STATUS_OK;
+}
+
+/* Past the lines that both begin with. */
+static void skip_common(const char **a, const char **b)
+{
+    size_t line = 0;
+
+    for (size_t n = 0; (*a)[n] && (*a)[n] == (*b)[n]; n++)
+        if ((*a)[n] == '\n')
+            line = n + 1;
+    *a += line;
+    *b += line;
+}
+
+enum { LINE = 256 };
+
+/* The first line of a text, a blank before each word, with the digits that people write. */
+static void tell_line(const char *text, char line[LINE])
+{
+    size_t used = 0;
+
+    line[0] = '\0';
+    for (size_t word; *text && *text != '\n' && used < LINE / 2; text += word) {
+        char *after;
+        const double value = strtod(text, &after);
+        text += *text == ' ';
+        word = strcspn(text, " \n");
+        used +=
+            (size_t)(after == text + word
+                         ? snprintf(line + used, LINE - used, " %.15g", value)
+                         : snprintf(line + used, LINE - used, " %.*s", (int)word, text));
+    }
+}
+
+enum status truth_physics_check(const char *text, const struct scene *scene,
+                                struct message *why)
+{
+    char *wanted = NULL;
+    enum status st = truth_physics(scene, &wanted);
+
+    if (st == STATUS_OK && strcmp(text, wanted) != 0) {
+        const char *other = wanted;
+        char line[2][LINE];
+        skip_common(&text, &other);
+        tell_line(*text ? text : "nothing", line[0]);
+        tell_line(*other ? other : "nothing", line[1]);
+        st = status_fail(why, STATUS_UNSUPPORTED, "of other physics:%s, not%s", line[0],
+                         line[1]);
+    }
+    free(wanted);
+    return st;
+}
+
+/* --- Writing and reading --- */
 
 static const struct {
     const char *name, *unit;
@@ -21,7 +167,13 @@ static const struct {
 #define TRUTH_COLUMN_ROW(code, name, unit) {name, unit},
     TRUTH_COLUMN_LIST(TRUTH_COLUMN_ROW)
 #undef TRUTH_COLUMN_ROW
-};
+        {"error", "m"}};
+enum { COLUMNS = sizeof columns / sizeof *columns };
+
+static double *cell(const struct truth *t, int n, int column)
+{
+    return column < TRUTH_STORED ? &t->value[n][column] : &t->error[n];
+}
 
 /* FNV-1a, 64 bits (Fowler, Noll, Vo 1991). */
 static const uint64_t PRIME = UINT64_C(0x100000001b3);
@@ -35,42 +187,31 @@ static uint64_t add(uint64_t sum, const void *bytes, size_t size)
     return sum;
 }
 
-/* Its four bytes, from the lowest: as add(), without a look at memory for each. */
-static uint64_t add_float(uint64_t sum, float x)
-{
-    uint32_t bits;
-
-    memcpy(&bits, &x, sizeof bits);
-    for (int n = 0; n < 4; n++, bits >>= 8)
-        sum = (sum ^ (bits & 255)) * PRIME;
-    return sum;
-}
-
 /* As the file has it: fields as float. Orders that do not exist are one NaN, not many. */
-static void checksum(const char *physics, const struct truth_made *m, char text[17])
+static void checksum(const char *physics, const struct truth *m, char text[17])
 {
     uint64_t sum = add(UINT64_C(0xcbf29ce484222325), physics, strlen(physics));
 
     for (int n = 0; n < m->times; n++) {
         sum = add(sum, &m->time[n], sizeof m->time[n]);
-        for (int c = 0; c < TRUTH_STORED; c++)
-            if (!isnan(m->value[n][c]))
-                sum = add(sum, &m->value[n][c], sizeof m->value[n][c]);
+        for (int c = 0; c < COLUMNS; c++)
+            if (!isnan(*cell(m, n, c)))
+                sum = add(sum, cell(m, n, c), sizeof(double));
         for (int k = 0; n < m->claimed && k < 3 * GRID_POINTS; k++)
-            sum = add_float(sum, (float)m->xyz[n][k]);
+            sum = add(sum, &(float){(float)m->xyz[n][k]}, sizeof(float));
     }
     snprintf(text, 17, "%016" PRIx64, sum);
 }
 
-static enum status put_columns(struct store *store, const struct truth_made *made,
+static enum status put_columns(struct store *store, const struct truth *made,
                                struct message *why)
 {
     double *column = malloc((size_t)made->times * sizeof *column);
     enum status st = column ? STATUS_OK : STATUS_MEMORY;
 
-    for (int c = 0; c < TRUTH_STORED && st == STATUS_OK; c++) {
+    for (int c = 0; c < COLUMNS && st == STATUS_OK; c++) {
         for (int n = 0; n < made->times; n++)
-            column[n] = made->value[n][c];
+            column[n] = *cell(made, n, c);
         st =
             store_metric(store, columns[c].name, columns[c].unit, column, made->times, why);
     }
@@ -79,7 +220,7 @@ static enum status put_columns(struct store *store, const struct truth_made *mad
 }
 
 static enum status put_all(struct store *store, const struct scene *scene,
-                           const struct truth_made *made, struct message *why)
+                           const struct truth *made, struct message *why)
 {
     char sum[17], *physics = NULL;
     enum status st;
@@ -90,7 +231,7 @@ static enum status put_all(struct store *store, const struct scene *scene,
         TRY(store_frame(store, made->time[n], n < made->claimed ? made->xyz[n] : NULL, NULL,
                         NULL, why));
     TRY(put_columns(store, made, why));
-    TRY(store_text(store, "note", made->note, why));
+    TRY(store_text(store, "note", made->source, why));
     TRY(store_text(store, "horizon", made->horizon, why));
     TRY(store_text(store, "physics", physics, why));
     TRY(store_text(store, "checksum", sum, why));
@@ -100,7 +241,7 @@ out:
 }
 
 /* The run that the field is from; of a closed form the scene alone. */
-static enum status read_run(const struct truth_runs *runs, const struct truth_made *made,
+static enum status read_run(const struct truth_runs *runs, const struct truth *made,
                             struct run *run, struct message *why)
 {
     struct settings settings = {0};
@@ -118,7 +259,7 @@ out:
 }
 
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
-                             const struct truth_made *made, struct message *why)
+                             const struct truth *made, struct message *why)
 {
     /* No models of ours: the names that the file has of them. */
     static const struct model none = {.name = "closed_form",
@@ -153,20 +294,20 @@ out:
     return st;
 }
 
-static enum status read_columns(const struct store_read *file, struct truth_made *made)
+static enum status read_columns(const struct store_read *file, struct truth *made)
 {
     enum status st = STATUS_OK;
     double *column = NULL;
     int rows, width;
 
-    for (int c = 0; c < TRUTH_STORED; c++) {
+    for (int c = 0; c < COLUMNS; c++) {
         char name[64];
         snprintf(name, sizeof name, "metrics/%s", columns[c].name);
         TRY(store_read_array(file, name, &column, &rows, &width, NULL));
         if (rows != made->times || width != 1)
             TRY(STATUS_INPUT);
         for (int n = 0; n < rows; n++)
-            made->value[n][c] = column[n];
+            *cell(made, n, c) = column[n];
         free(column), column = NULL;
     }
 out:
@@ -174,63 +315,60 @@ out:
     return st;
 }
 
-/* An entry of the provenance, of what room[size] takes; "unknown" if the file has none. */
-static enum status read_origin(const struct store_read *file, const char *key, char *room,
-                               size_t size)
+/* A text, of it what room[size] takes; `else_say`, if not NULL, where the file has none. */
+static enum status read_text(const struct store_read *file, const char *group,
+                             const char *key, const char *else_say, char *room, size_t size)
 {
     char *text = NULL;
-    enum status st = store_read_text(file, "provenance", key, &text, NULL);
+    enum status st = store_read_text(file, group, key, &text, NULL);
 
-    snprintf(room, size, "%s", st == STATUS_OK ? text : "unknown");
+    if (st != STATUS_OK && st != STATUS_MEMORY && else_say)
+        st = STATUS_OK;
+    snprintf(room, size, "%s", text ? text : else_say ? else_say : "");
     free(text);
-    return st == STATUS_MEMORY ? st : STATUS_OK;
-}
-
-static enum status read_made(const struct store_read *file, struct truth_made *made)
-{
-    enum status st;
-    double *time = NULL;
-    char *note = NULL, *horizon = NULL;
-    int times, width, claimed = store_read_frames(file);
-
-    TRY(store_read_array(file, "time", &time, &times, &width, NULL));
-    if (claimed > times)
-        TRY(STATUS_INPUT);
-    TRY(truth_made_init(made, times, claimed, time));
-    TRY(read_columns(file, made));
-    for (int n = 0; n < claimed; n++)
-        TRY(store_read_frame(file, n, made->xyz[n], NULL));
-    TRY(store_read_text(file, "/", "note", &note, NULL));
-    TRY(store_read_text(file, "/", "horizon", &horizon, NULL));
-    snprintf(made->note, sizeof made->note, "%s", note);
-    snprintf(made->horizon, sizeof made->horizon, "%s", horizon);
-    TRY(read_origin(file, "commit", made->commit, sizeof made->commit));
-    TRY(read_origin(file, "changed_files", made->changed, sizeof made->changed));
-out:
-    free(time);
-    free(note);
-    free(horizon);
     return st;
 }
 
-static enum status read_alone(const char *path, struct truth_made *made, char **physics,
+enum { SUM = 64 };
+
+static enum status read_made(const struct store_read *file, struct truth *made,
+                             char **physics, char sum[SUM])
+{
+    enum status st;
+    double *time = NULL;
+    int times, width, claimed = store_read_frames(file);
+
+    TRY(store_read_text(file, "/", "physics", physics, NULL));
+    TRY(read_text(file, "/", "checksum", NULL, sum, SUM));
+    TRY(store_read_array(file, "time", &time, &times, &width, NULL));
+    TRY(claimed > times ? STATUS_INPUT : truth_init(made, times, claimed, time));
+    TRY(read_columns(file, made));
+    for (int n = 0; n < claimed; n++)
+        TRY(store_read_frame(file, n, made->xyz[n], NULL));
+    TRY(read_text(file, "/", "note", NULL, made->source, sizeof made->source));
+    TRY(read_text(file, "/", "horizon", NULL, made->horizon, sizeof made->horizon));
+    TRY(read_text(file, "provenance", "commit", "unknown", made->commit,
+                  sizeof made->commit));
+    TRY(read_text(file, "provenance", "changed_files", "unknown", made->changed,
+                  sizeof made->changed));
+out:
+    free(time);
+    return st;
+}
+
+static enum status read_alone(const char *path, struct truth *made, char **physics,
                               struct message *why)
 {
     struct store_read *file = NULL;
-    char sum[17], *kept = NULL, *text = NULL;
+    char sum[17], kept[SUM], *text = NULL;
     enum status st;
 
     memset(made, 0, sizeof *made);
     TRY(store_read_open(path, &file, why));
-    st = store_read_text(file, "/", "physics", &text, NULL);
-    if (st == STATUS_OK)
-        st = store_read_text(file, "/", "checksum", &kept, NULL);
-    if (st == STATUS_OK)
-        st = read_made(file, made);
-    if (st == STATUS_MEMORY)
-        goto out;
-    if (st != STATUS_OK)
-        TRY(status_fail(why, STATUS_INPUT, "%s: is not a stored truth", path));
+    st = read_made(file, made, &text, kept);
+    TRY(st == STATUS_OK || st == STATUS_MEMORY
+            ? st
+            : status_fail(why, STATUS_INPUT, "%s: is not a stored truth", path));
     checksum(text, made, sum);
     if (strcmp(sum, kept) != 0)
         TRY(status_fail(
@@ -241,9 +379,8 @@ static enum status read_alone(const char *path, struct truth_made *made, char **
     *physics = text, text = NULL;
 out:
     if (st != STATUS_OK)
-        truth_made_clear(made);
+        truth_clear(made);
     free(text);
-    free(kept);
     store_read_close(file);
     return st;
 }
@@ -259,11 +396,59 @@ enum status truth_file_third(const char *path, char *third, size_t size,
     return status_fail(why, STATUS_INPUT, "%s: the name is too long", path);
 }
 
-/* One of other physics than the truth's says nothing of it. */
-static enum status judge_by_third(const char *path, const char *physics,
-                                  struct truth_made *made, struct message *why)
+enum { LAYER = GRID_U * GRID_V };
+static const double SAME_TIME = 1e-6; /* [s] */
+
+/* Rms between the middle surfaces. */
+static double apart(const double *a, const double *b)
 {
-    struct truth_made third = {0};
+    double sum = 0;
+
+    for (int n = 0; n < 3 * LAYER; n++) {
+        const double d = (a[n] + a[n + 3 * LAYER] - b[n] - b[n + 3 * LAYER]) / 2;
+        sum += d * d;
+    }
+    return sqrt(sum / LAYER);
+}
+
+/* Index of a time that the third claims, -1. */
+static int index_of(const struct truth *third, double time)
+{
+    for (int n = 0; n < third->claimed; n++)
+        if (fabs(third->time[n] - time) < SAME_TIME)
+            return n;
+    return -1;
+}
+
+/* Distances and bars at the times that both claim, and the sentence. */
+static void judge(const struct truth *third, struct truth *made)
+{
+    int end = made->claimed;
+
+    for (int n = 0; n < end; n++) {
+        const int k = index_of(third, made->time[n]);
+        double *v = made->value[n];
+        if (k < 0)
+            continue;
+        v[TRUTH_THIRD] = apart(made->xyz[n], third->xyz[k]);
+        v[TRUTH_THIRD_BAR] = third->error[k];
+        if (v[TRUTH_THIRD] > made->error[n] + v[TRUTH_THIRD_BAR])
+            end = n;
+    }
+    const bool contradicts = end < made->claimed;
+    snprintf(made->third, sizeof made->third, "%.511s%s", third->source,
+             contradicts ? "; it contradicts the truth, which is not claimed from then on"
+                         : "");
+    for (int n = end; n < made->claimed; n++)
+        made->xyz[n] = NULL;
+    made->claimed = end;
+}
+
+/* One of other physics than the truth's says nothing of it. */
+static enum status judge_by_third(const char *path, const char *physics, struct truth *made,
+                                  struct message *why)
+{
+    struct truth third = {0};
     char *text = NULL, file[4096];
     struct stat there;
     enum status st;
@@ -273,17 +458,17 @@ static enum status judge_by_third(const char *path, const char *physics,
         goto out;
     TRY(read_alone(file, &third, &text, why));
     if (strcmp(text, physics) == 0)
-        truth_third_judge(&third, made);
+        judge(&third, made);
     else
         snprintf(made->third, sizeof made->third,
                  "not compared, as it is of other physics");
 out:
-    truth_made_clear(&third);
+    truth_clear(&third);
     free(text);
     return st;
 }
 
-enum status truth_file_read(const char *path, struct truth_made *made, char **physics,
+enum status truth_file_read(const char *path, struct truth *made, char **physics,
                             struct message *why)
 {
     char *text = NULL;
@@ -294,7 +479,7 @@ enum status truth_file_read(const char *path, struct truth_made *made, char **ph
     *physics = text, text = NULL;
 out:
     if (st != STATUS_OK)
-        truth_made_clear(made);
+        truth_clear(made);
     free(text);
     return st;
 }
@@ -324,8 +509,8 @@ enum status truth_file_may_store(const char *path, const struct provenance *prog
                        path, commit, changed);
 }
 
-enum status truth_file_find(const char *name, const struct scene *scene,
-                            struct truth_made *made, struct message *why)
+enum status truth_file_find(const char *name, const struct scene *scene, struct truth *made,
+                            struct message *why)
 {
     char *path = NULL, *physics = NULL;
     struct message other = {""};
@@ -341,7 +526,7 @@ enum status truth_file_find(const char *name, const struct scene *scene,
         status_fail(why, st, "the stored truth of %s is %s", name, other.text);
 out:
     if (st != STATUS_OK)
-        truth_made_clear(made);
+        truth_clear(made);
     free(physics);
     free(path);
     return st;
@@ -349,15 +534,15 @@ out:
 
 static char *describe(const char *path)
 {
-    struct truth_made made;
+    struct truth made;
     struct message why;
-    char text[sizeof made.note + 64], *physics;
+    char text[sizeof made.source + 64], *physics;
 
     if (truth_file_read(path, &made, &physics, &why) != STATUS_OK)
         return strdup(why.text);
     snprintf(text, sizeof text, "to %.3g s; %s",
-             made.claimed ? made.time[made.claimed - 1] : 0, made.note);
-    truth_made_clear(&made);
+             made.claimed ? made.time[made.claimed - 1] : 0, made.source);
+    truth_clear(&made);
     free(physics);
     return strdup(text);
 }

@@ -1,8 +1,6 @@
-#include "bench/truth/truth_level.h"
-
 #include <assert.h>
-#include <stdint.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +9,7 @@
 #include "bench/files/seal.h"
 #include "bench/files/store.h"
 #include "bench/harness/run_file.h"
-#include "bench/truth/truth_physics.h"
+#include "bench/truth/truth_parts.h"
 
 enum { PATH = 4096, KEY = 64 };
 

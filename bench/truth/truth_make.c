@@ -1,11 +1,99 @@
-#include "bench/truth/truth_make.h"
-
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
+#include "bench/frames/frames.h"
 #include "bench/harness/deadline.h"
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth_parts.h"
+#include "iga/support_knots.h"
+#include "models/grid.h"
 #include "models/metric/metric.h"
+
+/* --- Times, nets and steps --- */
+
+static bool is_multiple(double t, double step)
+{
+    return fabs(t - round(t / step) * step) < 1e-9;
+}
+
+static int compare_times(const void *a, const void *b)
+{
+    const double *left = a, *right = b;
+
+    return (*left > *right) - (*left < *right);
+}
+
+int truth_plan_times(double until, double longest, const struct scene *scene, double **time)
+{
+    const int frames = (int)floor(until / TRUTH_PLAN_FRAME + 1e-9);
+    int count = 0, kept = 0;
+    double *t = malloc((size_t)(frames + scene->snapshot_count + 1) * sizeof *t);
+
+    if (!t)
+        return -1;
+    for (int n = 1; n <= frames; n++)
+        t[count++] = n / round(1 / TRUTH_PLAN_FRAME);
+    for (int n = 0; n < scene->snapshot_count; n++)
+        if (scene->snapshots[n] <= until && scene->snapshots[n] > 0)
+            t[count++] = scene->snapshots[n];
+    qsort(t, (size_t)count, sizeof *t, compare_times);
+    for (int n = 0; n < count; n++)
+        if (is_multiple(t[n], longest) && (!kept || t[n] > t[kept - 1] + 1e-9))
+            t[kept++] = t[n];
+    *time = t;
+    return kept;
+}
+
+/* Whether so many spans a side have a knot at every edge of what is loaded; at those of
+ * what is held splines have knots by themselves. */
+static bool fits(const struct scene *scene, int spans)
+{
+    bool good = true;
+
+    for (int n = 0; n < scene->support_count; n++)
+        for (int i = 0; i < 2; i++)
+            good &= scene->supports[n].lo[i] < scene->supports[n].hi[i] ||
+                    is_multiple(scene->supports[n].lo[i], 1.0 / spans);
+    for (int n = 0; n < scene->load_count; n++)
+        for (int i = 0; i < 2; i++)
+            good &= is_multiple(scene->loads[n].lo[i], 1.0 / spans) &&
+                    is_multiple(scene->loads[n].hi[i], 1.0 / spans);
+    return good;
+}
+
+bool truth_plan_rung(const struct scene *scene, double frame, int k,
+                     struct truth_level *level)
+{
+    /* Some 1.4 apart: near enough to stop in time, far enough to show an order. */
+    static const int sizes[] = {1, 2, 3, 4, 6, 9, 13, 18, 26};
+    enum { DEGREE = 3, LEAST = 6, SIZES = sizeof sizes / sizeof *sizes };
+    int unit = 3, first = 0, repeats = 0;
+
+    for (int i = 0; i < 2; i++)
+        repeats = (int)fmax(repeats,
+                            support_knots_repeats(scene, i, DEGREE, SUPPORT_KNOTS_SOLID));
+    while (unit < 20 && !fits(scene, unit))
+        unit++;
+    unit = fits(scene, unit) ? unit : 3;
+    while (unit * sizes[first] < LEAST)
+        first++;
+    if (k + first >= SIZES)
+        return false;
+    *level = (struct truth_level){.degree = DEGREE,
+                                  .side = unit * sizes[k + first] + DEGREE + repeats,
+                                  .repeats = repeats};
+    /* Three spans for a piece of the frame. */
+    level->step = frame / (sizes[k + first] * fmax(1, round(unit / 3.0)));
+    return true;
+}
+
+double truth_plan_frame(const struct scene *scene)
+{
+    return TRUTH_PLAN_FRAME / ceil(TRUTH_PLAN_FRAME / scene->step - 1e-9);
+}
+
+/* --- The maker --- */
 
 /* Runs from the finest back to that which is pushed at the end. */
 enum { PUSHED_BEHIND = 3 };
@@ -29,14 +117,13 @@ static double seconds_of(const struct run_result *r)
     return r->create_seconds + r->step_seconds;
 }
 
-/* --- What runs show --------------------------------------------------------------------
- */
+/* --- What runs show --- */
 
-double truth_make_known(const struct truth_made *made, double error)
+double truth_make_known(const struct truth *made, double error)
 {
     double known = 0;
 
-    for (int n = 0; n < made->times && made->value[n][TRUTH_ERROR] <= error &&
+    for (int n = 0; n < made->times && made->error[n] <= error &&
                     made->value[n][TRUTH_GROWTH] <= TRUTH_MOST_GROWTH;
          n++)
         known = made->time[n];
@@ -46,12 +133,12 @@ double truth_make_known(const struct truth_made *made, double error)
 /* Whether a run is, up to a time, as near to the truth as one that is claimed: what it says
  * of the growth of a change counts then. */
 static bool is_near(const struct truth_family *f, const struct run_result *run,
-                    const struct truth_made *made, double until, double length)
+                    const struct truth *made, double until, double length)
 {
     const struct run_result *fine = truth_bar_finest(f);
 
     for (int n = 0; n < made->times && made->time[n] <= until; n++)
-        if (!(metric_rmse(run->xyz[n], fine->xyz[n]) + made->value[n][TRUTH_ERROR] <=
+        if (!(metric_rmse(run->xyz[n], fine->xyz[n]) + made->error[n] <=
               TRUTH_MOST_ERROR * length))
             return false;
     return true;
@@ -60,8 +147,8 @@ static bool is_near(const struct truth_family *f, const struct run_result *run,
 /* From when on the change has grown beyond, and whether the run it was seen in may say so.
  */
 static void see_push(const struct truth_family family[TRUTH_MODELS],
-                     const struct truth_push *push, const struct truth_made *made,
-                     double length, struct truth_outlook *o)
+                     const struct truth_push *push, const struct truth *made, double length,
+                     struct truth_outlook *o)
 {
     int n = 0;
 
@@ -78,7 +165,7 @@ static void see_push(const struct truth_family family[TRUTH_MODELS],
 struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODELS],
                                      const struct truth_push *push,
                                      const struct scene *scene, double frame,
-                                     const struct truth_made *made, double error)
+                                     const struct truth *made, double error)
 {
     static const int bar[TRUTH_MODELS] = {TRUTH_SOLID_BAR, TRUTH_SHELL_BAR};
     const double length = scene->length;
@@ -87,7 +174,7 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
 
     for (int n = 0; n < made->times; n++) {
         const double *v = made->value[n];
-        o.error = fmax(o.error, v[TRUTH_ERROR] / length);
+        o.error = fmax(o.error, made->error[n] / length);
         o.difference = fmax(o.difference, v[TRUTH_DIFFERENCE] / length);
         for (int m = 0; m < TRUTH_MODELS; m++)
             if (family[m].count)
@@ -193,8 +280,7 @@ void truth_make_tell(const struct truth_wish *wish, const struct truth_outlook *
     }
 }
 
-/* --- Runs ------------------------------------------------------------------------------
- */
+/* --- Runs --- */
 
 /* Makes one run more of a model. */
 static enum status add_run(struct maker *k, enum truth_model model, struct message *why)
@@ -285,7 +371,7 @@ static bool find_finer(const struct maker *k, int *run)
            k->spent + seconds_of(&f->run[*run]) <= k->wish->seconds;
 }
 
-static struct truth_outlook look(struct maker *k, struct truth_made *made)
+static struct truth_outlook look(struct maker *k, struct truth *made)
 {
     struct truth_outlook o;
 
@@ -298,7 +384,7 @@ static struct truth_outlook look(struct maker *k, struct truth_made *made)
 }
 
 /* The cheapest run that may say what becomes of a change up to a time; false: none may. */
-static bool find_near(const struct maker *k, const struct truth_made *made, double until,
+static bool find_near(const struct maker *k, const struct truth *made, double until,
                       const struct truth_family **family, int *run)
 {
     double least = INFINITY;
@@ -318,8 +404,8 @@ static bool find_near(const struct maker *k, const struct truth_made *made, doub
 
 /* A net too coarse to know the motion does not say that it is lost: the push is made again
  * on one that does, as soon as there is one and the budget has its time. */
-static enum status look_again(struct maker *k, struct truth_made *made,
-                              struct truth_outlook *o, struct message *why)
+static enum status look_again(struct maker *k, struct truth *made, struct truth_outlook *o,
+                              struct message *why)
 {
     const struct truth_family *f = NULL;
     enum status st = STATUS_OK;
@@ -336,7 +422,7 @@ out:
 }
 
 /* Makes runs until there is an answer. */
-static enum status work(struct maker *k, struct truth_made *made, struct truth_outlook *o,
+static enum status work(struct maker *k, struct truth *made, struct truth_outlook *o,
                         struct truth_end *end, struct message *why)
 {
     enum truth_model next;
@@ -368,14 +454,14 @@ out:
 }
 
 enum status truth_make(const struct truth_runs *runs, const struct scene *scene,
-                       const struct truth_wish *wish, struct truth_made *made,
+                       const struct truth_wish *wish, struct truth *made,
                        struct truth_end *end, struct message *why)
 {
     struct maker k = {.runs = runs, .scene = scene, .wish = wish};
     struct truth_outlook o;
     enum status st;
 
-    TRY(truth_made_init(made, runs->times, runs->times, runs->time));
+    TRY(truth_init(made, runs->times, runs->times, runs->time));
     /* Nodes of a coarse net touch an obstacle one by one, in jumps that are the net's. */
     TRY(begin(&k, scene->obstacle_count ? LEAST_RUNS + 1 : LEAST_RUNS, why));
     const struct truth_family *f = pushed_family(&k);
@@ -389,6 +475,149 @@ out:
         truth_family_clear(&k.family[m]);
     run_result_clear(&k.pushed);
     if (st != STATUS_OK)
-        truth_made_clear(made);
+        truth_clear(made);
+    return st;
+}
+
+/* --- The third mechanics --- */
+
+enum { LAYER = GRID_U * GRID_V, NETS = 3, DEGREE = 2, PATH = 4096 };
+static const double SAME_TIME = 1e-6, SAME_PLACE = 1e-6; /* [s]; of u and v */
+
+/* Vertices are the material grid's, u fastest. */
+static enum status check_net(const struct frames *f, struct message *why)
+{
+    const struct frames_net *net = frames_net(f);
+    double uvw[3], off = 0;
+
+    for (int n = 0; net->uv && net->vertices == LAYER && n < LAYER; n++) {
+        grid_point(n, uvw);
+        off = fmax(off,
+                   fmax(fabs(net->uv[2 * n] - uvw[0]), fabs(net->uv[2 * n + 1] - uvw[1])));
+    }
+    if (net->uv && net->vertices == LAYER && off < SAME_PLACE)
+        return STATUS_OK;
+    return status_fail(
+        why, STATUS_INPUT,
+        "%s: the %d x %d points u = i/%d, v = j/%d, u fastest, would be right",
+        frames_name(f), GRID_U, GRID_V, GRID_U - 1, GRID_V - 1);
+}
+
+/* Both layers of the field are the middle surface. */
+static enum status add_frame(struct run_result *r, double t, const double *xyz)
+{
+    const size_t count = (size_t)r->frames + 1, numbers = 3 * LAYER;
+    double *time = realloc(r->time, count * sizeof *time);
+    double **all = time ? realloc(r->xyz, count * sizeof *all) : NULL;
+
+    r->time = time ? time : r->time;
+    r->xyz = all ? all : r->xyz;
+    if (!all || !(all[r->frames] = malloc(GRID_W * numbers * sizeof *xyz)))
+        return STATUS_MEMORY;
+    for (size_t n = 0; n < GRID_W * numbers; n++)
+        all[r->frames][n] = xyz[n % numbers];
+    time[r->frames++] = t;
+    return STATUS_OK;
+}
+
+static enum status read_net(const char *path, struct run_result *r, struct message *why)
+{
+    struct frames *f = NULL;
+    const double *xyz;
+    double t;
+    enum status st;
+
+    TRY(frames_open(1, &path, &(struct frames_look){0}, &f, why));
+    TRY(check_net(f, why));
+    for (;;) {
+        TRY(frames_next(f, &t, &xyz, why));
+        if (!xyz)
+            break;
+        TRY(add_frame(r, t, xyz));
+    }
+out:
+    frames_close(f);
+    return st;
+}
+
+/* FOLDER/N.csv of N elements, from coarse to fine, as the folder's numbers are. */
+static enum status read_nets(const char *folder, struct truth_family *f,
+                             struct message *why)
+{
+    struct frames_folder files = {0};
+    enum status st;
+
+    TRY(frames_folder_read(folder, &files, why));
+    for (int n = 0; n < files.count && f->count < NETS; n++) {
+        char *end;
+        const long elements = strtol(files.path[n] + strlen(folder) + 1, &end, 10);
+        if (elements < 1 || elements > 9999 || strcmp(end, ".csv") != 0)
+            continue;
+        f->level[f->count] =
+            (struct truth_level){.degree = DEGREE, .side = (int)elements + DEGREE};
+        TRY(read_net(files.path[n], &f->run[f->count++], why));
+    }
+    if (f->count < NETS)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: has %d of three nets of frames, N.csv of N elements", folder,
+                        f->count));
+out:
+    frames_folder_clear(&files);
+    return st;
+}
+
+/* Times that all nets begin with: one may have died, or not have come further. */
+static int common_times(const struct truth_family *f)
+{
+    int n = 0;
+
+    for (;; n++)
+        for (int k = 0; k < NETS; k++)
+            if (n >= f->run[k].frames ||
+                fabs(f->run[k].time[n] - f->run[0].time[n]) > SAME_TIME)
+                return n;
+}
+
+/* The first line of FOLDER/note.txt. */
+static enum status read_note(const char *folder, struct truth *third, struct message *why)
+{
+    char path[PATH];
+
+    snprintf(path, sizeof path, "%s/note.txt", folder);
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return status_fail(why, STATUS_INPUT, "%s: cannot be read", path);
+    third->source[fread(third->source, 1, sizeof third->source - 1, file)] = '\0';
+    fclose(file);
+    third->source[strcspn(third->source, "\n")] = '\0';
+    return STATUS_OK;
+}
+
+enum status truth_third_make(const char *folder, double length, struct truth *third,
+                             struct message *why)
+{
+    struct truth_family family[TRUTH_MODELS] = {{0}};
+    struct truth_family *f = &family[TRUTH_SHELL];
+    enum status st;
+
+    memset(third, 0, sizeof *third);
+    TRY(read_nets(folder, f, why));
+    const int times = common_times(f);
+    if (!times)
+        TRY(status_fail(why, STATUS_INPUT, "%s: its nets have no time in common", folder));
+    TRY(truth_init(third, times, times, f->run[0].time));
+    third->foreign = true;
+    /* Nobody pushed it: nothing is known of the growth. */
+    truth_bar_compare(family, &(struct truth_push){.plain = f->run, .pushed = f->run},
+                      length, third);
+    truth_bar_claim(third, length);
+    for (int n = 0; n < times; n++)
+        truth_bar_limit(f, third->value[n][TRUTH_SHELL_SPACE], n, third->xyz[n]);
+    TRY(read_note(folder, third, why));
+    snprintf(third->horizon, sizeof third->horizon, "not watched");
+out:
+    truth_family_clear(f);
+    if (st != STATUS_OK)
+        truth_clear(third);
     return st;
 }

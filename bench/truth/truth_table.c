@@ -5,20 +5,12 @@
 
 #include "models/reader/named_file.h"
 
-/* Tables have no line for lists. */
-static char *describe(const char *path)
-{
-    (void)path;
-    return calloc(1, 1);
-}
-
 static const struct named_file_kind kind = {
     .what = "reference table",
     .ending = ".csv",
     .environment = "CLOTHBENCH_REFERENCE",
     .from_program = REFERENCE_FROM_PROGRAM,
     .in_source = REFERENCE_IN_SOURCE,
-    .describe = describe,
 };
 
 enum status truth_table_path(const char *name, char **path, struct message *why)

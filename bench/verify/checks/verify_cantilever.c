@@ -1,6 +1,6 @@
 #include <math.h>
 
-#include "bench/truth/truth_plate.h"
+#include "bench/truth/truth.h"
 #include "bench/verify/checks/verify_plates.h"
 
 /* Weight small enough that every model's answer is that of linear theory: slopes of 1e-3

@@ -1,11 +1,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "bench/truth/truth_plate.h"
+#include "bench/truth/truth.h"
 #include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
 #include "fem_ref/freefem.h"
+#include "fem_ref/kirchhoff_field.h"
+#include "models/grid.h"
 #include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
 #include "models/reader/scene_file.h"
 
 /* As in `pendulum`: a solid 1 %, a shell, whose theory is the truth's own, 1e-3. */
@@ -59,7 +62,6 @@ static const struct verify_field field = {
 /* Truths and room. */
 struct transient {
     struct scene scene; /* with all of gravity                                          */
-    struct truth_plate plate;
     struct freefem_field solid; /* 3-D elasticity                                       */
     double fallen[TIMES];       /* rms [m]                                              */
     double uvw[3 * GRID_POINTS], truth[TIMES * 3 * GRID_POINTS];
@@ -71,11 +73,16 @@ static enum status transient_init(struct transient *t, struct message *why)
 {
     enum status st;
     char *scene = NULL, *solid = NULL;
+    double *plate[TIMES], *rest = NULL;
     struct freefem_job job;
 
     TRY(scene_file_find(SCENE, &scene, why));
     TRY(contestant_read_scene(&(struct settings){0}, scene, &t->scene, why));
-    TRY(truth_plate_init(&t->plate, &t->scene, TIMES, times, why));
+    for (int n = 0; n < TIMES; n++)
+        plate[n] = t->truth + 3 * GRID_POINTS * n;
+    TRY(truth_plate_fields(&t->scene, TIMES, times, plate, why));
+    rest = metric_rest_field(&t->scene);
+    TRY(rest ? STATUS_OK : STATUS_MEMORY);
     TRY(freefem_job_of(&t->scene, &job, why));
     job.moving = true;
     TRY(truth_table_path("freefem_transient_h1177um", &solid, why));
@@ -83,15 +90,16 @@ static enum status transient_init(struct transient *t, struct message *why)
     for (int n = 0; n < GRID_POINTS; n++)
         grid_point(n, t->uvw + 3 * n);
     for (int n = 0; n < TIMES; n++) {
-        double *truth = t->truth + 3 * GRID_POINTS * n, *shift = t->solid.shift[n][0][0];
+        double *shift = t->solid.shift[n][0][0];
         for (int i = 0; i < 3 * GRID_POINTS; i++)
-            truth[i] = t->plate.rest[i] + SMALL * (t->plate.xyz[n][i] - t->plate.rest[i]);
-        t->fallen[n] = metric_rmse(truth, t->plate.rest);
+            plate[n][i] = rest[i] + SMALL * (plate[n][i] - rest[i]);
+        t->fallen[n] = metric_rmse(plate[n], rest);
         for (int i = 0; i < 3 * FREEFEM_SIDE * FREEFEM_SIDE; i++)
             shift[i] *= SMALL;
         t->solid.error[n] *= SMALL;
     }
 out:
+    free(rest);
     free(scene);
     free(solid);
     return st;
@@ -137,7 +145,6 @@ static void run(struct verify_sheet *sheet)
         }
     }
     scene_clear(&t->scene);
-    truth_plate_clear(&t->plate);
     free(t);
 }
 

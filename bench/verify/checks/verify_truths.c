@@ -1,7 +1,6 @@
 #include <stdlib.h>
 
-#include "bench/truth/truth_file.h"
-#include "bench/truth/truth_plan.h"
+#include "bench/truth/truth.h"
 #include "bench/verify/verify_check.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
@@ -36,7 +35,7 @@ struct stored {
     const char *scene;
     double length;
     struct settings settings; /* as its truth moves                                    */
-    struct truth_made truth;
+    struct truth truth;
     double uvw[3 * GRID_POINTS], xyz[3 * GRID_POINTS];
 };
 
@@ -82,9 +81,9 @@ static void add_scene(struct verify_sheet *sheet, struct stored *s)
             if (verify_trial_motion(&t, 1, &time, GRID_POINTS, s->uvw, s->xyz))
                 verify_row_judge_error(t.row,
                                        metric_rmse(s->xyz, s->truth.xyz[index]) / length,
-                                       s->truth.value[index][TRUTH_ERROR] / length);
+                                       s->truth.error[index] / length);
         }
-    truth_made_clear(&s->truth);
+    truth_clear(&s->truth);
     settings_clear(&s->settings);
 }
 

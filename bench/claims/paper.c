@@ -1,4 +1,4 @@
-#include "bench/truth/paper.h"
+#include "bench/claims/paper.h"
 
 /* clang-format off */
 const double paper_table2_ms[PAPER_TABLE2_ROWS] = {89,  102,  403, 10,  82,

@@ -29,7 +29,7 @@ struct sweep {
  * is from that, look by look (LOOKS_TRUTH). */
 struct known {
     struct truth made; /* nothing is claimed: no truth is known                   */
-    double length;          /* of the scene [m]                                        */
+    double length;     /* of the scene [m]                                        */
 };
 
 /* Fills in the distance and the bar where the truth is known at this time. */

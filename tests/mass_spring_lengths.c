@@ -1,5 +1,5 @@
 /* Springs on lengths, and struts, by leapfrog: the explicit method's motion, the slope of
- * the energy, its balance, the step where springs are stretched, threads. */
+ * the energy, the step where springs are stretched. */
 #include "mass_spring/spring_stencil.h"
 #include "tests/mass_spring.h"
 
@@ -113,40 +113,6 @@ static void check_slope(int n, int m, enum bending bending)
     scene_clear(&scene);
 }
 
-/* The stencil's matrix is the slope of its force, for who seeks rest. */
-static void check_stencil(void)
-{
-    const double SLOPE = 1e-6;
-    struct scene scene;
-    struct spring_motion m;
-    struct discretization d = leapfrog(5, 4, BENDING_QUADRATIC);
-    double f[2][3 * 20], most = 0, off = 0;
-
-    fill(&scene, HOLD_EDGE);
-    start(&m, &scene, &d);
-    const struct spring_stencil *s = spring_motion_stencil(&m);
-    double(*K)[9] = m.newton.K, by = 1e-4 * m.net.cell[0], up[3 * 20];
-    for (int t = 0; t < 60; t++)
-        m.x[t] += 300 * by * noise(t),
-            up[t] = m.newton.supports.free_index[t] < 0 ? 0 : noise(7 * t);
-    spring_stencil_jacobian(s, m.x, false, K);
-    blocks_multiply(&m.net.graph, (const double(*)[9])K, up, m.v);
-    for (int k = 0; k < 2; k++) {
-        memset(f[k], 0, sizeof f[k]);
-        for (int t = 0; t < 60; t++)
-            m.x[t] += (k ? 2 : -1) * by * up[t];
-        spring_stencil_force_add(s, m.x, f[k]);
-    }
-    for (int t = 0; t < 60; t++)
-        if (m.newton.supports.free_index[t] >= 0) {
-            off = fmax(off, fabs((f[0][t] - f[1][t]) / (2 * by) - m.v[t]));
-            most = fmax(most, fabs(m.v[t]));
-        }
-    CHECK(off < SLOPE * most);
-    spring_motion_clear(&m);
-    scene_clear(&scene);
-}
-
 /* A weak net that its weight stretches by half and more: springs that are stretched are
  * stiff across, too, and the step follows. */
 static void check_watched(enum bending bending)
@@ -170,17 +136,6 @@ static void check_watched(enum bending bending)
     scene_clear(&scene);
 }
 
-static void check_shared(enum bending bending)
-{
-    struct scene scene;
-    struct discretization d = leapfrog(2, 2, bending);
-
-    fill(&scene, HOLD_PATCH);
-    scene.step = 1e-4, d.substeps = 9;
-    check_threads(&scene, d);
-    scene_clear(&scene);
-}
-
 int main(void)
 {
     static const int points[][2] = {{9, 8}, {2, 3}, {11, 21}, {35, 19}};
@@ -193,10 +148,7 @@ int main(void)
     check_slope(6, 7, BENDING_QUADRATIC);
     check_slope(35, 19, BENDING_QUADRATIC);
     check_slope(6, 7, BENDING_STRUT);
-    check_stencil();
     check_watched(BENDING_QUADRATIC);
     check_watched(BENDING_STRUT);
-    check_shared(BENDING_QUADRATIC);
-    check_shared(BENDING_STRUT);
     return check_result();
 }

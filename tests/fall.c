@@ -1,6 +1,6 @@
 /* A free sheet falls and drifts without deforming, in every scheme of every model: its
- * motion is that of one point by the scheme's own law, with drag in wind and mass damping;
- * and it flies as it was thrown. */
+ * motion is that of one point by the scheme's own law, with drag in wind, a dead load and
+ * mass damping; and it flies as it was thrown. */
 #include <float.h>
 
 #include "models/grid.h"
@@ -118,16 +118,16 @@ static double deviation(const struct run *run, const struct point shift[3])
 
 static const struct air {
     /* `printed` has a damping of its own; constraints without stiffness know none of it */
-    const char *drag, *damping, *without_beta, *also;
-    double alpha;
+    const char *drag, *damping, *without_beta, *motion;
+    double alpha, push; /* the latter by a dead load [m/s^2], where loads are served    */
 } airs[] = {
     {"drag.coefficient=0", "damping={kind: none}", "damping={kind: none}",
-     "motion={velocity: [1,-2,3]}", 0},
+     "motion={velocity: [1,-2,3]}", 0, 0},
     {"drag={coefficient: 2.5, wind: [1.5,-0.7,0.4]}", "damping={kind: none}",
-     "damping={kind: none}", NULL, 0},
+     "damping={kind: none}", NULL, 0, 2},
     {"drag={coefficient: 1, wind: [1.5,-0.7,0.4]}",
      "damping={kind: rayleigh, alpha: 3, beta: 1e-4}", "damping={kind: mass, value: 3}",
-     NULL, 3},
+     NULL, 3, 0},
 };
 enum { AIRS = sizeof airs / sizeof *airs };
 
@@ -139,6 +139,8 @@ static void check_fall(const struct row *row, const struct air *air)
     struct run run;
 
     REQUIRE(contestant_find(row->name, &c, NULL) == STATUS_OK);
+    const double push =
+        c->model->serves & SCENE_NEED_LOADS ? air->push : 0; /* of 0.025 kg */
     OPENED_RUN(&run, "drag_fall", row->name, "gravity=[0.5,0,-9.81]",
                "sheet.thickness=0.05", "material.young=1000",
                c->layers ? "discretization.points=[6,5,2]" : "discretization.points=[6,5]",
@@ -148,7 +150,8 @@ static void check_fall(const struct row *row, const struct air *air)
                    ? air->without_beta
                    : air->damping,
                row->settings[0] ? row->settings[0] : air->drag,
-               row->settings[1] ? row->settings[1] : air->drag, air->also);
+               row->settings[1] ? row->settings[1] : air->drag,
+               push > 0 ? "loads=[{at: {u: [0,1]}, force: [0,0,0.05]}]" : air->motion);
     const struct scene *s = &run.scene;
     const struct counters work = opened_steps(&run, FRAMES);
     const int steps = work.substeps > FRAMES ? (int)work.substeps : FRAMES;
@@ -157,7 +160,7 @@ static void check_fall(const struct row *row, const struct air *air)
         p[i].d = s->velocity[i] * s->step;
         for (int n = 0; n < steps; n++)
             step(row->law, FRAMES * s->step / steps,
-                 s->gravity[i] + s->drag / s->density * s->wind[i],
+                 s->gravity[i] + (i == 2 ? push : 0) + s->drag / s->density * s->wind[i],
                  s->drag / s->density + (row->law == PRINTED ? 0 : air->alpha), mu, &p[i]);
     }
     if (!CHECK_NEAR(deviation(&run, p) / fabs(p[2].x), 0, row->tolerance))

@@ -129,6 +129,26 @@ static void test_folded(void)
     CHECK(count(2, 2) == 0);
 }
 
+/* All points in one: every pair without a common grid point. */
+static void test_collapsed(void)
+{
+    long apart = 0;
+
+    memset(xyz, 0, sizeof xyz);
+    for (int p = 0; p < 2 * 6 * 4; p++)
+        for (int q = 0; q < p; q++) {
+            int a[3], b[3], shared = 0;
+            intersection_corners(7, p, a), intersection_corners(7, q, b);
+            for (int k = 0; k < 9; k++)
+                shared += a[k / 3] == b[k % 3];
+            apart += shared == 0;
+        }
+    CHECK(count(7, 5) == apart);
+    for (int n = 0; n < 35; n++)
+        xyz[n][1] = 3.25;
+    CHECK(count(7, 5) == apart);
+}
+
 /* Pairs by linear programming. */
 static long count_reference(int n_u, int n_v, const int (*x)[3])
 {
@@ -325,6 +345,7 @@ int main(void)
     test_crossing();
     test_tube();
     test_folded();
+    test_collapsed();
     test_reference();
     test_crumpled();
     test_threads();

@@ -173,16 +173,6 @@ out:
 
 /* ------------------------------------------------------------------ comparing ------- */
 
-double freefem_difference(const struct freefem_field *a, const struct freefem_field *b,
-                          int t)
-{
-    const double *p = a->shift[t][0][0], *q = b->shift[t][0][0];
-    double sum = 0;
-    for (int n = 0; n < 3 * POINTS; n++)
-        sum += (p[n] - q[n]) * (p[n] - q[n]);
-    return sqrt(sum / POINTS);
-}
-
 double freefem_rmse(const struct freefem_field *field, int t, const struct scene *scene,
                     const double *xyz)
 {

@@ -45,11 +45,8 @@ enum status freefem_read(const char *path, struct freefem_field *field,
 enum status freefem_stored(const struct freefem_job *job, const char *path,
                            struct freefem_field *field, struct message *why);
 
-/* rms over the points, at time number t, of |a - b| [m]. */
-double freefem_difference(const struct freefem_field *a, const struct freefem_field *b,
-                          int t);
-
-/* The same against the mid-surface of a sampled field xyz[GRID_W][GRID_V][GRID_U][3]. */
+/* How far the mid-surface of a sampled field xyz[GRID_W][GRID_V][GRID_U][3] is from the
+ * field's points at time number t, rms [m]. */
 double freefem_rmse(const struct freefem_field *field, int t, const struct scene *scene,
                     const double *xyz);
 

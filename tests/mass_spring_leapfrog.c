@@ -1,6 +1,6 @@
-/* Springs in explicit steps, leapfrog's above all: stability limit, the
- * clamp, scaled velocities, moved edges, precision. (Falls: fall.c; order: time_order.c.)
- */
+/* Springs in explicit steps, leapfrog's above all: stability limit, scaled
+ * velocities, moved edges, precision. (Falls: fall.c; order: time_order.c; the clamp:
+ * nets_bend.c.) */
 #include "mass_spring/spring_stencil.h"
 #include "mass_spring/spring_strain.h"
 #include "tests/mass_spring.h"
@@ -106,36 +106,6 @@ static void check_exchanged(int n, int m)
         spring_motion_clear(&motion[k]);
         scene_clear(&scene[k]);
     }
-}
-
-/* The clamp bends as the cubic through its three points, with the weights 1/3 and 7/6 of
- * spring_plate.h: exact for x_uu linear in u. */
-static void check_clamp(void)
-{
-    struct scene scene;
-    struct spring_net net;
-    struct spring_stencil stencil;
-    const int points[2] = {9, 2};
-    double x[3 * 18], small = 1e-5, want = 0;
-
-    fill_scene(&scene, true);
-    scene.poisson = 0;
-    REQUIRE(spring_net_init(&net, &scene, points, PARAMETERS_MATCHED, true) == STATUS_OK);
-    REQUIRE(spring_stencil_init(&stencil, &scene, &net, SPRINGS_SQUARES,
-                                BENDING_QUADRATIC) == STATUS_OK);
-    memcpy(x, net.rest, sizeof x);
-    double L = scene.length, a = L / 8;
-    for (int n = 0; n < net.nodes; n++) /* curvature L - u, as of a load at the tip */
-        x[3 * n + 2] = small * (L * x[3 * n] * x[3 * n] / 2 - pow(x[3 * n], 3) / 6);
-    for (int i = 0; i < 8; i++)
-        want += (i == 0 ? a / 3 : i == 1 ? 7 * a / 6 : a) * pow(L - i * a, 2);
-    want *= scene_bending_stiffness(&scene) / 2 * scene.width;
-    double energy =
-        spring_stencil_energy(&stencil, x) - spring_stencil_energy(&stencil, net.rest);
-    CHECK_RELATIVE(energy / (small * small), want, 1e-6);
-    spring_stencil_clear(&stencil);
-    spring_net_clear(&net);
-    scene_clear(&scene);
 }
 
 /* A frame's halving of velocities only takes energy, also from modes at the limit: the net
@@ -248,7 +218,6 @@ int main(void)
     check_exchanged(5, 9);
     check_exchanged(8, 17);
     check_exchanged(18, 35); /* strips of rows, lengthened ones of columns */
-    check_clamp();
     check_scaled();
     check_driven();
     return check_result();

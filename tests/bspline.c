@@ -135,24 +135,6 @@ static void check_basis(const struct bspline *b, uint64_t *state)
     CHECK(!copy.U && !copy.n && !copy.p);
 }
 
-/* NURBS Book, Ex. 2.3: degree 2, knots {0,0,0,1,2,3,4,4,5,5,5}, u = 5/2 (here over 5). */
-static void check_textbook(void)
-{
-    static const double inner[] = {0, 0, 0, 0.2, 0.4, 0.6, 0.8, 0.8, 1, 1, 1};
-    static const double value[] = {1.0 / 8, 6.0 / 8, 1.0 / 8}, slope[] = {-0.5, 0, 0.5};
-    struct bspline b = {0};
-    double out[6];
-
-    REQUIRE(bspline_init(&b, 2, 11, inner, NULL) == STATUS_OK);
-    CHECK(b.n == 8 && bspline_span(&b, 0.5) == 4);
-    bspline_eval(&b, 4, 0.5, 1, out);
-    for (int a = 0; a < 3; a++) {
-        CHECK_NEAR(out[a], value[a], TOL_UNITY);
-        CHECK_NEAR(out[3 + a] / 5, slope[a], TOL_UNITY);
-    }
-    bspline_clear(&b);
-}
-
 static void refused(int p, int count, const double *U, const char *sentence)
 {
     static struct bspline untouched;
@@ -214,7 +196,6 @@ int main(void)
             bspline_clear(&b);
         }
     }
-    check_textbook();
     check_refusals();
     bspline_clear(NULL);
     return check_result();

@@ -51,64 +51,20 @@ static void surface(enum state state, double s, double t, double x[3], double n[
     }
 }
 
-/* K v = omega^2 M v: the lowest elastic omega^2; the six below it are rigid. */
-static double lowest(const struct large_body *body, const struct blocks *graph,
-                     const double *M, const double *x, double *rigid)
-{
-    const size_t n = 3 * (size_t)graph->nodes;
-    double *a = calloc(2 * n * n + n, sizeof *a), *b = a + n * n, *lambda = b + n * n;
-    double(*K)[9] = malloc((size_t)graph->start[graph->nodes] * sizeof *K);
+/* A flat sheet on the same net as a shell, uncured or cured, or as a cured solid. */
+enum kind { UNCURED, CURED, SOLID, KINDS };
 
-    REQUIRE(a && K);
-    CHECK(large_body_tangent(body, &statics, x, (struct large_foresight){.none = true},
-                             K) == STATUS_OK);
-    for (int i = 0; i < graph->nodes; i++)
-        for (long t = graph->start[i]; t < graph->start[i + 1]; t++)
-            for (size_t k = 0; k < 9; k++) { /* upper triangle by rows */
-                const size_t at =
-                    (3 * (size_t)i + k / 3) * n + 3 * (size_t)graph->node[t] + k % 3;
-                a[at] = K[t][k];
-                b[at] = k % 4 ? 0 : M[t];
-            }
-    REQUIRE(!LAPACKE_dsygvd(LAPACK_ROW_MAJOR, 1, 'N', 'U', (int)n, a, (int)n, b, (int)n,
-                            lambda));
-    *rigid = 0;
-    for (int k = 0; k < 6; k++)
-        *rigid = fmax(*rigid, fabs(lambda[k]) / lambda[n - 1]);
-    const double found = lambda[6];
-    free(a);
-    free(K);
-    return found;
-}
-
-/* The same of the sheet at rest moved in its plane alone, all layers alike: all omega^2,
- * lambda[2 nodes / layers]. */
-static void in_plane(const struct large_body *body, const struct blocks *graph,
-                     const double *M, int layers, const double *x, double *lambda)
-{
-    const size_t n = 2 * (size_t)(graph->nodes / layers);
-    double *a = calloc(2 * n * n, sizeof *a), *b = a + n * n;
-    double(*K)[9] = malloc((size_t)graph->start[graph->nodes] * sizeof *K);
-
-    REQUIRE(a && K);
-    CHECK(large_body_tangent(body, &statics, x, (struct large_foresight){.none = true},
-                             K) == STATUS_OK);
-    for (int i = 0; i < graph->nodes; i++)
-        for (long t = graph->start[i]; t < graph->start[i + 1]; t++)
-            for (size_t k = 0; k < 4; k++) {
-                const size_t from = 2 * (size_t)(i / layers) + k / 2,
-                             to = 2 * (size_t)(graph->node[t] / layers) + k % 2;
-                const double mass = k % 3 ? 0 : M[t], *block = K[t];
-                a[from * n + to] += block[k / 2 * 3 + k % 2], b[from * n + to] += mass;
-                if (graph->node[t] == i)
-                    continue;
-                a[to * n + from] += block[k / 2 * 3 + k % 2], b[to * n + from] += mass;
-            }
-    REQUIRE(!LAPACKE_dsygvd(LAPACK_ROW_MAJOR, 1, 'N', 'U', (int)n, a, (int)n, b, (int)n,
-                            lambda));
-    free(a);
-    free(K);
-}
+struct sheet {
+    int layers;
+    struct bspline basis[2];
+    struct shell_space space;
+    struct shell_assembly shell;
+    struct solid solid;
+    struct solid_green green;
+    const struct large_body *body;
+    const struct blocks *graph;
+    const double *M;
+};
 
 /* x[nodes] of a shell (layers 1) or of a solid of two layers. */
 static void place(enum state state, const struct bspline *u, const struct bspline *v,
@@ -125,129 +81,122 @@ static void place(enum state state, const struct bspline *u, const struct bsplin
     }
 }
 
-/* All states against `bend`; returns the lowest at rest. */
-static void check(const char *what, const int degree, const int spans[2], double bend,
-                  const double found[STATES], const double rigid[STATES])
+static void make(struct sheet *s, enum kind kind, int p, int n, int m)
 {
-    for (int k = 0; k < STATES; k++) {
-        bool good = CHECK_NEAR(rigid[k], 0, ZERO);
-        good &= CHECK(found[k] > LEAST * bend);
-        if (!good)
-            printf("%s, degree %d, %d x %d spans, %s: rigid %.1e, lowest %.3g of a bend\n",
-                   what, degree, spans[0], spans[1], state_name[k], rigid[k],
-                   found[k] / bend);
-    }
-}
-
-static void find_shell(int p, const int spans[2], bool selective, double found[STATES],
-                       double rigid[STATES])
-{
-    const struct shell_material material = {
+    const struct shell_material thin = {
         .young = 3, .poisson = 0.3, .density = 2, .thickness = THICKNESS};
-    struct bspline basis[2];
-    struct shell_space space = {0};
-    struct shell_assembly s = {0};
-    double x[3 * 100];
-
-    shell_bases(basis, p, p + spans[0], p, p + spans[1]);
-    place(REST, &basis[0], &basis[1], 1, x);
-    REQUIRE(shell_space_init(&space, basis, x, NULL, (int[]){0, 0}, selective, NULL) ==
-            STATUS_OK);
-    REQUIRE(shell_assembly_init(&s, &space, &material, NULL) == STATUS_OK);
-    for (enum state k = REST; k < STATES; k++) {
-        place(k, &basis[0], &basis[1], 1, x);
-        found[k] = lowest(&s.body, &s.graph, s.M, x, &rigid[k]);
-    }
-    shell_assembly_clear(&s);
-    shell_space_clear(&space);
-    bspline_clear(&basis[0]);
-    bspline_clear(&basis[1]);
-}
-
-static void find_solid(int p, const int spans[2], double found[STATES],
-                       double rigid[STATES])
-{
-    const struct solid_material material = solid_element_material(3, 0.3, 2);
-    const struct solid_case box = {SOLID_SELECTIVE,
-                                   {p, p, 1},
-                                   {p + spans[0], p + spans[1], 2},
-                                   {LENGTH, WIDTH, THICKNESS}};
-    struct patch patch;
-    struct solid s;
-    struct solid_green g = {0};
-    double x[3 * 200];
-
-    solid_box(&box, &patch);
-    solid_make(&s, box.kind, &patch, (int[]){0, 0, 0}, false, &material);
-    REQUIRE(solid_green_init(&g, &s.assembly) == STATUS_OK);
-    for (enum state k = REST; k < STATES; k++) {
-        place(k, &s.patch.basis[0], &s.patch.basis[1], 2, x);
-        found[k] = lowest(&g.body, &s.assembly.graph, s.assembly.M, x, &rigid[k]);
-    }
-    solid_green_clear(&g);
-    solid_clear(&s);
-}
-
-static void shell_in_plane(const struct bspline basis[2], bool cured, const double *x,
-                           double *lambda)
-{
-    const struct shell_material material = {
-        .young = 3, .poisson = 0.3, .density = 2, .thickness = THICKNESS};
-    struct shell_space space = {0};
-    struct shell_assembly s = {0};
-
-    REQUIRE(shell_space_init(&space, basis, x, NULL, (int[]){0, 0}, cured, NULL) ==
-            STATUS_OK);
-    REQUIRE(shell_assembly_init(&s, &space, &material, NULL) == STATUS_OK);
-    in_plane(&s.body, &s.graph, s.M, 1, x, lambda);
-    shell_assembly_clear(&s);
-    shell_space_clear(&space);
-}
-
-static void solid_in_plane(int p, int n, int m, const double *x, double *lambda)
-{
-    const struct solid_material material = solid_element_material(3, 0.3, 2);
+    const struct solid_material thick = solid_element_material(3, 0.3, 2);
     const struct solid_case box = {
         SOLID_SELECTIVE, {p, p, 1}, {p + n, p + m, 2}, {LENGTH, WIDTH, THICKNESS}};
     struct patch patch;
-    struct solid s;
-    struct solid_green g = {0};
+    double x[3 * 400];
 
-    solid_box(&box, &patch);
-    solid_make(&s, box.kind, &patch, (int[]){0, 0, 0}, false, &material);
-    REQUIRE(solid_green_init(&g, &s.assembly) == STATUS_OK);
-    in_plane(&g.body, &s.assembly.graph, s.assembly.M, 2, x, lambda);
-    solid_green_clear(&g);
-    solid_clear(&s);
+    memset(s, 0, sizeof *s);
+    shell_bases(s->basis, p, p + n, p, p + m);
+    s->layers = kind == SOLID ? 2 : 1;
+    if (kind == SOLID) {
+        solid_box(&box, &patch);
+        solid_make(&s->solid, box.kind, &patch, (int[]){0, 0, 0}, false, &thick);
+        REQUIRE(solid_green_init(&s->green, &s->solid.assembly) == STATUS_OK);
+        s->body = &s->green.body;
+        s->graph = &s->solid.assembly.graph, s->M = s->solid.assembly.M;
+        return;
+    }
+    place(REST, &s->basis[0], &s->basis[1], 1, x);
+    REQUIRE(shell_space_init(&s->space, s->basis, x, NULL, (int[]){0, 0}, kind == CURED,
+                             NULL) == STATUS_OK);
+    REQUIRE(shell_assembly_init(&s->shell, &s->space, &thin, NULL) == STATUS_OK);
+    s->body = &s->shell.body, s->graph = &s->shell.graph, s->M = s->shell.M;
+}
+
+static void clear(struct sheet *s)
+{
+    if (s->layers == 2) {
+        solid_green_clear(&s->green);
+        solid_clear(&s->solid);
+    } else {
+        shell_assembly_clear(&s->shell);
+        shell_space_clear(&s->space);
+    }
+    bspline_clear(&s->basis[0]);
+    bspline_clear(&s->basis[1]);
+}
+
+/* K v = omega^2 M v in a state, all omega^2 ascending, lambda[n]; of `parts` = 2: moved in
+ * the plane alone, all layers alike. Returns n, the number of motions. */
+static size_t solve(const struct sheet *s, enum state state, size_t parts, double *lambda)
+{
+    const struct blocks *graph = s->graph;
+    const size_t layers = parts == 2 ? (size_t)s->layers : 1,
+                 n = parts * (size_t)graph->nodes / layers;
+    double *a = calloc(2 * n * n, sizeof *a), *b = a + n * n, *x, (*K)[9];
+
+    K = malloc((size_t)graph->start[graph->nodes] * sizeof *K);
+    x = malloc(3 * (size_t)graph->nodes * sizeof *x);
+    REQUIRE(a && K && x);
+    place(state, &s->basis[0], &s->basis[1], s->layers, x);
+    CHECK(large_body_tangent(s->body, &statics, x, (struct large_foresight){.none = true},
+                             K) == STATUS_OK);
+    for (int i = 0; i < graph->nodes; i++)
+        for (long t = graph->start[i]; t < graph->start[i + 1]; t++)
+            for (size_t k = 0; k < parts * parts; k++) {
+                const size_t r = k / parts, c = k % parts,
+                             from = parts * ((size_t)i / layers) + r,
+                             to = parts * ((size_t)graph->node[t] / layers) + c;
+                const double mass = r == c ? s->M[t] : 0, value = K[t][3 * r + c];
+                a[from * n + to] += value, b[from * n + to] += mass;
+                if (graph->node[t] != i)
+                    a[to * n + from] += value, b[to * n + from] += mass;
+            }
+    REQUIRE(!LAPACKE_dsygvd(LAPACK_ROW_MAJOR, 1, 'N', 'U', (int)n, a, (int)n, b, (int)n,
+                            lambda));
+    free(a);
+    free(x);
+    free(K);
+    return n;
+}
+
+/* All states of a cured sheet: six rigid motions, and the next against `bend`. */
+static void check_states(enum kind kind, int p, int n, int m, double bend)
+{
+    struct sheet s;
+    double lambda[3 * 200];
+
+    make(&s, kind, p, n, m);
+    for (enum state k = REST; k < STATES; k++) {
+        double rigid = 0;
+        const size_t count = solve(&s, k, 3, lambda);
+        for (int t = 0; t < 6; t++)
+            rigid = fmax(rigid, fabs(lambda[t]) / lambda[count - 1]);
+        bool good = CHECK_NEAR(rigid, 0, ZERO);
+        good &= CHECK(lambda[6] > LEAST * bend);
+        if (!good)
+            printf("%s, degree %d, %d x %d spans, %s: rigid %.1e, lowest %.3g of a bend\n",
+                   kind == SOLID ? "solid" : "shell", p, n, m, state_name[k], rigid,
+                   lambda[6] / bend);
+    }
+    clear(&s);
 }
 
 /* Motions in the plane: each omega^2 against that of the net uncured. */
 static void check_in_plane(int p, int n, int m)
 {
     enum { RIGID = 3 };
-    const size_t count = 2 * (size_t)((p + n) * (p + m));
-    double *lambda = malloc(3 * count * sizeof *lambda), least[2] = {INFINITY, INFINITY};
-    struct bspline basis[2];
-    double x[3 * 800];
+    static double lambda[KINDS][2 * 200];
 
-    REQUIRE(lambda);
-    shell_bases(basis, p, p + n, p, p + m);
-    place(REST, &basis[0], &basis[1], 1, x);
-    for (int cured = 0; cured < 2; cured++)
-        shell_in_plane(basis, cured, x, lambda + (size_t)cured * count);
-    place(REST, &basis[0], &basis[1], 2, x);
-    solid_in_plane(p, n, m, x, lambda + 2 * count);
-    for (int k = 0; k < 2; k++)
+    for (enum kind kind = UNCURED; kind < KINDS; kind++) {
+        const double want = kind == SOLID ? SOLID_IN_PLANE[p] : SHELL_IN_PLANE[p];
+        struct sheet s;
+        double least = INFINITY;
+        make(&s, kind, p, n, m);
+        const size_t count = solve(&s, REST, 2, lambda[kind]);
         for (size_t t = RIGID; t < count; t++)
-            least[k] = fmin(least[k], lambda[(size_t)(k + 1) * count + t] / lambda[t]);
-    bool good = CHECK(least[0] > SHELL_IN_PLANE[p]);
-    good &= CHECK(least[1] > SOLID_IN_PLANE[p]);
-    if (!good)
-        printf("degree %d, %d x %d spans, in the plane: shell %.3g, solid %.3g\n", p, n, m,
-               least[0], least[1]);
-    bspline_clear(&basis[0]);
-    bspline_clear(&basis[1]);
-    free(lambda);
+            least = fmin(least, lambda[kind][t] / lambda[UNCURED][t]);
+        if (!CHECK(least > want))
+            printf("degree %d, %d x %d spans, in the plane: %s %.3g\n", p, n, m,
+                   kind == SOLID ? "solid" : "shell", least);
+        clear(&s);
+    }
 }
 
 int main(void)
@@ -259,14 +208,14 @@ int main(void)
     for (int p = 2; p <= 5; p++)
         for (int n = 1; n <= 5; n++)
             for (int m = 1; m <= n; m++) {
-                double uncured[STATES], found[STATES], rigid[STATES];
-                find_shell(p, (int[]){n, m}, false, uncured, rigid);
-                find_shell(p, (int[]){n, m}, true, found, rigid);
-                check("shell", p, (int[]){n, m}, uncured[REST], found, rigid);
-                if (n == m || m == 1) {
-                    find_solid(p, (int[]){n, m}, found, rigid);
-                    check("solid", p, (int[]){n, m}, uncured[REST], found, rigid);
-                }
+                struct sheet s;
+                double lambda[3 * 100];
+                make(&s, UNCURED, p, n, m);
+                solve(&s, REST, 3, lambda);
+                clear(&s);
+                check_states(CURED, p, n, m, lambda[6]);
+                if (n == m || m == 1)
+                    check_states(SOLID, p, n, m, lambda[6]);
             }
     return check_result();
 }

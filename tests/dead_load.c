@@ -116,57 +116,6 @@ static void check_pull(const char *model, const char *more, bool solid)
     run_close(&t);
 }
 
-/* Tip under a pull below the middle, which bends, in one basis through the thickness. */
-static void pull_below(const char *model, const char *unknowns, double xyz[3])
-{
-    const double tip[3] = {1, 0.5, 0.5};
-    const char *const settings[] = {"sheet.thickness=0.1",
-                                    "gravity=[0,0,0]",
-                                    "loads=[{at: {u: 1, w: 0.25}, force: [2, 0, 0]}]",
-                                    "discretization.kinematics=linear",
-                                    "discretization.points=[6,4,2]",
-                                    unknowns};
-    struct counters work = {0};
-    struct message why = {""};
-    struct run t;
-
-    open_sheet(&t, model, 6, settings);
-    CHECK(t.model->equilibrium(t.state, &work, &why) == STATUS_OK);
-    t.model->probe(t.state, 1, tip, xyz);
-    run_close(&t);
-}
-
-static void check_unknowns(const char *model)
-{
-    double layers[3], points[3];
-
-    pull_below(model, "discretization.unknowns=thickness", layers);
-    pull_below(model, "discretization.unknowns=points", points);
-    CHECK(points[2] > 1e-6); /* it bends upwards */
-    for (int i = 0; i < 3; i++)
-        CHECK_NEAR(layers[i] - points[i], 0, TOL_PATCH);
-}
-
-/* A load that acts from the start, without weight: free flight, s = F t^2 / 2 m. Average
- * acceleration is exact for it; implicit Euler goes 1 / steps farther. */
-static void check_flight(const char *model, const char *more, double more_by)
-{
-    const double middle[3] = {0.5, 0.5, 0.5}, time = 0.05, mass = 0.05 * 0.02;
-    const char *const settings[] = {"sheet.thickness=0.02", "gravity=[0,0,0]",
-                                    "supports=[]",
-                                    "loads=[{at: {u: [0, 1]}, force: [0, 0, 1e-4]}]", more};
-    struct counters work = {0};
-    struct run t;
-    double xyz[3];
-
-    open_sheet(&t, model, 5, settings);
-    for (int n = 0; n < 10; n++)
-        CHECK(t.model->advance(t.state, &work) == STATUS_OK);
-    t.model->probe(t.state, 1, middle, xyz);
-    CHECK_NEAR(xyz[2] / (1e-4 / mass * time * time / 2), 1 + more_by, 1e-6);
-    run_close(&t);
-}
-
 int main(void)
 {
     check_places();
@@ -177,16 +126,5 @@ int main(void)
     check_pull("hex", "discretization.points=[6,5,2]", true);
     check_pull("hex", "discretization.remedy=incompatible", true);
     check_pull("shell_3", "discretization.points=[6,5]", false);
-    check_unknowns("iga");
-    check_unknowns("hex");
-    check_flight("iga", "discretization.kinematics=linear", 0);
-    check_flight("iga", "discretization.kinematics=nonlinear", 0);
-    check_flight("hex", "discretization.kinematics=linear", 0);
-    check_flight("shell", "discretization.kinematics=nonlinear", 0);
-    check_flight("triangles", "discretization.bending=hinge", 0);
-    check_flight("triangles", "discretization.integrator=leapfrog", 0);
-    check_flight("triangles", "discretization.integrator=implicit", 0.1);
-    check_flight("mass_spring", "discretization.iterations=0", 0.1);
-    check_flight("projective_dynamics", "discretization.iterations=20", 0.1);
     return check_result();
 }

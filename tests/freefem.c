@@ -104,6 +104,7 @@ static void check_fields(void)
     char *text;
 
     CHECK(freefem_read("/no/such/file", &field, &why) == STATUS_FILE);
+    CHECK(freefem_read(static_field, &field, &why) == STATUS_OK && field.times == 1);
     put_row(2, "0.090909090909090912,0,0,0,nan\n");
     check_bad("row 2: a displacement is not a finite number");
     put_row(144, "1,1,0,0,inf\n");

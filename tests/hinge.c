@@ -1,11 +1,9 @@
 /* Supports of the mid-surface alone, in solids that have no node there: a hinge. Both ways
  * to it, the thickness basis and the columns of solid_hinge.h, are one space and must move
  * alike; what is held stays, or is on its path, while the faces turn; exactly the rotations
- * that a hinge leaves cost nothing; hinged strips and plates bend as theory says; supports
- * carry the weight; no thread count changes a bit; what is not served says so.
+ * that a hinge leaves cost nothing. (Threads: threads.c; what is not served: refusals.c.)
  */
 #include <float.h>
-#include <omp.h>
 #include <string.h>
 
 #include "models/grid.h"
@@ -27,26 +25,26 @@ enum { MOST = 12, STEPS = 4, LINE = 5 };
 static const struct row {
     const char *model;
     const char *net[2];
-    bool linear, cured; /* small strains; bends on coarse nets                           */
+    bool linear; /* small strains                                                       */
 } rows[] = {
-    {"iga_selective_3", {NET}, false, false},
-    {"iga_selective", {NET}, false, false},
-    {"iga_reduced", {NET}, false, false},
-    {"iga_reduced_3", {NET}, false, false},
-    {"iga_nonlinear_3", {NET}, false, false},
-    {"iga_incremental", {NET}, false, false},
-    {"iga_reduced_incremental", {NET}, false, false},
-    {"iga_paper", {NET}, false, false},
-    {"iga_selective_linear_3", {NET}, true, true},
-    {"iga_reduced_linear", {NET}, true, true},
-    {"iga_linear_3", {NET}, true, false},
-    {"hex_nonlinear", {NET}, false, false},
-    {"hex_incompatible", {NET}, false, false},
-    {"hex_incompatible_incremental", {NET}, false, false},
-    {"hex_incompatible_linear", {NET}, true, true},
-    {"iga_nonlinear_3", {QUADRATIC}, false, false},
-    {"iga_linear_32", {QUADRATIC}, true, false},
-    {"iga_reduced_3", {CUBIC}, false, false},
+    {"iga_selective_3", {NET}, false},
+    {"iga_selective", {NET}, false},
+    {"iga_reduced", {NET}, false},
+    {"iga_reduced_3", {NET}, false},
+    {"iga_nonlinear_3", {NET}, false},
+    {"iga_incremental", {NET}, false},
+    {"iga_reduced_incremental", {NET}, false},
+    {"iga_paper", {NET}, false},
+    {"iga_selective_linear_3", {NET}, true},
+    {"iga_reduced_linear", {NET}, true},
+    {"iga_linear_3", {NET}, true},
+    {"hex_nonlinear", {NET}, false},
+    {"hex_incompatible", {NET}, false},
+    {"hex_incompatible_incremental", {NET}, false},
+    {"hex_incompatible_linear", {NET}, true},
+    {"iga_nonlinear_3", {QUADRATIC}, false},
+    {"iga_linear_32", {QUADRATIC}, true},
+    {"iga_reduced_3", {CUBIC}, false},
 };
 
 static void open_row(struct run *run, const char *scene, const struct row *row,
@@ -215,123 +213,8 @@ static void check_modes(const struct row *row, const char *basis)
     }
 }
 
-/* Static equilibrium; how far the middle comes down [m], and what the supports carry [N].
- */
-static double settle(struct run *run, double *carried)
-{
-    const double centre[3] = {0.5, 0.5, 0.5};
-    const struct solid_motion *m = run->state;
-    const size_t nodes = (size_t)m->space->nodes;
-    double *f = malloc(3 * nodes * sizeof *f), xyz[3];
-    struct counters work = {0};
-    struct message why = {""};
-
-    REQUIRE(f && run_settle(run, &work, &why) == STATUS_OK);
-    blocks_multiply(&m->assembly.graph, (const double(*)[9])m->assembly.K, m->newmark.d, f);
-    *carried = 0;
-    for (int h = 0; h < m->supports.held_count; h++) {
-        const int t = m->supports.held[h];
-        if (t % 3 == 2 && m->space->uvw[t / 3][2] != SUPPORTS_DIFFERENCE)
-            *carried += f[t] - m->load[t];
-    }
-    run->model->probe(run->state, 1, centre, xyz);
-    free(f);
-    return -xyz[2];
-}
-
-/* Hexahedra of 15 spans a side leave 4 % of a plate at h / L = 0.01; clamped edges, four
- * fifths of a strip, two thirds of a plate. */
-static const double BENDS = 0.05;
-/* Sums over the net, of solves of condition (L / h)^4. */
-static const double CARRIES = 1e-7;
-
-/* A strip between hinges, 5 q L^4 / (384 E I), and Navier's plate, 0.00406235 q a^4 / D, on
- * edges that may turn, held down at the mid-surface alone. */
-static void check_bends(const struct row *row, const char *basis)
-{
-    static const char strip[] =
-        "supports=[{at: {u: 0, w: 0.5}, fix: xyz}, {at: {u: 1, w: 0.5}, fix: z}]";
-    static const char plate[] =
-        "supports=[{at: {u: 0, w: 0.5}, fix: z}, {at: {u: 1, w: 0.5}, fix: z}, "
-        "{at: {v: 0, w: 0.5}, fix: z}, {at: {v: 1, w: 0.5}, fix: z}, "
-        "{at: {u: 0, v: 0, w: 0.5}, fix: xy}, {at: {u: 1, v: 0, w: 0.5}, fix: y}]";
-    const double E = 1e5, g = 1e-6, L = 1;
-
-    for (int n = 0; n < 2; n++) {
-        const double h = 0.01, nu = n ? 0.3 : 0;
-        const double D = E * h * h * h / (12 * (1 - nu * nu)), q = g * h;
-        const double want = n ? 0.00406235 * q / D : 5 * q / (384 * D);
-        struct run run;
-        double carried;
-
-        open_row(
-            &run, "hinge", row,
-            (const char *const[]){
-                n ? "discretization.points=[16,16,2]" : "discretization.points=[16,4,2]",
-                "sheet={length: 1, width: 1, thickness: 0.01}",
-                n ? MATERIAL : "material={young: 1e5, poisson: 0, density: 1}", basis,
-                "gravity=[0, 0, -1e-6]", n ? plate : strip, NULL});
-        bool good = CHECK_RELATIVE(settle(&run, &carried), want, BENDS);
-        good &= CHECK_RELATIVE(carried, q * L * L, CARRIES);
-        if (!good)
-            printf("%s, %s\n", row->model, n ? "plate" : "strip");
-        run_close(&run);
-    }
-}
-
-static void check_threads(const struct row *row, const char *basis)
-{
-    static double xyz[2][3 * GRID_POINTS];
-
-    for (int n = 0; n < 2; n++) {
-        struct run run;
-        omp_set_num_threads(n + 1);
-        open_row(&run, "hinge", row,
-                 (const char *const[]){PLATE, MATERIAL, LOADED, basis, NULL});
-        step(&run, STEPS);
-        run.model->sample(run.state, xyz[n]);
-        run_close(&run);
-    }
-    CHECK(!memcmp(xyz[0], xyz[1], sizeof xyz[0]));
-    omp_set_num_threads(1);
-}
-
-/* Where a column can't have it. */
-static void check_refused(void)
-{
-    static const struct {
-        const char *model, *settings[3], *sentence;
-    } cases[] = {
-        {"hex", {"discretization.points=[5,5,4]"}, "an odd number of layers"},
-        {"iga_nonlinear_3", {"discretization.points=[6,6,4]"}, "an odd number of layers"},
-        {"hex",
-         {NET, "supports=[{at: {u: 0.1, w: 0.5}, fix: xyz}]"},
-         "more points or a larger region"},
-        {"iga",
-         {NET, "supports=[{at: {u: 0, w: 0.5}, fix: z}, {at: {u: 0, w: 1}, fix: x}]"},
-         "support 1 holds a part of the thickness that support 0"},
-        {"iga", {CUBIC, "discretization.unknowns=thickness"}, "of two layers, its middle"},
-    };
-
-    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        struct settings settings = {0};
-        struct run_plan plan = {.path = "hinge", .settings = &settings};
-        struct message why = {""};
-        struct run run;
-
-        REQUIRE(contestant_find(cases[n].model, &plan.contestant, NULL) == STATUS_OK);
-        settings_list(&settings, 3, cases[n].settings);
-        CHECK(run_open(&run, &plan, &why) != STATUS_OK);
-        if (!CHECK(strstr(why.text, cases[n].sentence)))
-            printf("%s\n", why.text);
-        run_close(&run);
-        settings_clear(&settings);
-    }
-}
-
 int main(void)
 {
-    omp_set_num_threads(1);
     for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
         const struct row *row = &rows[n];
         check_line(row);
@@ -339,13 +222,9 @@ int main(void)
         for (int basis = 0; basis < 2; basis++) {
             const char *unknowns = basis ? POINTS : "discretization.unknowns=auto";
             check_component(row, unknowns);
-            check_threads(row, unknowns);
             if (row->linear)
                 check_modes(row, unknowns);
-            if (row->linear && row->cured)
-                check_bends(row, unknowns);
         }
     }
-    check_refused();
     return check_result();
 }

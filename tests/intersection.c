@@ -107,30 +107,6 @@ static void test_tube(void)
     CHECK(count(5, 6) == 3 * 5 + 2 * 4); /* through each other, as in test_crossing */
 }
 
-/* Rolled up by `turns`, the radius growing by `growth` a turn. */
-static void roll(int n_u, int n_v, double turns, double growth)
-{
-    for (int j = 0; j < n_v; j++)
-        for (int i = 0; i < n_u; i++) {
-            double angle = turns * i / (n_u - 1), *x = xyz[j * n_u + i];
-            double radius = 1 + growth * angle;
-            x[0] = radius * cos(8 * atan(1) * angle), x[1] = j / 7.0;
-            x[2] = radius * sin(8 * atan(1) * angle);
-        }
-}
-
-static void test_roll(void)
-{
-    roll(50, 9, 0.999, 0);
-    CHECK(count(50, 9) == 0);
-    roll(50, 9, 1.5, 0); /* chords of one turn cross those of the next */
-    CHECK(count(50, 9) > 24 * 8 && count(50, 9) == count_all(50, 9));
-    roll(50, 9, 1.5, 0.01); /* sagitta of a chord: 1 - cos(pi 1.5/49) = 0.0046 */
-    CHECK(count(50, 9) == 0);
-    roll(50, 9, 2.5, -0.05);
-    CHECK(count(50, 9) == 0);
-}
-
 /* Folded flat: in a row every triangle of the one side overlaps both of the other. Across a
  * row the upper edges of one side touch the other's lower ones but for common points. */
 static void test_folded(void)
@@ -368,7 +344,6 @@ int main(void)
     test_flat();
     test_crossing();
     test_tube();
-    test_roll();
     test_folded();
     test_collapsed();
     test_reference();

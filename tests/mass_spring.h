@@ -54,32 +54,6 @@ static inline void steps(struct spring_motion *m, int count)
         CHECK(spring_motion_step(m, &counters) == STATUS_OK);
 }
 
-/* A net so large that threads share its rows, unevenly: the same bits of one, two, three.
- */
-static inline void check_threads(const struct scene *scene, struct discretization d)
-{
-    double *one = NULL;
-
-    d.points[0] = 71, d.points[1] = 62;
-    for (int threads = 1; threads <= 3; threads++) {
-        struct spring_motion m;
-        omp_set_num_threads(threads);
-        start(&m, scene, &d);
-        const size_t size = 3 * (size_t)m.net.nodes * sizeof *m.x;
-        steps(&m, 2);
-        if (!one) {
-            one = malloc(size);
-            REQUIRE(one);
-            memcpy(one, m.x, size);
-            CHECK(memcmp(one, m.net.rest, size));
-        }
-        CHECK(!memcmp(one, m.x, size));
-        spring_motion_clear(&m);
-    }
-    omp_set_num_threads(1);
-    free(one);
-}
-
 /* Numbers in (-1, 1), the same on every run. */
 static inline double noise(int n)
 {

@@ -1,4 +1,5 @@
 /* Forces and Jacobians of a net of springs. */
+#include "tests/derivative_fixture.h"
 #include "tests/mass_spring.h"
 
 /* A crumpled net: springs stretched and compressed by a tenth, hinges bent by all angles up
@@ -133,8 +134,59 @@ static void check_clamped(void)
     scene_clear(&scene);
 }
 
+/* What the momentum scheme moves: the stencil's energy and force, element by element. */
+static const struct spring_stencil *stencil;
+
+static enum status stencil_energy(const void *self, const double *x, double *energy)
+{
+    (void)self;
+    *energy = spring_stencil_energy(stencil, x);
+    return STATUS_OK;
+}
+
+static void check_strips(void)
+{
+    enum { COUNT = 3 * 7 * 6 };
+    const double DIFFERENCE = 5e-9,
+                 ALIKE = 1e-12; /* derivative_fixture.h; sums reordered */
+    struct scene scene;
+    struct spring_motion m;
+    struct discretization d = net_of(7, 6);
+    double x[COUNT], along[COUNT], f[COUNT], apart[COUNT] = {0};
+
+    d.integrator = INTEGRATOR_MOMENTUM;
+    fill_scene(&scene, true);
+    start(&m, &scene, &d);
+    stencil = &m.stencil;
+    struct large_body body = m.strips.body;
+    body.energy = stencil_energy;
+    for (int t = 0; t < COUNT; t++) {
+        x[t] = 1.1 * m.net.rest[t] + 0.02 * noise(t);
+        along[t] = noise(3 * t + 1);
+    }
+    derivative_check(&body, &m.net.graph, x, along, DIFFERENCE);
+    CHECK(large_body_force(&body, &derivative_statics, x, f) == STATUS_OK);
+    spring_stencil_force_add(stencil, x, apart);
+    for (int t = 0; t < COUNT; t++)
+        apart[t] += f[t];
+    CHECK_NEAR(derivative_norm(COUNT, apart) / derivative_norm(COUNT, f), 0, ALIKE);
+    /* and the stencil's own matrix, for who seeks rest */
+    double(*K)[9] = m.newton.K ? m.newton.K : m.large.K;
+    CHECK(large_body_tangent(&body, &derivative_statics, x, (struct large_foresight){0},
+                             K) == STATUS_OK);
+    blocks_multiply(&m.net.graph, (const double(*)[9])K, along, f);
+    spring_stencil_jacobian(stencil, x, false, K);
+    blocks_multiply(&m.net.graph, (const double(*)[9])K, along, apart);
+    for (int t = 0; t < COUNT; t++)
+        apart[t] -= f[t];
+    CHECK_NEAR(derivative_norm(COUNT, apart) / derivative_norm(COUNT, f), 0, ALIKE);
+    spring_motion_clear(&m);
+    scene_clear(&scene);
+}
+
 int main(void)
 {
+    check_strips();
     check_derivatives("paper", PARAMETERS_PAPER);
     check_derivatives("matched", PARAMETERS_MATCHED);
     check_clamped();

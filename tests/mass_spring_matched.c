@@ -1,10 +1,8 @@
 /* Springs matched to E, nu, h: small-strain membrane and bending against plane stress and
- * Kirchhoff's plate, large bending against the heavy elastica. */
+ * Kirchhoff's plate. */
 #include <float.h>
 #include <omp.h>
 
-#include "fem_ref/elastica.h"
-#include "mass_spring/spring_rest.h"
 #include "tests/mass_spring.h"
 
 /* A sheet that lies askew, so that no product of components vanishes by chance. */
@@ -212,56 +210,6 @@ static void check_bending(void)
     scene_clear(&scene);
 }
 
-/* A clamped strip under its own weight. One cell wide it has no springs that bend across
- * it, and stays a cylinder: its stiffness is D for every nu. */
-static double elastica_error(int n, double gamma, enum integrator integrator)
-{
-    struct scene scene;
-    struct spring_motion m;
-    struct discretization d = net_of(n, 2);
-    struct scene_support edge = {.hi = {0, 1, 1}, .fix = FIX_XYZ};
-    struct scene_support guide = {.hi = {1, 1, 1}, .fix = FIX_Y};
-    struct counters counters = {0};
-    struct message why = {{0}};
-    struct elastica truth;
-
-    d.integrator = integrator;
-    REQUIRE(scene_init(&scene) == STATUS_OK);
-    scene.width = 1. / (n - 1);
-    scene.thickness = 1e-3; /* stretch by the weight: gamma h^2 / 12 L^2, below 1e-4 */
-    scene.young = 1e5;
-    scene.poisson = integrator == INTEGRATOR_LEAPFROG ? 0 : 0.3; /* its rims are beams */
-    scene.gravity[2] = -9.81;
-    scene.density *= gamma / scene_gamma(&scene);
-    REQUIRE(scene_add_support(&scene, &edge) == STATUS_OK);
-    REQUIRE(scene_add_support(&scene, &guide) == STATUS_OK);
-    REQUIRE(spring_motion_init(&m, &scene, &d, &why) == STATUS_OK);
-    if (!CHECK(spring_rest_equilibrium(&m, &counters, &why) == STATUS_OK))
-        printf("Gamma %g, %d points: %s\n", gamma, n, why.text);
-    REQUIRE(elastica_solve(gamma, &truth) == STATUS_OK);
-    const double *tip = m.x + 3 * (size_t)(2 * (n - 1));
-    double drop = -tip[2] - truth.drop, reach = tip[0] - truth.reach;
-    spring_motion_clear(&m);
-    scene_clear(&scene);
-    return sqrt(drop * drop + reach * reach);
-}
-
-/* Clamped, bent by any load: struts of second order in the cells' size, the leapfrog's
- * bending of first, with errors of either sign. */
-static void check_elastica(enum integrator integrator, double ratio)
-{
-    static const double gammas[] = {0.1, 1, 10, 100, 1000};
-
-    for (size_t k = 0; k < sizeof gammas / sizeof *gammas; k++) {
-        double coarse = elastica_error(17, gammas[k], integrator);
-        double fine = elastica_error(33, gammas[k], integrator);
-        printf("heavy elastica, Gamma %6g: tip off by %.2e L with 16 cells, %.2e with 32\n",
-               gammas[k], coarse, fine);
-        CHECK(fine < 0.01);
-        CHECK(coarse > ratio * fine || fine < 1e-4);
-    }
-}
-
 int main(void)
 {
     omp_set_num_threads(1);
@@ -269,7 +217,5 @@ int main(void)
     check_misfit();
     check_oblong();
     check_bending();
-    check_elastica(INTEGRATOR_IMPLICIT, 2.5);
-    check_elastica(INTEGRATOR_LEAPFROG, 1);
     return check_result();
 }

@@ -15,12 +15,48 @@ static inline void opened_run(struct run *run, const char *scene, const char *na
     struct message why = {""};
 
     REQUIRE(contestant_find(name, &plan.contestant, NULL) == STATUS_OK);
-    settings_set_all(&settings, count, text);
+    settings_list(&settings, count, text);
     if (!CHECK(run_open(run, &plan, &why) == STATUS_OK)) {
         printf("%s: %s\n", name, why.text);
         exit(1);
     }
     settings_clear(&settings);
+}
+
+/* Settings are a list that a NULL may end early. */
+#define OPENED_RUN(run, scene, name, ...)                                                  \
+    opened_run(run, scene, name,                                                           \
+               (int)(sizeof((const char *const[]){__VA_ARGS__}) / sizeof(const char *)),   \
+               (const char *const[]){__VA_ARGS__})
+
+/* So many frames on. */
+static inline struct counters opened_steps(struct run *run, int frames)
+{
+    struct counters work = {0};
+
+    for (int n = 0; n < frames; n++)
+        if (!CHECK(run->model->advance(run->state, &work) == STATUS_OK)) {
+            printf("%s dies in frame %d\n", run->contestant->name, n);
+            exit(1);
+        }
+    return work;
+}
+
+static inline void opened_settle(struct run *run)
+{
+    struct counters work = {0};
+    struct message why = {""};
+
+    if (!CHECK(run_settle(run, &work, &why) == STATUS_OK))
+        printf("%s: %s\n", run->contestant->name, why.text);
+}
+
+static inline double opened_total(const struct run *run)
+{
+    struct energy e;
+
+    run->model->energy(run->state, &e);
+    return e.kinetic + e.elastic + e.potential;
 }
 
 #endif

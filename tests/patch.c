@@ -1,5 +1,5 @@
 /* The solid: local numbering, affine boxes, rational functions, gradients against
- * differences, an exact circle, and points found back. */
+ * differences, and points found back. (An exact circle: refine.c.) */
 #include "iga/patch.h"
 #include "tests/check.h"
 #include "tests/spline_fixture.h"
@@ -17,9 +17,6 @@
  * up to (1 + W'/W)^3 with W' / W <= 4 more: about 1e5. Best at t = 4e-7: 1.6e-8 + 2.2e-8.
  */
 #define TOL_DIFFERENCE 4e-8
-/* x and y are each three positive products, R half a dozen roundings old, and the errors of
- * the common denominator cancel to first order only in the angle: 4 eps. */
-#define TOL_RADIUS 1e-15
 /* Newton's last residual is below this part of the size; parameters follow within it times
  * the inverse Jacobian, <= 8 for the shapes here. */
 #define TOL_RESIDUAL  1e-13
@@ -156,27 +153,6 @@ static void check_gradient(const struct patch *patch, int d, uint64_t *state)
     CHECK_NEAR(best_map, 0.0, TOL_DIFFERENCE); /* the net's size is 1 */
 }
 
-static void check_circle(void)
-{
-    static const double inner = 0.75, outer = 2.0, height = 0.3;
-    struct patch patch = {0};
-    uint64_t state = 3;
-
-    quarter_annulus(inner, outer, height, &patch);
-    for (int s = 0; s < 1000; s++) {
-        double uvw[3], x[3], J[3][3];
-        random_uvw(&state, uvw);
-        patch_point(&patch, uvw, x, J);
-        CHECK_RELATIVE(hypot(x[0], x[1]), inner + (outer - inner) * uvw[1], TOL_RADIUS);
-        CHECK_RELATIVE(x[2], height * uvw[2], TOL_RADIUS);
-        /* The radius is straight, and the circle stands upright on it. */
-        CHECK_NEAR(hypot(J[0][1], J[1][1]), outer - inner, TOL_GRADIENT_SUM);
-        CHECK_NEAR(J[0][0] * x[0] + J[1][0] * x[1], 0.0, TOL_GRADIENT_SUM);
-        CHECK(J[0][0] < 0.0 && J[1][0] > 0.0);
-    }
-    patch_clear(&patch);
-}
-
 /* `steepest` bounds the inverse of the Jacobian. */
 static void check_inverse(const struct patch *patch, double steepest)
 {
@@ -296,7 +272,6 @@ int main(void)
             check_gradient(&patch, d, &state);
         patch_clear(&patch);
     }
-    check_circle();
     check_inverses();
     check_life_cycle();
     return check_result();

@@ -1,4 +1,4 @@
-/* Constraints on positions: fall, what steps converge to, statics, damping, order in time,
+/* Constraints on positions: momentum, what steps converge to, rest, damping, order in time,
  * what single precision loses. */
 #include "position_based/pb_motion.h"
 #include "position_based/position_based_model.h"
@@ -38,42 +38,6 @@ static double distance(const double *a, const double *b, int numbers)
     for (int n = 0; n < numbers; n++)
         sum += (a[n] - b[n]) * (a[n] - b[n]);
     return sqrt(sum);
-}
-
-/* A free sheet falls as one point does by Euler's implicit method, whatever is projected;
- * with mass damping and drag too. In single precision positions below 1 m are rounded by
- * 6e-8 m a step at most, to either side: sqrt(20000) of that. (Velocities that are
- * differences of them lead it 1.3e-2 m astray.) */
-static void check_fall(enum projection projection, enum precision precision, double alpha,
-                       double drag, double beta, int substeps)
-{
-    enum { FRAMES = 20 };
-    const double tolerance = precision == PRECISION_SINGLE ? 8.5e-6 : 1e-11;
-    struct scene scene;
-    struct pb_motion m;
-    struct discretization d = constraints(9, 8);
-    double z = 0, v = 0, worst = 0, c = 0;
-
-    fill_scene(&scene, false);
-    scene.gravity[0] = 0, scene.drag = drag, scene.wind[2] = 3;
-    scene.damping =
-        (struct scene_damping){.kind = DAMPING_RAYLEIGH, .alpha = alpha, .beta = beta};
-    OWN(pb_own, &d)->projection = projection, d.precision = precision,
-                d.substeps = substeps;
-    begin(&m, &scene, &d);
-    frames(&m, FRAMES);
-    c = alpha + drag / scene.density;
-    for (int n = 0; n < FRAMES * substeps; n++) {
-        v = (v + m.dt * (scene.gravity[2] + drag / scene.density * scene.wind[2])) /
-            (1 + m.dt * c);
-        z += m.dt * v;
-    }
-    for (int n = 0; n < 3 * m.net.nodes; n++)
-        worst = fmax(worst, fabs(m.x[n] - m.net.rest[n] - (n % 3 == 2 ? z : 0)));
-    if (!CHECK(worst < tolerance))
-        printf("fall off by %.2e of %.3g m\n", worst, z);
-    pb_motion_clear(&m);
-    scene_clear(&scene);
 }
 
 /* Every projection keeps momentum, converged or not, whatever the size of rows. */
@@ -223,44 +187,6 @@ static void check_rest(int n, int m, double nu, unsigned fix, double thickness)
     scene_clear(&scene);
 }
 
-/* Tip of a strip that hangs from a clamp, over q L^4 / 8 B, at rest. */
-static double cantilever(int n, int substeps, int iterations)
-{
-    struct scene scene;
-    struct pb_motion m;
-    struct discretization d = constraints(n, 3);
-
-    fill_scene(&scene, true);
-    scene.poisson = 0, scene.thickness = 0.04, scene.young = 2e4, scene.width = 0.2;
-    scene.gravity[0] = 0, scene.gravity[2] = -0.05;
-    scene.damping = (struct scene_damping){.kind = DAMPING_VELOCITY_SCALE, .value = 0.9};
-    d.substeps = substeps, d.iterations = iterations;
-    begin(&m, &scene, &d);
-    frames(&m, 300);
-    double tip = m.x[3 * (m.net.nodes - 1) + 2];
-    double want = scene.density * scene.thickness * scene.gravity[2] *
-                  pow(scene.length, 4) / 8 / scene_bending_stiffness(&scene);
-    pb_motion_clear(&m);
-    scene_clear(&scene);
-    return tip / want;
-}
-
-/* Second order in the net; the substeps that are chosen add at most the softening of
- * bending that they bear, 3/8 of 0.4^2. */
-static void check_cantilever(void)
-{
-    const double added = 0.06, order = 0.25; /* seen between two nets */
-    double coarse = cantilever(9, 10, 30) - 1, fine = cantilever(17, 20, 30) - 1;
-    double chosen = cantilever(9, 0, 1) - 1;
-
-    printf("cantilever off by %.2e, with half the cells' size %.2e; by one iteration in "
-           "the steps chosen %.2e\n",
-           coarse, fine, chosen);
-    CHECK(coarse > 0 && coarse < 0.02);
-    CHECK_NEAR(log2(coarse / fine), 2, order);
-    CHECK(chosen > coarse && chosen < coarse + added);
-}
-
 /* --- in time -----------------------------------------------------------------------------
  */
 
@@ -286,7 +212,7 @@ static void swing(int substeps, enum precision precision, int pbd, int count, do
 }
 
 /* First order, as implicit Euler; what one iteration leaves goes with the square. Single
- * precision goes where double does, at the bound that check_fall has. */
+ * precision goes where double does, but for roundings of 6e-8 m a step, to either side. */
 static void check_order(void)
 {
     enum { NUMBERS = 3 * 8 * 7 };
@@ -353,34 +279,6 @@ static void check_damping(void)
     CHECK_RELATIVE(log(before / after), rate * 0.2, tolerance);
 }
 
-static void check_refusals(void)
-{
-    static const struct {
-        double young, beta;
-        int iterations;
-        enum projection projection;
-        const char *says;
-    } cases[] = {{1e5, 0, 0, PROJECTION_XPBD, "iterations"},
-                 {1e5, 1e-3, 1, PROJECTION_PBD, "rayleigh beta"},
-                 {1e20, 0, 1, PROJECTION_XPBD, "substeps"}};
-
-    for (int k = 0; k < 3; k++) {
-        struct scene scene;
-        struct discretization d = constraints(5, 5);
-        struct message why = {{0}};
-        void *state = NULL;
-        fill_scene(&scene, true);
-        scene.young = cases[k].young;
-        scene.damping =
-            (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = cases[k].beta};
-        d.iterations = cases[k].iterations,
-        OWN(pb_own, &d)->projection = cases[k].projection;
-        CHECK(position_based_model.create(&scene, &d, &state, &why) != STATUS_OK);
-        CHECK(!state && strstr(why.text, cases[k].says));
-        scene_clear(&scene);
-    }
-}
-
 /* Steps that are too long are told: springs give way. */
 static void check_doubt(void)
 {
@@ -405,11 +303,6 @@ static void check_doubt(void)
 
 int main(void)
 {
-    check_fall(PROJECTION_XPBD, PRECISION_DOUBLE, 0, 0, 0, 1);
-    check_fall(PROJECTION_XPBD, PRECISION_DOUBLE, 3, 0, 1e-3, 10);
-    check_fall(PROJECTION_PBD, PRECISION_DOUBLE, 1, 2, 0, 10);
-    check_fall(PROJECTION_XPBD, PRECISION_SINGLE, 0, 0, 0, 1000);
-    check_fall(PROJECTION_XPBD, PRECISION_SINGLE, 1, 2, 1e-3, 100);
     check_momentum(7, 8, PROJECTION_XPBD);
     check_momentum(5, 16, PROJECTION_PBD);
     check_momentum(6, 9, PROJECTION_XPBD);
@@ -419,10 +312,8 @@ int main(void)
     check_rest(5, 9, -0.4, FIX_Z, 0.04);
     check_rest(7, 8, 0.3, FIX_X, 0.04);
     check_rest(6, 10, 0, FIX_X | FIX_Z, 0.04);
-    check_cantilever();
     check_order();
     check_damping();
-    check_refusals();
     check_doubt();
     return check_result();
 }

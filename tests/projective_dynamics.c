@@ -1,106 +1,10 @@
-/* The energy of projective dynamics: distances that are the least, local steps that are its
- * gradient, strains that cost what plane stress costs, bending that is Kirchhoff's. */
+/* The energy of projective dynamics: local steps that are its gradient, as those of the
+ * nearest points are, strains that cost what plane stress costs, bending that is
+ * Kirchhoff's. */
 #include <float.h>
 
 #include "fem_ref/kirchhoff.h"
 #include "tests/pd_fixture.h"
-
-/* --- nearest points ----------------------------------------------------------------------
- */
-
-/* A turn with a growth (z[0] + i z[1]) and a mirrored one (z[2] + i z[3]), then turned
- * about x by z[4]. Singular values |z0 + i z1| +- |z2 + i z3|. */
-static void compose(const double z[5], double F[3][2])
-{
-    double plane[2][2] = {{z[0] + z[2], z[3] - z[1]}, {z[1] + z[3], z[0] - z[2]}};
-
-    for (int j = 0; j < 2; j++) {
-        F[0][j] = plane[0][j];
-        F[1][j] = cos(z[4]) * plane[1][j];
-        F[2][j] = sin(z[4]) * plane[1][j];
-    }
-}
-
-static double distance2(double A[3][2], double B[3][2])
-{
-    double sum = 0;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 2; j++)
-            sum += (A[i][j] - B[i][j]) * (A[i][j] - B[i][j]);
-    return sum;
-}
-
-enum set { CONFORMAL, MEAN_ONE };
-
-/* A member of the set for any four numbers. */
-static void member(enum set set, const double at[4], double F[3][2])
-{
-    double z[5] = {1 + at[0], at[1], 0, 0, at[3]};
-
-    if (set == MEAN_ONE) {
-        z[0] = cos(at[0]), z[1] = sin(at[0]);
-        z[2] = at[1], z[3] = at[2];
-    }
-    compose(z, F);
-}
-
-/* Least squared distance of F to a set, by random search from several starts, whose steps
- * grow when one in five pays and shrink when fewer do. */
-static double searched(double F[3][2], enum set set)
-{
-    enum { STARTS = 8, STEPS = 2000 };
-    double least = INFINITY;
-    unsigned seed = 7;
-
-    for (int start = 0; start < STARTS; start++) {
-        double best[4] = {0}, width = 2, own = INFINITY;
-        for (int n = 0; n < STEPS; n++) {
-            double at[4], G[3][2];
-            for (int t = 0; t < 4; t++)
-                at[t] = best[t] + width * pd_fixture_random(&seed);
-            member(set, at, G);
-            double d = distance2(F, G);
-            width *= d < own ? 1.5 : 0.9036; /* 1.5^(-1/4)                             */
-            if (d < own)
-                own = d, memcpy(best, at, sizeof best);
-        }
-        least = fmin(least, own);
-    }
-    return least;
-}
-
-/* One cell of 1 m x 1 m, both triangles with the same F: their energies, deviator = trace =
- * 1, against the sets searched. */
-static void check_nearest_points(void)
-{
-    /* The search ends with steps below 1e-7 about a quadratic minimum. */
-    const double tol_search = 1e-12;
-    unsigned seed = 3;
-    struct scene scene;
-    struct pd_energy e;
-    bool clamped[4] = {false};
-
-    pd_fixture_scene(&scene, 0.3);
-    REQUIRE(pd_energy_init(&e, &scene, 2, 2, CONSTRAINT_TRIANGLES, PARAMETERS_MATCHED,
-                           clamped) == STATUS_OK);
-    e.row_count = 0;
-    for (int n = 0; n < 8; n++) {
-        double z[5], F[3][2], *x = pd_net_fields(&e.net, 3);
-        for (int t = 0; t < 5; t++)
-            z[t] = (t == 0) + 0.4 * pd_fixture_random(&seed);
-        compose(z, F);
-        for (int k = 0; k < 4; k++)
-            for (int c = 0; c < 3; c++)
-                x[c * pd_net_stride(&e.net) + k] = F[c][0] * (k / 2) + F[c][1] * (k % 2);
-        for (enum set set = CONFORMAL; set <= MEAN_ONE; set++) {
-            e.deviator = set == CONFORMAL, e.trace = set == MEAN_ONE;
-            CHECK_NEAR(pd_energy_value(&e, x), searched(F, set), tol_search);
-        }
-        pd_net_free_fields(&e.net, x);
-    }
-    pd_energy_clear(&e);
-    scene_clear(&scene);
-}
 
 /* --- gradients ---------------------------------------------------------------------------
  */
@@ -322,7 +226,6 @@ static void check_plate(double nu)
 
 int main(void)
 {
-    check_nearest_points();
     check_rest();
     check_gradient(CONSTRAINT_EDGES, PARAMETERS_MATCHED, 0.3);
     check_gradient(CONSTRAINT_TRIANGLES, PARAMETERS_MATCHED, 0.3);

@@ -27,19 +27,6 @@ static inline void sheet_init(struct sheet *s, int p, int spans_u, int spans_v)
     s->d.points[1] = p + spans_v;
 }
 
-/* Knots u_i = (i / spans)^exponent: spans that grow from the edge u = 0. */
-static inline void sheet_grade(struct sheet *s, double exponent)
-{
-    int p = s->d.degree[0], spans = s->d.points[0] - p, count = spans + 2 * p + 1;
-    double *U = malloc((size_t)count * sizeof *U);
-
-    REQUIRE(U);
-    for (int i = 0; i < count; i++)
-        U[i] = pow(fmin(fmax((double)(i - p) / spans, 0), 1), exponent);
-    s->d.knots[0] = U;
-    s->d.knot_count[0] = count;
-}
-
 /* Holds `fix` on the edge where parameter d (0: u, 1: v) is `at`; clamped: through the
  * thickness, else on w = 1/2. */
 static inline void sheet_hold(struct sheet *s, int d, double at, unsigned fix, bool clamped)
@@ -50,14 +37,6 @@ static inline void sheet_hold(struct sheet *s, int d, double at, unsigned fix, b
     if (!clamped)
         edge.lo[2] = edge.hi[2] = 0.5;
     REQUIRE(scene_add_support(&s->scene, &edge) == STATUS_OK);
-}
-
-/* Nothing moves along y: a strip stays in the x-z plane. */
-static inline void sheet_plane(struct sheet *s)
-{
-    const struct scene_support all = {.lo = {0, 0, 0.5}, .hi = {1, 1, 0.5}, .fix = FIX_Y};
-
-    REQUIRE(scene_add_support(&s->scene, &all) == STATUS_OK);
 }
 
 static inline struct shell_motion *sheet_start(struct sheet *s)

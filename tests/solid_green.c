@@ -4,83 +4,16 @@
  * without internal modes, distorted, in both bases through the thickness.
  */
 #include "models/solid/solid_green.h"
+#include "tests/derivative_fixture.h"
 #include "tests/solid_fixture.h"
 
-static const struct large_path statics = {.s1 = 1, .g1 = 1};
-
-/* Best of a sweep of steps: truncation falls as step^2, rounding grows as eps/step. For
- * values of size 1 and smooth functions the minimum is some 1e-10; a wrong term is 1e-3. */
+/* derivative_fixture.h */
 static const double DIFFERENCE = 2e-9;
 /* Energy of a turned rest shape against that of a deformed one: squares of strains that are
  * a few hundred roundings; and its forces. */
 static const double RIGID_ENERGY = 1e-24, RIGID_FORCE = 1e-11;
 /* Sums of a few hundred products in another order, against the largest. */
 static const double REORDERED = 1e-12;
-
-static double norm(size_t count, const double *a)
-{
-    double sum = 0;
-    for (size_t t = 0; t < count; t++)
-        sum += a[t] * a[t];
-    return sqrt(sum);
-}
-
-static double energy_at(const struct solid_green *g, const double *x)
-{
-    double energy = 0;
-    CHECK(solid_green_energy(g, x, &energy) == STATUS_OK);
-    return energy;
-}
-
-static void check_force(const struct solid_green *g, const double *x, const double *d)
-{
-    size_t count = 3 * (size_t)g->assembly->space->nodes;
-    double *f = malloc(2 * count * sizeof *f), *moved = f + count, best = 1, want = 0;
-
-    REQUIRE(f);
-    CHECK(large_body_force(&g->body, &statics, x, f) == STATUS_OK);
-    for (size_t t = 0; t < count; t++)
-        want += f[t] * d[t];
-    for (double step = 1e-3; step > 1e-8; step /= 4) {
-        double energy[2];
-        for (int side = 0; side < 2; side++) {
-            for (size_t t = 0; t < count; t++)
-                moved[t] = x[t] + (side ? step : -step) * d[t];
-            energy[side] = energy_at(g, moved);
-        }
-        best = fmin(best, fabs((energy[1] - energy[0]) / (2 * step) - want) /
-                              (norm(count, f) * norm(count, d)));
-    }
-    CHECK_NEAR(best, 0, DIFFERENCE);
-    free(f);
-}
-
-static void check_tangent(const struct solid_green *g, const double *x, const double *d)
-{
-    const struct blocks *graph = &g->assembly->graph;
-    size_t count = 3 * (size_t)graph->nodes;
-    double *want = malloc(4 * count * sizeof *want), best = 1;
-    double *moved = want + count, *f[2] = {moved + count, moved + 2 * count};
-    double(*K)[9] = malloc((size_t)graph->start[graph->nodes] * sizeof *K);
-
-    REQUIRE(want && K);
-    CHECK(large_body_tangent(&g->body, &statics, x, (struct large_foresight){0}, K) ==
-          STATUS_OK);
-    blocks_multiply(graph, (const double(*)[9])K, d, want);
-    for (double step = 1e-3; step > 1e-8; step /= 4) {
-        for (int side = 0; side < 2; side++) {
-            for (size_t t = 0; t < count; t++)
-                moved[t] = x[t] + (side ? step : -step) * d[t];
-            CHECK(large_body_force(&g->body, &statics, moved, f[side]) == STATUS_OK);
-        }
-        for (size_t t = 0; t < count; t++)
-            moved[t] = (f[1][t] - f[0][t]) / (2 * step) - want[t];
-        best = fmin(best, norm(count, moved) / norm(count, want));
-    }
-    CHECK_NEAR(best, 0, DIFFERENCE);
-    free(want);
-    free(K);
-}
 
 /* K of the tangent at rest against the linear stiffness. */
 static void check_rest(const struct solid_green *g)
@@ -90,7 +23,7 @@ static void check_rest(const struct solid_green *g)
     double(*K)[9] = malloc((size_t)pairs * sizeof *K), most = 0, apart = 0;
 
     REQUIRE(K);
-    CHECK(large_body_tangent(&g->body, &statics, g->assembly->space->rest,
+    CHECK(large_body_tangent(&g->body, &derivative_statics, g->assembly->space->rest,
                              (struct large_foresight){0}, K) == STATUS_OK);
     for (long n = 0; n < pairs; n++)
         for (int t = 0; t < 9; t++) {
@@ -99,31 +32,6 @@ static void check_rest(const struct solid_green *g)
         }
     CHECK_NEAR(apart / most, 0, REORDERED);
     free(K);
-}
-
-/* Turned by 2.1 rad about (1,2,2)/3. A translation would move the first coefficient of a
- * column alone in the thickness basis; rotations are the same in both. */
-static void check_rigid(const struct solid_green *g, double deformed)
-{
-    const double axis[3] = {1 / 3., 2 / 3., 2 / 3.}, c = cos(2.1), n = sin(2.1);
-    const struct solid_space *space = g->assembly->space;
-    size_t count = 3 * (size_t)space->nodes;
-    double *x = malloc(2 * count * sizeof *x), *f = x + count;
-
-    REQUIRE(x);
-    for (int a = 0; a < space->nodes; a++) {
-        const double *r = space->rest + 3 * a;
-        double along = axis[0] * r[0] + axis[1] * r[1] + axis[2] * r[2];
-        for (int i = 0; i < 3; i++) {
-            int j = (i + 1) % 3, k = (i + 2) % 3;
-            x[3 * a + i] = c * r[i] + (1 - c) * along * axis[i] +
-                           n * (axis[j] * r[k] - axis[k] * r[j]);
-        }
-    }
-    CHECK_NEAR(energy_at(g, x) / deformed, 0, RIGID_ENERGY);
-    CHECK(large_body_force(&g->body, &statics, x, f) == STATUS_OK);
-    CHECK_NEAR(norm(count, f) / deformed, 0, RIGID_FORCE);
-    free(x);
 }
 
 /* A turned body and a change d that a linearisation takes for another turn: foreseen
@@ -150,10 +58,11 @@ static void check_foresight(const struct solid_green *g)
         x[t] = rest[t] + e + d[t];
         beside[t] = d[t] + 2 * e;
     }
-    CHECK(large_body_tangent(&g->body, &statics, x,
+    CHECK(large_body_tangent(&g->body, &derivative_statics, x,
                              (struct large_foresight){.change = d, .beside = beside},
                              K) == STATUS_OK);
-    CHECK(large_body_tangent(&g->body, &statics, x, (struct large_foresight){.none = true},
+    CHECK(large_body_tangent(&g->body, &derivative_statics, x,
+                             (struct large_foresight){.none = true},
                              K + pairs) == STATUS_OK);
     for (long n = 0; n < pairs; n++)
         for (int t = 0; t < 9; t++) {
@@ -186,10 +95,12 @@ static void check_solid(enum solid_kind kind, int p, int q, int r, bool thicknes
         d[t] = random_unit(&state) - 0.5;
     }
     check_rest(&g);
-    check_force(&g, x, d);
-    check_tangent(&g, x, d);
+    derivative_check(&g.body, &s.assembly.graph, x, d, DIFFERENCE);
     check_foresight(&g);
-    check_rigid(&g, energy_at(&g, x));
+    /* without a shift: it would move the first coefficient of a column alone in the
+     * thickness basis; rotations are the same in both */
+    derivative_rigid(&g.body, s.space.rest, 0, derivative_energy(&g.body, x), RIGID_ENERGY,
+                     RIGID_FORCE);
     free(x);
     solid_green_clear(&g);
     solid_clear(&s);

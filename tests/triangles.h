@@ -47,14 +47,6 @@ static inline void sheet_frames(struct sheet *s, int frames)
         REQUIRE(tri_model.advance(s->m, &s->counters) == STATUS_OK);
 }
 
-static inline void sheet_settle(struct sheet *s)
-{
-    struct message why = {{0}};
-
-    if (!CHECK(tri_model.equilibrium(s->m, &s->counters, &why) == STATUS_OK))
-        printf("%s\n", why.text);
-}
-
 /* The mid-surface point (u, v). */
 static inline void sheet_point(const struct sheet *s, double u, double v, double xyz[3])
 {

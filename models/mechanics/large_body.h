@@ -76,14 +76,6 @@ enum status large_body_tangent(const struct large_body *b, const struct large_pa
                                const double *x, struct large_foresight foresight,
                                double (*K)[9]);
 
-/* A load that follows the shape, for tests: adds `factor` times the load to force[nodes][3]
- * and, unless K is NULL, minus its derivative to K. */
-struct large_follower {
-    void (*add)(void *context, const double *x, double factor, double *force,
-                double (*K)[9]);
-    void *context;
-};
-
 struct large_motion {
     /* The owner sets these before large_motion_init; borrowed. */
     struct large_body body;
@@ -107,7 +99,6 @@ struct large_motion {
     bool full;                    /* a new tangent in each iteration                   */
     bool rings; /* nothing damps the membrane, and Newton's method expects it  */
 
-    struct large_follower follower;
     double *strain_old;  /* strains at the step's start                         owned   */
     double *strain_mean; /* of the last step, in the same room; NULL: not rings        */
     double *room;        /* [6][nodes][3]: x_old, hat, work of large_newton     owned   */

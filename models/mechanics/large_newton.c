@@ -42,8 +42,6 @@ static enum status residual(struct large_motion *m, const struct large_equation 
         return st;
     for (size_t t = 0; t < count; t++)
         r[t] = q->load * m->load[t] - r[t];
-    if (m->follower.add)
-        m->follower.add(m->follower.context, x, q->load, r, NULL);
     if (q->mass == 0)
         return STATUS_OK;
     double *inertia = m->newmark->work;
@@ -98,8 +96,6 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
         foresight.none = m->stressless;
         TRY(large_body_tangent(&m->body, &q->path, x, foresight, m->K));
         counters->assemblies++;
-        if (m->follower.add)
-            m->follower.add(m->follower.context, x, q->load, m->newmark->work, m->K);
         if (in_contact(m, q)) {
             contact_set_forget(&m->contact->set);
             m->factored = q->mass;

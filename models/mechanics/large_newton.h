@@ -1,7 +1,7 @@
 /* large_newton.h - Newton's method for one equation of a body at large displacements, in
  * statics and in a step:
  *
- *   load F + follower - M mass (x - hat) - f(x) = 0   at the free unknowns.
+ *   load F - M mass (x - hat) - f(x) = 0   at the free unknowns.
  *
  * The stress in the tangent's geometric part is what the last step's linearisation foresaw,
  * at first that of m->strain_old (large_foresight; "mixed integration point" Newton of
@@ -27,7 +27,7 @@ struct large_equation {
     struct large_path path;
     double mass;       /* >= 0                                                [1/s^2]  */
     const double *hat; /* [nodes][3]; NULL if mass == 0                       borrowed */
-    double load;       /* factor on m->load and the follower                           */
+    double load;       /* factor on m->load                                            */
     double chord;      /* a tangent is kept while steps shrink by this; 0: never       */
     int limit;         /* iterations                                                   */
     int enough;        /* iterations to stop after, converged or not; 0: none          */

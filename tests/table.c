@@ -2,9 +2,9 @@
 #include "bench/ui/table.h"
 
 #include <math.h>
-#include <unistd.h>
 
 #include "tests/said.h"
+#include "tests/scratch.h"
 
 static const struct table_column columns[] = {
     {"model", NULL, TABLE_LEFT}, {"time", "ms", TABLE_RIGHT}, {"n", NULL, TABLE_RIGHT}};
@@ -72,20 +72,20 @@ static void check_formats(void)
 static void check_numbers(void)
 {
     static const struct table_column one[] = {{"x", NULL, TABLE_RIGHT}};
+    static const struct {
+        double x;
+        int digits;
+    } number[] = {{123, 3}, {2.0, 2}, {NAN, 2}, {1.5e-9, 3}};
     struct table *t = table_create(1, one, NULL);
 
-    table_row(t);
-    table_number(t, 123, 3);
-    table_row(t);
-    table_number(t, 2.0, 2);
-    table_row(t);
-    table_number(t, NAN, 2);
+    for (int n = 0; n < 4; n++) {
+        table_row(t);
+        table_number(t, number[n].x, number[n].digits);
+    }
     table_row(t);
     table_fixed(t, 1.0 / 3, 2);
-    table_row(t);
-    table_number(t, 1.5e-9, 3);
     print(t, TABLE_TEXT,
-          "       x\n--------\n     123\n     2.0\n       -\n    0.33\n1.50e-09\n");
+          "       x\n--------\n     123\n     2.0\n       -\n1.50e-09\n    0.33\n");
     table_destroy(t);
 }
 
@@ -98,7 +98,7 @@ static const struct table_column both[] = {
     {"p", .readers = TABLE_MACHINES},
     {"unknowns"}};
 
-static struct table *make_both(void)
+static void check_readers(void)
 {
     struct table *t = table_create(6, both, "Both");
 
@@ -119,13 +119,6 @@ static struct table *make_both(void)
     table_row(t);
     table_text(t, "short");
     table_note(t, "A \"note\".");
-    return t;
-}
-
-static void check_readers(void)
-{
-    struct table *t = make_both();
-
     print(t, TABLE_TEXT,
           "Both\n\n"
           "case                  a frame  net        to next  unknowns\n"
@@ -177,17 +170,14 @@ static void check_keys(void)
     table_destroy(t);
 }
 
-static void check_file(const char *name, const char *want)
+static void check_file(const char *want)
 {
-    char text[512] = "";
-    FILE *file = fopen(name, "r");
+    struct said s;
 
-    REQUIRE(file);
-    text[fread(text, 1, sizeof text - 1, file)] = '\0';
-    fclose(file);
-    remove(name);
-    if (!CHECK(!strcmp(text, want)))
-        printf("--- is\n%s--- want\n%s", text, want);
+    said_read(&s, ".", "table.csv");
+    if (!CHECK(!strcmp(s.text, want)))
+        printf("--- is\n%s--- want\n%s", s.text, want);
+    said_clear(&s);
 }
 
 /* Files have keys and rows only; in pieces or at once they are the same. */
@@ -198,27 +188,24 @@ static void check_files(void)
         "50%_x,,\n,,\n";
     struct message why;
     struct table *t = make();
+    char more[256];
 
-    CHECK(table_save(t, "/tmp", "clothbench-table", &why) == STATUS_OK);
-    check_file("/tmp/clothbench-table.csv", want);
+    CHECK(table_save(t, ".", "table", &why) == STATUS_OK);
+    check_file(want);
     CHECK(table_save(t, "/proc/nowhere", "table", &why) == STATUS_FILE);
-    CHECK(table_save(NULL, "/tmp", "table", &why) == STATUS_MEMORY);
-    remove("/tmp/clothbench-full.csv");
-    REQUIRE(symlink("/dev/full", "/tmp/clothbench-full.csv") == 0);
-    CHECK(table_save(t, "/tmp", "clothbench-full", &why) == STATUS_FILE);
-    remove("/tmp/clothbench-full.csv");
-    FILE *file = fopen("/tmp/clothbench-table.csv", "w");
+    CHECK(table_save(NULL, ".", "table", &why) == STATUS_MEMORY);
+    REQUIRE(symlink("/dev/full", "full.csv") == 0);
+    CHECK(table_save(t, ".", "full", &why) == STATUS_FILE);
+    FILE *file = fopen("table.csv", "w");
     REQUIRE(file);
-    CHECK(table_flush(t, file) == STATUS_OK);
-    CHECK(table_rows(t) == 0);
+    CHECK(table_flush(t, file) == STATUS_OK && table_rows(t) == 0);
     table_row(t);
     table_text(t, "more");
     CHECK(table_flush(t, file) == STATUS_OK);
     CHECK(table_flush(t, file) == STATUS_OK);
     fclose(file);
-    char more[256];
     snprintf(more, sizeof more, "%smore,,\n", want);
-    check_file("/tmp/clothbench-table.csv", more);
+    check_file(more);
     CHECK(table_finish(t, TABLE_LATEX, stdout) == STATUS_OK);
 }
 
@@ -300,36 +287,33 @@ static void check_escapes(void)
     table_destroy(t);
 }
 
-static void check_said(const char *text, const char *want)
-{
-    struct said s;
-
-    said_open(&s);
-    table_say(s.file, "%s", text);
-    said_close(&s, true);
-    CHECK(!strcmp(s.text, want));
-    said_clear(&s);
-}
-
 /* Ninety-six characters are a line, one more are not. */
 static void check_sentences(void)
 {
-    char text[128] = "", want[sizeof text + 2];
+    static const struct {
+        int letters;
+        const char *text, *want;
+    } row[] = {{90, " abcde", " abcde\n"},
+               {90, " abcdef", "\nabcdef\n"},
+               {0, "two\n", "two\n\n"},
+               {0, "- 5 %\n- 6 %", "- 5 %\n- 6 %\n"}};
+    char x[91] = "";
 
-    memset(text, 'x', 90);
-    memcpy(text + 90, " abcde", 7);
-    snprintf(want, sizeof want, "%s\n", text);
-    check_said(text, want);
-    memcpy(text + 90, " abcdef", 8);
-    snprintf(want, sizeof want, "%s\n", text);
-    want[90] = '\n';
-    check_said(text, want);
-    check_said("two\n", "two\n\n");
-    check_said("- 5 %\n- 6 %", "- 5 %\n- 6 %\n");
+    memset(x, 'x', 90);
+    for (int n = 0; n < 4; n++) {
+        struct said s;
+        said_open(&s);
+        table_say(s.file, "%.*s%s", row[n].letters, x, row[n].text);
+        said_close(&s, true);
+        CHECK(!strcmp(s.text + row[n].letters, row[n].want));
+        said_clear(&s);
+    }
 }
 
 int main(void)
 {
+    scratch_open();
+    REQUIRE(chdir(scratch) == 0);
     check_formats();
     check_numbers();
     check_readers();

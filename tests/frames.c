@@ -129,7 +129,7 @@ static void bad_texts(void)
          "line 4: frame 2", "twice"},
         {"none.obj", "# nothing\n", "none.obj", "has no vertices"},
         {"v.obj", "v 1 2\n", "line 1", "no vertex"},
-        {"f.obj", "v 0 0 0\nf 1 2 3\n", "line 2", "not there"},
+        {"f.obj", "v 0 0 0\nf 1 1 2\n", "line 2", "not there"},
         {"line.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3", "fewer than three"},
         {"seam.obj",
          "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/2 2 3\n", "line 7",
@@ -146,7 +146,7 @@ static void bad_texts(void)
          "fewer than its header counts"},
         {"far.ply",
          HEAD "element vertex 1\n" XYZ "element face 1\nproperty list uchar int "
-              "vertex_indices\nend_header\n0 0 0\n3 0 1 2\n",
+              "vertex_indices\nend_header\n0 0 0\n3 0 0 1\n",
          "far.ply", "not there"},
         {"no.npz", "not a zip file, but long enough", "no.npz", "no ZIP file"},
         {"no.npy", "not an array", "no.npy", "no array of NumPy"},

@@ -1,19 +1,39 @@
-/* Charts: what script and data hold for each form, names that would be commands, and the
- * files that gnuplot draws, or the sentence where it is missing. */
+/* Charts and pictures of sheets: what script and data hold for each form, names that would
+ * be commands, and the files that gnuplot draws, or the sentence where it is missing. */
 #include "bench/ui/chart.h"
 
-#include <dirent.h>
-#include <unistd.h>
+#include <glob.h>
 
+#include "bench/ui/picture.h"
 #include "bench/ui/plot.h"
+#include "models/grid.h"
 #include "tests/fresh.h"
+#include "tests/scratch.h"
 
-static const char *folder;
+static char *script; /* the one that was read last */
 
-static void holds(const char *script, const char *what)
+static void read_script(const char *name)
+{
+    free(script);
+    script = fresh_text(".", name);
+}
+
+static void holds(const char *what)
 {
     if (!CHECK(strstr(script, what)))
         printf("  '%s' is not in the script\n", what);
+}
+
+/* Writes and frees it. */
+static void written(struct chart *c, const char *name)
+{
+    struct message why;
+    char path[64];
+
+    chart_write(c, ".", name, &why);
+    snprintf(path, sizeof path, "%s.gp", name);
+    read_script(path);
+    chart_destroy(c);
 }
 
 /* Two families, seconds shown as milliseconds, one number missing. */
@@ -45,7 +65,6 @@ static void rows_become_points(void)
     const struct chart_axis x = chart_axis_of(t, "setup_s", true);
     const struct chart_axis y = chart_axis_of(t, "error_over_length", false);
     struct chart *c = chart_create("Cost");
-    struct message why;
 
     chart_axes(c, &x, &y);
     chart_series(c, &(struct chart_series){"iga", .sorted = true});
@@ -58,22 +77,18 @@ static void rows_become_points(void)
                &(struct chart_where){"setup_s", .number = 0.5});
     chart_band(c, "truth's error bar", 0, 0.05);
     chart_mark(c, 250, 0.1, "here");
-    chart_write(c, folder, "cost", &why);
-    char *script = fresh_text(folder, "cost.gp");
-    holds(script,
-          "$p0_0 << EOD\n20 0.5\n250 0.1\n1000 0\nEOD\n$p0_1 << EOD\n500 0.2\nEOD\n");
-    holds(script, "set xlabel 'set-up [ms]'\n");
-    holds(script, "set ylabel 'error [L]'\n");
-    holds(script, "set logscale x\n");
+    written(c, "cost");
+    holds("$p0_0 << EOD\n20 0.5\n250 0.1\n1000 0\nEOD\n$p0_1 << EOD\n500 0.2\nEOD\n");
+    holds("set xlabel 'set-up [ms]'\n");
+    holds("set ylabel 'error [L]'\n");
+    holds("set logscale x\n");
     CHECK(!strstr(script, "set logscale y"));
-    holds(script, "set multiplot title 'Cost'\n");
-    holds(script, "rectangle from graph 0, first 0 to graph 1, first 0.05 ");
-    holds(script, "set label 'here' at first 250, first 0.1 ");
-    holds(script, "lc rgb '#0072b2' title 'iga'"); /* the legend */
-    holds(script, "title 'truth'.\"'\".'s error bar'");
-    holds(script, "unset key\n");
-    free(script);
-    chart_destroy(c);
+    holds("set multiplot title 'Cost'\n");
+    holds("rectangle from graph 0, first 0 to graph 1, first 0.05 ");
+    holds("set label 'here' at first 250, first 0.1 ");
+    holds("lc rgb '#0072b2' title 'iga'"); /* the legend */
+    holds("title 'truth'.\"'\".'s error bar'");
+    holds("unset key\n");
     table_destroy(t);
 }
 
@@ -84,7 +99,6 @@ static void styles_and_panels(void)
     static const struct chart_tic tics[] = {{1, "one"}, {5, NULL}};
     struct chart *c = chart_create(NULL);
     char label[6][24];
-    struct message why;
 
     for (int panel = 0; panel < 2; panel++) {
         chart_panel(c, panel ? "right" : "left");
@@ -102,8 +116,7 @@ static void styles_and_panels(void)
     }
     chart_series(c, &(struct chart_series){"none", CHART_POINTS});
     chart_point(c, NAN, 1);
-    chart_write(c, folder, "styles", &why);
-    char *script = fresh_text(folder, "styles.gp");
+    written(c, "styles");
     for (int n = 0; n < 6; n++) {
         char want[64];
         snprintf(want, sizeof want, "$p1_%d using", n);
@@ -111,35 +124,29 @@ static void styles_and_panels(void)
         snprintf(want, sizeof want, "title 'kind %d'", n);
         CHECK(fresh_count(script, want) == 3); /* PNG, SVG, PDF */
     }
-    holds(script, "$p0_5 << EOD\n1 2 0.5 1.5 1.5 2.5\nEOD\n");
-    holds(script, "$p0_0 << EOD\n0 2 1 3\nEOD\n");
-    holds(script, "with yerrorbars");
+    holds("$p0_5 << EOD\n1 2 0.5 1.5 1.5 2.5\nEOD\n");
+    holds("$p0_0 << EOD\n0 2 1 3\nEOD\n");
+    holds("with yerrorbars");
     CHECK(fresh_count(script, "set xlabel 'x [m]'") == 2 * 3);
     CHECK(fresh_count(script, "set xrange [0:*]") == 2 * 3);
     CHECK(fresh_count(script, "set ytics ('one' 1,'5' 5)") == 2 * 3);
     CHECK(!strstr(script, "$p1_6")); /* nothing to be drawn */
-    free(script);
-    chart_destroy(c);
 }
 
 /* Cells fill their panel. */
 static void cells(void)
 {
     struct chart *c = chart_create(NULL);
-    struct message why;
 
     chart_series(c, &(struct chart_series){"good", CHART_CELLS, .rgb = "#8cd17d"});
     chart_cell(c, 1, 10, (double[]){0.5, 1.5}, (double[]){5, 20});
     chart_cell(c, 2, 10, (double[]){1.5, 2.5}, (double[]){5, 20});
     chart_series(c, &(struct chart_series){"row", CHART_POINTS, .rgb = "#000000"});
     chart_point(c, 1, 30);
-    chart_write(c, folder, "cells", &why);
-    char *script = fresh_text(folder, "cells.gp");
-    holds(script, "set xrange [0.5:2.5]\n");
-    holds(script, "set yrange [5:30]\n");
-    holds(script, "with boxxyerror fs solid 1 border lc rgb '#8cd17d' lc rgb '#8cd17d'");
-    free(script);
-    chart_destroy(c);
+    written(c, "cells");
+    holds("set xrange [0.5:2.5]\n");
+    holds("set yrange [5:30]\n");
+    holds("with boxxyerror fs solid 1 border lc rgb '#8cd17d' lc rgb '#8cd17d'");
 }
 
 /* What a label has, it keeps; after the last look comes the first, dashed. */
@@ -149,51 +156,23 @@ static void looks(void)
     struct message why;
     char label[24];
 
-    for (int n = 0; n < 9; n++) {
+    for (int n = 0; n < 16; n++) { /* in the end one too many in the second panel */
         if (n == 4)
             chart_panel(c, "rest");
-        snprintf(label, sizeof label, "line %d", n);
+        snprintf(label, sizeof label, "line %d", n < 9 ? n : n == 9 ? 2 : n - 1);
         chart_series(c, &(struct chart_series){label});
         chart_point(c, 1, n);
+        if (n != 9)
+            continue;
+        chart_write(c, ".", "looks", &why);
+        read_script("looks.gp");
+        holds("dt (10,6) pt 6 ps scale*1.1 lc rgb '#0072b2' title 'line 8'");
+        const char *at = strstr(script, "$p1_5 using");
+        CHECK(at && !strncmp(strstr(at, "lc rgb"), "lc rgb '#009e73'", 16));
     }
-    chart_series(c, &(struct chart_series){"line 2"});
-    chart_point(c, 1, 1);
-    chart_write(c, folder, "looks", &why);
-    char *script = fresh_text(folder, "looks.gp");
-    holds(script, "dt (10,6) pt 6 ps scale*1.1 lc rgb '#0072b2' title 'line 8'");
-    CHECK(strstr(script, "$p1_5 using"));
-    CHECK(
-        !strncmp(strstr(strstr(script, "$p1_5 using"), "lc rgb"), "lc rgb '#009e73'", 16));
-    for (int n = 9; n < 15; n++) { /* one too many in the second panel */
-        snprintf(label, sizeof label, "line %d", n);
-        chart_series(c, &(struct chart_series){label});
-    }
-    CHECK(chart_write(c, folder, "many", &why) == STATUS_UNSUPPORTED);
+    CHECK(chart_write(c, ".", "many", &why) == STATUS_UNSUPPORTED);
     CHECK(strstr(why.text, "12 lines"));
-    free(script);
     chart_destroy(c);
-}
-
-static void remove_file(const char *name)
-{
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    remove(path);
-}
-
-/* How many files a hostile name has made; they go. */
-static int pwned(void)
-{
-    int count = 0;
-    DIR *dir = opendir(folder);
-    REQUIRE(dir);
-    for (struct dirent *e; (e = readdir(dir));)
-        if (!strncmp(e->d_name, "pwned", 5)) {
-            remove_file(e->d_name);
-            count++;
-        }
-    closedir(dir);
-    return count;
 }
 
 /* Words stay words wherever they go; none leaves its string. */
@@ -209,32 +188,31 @@ static void hostile_names(bool drawn)
         "} { } ]] ((",
         "@ending {/Bold x} a_b ^2 \\\n, ' . system('touch pwned') . '",
     };
-    enum { NAMES = sizeof names / sizeof *names };
+    static const char *const files_of[] = {"|touch pwned", "a'b", "-e", "", "../x", "a b"};
     struct message why = {""};
+    struct chart *c;
+    glob_t made;
 
-    pwned();
-    for (int n = 0; n < NAMES; n++) {
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
         const struct chart_tic tic = {1, names[n]};
         const struct chart_axis axis = {names[n], names[n], .tic_count = 1, .tics = &tic};
-        struct chart *c = chart_create(names[n]);
+        c = chart_create(names[n]);
         chart_axes(c, &axis, &axis);
         chart_panel(c, names[n]);
         chart_series(c, &(struct chart_series){names[n], .rgb = "#123456"});
         chart_point(c, 1, 2);
         chart_mark(c, 1, 2, names[n]);
         chart_band(c, names[n], 1, 2);
-        const enum status st = chart_write(c, folder, "hostile", &why);
-        CHECK(st == (drawn ? STATUS_OK : STATUS_UNSUPPORTED));
-        CHECK(pwned() == 0);
-        char *script = fresh_text(folder, "hostile.gp");
+        CHECK(chart_write(c, ".", "hostile", &why) ==
+              (drawn ? STATUS_OK : STATUS_UNSUPPORTED));
+        CHECK(glob("pwned*", 0, NULL, &made) == GLOB_NOMATCH);
+        read_script("hostile.gp");
         CHECK(!strstr(script, "\"\\n\"")); /* a line end in a name is a blank */
-        free(script);
         chart_destroy(c);
     }
-    static const char *const files_of[] = {"|touch pwned", "a'b", "-e", "", "../x", "a b"};
-    struct chart *c = chart_create(NULL);
+    c = chart_create(NULL);
     for (int n = 0; n < 6; n++)
-        CHECK(chart_write(c, folder, files_of[n], &why) == STATUS_INPUT);
+        CHECK(chart_write(c, ".", files_of[n], &why) == STATUS_INPUT);
     chart_destroy(c);
 }
 
@@ -246,22 +224,72 @@ static void drawn_files(bool drawn)
     struct chart *c = chart_create("Made");
     struct message why = {""};
 
-    for (int n = 0; n < 3; n++)
-        remove_file(made[n].name);
     chart_series(c, &(struct chart_series){"line"});
     chart_point(c, 1, 2);
     chart_point(c, 2, 3);
     chart_panel(c, "nothing in it");
-    CHECK(chart_write(c, folder, "made", &why) == (drawn ? STATUS_OK : STATUS_UNSUPPORTED));
+    CHECK(chart_write(c, ".", "made", &why) == (drawn ? STATUS_OK : STATUS_UNSUPPORTED));
     CHECK(drawn || strstr(why.text, "gnuplot is not installed"));
     for (int n = 0; n < 3 && drawn; n++) {
-        char *text = fresh_text(folder, made[n].name);
-        CHECK(!strncmp(text, made[n].begin, strlen(made[n].begin)));
-        free(text);
+        read_script(made[n].name);
+        CHECK(!strncmp(script, made[n].begin, strlen(made[n].begin)));
     }
     CHECK(chart_write(c, "/proc/nowhere", "made", &why) == STATUS_FILE);
-    CHECK(chart_save(c, folder, "made", &why) == STATUS_OK); /* with gnuplot or without */
-    CHECK(chart_write(NULL, folder, "made", &why) == STATUS_MEMORY);
+    CHECK(chart_save(c, ".", "made", &why) == STATUS_OK); /* with gnuplot or without */
+    CHECK(chart_write(NULL, ".", "made", &why) == STATUS_MEMORY);
+}
+
+/* A level sheet of 2 m x 1 m, `lift` up. */
+static double *sheet(double lift)
+{
+    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
+    REQUIRE(xyz);
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        xyz[3 * n] = 2 * uvw[0];
+        xyz[3 * n + 1] = uvw[1];
+        xyz[3 * n + 2] = lift + 0.2 * (uvw[2] - 0.5); /* its mid-surface is at `lift` */
+    }
+    return xyz;
+}
+
+static void sheets(bool drawn)
+{
+    double *low = sheet(-1), *high = sheet(0.5);
+    const struct picture_panel panels[] = {
+        {"low\nt = 1 s", low}, {"dead\r\x1b", NULL}, {"\"high\" it's `so` \\n", high}};
+    struct message why = {""};
+    int points = 0;
+
+    high[3 * (51 * GRID_U + 51)] = NAN; /* one of every third: the box takes no notice */
+    CHECK(picture_save(".", "sheets", 2, 3, panels, &why) == STATUS_OK);
+    char *png = drawn ? fresh_text(".", "sheets.png") : NULL;
+    CHECK(!drawn || !memcmp(png, "\x89PNG", 4));
+    free(png);
+
+    char *data = fresh_text(".", "sheets.dat");
+    read_script("sheets.gp");
+    for (char *line = data; *line; line += strcspn(line, "\n") + 1)
+        points += *line != '#' && *line != '\n';
+    CHECK(points == 2 * 34 * 34); /* every third of 100, corners included */
+    CHECK(fresh_count(data, "\n\n\n") == 2);
+    CHECK(strstr(data, "\n0 0 -1\n") && strstr(data, "\n2 1 -1\n")); /* the mid-surface */
+    CHECK(strstr(data, "\n2 1 0.5\n"));
+
+    holds("layout 2,2");
+    holds("'low'.\"\\n\".'t = 1 s'");
+    holds("'dead  '");
+    holds("'\"high\" it'.\"'\".'s `so` \\n'");
+    CHECK(strstr(script, "index 0") && strstr(script, "index 1"));
+    CHECK(!strstr(script, "index 2"));
+    holds("set view equal xyz");
+    holds("set xrange [-0.04:2.04]");
+    holds("set zrange [-1.03:0.53]");
+    CHECK(picture_save("/proc/nowhere", "sheets", 1, 1, panels, &why) == STATUS_FILE);
+    free(data);
+    free(low);
+    free(high);
 }
 
 static void all(bool drawn)
@@ -272,18 +300,17 @@ static void all(bool drawn)
     looks();
     hostile_names(drawn);
     drawn_files(drawn);
+    sheets(drawn);
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    struct message why = {""};
-
-    REQUIRE(argc == 2);
-    folder = argv[1];
-    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    scratch_open();
+    REQUIRE(chdir(scratch) == 0);
     if (system("gnuplot --version >/dev/null 2>&1") == 0)
         all(true);
-    REQUIRE(setenv("PATH", folder, 1) == 0);
+    REQUIRE(setenv("PATH", scratch, 1) == 0);
     all(false);
+    free(script);
     return check_result();
 }

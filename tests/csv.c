@@ -5,24 +5,19 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "bench/experiment/judge.h"
 #include "bench/experiment/kept.h"
 #include "bench/ui/table.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
 
-static char path[4096];
+static const char path[] = "table.csv";
 
 static void put(const char *text, size_t size)
 {
     FILE *file = fopen(path, "wb");
 
-    if (!CHECK(file != NULL))
-        return;
-    fwrite(text, 1, size, file);
-    fclose(file);
+    REQUIRE(file && fwrite(text, 1, size, file) == size && fclose(file) == 0);
 }
 
 static void check_tables(void)
@@ -33,8 +28,7 @@ static void check_tables(void)
     struct message why = {""};
 
     put(text, sizeof text - 1);
-    if (!CHECK(csv_read(path, &csv, &why) == STATUS_OK) || !CHECK(csv.count == 2))
-        return;
+    REQUIRE(csv_read(path, &csv, &why) == STATUS_OK && csv.count == 2);
     const struct csv_table *t = &csv.table[0], *u = &csv.table[1];
     CHECK(t->columns == 2 && t->rows == 2 && u->columns == 1 && u->rows == 2);
     CHECK(!strcmp(t->caption, "made by\nfirst\ntable"));
@@ -54,17 +48,13 @@ static void check_many(void)
 {
     enum { ROWS = 1000 };
     struct csv csv = {0};
-    FILE *file = fopen(path, "w");
+    char text[32 * ROWS] = "a,b,c\n", *end = text + strlen(text);
     int wrong = 0;
 
-    if (!CHECK(file != NULL))
-        return;
-    fputs("a,b,c\n", file);
     for (int n = 0; n < ROWS; n++)
-        fprintf(file, "%d,%d,%d\n", n, 2 * n, 3 * n);
-    fclose(file);
-    if (!CHECK(csv_read(path, &csv, NULL) == STATUS_OK) || !CHECK(csv.count == 1))
-        return;
+        end += sprintf(end, "%d,%d,%d\n", n, 2 * n, 3 * n);
+    put(text, strlen(text));
+    REQUIRE(csv_read(path, &csv, NULL) == STATUS_OK && csv.count == 1);
     CHECK(csv.table->rows == ROWS);
     for (int n = 0; n < csv.table->rows; n++)
         for (int c = 0; c < 3; c++)
@@ -104,7 +94,7 @@ static void check_refusals(void)
 }
 
 /* A table and a sentence, both printed elsewhere, as the report finds them. */
-static void check_kept(const char *folder)
+static void check_kept(void)
 {
     static const struct table_column columns[] = {{"what", NULL, TABLE_LEFT}, {"x", "m"}};
     struct kept *kept = NULL;
@@ -112,11 +102,8 @@ static void check_kept(const char *folder)
     FILE *nowhere = fopen("/dev/null", "w");
     struct table *t = table_create(2, columns, "A, \"B\"");
 
-    if (!CHECK(nowhere != NULL))
-        return;
-    snprintf(path, sizeof path, "%s/" KEPT_NAME, folder);
-    kept_open(folder, "table", "1", &kept);
-    CHECK(kept != NULL);
+    kept_open(".", "table", "1", &kept);
+    REQUIRE(nowhere && kept);
     table_row(t);
     table_text(t, "a \"b\",\nc");
     table_number(t, 0.1, 3);
@@ -126,8 +113,7 @@ static void check_kept(const char *folder)
     CHECK(kept_close(&kept, NULL) == STATUS_OK && !kept);
     judge_print(nowhere, "later", JUDGE_FAILS, "Not kept.");
     fclose(nowhere);
-    if (!CHECK(csv_read(path, &csv, NULL) == STATUS_OK) || !CHECK(csv.count == 2))
-        return;
+    REQUIRE(csv_read(KEPT_NAME, &csv, NULL) == STATUS_OK && csv.count == 2);
     CHECK(strstr(csv.table[0].caption, "clothbench table 1 | commit "));
     CHECK(strstr(csv.table[0].caption, "\nA, \"B\""));
     CHECK(!strcmp(csv.table[0].notes, "one\ntwo"));
@@ -138,20 +124,17 @@ static void check_kept(const char *folder)
     CHECK(!strcmp(csv_words(&csv.table[1], 0, 1), "holds"));
     CHECK(!strcmp(csv_words(&csv.table[1], 0, 2), "By 2."));
     csv_clear(&csv);
-    unlink(path);
     kept_open("/proc/nowhere", "table", "1", &kept);
     CHECK(!kept && kept_close(&kept, NULL) == STATUS_OK);
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    if (!CHECK(argc == 2))
-        return check_result();
-    mkdir(argv[1], 0777);
-    snprintf(path, sizeof path, "%s/table.csv", argv[1]);
+    scratch_open();
+    REQUIRE(chdir(scratch) == 0);
     check_tables();
     check_many();
     check_refusals();
-    check_kept(argv[1]);
+    check_kept();
     return check_result();
 }

@@ -1,17 +1,14 @@
 /* Result files that were damaged on the way - bits, bytes, pieces lost or put in - are told
  * in a sentence: 2,000 stored truths and 2,000 runs, with a fixed seed. None is believed,
  * none crashes what reads it.
- *   test_damage FOLDER
  */
-#include <sys/stat.h>
-
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
 #include "bench/harness/contestant.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth.h"
 #include "models/reader/scene_file.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
 
 enum { DAMAGES = 2000 };
 
@@ -129,151 +126,84 @@ static void make_run(const char *path)
 }
 
 /* --- Files that somebody made on purpose, sealed as ours: a text that is many, a number
- * that is many, arrays far larger than their file. */
+ * that is many, arrays far larger than their file, of another type, rank or shape. */
+static const struct made {
+    const char *name, *part; /* attribute if there is none such; in the sentence        */
+    int rank;
+    hsize_t size[5];
+    char kind;  /* 'a': numbers of an attribute, 't': texts of one, 'c': texts          */
+    bool zeros; /* written, else the array is not there                                 */
+} made[] = {
+    {"outcome", ": has no text outcome", 1, {4000}, 't', true},
+    {"unknowns", ": has no number unknowns", 1, {4000}, 'a', true},
+    {"time", ": time is larger than the file", 2, {1ul << 32, 1ul << 32}}, /* product 0  */
+    {"time", ": time is larger than the file", 2, {0, 3}}, /* neither side is; see below */
+    {"time", ": cannot read time: ", 1, {5}, 'c', true},
+    {"time", ": cannot read time: ", 3, {5, 1, 1}, 0, true},
+    {"xyz", ": is not a result file", 5, {6000, 2, 100, 100, 3}}, /* 2.9 GB */
+    {"xyz", ": is not a result file", 5, {1, 3, 100, 100, 3}, 0, true},
+    {"xyz", ": is not a result file", 5, {1, 2, 101, 100, 3}, 0, true},
+    {"xyz", ": is not a result file", 5, {1, 2, 100, 101, 3}, 0, true},
+    {"xyz", ": is not a result file", 5, {1, 2, 100, 100, 4}, 0, true},
+    {"xyz", ": is not a result file", 4, {1, 2, 100, 100}, 0, true}};
 
-/* In place of an attribute 4000 of its type. */
-static void many(hid_t file, const char *key, hid_t type)
+/* In place of what has that name; `least` in place of a side of 0. */
+static void put(hid_t file, const struct made *m, hsize_t least)
 {
-    static const double zeros[4000];
-    const hsize_t count = 4000;
-    hid_t space = H5Screate_simple(1, &count, NULL);
+    static const double zeros[100000]; /* one frame has 60,000 */
+    const bool attribute = m->kind == 'a' || m->kind == 't';
+    const hid_t type = m->kind == 't' || m->kind == 'c' ? H5T_C_S1 : H5T_NATIVE_DOUBLE;
+    hid_t create = H5Pcreate(H5P_DATASET_CREATE);
+    hsize_t size[5], chunk[5] = {1, 1, 1, 1, 1};
 
-    H5Adelete(file, key);
-    hid_t attribute = H5Acreate2(file, key, type, space, H5P_DEFAULT, H5P_DEFAULT);
-    REQUIRE(attribute >= 0 && H5Awrite(attribute, type, zeros) >= 0);
-    H5Aclose(attribute);
-    H5Sclose(space);
-}
-
-static void many_texts(hid_t file)
-{
-    many(file, "outcome", H5T_C_S1);
-}
-
-static void many_numbers(hid_t file)
-{
-    many(file, "unknowns", H5T_NATIVE_DOUBLE);
-}
-
-/* In place of an array one of another type, rank or size: zeros, or nothing written. */
-static void replace(hid_t file, const char *name, hid_t type, int rank, const hsize_t *size,
-                    const void *zeros)
-{
-    hsize_t chunk[5] = {1, 1, 1, 1, 1};
-    hid_t space = H5Screate_simple(rank, size, NULL),
-          create = H5Pcreate(H5P_DATASET_CREATE);
-
-    chunk[rank - 1] = 3;
-    H5Pset_chunk(create, rank, zeros ? size : chunk);
-    H5Ldelete(file, name, H5P_DEFAULT);
-    hid_t set = H5Dcreate2(file, name, type, space, H5P_DEFAULT, create, H5P_DEFAULT);
-    REQUIRE(set >= 0);
-    REQUIRE(!zeros || H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros) >= 0);
-    H5Dclose(set);
+    for (int n = 0; n < m->rank; n++)
+        size[n] = m->size[n] ? m->size[n] : least;
+    hid_t space = H5Screate_simple(m->rank, size, NULL);
+    if (!m->zeros)
+        H5Pset_chunk(create, m->rank, chunk);
+    REQUIRE((attribute ? H5Adelete(file, m->name)
+                       : H5Ldelete(file, m->name, H5P_DEFAULT)) >= 0);
+    hid_t id = attribute ? H5Acreate2(file, m->name, type, space, H5P_DEFAULT, H5P_DEFAULT)
+                         : H5Dcreate2(file, m->name, type, space, H5P_DEFAULT, create,
+                                      H5P_DEFAULT);
+    REQUIRE(id >= 0);
+    if (m->zeros)
+        REQUIRE((attribute
+                     ? H5Awrite(id, type, zeros)
+                     : H5Dwrite(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros)) >= 0);
+    H5Idec_ref(id);
     H5Pclose(create);
     H5Sclose(space);
 }
 
-static void large_array(hid_t file)
-{
-    replace(file, "time", H5T_NATIVE_DOUBLE, 2, (hsize_t[]){1ul << 32, 1ul << 32},
-            NULL); /* the product is 0 */
-}
-
-static void many_frames(hid_t file)
-{
-    replace(file, "xyz", H5T_NATIVE_DOUBLE, 5, (hsize_t[]){6000, 2, 100, 100, 3},
-            NULL); /* 2.9 GB */
-}
-
-static hsize_t file_size;
-
-/* Neither side is too large, the whole is. */
-static void thick_array(hid_t file)
-{
-    replace(file, "time", H5T_NATIVE_DOUBLE, 2, (hsize_t[]){file_size - 2000, 3}, NULL);
-}
-
-static double zeros[100000]; /* one frame has 60,000 */
-
-static void letters(hid_t file)
-{
-    replace(file, "time", H5T_C_S1, 1, (hsize_t[]){5}, zeros);
-}
-
-static void box(hid_t file)
-{
-    replace(file, "time", H5T_NATIVE_DOUBLE, 3, (hsize_t[]){5, 1, 1}, zeros);
-}
-
-/* Fields of any shape but ours, in each direction. */
-static hsize_t shape[5];
-static int shape_rank;
-
-static void other_shape(hid_t file)
-{
-    replace(file, "xyz", H5T_NATIVE_DOUBLE, shape_rank, shape, zeros);
-}
-
-/* The run changed by `make`: the sentence begins with the file's name and has a part. */
-static void check_made(const unsigned char *bytes, long size, const char *bad,
-                       void (*make)(hid_t file), const char *part)
-{
-    struct message why = {""};
-
-    write_all(bad, bytes, size);
-    hid_t file = H5Fopen(bad, H5F_ACC_RDWR, H5P_DEFAULT);
-    REQUIRE(file >= 0);
-    make(file);
-    REQUIRE(H5Fclose(file) >= 0);
-    REQUIRE(seal_write(bad, NULL) == STATUS_OK);
-    CHECK(read_run(bad, &why) != STATUS_OK);
-    printf("  said: %s\n", why.text);
-    CHECK(!strncmp(why.text, bad, strlen(bad)) && !strchr(why.text, '\n'));
-    CHECK(strstr(why.text, part));
-}
-
+/* The run changed so: the sentence begins with the file's name and has a part. */
 static void made_on_purpose(const char *good, const char *bad)
 {
-    static const struct {
-        void (*make)(hid_t file);
-        const char *part;
-    } made[] = {{many_texts, ": has no text outcome"},
-                {many_numbers, ": has no number unknowns"},
-                {large_array, ": time is larger than the file"},
-                {thick_array, ": time is larger than the file"},
-                {many_frames, ": is not a result file"},
-                {letters, ": cannot read time: "},
-                {box, ": cannot read time: "}};
-    static const hsize_t ours[5] = {1, 2, 100, 100, 3};
     long size;
     unsigned char *bytes = read_all(good, &size);
 
-    file_size = (hsize_t)size;
-    for (size_t n = 0; n < sizeof made / sizeof *made; n++)
-        check_made(bytes, size, bad, made[n].make, made[n].part);
-    for (int axis = 1; axis <= 5; axis++) { /* the last: of rank 4 */
-        memcpy(shape, ours, sizeof shape);
-        shape_rank = axis < 5 ? 5 : 4;
-        if (axis < 5)
-            shape[axis]++;
-        check_made(bytes, size, bad, other_shape, ": is not a result file");
+    for (size_t n = 0; n < sizeof made / sizeof *made; n++) {
+        struct message why = {""};
+        write_all(bad, bytes, size);
+        hid_t file = H5Fopen(bad, H5F_ACC_RDWR, H5P_DEFAULT);
+        REQUIRE(file >= 0);
+        put(file, &made[n], (hsize_t)size - 2000);
+        REQUIRE(H5Fclose(file) >= 0 && seal_write(bad, NULL) == STATUS_OK);
+        CHECK(read_run(bad, &why) != STATUS_OK);
+        if (!CHECK(!strncmp(why.text, bad, strlen(bad)) && !strchr(why.text, '\n') &&
+                   strstr(why.text, made[n].part)))
+            printf("  said: %s\n", why.text);
     }
     free(bytes);
 }
 
-int main(int argc, char **argv)
+int main(void)
 {
-    char good[4096], bad[4096];
-
-    REQUIRE(argc == 2);
-    mkdir(argv[1], 0777);
-    snprintf(good, sizeof good, "%s/run.h5", argv[1]);
-    snprintf(bad, sizeof bad, "%s/damaged.h5", argv[1]);
+    scratch_open();
+    const char *good = scratch_path("run.h5"), *bad = scratch_path("damaged.h5");
     make_run(good);
     try_all(good, bad, read_run);
     made_on_purpose(good, bad);
     try_all(SOURCE_DIR "/bench/truths/sphere.h5", bad, read_truth);
-    remove(bad);
     return check_result();
 }

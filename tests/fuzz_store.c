@@ -1,19 +1,18 @@
 /* Result files and truths from any contents, for libFuzzer or from files (fuzz.h).
  *
- * The input stands for what an HDF5 file has, a line each, and the library is played below:
- * it says of types, ranks, sizes and values what the line has, or fails. So our readers
- * meet what a file may hold and not the library's own faults, from which the seal keeps
- * them:
+ * The input stands for what an HDF5 file has, a line each, and a file in memory is made of
+ * it: so our readers meet what a file may hold and not the library's own faults, from which
+ * the seal keeps them:
  *
  *     run                          or run+fields, or truth, or seal and any bytes, or
  *                                  frames: an HDF5 file of somebody else's
  *     @outcome s - done            an attribute: a text of fixed length
  *     time d 3 0 0.1 0.2           three doubles; fewer values are repeated
- *     xyz d 1,2,100,100,3 0        kinds: d double, s text, v text of any length, x
- * unreadable
+ *     xyz d 1,2,100,100,3 0        kinds: d double, s text, v text of any length, x bytes
  *     @scene s - name: a|...       | is a line break
  *
- * Beyond crashes, leaks and undefined behaviour it stops at: a refusal without a printable
+ * What the library does not make a file of is left out. Beyond crashes, leaks (of what is
+ * open in a file, too) and undefined behaviour it stops at: a refusal without a printable
  * sentence that names the file; a result that holds less than it says. */
 #define _GNU_SOURCE /* memfd_create */
 #include <hdf5.h>
@@ -21,6 +20,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
 #include "bench/frames/frames.h"
 #include "bench/frames/frames_bytes.h"
@@ -28,20 +28,10 @@
 #include "bench/truth/truth.h"
 #include "tests/fuzz.h"
 
-enum { ITEMS = 64, VALUES = 16, RANK = 5, MEMORY_SPACE = 1 << 20 };
+enum { VALUES = 16, RANK = 5, WRITTEN = 1 << 17 /* values; what is more is not there */ };
 
-struct item {
-    bool attribute;
-    char kind, *name, *text;
-    int rank, value_count;
-    hsize_t size[RANK];
-    double value[VALUES];
-    size_t storage;
-};
-static struct item items[ITEMS];
-static int item_count;
+static hid_t played; /* the file in memory */
 static long file_size;
-static hsize_t memory_points; /* of the space that was made last */
 
 /* --- the input -------------------------------------------------------------------------
  */
@@ -56,105 +46,121 @@ static char *take_word(char **at)
     return word;
 }
 
-static void take_sizes(const char *sizes, struct item *item)
+/* Returns H5I_INVALID_HID for what no space has. *count: its values, at most WRITTEN + 1.
+ */
+static hid_t take_space(const char *sizes, hid_t create, hsize_t *count)
 {
+    hsize_t size[RANK], chunk[RANK] = {1, 1, 1, 1, 1};
     char *end;
+    int rank = 0;
 
-    for (item->rank = 0; item->rank < RANK; item->rank++, sizes = end + (*end == ',')) {
-        item->size[item->rank] = strtoull(sizes, &end, 10);
+    for (*count = 1; rank < RANK; rank++, sizes = end + (*end == ',')) {
+        size[rank] = strtoull(sizes, &end, 10);
         if (end == sizes)
             break;
+        *count = size[rank] > WRITTEN ? WRITTEN + 1 : *count * size[rank];
+        *count = *count > WRITTEN ? WRITTEN + 1 : *count;
     }
+    if (rank && *count > WRITTEN)
+        H5Pset_chunk(create, rank, chunk);
+    return rank ? H5Screate_simple(rank, size, NULL) : H5Screate(H5S_SCALAR);
 }
 
-static void take_item(char *line)
+/* Texts, or doubles; as many as the space has. */
+static void *take_values(char kind, char *text, hsize_t count)
 {
-    struct item *item = &items[item_count++];
-    char *at = line, *end;
+    double value[VALUES] = {0};
+    const size_t length = strlen(text);
+    size_t values = 0;
+    char *end, *bytes = malloc((size_t)count * (length + 8) + 8);
 
-    *item = (struct item){.attribute = *line == '@', .storage = 8 * strlen(line)};
-    at += item->attribute;
-    item->name = take_word(&at);
-    item->kind = *take_word(&at);
-    take_sizes(take_word(&at), item);
-    item->text = at;
-    for (double x; item->value_count < VALUES && (x = strtod(at, &end), end != at);
-         at = end)
-        item->value[item->value_count++] = x;
-    for (char *c = item->text; item->kind == 's' && *c; c++)
-        *c = *c == '|' ? '\n' : *c;
-}
-
-static void take_items(char *text)
-{
-    item_count = 0;
-    for (char *line = text, *end; line && *line && item_count < ITEMS; line = end) {
-        end = strchr(line, '\n');
-        if (end)
-            *end++ = '\0';
-        take_item(line);
+    MUST(bytes);
+    for (const char *at = text; values < VALUES; at = end) {
+        value[values] = strtod(at, &end);
+        if (end == at)
+            break;
+        values++;
     }
-}
-
-/* --- the library: objects are 4, 8, ..., their types and spaces one and two more -------
- */
-
-static struct item *of(hid_t id)
-{
-    MUST(id >= 4 && id / 4 <= item_count);
-    return &items[id / 4 - 1];
-}
-
-static hid_t find(const char *name, bool attribute)
-{
-    for (int n = 0; n < item_count; n++)
-        if (items[n].attribute == attribute && !strcmp(items[n].name, name))
-            return 4 * (n + 1);
-    return H5I_INVALID_HID;
-}
-
-/* A group, as a beginning of names. */
-static bool is_group(const char *name)
-{
-    for (int n = 0; n < item_count; n++)
-        if (!items[n].attribute && !strncmp(items[n].name, name, strlen(name)) &&
-            items[n].name[strlen(name)] == '/')
-            return true;
-    return false;
-}
-
-static hssize_t points(const struct item *item)
-{
-    hssize_t product = 1;
-
-    for (int n = 0; n < item->rank; n++)
-        product = (hssize_t)((hsize_t)product * item->size[n]);
-    return product;
-}
-
-/* As texts, if the type is its own, else as doubles: the library makes none from a text. */
-static herr_t fill(hid_t id, hid_t type, hsize_t count, void *to)
-{
-    const struct item *item = of(id);
-
-    if (item->kind == 's' && type == id + 1) {
-        for (hsize_t n = 0; n < count; n++)
-            memcpy((char *)to + n * strlen(item->text), item->text, strlen(item->text));
-        return 0;
-    }
-    if (item->kind != 'd')
-        return -1;
     for (hsize_t n = 0; n < count; n++)
-        ((double *)to)[n] = item->value_count ? item->value[n % item->value_count] : 0;
-    return 0;
+        if (kind == 'd')
+            ((double *)(void *)bytes)[n] = value[values ? n % values : 0];
+        else if (kind == 'v')
+            ((char **)(void *)bytes)[n] = text;
+        else
+            memcpy(bytes + n * length, text, length);
+    return bytes;
 }
+
+static void put_item(char *line)
+{
+    const bool attribute = *line == '@';
+    char *at = line + attribute, *name = take_word(&at);
+    const char kind = *take_word(&at);
+    const hid_t create = H5Pcreate(H5P_DATASET_CREATE), groups = H5Pcreate(H5P_LINK_CREATE);
+    hsize_t count;
+    const hid_t space = take_space(take_word(&at), create, &count);
+    const hid_t type = H5Tcopy(kind == 'd'   ? H5T_NATIVE_DOUBLE
+                               : kind == 'x' ? H5T_NATIVE_OPAQUE
+                                             : H5T_C_S1);
+
+    for (char *c = at; kind == 's' && *c; c++)
+        *c = *c == '|' ? '\n' : *c;
+    if (kind != 'd')
+        H5Tset_size(type, kind == 'v' ? H5T_VARIABLE : strlen(at) ? strlen(at) : 1);
+    H5Pset_create_intermediate_group(groups, 1);
+    if (space >= 0 && attribute && count <= WRITTEN) {
+        void *values = take_values(kind, at, count);
+        hid_t made = H5Acreate2(played, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+        if (made >= 0)
+            H5Awrite(made, type, values), H5Aclose(made);
+        free(values);
+    } else if (space >= 0 && !attribute) {
+        hid_t made = H5Dcreate2(played, name, type, space, groups, create, H5P_DEFAULT);
+        if (made >= 0 && count <= WRITTEN) {
+            void *values = take_values(kind, at, count);
+            H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+            free(values);
+        }
+        if (made >= 0)
+            H5Dclose(made);
+    }
+    if (space >= 0)
+        H5Sclose(space);
+    H5Tclose(type);
+    H5Pclose(groups);
+    H5Pclose(create);
+}
+
+static void play(char *text)
+{
+    const hid_t memory = H5Pcreate(H5P_FILE_ACCESS);
+
+    hdf5_file_start();
+    MUST(H5Pset_fapl_core(memory, 1 << 16, false) >= 0);
+    played = H5Fcreate("fuzz", H5F_ACC_TRUNC, H5P_DEFAULT, memory);
+    MUST(played >= 0);
+    H5Pclose(memory);
+    for (char *line; (line = strsep(&text, "\n"));)
+        put_item(line);
+}
+
+static void end_play(void)
+{
+    MUST(H5Fget_obj_count(played, H5F_OBJ_ALL) == 1);
+    H5Fclose(played);
+}
+
+/* --- what the linker sends here (CMakeLists.txt) ---------------------------------------
+ */
 
 #define PLAYED(result, name, arguments)                                                    \
     result __wrap_##name arguments;                                                        \
     result __wrap_##name arguments
 
-PLAYED(void, hdf5_file_start, (void))
+PLAYED(hid_t, H5Fopen, (const char *name, unsigned flags, hid_t access))
 {
+    (void)name, (void)flags, (void)access;
+    return H5Freopen(played);
 }
 
 PLAYED(enum status, seal_check, (const char *path, long *size, struct message *why))
@@ -177,155 +183,6 @@ PLAYED(enum status, frames_bytes_open,
 PLAYED(void, frames_bytes_close, (struct frames_bytes * b))
 {
     *b = (struct frames_bytes){0};
-}
-
-PLAYED(hid_t, H5Fopen, (const char *name, unsigned flags, hid_t access))
-{
-    (void)name, (void)flags, (void)access;
-    return 1;
-}
-
-PLAYED(herr_t, H5Fclose, (hid_t id))
-{
-    MUST(id == 1);
-    return 0;
-}
-
-PLAYED(int, H5Idec_ref, (hid_t id))
-{
-    if (id != MEMORY_SPACE)
-        of(id);
-    return 0;
-}
-
-PLAYED(herr_t, H5Sclose, (hid_t id))
-{
-    (void)id;
-    return 0;
-}
-
-PLAYED(htri_t, H5Lexists, (hid_t file, const char *name, hid_t access))
-{
-    (void)file, (void)access;
-    return find(name, false) >= 0 || is_group(name);
-}
-
-PLAYED(hid_t, H5Dopen2, (hid_t file, const char *name, hid_t access))
-{
-    (void)file, (void)access;
-    return find(name, false);
-}
-
-PLAYED(htri_t, H5Aexists_by_name,
-       (hid_t file, const char *group, const char *name, hid_t access))
-{
-    (void)file, (void)group, (void)access;
-    return find(name, true) >= 0;
-}
-
-PLAYED(hid_t, H5Aopen_by_name,
-       (hid_t file, const char *group, const char *name, hid_t access, hid_t links))
-{
-    (void)file, (void)group, (void)access, (void)links;
-    return find(name, true);
-}
-
-PLAYED(hid_t, H5Aopen, (hid_t file, const char *name, hid_t access))
-{
-    (void)file, (void)access;
-    return find(name, true);
-}
-
-PLAYED(hid_t, H5Dget_type, (hid_t id))
-{
-    return id + 1;
-}
-
-PLAYED(hid_t, H5Aget_type, (hid_t id))
-{
-    return id + 1;
-}
-
-PLAYED(hid_t, H5Dget_space, (hid_t id))
-{
-    return id + 2;
-}
-
-PLAYED(hid_t, H5Aget_space, (hid_t id))
-{
-    return id + 2;
-}
-
-PLAYED(hsize_t, H5Dget_storage_size, (hid_t id))
-{
-    return of(id)->storage;
-}
-
-PLAYED(H5T_class_t, H5Tget_class, (hid_t id))
-{
-    return of(id)->kind == 'd' ? H5T_FLOAT : H5T_STRING;
-}
-
-PLAYED(htri_t, H5Tis_variable_str, (hid_t id))
-{
-    return of(id)->kind == 'v';
-}
-
-PLAYED(size_t, H5Tget_size, (hid_t id))
-{
-    return of(id)->kind == 's' ? strlen(of(id)->text) : 8;
-}
-
-PLAYED(int, H5Sget_simple_extent_ndims, (hid_t id))
-{
-    return of(id)->rank;
-}
-
-PLAYED(int, H5Sget_simple_extent_dims, (hid_t id, hsize_t *size, hsize_t *most))
-{
-    MUST(!most);
-    memcpy(size, of(id)->size, (size_t)of(id)->rank * sizeof *size);
-    return of(id)->rank;
-}
-
-PLAYED(hssize_t, H5Sget_simple_extent_npoints, (hid_t id))
-{
-    return points(of(id));
-}
-
-PLAYED(hid_t, H5Screate_simple, (int rank, const hsize_t *size, const hsize_t *most))
-{
-    (void)most;
-    memory_points = 1;
-    for (int n = 0; n < rank; n++)
-        memory_points *= size[n];
-    return MEMORY_SPACE;
-}
-
-PLAYED(herr_t, H5Sselect_hyperslab,
-       (hid_t id, H5S_seloper_t how, const hsize_t *start, const hsize_t *stride,
-        const hsize_t *count, const hsize_t *block))
-{
-    (void)how, (void)stride, (void)count, (void)block;
-    return *start < *of(id)->size ? 0 : -1;
-}
-
-PLAYED(herr_t, H5Dread,
-       (hid_t id, hid_t type, hid_t memory, hid_t space, hid_t access, void *to))
-{
-    const struct item *item = of(id);
-    hsize_t count = 1; /* sizes whose product wraps are more than any memory has */
-
-    (void)space, (void)access;
-    for (int n = 0; n < item->rank; n++)
-        count = item->size[n] && count > UINT64_MAX / item->size[n] ? UINT64_MAX
-                                                                    : count * item->size[n];
-    return fill(id, type, memory == MEMORY_SPACE ? memory_points : count, to);
-}
-
-PLAYED(herr_t, H5Aread, (hid_t id, hid_t type, void *to))
-{
-    return fill(id, type, (hsize_t)points(of(id)), to);
 }
 
 /* --- the target ------------------------------------------------------------------------
@@ -421,11 +278,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (text && !strcmp(what, "seal"))
         check_seal(text, (size_t)(copy + size - text));
     else if (text && !strncmp(what, "run", 3))
-        take_items(text), check_run(!strcmp(what, "run+fields"));
+        play(text), check_run(!strcmp(what, "run+fields")), end_play();
     else if (text && !strcmp(what, "truth"))
-        take_items(text), check_truth();
+        play(text), check_truth(), end_play();
     else if (text && !strcmp(what, "frames"))
-        take_items(text), check_frames();
+        play(text), check_frames(), end_play();
     free(copy);
     return 0;
 }

@@ -1,6 +1,9 @@
-/* What a run is reduced to, by hand-made looks; keys that stand for others; who watches a
+/* What looks at a run are reduced to: of each series the largest and the last, energy, the
+ * first crossing, the truth, what is not there; keys that stand for others; who watches a
  * motion sees every corner fly away, and in which frame. */
 #include "bench/harness/looks.h"
+
+#include <float.h>
 
 #include "bench/harness/derived_key.h"
 #include "bench/harness/motion.h"
@@ -8,108 +11,148 @@
 #include "models/metric/metric.h"
 #include "tests/run_fixture.h"
 
+/* Powers, roots and sums of a few numbers. */
+#define TOL_ROUND (8 * DBL_EPSILON)
+
 enum { LOOKS = 4 };
 
-/* Powers, roots and sums of a few numbers. */
-static const double TOL_ROUNDING = 1e-14;
+/* L = 0.4 m, E / rho = 250 m^2/s^2, g = 13 m/s^2 askew, a plane to fall on. */
+static struct scene sheet;
+static struct looks looks;
+static double value[MEASURES];
 
-static bool equal(double a, double b)
+/* Series n is n + 1 at the first look, then grows by halves, falls below zero, and ends
+ * above where it began. */
+static void begin(void)
 {
-    return a == b || (isnan(a) && isnan(b));
-}
+    static const double shape[LOOKS] = {1, 1.5, -2, 1.25}, time[LOOKS] = {0, 0.2, 0.3, 0.7};
+    static struct scene_obstacle plane = {.kind = OBSTACLE_PLANE, .normal = {0, 0, 1}};
 
-/* Of series n: 10 n + 1, none, 10 n + 3 (the most), 10 n + 2. */
-static void fill(struct looks *l)
-{
-    static const double over[LOOKS] = {1, NAN, 3, 2}, kinetic[LOOKS] = {0, 4, 9, 3};
-
-    REQUIRE(looks_init(l, LOOKS) == STATUS_OK && l->room == LOOKS && l->count == 0);
-    l->count = LOOKS;
+    REQUIRE(scene_init(&sheet) == STATUS_OK && looks_init(&looks, LOOKS) == STATUS_OK);
+    CHECK(looks.count == 0 && looks.room == LOOKS);
+    sheet.length = 0.4, sheet.young = 500, sheet.density = 2;
+    memcpy(sheet.gravity, (double[]){3, -4, 12}, sizeof sheet.gravity);
+    sheet.obstacles = &plane, sheet.obstacle_count = 1;
+    looks.count = LOOKS;
     for (int n = 0; n < LOOKS; n++) {
-        l->time[n] = 0.1 * n;
-        l->energy[n] = (struct energy){kinetic[n], 1, 10.0 - 2 * n};
+        looks.time[n] = time[n];
+        looks.energy[n] = (struct energy){0};
         for (int s = 0; s < LOOKS_SERIES; s++)
-            l->series[s][n] = 10 * s + over[n];
+            looks.series[s][n] = (s + 1) * shape[n];
     }
 }
 
-/* The same numbers under the same names as the series have, whatever their table says. */
-static void check_series(const double *value)
+static void end(void)
 {
-    static const struct {
-        int series, most, end;
-    } want[] = {{LOOKS_DROP, MEASURE_DROP_MAX, MEASURE_DROP_END},
-                {LOOKS_ANGLE, MEASURE_ANGLE_MAX, MEASURE_ANGLE_END},
-                {LOOKS_STRETCH, MEASURE_STRETCH_MAX, MEASURE_STRETCH_END},
-                {LOOKS_ROUGHNESS, MEASURE_ROUGHNESS_MAX, MEASURE_ROUGHNESS_END},
-                {LOOKS_PENETRATION, MEASURE_PENETRATION_MAX, -1},
-                {LOOKS_INTERSECTIONS, MEASURE_INTERSECTIONS_MAX, MEASURE_INTERSECTIONS_END},
-                {LOOKS_SPEED, MEASURE_SPEED_MAX, MEASURE_SPEED_END},
-                {LOOKS_LOAD, MEASURE_LOAD_MAX, MEASURE_LOAD_END}};
-
-    for (int n = 0; n < LENGTH(want); n++) {
-        CHECK(value[want[n].most] == 10 * want[n].series + 3);
-        CHECK(want[n].end < 0 || value[want[n].end] == 10 * want[n].series + 2);
-    }
-    CHECK(LENGTH(want) == LOOKS_SERIES && value[MEASURE_END_TIME] == 0.1 * (LOOKS - 1));
+    sheet.obstacles = NULL, sheet.obstacle_count = 0;
+    scene_clear(&sheet);
+    looks_clear(&looks);
 }
 
-static void check_energy(const struct looks *l, const double *value)
+static void reduce(enum status outcome)
 {
-    double drift[LOOKS], most = -INFINITY;
+    for (int n = 0; n < MEASURES; n++)
+        value[n] = -77; /* nothing is left as it was */
+    REQUIRE(looks_reduce(&looks, &sheet, outcome, outcome ? 0.35 : NAN, value) ==
+            STATUS_OK);
+    for (int n = 0; n < MEASURES; n++)
+        if (!CHECK(value[n] != -77))
+            printf("  %s is not there\n", measure_name(n));
+}
 
-    metric_energy_drift(LOOKS, l->energy, drift);
+/* The measures of each series. */
+static const struct {
+    int series, most, end;
+    const char *name, *unit;
+    double (*value)(const struct scene *scene, const double *xyz);
+} of[LOOKS_SERIES] = {
+    {LOOKS_DROP, MEASURE_DROP_MAX, MEASURE_DROP_END, "drop", "1", metric_drop},
+    {LOOKS_ANGLE, MEASURE_ANGLE_MAX, MEASURE_ANGLE_END, "angle", "degrees", metric_angle},
+    {LOOKS_STRETCH, MEASURE_STRETCH_MAX, MEASURE_STRETCH_END, "stretch", "1",
+     metric_stretch},
+    {LOOKS_ROUGHNESS, MEASURE_ROUGHNESS_MAX, MEASURE_ROUGHNESS_END, "roughness", "1",
+     metric_roughness},
+    {LOOKS_PENETRATION, MEASURE_PENETRATION_MAX, -1, "penetration", "m",
+     metric_penetration},
+    {LOOKS_INTERSECTIONS, MEASURE_INTERSECTIONS_MAX, MEASURE_INTERSECTIONS_END,
+     "intersections", "1", NULL},
+    {LOOKS_SPEED, MEASURE_SPEED_MAX, MEASURE_SPEED_END, "speed", "m/s", NULL},
+    {LOOKS_LOAD, MEASURE_LOAD_MAX, MEASURE_LOAD_END, "load", "1", NULL},
+};
+
+static void test_series(void)
+{
+    begin();
+    reduce(STATUS_OK);
+    for (int s = 0; s < LOOKS_SERIES; s++) {
+        CHECK(of[s].series == s && !strcmp(looks_series[s].name, of[s].name));
+        CHECK(!strcmp(looks_series[s].unit, of[s].unit));
+        CHECK(looks_series[s].value == of[s].value);
+        CHECK(value[of[s].most] == 1.5 * (s + 1));
+        CHECK(of[s].end < 0 || value[of[s].end] == 1.25 * (s + 1));
+    }
+    CHECK(value[MEASURE_END_TIME] == 0.7 && value[MEASURE_BLOWUP_TIME] == INFINITY);
+    CHECK(value[MEASURE_GAMMA] == scene_gamma(&sheet));
+    CHECK(value[MEASURE_YOUNG_OVER_DENSITY] == 250);
+    CHECK_RELATIVE(value[MEASURE_HANGING_STRAIN], 2. * 13 * 0.4 / 500, TOL_ROUND);
+    looks.series[LOOKS_SPEED][0] = NAN; /* as it is; the rest counts */
+    looks.series[LOOKS_DROP][1] = NAN;
+    looks.series[LOOKS_ANGLE][LOOKS - 1] = NAN;
     for (int n = 0; n < LOOKS; n++)
-        most = fmax(most, drift[n]);
-    CHECK(value[MEASURE_ENERGY_DRIFT_MAX] == most && most > drift[LOOKS - 1]);
-    CHECK(value[MEASURE_ENERGY_DRIFT_END] == drift[LOOKS - 1]);
+        looks.series[LOOKS_STRETCH][n] = NAN;
+    reduce(STATUS_NAN);
+    CHECK(value[MEASURE_BLOWUP_TIME] == 0.35);
+    CHECK(value[MEASURE_SPEED_MAX] == 1.5 * (LOOKS_SPEED + 1));
+    CHECK(value[MEASURE_DROP_MAX] == 1.25 * (LOOKS_DROP + 1));
+    CHECK(isnan(value[MEASURE_ANGLE_END]) && !isnan(value[MEASURE_ANGLE_MAX]));
+    CHECK(isnan(value[MEASURE_STRETCH_MAX]));
+    sheet.obstacle_count = 0; /* nothing to penetrate is not a penetration of zero */
+    looks.count = 2;
+    reduce(STATUS_OK);
+    CHECK(isnan(value[MEASURE_PENETRATION_MAX]) && value[MEASURE_END_TIME] == 0.2);
+    CHECK(value[MEASURE_ROUGHNESS_END] == 1.5 * (LOOKS_ROUGHNESS + 1));
+    looks.count = 0; /* and without looks there is nothing at all but the scene */
+    reduce(STATUS_UNSUPPORTED);
+    for (int m = 0; m < MEASURE_GAMMA; m++)
+        CHECK(isnan(value[m]));
+    end();
 }
 
 /* What obstacles carry at the end is a mean over the last tenth of the time. */
 static void test_load(void)
 {
     static const double time[LOOKS] = {0, 0.9, 0.95, 1}, load[LOOKS] = {9, 7, 3, 1};
-    struct scene scene;
-    struct looks l;
-    double value[MEASURES];
 
-    REQUIRE(scene_init(&scene) == STATUS_OK);
-    fill(&l);
-    memcpy(l.time, time, sizeof time);
-    memcpy(l.series[LOOKS_LOAD], load, sizeof load);
-    REQUIRE(looks_reduce(&l, &scene, STATUS_OK, NAN, value) == STATUS_OK);
+    begin();
+    memcpy(looks.time, time, sizeof time);
+    memcpy(looks.series[LOOKS_LOAD], load, sizeof load);
+    reduce(STATUS_OK);
     CHECK(value[MEASURE_LOAD_END] == 2 && value[MEASURE_LOAD_MAX] == 9);
-    looks_clear(&l);
-    scene_clear(&scene);
+    end();
 }
 
-static void test_reduction(void)
+/* A swing that loses a quarter of what is in play, then has won a quarter. */
+static void test_energy(void)
 {
-    struct scene scene;
-    struct looks l, none;
-    double value[MEASURES];
+    static const struct energy swing[LOOKS] = {{0, 0, 5}, {3, 1, 1}, {2, 0, 2}, {4, 1, 1}};
+    struct energy rest[2] = {{0, 0, 7}, {0, 0, 7}};
+    double drift[2];
 
-    REQUIRE(scene_init(&scene) == STATUS_OK && looks_init(&none, 0) == STATUS_OK);
-    scene.density = 0.5, scene.young = 1e4, scene.length = 2;
-    memcpy(scene.gravity, (double[]){2, 3, 6}, sizeof scene.gravity);
-    fill(&l);
-    scene.obstacle_count = 1;
-    REQUIRE(looks_reduce(&l, &scene, STATUS_OK, NAN, value) == STATUS_OK);
-    scene.obstacle_count = 0;
-    check_series(value);
-    check_energy(&l, value);
-    CHECK(value[MEASURE_BLOWUP_TIME] == INFINITY);
-    CHECK(value[MEASURE_GAMMA] == scene_gamma(&scene));
-    CHECK(value[MEASURE_YOUNG_OVER_DENSITY] == 1e4 / 0.5);
-    CHECK_RELATIVE(value[MEASURE_HANGING_STRAIN], 0.5 * 7 * 2 / 1e4, TOL_ROUNDING);
-    REQUIRE(looks_reduce(&l, &scene, STATUS_NAN, 0.25, value) == STATUS_OK);
-    CHECK(value[MEASURE_BLOWUP_TIME] == 0.25 && isnan(value[MEASURE_PENETRATION_MAX]));
-    REQUIRE(looks_reduce(&none, &scene, STATUS_UNSUPPORTED, NAN, value) == STATUS_OK);
-    for (int m = 0; m < MEASURE_GAMMA; m++)
-        CHECK(isnan(value[m]));
-    looks_clear(&l);
-    looks_clear(&none);
-    scene_clear(&scene);
+    begin();
+    memcpy(looks.energy, swing, sizeof swing);
+    reduce(STATUS_OK); /* E = 5, 5, 4, 6; in play at most 4 + 1 + 4 */
+    CHECK_NEAR(value[MEASURE_ENERGY_DRIFT_MAX], 1 / 9., TOL_ROUND);
+    CHECK_NEAR(value[MEASURE_ENERGY_DRIFT_END], 1 / 9., TOL_ROUND);
+    looks.count = 3; /* in play at most 3 + 1 + 4 */
+    reduce(STATUS_OK);
+    CHECK(value[MEASURE_ENERGY_DRIFT_MAX] == 0);
+    CHECK_NEAR(value[MEASURE_ENERGY_DRIFT_END], -1 / 8., TOL_ROUND);
+    end();
+    metric_energy_drift(2, rest, drift);
+    CHECK(drift[0] == 0 && drift[1] == 0);
+    rest[1].elastic = NAN;
+    metric_energy_drift(2, rest, drift);
+    CHECK(drift[0] == 0 && isnan(drift[1]));
 }
 
 /* The first look that crosses itself; none; not counted. */
@@ -117,25 +160,58 @@ static void test_crossing(void)
 {
     static const struct {
         double crossings[LOOKS], time;
-    } want[] = {{{0, 0, 5, 2}, 0.2},         {{1, 0, 0, 0}, 0},
-                {{0, 0, 0, 1}, 0.1 * 3},     {{0, 0, 0, 0}, INFINITY},
-                {{NAN, 0, 1, 0}, NAN}, /* not from the start on:
-                                          not known */
-                {{NAN, NAN, NAN, NAN}, NAN}, {{0, NAN, 0, 1}, 0.1 * 3}};
-    struct scene scene;
-    struct looks l;
-    double value[MEASURES];
+    } want[] = {{{0, 0, 5, 2}, 0.3},         {{1, 0, 0, 0}, 0},     {{0, 0, 0, 1}, 0.7},
+                {{0, 0, 0, 0}, INFINITY},    {{NAN, 0, 1, 0}, NAN}, /* not from the start
+                                                                       on: not known */
+                {{NAN, NAN, NAN, NAN}, NAN}, {{0, NAN, 0, 1}, 0.7}};
 
-    REQUIRE(scene_init(&scene) == STATUS_OK);
-    fill(&l);
+    begin();
     for (int n = 0; n < LENGTH(want); n++) {
-        memcpy(l.series[LOOKS_INTERSECTIONS], want[n].crossings, sizeof want[n].crossings);
-        REQUIRE(looks_reduce(&l, &scene, STATUS_OK, NAN, value) == STATUS_OK);
-        CHECK(equal(value[MEASURE_INTERSECTION_TIME], want[n].time));
+        memcpy(looks.series[LOOKS_INTERSECTIONS], want[n].crossings,
+               sizeof want[n].crossings);
+        reduce(STATUS_OK);
+        const double time = value[MEASURE_INTERSECTION_TIME];
+        CHECK(isnan(want[n].time) ? isnan(time) : time == want[n].time);
     }
-    looks_clear(&l);
-    scene_clear(&scene);
+    end();
 }
+
+/* The largest distance to a truth, the last one that there is, and the bar beside it. */
+static void test_truth(void)
+{
+    static const double error[] = {NAN, 0.5, 0.25, NAN}, bar[] = {NAN, 0.125, 0.0625, NAN};
+
+    begin();
+    reduce(STATUS_OK); /* looks alone have none */
+    for (int n = 0; n < 2; n++) {
+        CHECK(isnan(value[MEASURE_TRUTH_ERROR_MAX]));
+        CHECK(isnan(value[MEASURE_TRUTH_ERROR_END]) && isnan(value[MEASURE_TRUTH_BAR_END]));
+        looks_reduce_truth(1, error, bar, value);
+    }
+    looks_reduce_truth(LOOKS, error, bar, value);
+    CHECK(value[MEASURE_TRUTH_ERROR_MAX] == 0.5);
+    CHECK(value[MEASURE_TRUTH_ERROR_END] == 0.25);
+    CHECK(value[MEASURE_TRUTH_BAR_END] == 0.0625);
+    end();
+}
+
+static void test_words(void)
+{
+    static const int none[] = {-1, MEASURES, -2000000000, 2000000000};
+
+    for (int n = 0; n < MEASURES; n++) {
+        CHECK(*measure_name(n) && *measure_unit(n) && *measure_sentence(n));
+        for (int k = 0; k < n; k++)
+            CHECK(strcmp(measure_name(n), measure_name(k)) != 0);
+    }
+    CHECK(!strcmp(measure_name(MEASURE_STRETCH_MAX), "stretch_max"));
+    CHECK(!strcmp(measure_unit(MEASURE_INTERSECTION_TIME), "s"));
+    for (int n = 0; n < LENGTH(none); n++)
+        CHECK(!strcmp(measure_name(none[n]), "unknown") && !*measure_unit(none[n]) &&
+              !*measure_sentence(none[n]));
+}
+
+static const double TOL_DERIVED = 1e-14;
 
 /* A key set to the solution gives the number that was wanted. */
 static void test_derived_keys(void)
@@ -156,9 +232,9 @@ static void test_derived_keys(void)
     for (int n = 0; n < LENGTH(want); n++) {
         const double before = *want[n].field;
         *want[n].field = derived_key_solve(want[n].key, want[n].by, 50, &scene);
-        CHECK_RELATIVE(derived_key_number(want[n].key, &scene), 50.0, TOL_ROUNDING);
+        CHECK_RELATIVE(derived_key_number(want[n].key, &scene), 50.0, TOL_DERIVED);
         CHECK_RELATIVE(n < 4 ? scene_gamma(&scene) : scene.young / scene.density, 50.0,
-                       TOL_ROUNDING);
+                       TOL_DERIVED);
         *want[n].field = before;
         CHECK(derived_key_is(want[n].key) && !derived_key_is(want[n].by));
     }
@@ -250,9 +326,12 @@ static void test_flight(void)
 
 int main(void)
 {
+    test_series();
     test_load();
-    test_reduction();
+    test_energy();
     test_crossing();
+    test_truth();
+    test_words();
     test_derived_keys();
     test_flight();
     return check_result();

@@ -27,58 +27,37 @@ static void check_read_back(const double *value)
     fclose(file);
 }
 
-static void read_text(char *text, size_t size)
-{
-    FILE *file = fopen(path, "r");
-    REQUIRE(file);
-    text[fread(text, 1, size - 1, file)] = '\0';
-    fclose(file);
-}
-
+/* Every double comes back; a line of the comment longer than the format's 1024 characters
+ * is broken. */
 static void test_round_trip(void)
 {
-    static const char beginning[] = "%%MatrixMarket matrix coordinate real symmetric\n"
-                                    "% stiffness\n% row = 3 node + component\n3 3 4\n1 1 ";
+    enum { LONG = 2500 };
     static double values[][4] = {
         {1.0 / 3, -2e-300, 4.9406564584124654e-324, 9.9999999999999989e307},
         {0.1 + 0.2, -1.0000000000000002, 1.2345678901234567e-5, 5e15 + 0.5},
         {1, -2, 3, 4}};
-    int row[4] = {2, 0, 1, 2}, column[4] = {2, 0, 0, 1};
-    char text[256];
-
-    for (size_t k = 0; k < sizeof values / sizeof *values; k++) {
-        const double *v = values[k];
-        double value[4] = {v[3], v[0], v[1], v[2]};
-        struct message why = {""};
-        REQUIRE(matrix_market_write(path, &(struct matrix){3, 4, row, column, value},
-                                    "stiffness\nrow = 3 node + component",
-                                    &why) == STATUS_OK);
-        check_read_back(v);
-        read_text(text, sizeof text);
-        CHECK(k == 2 || !strncmp(text, beginning, strlen(beginning)));
-    }
-}
-
-/* Lines longer than the format's 1024 characters are broken. */
-static void test_long_comment(void)
-{
-    enum { LONG = 2500 };
-    int row[1] = {0};
-    double value[1] = {0.5};
-    char comment[LONG + 1], text[2 * LONG];
+    int row[4] = {2, 0, 1, 2}, column[4] = {2, 0, 0, 1}, lines = 0, letters = 0;
+    char comment[LONG + 1], line[2 * LONG];
     struct message why = {""};
 
     memset(comment, 'x', LONG);
     comment[LONG] = '\0';
-    REQUIRE(matrix_market_write(path, &(struct matrix){1, 1, row, row, value}, comment,
-                                &why) == STATUS_OK);
-    read_text(text, sizeof text);
-    int lines = 0, letters = 0;
-    for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n"), lines++) {
-        CHECK(strlen(line) <= 1024);
-        letters += line[0] == '%' && line[2] == 'x' ? (int)strlen(line) - 2 : 0;
+    for (size_t k = 0; k < sizeof values / sizeof *values; k++) {
+        const double *v = values[k];
+        double value[4] = {v[3], v[0], v[1], v[2]};
+        REQUIRE(matrix_market_write(path, &(struct matrix){3, 4, row, column, value},
+                                    k ? comment : "stiffness\nrow = 3 node + component",
+                                    &why) == STATUS_OK);
+        check_read_back(v);
     }
-    CHECK(lines == 1 + 3 + 1 + 1 && letters == LONG);
+    FILE *file = fopen(path, "r");
+    REQUIRE(file);
+    for (; fgets(line, sizeof line, file); lines++) {
+        CHECK(strlen(line) <= 1024 + 1);
+        letters += line[0] == '%' && line[2] == 'x' ? (int)strlen(line) - 3 : 0;
+    }
+    fclose(file);
+    CHECK(lines == 1 + 3 + 1 + 4 && letters == LONG);
 }
 
 int main(void)
@@ -87,7 +66,6 @@ int main(void)
     path = scratch_path("matrix.mtx");
     const int before = scratch_files("/proc/self/fd");
     test_round_trip();
-    test_long_comment();
     CHECK(scratch_files("/proc/self/fd") == before);
     return check_result();
 }

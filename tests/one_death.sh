@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every command tells the same death of the same run: two runs of the paper's scheme, told by
-# `run` and `sweep` with cause and time. (Tables and studies: tests/run_deaths.c.)
+# `run` and `sweep` with cause and time. (Tables and studies: tests/run_file.c.)
 #   one_death.sh PROGRAM FOLDER
 program=$1
 folder=$2

@@ -1,13 +1,12 @@
 /* Vertices find their material points: by uv, vt, a rest mesh or their first positions, in
  * any order, on uneven nets, in triangles, with a row outside the sheet; and what covers no
  * sheet is refused in a sentence. Frames are the truth at vertices: what is off is the
- * net's floor.
- *
- *   score_match FOLDER
+ * net's floor. What is printed of a score has every number in its own column.
  */
-#include "bench/files/folder.h"
-#include "bench/score/score.h"
-#include "tests/check.h"
+#include <sys/stat.h>
+
+#include "bench/score/score_print.h"
+#include "tests/scratch.h"
 
 enum { SIDE = 24, NET = SIDE * SIDE, FRAMES = 6 };
 
@@ -15,7 +14,6 @@ enum { SIDE = 24, NET = SIDE * SIDE, FRAMES = 6 };
  * triangles, of jittered vertices, by twice as much. */
 #define FLOOR 8e-4
 
-static const char *folder;
 static struct score_truth truth;
 
 struct net {
@@ -54,11 +52,9 @@ static void position(int k, const double uv[2], double xyz[3])
 
 static void write_mesh(const struct net *net, const char *name, int k)
 {
-    char path[4096];
+    FILE *file = fopen(name, "w");
     int at[NET];
 
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
     REQUIRE(file);
     for (int n = 0; n < NET; n++) {
         double uv[2], x[3];
@@ -71,9 +67,7 @@ static void write_mesh(const struct net *net, const char *name, int k)
     }
     for (int n = 0; net->faces && n < NET - SIDE; n++) {
         const int corner[6] = {n, n + 1, n + SIDE, n + 1, n + SIDE + 1, n + SIDE};
-        if (n % SIDE == SIDE - 1)
-            continue;
-        for (int c = 0; c < 6; c++) {
+        for (int c = 0; c < 6 && n % SIDE < SIDE - 1; c++) {
             const int v = at[corner[c]];
             fprintf(file, "%s %d", c % 3 ? "" : "f", v);
             if (net->told)
@@ -84,23 +78,20 @@ static void write_mesh(const struct net *net, const char *name, int k)
     REQUIRE(fclose(file) == 0);
 }
 
-/* The net's frames in FOLDER/NAME/. */
+/* The net's frames in NAME/. */
 static enum status score_net_of(const struct net *net, const char *name, const char *rest,
                                 struct score *s, struct message *why)
 {
-    char path[4096], mesh[4096], file[128];
-    const char *paths[] = {path};
-    struct score_look look = {.frames = {.dt = .1}, .up = 'z', .scale = 1};
+    const struct score_look look = {
+        .frames = {.dt = .1, .rest = rest}, .up = 'z', .scale = 1};
+    char file[128];
 
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    snprintf(mesh, sizeof mesh, "%s/%s", folder, rest ? rest : "");
-    look.frames.rest = rest ? mesh : NULL;
-    REQUIRE(folder_make(path, NULL) == STATUS_OK);
+    REQUIRE(mkdir(name, 0777) == 0);
     for (int k = net->first; k < FRAMES; k++) {
         snprintf(file, sizeof file, "%s/f%d.obj", name, k);
         write_mesh(net, file, k);
     }
-    return score_read("edge_drop", 1, paths, &look, s, why);
+    return score_read("edge_drop", 1, &name, &look, s, why);
 }
 
 static void found(void)
@@ -155,10 +146,8 @@ static void refused(void)
         {"loose", NULL, {.told = true, .jitter = true}, "one at each crossing, or faces"},
         {"other", "grid.obj", {.told = true}, "has 3 vertices, "},
     };
-    char path[4096];
+    FILE *file = fopen("grid.obj", "w");
 
-    snprintf(path, sizeof path, "%s/grid.obj", folder);
-    FILE *file = fopen(path, "w");
     REQUIRE(file && fputs("v 0 0 0\nv 1 0 0\nv 1 1 0\n", file) >= 0 && fclose(file) == 0);
     for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
         struct score s = {.frames = 0};
@@ -171,16 +160,55 @@ static void refused(void)
     }
 }
 
-int main(int argc, char **argv)
+/* Only times that frames tell of, and how many of them lie between frames. */
+static void printed(void)
+{
+    static const struct score_time times[] = {
+        {.time = .1, .known = true, .error = .01, .bar = .02, .floor = .03},
+        {.time = .2, .known = false, .error = .04, .bar = .05, .floor = .06},
+        {.time = .3,
+         .known = true,
+         .between = true,
+         .error = .07,
+         .bar = .08,
+         .floor = .09}};
+    static const struct {
+        enum table_format format;
+        const char *words;
+    } row[] = {
+        {TABLE_CSV, "drop,0.10000000000000001,0.01,0.02,0.029999999999999999\n"
+                    "drop,0.29999999999999999,0.070000000000000007,0.080000000000000002,"
+                    "0.089999999999999997\n"},
+        {TABLE_JSON, "\"error\": 0.01, \"bar\": 0.02, \"floor\": 0.029999999999999999}, "
+                     "{\"scene\": \"drop\", \"time\": 0.29999999999999999"},
+        {TABLE_JSON,
+         "truth at 3 times from 0.1 to 0.3 s; judged at the 2 where both exist, at 1 "
+         "of them between frames"}};
+    struct score_result r = {.times = 3, .frames = 7, .vertices = 9};
+
+    REQUIRE((r.scene = strdup("drop")) && (r.row = malloc(sizeof times)));
+    memcpy(r.row, times, sizeof times);
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
+        char text[4096] = "";
+        FILE *file = fmemopen(text, sizeof text, "w");
+        CHECK(file && score_print(&r, 1, row[n].format, file) == STATUS_OK);
+        fclose(file);
+        if (!CHECK(strstr(text, row[n].words)))
+            printf("'%s' is not in\n%s", row[n].words, text);
+    }
+    score_result_clear(&r);
+}
+
+int main(void)
 {
     struct message why = {""};
 
-    REQUIRE(argc == 2);
-    folder = argv[1];
-    REQUIRE(folder_make(folder, &why) == STATUS_OK);
+    scratch_open();
+    REQUIRE(chdir(scratch) == 0);
     REQUIRE(score_truth_read("edge_drop", &truth, &why) == STATUS_OK);
     found();
     refused();
     score_truth_clear(&truth);
+    printed();
     return check_result();
 }

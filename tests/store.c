@@ -1,5 +1,6 @@
-/* Result files: what was written is read back bit for bit; whatever stops the writing of
- * any file of ours gives one sentence and leaves nothing behind. */
+/* Result files: what was written is read back bit for bit, and ParaView is told of it;
+ * whatever stops the writing of any file of ours gives one sentence and leaves nothing
+ * behind. */
 #include "bench/files/store.h"
 
 #include <float.h>
@@ -10,7 +11,9 @@
 #include "bench/files/hdf5_file.h"
 #include "bench/files/matrix_market.h"
 #include "bench/files/output.h"
+#include "bench/files/xdmf.h"
 #include "models/grid.h"
+#include "tests/fresh.h"
 #include "tests/scratch.h"
 
 enum { FRAMES = 3, COUNT = 3 * GRID_POINTS };
@@ -21,7 +24,6 @@ static const struct model nothing = {
 /* One sentence: not empty, no line break, names the file. */
 static bool is_sentence(const struct message *why, const char *path)
 {
-    printf("  said: %s\n", why->text);
     return why->text[0] && !strchr(why->text, '\n') && strstr(why->text, path);
 }
 
@@ -111,7 +113,6 @@ static void check_array(const struct store_read *file, const char *name, int row
     double *value = NULL;
     int r = 0, c = 0;
     struct message why = {""};
-    printf("  array %s\n", name);
     CHECK(store_read_array(file, name, &value, &r, &c, &why) == STATUS_OK);
     if (CHECK(r == rows && c == columns))
         for (int i = 0; i < r * c; i++)
@@ -261,10 +262,11 @@ static void test_single(struct fixture *f)
 {
     struct message why = {""};
     struct store_read *file = NULL;
-    double *xyz = malloc(COUNT * sizeof *xyz), largest = 0;
+    static double xyz[COUNT];
+    double largest = 0;
 
     f->run.single = f->run.packed = true;
-    REQUIRE(xyz && write_run(f, scratch_path("run.h5"), &why) == STATUS_OK); /* replaces */
+    REQUIRE(write_run(f, scratch_path("run.h5"), &why) == STATUS_OK); /* replaces */
     f->run.single = f->run.packed = false;
     CHECK(scratch_files(scratch) == 2);
     REQUIRE(store_read_open(scratch_path("run.h5"), &file, &why) == STATUS_OK);
@@ -274,7 +276,6 @@ static void test_single(struct fixture *f)
     CHECK(largest > 0);
     CHECK_NEAR(largest, 0, TOL_SINGLE);
     store_read_close(file);
-    free(xyz);
 }
 
 /* Frames as numbers alone, one with its field, none. */
@@ -282,9 +283,8 @@ static void test_without_fields(const struct fixture *f)
 {
     struct message why = {""};
     const char *path = scratch_path("few.h5");
-    double *xyz = malloc(COUNT * sizeof *xyz);
+    static double xyz[COUNT];
 
-    REQUIRE(xyz);
     for (int kept = 0; kept < 2; kept++) {
         struct store *store = NULL;
         struct store_read *file = NULL;
@@ -309,48 +309,81 @@ static void test_without_fields(const struct fixture *f)
     }
     unlink(path);
     unlink(scratch_path("few.xdmf"));
-    free(xyz);
 }
 
 static void test_reading_what_is_none(void)
 {
-    struct store_read *file = NULL;
-    struct message why = {""};
-    FILE *text = fopen(scratch_path("text.h5"), "w");
+    const struct {
+        const char *path;
+        enum status status;
+    } row[] = {{scratch_path("text.h5"), STATUS_INPUT},
+               {scratch_path("absent.h5"), STATUS_FILE},
+               {scratch, STATUS_INPUT}};
+    FILE *text = fopen(row[0].path, "w");
+
     REQUIRE(text && fputs("not HDF5", text) >= 0 && fclose(text) == 0);
-    CHECK(store_read_open(scratch_path("text.h5"), &file, &why) == STATUS_INPUT);
-    CHECK(is_sentence(&why, "text.h5"));
-    CHECK(store_read_open(scratch_path("absent.h5"), &file, &why) == STATUS_FILE);
-    CHECK(is_sentence(&why, "absent.h5"));
-    CHECK(store_read_open(scratch, &file, &why) == STATUS_INPUT);
-    CHECK(!file);
-    unlink(scratch_path("text.h5"));
+    for (int n = 0; n < 3; n++) {
+        struct store_read *file = NULL;
+        struct message why = {""};
+        CHECK(store_read_open(row[n].path, &file, &why) == row[n].status && !file);
+        CHECK(is_sentence(&why, row[n].path));
+    }
+    unlink(row[0].path);
 }
 
-/* The same bad targets for the three writers. */
+/* A grid a frame with its own time and field, the first field as its start, in a file
+ * beside the result whose name is XML. */
+static void test_xdmf(void)
+{
+    static const struct {
+        const char *result, *path, *name;
+    } want[] = {{"xdmf.h5", "xdmf.xdmf", "xdmf.h5"},
+                {"./a&<b", "a&<b.xdmf", "a&amp;&lt;b"}, /* in its own folder, as XML */
+                {"h5", "h5.xdmf", "h5"},
+                {"a.h5x", "a.h5x.xdmf", "a.h5x"}};
+    static const double time[FRAMES] = {0, 0.1, 2.0 / 3};
+    char part[128];
+
+    REQUIRE(chdir(scratch) == 0);
+    for (size_t k = 0; k < sizeof want / sizeof *want; k++) {
+        REQUIRE(xdmf_write(want[k].result, time, FRAMES, NULL) == STATUS_OK);
+        char *text = fresh_text(".", want[k].path);
+        CHECK(fresh_count(text, "<Grid ") == 1 + FRAMES);
+        CHECK(fresh_count(text, "</Grid>") == 1 + FRAMES);
+        CHECK(fresh_count(text, "Dimensions=\"2 100 100\"") == FRAMES);
+        for (int n = 0; n < FRAMES; n++) {
+            snprintf(part, sizeof part, "<Time Value=\"%.17g\"/>", time[n]);
+            CHECK(fresh_count(text, part) == 1);
+            snprintf(part, sizeof part, ">%s:/frame/%d</DataItem>", want[k].name, n);
+            CHECK(fresh_count(text, part) == (n ? 1 : 1 + FRAMES));
+        }
+        free(text);
+        CHECK(unlink(want[k].path) == 0);
+    }
+}
+
+/* The same bad target for the three writers. */
 static void refused(const struct fixture *f, const char *path, const char *part)
 {
     enum { MANY = 2000 }; /* more text than a buffer holds */
     static int row[MANY];
     static double value[MANY];
-    struct matrix m = {MANY, MANY, row, row, value};
+    const struct matrix m = {MANY, MANY, row, row, value};
     struct output *out = NULL;
-    struct message why = {""};
+    struct message why[3] = {{""}, {""}, {""}};
 
     for (int n = 0; n < MANY; n++)
         row[n] = n, value[n] = 1;
-    CHECK(write_run(f, path, &why) == STATUS_FILE);
-    CHECK(is_sentence(&why, part));
-    why.text[0] = '\0';
-    CHECK(matrix_market_write(path, &m, NULL, &why) == STATUS_FILE);
-    CHECK(is_sentence(&why, part));
-    why.text[0] = '\0';
+    CHECK(write_run(f, path, &why[0]) == STATUS_FILE);
+    CHECK(matrix_market_write(path, &m, NULL, &why[1]) == STATUS_FILE);
     /* a file's name may be refused at once, a full disk shows only at the end */
-    if (output_create(path, &out, &why) == STATUS_OK) {
+    if (output_create(path, &out, &why[2]) == STATUS_OK) {
         output_print(out, "1,2,3\n");
-        CHECK(output_close(out, &why) == STATUS_FILE);
+        CHECK(output_close(out, &why[2]) == STATUS_FILE);
     }
-    CHECK(is_sentence(&why, part));
+    for (int n = 0; n < 3; n++)
+        if (!CHECK(is_sentence(&why[n], part)))
+            printf("  %s: '%s'\n", path, why[n].text);
 }
 
 static void test_bad_targets(const struct fixture *f)
@@ -430,6 +463,7 @@ int main(int count, char **arguments)
     test_single(&f);
     test_without_fields(&f);
     test_reading_what_is_none();
+    test_xdmf();
     test_bad_targets(&f);
     test_full_disk(&f);
     CHECK(scratch_files(scratch) == 2 && scratch_files("/proc/self/fd") == open);

@@ -2,26 +2,45 @@
 #include "bench/ui/table.h"
 
 #include <math.h>
-#include <unistd.h>
 
 #include "tests/said.h"
+#include "tests/scratch.h"
 
+/* One set of columns for people and for machines. */
 static const struct table_column columns[] = {
-    {"model", NULL, TABLE_LEFT}, {"time", "ms", TABLE_RIGHT}, {"n", NULL, TABLE_RIGHT}};
+    {"case_1", NULL, TABLE_LEFT},
+    {"a frame", "ms", .key = "frame_s", .key_unit = "s", .scale = 1e3},
+    {"net", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
+    {"to next", "% L", .scale = 100, .key = "to_next_over_length", .key_unit = "1"},
+    {"p", .readers = TABLE_MACHINES},
+    {"unknowns"}};
 
+/* With what a format takes for its own, in headers, cells and captions. */
 static struct table *make(void)
 {
-    struct table *t = table_create(3, columns, "Cost");
+    struct table *t = table_create(6, columns, "50 % & #1");
     table_row(t);
-    table_text(t, "%s", "a|b, \"c\"");
-    table_number(t, 0.1, 3);
-    table_integer(t, 12345);
+    table_text(t, "%s", "a|b, \"c\"\\\n\x01");
+    table_number(t, 0.0125, 3);
+    table_text(t, "10x10");
+    table_fixed(t, 0.125, 1);
+    table_integer(t, 2);
+    table_fixed(t, 540, 0);
     table_rule(t);
     table_row(t);
-    table_text(t, "50%%_x");
+    table_text(t, "# no comment");
+    table_number(t, NAN, 3);
     table_dash(t);
+    table_missing(t, "not reached");
+    table_number(t, -INFINITY, 2);
+    table_fixed(t, -NAN, 0);
     table_row(t);
-    table_note(t, "Of %d repeats.", 9);
+    table_text(t, "*_$#{}<>~^&");
+    table_number(t, 1.5e-12, 3);
+    table_text(t, "50%%");
+    table_fixed(t, 0.01 / 3, 2);
+    table_row(t);
+    table_note(t, "A \"note\" of %d.", 9);
     return t;
 }
 
@@ -44,121 +63,78 @@ static void check_formats(void)
     struct table *t = make();
 
     print(t, TABLE_TEXT,
-          "Cost\n\n"
-          "model      time      n\n"
-          "             ms\n"
-          "----------------------\n"
-          "a|b, \"c\"  0.100  12345\n"
-          "----------------------\n"
-          "50%_x         -\n"
-          "\n"
-          "\nOf 9 repeats.\n");
+          "50 % & #1\n\ncase_1         a frame  net        to next  unknowns\n"
+          "                    ms                 % L\n"
+          "----------------------------------------------------\na|b, \"c\"\\\n"
+          "\1       12.5  10x10         12.5       540\n"
+          "----------------------------------------------------\n"
+          "# no comment         -  -      not reached         -\n"
+          "*_$#{}<>~^&   1.50e-09  50%           0.33\n\n\nA \"note\" of 9.\n");
     print(t, TABLE_CSV,
-          "# Cost\nmodel,time_ms,n\n\"a|b, \"\"c\"\"\",0.10000000000000001,12345\n"
-          "50%_x,,\n,,\n# Of 9 repeats.\n");
+          "# 50 % & #1\ncase_1,frame_s,to_next_over_length,p,unknowns\n"
+          "\"a|b, \"\"c\"\"\\\n\1\",0.012500000000000001,0.125,2,540\n"
+          "\"# no comment\",,,-inf,\n"
+          "*_$#{}<>~^&,1.5000000000000001e-12,0.0033333333333333335,,\n,,,,\n"
+          "# A \"note\" of 9.\n");
     print(t, TABLE_MARKDOWN,
-          "**Cost**\n\n| model | time [ms] | n |\n|:---|---:|---:|\n"
-          "| a\\|b, \"c\" | 0.100 | 12345 |\n| 50%\\_x | - |  |\n|  |  |  |\n"
-          "\nOf 9 repeats.\n");
+          "**50 % & #1**\n\n"
+          "| case\\_1 | a frame [ms] | net | to next [% L] | unknowns |\n"
+          "|:---|---:|:---|---:|---:|\n"
+          "| a\\|b, \"c\"\\ \1 | 12.5 | 10x10 | 12.5 | 540 |\n"
+          "| # no comment | - | - | not reached | - |\n"
+          "| \\*\\_$#{}<>~^& | 1.50e-09 | 50% | 0.33 |  |\n|  |  |  |  |  |\n\n"
+          "A \"note\" of 9.\n");
     print(t, TABLE_LATEX,
-          "\\begin{table}\n\\centering\n\\caption{Cost}\n\\begin{tabular}{lrr}\n\\hline\n"
-          "model & time [ms] & n \\\\\n\\hline\n"
-          "a$|$b, \"c\" & 0.100 & 12345 \\\\\n\\hline\n"
-          "50\\%\\_x & - &  \\\\\n &  &  \\\\\n\\hline\n\\end{tabular}\n"
-          "\n\\smallskip\\footnotesize Of 9 repeats.\n\\end{table}\n");
-    table_destroy(t);
-}
-
-static void check_numbers(void)
-{
-    static const struct table_column one[] = {{"x", NULL, TABLE_RIGHT}};
-    struct table *t = table_create(1, one, NULL);
-
-    table_row(t);
-    table_number(t, 123, 3);
-    table_row(t);
-    table_number(t, 2.0, 2);
-    table_row(t);
-    table_number(t, NAN, 2);
-    table_row(t);
-    table_fixed(t, 1.0 / 3, 2);
-    table_row(t);
-    table_number(t, 1.5e-9, 3);
-    print(t, TABLE_TEXT,
-          "       x\n--------\n     123\n     2.0\n       -\n    0.33\n1.50e-09\n");
-    table_destroy(t);
-}
-
-/* One set of columns for people and for machines. */
-static const struct table_column both[] = {
-    {"case", NULL, TABLE_LEFT},
-    {"a frame", "ms", .key = "frame_s", .key_unit = "s", .scale = 1e3},
-    {"net", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
-    {"to next", "% L", .scale = 100, .key = "to_next_over_length", .key_unit = "1"},
-    {"p", .readers = TABLE_MACHINES},
-    {"unknowns"}};
-
-static struct table *make_both(void)
-{
-    struct table *t = table_create(6, both, "Both");
-
-    table_row(t);
-    table_text(t, "a \"b\"\\\n\x01");
-    table_number(t, 0.0125, 3);
-    table_text(t, "10x10");
-    table_fixed(t, 0.125, 1);
-    table_integer(t, 2);
-    table_fixed(t, 540, 0);
-    table_row(t);
-    table_text(t, "# no comment, a name");
-    table_number(t, NAN, 3);
-    table_dash(t);
-    table_missing(t, "not reached");
-    table_number(t, -INFINITY, 2);
-    table_fixed(t, -NAN, 0);
-    table_row(t);
-    table_text(t, "short");
-    table_note(t, "A \"note\".");
-    return t;
-}
-
-static void check_readers(void)
-{
-    struct table *t = make_both();
-
-    print(t, TABLE_TEXT,
-          "Both\n\n"
-          "case                  a frame  net        to next  unknowns\n"
-          "                           ms                 % L\n"
-          "-----------------------------------------------------------\n"
-          "a \"b\"\\\n\x01                 12.5  10x10         12.5       540\n"
-          "# no comment, a name        -  -      not reached         -\n"
-          "short\n"
-          "\nA \"note\".\n");
-    print(t, TABLE_CSV,
-          "# Both\ncase,frame_s,to_next_over_length,p,unknowns\n"
-          "\"a \"\"b\"\"\\\n\x01\",0.012500000000000001,0.125,2,540\n"
-          "\"# no comment, a name\",,,-inf,\nshort,,,,\n# A \"note\".\n");
+          "\\begin{table}\n\\centering\n\\caption{50 \\% \\& \\#1}\n"
+          "\\begin{tabular}{lrlrr}\n\\hline\n"
+          "case\\_1 & a frame [ms] & net & to next [\\% L] & unknowns \\\\\n"
+          "\\hline\na$|$b, \"c\"\\textbackslash{}\n"
+          "\1 & 12.5 & 10x10 & 12.5 & 540 \\\\\n\\hline\n"
+          "\\# no comment & - & - & not reached & - \\\\\n"
+          "*\\_\\$\\#\\{\\}$<$$>$\\~{}\\^{}\\& & 1.50e-09 & 50\\% & 0.33 &  \\\\\n"
+          " &  &  &  &  \\\\\n\\hline\n\\end{tabular}\n\n"
+          "\\smallskip\\footnotesize A \"note\" of 9.\n\\end{table}\n");
     print(t, TABLE_JSON,
-          "{\"caption\": \"Both\", \"units\": {\"frame_s\": \"s\", "
-          "\"to_next_over_length\": \"1\"}, \"rows\": ["
-          "{\"case\": \"a \\\"b\\\"\\\\\\u000a\\u0001\", "
-          "\"frame_s\": 0.012500000000000001, \"to_next_over_length\": 0.125, \"p\": 2, "
-          "\"unknowns\": 540}, "
-          "{\"case\": \"# no comment, a name\", \"frame_s\": null, "
-          "\"to_next_over_length\": null, \"p\": \"-inf\", \"unknowns\": null}, "
-          "{\"case\": \"short\", \"frame_s\": null, \"to_next_over_length\": null, "
-          "\"p\": null, \"unknowns\": null}], \"notes\": [\"A \\\"note\\\".\"]}\n");
-    CHECK(table_rows(t) == 3 && table_find(t, "p") == 4);
-    CHECK(table_find(t, "case") == 0 && table_find(t, "unknowns") == 5);
+          "{\"caption\": \"50 % & #1\", \"units\": {\"frame_s\": \"s\", \"to_next_o"
+          "ver_length\": \"1\"}, \"rows\": [{\"case_1\": \"a|b, \\\"c\\\"\\\\\\u000"
+          "a\\u0001\", \"frame_s\": 0.012500000000000001, \"to_next_over_length\": "
+          "0.125, \"p\": 2, \"unknowns\": 540}, {\"case_1\": \"# no comment\", \"fr"
+          "ame_s\": null, \"to_next_over_length\": null, \"p\": \"-inf\", \"unknown"
+          "s\": null}, {\"case_1\": \"*_$#{}<>~^&\", \"frame_s\": 1.500000000000000"
+          "1e-12, \"to_next_over_length\": 0.0033333333333333335, \"p\": null, \"un"
+          "knowns\": null}, {\"case_1\": null, \"frame_s\": null, \"to_next_over_le"
+          "ngth\": null, \"p\": null, \"unknowns\": null}], \"notes\": [\"A \\\"not"
+          "e\\\" of 9.\"]}\n");
+    CHECK(table_rows(t) == 4 && table_find(t, "p") == 4);
+    CHECK(table_find(t, "case_1") == 0 && table_find(t, "unknowns") == 5);
     CHECK(table_value(t, 0, 1) == 0.0125 && table_shown(t, 0, 1) == 12.5);
-    CHECK(isnan(table_value(t, 1, 1)) && isnan(table_value(t, 2, 1)));
-    CHECK(!strcmp(table_words(t, 2, 0), "short") && !*table_words(t, 1, 3));
+    CHECK(isnan(table_value(t, 1, 1)) && isnan(table_value(t, 2, 5)));
+    CHECK(!strcmp(table_words(t, 1, 0), "# no comment") && !*table_words(t, 1, 3));
     table_destroy(t);
     for (int f = TABLE_TEXT; f <= TABLE_JSON; f++) {
         CHECK(table_format_is_prose(f) == (f == TABLE_TEXT || f == TABLE_MARKDOWN));
         CHECK(table_format_is_data(f) == (f == TABLE_CSV || f == TABLE_JSON));
     }
+}
+
+static void check_numbers(void)
+{
+    static const struct table_column one[] = {{"x", NULL, TABLE_RIGHT}};
+    static const struct {
+        double x;
+        int digits;
+    } number[] = {{123, 3}, {2.0, 2}, {NAN, 2}, {1.5e-9, 3}};
+    struct table *t = table_create(1, one, NULL);
+
+    for (int n = 0; n < 4; n++) {
+        table_row(t);
+        table_number(t, number[n].x, number[n].digits);
+    }
+    table_row(t);
+    table_fixed(t, 1.0 / 3, 2);
+    print(t, TABLE_TEXT,
+          "       x\n--------\n     123\n     2.0\n       -\n1.50e-09\n    0.33\n");
+    table_destroy(t);
 }
 
 /* Keys made of header and unit; none twice. */
@@ -177,48 +153,43 @@ static void check_keys(void)
     table_destroy(t);
 }
 
-static void check_file(const char *name, const char *want)
+static void check_file(const char *want)
 {
-    char text[512] = "";
-    FILE *file = fopen(name, "r");
+    struct said s;
 
-    REQUIRE(file);
-    text[fread(text, 1, sizeof text - 1, file)] = '\0';
-    fclose(file);
-    remove(name);
-    if (!CHECK(!strcmp(text, want)))
-        printf("--- is\n%s--- want\n%s", text, want);
+    said_read(&s, ".", "table.csv");
+    if (!CHECK(!strcmp(s.text, want)))
+        printf("--- is\n%s--- want\n%s", s.text, want);
+    said_clear(&s);
 }
 
 /* Files have keys and rows only; in pieces or at once they are the same. */
 static void check_files(void)
 {
     static const char want[] =
-        "model,time_ms,n\n\"a|b, \"\"c\"\"\",0.10000000000000001,12345\n"
-        "50%_x,,\n,,\n";
+        "case_1,frame_s,to_next_over_length,p,unknowns\n\"a|b, \"\"c\"\"\\\n"
+        "\1\",0.012500000000000001,0.125,2,540\n\"# no comment\",,,-inf,\n"
+        "*_$#{}<>~^&,1.5000000000000001e-12,0.0033333333333333335,,\n,,,,\n";
     struct message why;
     struct table *t = make();
+    char more[512];
 
-    CHECK(table_save(t, "/tmp", "clothbench-table", &why) == STATUS_OK);
-    check_file("/tmp/clothbench-table.csv", want);
+    CHECK(table_save(t, ".", "table", &why) == STATUS_OK);
+    check_file(want);
     CHECK(table_save(t, "/proc/nowhere", "table", &why) == STATUS_FILE);
-    CHECK(table_save(NULL, "/tmp", "table", &why) == STATUS_MEMORY);
-    remove("/tmp/clothbench-full.csv");
-    REQUIRE(symlink("/dev/full", "/tmp/clothbench-full.csv") == 0);
-    CHECK(table_save(t, "/tmp", "clothbench-full", &why) == STATUS_FILE);
-    remove("/tmp/clothbench-full.csv");
-    FILE *file = fopen("/tmp/clothbench-table.csv", "w");
+    CHECK(table_save(NULL, ".", "table", &why) == STATUS_MEMORY);
+    REQUIRE(symlink("/dev/full", "full.csv") == 0);
+    CHECK(table_save(t, ".", "full", &why) == STATUS_FILE);
+    FILE *file = fopen("table.csv", "w");
     REQUIRE(file);
-    CHECK(table_flush(t, file) == STATUS_OK);
-    CHECK(table_rows(t) == 0);
+    CHECK(table_flush(t, file) == STATUS_OK && table_rows(t) == 0);
     table_row(t);
     table_text(t, "more");
     CHECK(table_flush(t, file) == STATUS_OK);
     CHECK(table_flush(t, file) == STATUS_OK);
     fclose(file);
-    char more[256];
-    snprintf(more, sizeof more, "%smore,,\n", want);
-    check_file("/tmp/clothbench-table.csv", more);
+    snprintf(more, sizeof more, "%smore,,,,\n", want);
+    check_file(more);
     CHECK(table_finish(t, TABLE_LATEX, stdout) == STATUS_OK);
 }
 
@@ -282,61 +253,38 @@ static void check_wide(void)
     table_destroy(t);
 }
 
-/* What a format takes for its own is told apart, in headers, cells and captions. */
-static void check_escapes(void)
-{
-    static const struct table_column one[] = {{"x_1", "%", TABLE_LEFT}};
-    struct table *t = table_create(1, one, "50 % & #1");
-
-    table_row(t);
-    table_text(t, "*_|$#{}<>~^&");
-    print(t, TABLE_LATEX,
-          "\\begin{table}\n\\centering\n\\caption{50 \\% \\& \\#1}\n\\begin{tabular}{l}\n"
-          "\\hline\nx\\_1 [\\%] \\\\\n\\hline\n"
-          "*\\_$|$\\$\\#\\{\\}$<$$>$\\~{}\\^{}\\& "
-          "\\\\\n\\hline\n\\end{tabular}\n\\end{table}\n");
-    print(t, TABLE_MARKDOWN,
-          "**50 % & #1**\n\n| x\\_1 [%] |\n|:---|\n| \\*\\_\\|$#{}<>~^& |\n");
-    table_destroy(t);
-}
-
-static void check_said(const char *text, const char *want)
-{
-    struct said s;
-
-    said_open(&s);
-    table_say(s.file, "%s", text);
-    said_close(&s, true);
-    CHECK(!strcmp(s.text, want));
-    said_clear(&s);
-}
-
 /* Ninety-six characters are a line, one more are not. */
 static void check_sentences(void)
 {
-    char text[128] = "", want[sizeof text + 2];
+    static const struct {
+        int letters;
+        const char *text, *want;
+    } row[] = {{90, " abcde", " abcde\n"},
+               {90, " abcdef", "\nabcdef\n"},
+               {0, "two\n", "two\n\n"},
+               {0, "- 5 %\n- 6 %", "- 5 %\n- 6 %\n"}};
+    char x[91] = "";
 
-    memset(text, 'x', 90);
-    memcpy(text + 90, " abcde", 7);
-    snprintf(want, sizeof want, "%s\n", text);
-    check_said(text, want);
-    memcpy(text + 90, " abcdef", 8);
-    snprintf(want, sizeof want, "%s\n", text);
-    want[90] = '\n';
-    check_said(text, want);
-    check_said("two\n", "two\n\n");
-    check_said("- 5 %\n- 6 %", "- 5 %\n- 6 %\n");
+    memset(x, 'x', 90);
+    for (int n = 0; n < 4; n++) {
+        struct said s;
+        said_open(&s);
+        table_say(s.file, "%.*s%s", row[n].letters, x, row[n].text);
+        said_close(&s, true);
+        CHECK(!strcmp(s.text + row[n].letters, row[n].want));
+        said_clear(&s);
+    }
 }
 
 int main(void)
 {
+    scratch_open();
+    REQUIRE(chdir(scratch) == 0);
     check_formats();
     check_numbers();
-    check_readers();
     check_keys();
     check_files();
     check_failures_told();
-    check_escapes();
     check_wide();
     check_sentences();
     return check_result();

@@ -1,6 +1,6 @@
 /* The one runner: the same bits from the run and from its file, with fields and without;
- * looks and fields where they were asked for; measures that are those of the run's own
- * metrics; deaths and refusals are results. */
+ * looks and fields where they were asked for; deaths and refusals are results. (looks.c,
+ * measures.c: what is measured.) */
 #include "bench/harness/run_file.h"
 
 #include <unistd.h>
@@ -68,6 +68,13 @@ static void test_same_bits(void)
     write_run(&plan, &keep, &first);
     write_run(&plan, &keep, &other);
     CHECK(same(&first, &other) && first.steps == 40 && first.step_seconds > 0);
+    CHECK(first.outcome == STATUS_OK && !strcmp(first.sentence.text, "done"));
+    CHECK(first.value[MEASURE_END_TIME] == 0.2 && first.value[MEASURE_DROP_END] > 0);
+    CHECK(first.value[MEASURE_YOUNG_OVER_DENSITY] == 1e5 / 0.5 && isnan(first.death_time));
+    CHECK(isinf(first.value[MEASURE_BLOWUP_TIME]));
+    CHECK(isinf(first.value[MEASURE_INTERSECTION_TIME]));
+    CHECK(first.value[MEASURE_INTERSECTIONS_MAX] == 0);
+    CHECK(isnan(first.value[MEASURE_PENETRATION_MAX])); /* there is nothing to penetrate */
     keep.file = file;
     for (keep.fields = RUN_FIELDS_TIMES; keep.fields <= RUN_FIELDS_NONE; keep.fields++) {
         const int want[] = {1, 8, 0}; /* looks at frames 0 7 14 20 21 28 35 40 */
@@ -88,84 +95,6 @@ static void test_same_bits(void)
     settings_clear(&s);
 }
 
-/* What a run frame by frame says of the looks: frames 0, 7, 14, 20 (asked), 21, ..., 40. */
-struct own {
-    double most[4], end[4], *xyz, *before, speed, speed_most, time;
-};
-
-static enum status watch(void *context, const struct motion *m, struct message *why)
-{
-    struct own *own = context;
-
-    (void)why;
-    if (m->frames % 7 && m->frames != 20 && m->frames != 40)
-        return STATUS_OK;
-    m->model->sample(m->state, own->xyz);
-    own->end[0] = metric_stretch(m->scene, own->xyz);
-    own->end[1] = metric_drop(m->scene, own->xyz);
-    own->end[2] = metric_angle(m->scene, own->xyz);
-    own->end[3] = metric_roughness(m->scene, own->xyz);
-    for (int n = 0; n < 4; n++)
-        own->most[n] = fmax(own->most[n], own->end[n]);
-    if (m->frames)
-        own->speed = metric_rmse(own->xyz, own->before) / (m->time - own->time);
-    own->speed_most = fmax(own->speed_most, own->speed);
-    own->time = m->time;
-    memcpy(own->before, own->xyz, FIELD * sizeof(double));
-    return STATUS_OK;
-}
-
-static void check_own(const struct run_result *r, const struct own *own)
-{
-    static const int most[] = {MEASURE_STRETCH_MAX, MEASURE_DROP_MAX, MEASURE_ANGLE_MAX,
-                               MEASURE_ROUGHNESS_MAX};
-    static const int end[] = {MEASURE_STRETCH_END, MEASURE_DROP_END, MEASURE_ANGLE_END,
-                              MEASURE_ROUGHNESS_END};
-
-    for (int n = 0; n < 4; n++) {
-        CHECK(r->value[most[n]] == own->most[n] && own->most[n] > 0);
-        CHECK(r->value[end[n]] == own->end[n]);
-    }
-    CHECK(r->value[MEASURE_SPEED_END] == own->speed);
-    CHECK(r->value[MEASURE_SPEED_MAX] == own->speed_most);
-    CHECK(r->value[MEASURE_END_TIME] == own->time && own->time == 40 * 0.005);
-}
-
-static void test_own_metrics(void)
-{
-    const double time[] = {0.1};
-    struct settings s = LIST("discretization.points=[6,6,2]");
-    const struct run_plan plan = {DROP, named("iga_paper"), &s, 0.2};
-    const struct run_keep keep = {
-        .every = 7, .times = 1, .time = time, .intersections = true};
-    struct own own = {.xyz = malloc(FIELD * sizeof(double)),
-                      .before = malloc(FIELD * sizeof(double))};
-    struct run_result r;
-    struct run run;
-    struct motion m;
-
-    REQUIRE(own.xyz && own.before);
-    write_run(&plan, &keep, &r);
-    REQUIRE(run_open(&run, &plan, NULL) == STATUS_OK);
-    REQUIRE(motion_init(&m, run.model, &run.scene, run.state) == STATUS_OK);
-    REQUIRE(motion_run(&m, watch, &own, true, NULL) == STATUS_OK);
-    check_own(&r, &own);
-    CHECK(r.value[MEASURE_GAMMA] == scene_gamma(&run.scene));
-    CHECK(r.value[MEASURE_YOUNG_OVER_DENSITY] == 1e5 / 0.5);
-    CHECK(r.outcome == STATUS_OK && !strcmp(r.sentence.text, "done") &&
-          isnan(r.death_time));
-    CHECK(isinf(r.value[MEASURE_BLOWUP_TIME]) && isinf(r.value[MEASURE_INTERSECTION_TIME]));
-    CHECK(r.value[MEASURE_INTERSECTIONS_MAX] == 0);
-    CHECK(isnan(r.value[MEASURE_PENETRATION_MAX])); /* there is nothing to penetrate */
-    motion_clear(&m);
-    run_close(&run);
-    settings_clear(&s);
-    free(own.xyz);
-    free(own.before);
-}
-
-/* Undamped springs keep their energy up to their scheme's loss; the printed scheme has no
- * elastic energy at all. */
 /* A sheet that has come to rest on the ground is carried by it, and one that hangs by
  * nothing. */
 static void test_load(void)
@@ -188,6 +117,8 @@ static void test_load(void)
     settings_clear(&s);
 }
 
+/* Undamped springs keep their energy up to their scheme's loss; the printed scheme has no
+ * elastic energy at all. */
 static void test_energy(void)
 {
     struct settings s = LIST("damping={kind: none}");
@@ -391,46 +322,311 @@ static void test_failures(void)
     settings_clear(&s);
 }
 
-/* Files that somebody has cut. */
-static void test_damaged(void)
-{
-    static const char *const part[] = {"xyz_time", "metrics/drop", "counters/steps",
-                                       "energy/kinetic"};
-    struct run_keep keep = {.file = file, .every = 4, .fields = RUN_FIELDS_ALL};
-    struct run_result r;
-    struct message why = {""};
+/* --- Who moves a sheet tells the same death of the same run. */
 
-    for (int n = 0; n < LENGTH(part); n++) {
-        script_reset();
-        write_run(&(struct run_plan){DROP, &scripted, NULL, 0.1}, &keep, &r);
-        hid_t id = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
-        REQUIRE(id >= 0 && H5Ldelete(id, part[n], H5P_DEFAULT) >= 0);
-        H5Fclose(id);
-        REQUIRE(seal_write(file, NULL) == STATUS_OK);
-        CHECK(run_result_read(file, true, &r, &why) == STATUS_INPUT);
-        CHECK(strstr(why.text, part[n]) && strstr(why.text, file));
-    }
-    write_run(&(struct run_plan){DROP, &scripted, NULL, 0.1}, &keep, &r);
-    hid_t id = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
-    REQUIRE(id >= 0 && H5Ldelete(id, "xyz_time", H5P_DEFAULT) >= 0);
-    REQUIRE(hdf5_file_put_array(id, "xyz_time", (struct hdf5_file_meaning){"s", "repeat"},
-                                (const double[]){0, 1}, 2, 0) >= 0);
-    H5Fclose(id);
-    REQUIRE(seal_write(file, NULL) == STATUS_OK);
-    CHECK(run_result_read(file, true, &r, &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "6 fields at 2 times"));
+static void check_told(const struct run_result *r, enum status death, int frame,
+                       const char *sentence)
+{
+    CHECK(r->outcome == death && r->death_time == frame * 0.005);
+    CHECK(r->value[MEASURE_BLOWUP_TIME] == r->death_time);
+    CHECK(!strcmp(r->sentence.text, sentence));
 }
 
-static void test_words(void)
+static void check_death(const struct run_plan *plan, enum status death, int frame,
+                        const char *sentence)
 {
-    for (int n = 0; n < MEASURES; n++)
-        CHECK(strcmp(measure_name(n), "unknown") && *measure_sentence(n));
-    static const int none[] = {-1, MEASURES, MEASURES + 1, -2000000000, 2000000000};
-    for (int n = 0; n < LENGTH(none); n++)
-        CHECK(!strcmp(measure_name(none[n]), "unknown") && !*measure_unit(none[n]) &&
-              !*measure_sentence(none[n]));
-    CHECK(!strcmp(measure_name(MEASURE_GAMMA), "gamma"));
-    CHECK(!strcmp(measure_unit(MEASURE_SPEED_END), "m/s"));
+    static const enum measurement_frames timed[] = {MEASUREMENT_SOME, MEASUREMENT_WHOLE};
+    const double late[] = {0.4, 0.5};
+    struct run_keep keep = {.times = 2, .time = late};
+    struct run_result r;
+    struct run run;
+    struct motion m;
+
+    REQUIRE(run_open(&run, plan, NULL) == STATUS_OK);
+    REQUIRE(motion_init(&m, run.model, &run.scene, run.state) == STATUS_OK);
+    REQUIRE(motion_run(&m, NULL, NULL, true, NULL) == STATUS_OK);
+    CHECK(m.death == death && m.death_time == frame * 0.005 && m.frames == frame - 1);
+    motion_clear(&m);
+    run_close(&run);
+    for (int n = 0; n < 2; n++) { /* looked at before it dies, or kept and not */
+        keep.every = n ? 10 : 0;
+        keep.file = n ? NULL : file;
+        REQUIRE(run_file_write(plan, &keep, &r, NULL) == STATUS_OK);
+        check_told(&r, death, frame, sentence);
+        CHECK(r.steps == frame);
+        CHECK(n ? r.value[MEASURE_END_TIME] == (frame - 1) / 10 * 10 * 0.005
+                : isnan(r.value[MEASURE_END_TIME]));
+    }
+    keep.file = file;
+    for (int n = 0; n < LENGTH(timed); n++) {
+        struct measurement_case c = {.plan = *plan, .keep = keep, .timed = timed[n]};
+        const struct measurement_options quick = {.quick = true, .repeats = 1};
+        REQUIRE(measurement_run(&quick, 1, &c, NULL) == STATUS_OK);
+        REQUIRE(run_result_read(file, false, &r, NULL) == STATUS_OK);
+        check_told(&r, death, frame, sentence);
+        CHECK(r.step.count == 1 && !r.frames);
+        run_result_clear(&r);
+    }
+}
+
+static void test_deaths(void)
+{
+    struct settings fine = LIST("discretization.points=[15,15,2]");
+    struct settings row7 =
+        LIST("material.young=5e4", "material.density=0.1", "damping.value=0.9");
+
+    check_death(&(struct run_plan){SCENES "ground.yaml", named("iga_paper"), &fine, 0},
+                STATUS_ESCAPED, 68,
+                "died at t = 0.34 s: a point is farther than 10 lengths from its support");
+    check_death(&(struct run_plan){DROP, named("iga_paper"), &row7, 0.5}, STATUS_INVERTED,
+                53, "died at t = 0.265 s: an element turned inside out (det J <= 0)");
+    settings_clear(&fine);
+    settings_clear(&row7);
+}
+
+/* --- Files whose arrays were put there by hand: seconds of repeats, work, what does not
+ * fit together; and what a caller puts there itself. */
+
+struct array {
+    const char *name;
+    int rows, columns;
+    double value[9];
+};
+
+/* A run of five looks (frames 0, 5, ..., 20) with these arrays, and an outcome, in it. */
+static enum status read_with(int count, const struct array *arrays, const char *outcome,
+                             struct run_result *r, struct message *why)
+{
+    const struct run_keep keep = {.file = file, .every = 5, .fields = RUN_FIELDS_NONE};
+    const struct run_plan plan = {DROP, &scripted, NULL, 0.1};
+
+    script_reset();
+    REQUIRE(run_file_write(&plan, &keep, NULL, NULL) == STATUS_OK);
+    hid_t id = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
+    REQUIRE(id >= 0);
+    for (int n = 0; n < count; n++) {
+        const struct array *a = &arrays[n];
+        H5Ldelete(id, a->name, H5P_DEFAULT); /* if it is there */
+        REQUIRE(!a->rows ||
+                hdf5_file_put_array(id, a->name, (struct hdf5_file_meaning){"s", "repeat"},
+                                    a->value, a->rows, a->columns) >= 0);
+    }
+    if (outcome) {
+        H5Adelete(id, "outcome");
+        REQUIRE(hdf5_file_put_text(id, "outcome", outcome) >= 0);
+    }
+    H5Fclose(id);
+    REQUIRE(seal_write(file, NULL) == STATUS_OK);
+    *r = (struct run_result){0};
+    why->text[0] = '\0';
+    return run_result_read(file, true, r, why);
+}
+
+/* Of each repeat the mean of its steps; a death leaves some out, or all. */
+static void test_seconds(void)
+{
+    static const struct array arrays[] = {
+        {"seconds/create", 3, 0, {0.25, 1, 0.5}},
+        {"seconds/advance", 3, 3, {1, 2, 3, NAN, NAN, NAN, 4, NAN, 8}},
+        {"seconds/look", 1, 0, {7}},
+        {"seconds/assemble", 2, 0, {10, 20}},
+        {"seconds/factor", 2, 0, {11, 21}},
+        {"seconds/solve", 3, 0, {12, 22, 32}}};
+    static const struct array rest[] = {{"seconds/advance", 0, 0, {0}},
+                                        {"seconds/equilibrium", 2, 1, {5, 9}}};
+    struct run_result r;
+    struct message why;
+
+    REQUIRE(read_with(LENGTH(arrays), arrays, NULL, &r, &why) == STATUS_OK);
+    CHECK(r.create.count == 3 && r.create.min == 0.25 && r.create.median == 0.5);
+    CHECK(r.create.max == 1 && r.create_seconds == 0.25);
+    CHECK(r.step.count == 2 && r.step.min == 2 && r.step.max == 6 && r.step.median == 4);
+    CHECK(r.step_seconds == 6 && r.steps == 3 && r.look_seconds == 7);
+    for (int p = 0; p < RUN_RESULT_PHASES; p++)
+        CHECK(r.phase[p].count == 2 + (p == 2) && r.phase[p].min == 10 + p);
+    run_result_clear(&r);
+    REQUIRE(read_with(LENGTH(rest), rest, NULL, &r, &why) == STATUS_OK);
+    CHECK(r.step.count == 2 && r.step.min == 5 && r.step.max == 9);
+    CHECK(r.steps == 0 && r.step_seconds == 0 && r.phase[0].count == 0);
+    run_result_clear(&r);
+}
+
+/* Work up to the last look. */
+static void test_work(void)
+{
+    static const struct array arrays[] = {
+        {"counters/steps", 2, 0, {1, 11}},          {"counters/assemblies", 2, 0, {1, 12}},
+        {"counters/factorisations", 2, 0, {1, 13}}, {"counters/solves", 2, 0, {1, 14}},
+        {"counters/iterations", 1, 0, {15}},        {"counters/substeps", 2, 0, {1, 16}}};
+    const struct counters want = {11, 12, 13, 14, 15, 16};
+    struct run_result r;
+    struct message why;
+
+    REQUIRE(read_with(LENGTH(arrays), arrays, NULL, &r, &why) == STATUS_OK);
+    CHECK(!memcmp(&r.work, &want, sizeof want));
+    run_result_clear(&r);
+}
+
+/* The energies of five looks, told by the drift that only these three make. */
+static void test_energies(void)
+{
+    static const struct array arrays[] = {{"energy/kinetic", 5, 0, {0, 1, 2, 3, 4}},
+                                          {"energy/elastic", 5, 0, {10, 10, 10, 10, 10}},
+                                          {"energy/potential", 5, 0, {0, 0, 0, 0, 0.5}}};
+    struct energy energy[5];
+    double drift[5];
+    struct run_result r;
+    struct message why;
+
+    for (int n = 0; n < 5; n++)
+        energy[n] = (struct energy){n, 10, n == 4 ? 0.5 : 0};
+    metric_energy_drift(5, energy, drift);
+    REQUIRE(read_with(LENGTH(arrays), arrays, NULL, &r, &why) == STATUS_OK);
+    CHECK(r.value[MEASURE_ENERGY_DRIFT_END] == drift[4] && drift[4] != drift[3]);
+    run_result_clear(&r);
+}
+
+/* Distances to a truth, where both series of it are there; else there are none. */
+static void test_truth(void)
+{
+    static const struct array arrays[] = {
+        {"metrics/truth_error", 5, 0, {NAN, 0.5, NAN, 0.25, NAN}},
+        {"metrics/truth_bar", 5, 0, {NAN, 0.125, NAN, 0.0625, NAN}}};
+    struct run_result r;
+    struct message why;
+
+    for (int count = 0; count <= LENGTH(arrays); count++) {
+        REQUIRE(read_with(count, arrays, NULL, &r, &why) == STATUS_OK);
+        CHECK(isnan(r.value[MEASURE_TRUTH_ERROR_MAX]) == (count < 2));
+        if (count == 2) {
+            CHECK(r.value[MEASURE_TRUTH_ERROR_MAX] == 0.5);
+            CHECK(r.value[MEASURE_TRUTH_ERROR_END] == 0.25);
+            CHECK(r.value[MEASURE_TRUTH_BAR_END] == 0.0625);
+        }
+        run_result_clear(&r);
+    }
+}
+
+/* A file without its scene: nothing to give back, whatever was there before. */
+static void test_no_scene(void)
+{
+    struct run_result r;
+    struct store_read *store = NULL;
+    struct scene scene;
+    struct message why;
+
+    REQUIRE(read_with(0, NULL, NULL, &r, &why) == STATUS_OK);
+    run_result_clear(&r);
+    hid_t id = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
+    REQUIRE(id >= 0 && H5Adelete(id, "scene") >= 0 && H5Fclose(id) >= 0);
+    REQUIRE(seal_write(file, NULL) == STATUS_OK);
+    CHECK(run_result_read(file, true, &r, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "has no text scene"));
+    REQUIRE(store_read_open(file, &store, NULL) == STATUS_OK);
+    memset(&scene, 0x55, sizeof scene);
+    CHECK(store_scene(store, file, &scene, &why) == STATUS_INPUT);
+    scene_clear(&scene);
+    store_read_close(store);
+}
+
+static void test_misfits(void)
+{
+    static const struct {
+        struct array array;
+        const char *outcome, *sentence;
+    } want[] = {
+        {{"metrics/drop", 2, 0, {0, 1}}, NULL, "metrics/drop has 2 numbers for 5"},
+        {{"metrics/speed", 5, 2, {0}}, NULL, "metrics/speed has 10 numbers for 5"},
+        {{"metrics/truth_error", 2, 0, {0, 1}}, NULL, "truth_error has 2 numbers for 5"},
+        {{"energy/kinetic", 1, 0, {0}}, NULL, "energy/kinetic has 1 numbers for 5"},
+        {{"energy/elastic", 0, 0, {0}}, NULL, "has no energy/elastic"},
+        {{"energy/potential", 0, 0, {0}}, NULL, "has no energy/potential"},
+        {{"metrics/none", 0, 0, {0}}, "flew away", "unknown outcome 'flew away'"},
+        {{"metrics/drop", 0, 0, {0}}, NULL, "has no metrics/drop"},
+        {{"counters/steps", 0, 0, {0}}, NULL, "has no counters/steps"},
+        {{"xyz_time", 2, 0, {0, 1}}, NULL, "has 0 fields at 2 times"},
+        {{"metrics/none", 0, 0, {0}}, "", "has no text note"}};
+    struct run_result r;
+    struct message why;
+
+    for (int n = 0; n < LENGTH(want); n++) {
+        const char *outcome =
+            n == LENGTH(want) - 1 ? status_text(STATUS_UNSUPPORTED) : want[n].outcome;
+        CHECK(read_with(1, &want[n].array, outcome, &r, &why) == STATUS_INPUT);
+        if (!CHECK(strstr(why.text, want[n].sentence) && strstr(why.text, file)))
+            printf("  %s\n", why.text);
+    }
+}
+
+/* Every end has a sentence; a death its time, to six digits. */
+static void test_sentences(void)
+{
+    struct run_result r = {.outcome = STATUS_NAN, .death_time = 0.1234567};
+    char want[128];
+
+    run_result_tell(&r, "no");
+    snprintf(want, sizeof want, "died at t = 0.123457 s: %s", status_text(STATUS_NAN));
+    CHECK(!strcmp(r.sentence.text, want) && !run_result_refused(&r));
+    r.outcome = STATUS_UNSUPPORTED;
+    run_result_tell(&r, "it cannot");
+    CHECK(!strcmp(r.sentence.text, "it cannot") && run_result_refused(&r));
+    r.outcome = STATUS_INPUT;
+    CHECK(run_result_refused(&r));
+    r.outcome = STATUS_OK;
+    run_result_tell(&r, "it cannot");
+    CHECK(!strcmp(r.sentence.text, "done") && !run_result_refused(&r));
+}
+
+static void holds_array(const struct store_read *store, const char *name, int count,
+                        const double *want)
+{
+    double *value = NULL;
+    int rows = 0, columns = 0;
+
+    CHECK(store_read_array(store, name, &value, &rows, &columns, NULL) == STATUS_OK);
+    if (CHECK(rows * columns == count))
+        for (int n = 0; n < count; n++)
+            CHECK(value[n] == want[n]);
+    free(value);
+}
+
+static enum status look(void *context, const struct motion *m, const double *xyz,
+                        double *value)
+{
+    value[0] = m->frames;
+    value[1] = -10 * m->frames;
+    value[2] = xyz == NULL ? NAN : *(const double *)context;
+    return STATUS_OK;
+}
+
+/* Numbers of the caller's own, each under its name with its unit. */
+static void test_own_numbers(void)
+{
+    static const struct run_own own[] = {{"ups", "m"}, {"downs", "s"}, {"same", "kg"}};
+    static const double want[3][3] = {{0, 10, 20}, {0, -100, -200}, {7, 7, 7}};
+    double context = 7;
+    const struct run_keep keep = {.file = file,
+                                  .every = 10,
+                                  .fields = RUN_FIELDS_NONE,
+                                  .own_count = LENGTH(own),
+                                  .own = own,
+                                  .own_look = look,
+                                  .context = &context};
+    struct store_read *store = NULL;
+
+    script_reset();
+    REQUIRE(run_file_write(&(struct run_plan){DROP, &scripted, NULL, 0.1}, &keep, NULL,
+                           NULL) == STATUS_OK);
+    REQUIRE(store_read_open(file, &store, NULL) == STATUS_OK);
+    for (int n = 0; n < LENGTH(own); n++) {
+        char name[64], *unit = NULL;
+        snprintf(name, sizeof name, "metrics/%s", own[n].name);
+        holds_array(store, name, 3, want[n]);
+        CHECK(store_read_text(store, name, "unit", &unit, NULL) == STATUS_OK);
+        CHECK(unit && !strcmp(unit, own[n].unit));
+        free(unit);
+    }
+    store_read_close(store);
 }
 
 int main(void)
@@ -439,7 +635,6 @@ int main(void)
     file = scratch_path("run.h5");
     view = scratch_path("run.xdmf");
     test_same_bits();
-    test_own_metrics();
     test_load();
     test_energy();
     test_last_frame();
@@ -448,8 +643,15 @@ int main(void)
     test_rest();
     test_refusals();
     test_failures();
-    test_damaged();
-    test_words();
-    CHECK(scratch_files(scratch) == 2);
+    test_deaths();
+    CHECK(scratch_files(scratch) == 1);
+    test_seconds();
+    test_work();
+    test_energies();
+    test_truth();
+    test_no_scene();
+    test_misfits();
+    test_sentences();
+    test_own_numbers();
     return check_result();
 }

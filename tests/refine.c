@@ -11,9 +11,6 @@
  * patches adds 40 eps at the very worst, 8 as a rule (tests/patch.c). Repeated refinements
  * add their 8 eps each. */
 #define TOL_SHAPE 1e-14
-/* Two orders of doing the same: each control point 2 x 8 eps from the exact one, times the
- * largest ratio of weights (4), which multiply and divide. */
-#define TOL_COMMUTE (64 * DBL_EPSILON)
 #define TOL_KNOT    DBL_EPSILON
 
 enum { SAMPLES = 30, CASES = 60 };
@@ -141,62 +138,6 @@ static void check_k(const struct patch *before, int d, uint64_t *state)
     patch_clear(&split);
 }
 
-/* Insert once, then elevate by `by`, is elevate, then insert by + 1 times. */
-static void check_commute(const struct patch *patch, int d)
-{
-    static const double u[BSPLINE_MAX_DEGREE] = {0.371, 0.371, 0.371, 0.371, 0.371};
-
-    for (int by = 1; by <= BSPLINE_MAX_DEGREE - patch->basis[d].p; by++) {
-        struct patch first = {0}, second = {0};
-        REQUIRE(patch_copy(patch, &first) == STATUS_OK);
-        REQUIRE(patch_copy(patch, &second) == STATUS_OK);
-        REQUIRE(refine_insert(&first, d, 1, u, NULL) == STATUS_OK);
-        REQUIRE(refine_elevate(&first, d, by, NULL) == STATUS_OK);
-        REQUIRE(refine_elevate(&second, d, by, NULL) == STATUS_OK);
-        REQUIRE(refine_insert(&second, d, by + 1, u, NULL) == STATUS_OK);
-        REQUIRE(patch_nodes(&first) == patch_nodes(&second));
-        for (int i = 0; i < first.basis[d].n + first.basis[d].p + 1; i++)
-            CHECK_NEAR(first.basis[d].U[i], second.basis[d].U[i], TOL_KNOT);
-        for (int i = 0; i < 3 * patch_nodes(&first); i++)
-            CHECK_NEAR(first.point[i], second.point[i], TOL_COMMUTE);
-        for (int a = 0; first.weight && a < patch_nodes(&first); a++)
-            CHECK_NEAR(first.weight[a], second.weight[a], TOL_COMMUTE);
-        patch_clear(&first);
-        patch_clear(&second);
-    }
-}
-
-/* By hand: u^2 on two spans with knot 1/4. Coefficients are the blossom s t at the inner
- * knot pairs; a knot at 1/2 makes it {0, 0, 1/8, 1/2, 1}, elevation the means of pairs. */
-static void check_by_hand(void)
-{
-    static const double U[] = {0, 0, 0, 0.25, 1, 1, 1}, old[] = {0, 0, 0.25, 1};
-    static const double inserted[] = {0, 0, 0.125, 0.5, 1};
-    static const double elevated[] = {0, 0, 1.0 / 48, 3.0 / 16, 0.5, 1};
-    struct bspline basis[3];
-    struct patch one = {0}, two = {0};
-    double half = 0.5;
-
-    REQUIRE(bspline_init(&basis[0], 2, 7, U, NULL) == STATUS_OK);
-    REQUIRE(bspline_init_uniform(&basis[1], 1, 2, NULL) == STATUS_OK);
-    REQUIRE(bspline_init_uniform(&basis[2], 1, 2, NULL) == STATUS_OK);
-    REQUIRE(patch_init(&one, basis) == STATUS_OK);
-    for (int a = 0; a < 16; a++)
-        one.point[3 * a] = old[a / 4];
-    REQUIRE(patch_copy(&one, &two) == STATUS_OK);
-    REQUIRE(refine_insert(&one, 0, 1, &half, NULL) == STATUS_OK);
-    REQUIRE(refine_elevate(&two, 0, 1, NULL) == STATUS_OK);
-    REQUIRE(one.basis[0].n == 5 && two.basis[0].n == 6);
-    for (int a = 0; a < 20; a++)
-        CHECK_NEAR(one.point[3 * a], inserted[a / 4], TOL_KNOT);
-    for (int a = 0; a < 24; a++)
-        CHECK_NEAR(two.point[3 * a], elevated[a / 4], TOL_KNOT);
-    for (int d = 0; d < 3; d++)
-        bspline_clear(&basis[d]);
-    patch_clear(&one);
-    patch_clear(&two);
-}
-
 /* Many refinements one after another: the circle stays one. */
 static void check_circle(void)
 {
@@ -292,11 +233,9 @@ int main(void)
             check_insert(&patch, d, &state);
             check_elevate(&patch, d, &state);
             check_k(&patch, d, &state);
-            check_commute(&patch, d);
         }
         patch_clear(&patch);
     }
-    check_by_hand();
     check_circle();
     check_refusals();
     return check_result();

@@ -11,12 +11,8 @@
 #include "tests/net_matrix.h"
 
 struct row {
-    struct net_shape shape;
-    enum solver asked;
-    const char *method; /* "banded", "supernodal", ...: what ran                static */
-    int unknowns, parts, half_bandwidth;
-    long entries, bytes;           /* of L; held by the factor                         */
-    double flops;                  /* of one factorisation                             */
+    int unknowns;
+    struct factor_info info;
     double residual;               /* |b - A x| / (a_ii |x|), largest: the answer held */
     struct clock_summary analyse;  /* [s], once                                        */
     struct clock_summary refactor; /* [s], filling the values not counted              */
@@ -24,7 +20,7 @@ struct row {
 };
 
 /* Enough turns for a clock of 30 ns and the noise of a shared machine. */
-enum { REPEATS_MAX = 201 };
+enum { REPEATS = 9, REPEATS_MAX = 201 };
 static const double enough = 0.1; /* [s] a repeated measurement goes on at least         */
 
 static void fill(const struct net_matrix *a, const ptrdiff_t *slot, struct factor *f)
@@ -47,37 +43,23 @@ static double residual(const struct net_matrix *a, const double *x, const double
     return worst;
 }
 
-static enum status time_refactor(const struct net_matrix *a, const ptrdiff_t *slot,
-                                 struct factor *f, int repeats, struct clock_summary *out)
-{
-    enum status st = STATUS_OK;
-    double seconds[REPEATS_MAX], total = 0.0;
-    int count = -1; /* the first is a warm-up */
-    while (count < repeats || (total < enough && count < REPEATS_MAX)) {
-        fill(a, slot, f);
-        double begin = clock_now();
-        TRY(factor_refactor(f));
-        double t = clock_now() - begin;
-        if (count >= 0)
-            seconds[count] = t, total += t;
-        count++;
-    }
-    *out = clock_summarise(seconds, count);
-out:
-    return st;
-}
-
-static enum status time_solve(struct factor *f, int n, const double *b, double *x,
-                              int repeats, struct clock_summary *out)
+/* Of refactoring, or of solving for b into x; the first turn is a warm-up. */
+static enum status time_turns(const struct net_matrix *a, const ptrdiff_t *slot,
+                              struct factor *f, const double *b, double *x,
+                              struct clock_summary *out)
 {
     enum status st = STATUS_OK;
     double seconds[REPEATS_MAX], total = 0.0;
     int count = -1;
-    while (count < repeats || (total < enough && count < REPEATS_MAX)) {
-        memcpy(x, b, n * sizeof *x);
-        double begin = clock_now();
-        TRY(factor_solve(f, x));
-        double t = clock_now() - begin;
+
+    while (count < REPEATS || (total < enough && count < REPEATS_MAX)) {
+        if (b)
+            memcpy(x, b, a->n * sizeof *x);
+        else
+            fill(a, slot, f);
+        const double begin = clock_now();
+        TRY(b ? factor_solve(f, x) : factor_refactor(f));
+        const double t = clock_now() - begin;
         if (count >= 0)
             seconds[count] = t, total += t;
         count++;
@@ -98,20 +80,8 @@ static enum status make_slots(const struct net_matrix *a, const struct factor *f
     return STATUS_OK;
 }
 
-static void describe(const struct factor *f, struct row *row)
-{
-    struct factor_info info;
-    factor_describe(f, &info);
-    row->method = info.method;
-    row->parts = info.parts;
-    row->half_bandwidth = info.half_bandwidth;
-    row->entries = info.entries;
-    row->bytes = info.bytes;
-    row->flops = info.flops;
-}
-
 static enum status measure_row(const struct net_shape *shape, enum solver method,
-                               bool nested, int repeats, struct row *row)
+                               bool nested, struct row *row)
 {
     enum status st = STATUS_MEMORY;
     struct net_matrix a = {0};
@@ -121,17 +91,11 @@ static enum status measure_row(const struct net_shape *shape, enum solver method
     int *order = NULL;
 
     memset(row, 0, sizeof *row);
-    row->shape = *shape;
-    row->asked = method;
-    repeats = repeats < REPEATS_MAX ? repeats : REPEATS_MAX;
     TRY(net_matrix_create(shape, &a));
     row->unknowns = a.n;
     b = malloc(3 * a.n * sizeof *b);
     order = malloc(a.n * sizeof *order);
-    if (!b || !order) {
-        st = STATUS_MEMORY;
-        goto out;
-    }
+    REQUIRE(b && order);
     int rows = shape->points_u - shape->held_edge;
     order_nested(rows, shape->points_v, 6, shape->reach, order);
     double begin = clock_now();
@@ -141,12 +105,12 @@ static enum status measure_row(const struct net_shape *shape, enum solver method
     double seconds = clock_now() - begin;
     row->analyse = clock_summarise(&seconds, 1);
     TRY(make_slots(&a, f, &slot));
-    TRY(time_refactor(&a, slot, f, repeats, &row->refactor));
+    TRY(time_turns(&a, slot, f, NULL, NULL, &row->refactor));
     for (int i = 0; i < a.n; i++)
         b[i] = 1.0 + i % 7;
-    TRY(time_solve(f, a.n, b, b + a.n, repeats, &row->solve));
+    TRY(time_turns(&a, slot, f, b, b + a.n, &row->solve));
     row->residual = residual(&a, b + a.n, b, b + 2 * a.n);
-    describe(f, row);
+    factor_describe(f, &row->info);
 out:
     free(b);
     free(slot);
@@ -180,15 +144,15 @@ static void measure(const struct net_shape *s, enum solver method, bool nested)
 {
     struct row row;
     char net[32];
-    if (!CHECK(measure_row(s, method, nested, 9, &row) == STATUS_OK))
+    if (!CHECK(measure_row(s, method, nested, &row) == STATUS_OK))
         return;
     snprintf(net, sizeof net, "%dx%dx2 p=%d%s", s->points_u, s->points_v, s->reach,
              s->split ? " split" : "");
     printf("%-19s %6d %-10s %-6s %4d %9ld %8.1f %9.4f %9.4f %8.4f %8.4f %7.1f %.0e\n", net,
-           row.unknowns, row.method, nested ? "nested" : "", row.half_bandwidth,
-           row.entries, row.flops * 1e-6, row.refactor.median * 1e3, row.refactor.min * 1e3,
-           row.solve.median * 1e3, row.solve.min * 1e3, row.analyse.median * 1e3,
-           row.residual);
+           row.unknowns, row.info.method, nested ? "nested" : "", row.info.half_bandwidth,
+           row.info.entries, row.info.flops * 1e-6, row.refactor.median * 1e3,
+           row.refactor.min * 1e3, row.solve.median * 1e3, row.solve.min * 1e3,
+           row.analyse.median * 1e3, row.residual);
     fflush(stdout);
 }
 

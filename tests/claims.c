@@ -192,6 +192,16 @@ static const struct claim *claim_of(const char *plan, const char *quote)
     return NULL;
 }
 
+/* Whether a number goes on beyond `size` letters of a text, or has begun before it. */
+static bool cuts_number(const char *begin, const char *at, size_t size)
+{
+    const char *const end = at + size;
+
+    if (isdigit(*at) && at > begin && (isdigit(at[-1]) || at[-1] == '.'))
+        return true;
+    return isdigit(end[-1]) && (isdigit(*end) || (*end == '.' && isdigit(end[1])));
+}
+
 /* Whether the parts between " ... " stand in a text in this order, no number cut. */
 static bool has_words(const char *text, char *words)
 {
@@ -201,9 +211,8 @@ static bool has_words(const char *text, char *words)
         if ((next = strstr(words, " ... ")))
             *next = '\0', next += 5;
         const size_t size = strlen(words);
-        for (; (text = strstr(text, words)); text++)
-            if (text == begin || !isdigit(*words) || !isdigit(text[-1]))
-                break;
+        while ((text = strstr(text, words)) && cuts_number(begin, text, size))
+            text++;
         if (!text)
             return false;
         text += size;

@@ -4,20 +4,13 @@
 #include <unistd.h>
 
 #include "bench/experiment/plan_read.h"
-#include "bench/files/folder.h"
 #include "bench/files/seal.h"
 #include "bench/sweep/sweep_falls.h"
 #include "bench/sweep/sweep_map.h"
 #include "bench/sweep/sweep_print.h"
 #include "bench/sweep/sweep_row.h"
 #include "bench/sweep/sweep_table.h"
-#include "tests/check.h"
-
-/* Where the test's files go; the working folder. */
-static void begin(const char *folder)
-{
-    REQUIRE(folder_make(folder, NULL) == STATUS_OK && chdir(folder) == 0);
-}
+#include "tests/fresh.h"
 
 static void plan_of(const char *text, struct plan *plan)
 {
@@ -47,17 +40,6 @@ static struct sweep_row row_other(enum sweep_row_state state, const char *why)
 
     snprintf(row.why.text, sizeof row.why.text, "%s", why);
     return row;
-}
-
-/* A file's text; freed by the receiver. */
-static char *text_of(const char *path)
-{
-    char *text = calloc(1, 1 << 20);
-    FILE *file = fopen(path, "r");
-
-    REQUIRE(text && file && fread(text, 1, (1 << 20) - 1, file) > 0);
-    fclose(file);
-    return text;
 }
 
 static void holds(const char *what, const char *text, const char *part)
@@ -163,7 +145,7 @@ static void check_table(void)
     CHECK(table.labels[0] == 1 && table.labels[1] == 0 && table.labels[2] == 1);
     CHECK(table.lacking[0] == 1 && table.lacking[1] == 1 && table.lacking[2] == 1);
     REQUIRE(sweep_table_close(&table, NULL) == STATUS_OK);
-    char *is = text_of("table.csv"), *took = text_of("seconds.csv");
+    char *is = fresh_text(".", "table.csv"), *took = fresh_text(".", "seconds.csv");
     if (!CHECK(!strcmp(is, want)))
         printf("is:\n%swant:\n%s", is, want);
     if (!CHECK(!strcmp(took, seconds)))
@@ -243,7 +225,7 @@ static void check_learnt(void)
     holds("learnt", said, " no long: drop_max above 0.7\n");
     free(said);
     REQUIRE(sweep_table_close(&table, NULL) == STATUS_OK);
-    char *is = text_of("table.csv");
+    char *is = fresh_text(".", "table.csv");
     holds("learnt", is, ",outcome,learnt\n");
     for (int n = 0; n < 4; n++)
         holds("learnt", is, cases[n].ends);
@@ -375,15 +357,6 @@ static void draw(const struct plan *plan, const char *const *labels, int count)
     sweep_map_destroy(map);
 }
 
-static int count_of(const char *text, const char *part)
-{
-    int count = 0;
-
-    for (; (text = strstr(text, part)); text++)
-        count++;
-    return count;
-}
-
 static void check_maps(void)
 {
     static const char *const labels[] = {"feasible", "a", "b"};
@@ -395,14 +368,14 @@ static void check_maps(void)
         snprintf(name, sizeof name, "map %zu", n);
         plan_of(maps[n].plan, &plan);
         draw(&plan, labels, 3);
-        char *text = text_of("map.gp");
+        char *text = fresh_text(".", "map.gp");
         for (int i = 0; i < 8 && maps[n].holds[i]; i++)
             holds(name, text, maps[n].holds[i]);
         for (int i = 0; i < 3 && maps[n].lacks[i]; i++)
             if (!CHECK(!strstr(text, maps[n].lacks[i])))
                 printf("  %s: '%s' is in map.gp\n", name, maps[n].lacks[i]);
         for (int i = 0; i < 3 && maps[n].counts[i].text; i++)
-            CHECK(count_of(text, maps[n].counts[i].text) == maps[n].counts[i].count);
+            CHECK(fresh_count(text, maps[n].counts[i].text) == maps[n].counts[i].count);
         free(text);
         plan_clear(&plan);
     }
@@ -421,7 +394,7 @@ static void check_labels(void)
                  "map: {x: damping.value, y: drop_max}\n",
             &plan);
     draw(&plan, some, 6);
-    char *text = text_of("map.gp");
+    char *text = fresh_text(".", "map.gp");
     static const char *const parts[] = {
         "rgb '#8cd17d' title 'feasible: 0'",  "rgb '#e15759' title 'a: 10'",
         "rgb '#444444' title 'died: 5'",      "rgb '#d9d9d9' title 'no result: 5'",
@@ -434,7 +407,7 @@ static void check_labels(void)
         many[n] = names[n];
     }
     draw(&plan, many, 30);
-    text = text_of("map.gp");
+    text = fresh_text(".", "map.gp");
     holds("many", text, "title 'l21: 1'");
     holds("many", text, "title 'other: 8'");
     CHECK(!strstr(text, "title 'l22"));
@@ -460,7 +433,7 @@ static void check_no_result(void)
         REQUIRE(sweep_map_row(map, &c, &row, "no result", false) == STATUS_OK);
         REQUIRE(sweep_map_chart(map, &chart, NULL) == STATUS_OK);
         chart_write(chart, ".", "map", NULL);
-        char *text = text_of("map.gp");
+        char *text = fresh_text(".", "map.gp");
         CHECK((strstr(text, "0.5 1000 0.3 0.7 100 10000\n") != NULL) != measure);
         CHECK((strstr(text, "no result: 1") != NULL) != measure);
         free(text);
@@ -566,7 +539,7 @@ static void check_pair(const struct row *a, const struct row *b, bool bar)
         grown += *grows[n] != '\0';
         judged += both[n]->judged;
     }
-    char *csv = text_of("falls.csv");
+    char *csv = fresh_text(".", "falls.csv");
     holds("falls", csv, "damping.value,at_1,at_2,at_3,at_4,by,grows_at\n");
     holds("falls", csv, want[0]);
     holds("falls", csv, want[1]);
@@ -606,7 +579,7 @@ static void check_names(void)
         plan_of(text, &plan);
         REQUIRE(sweep_falls_create(&f, &plan) == STATUS_OK);
         REQUIRE(sweep_falls_judge(f, ".", NULL) == STATUS_OK);
-        char *csv = text_of("falls.csv");
+        char *csv = fresh_text(".", "falls.csv");
         CHECK(!strncmp(csv, cases[n][1], strlen(cases[n][1])));
         free(csv);
         sweep_falls_destroy(f);
@@ -634,7 +607,8 @@ static void check_none(void)
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
-    begin(argv[1]);
+    fresh_folder(argv[1]);
+    REQUIRE(chdir(argv[1]) == 0);
     setenv("PATH", "/proc/nowhere", 1); /* the script is what counts: no gnuplot */
     check_table();
     check_discard();

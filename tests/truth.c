@@ -163,25 +163,6 @@ static void who_gets_it(const struct truth_made *made)
     CHECK(stored(2, other, 0.5, 1, &last) == 0);
 }
 
-/* A line on each for lists; of one that is none, what is wrong with it. */
-static void are_listed(const char *file)
-{
-    static const char *const want[] = {"to 0.2 s; made up", "checksum"};
-
-    for (int changed = 0; changed < 2; changed++) {
-        struct named_file_entry *entries = NULL;
-        int count = 0, found = 0;
-        if (changed)
-            change(file, "/", "checksum", "0000000000000000");
-        REQUIRE(named_file_list(&truth_file_kind, &entries, &count, NULL) == STATUS_OK);
-        for (int n = 0; n < count; n++)
-            if (!strcmp(entries[n].name, "edge_drop"))
-                found += strstr(entries[n].text, want[changed]) != NULL;
-        CHECK(found == 1 && count >= 4);
-        named_file_list_free(entries, count);
-    }
-}
-
 /* What is stored under a name, for whom; and what it says of its making. */
 static void find_stored(const struct truth_made *made)
 {
@@ -367,7 +348,6 @@ int main(int argc, char **argv)
     who_gets_it(&made);
     find_stored(&made);
     who_may_store();
-    are_listed(file);
     changed_files_are_refused(&made);
     remove(file);
     truth_made_clear(&made);

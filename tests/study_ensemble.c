@@ -330,10 +330,10 @@ int main(int count, char **arguments)
     test_tell();
     test_windows();
     test_directions();
-    test_runs();
     test_numbers();
     test_bound();
     test_apart();
     test_power();
+    test_runs();
     return check_result();
 }

@@ -109,6 +109,20 @@ static const struct told {
 };
 enum { TOLD = sizeof told / sizeof *told };
 
+static char *print(const struct plan *plan, const struct pool *pool,
+                   const struct sweep_table *table, const char *plot)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *memory = open_memstream(&text, &size);
+
+    REQUIRE(memory);
+    CHECK(sweep_print(plan, &(struct sweep_folder){.path = "there"}, pool, table, NULL,
+                      plot, memory) == STATUS_OK);
+    REQUIRE(fclose(memory) == 0);
+    return text;
+}
+
 static void check_table(void)
 {
     struct sweep_table table;
@@ -144,6 +158,13 @@ static void check_table(void)
     CHECK(table.failed == 1 && table.open == 3 && table.unjudged == 1 && table.judged == 3);
     CHECK(table.labels[0] == 1 && table.labels[1] == 0 && table.labels[2] == 1);
     CHECK(table.lacking[0] == 1 && table.lacking[1] == 1 && table.lacking[2] == 1);
+    char *said = print(&plan, &(struct pool){.ran = 4, .hands = 2, .seconds = 6, .wall = 4},
+                       &table, "no plot");
+    holds("table", said, "big                          1   not judged in 1 more");
+    holds("table", said,
+          "4 cases run now, 2 at a time: 1.5 s of processor time each, 6 s in");
+    holds("table", said, "within 4 s; efficiency 75.0 %.");
+    free(said);
     REQUIRE(sweep_table_close(&table, NULL) == STATUS_OK);
     char *is = fresh_text(".", "table.csv"), *took = fresh_text(".", "seconds.csv");
     if (!CHECK(!strcmp(is, want)))
@@ -170,22 +191,6 @@ static void check_discard(void)
     CHECK(sweep_table_open(&table, &plan, &(struct sweep_folder){.path = "none"}, NULL) ==
           STATUS_FILE);
     plan_clear(&plan);
-}
-
-/* --- The summary. */
-
-static char *print(const struct plan *plan, const struct pool *pool,
-                   const struct sweep_table *table, const char *plot)
-{
-    char *text = NULL;
-    size_t size;
-    FILE *memory = open_memstream(&text, &size);
-
-    REQUIRE(memory);
-    CHECK(sweep_print(plan, &(struct sweep_folder){.path = "there"}, pool, table, NULL,
-                      plot, memory) == STATUS_OK);
-    REQUIRE(fclose(memory) == 0);
-    return text;
 }
 
 /* A second opinion has a column, a count, and its bounds in the summary. */

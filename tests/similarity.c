@@ -6,7 +6,7 @@
 
 /* Asked of trajectories: 1e-9 and 1e-8 of the length. Round-off after 60 frames, each of
  * them solved to eps times its condition, stays far below (measured: 3e-12). */
-static const double TOL_FACTOR = 1e-9, TOL_UNITS = 1e-8, TOL_POSE = 1e-10;
+static const double TOL_FACTOR = 1e-9, TOL_POSE = 1e-10;
 
 /* With control points as unknowns h = 1 cm has a condition above 1e7 (measured: 8e-10). */
 static const double TOL_BASES = 1e-8;

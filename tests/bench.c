@@ -2,7 +2,6 @@
  * milliseconds are those of tests/reference/peers.csv. */
 #include "bench/speed/bench.h"
 
-#include "bench/experiment/bench_solid.h"
 #include "bench/files/folder.h"
 #include "bench/speed/peers.h"
 #include "fem_ref/reference.h"
@@ -119,51 +118,49 @@ static void print_part(const struct bench_part *part, enum table_format format,
 static const struct cells {
     const struct bench_part *part;
     const char *has[6], *lacks;
+    enum table_format format; /* otherwise CSV                                           */
 } cells[] = {
-    {&bench_part_solids,
-     {"\niga 10x10x2 "
-      "rebuilt,frame,1,0.5,0.80000000000000004,1.25,9,0.69999999999999996,no\n",
-      "\niga 10x10x2 rebuilt,K and M,2,1,1.6000000000000001,2.5,9,,\n",
-      "\nhex 32x32x2 rebuilt,frame,3,1.5,2.4000000000000004,3.75,9,12,yes\n",
-      "\niga 100x100x2 prefactored,factor,12,6,9.6",
-      "# iga 10x10x2 prefactored: 101 unknowns, 201 numbers in L, set-up 20 ms.\n"},
-     "died"},
-    {&bench_part_nonlinear,
-     {"\n\"shell 10x10, p = 2\",frame,1,0.5,", ",1,yes\n",
-      "# mass-spring 32x32, to its tolerance: died of it.\n",
-      "# shell 10x10 elsewhere, measured side by side on one pinned core, best of four",
-      "gsKLShell 7ddfe49 78.5 ms, BS-Cloth (without contact) 4.7 ms."},
-     "130 ms"},
-    {&bench_part_swings,
-     {"\n\"iga 20x20x2, p = 3, none\",frame,1,", "# The aim is 60 s for the swing."},
-     "elsewhere"},
-    {&bench_part_levers,
-     {"\nband instead of supernodes,iga 10x10x2 rebuilt,1,2,0.5,9\n",
-      "\none factorisation for all steps,iga "
-      "10x10x2,9.0000000000000018,10,0.90000000000000013,9\n"}},
+    /* clang-format off */
+    {&bench_part_solids, {"\niga 10x10x2 "
+     "rebuilt,frame,1,0.5,0.80000000000000004,1.25,9,0.69999999999999996,no\n",
+     "\niga 10x10x2 rebuilt,K and M,2,1,1.6000000000000001,2.5,9,,\n",
+     "\nhex 32x32x2 rebuilt,frame,3,1.5,2.4000000000000004,3.75,9,12,yes\n",
+     "\niga 100x100x2 prefactored,factor,12,6,9.6",
+     "# iga 10x10x2 prefactored: 101 unknowns, 201 numbers in L, set-up 20 ms.\n"}, "died"},
+    {&bench_part_nonlinear, {"\n\"shell 10x10, p = 2\",frame,1,0.5,", ",1,yes\n",
+     "# mass-spring 32x32, to its tolerance: died of it.\n",
+     "# shell 10x10 elsewhere, measured side by side on one pinned core, best of four",
+     "gsKLShell 7ddfe49 78.5 ms, BS-Cloth (without contact) 4.7 ms."}, "130 ms"},
+    {&bench_part_swings, {"\n\"iga 20x20x2, p = 3, none\",frame,1,",
+     "# The aim is 60 s for the swing."}, "elsewhere"},
+    {&bench_part_levers, {"\nband instead of supernodes,iga 10x10x2 rebuilt,1,2,0.5,9\n",
+     "\none factorisation for all steps,iga "
+     "10x10x2,9.0000000000000018,10,0.90000000000000013,9\n"}},
     {&bench_part_newton, {"\ntangents kept,\"shell 10x10, p = 2\",1,2,0.5,9\n"}},
-    {&bench_part_growth,
-     {"\n5x5x2,100,1,2,3,10,10,9\n", "\n20x20x2,103,4,8,12,1281,320.25,9\n",
-      "# K and M alone grow as unknowns^", "of a frame on the smallest net",
-      "# Cost grows as unknowns^",
-      "the paper's as control points^1.75 over all four nets, ^1.98 over the last three."}},
+    {&bench_part_growth, {"\n5x5x2,100,1,2,3,10,10,9\n",
+     "\n20x20x2,103,4,8,12,1281,320.25,9\n", "# K and M alone grow as unknowns^",
+     "of a frame on the smallest net", "# Cost grows as unknowns^",
+     "the paper's as control points^1.75 over all four nets, ^1.98 over the last three."}},
     {&bench_part_contestants,
      {"\n\"IGA, printed (paper)\",iga_paper,iga,10x10,100,10,1,9,3.75,\n",
-      ",iga,10x10,,,,,,will not\n", ",shell,10x10,", ": will not.\n"}},
-    {&bench_part_baselines,
-     {"\niga 10x10x2 rebuilt,CHOLMOD,8,1,8,4,2,2,9\n",
-      "\niga 10x10x2 rebuilt,LAPACK band,0.5,1,0.5,1,2,0.5,9\n",
-      "\niga 10x10x2 prefactored,CHOLMOD,8,1,8,4,2,2,9\n"},
-     "prefactored,LAPACK"},
-    {&bench_part_intersection,
-     {"\nfolded,12,345,1,0.5,0.75,1.25,9,7,7\n", "Every pair: 678 tests",
-      "Self-intersections of 30 x 30 points"}},
-    {&bench_part_projective,
-     {"\n10x10,edges,500,700,0.001,0.002,0.01,", ",0.029999999999999999,yes\n",
-      "# How far one step at 0.25 s is from its end", ",0.59999999999999998,no\n",
-      "10 points a side: radius 0.937500; the end itself took 321 plain iterations.\n",
-      "the end itself took 400000 plain iterations, and is not quite it.\n"},
+     ",iga,10x10,,,,,,will not\n", ",shell,10x10,", ": will not.\n"}},
+    {&bench_part_baselines, {"\niga 10x10x2 rebuilt,CHOLMOD,8,1,8,4,2,2,9\n",
+     "\niga 10x10x2 rebuilt,LAPACK band,0.5,1,0.5,1,2,0.5,9\n",
+     "\niga 10x10x2 prefactored,CHOLMOD,8,1,8,4,2,2,9\n"}, "prefactored,LAPACK"},
+    {&bench_part_intersection, {"\nfolded,12,345,1,0.5,0.75,1.25,9,7,7\n",
+     "Every pair: 678 tests", "Self-intersections of 30 x 30 points"}},
+    {&bench_part_projective, {"\n10x10,edges,500,700,0.001,0.002,0.01,",
+     ",0.029999999999999999,yes\n", "# How far one step at 0.25 s is from its end",
+     ",0.59999999999999998,no\n",
+     "10 points a side: radius 0.937500; the end itself took 321 plain iterations.\n",
+     "the end itself took 400000 plain iterations, and is not quite it.\n"},
      "10x10,triangles"}, /* which has no samples */
+    {&bench_part_bandwidth,
+     {"| 300x300 | single | 1000 | 3.24 | 4.00 | 48 | 12.0 | 16.0 | 75 | 1.5e+02 | 9 |",
+     "a triad on 24 MB, 8 GB/s; the last cache has 32 MB."}, NULL, TABLE_MARKDOWN},
+    {&bench_part_projective, {"\n| 20x20 | Chebyshev | - | - | - | - | - |"}, NULL,
+     TABLE_MARKDOWN},
+    /* clang-format on */
 };
 
 static void test_cells(void)
@@ -172,42 +169,12 @@ static void test_cells(void)
         const struct cells *c = &cells[n];
         struct said s;
         said_open(&s);
-        print_part(c->part, TABLE_CSV, &s);
+        print_part(c->part, c->format ? c->format : TABLE_CSV, &s);
         said_close(&s, true);
         for (int k = 0; k < 6 && c->has[k]; k++)
             said_has(&s, c->part->item.name, c->has[k]);
         if (c->lacks)
             said_lacks(&s, c->part->item.name, c->lacks);
-        said_clear(&s);
-    }
-}
-
-/* What people see: as many digits as are meant, and no row too few. */
-static void test_people(void)
-{
-    static const struct cells some[] = {
-        {&bench_part_growth, {"\n| 5x5x2 | 100 | 1.00 | 2.00 | 3.00 | 10.00 | 10.0 | 9 |"}},
-        {&bench_part_projective,
-         {"\n| 10x10 | edges | 500 | 700 | 0.00100 | 0.00200 | 0.0100 | 0.00500 |",
-          "\n| 20x20 | Chebyshev | - | - | - | - | - |",
-          "\n| 10x10 | Chebyshev | - | 0.25 | - | - | - | 5.00 | 9 |", "dt = 5 ms;"}},
-        {&bench_part_levers, {"| 1.00 | 2.00 | 0.500 | 9 |"}},
-        {&bench_part_bandwidth,
-         {"\n| 300x300 | single | 1000 | 3.24 | 4.00 | 48 | 12.0 | 16.0 | 75 | 1.5e+02 | 9 "
-          "|",
-          "a triad on 24 MB, 8 GB/s; the last cache has 32 MB."}},
-        {&bench_part_baselines,
-         {"| CHOLMOD | 8.00 | 1.00 | 8.00 | 4.00 | 2.00 | 2.00 | 9 |"}},
-        {&bench_part_contestants, {"| 10x10 | 100 | 10.0 | 1.00 | 9 | 3.75 |"}},
-    };
-
-    for (size_t n = 0; n < sizeof some / sizeof *some; n++) {
-        struct said s;
-        said_open(&s);
-        print_part(some[n].part, TABLE_MARKDOWN, &s);
-        said_close(&s, true);
-        for (int k = 0; k < 5 && some[n].has[k]; k++)
-            said_has(&s, some[n].part->item.name, some[n].has[k]);
         said_clear(&s);
     }
 }
@@ -278,37 +245,6 @@ static void test_peers(void)
     }
     said_clear(&s);
     reference_close(r);
-}
-
-/* A work's own words stand once, before all who did it. A row by hand, and who did not do a
- * work. */
-static void test_note(void)
-{
-    static const struct table_column one[] = {{"x"}};
-    struct table *t = table_create(1, one, NULL);
-    struct said s;
-
-    CHECK(peers_note(t, "hex 32x32x2 rebuilt", NULL) == STATUS_OK);
-    CHECK(peers_note(t, "hex", NULL) == STATUS_OK);
-    said_open(&s);
-    table_finish(t, TABLE_CSV, s.file);
-    said_close(&s, true);
-    CHECK(!strcmp(
-        s.text,
-        "x\n# hex 32x32x2 rebuilt elsewhere, measured side by side on one pinned core, "
-        "best of four interleaved rounds; each peer's tip agrees to 5 digits, "
-        "2026-11-22, beside clothbench 0fc1e58. frame, ours 3.00 ms: PetIGA cc362e1 "
-        "with PETSc 3.18.5 (p = 1 SBAIJ + MUMPS) 14.2 ms, MFEM 4.9.1-dev (UMFPACK) "
-        "47.9 ms, MFEM 4.9.1-dev (CHOLMOD) 34.6 ms.\n\n"));
-    said_clear(&s);
-    t = table_create(1, one, NULL);
-    CHECK(peers_note(t, "iga 10x10x2 rebuilt", NULL) == STATUS_OK);
-    said_open(&s);
-    table_finish(t, TABLE_CSV, s.file);
-    said_close(&s, true);
-    CHECK(said_count(&s, "frame, ours 0.402 ms:") == 1);
-    CHECK(said_count(&s, "; factor, ours 0.130 ms:") == 1);
-    said_clear(&s);
 }
 
 /* Kept and read again; what is no file of samples is told. */
@@ -390,61 +326,14 @@ static void test_baselines(void)
     }
 }
 
-/* Means of calls: as many as asked for, together no longer than it took. */
-static void test_phases(void)
-{
-    const struct run_plan plan = {DROP, named("iga_paper"), &(struct settings){0}, 0};
-    struct run run = {0};
-
-    REQUIRE(run_open(&run, &plan, NULL) == STATUS_OK);
-    for (int p = 0; p < BENCH_SOLID_FRAME; p++) {
-        double seconds[4] = {NAN, NAN, NAN, NAN}, sum = 0;
-        const double start = clock_now();
-        CHECK(bench_solid_time(run.state, p, 3, seconds) == STATUS_OK);
-        const double took = clock_now() - start;
-        for (int n = 0; n < 3; sum += seconds[n++])
-            CHECK(seconds[n] > 0);
-        CHECK(sum <= took && isnan(seconds[3]));
-    }
-    run_close(&run);
-}
-
-static void test_share(void)
-{
-    static const struct {
-        double processor, all;
-        const char *text;
-    } share[] = {{3.9, 4, "; a processor for 98 % of the time"},
-                 {3.8, 4, "; a processor for 95 % of the time"},
-                 {3.79, 4,
-                  "; a processor for 95 % of the time: the machine was busy, the "
-                  "milliseconds are too long"},
-                 {1, 4,
-                  "; a processor for 25 % of the time: the machine was busy, the "
-                  "milliseconds are too long"}};
-
-    for (int n = 0; n < LENGTH(share); n++) {
-        struct said s;
-        said_open(&s);
-        measurement_share(share[n].processor, share[n].all, s.file);
-        said_close(&s, true);
-        CHECK(!strcmp(s.text, share[n].text));
-        said_clear(&s);
-    }
-}
-
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     test_cells();
-    test_people();
     test_plans();
     test_peers();
-    test_note();
     test_samples(argv[1]);
     test_time();
     test_baselines();
-    test_phases();
-    test_share();
     return check_result();
 }

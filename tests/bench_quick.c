@@ -3,14 +3,13 @@
  *
  *   bench_quick FOLDER
  */
-#define _GNU_SOURCE /* nftw */
-#include <ftw.h>
 #include <unistd.h>
 
 #include "bench/harness/timing.h"
 #include "bench/speed/bench.h"
 #include "tests/run_fixture.h"
 #include "tests/said.h"
+#include "tests/scratch.h"
 
 /* `bench` with these words: its exit status and what it prints. */
 static enum status bench(struct said *s, const char *words, struct message *why)
@@ -207,56 +206,19 @@ static void test_runs(const char *folder)
     said_clear(&s);
 }
 
-static int remove_one(const char *path, const struct stat *s, int kind, struct FTW *at)
-{
-    (void)s, (void)kind, (void)at;
-    return remove(path);
-}
-
 /* That folders are made, too, is tried. */
 static void remove_earlier(const char *folder)
 {
     char path[4096];
 
     snprintf(path, sizeof path, "%s/quick", folder);
-    nftw(path, remove_one, 8, FTW_DEPTH | FTW_PHYS);
-}
-
-/* Cases that are put together one by one: each has its own settings and file; the folder is
- * made; a name that memory did not last for is told. */
-static void test_batch(const char *folder)
-{
-    static const char *const names[] = {"first", "second"};
-    char inside[4096], path[4200];
-    struct message why = {""};
-    struct batch b;
-
-    snprintf(inside, sizeof inside, "%s/quick/batch", folder);
-    REQUIRE(batch_init(&b, inside, 2) == STATUS_OK);
-    CHECK(batch_run(&b, &(struct measurement_options){0}, &why) == STATUS_OK);
-    CHECK(access(inside, F_OK) == 0);
-    for (int n = 0; n < 2; n++) {
-        const struct measurement_case *c =
-            batch_add(&b, DROP, named("iga_paper"), names[n]);
-        settings_number(batch_settings(&b), "time.step", 0.01 * (n + 1));
-        snprintf(path, sizeof path, "%s/%s.h5", inside, names[n]);
-        CHECK(c == &b.cases[n] && !strcmp(c->keep.file, path));
-        CHECK(c->plan.path == (const char *)b.cases[0].plan.path);
-        CHECK(c->plan.settings == &b.settings[n] && b.settings[n].count == 1);
-        CHECK(strstr(b.settings[n].text[0], n ? "0.02" : "0.01"));
-        CHECK(c->timed == MEASUREMENT_UNTIMED && c->keep.fields == RUN_FIELDS_NONE);
-    }
-    free(b.files[0]);
-    b.files[0] = NULL;
-    CHECK(batch_run(&b, &(struct measurement_options){0}, &why) == STATUS_MEMORY);
-    batch_clear(&b);
+    scratch_remove(path);
 }
 
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     remove_earlier(argv[1]);
-    test_batch(argv[1]);
     test_surfaces(argv[1]);
     test_projective(argv[1]);
     test_bandwidth(argv[1]);

@@ -21,28 +21,17 @@ static enum status succeed(void *context, struct message *why)
     return STATUS_OK;
 }
 
+/* Ends with a status, and a sentence unless it is NULL. */
+struct ending {
+    enum status status;
+    const char *words;
+};
+
 static enum status fail(void *context, struct message *why)
 {
-    (void)context;
-    return status_fail(why, STATUS_DIVERGED, "it went round in circles");
-}
+    const struct ending *e = context;
 
-static enum status fail_without_words(void *context, struct message *why)
-{
-    (void)context, (void)why;
-    return STATUS_NAN;
-}
-
-static enum status find_disk_full(void *context, struct message *why)
-{
-    (void)context;
-    return status_fail(why, STATUS_FILE, "no room");
-}
-
-static enum status run_out_of_memory(void *context, struct message *why)
-{
-    (void)context, (void)why;
-    return STATUS_MEMORY;
+    return e->words ? status_fail(why, e->status, "%s", e->words) : e->status;
 }
 
 static enum status crash(void *context, struct message *why)
@@ -156,65 +145,69 @@ static struct child_end end_of(struct child *c, double limit)
 }
 
 static double reached = 2.5;
-static int segfault = SIGSEGV, abortion = SIGABRT, division = SIGFPE, killing = SIGKILL,
-           user = SIGUSR1, processor = SIGXCPU, asking = SIGTERM, hanging_up = SIGHUP,
-           interrupt = SIGINT, bus = SIGBUS;
+static int segfault = SIGSEGV;
 
-/* Every way to end, and its words. */
-static void check_ends(void)
+/* What becomes of work, and its words. */
+static void ends_so(enum status (*work)(void *, struct message *), void *context,
+                    double limit, enum child_outcome outcome, bool overdue, double so_far,
+                    const char *why)
 {
-    const struct {
-        enum status (*work)(void *, struct message *);
-        void *context;
-        double limit;
+    struct child c;
+
+    start(&c, work, context);
+    const struct child_end end = end_of(&c, limit);
+    if (!CHECK(end.outcome == outcome && end.overdue == overdue &&
+               !strcmp(end.why.text, why) &&
+               (end.reached == so_far || (isnan(end.reached) && isnan(so_far)))))
+        printf("  '%s': outcome %d, reached %g, '%s'\n", why, end.outcome, end.reached,
+               end.why.text);
+}
+
+/* A signal of its own, of somebody else's, and one that asks it to end. */
+static void check_signals(void)
+{
+    static const struct {
+        int signal;
         enum child_outcome outcome;
-        bool overdue;
-        double reached; /* NaN: no word was left                                       */
         const char *why;
     } known[] = {
-        {succeed, &reached, long_limit, CHILD_DONE, false, 2.5, ""},
-        {fail, NULL, long_limit, CHILD_FAILED, false, NAN, "it went round in circles"},
-        {fail_without_words, NULL, long_limit, CHILD_FAILED, false, NAN,
-         "a position is no longer a number"},
-        {find_disk_full, NULL, long_limit, CHILD_STUCK, false, NAN, "no room"},
-        {run_out_of_memory, NULL, long_limit, CHILD_CUT, false, NAN, "out of memory"},
-        {leave, NULL, long_limit, CHILD_FAILED, false, NAN, "ended with exit code 3"},
-        {crash, &segfault, long_limit, CHILD_FAILED, false, 0.25,
-         "crashed: signal 11 (Segmentation fault)"},
-        {crash, &abortion, long_limit, CHILD_FAILED, false, 0.25,
-         "crashed: signal 6 (Aborted)"},
-        {crash, &division, long_limit, CHILD_FAILED, false, 0.25,
-         "crashed: signal 8 (Floating point exception)"},
-        {crash, &bus, long_limit, CHILD_FAILED, false, 0.25,
-         "crashed: signal 7 (Bus error)"},
-        {crash, &killing, long_limit, CHILD_CUT, false, 0.25,
-         "killed by signal 9 (Killed), not by itself"},
-        {crash, &user, long_limit, CHILD_CUT, false, 0.25,
-         "killed by signal 10 (User defined signal 1), not by itself"},
+        {SIGSEGV, CHILD_FAILED, "crashed: signal 11 (Segmentation fault)"},
+        {SIGABRT, CHILD_FAILED, "crashed: signal 6 (Aborted)"},
+        {SIGFPE, CHILD_FAILED, "crashed: signal 8 (Floating point exception)"},
+        {SIGBUS, CHILD_FAILED, "crashed: signal 7 (Bus error)"},
+        {SIGKILL, CHILD_CUT, "killed by signal 9 (Killed), not by itself"},
+        {SIGUSR1, CHILD_CUT, "killed by signal 10 (User defined signal 1), not by itself"},
         /* not by child_limit: the user's own */
-        {crash, &processor, long_limit, CHILD_CUT, false, 0.25,
+        {SIGXCPU, CHILD_CUT,
          "killed by signal 24 (CPU time limit exceeded), not by itself"},
-        {crash, &asking, long_limit, CHILD_ASKED, false, 0.25, ""},
-        {crash, &hanging_up, long_limit, CHILD_ASKED, false, 0.25, ""},
-        {crash, &interrupt, long_limit, CHILD_ASKED, false, 0.25, ""},
-        {spin, NULL, long_limit, CHILD_FAILED, true, 0.5,
-         "not done after 1 s of processor time"},
-        {crash_limited, &segfault, long_limit, CHILD_FAILED, false, 0.25,
-         "crashed: signal 11 (Segmentation fault)"},
-        {hang, NULL, short_limit, CHILD_FAILED, true, NAN, "timed out after 0.1 s"},
+        {SIGTERM, CHILD_ASKED, ""},
+        {SIGHUP, CHILD_ASKED, ""},
+        {SIGINT, CHILD_ASKED, ""},
     };
 
     for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
-        struct child c;
-        start(&c, known[n].work, known[n].context);
-        const struct child_end end = end_of(&c, known[n].limit);
-        if (!CHECK(end.outcome == known[n].outcome && end.overdue == known[n].overdue &&
-                   !strcmp(end.why.text, known[n].why) &&
-                   (end.reached == known[n].reached ||
-                    (isnan(end.reached) && isnan(known[n].reached)))))
-            printf("  row %zu: outcome %d, reached %g, '%s'\n", n, end.outcome, end.reached,
-                   end.why.text);
+        int number = known[n].signal;
+        ends_so(crash, &number, long_limit, known[n].outcome, false, 0.25, known[n].why);
     }
+    ends_so(crash_limited, &segfault, long_limit, CHILD_FAILED, false, 0.25, known[0].why);
+}
+
+static void check_ends(void)
+{
+    static struct ending diverged = {STATUS_DIVERGED, "it went round in circles"},
+                         silent = {STATUS_NAN, NULL}, full = {STATUS_FILE, "no room"},
+                         poor = {STATUS_MEMORY, NULL};
+
+    ends_so(succeed, &reached, long_limit, CHILD_DONE, false, 2.5, "");
+    ends_so(fail, &diverged, long_limit, CHILD_FAILED, false, NAN, diverged.words);
+    ends_so(fail, &silent, long_limit, CHILD_FAILED, false, NAN,
+            "a position is no longer a number");
+    ends_so(fail, &full, long_limit, CHILD_STUCK, false, NAN, "no room");
+    ends_so(fail, &poor, long_limit, CHILD_CUT, false, NAN, "out of memory");
+    ends_so(leave, NULL, long_limit, CHILD_FAILED, false, NAN, "ended with exit code 3");
+    ends_so(spin, NULL, long_limit, CHILD_FAILED, true, 0.5,
+            "not done after 1 s of processor time");
+    ends_so(hang, NULL, short_limit, CHILD_FAILED, true, NAN, "timed out after 0.1 s");
 }
 
 /* Of user and system time, each cut off after the microsecond [s]. */
@@ -310,6 +303,7 @@ int main(void)
 {
     scratch_open();
     check_ends();
+    check_signals();
     check_seconds();
     check_suspended();
     check_asleep();

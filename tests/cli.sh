@@ -115,10 +115,7 @@ says out 'All of it is claimed.' 'Made at commit'
 export CLOTHBENCH_TRUTHS=$blunt # truths that end within what is stored
 good truth flag --stored
 says out 'Nothing is claimed from 0.4 s on: the error bar there, ' ' %, is above 5 %.'
-for row in '0.300 1.9 - 4.4 - 1.8 17 0.45 0.25 4.4' \
-    '0.400 1.5 - 13 - 2.4 53 1.4 0.50 no claim'; do
-    grep '^0' out | tr -s ' ' | grep -qFx "$row" || fail "truth flag lacks '$row': $out"
-done
+grep -q '^0.400 .* no claim' out || fail "truth flag claims 0.4 s: $out"
 mkdir nets
 refused 'has 0 of three nets of frames' truth strip_swing --third nets --out third.h5
 [ ! -e third ] || fail 'a third that is refused leaves a folder'
@@ -153,14 +150,6 @@ refused 'one of the two' stress --out a --from b
 good list checks
 says out elastica
 
-# --- verify: rows are printed again, the same, from their files -----------------------------
-for format in text csv markdown latex json; do
-    good verify navier --quick --models mass_spring --format "$format" --out rows_$format
-    printed=$out
-    good verify navier --format "$format" --from rows_$format
-    [ "$out" = "$printed" ] || fail "verify --from prints another $format"
-done
-
 # --- verify judges nobody by a truth of other physics, and says so ---------------------------
 mkdir scenes
 sed 's/young: *1.0e5/young: 1.0e6/' "$2/models/scenes/edge_drop.yaml" >scenes/edge_drop.yaml
@@ -174,12 +163,6 @@ mkdir truths
 echo no truth >truths/flag.h5
 CLOTHBENCH_TRUTHS=$PWD/truths refused truths/flag.h5 verify truths --quick --models mass_spring_leapfrog
 
-# --- bench: so are times, from every repeat that was kept -----------------------------------
-good bench contestants bandwidth --models mass_spring,projective_dynamics --quick --out times --format json
-printed=$out
-says out '"repeats": 3' '"contestant": "mass_spring"'
-good bench contestants bandwidth --models mass_spring,projective_dynamics --from times --format json
-[ "$out" = "$printed" ] || fail 'bench --from prints other times'
 refused "no benchmark 'dance'; there are solids" bench dance
 refused 'one of the two' bench growth --from times --out more
 
@@ -216,6 +199,8 @@ refused 'not for --from' study ensemble flag --from nowhere
 refused 'whole number from 1 to 256' study ensemble --runs 0
 refused 'above 0' study ensemble --until 0
 refused "no model or contestant 'ibm'" study ensemble --models ibm
+refused 'shell_3 is given twice' study ensemble edge_drop --models shell_3,shell_3
+refused 'an ensemble takes 0.08 s at least' study ensemble edge_drop --models shell_3 --until 0.05
 refused 'table has no option --runs' table 1 --runs 2
 refused 'whole number from 1' run edge_drop --out a.h5 --every 0
 refused '--every is for the frames' run edge_drop --every 2
@@ -351,7 +336,7 @@ row7=(--model iga_paper --set material.young=5e4 --set material.density=0.1 --se
     --quiet)
 run run edge_drop "${row7[@]}" --probe 1,0.5,0.5 --out dead.h5
 [ "$code" -eq 1 ] || fail "a dead run: exit $code, want 1"
-[[ $err =~ 'died at t = 0.2'[5-9] ]] || fail "a dead run says: $err"
+[[ $err == *'died at t = 0.265 s: an element turned inside out (det J <= 0)' ]] || fail "a dead run says: $err"
 [ "$(wc -l <err)" -eq 1 ] || fail "a dead run says more than one line: $err"
 [ "$(wc -l <out)" -gt 40 ] || fail 'a dead run: its life is not printed'
 [ -s dead.h5 ] || fail 'a dead run: nothing is kept'

@@ -59,19 +59,26 @@ static enum status settle(void *context, long job, const struct child_end *end,
     return STATUS_OK;
 }
 
+/* Of all jobs, with the notes of who begins and settles them. */
+static struct pool pool_of(struct notes *notes, int count, int slots,
+                           enum status (*what)(void *, long, struct message *))
+{
+    return (struct pool){.count = count,
+                         .slots = slots,
+                         .time_limit = 3600,
+                         .quiet = true,
+                         .context = notes,
+                         .work = what,
+                         .begin = begin,
+                         .settle = settle};
+}
+
 static void check_ends(void)
 {
     struct notes notes = {.fd = open(scratch_path("notes"), O_CREAT | O_RDWR, 0600)};
     bool done[JOBS] = {[DONE_BEFORE] = true};
-    struct pool pool = {.count = JOBS,
-                        .done = done,
-                        .slots = 3,
-                        .time_limit = 3600,
-                        .quiet = true,
-                        .context = &notes,
-                        .work = work,
-                        .begin = begin,
-                        .settle = settle};
+    struct pool pool = pool_of(&notes, JOBS, 3, work);
+    pool.done = done;
 
     REQUIRE(notes.fd >= 0);
     REQUIRE(pool_run(&pool, NULL) == STATUS_OK);
@@ -106,14 +113,8 @@ static enum status hang(void *context, long job, struct message *why)
 static void check_limit(void)
 {
     struct notes notes = {0};
-    struct pool pool = {.count = 3,
-                        .slots = 3,
-                        .time_limit = 0.1,
-                        .quiet = true,
-                        .context = &notes,
-                        .work = hang,
-                        .begin = begin,
-                        .settle = settle};
+    struct pool pool = pool_of(&notes, 3, 3, hang);
+    pool.time_limit = 0.1;
 
     const double begun = clock_now();
     REQUIRE(pool_run(&pool, NULL) == STATUS_OK && pool.ran == 3);
@@ -121,48 +122,6 @@ static void check_limit(void)
     for (int n = 0; n < 3; n++)
         CHECK(notes.end[n].overdue && notes.end[n].outcome == CHILD_FAILED &&
               !strcmp(notes.end[n].why.text, "timed out after 0.1 s"));
-}
-
-/* Whoever hands out and keeps may fail, too: no job is begun after that. */
-static enum status fail_second(void *context, long job, struct message *why)
-{
-    (void)context;
-    return job == 1 ? status_fail(why, STATUS_FILE, "no room for %ld", job) : STATUS_OK;
-}
-
-static enum status keep_second(void *context, long job, const struct child_end *end,
-                               struct message *why)
-{
-    const enum status st = settle(context, job, end, why);
-
-    return st ? st : fail_second(context, job, why);
-}
-
-static enum status succeed(void *context, long job, struct message *why)
-{
-    (void)context, (void)job, (void)why;
-    return STATUS_OK;
-}
-
-static void check_who_fails(void)
-{
-    for (int n = 0; n < 2; n++) {
-        struct notes notes = {0};
-        struct message why = {""};
-        struct pool pool = {.count = JOBS,
-                            .slots = 1,
-                            .time_limit = 3600,
-                            .quiet = true,
-                            .context = &notes,
-                            .work = succeed,
-                            .begin = n ? fail_second : begin,
-                            .settle = n ? settle : keep_second};
-
-        if (n)
-            notes.begun[0] = 1;
-        CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room for 1"));
-        CHECK(notes.ended[0] == 1 && notes.ended[1] == !n && !notes.ended[2]);
-    }
 }
 
 static enum status find_disk_full(void *context, long job, struct message *why)
@@ -175,6 +134,31 @@ static enum status pass(void *context, long job, struct message *why)
 {
     (void)context;
     return job == FAILS ? status_fail(why, STATUS_INPUT, "no such case") : STATUS_OK;
+}
+
+/* Whoever hands out and keeps may fail, too: no job is begun after that. */
+static enum status keep_second(void *context, long job, const struct child_end *end,
+                               struct message *why)
+{
+    const enum status st = settle(context, job, end, why);
+
+    return st ? st : find_disk_full(context, job, why);
+}
+
+static void check_who_fails(void)
+{
+    for (int n = 0; n < 2; n++) {
+        struct notes notes = {0};
+        struct message why = {""};
+        struct pool pool = pool_of(&notes, JOBS, 1, pass);
+        pool.begin = n ? find_disk_full : begin;
+        pool.settle = n ? settle : keep_second;
+
+        if (n)
+            notes.begun[0] = 1;
+        CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room"));
+        CHECK(notes.ended[0] == 1 && notes.ended[1] == !n && !notes.ended[2]);
+    }
 }
 
 static enum status fail_beside_hanger(void *context, long job, struct message *why)
@@ -195,14 +179,7 @@ static void check_stops(void)
 {
     struct notes notes = {0};
     struct message why = {""};
-    struct pool pool = {.count = JOBS,
-                        .slots = 1,
-                        .time_limit = 3600,
-                        .quiet = true,
-                        .context = &notes,
-                        .work = find_disk_full,
-                        .begin = begin,
-                        .settle = settle};
+    struct pool pool = pool_of(&notes, JOBS, 1, find_disk_full);
 
     CHECK(pool_run(&pool, &why) == STATUS_FILE && !strcmp(why.text, "no room"));
     CHECK(notes.ended[0] == 1 && !notes.ended[1] && !notes.begun[2]);
@@ -274,15 +251,9 @@ static void check_other_ranks(void)
     const struct ranks ranks = {
         .size = RANKS, .send = send_to_other, .receive = receive_from_other};
     struct notes notes = {0};
-    struct pool pool = {.count = JOBS,
-                        .slots = 1,
-                        .ranks = &ranks,
-                        .time_limit = 30,
-                        .quiet = true,
-                        .context = &notes,
-                        .work = pass,
-                        .begin = begin,
-                        .settle = settle};
+    struct pool pool = pool_of(&notes, JOBS, 1, pass);
+    pool.ranks = &ranks;
+    pool.time_limit = 30;
     int theirs = 0;
     double seconds = 0;
 
@@ -381,14 +352,7 @@ static void check_signals(void)
     static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
     void (*const ways[])(int) = {mind, SIG_DFL, SIG_IGN};
     struct notes notes = {0};
-    struct pool pool = {.count = 2,
-                        .slots = 1,
-                        .time_limit = 3600,
-                        .quiet = true,
-                        .context = &notes,
-                        .work = find_disk_full,
-                        .begin = begin,
-                        .settle = settle};
+    struct pool pool = pool_of(&notes, 2, 1, find_disk_full);
     struct sigaction now;
 
     for (int turn = 0; turn < 3; turn++) {

@@ -7,10 +7,6 @@ program=$1
 folder=$2
 # shellcheck source=tests/sweep_fixture.sh
 . "$(dirname "$0")/sweep_fixture.sh"
-results=$(cd "$(dirname "$0")/../doc/results" && pwd)
-rm -rf "$folder"
-mkdir -p "$folder"
-cd "$folder" || exit 1
 
 grows() { # FILE: scene, contestant, remedy if any, and where it grows, of the rows that do
     sed -E '/^#/d; /^name,/d; s/^(([a-z_0-9]*,)*[a-z_0-9]*),.*,("[^"]*"|)$/\1 \2/; / $/d' "$1"
@@ -21,7 +17,7 @@ for plan in refinement refinement_nets remedies; do
     code=$?
     [ "$code" -le 1 ] || fail "$plan: exit $code: $(<err)"
     grows "$plan/falls.csv" >is
-    grows "$results/$plan.csv" >want
+    grows "$source_folder/doc/results/$plan.csv" >want
     if grep -q 'timed out' "$plan/table.csv"; then
         grep -vxFf want is >added && fail "$plan grows where doc/results has it falling: $(<added)"
     else

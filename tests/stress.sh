@@ -6,9 +6,6 @@ program=$1
 folder=$2
 # shellcheck source=tests/sweep_fixture.sh
 . "$(dirname "$0")/sweep_fixture.sh"
-rm -rf "$folder"
-mkdir -p "$folder"
-cd "$folder" || exit 1
 
 run() { # CODE ARGUMENT...; fills out and err
     local want=$1 code

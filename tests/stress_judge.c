@@ -177,38 +177,21 @@ static void check_shapes(void)
         struct stress_case c;
         double error, time;
     } known[] = {
-        {{{"still", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .bound = 1},
-         FRAMES * rise / LENGTH,
-         NAN},
+        /* clang-format off */
+        {{{"still", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .bound = 1}, FRAMES * rise
+         / LENGTH, NAN},
         {{{"still, until", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .bound = 1.2e-3},
-         FRAMES * rise / LENGTH,
-         3 * step},
-        {{{"still, from rest", ""},
-          STRESS_STILL_REST,
-          .physics = {SHEET, TIME},
-          .bound = 1},
-         FRAMES * rise / LENGTH,
-         NAN},
-        {{{"shifted", ""},
-          STRESS_SHIFTED,
-          .physics = {SHEET, TIME,
-                      "supports=[" AT("0", ", path: [[0,0,0,0],[0.05,0,0,0.5]]") "]"}},
-         (0.5 - FRAMES * rise) / LENGTH,
-         NAN},
-        {{{"buckled", ""},
-          STRESS_BUCKLED,
-          .physics = {SHEET, TIME,
-                      "supports=[" AT("0", "") ", " AT(
-                          "1", ", path: [[0,0,0,0],[0.05,-0.2,0,0]]") "]"}},
-         elastica_buckled(0.1) - FRAMES * rise / LENGTH,
-         NAN},
-        {{{"numerics", ""},
-          STRESS_STILL,
-          .physics = {SHEET, TIME},
-          .numerics = {"time.end=0.015"},
-          .bound = 1},
-         3 * rise / LENGTH,
-         NAN},
+         FRAMES * rise / LENGTH, 3 * step},
+        {{{"still, from rest", ""}, STRESS_STILL_REST, .physics = {SHEET, TIME}, .bound =
+         1}, FRAMES * rise / LENGTH, NAN},
+        {{{"shifted", ""}, STRESS_SHIFTED, .physics = {SHEET, TIME, "supports=[" AT("0",
+         ", path: [[0,0,0,0],[0.05,0,0,0.5]]") "]"}}, (0.5 - FRAMES * rise) / LENGTH, NAN},
+        {{{"buckled", ""}, STRESS_BUCKLED, .physics = {SHEET, TIME, "supports=[" AT("0", "")
+         ", " AT("1", ", path: [[0,0,0,0],[0.05,-0.2,0,0]]") "]"}}, elastica_buckled(0.1) -
+         FRAMES * rise / LENGTH, NAN},
+        {{{"numerics", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .numerics =
+         {"time.end=0.015"}, .bound = 1}, 3 * rise / LENGTH, NAN},
+        /* clang-format on */
     };
 
     for (size_t n = 0; n < sizeof known / sizeof *known; n++) {

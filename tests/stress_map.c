@@ -26,24 +26,18 @@ static const struct {
     double off;
     const char *line; /* of stability.csv                                              */
 } cases[] = {
-    {RAN, 0, "a,1e4,0.01,reference,0"},
-    {RAN, 0.04, "a,1e4,0.05,accurate,0.04"},
-    {RAN, 0.06, "a,1e4,0.1,degraded,0.06"},
-    {RAN, 0, "a,1e6,0.01,reference,0"},
-    {RAN, 0.2, "a,1e6,0.05,degraded,0.2"},
-    {RAN, -0.01, "a,1e6,0.1,accurate,0.01"},
-    {DIES, 0, "b,1e4,0.01,died,"},
-    {RAN, 0, "b,1e4,0.05,degraded,"}, /* lives where the finest step died */
-    {REFUSES, 0, "b,1e4,0.1,refused,"},
-    {RAN, 0, "b,1e6,0.01,reference,0"},
-    {RAN, 0.01, "b,1e6,0.05,accurate,0.01"},
-    {FAILED, 0, "b,1e6,0.1,died,"},
-    {RAN, 0, "c,1e4,0.01,reference,0"},
-    {DAMAGED, 0, "c,1e4,0.05,damaged,"},
-    {GONE, 0, "c,1e4,0.1,not run,"},
-    {DAMAGED, 0, "c,1e6,0.01,damaged,"},
-    {RAN, 0, "c,1e6,0.05,not judged,"},
-    {CUT, 0, "c,1e6,0.1,not run,"},
+    /* clang-format off */
+    {RAN, 0, "a,1e4,0.01,reference,0"}, {RAN, 0.04, "a,1e4,0.05,accurate,0.04"},
+    {RAN, 0.06, "a,1e4,0.1,degraded,0.06"}, {RAN, 0, "a,1e6,0.01,reference,0"},
+    {RAN, 0.2, "a,1e6,0.05,degraded,0.2"}, {RAN, -0.01, "a,1e6,0.1,accurate,0.01"},
+    {DIES, 0, "b,1e4,0.01,died,"}, {RAN, 0, "b,1e4,0.05,degraded,"},
+    /* lives where the finest step died */
+    {REFUSES, 0, "b,1e4,0.1,refused,"}, {RAN, 0, "b,1e6,0.01,reference,0"},
+    {RAN, 0.01, "b,1e6,0.05,accurate,0.01"}, {FAILED, 0, "b,1e6,0.1,died,"},
+    {RAN, 0, "c,1e4,0.01,reference,0"}, {DAMAGED, 0, "c,1e4,0.05,damaged,"},
+    {GONE, 0, "c,1e4,0.1,not run,"}, {DAMAGED, 0, "c,1e6,0.01,damaged,"},
+    {RAN, 0, "c,1e6,0.05,not judged,"}, {CUT, 0, "c,1e6,0.1,not run,"},
+    /* clang-format on */
 };
 enum { CASES = sizeof cases / sizeof *cases };
 static const double TOL_FLOAT = 1e-6; /* fields are stored as such */

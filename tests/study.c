@@ -195,35 +195,6 @@ static void orders(void)
     plan_clear(&plan);
 }
 
-/* A truth that was made is found again without running; an empty folder has none. */
-static void truth_again(void)
-{
-    struct settings settings = {0};
-    const struct truth_wish wish = {.error = 0.04};
-    const double time[] = {0.01};
-    struct truth *first = NULL, *again = NULL;
-    struct message why = {""};
-    char kept[4096], *path = NULL;
-
-    settings_set(&settings, "damping={kind: none}");
-    snprintf(kept, sizeof kept, "%s/kept/truth.h5", folder); /* of an earlier run */
-    remove(kept);
-    snprintf(kept, sizeof kept, "%s/kept", folder);
-    REQUIRE(folder_make(kept, NULL) == STATUS_OK);
-    REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
-    CHECK(truth_find(path, &settings, 1, time, kept, &again, &why) == STATUS_FILE &&
-          !again);
-    REQUIRE(truth_find_or_make(path, &settings, 1, time, kept, &wish, &first, &why) ==
-            STATUS_OK);
-    REQUIRE(truth_find(path, &settings, 1, time, kept, &again, &why) == STATUS_OK);
-    CHECK_NEAR(metric_rmse(first->xyz[0], again->xyz[0]), 0, TOL_STORED);
-    CHECK(first->error[0] == again->error[0] && !strcmp(first->source, again->source));
-    settings_clear(&settings);
-    truth_destroy(first);
-    truth_destroy(again);
-    free(path);
-}
-
 static void writes(const struct study_results *d, const char *at, const char *want)
 {
     char *text = NULL;
@@ -323,7 +294,6 @@ int main(int argc, char **argv)
     fresh_folder(folder);
     orders();
     words();
-    truth_again();
     rest_and_quick();
     REQUIRE(!setenv("CLOTHBENCH_TRUTHS", SOURCE_DIR "/tests/truths", 1));
     deaths_and_refusals(); /* by a truth that ends early */

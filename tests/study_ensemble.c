@@ -8,19 +8,24 @@
 #include <stdint.h>
 #include <sys/stat.h>
 
-#include "bench/truth/truth.h"
+#include "bench/truth/truth_parts.h"
 #include "tests/study_fixture.h"
 
 enum { LOOKS = 20, TIMES = 4, RUNS = 32, MODEL = STUDY_ENSEMBLE_TRUTHS, COUNT = MODEL + 1 };
 enum { DROP, ANGLE, KINETIC = 4 };
 
-/* Of a uniform distribution of standard deviation 1; the same every time. */
-static double noise(void)
+/* From 0 to 1; the same every time. */
+static double uniform(void)
 {
     static uint64_t state = 1;
 
     state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return ((double)(state >> 11) * 0x1p-53 - 0.5) * sqrt(12);
+    return (double)(state >> 11) * 0x1p-53;
+}
+
+static double noise(void) /* of standard deviation 1 */
+{
+    return (uniform() - 0.5) * sqrt(12);
 }
 
 /* A motion whose change has grown so far on the truth's two nets from .5 s on, and a number
@@ -80,8 +85,9 @@ static void fill(const struct made *k, struct study_ensemble *e)
 #define CLAIM "\"made: who 2 is right in distribution\": "
 
 static const struct made mades[] = {
-    {GROWN, DROP, 0, 0, 1, RUNS, 0, 0, false, false,
-     CLAIM "holds. 0 of 32 runs died; points are 2 % of L off at the horizon, 0.5 s.",
+    /* clang-format off */
+    {GROWN, DROP, 0, 0, 1, RUNS, 0, 0, false, false, CLAIM
+     "holds. 0 of 32 runs died; points are 2 % of L off at the horizon, 0.5 s.",
      "| 1.6 | right |"},
     {GROWN, DROP, 0, 1.5, 1, RUNS, 0, 0, false, false, CLAIM "does not hold.", "| wrong |"},
     {GROWN, KINETIC, 0, 0, 3, RUNS, 0, 0, false, false, CLAIM "does not hold.",
@@ -92,8 +98,8 @@ static const struct made mades[] = {
     {GROWN, DROP, 2, 0, 1, RUNS, 0, 0, false, false, CLAIM "cannot be judged.",
      "| not told apart |"},
     {GROWN, DROP, 2, 20, 1, RUNS, 0, 0, false, false, CLAIM "does not hold.", "| wrong |"},
-    {GROWN, DROP, 0, 0, 1, RUNS, 3, 0, false, false,
-     CLAIM "does not hold. 3 of 32 runs died, the first died at noon;", "| died |"},
+    {GROWN, DROP, 0, 0, 1, RUNS, 3, 0, false, false, CLAIM
+     "does not hold. 3 of 32 runs died, the first died at noon;", "| died |"},
     {GROWN, DROP, 0, 0, 1, RUNS, 0, 0, true, false,
      "made: distributions are not judged: quick.", "| not judged: quick |"},
     {GROWN, DROP, 0, 0, 1, 1, 0, 0, false, false,
@@ -102,32 +108,14 @@ static const struct made mades[] = {
      "made: nothing can be judged: the truth died.", "| not judged |"},
     {GROWN, DROP, 0, 0, 1, RUNS, 0, 0, false, true,
      "made: nothing can be judged: the motion ends at its horizon.", "| not judged |"},
-    {{400, 300},
-     DROP,
-     0,
-     0,
-     1,
-     RUNS,
-     0,
-     0,
-     false,
-     false,
+    {{400, 300}, DROP, 0, 0, 1, RUNS, 0, 0, false, false,
      "the motion is still predictable, and its points can be compared. By 1 s a change of "
      "1e-06 has grown 4e+02-fold on the truth's 9x9 net and 3e+02-fold on the 9x9 one.",
      "| not judged |"},
-    {{400, 3e3},
-     DROP,
-     0,
-     0,
-     1,
-     RUNS,
-     0,
-     0,
-     false,
-     false,
+    {{400, 3e3}, DROP, 0, 0, 1, RUNS, 0, 0, false, false,
      "made: the truth is not known in distribution: its nets differ about whether the "
-     "motion can be predicted.",
-     "| not judged |"},
+     "motion can be predicted.", "| not judged |"},
+    /* clang-format on */
 };
 
 static void free_made(struct study_ensemble *e)
@@ -170,8 +158,12 @@ static void test_windows(void)
     REQUIRE(study_ensemble_tell(&e, study_folder, TABLE_CSV, study_print_to(&p), NULL) ==
             STATUS_OK);
     char *text = study_printed_text(&p);
-    STUDY_ROW(text, "scene,model,net,lived,points,growth,drop,", "made,who 2,9x9", 0, 32,
-              0.02, 2e3, 2 / sqrt(2 * 32.0 / 31 / 32));
+    const char *row = strstr(text, "\nmade,who 2,9x9,");
+    double n[4] = {0}; /* lived, points, growth, drop */
+    CHECK(row &&
+          sscanf(row, "\nmade,who 2,9x9,%lf,%lf,%lf,%lf", n, n + 1, n + 2, n + 3) == 4);
+    CHECK(n[0] == 32 && n[2] == 2e3);
+    CHECK_RELATIVE(n[3], 2 / sqrt(2 * 32.0 / 31 / 32), 1e-5);
     study_wants(text, "3 windows from 0.5 to 1 s");
     free(text);
     free_made(&e);
@@ -205,24 +197,6 @@ static enum status study(const char *scene, const char *models, double until,
                                                            .runs = 5,
                                                            .until = until},
                               why);
-}
-
-static void test_refusals(void)
-{
-    static const struct {
-        const char *scene, *models;
-        double until;
-        const char *want;
-    } bad[] = {{"nowhere", "shell_3", 1, "nowhere"},
-               {"edge_drop", "shell_3,nobody", 1, "nobody"},
-               {"edge_drop", "shell_3,shell_3", 1, "shell_3 is given twice"},
-               {"edge_drop", "shell_3", 0.05, "an ensemble takes 0.08 s at least"}};
-
-    for (size_t n = 0; n < sizeof bad / sizeof *bad; n++) {
-        struct message why = {""};
-        CHECK(study(bad[n].scene, bad[n].models, bad[n].until, &why) == STATUS_INPUT);
-        study_wants(why.text, bad[n].want);
-    }
 }
 
 static ino_t file_of(const char *name)
@@ -261,13 +235,103 @@ static void test_runs(void)
     CHECK(file_of("edge_drop_truth_fine_003.h5") != kept); /* other times are other runs */
 }
 
+/* --- What ensembles of numbers say: errors, distances, bounds, against tables and by lot.
+ */
+
+/* Tables have so many digits. */
+#define TOL_TABLE 1e-6
+/* A few operations. */
+#define TOL_ROUND 1e-14
+
+enum { LOTS = 400 };
+
+static void test_numbers(void)
+{
+    static const double value[] = {1, 2, 3, 4, 100};
+    static const double want[] = {2, 1, 0, 1, 97};
+    double deviation[5];
+    double error;
+
+    CHECK_NEAR(distribution_mean(4, value, &error), 2.5, TOL_ROUND);
+    CHECK_NEAR(error, sqrt(5.0 / 12), TOL_ROUND);
+    CHECK(distribution_mean(1, value, &error) == 1 && isnan(error));
+    CHECK(isnan(distribution_mean(0, value, &error)) && isnan(error));
+    distribution_deviations(5, value, deviation);
+    for (int n = 0; n < 5; n++)
+        CHECK(deviation[n] == want[n]);
+    distribution_deviations(4, value, deviation); /* the median of four is 2.5 */
+    CHECK(deviation[0] == 1.5 && deviation[2] == 0.5);
+}
+
+/* Student's t, two-sided (Abramowitz, Stegun 1964, table 26.10, and the normal's). */
+static void test_bound(void)
+{
+    CHECK_NEAR(distribution_bound(1, 2), 12.7062047, TOL_TABLE);
+    CHECK_NEAR(distribution_bound(1, 3), 4.3026527, TOL_TABLE);
+    CHECK_NEAR(distribution_bound(1, 11), 2.2281389, TOL_TABLE);
+    CHECK_NEAR(distribution_bound(1, 32), 2.0395134, TOL_TABLE);
+    CHECK_NEAR(distribution_bound(10, 11), 3.5814062, TOL_TABLE);
+    CHECK_NEAR(distribution_bound(5, 10001), 2.5763, 1e-3);
+    CHECK(isinf(distribution_bound(1, 1)));
+}
+
+static void test_apart(void)
+{
+    static const double a[] = {1, 2, 3, 4}, b[] = {11, 12, 13, 14}, c[] = {5, 5};
+    const double error = sqrt(5.0 / 6);
+
+    CHECK_NEAR(distribution_apart(4, a, 4, b, 0), -10 / error, TOL_ROUND);
+    CHECK_NEAR(distribution_apart(4, b, 4, a, 0), 10 / error, TOL_ROUND);
+    CHECK_NEAR(distribution_apart(4, a, 4, b, 3), -10 / sqrt(5.0 / 6 + 9), TOL_ROUND);
+    CHECK(distribution_apart(2, c, 2, c, 0) == 0);
+    CHECK(distribution_apart(2, c, 4, a, 0) > 0);
+    CHECK(isnan(distribution_apart(1, a, 4, b, 0)));
+}
+
+/* How many of LOTS pairs are told apart, whose second is shifted and spread; by means, or
+ * by spreads. */
+static int told(double shift, double spread, bool by_spread)
+{
+    const double bound = distribution_bound(1, RUNS);
+    double a[RUNS], b[RUNS], da[RUNS], db[RUNS];
+    int count = 0;
+
+    for (int lot = 0; lot < LOTS; lot++) {
+        for (int n = 0; n < RUNS; n++) {
+            a[n] = uniform();
+            b[n] = shift + spread * uniform();
+        }
+        distribution_deviations(RUNS, a, da);
+        distribution_deviations(RUNS, b, db);
+        count += fabs(by_spread ? distribution_apart(RUNS, da, RUNS, db, 0)
+                                : distribution_apart(RUNS, a, RUNS, b, 0)) > bound;
+    }
+    return count;
+}
+
+/* Of one distribution 5 of 100 are told apart, four sigma of 400 about that; a mean that is
+ * one standard deviation off, and a spread that is twice as wide, nearly always. */
+static void test_power(void)
+{
+    const double sigma = sqrt(LOTS * 0.05 * 0.95);
+
+    for (int by_spread = 0; by_spread < 2; by_spread++)
+        CHECK_NEAR(told(0, 1, by_spread), LOTS * 0.05, 4 * sigma);
+    CHECK(told(sqrt(1 / 12.0), 1, false) > 0.9 * LOTS);
+    CHECK(told(-0.5, 2, true) > 0.9 * LOTS);
+    CHECK(told(-0.5, 2, false) < 0.15 * LOTS);
+}
+
 int main(int count, char **arguments)
 {
     study_begin(count, arguments);
     test_tell();
     test_windows();
     test_directions();
-    test_refusals();
+    test_numbers();
+    test_bound();
+    test_apart();
+    test_power();
     test_runs();
     return check_result();
 }

@@ -76,50 +76,6 @@ static inline void study_printed_wants(struct study_printed *p, const char *want
     free(text);
 }
 
-/* FOLDER/NAME as text; freed by the receiver. */
-static inline char *study_file(const char *name)
-{
-    return fresh_text(study_folder, name);
-}
-
-/* In `text`, CSV: of the lines below the line of keys `keys`, the one that comes `nth` of
- * those that begin with `label`, and has these numbers behind it; text cells are NaN. */
-static inline void study_row(const char *text, const char *keys, const char *label, int nth,
-                             int count, const double *want)
-{
-    static const double TOL_MADE = 1e-5; /* what is made up is met by angles to this */
-    const char *at = strstr(text, keys);
-    const size_t size = strlen(label);
-
-    if (!CHECK(at))
-        printf("  no keys %s in: %s\n", keys, text);
-    for (at = at ? strchr(at, '\n') : NULL; at && nth >= 0; at = strchr(at + 1, '\n'))
-        if (!strncmp(at + 1, label, size) && nth-- == 0)
-            break;
-    if (!CHECK(at)) {
-        printf("  no row %s below %s\n", label, keys);
-        return;
-    }
-    at += 1 + size;
-    for (int n = 0; n < count; n++, at += strcspn(at, ",\n")) {
-        if (!CHECK(*at == ',')) {
-            printf("  too few cells behind %s\n", label);
-            return;
-        }
-        char *end;
-        double value = strtod(++at, &end);
-        value = end == at ? NAN : value;
-        if (isnan(want[n]) ? !CHECK(isnan(value))
-                           : !CHECK_RELATIVE(value, want[n], TOL_MADE))
-            printf("  %s, number %d below %s\n", label, n, keys);
-    }
-}
-
-#define STUDY_ROW(text, keys, label, nth, ...)                                             \
-    study_row(text, keys, label, nth,                                                      \
-              (int)(sizeof((double[]){__VA_ARGS__}) / sizeof(double)),                     \
-              (double[]){__VA_ARGS__})
-
 /* --- A plan's. */
 
 struct study_made {

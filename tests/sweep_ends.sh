@@ -6,14 +6,6 @@ program=$1
 folder=$2
 # shellcheck source=tests/sweep_fixture.sh
 . "$(dirname "$0")/sweep_fixture.sh"
-rm -rf "$folder"
-mkdir -p "$folder"
-cd "$folder" || exit 1
-
-run() { # ARGUMENT...; fills $code, out and err
-    sweep "$@" >out 2>err
-    code=$?
-}
 
 refused() { # TEXT: the last run ended so and said TEXT
     [ "$code" -eq 2 ] || fail "exit $code, want 2: $(<err)"

@@ -1,9 +1,14 @@
 #!/usr/bin/env bash
-# What the scripts that test `clothbench sweep` share: sourced, with $program set.
-# shellcheck disable=SC2154 # program
+# What the scripts that test `clothbench sweep` share: sourced, with $program and $folder set; goes
+# to that folder, which is empty then.
+# shellcheck disable=SC2034,SC2154 # source_folder, code; program, folder
 # shellcheck source=tests/fixture.sh
 . "$(dirname "${BASH_SOURCE[0]}")/fixture.sh"
 export OMP_NUM_THREADS=1 LC_ALL=C
+source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder" || exit 1
 
 # A plan of 12 * $2 cases, milliseconds each, into FILE.
 write_plan() { # FILE COUNT
@@ -28,4 +33,9 @@ PLAN
 
 sweep() { # ARGUMENT...
     "$program" sweep "$@" </dev/null
+}
+
+run() { # ARGUMENT...; a sweep: fills $code, out and err
+    sweep "$@" >out 2>err
+    code=$?
 }

@@ -9,9 +9,6 @@ folder=$2
 . "$(dirname "$0")/sweep_fixture.sh"
 kills=$3
 cases=$4
-rm -rf "$folder"
-mkdir -p "$folder"
-cd "$folder" || exit 1
 write_plan plan.yaml $((cases / 12))
 RANDOM=${SEED:-$$}
 echo "SEED=${SEED:-$$}"

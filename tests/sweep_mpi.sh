@@ -10,9 +10,6 @@ toy=$3
 command -v mpirun >/dev/null && [ -e "$(dirname "$program")/clothbench_mpi.so" ] || exit 77
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export ASAN_OPTIONS=detect_leaks=0 # of MPI itself
-rm -rf "$folder"
-mkdir -p "$folder"
-cd "$folder" || exit 1
 
 ranks() { # N ARGUMENT...
     local count=$1

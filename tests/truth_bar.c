@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "bench/truth/truth.h"
 #include "models/grid.h"
 #include "tests/check.h"
 
@@ -51,40 +52,56 @@ static void fill(struct truth_family *f, enum truth_model model, int count, doub
     }
 }
 
+/* What a test is about: runs, one of them pushed, and what is made of them. */
+static struct truth_family family[TRUTH_MODELS];
 static struct run_result apart;
+static struct truth_push push;
+static struct truth made;
+static const struct scene scene = {.length = LENGTH};
+
+struct rungs {
+    int count;
+    double limit, c, p;
+};
+
+static void families(struct rungs solid, struct rungs shell)
+{
+    used = 0;
+    fill(&family[TRUTH_SOLID], TRUTH_SOLID, solid.count, solid.limit, solid.c, solid.p);
+    fill(&family[TRUTH_SHELL], TRUTH_SHELL, shell.count, shell.limit, shell.c, shell.p);
+}
 
 /* Run n of the model, and the same `pushed` off at the first time, twice that at the
- * second.
- */
-static struct truth_push push_of(const struct truth_family family[2], int model, int n,
-                                 double pushed)
+ * second; `made` is cleared by the next call, or by the end. */
+static void compare(enum truth_model model, int n, double pushed)
 {
     const struct run_result *plain = &family[model].run[n];
 
     apart = run_at(plain->xyz[0][0] + pushed, plain->xyz[1][0] + 2 * pushed, 1);
-    return (struct truth_push){family[model].level[n], plain, &apart};
+    push = (struct truth_push){family[model].level[n], plain, &apart};
+    truth_clear(&made);
+    REQUIRE(truth_init(&made, TIMES, TIMES, times) == STATUS_OK);
+    truth_bar_compare(family, &push, LENGTH, &made);
+    truth_bar_choose(family, LENGTH, &made);
 }
 
-static void compare(const struct truth_family family[2], const struct truth_push *push,
-                    struct truth *made)
+static struct truth_outlook look(double error)
 {
-    REQUIRE(truth_init(made, TIMES, TIMES, times) == STATUS_OK);
-    truth_bar_compare(family, push, LENGTH, made);
-    truth_bar_choose(family, LENGTH, made);
+    return truth_make_look(family, &push, &scene, 0.005, &made, error);
+}
+
+/* Puts all points of a run's frame at x. */
+static void put(enum truth_model model, int run, int time, double x)
+{
+    for (int k = 0; k < GRID_POINTS; k++)
+        family[model].run[run].xyz[time][3 * k] = x;
 }
 
 /* Three runs of each, on 6, 9, 12 spans. */
 static void three(void)
 {
-    struct truth_family family[2];
-    struct truth made;
-    const struct scene scene = {.length = LENGTH};
-
-    used = 0;
-    fill(&family[TRUTH_SOLID], TRUTH_SOLID, 3, 1, 0.3, 1);
-    fill(&family[TRUTH_SHELL], TRUTH_SHELL, 3, 1.001, 0.3, 3);
-    const struct truth_push push = push_of(family, TRUTH_SOLID, 1, 3e-6);
-    compare(family, &push, &made);
+    families((struct rungs){3, 1, 0.3, 1}, (struct rungs){3, 1.001, 0.3, 3});
+    compare(TRUTH_SOLID, 1, 3e-6);
     for (int t = 0; t < TIMES; t++) {
         const double *v = made.value[t], much = t + 1;
         /* better than the steps promise is luck: the last two bar it at order 2 */
@@ -105,8 +122,7 @@ static void three(void)
                  "shell, cured of locking, p = 3, 15x15, step 1.25 ms; error bar: "
                  "its own by observed orders or, if larger, its difference from "
                  "the selective solid, p = 3, 15x15, 1.25 ms"));
-    const struct truth_outlook o =
-        truth_make_look(family, &push, &scene, 0.005, &made, 0.02);
+    const struct truth_outlook o = look(0.02);
     const struct truth_seen *solid = &o.model[TRUTH_SOLID];
     CHECK(solid->runs == 3 && !solid->finest && o.lost == INFINITY);
     CHECK_RELATIVE(solid->bar, made.value[1][TRUTH_SOLID_BAR] / LENGTH, SUM);
@@ -114,21 +130,13 @@ static void three(void)
     CHECK_RELATIVE(o.error, made.error[1] / LENGTH, SUM);
     CHECK_RELATIVE(o.difference, made.value[1][TRUTH_DIFFERENCE] / LENGTH, SUM);
     CHECK(o.known == 0.1); /* 1.2 and 2.5 % of two metres */
-    truth_clear(&made);
 }
 
 /* Two show no order: three times their difference. One model that would not is no judge. */
 static void two_and_none(void)
 {
-    struct truth_family family[2];
-    struct truth made;
-    const struct scene scene = {.length = LENGTH};
-
-    used = 0;
-    fill(&family[TRUTH_SOLID], TRUTH_SOLID, 0, 0, 0, 1);
-    fill(&family[TRUTH_SHELL], TRUTH_SHELL, 2, 1, 0.01, 1);
-    const struct truth_push push = push_of(family, TRUTH_SHELL, 1, 1.5e-3);
-    compare(family, &push, &made);
+    families((struct rungs){0, 0, 0, 1}, (struct rungs){2, 1, 0.01, 1});
+    compare(TRUTH_SHELL, 1, 1.5e-3);
     for (int t = 0; t < TIMES; t++) {
         const double *v = made.value[t];
         CHECK(isnan(v[TRUTH_SHELL_SPACE]) && isnan(v[TRUTH_SOLID_SPACE]));
@@ -139,54 +147,36 @@ static void two_and_none(void)
     CHECK(made.level.model == TRUTH_SHELL && made.claimed == 1);
     CHECK(strstr(made.source, "its own by the difference of two runs, three times") &&
           !strstr(made.source, "solid"));
-    const struct truth_outlook o =
-        truth_make_look(family, &push, &scene, 0.005, &made, 0.02);
+    const struct truth_outlook o = look(0.02);
     CHECK(!o.model[TRUTH_SOLID].runs && o.model[TRUTH_SHELL].runs == 2);
     /* 750 and 1500 times: past the bound at the second time */
     CHECK(o.lost == 0.2 && o.known == 0.1);
     CHECK_RELATIVE(o.growth, 1500.0, PUSH);
     CHECK(!o.blunt);
-    truth_clear(&made);
 }
 
 /* Three that cross at the second time, where they would show no error at all: what they
  * differed by before counts, in the mean square. */
 static void crossing(void)
 {
-    struct truth_family family[2];
-    struct truth made;
-    const struct scene scene = {.length = LENGTH};
-
-    used = 0;
-    fill(&family[TRUTH_SOLID], TRUTH_SOLID, 3, 1, 0.3, 1);
-    fill(&family[TRUTH_SHELL], TRUTH_SHELL, 0, 0, 0, 1);
+    families((struct rungs){3, 1, 0.3, 1}, (struct rungs){0, 0, 0, 1});
     for (int n = 0; n < 3; n++)
-        for (int k = 0; k < GRID_POINTS; k++)
-            family[TRUTH_SOLID].run[n].xyz[1][3 * k] = 1;
-    const struct truth_push push = push_of(family, TRUTH_SOLID, 1, 0);
-    compare(family, &push, &made);
+        put(TRUTH_SOLID, n, 1, 1);
+    compare(TRUTH_SOLID, 1, 0);
     CHECK_NEAR(made.value[1][TRUTH_SOLID_SPACE], 1, ORDER);
     CHECK_RELATIVE(made.value[1][TRUTH_SOLID_BAR],
                    sqrt(.5) * made.value[0][TRUTH_SOLID_BAR], ORDER);
     /* the largest bar is the first one */
-    const struct truth_outlook o =
-        truth_make_look(family, &push, &scene, 0.005, &made, 0.02);
+    const struct truth_outlook o = look(0.02);
     CHECK_RELATIVE(o.model[TRUTH_SOLID].bar, made.value[0][TRUTH_SOLID_BAR] / LENGTH, SUM);
-    truth_clear(&made);
 }
 
 /* Four runs, on 6, 9, 12, 18 spans, that show one order show where they are going, and by
  * how much that moves: limits are stored and compared. Others are as three runs are. */
 static void limits(void)
 {
-    struct truth_family family[2];
-    struct truth made;
-
-    used = 0;
-    fill(&family[TRUTH_SOLID], TRUTH_SOLID, 4, 1, 0.3, 1);
-    fill(&family[TRUTH_SHELL], TRUTH_SHELL, 4, 1.001, 0.01, 4);
-    const struct truth_push push = push_of(family, TRUTH_SOLID, 1, 0);
-    compare(family, &push, &made);
+    families((struct rungs){4, 1, 0.3, 1}, (struct rungs){4, 1.001, 0.01, 4});
+    compare(TRUTH_SOLID, 1, 0);
     for (int t = 0; t < TIMES; t++) {
         const double *v = made.value[t];
         const double shell = 1.001 + (t + 1) * 0.01 * pow(18, -4);
@@ -197,9 +187,8 @@ static void limits(void)
         CHECK(v[TRUTH_SHELL_BAR] > 0 && v[TRUTH_SHELL_BAR] < 2e-6);
     }
     CHECK(strstr(made.source, "21x21, step 0.8333 ms, 2 times extrapolated from 9x9, "
-                              "12x12, 15x15 and that; error bar: its own by how far its "
-                              "limit moved"));
-    truth_clear(&made);
+                            "12x12, 15x15 and that; error bar: its own by how far its "
+                            "limit moved"));
 }
 
 /* One of four is off. The first: then the first three show no order (as near as the second,
@@ -219,17 +208,10 @@ static void unsettled(void)
                  {3, 0.0125, none, none}};
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        struct truth_family family[2];
-        struct truth made;
-        used = 0;
-        fill(&family[TRUTH_SOLID], TRUTH_SOLID, 4, 1, 0.3, 1);
-        fill(&family[TRUTH_SHELL], TRUTH_SHELL, 0, 0, 0, 1);
+        families((struct rungs){4, 1, 0.3, 1}, (struct rungs){0, 0, 0, 1});
         for (int t = 0; t < TIMES; t++)
-            for (int k = 0; k < GRID_POINTS; k++)
-                family[TRUTH_SOLID].run[cases[n].run].xyz[t][3 * k] =
-                    1 + (t + 1) * cases[n].off;
-        const struct truth_push push = push_of(family, TRUTH_SOLID, 1, 0);
-        compare(family, &push, &made);
+            put(TRUTH_SOLID, cases[n].run, t, 1 + (t + 1) * cases[n].off);
+        compare(TRUTH_SOLID, 1, 0);
         for (int t = 0; t < TIMES; t++) {
             const double bar = made.value[t][TRUTH_SOLID_BAR] / (t + 1);
             if (!CHECK(bar >= (1 - ORDER) * cases[n].least &&
@@ -238,30 +220,20 @@ static void unsettled(void)
             CHECK(made.xyz[t][0] == family[TRUTH_SOLID].run[3].xyz[t][0]);
         }
         CHECK(!strstr(made.source, "extrapolated"));
-        truth_clear(&made);
     }
 }
 
 /* Limits that move first and then cross: what they moved by before counts. */
 static void moved(void)
 {
-    struct truth_family family[2];
-    struct truth made;
-
-    used = 0;
-    fill(&family[TRUTH_SOLID], TRUTH_SOLID, 4, 1, 0.3, 1);
-    fill(&family[TRUTH_SHELL], TRUTH_SHELL, 0, 0, 0, 1);
-    for (int k = 0; k < GRID_POINTS; k++) {
-        family[TRUTH_SOLID].run[0].xyz[0][3 * k] = 1.051;
-        for (int n = 0; n < 4; n++)
-            family[TRUTH_SOLID].run[n].xyz[1][3 * k] = 1;
-    }
-    const struct truth_push push = push_of(family, TRUTH_SOLID, 1, 0);
-    compare(family, &push, &made);
+    families((struct rungs){4, 1, 0.3, 1}, (struct rungs){0, 0, 0, 1});
+    put(TRUTH_SOLID, 0, 0, 1.051);
+    for (int n = 0; n < 4; n++)
+        put(TRUTH_SOLID, n, 1, 1);
+    compare(TRUTH_SOLID, 1, 0);
     const double bar = made.value[0][TRUTH_SOLID_BAR];
     CHECK(bar > 0.001 && bar < 1.25 * 0.3 / 18);
     CHECK_RELATIVE(made.value[1][TRUTH_SOLID_BAR], sqrt(.5) * bar, ORDER);
-    truth_clear(&made);
 }
 
 /* Who may say that a motion is lost: a run that is no further from the truth, up to there,
@@ -280,48 +252,15 @@ static void heard(void)
                  {0, 0.9e-3, INFINITY, false}};
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        struct truth_family family[2];
-        struct truth made;
-        const struct scene scene = {.length = LENGTH};
-        used = 0;
-        fill(&family[TRUTH_SOLID], TRUTH_SOLID, 0, 0, 0, 1);
-        fill(&family[TRUTH_SHELL], TRUTH_SHELL, 3, 1, 3, 2);
-        const struct truth_push push =
-            push_of(family, TRUTH_SHELL, cases[n].run, cases[n].pushed);
-        compare(family, &push, &made);
-        const struct truth_outlook o =
-            truth_make_look(family, &push, &scene, 0.005, &made, 0.06);
+        families((struct rungs){0, 0, 0, 1}, (struct rungs){3, 1, 3, 2});
+        compare(TRUTH_SHELL, cases[n].run, cases[n].pushed);
+        const struct truth_outlook o = look(0.06);
         char text[TRUTH_WATCH_TEXT];
         truth_bar_horizon(&push, o.blunt, TIMES, times, LENGTH, text);
         CHECK(!strstr(text, "too coarse to know") == !o.blunt);
         CHECK(!strstr(text, "cannot be predicted") == (o.blunt || o.lost == INFINITY));
         if (!CHECK(o.lost == cases[n].lost && o.blunt == cases[n].blunt))
             printf("heard %zu: %g, %d\n", n, o.lost, (int)o.blunt);
-        truth_clear(&made);
-    }
-}
-
-/* A thousandfold is the bound: 750 times at the first time, 1500 at the second; and the
- * first time beyond it ends the horizon, not the last. */
-static void horizon(void)
-{
-    static const struct {
-        double pushed;
-        const char *words;
-    } row[] = {{1.5e-3, "has grown 1.5e+03-fold at 0.2 s: from there on the motion cannot"},
-               {3e-6, "grows at most 3-fold up to 0.2 s: so long the motion can be"},
-               {1.5e-3, "at 0.2 s: on a net too coarse to know the motion, which says"},
-               {3e-3, "has grown 1.5e+03-fold at 0.1 s: from there on the motion cannot"}};
-    char text[TRUTH_WATCH_TEXT];
-
-    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
-        used = 0;
-        struct run_result pushed = run_at(row[n].pushed, 2 * row[n].pushed, 1),
-                          plain = run_at(0, 0, 1);
-        const struct truth_push push = {{TRUTH_SOLID, 3, 12, 0.0025}, &plain, &pushed};
-        truth_bar_horizon(&push, n == 2, TIMES, times, LENGTH, text);
-        if (!CHECK(strstr(text, row[n].words) && strstr(text, "(solid, 12x12")))
-            printf("%s\n", text);
     }
 }
 
@@ -341,22 +280,17 @@ static void shared(void)
         {3, 1, 1, "15x15, step 1.25 ms; at 1 of 2 times the cured"}};
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        struct truth_family family[2];
-        struct truth made;
-        used = 0;
-        fill(&family[TRUTH_SOLID], TRUTH_SOLID, cases[n].runs, 1, 0.1, 1);
-        fill(&family[TRUTH_SHELL], TRUTH_SHELL, 3, 1, 0.3, 1);
+        families((struct rungs){cases[n].runs, 1, 0.1, 1}, (struct rungs){3, 1, 0.3, 1});
         const double *solid = family[TRUTH_SOLID].run[cases[n].runs - 1].xyz[0],
                      *shell = family[TRUTH_SHELL].run[2].xyz[1];
-        for (int k = 0; k < GRID_POINTS; k++) {
-            family[TRUTH_SOLID].run[cases[n].runs - 1].xyz[1][3 * k] += 0.05;
-            for (int r = 0; r < 3; r++) {
-                family[TRUTH_SHELL].run[r].xyz[0][3 * k] += cases[n].early;
-                family[TRUTH_SHELL].run[r].xyz[1][3 * k] += cases[n].off;
-            }
-        }
-        const struct truth_push push = push_of(family, TRUTH_SOLID, 1, 0);
-        compare(family, &push, &made);
+        put(TRUTH_SOLID, cases[n].runs - 1, 1,
+            family[TRUTH_SOLID].run[cases[n].runs - 1].xyz[1][0] + 0.05);
+        for (int r = 0; r < 3; r++)
+            for (int t = 0; t < TIMES; t++)
+                put(TRUTH_SHELL, r, t,
+                    family[TRUTH_SHELL].run[r].xyz[t][0] +
+                        (t ? cases[n].off : cases[n].early));
+        compare(TRUTH_SOLID, 1, 0);
         CHECK(made.value[0][TRUTH_SOLID_BAR] < made.value[0][TRUTH_SHELL_BAR]);
         CHECK(made.value[1][TRUTH_SOLID_BAR] > made.value[1][TRUTH_SHELL_BAR]);
         CHECK_NEAR(made.xyz[0][0], cases[n].runs == 4 ? 1 : solid[0], ORDER);
@@ -364,7 +298,6 @@ static void shared(void)
         CHECK(made.claimed == (cases[n].early > 0 ? 0 : cases[n].off > 0 ? 1 : 2));
         if (!CHECK(strstr(made.source, cases[n].words)))
             printf("shared %zu: %s\n", n, made.source);
-        truth_clear(&made);
     }
 }
 
@@ -397,7 +330,6 @@ static void check_choices(void)
 
     for (size_t n = 0; n < sizeof choices / sizeof *choices; n++) {
         const struct choice *c = &choices[n];
-        struct truth made;
         REQUIRE(truth_init(&made, 3, 0, three) == STATUS_OK);
         for (int t = 0; t < 3; t++) {
             made.value[t][TRUTH_SOLID_BAR] = c->solid[t];
@@ -431,14 +363,13 @@ static void check_doubt(void)
         {.01, .12, .12, INFINITY, 0, true, "from 0.2 s on: one model alone was run"},
         {.01, .02, .02, INFINITY, 0, true, ""},
     };
-    struct scene scene;
+    struct scene sheet;
 
-    REQUIRE(scene_init(&scene) == STATUS_OK);
-    free(scene.name);
-    scene.name = strdup("sheet");
-    scene.length = scene.width = LENGTH;
+    REQUIRE(scene_init(&sheet) == STATUS_OK);
+    free(sheet.name);
+    sheet.name = strdup("sheet");
+    sheet.length = sheet.width = LENGTH;
     for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
-        struct truth made;
         REQUIRE(truth_init(&made, 2, 2, (double[]){0.1, 0.2}) == STATUS_OK);
         for (int t = 0; t < 2; t++) {
             for (int g = 0; g < GRID_POINTS; g++) { /* flat, at rest */
@@ -452,14 +383,14 @@ static void check_doubt(void)
             made.value[t][TRUTH_SHELL_BAR] = rows[n].shell;
             made.value[t][TRUTH_DIFFERENCE] = rows[n].difference;
         }
-        CHECK(truth_doubt(&scene, &made) == STATUS_OK);
+        CHECK(truth_doubt(&sheet, &made) == STATUS_OK);
         CHECK(made.alone == rows[n].alone);
         if (!CHECK(strstr(made.unresolved, rows[n].says) &&
                    !*made.unresolved == !*rows[n].says))
             printf("row %zu says '%s'\n", n, made.unresolved);
         truth_clear(&made);
     }
-    scene_clear(&scene);
+    scene_clear(&sheet);
 }
 
 int main(void)
@@ -472,8 +403,8 @@ int main(void)
     unsettled();
     moved();
     heard();
-    horizon();
     check_choices();
     check_doubt();
+    truth_clear(&made);
     return check_result();
 }

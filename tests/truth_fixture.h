@@ -5,7 +5,7 @@
 
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
-#include "bench/truth/truth.h"
+#include "bench/truth/truth_parts.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
 
@@ -50,6 +50,34 @@ static inline void write_truth(const char *file, const struct truth *made, int c
         printf("%s\n", why.text);
     settings_clear(&s);
     free(path);
+}
+
+/* A scene with settings as truths and their runs are asked for. */
+struct asked {
+    char *path;
+    struct settings settings;
+    struct scene scene; /* as its truth moves */
+    struct truth_runs runs;
+};
+
+static inline void asked_open(struct asked *a, const char *scene, int count,
+                              const char *const *settings, int times, const double *time,
+                              const char *folder)
+{
+    struct message why = {""};
+
+    *a = (struct asked){.settings = settings_of(count, settings)};
+    REQUIRE(scene_file_find(scene, &a->path, NULL) == STATUS_OK);
+    if (!CHECK(truth_plan_scene(a->path, &a->settings, &a->scene, &why) == STATUS_OK))
+        printf("%s: %s\n", scene, why.text);
+    a->runs = (struct truth_runs){a->path, &a->settings, times, time, folder};
+}
+
+static inline void asked_close(struct asked *a)
+{
+    settings_clear(&a->settings);
+    scene_clear(&a->scene);
+    free(a->path);
 }
 
 /* By somebody who knows of the seal. */

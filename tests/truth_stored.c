@@ -1,6 +1,5 @@
 /* Whether the truths that come with the program hold: models that had no part in them lie
- * within their error bars and the models' own errors, and a truth made anew on coarse nets
- * agrees with the stored one within the bars of both. */
+ * within their error bars and the models' own errors. (truth_make.c: how they are made.) */
 #include <dirent.h>
 
 #include "bench/files/folder.h"
@@ -10,7 +9,8 @@
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
-#include "tests/check.h"
+#include "tests/fresh.h"
+#include "tests/truth_fixture.h"
 
 static const char *folder;
 
@@ -33,19 +33,13 @@ static void mid_size(const char *scene, enum truth_model model, int degree)
                                    {model, degree, 10, 0.005, false}};
     struct run_result run[2] = {{0}};
     struct truth *truth = NULL;
-    struct message why = {""};
-    struct scene s = {0};
-    struct settings settings = {0};
-    char *path = NULL;
+    struct asked a;
 
-    REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
-    REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
-    struct truth_runs runs = {path, &settings, TIMES, times, folder};
-    if (!CHECK(truth_find(path, &settings, TIMES, times, NULL, &truth, &why) == STATUS_OK))
-        printf("%s\n", why.text);
-    for (int n = 0; n < 2 && truth; n++)
-        REQUIRE(truth_level_find(&runs, &level[n], &run[n], NULL) == STATUS_OK);
-    for (int n = 0; n < TIMES && truth; n++) {
+    asked_open(&a, scene, 0, NULL, TIMES, times, folder);
+    REQUIRE(truth_find(a.path, &a.settings, TIMES, times, NULL, &truth, NULL) == STATUS_OK);
+    for (int n = 0; n < 2; n++)
+        REQUIRE(truth_level_find(&a.runs, &level[n], &run[n], NULL) == STATUS_OK);
+    for (int n = 0; n < TIMES; n++) {
         double error = metric_rmse(run[0].xyz[n], truth->xyz[n]);
         double own =
             own_error(&level[0], &level[1], metric_rmse(run[0].xyz[n], run[1].xyz[n]));
@@ -58,9 +52,7 @@ static void mid_size(const char *scene, enum truth_model model, int degree)
     run_result_clear(&run[0]);
     run_result_clear(&run[1]);
     truth_destroy(truth);
-    settings_clear(&settings);
-    scene_clear(&s);
-    free(path);
+    asked_close(&a);
 }
 
 /* A truth that comes with the program was made by a commit with no file changed. */
@@ -83,22 +75,17 @@ static void each_has_its_scene(void)
     REQUIRE(named_file_list(&truth_file_kind, &entries, &count, NULL) == STATUS_OK);
     CHECK(count >= 1);
     for (int n = 0; n < count; n++) {
-        struct scene s = {0};
-        struct settings settings = {0};
+        struct asked a;
         double time[1];
-        char *path = NULL;
         int found = 0;
 
-        REQUIRE(scene_file_find(entries[n].name, &path, NULL) == STATUS_OK);
-        REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
-        CHECK(truth_stored_times(path, &settings, s.end, 1, time, &found, NULL) ==
+        asked_open(&a, entries[n].name, 0, NULL, 0, NULL, NULL);
+        CHECK(truth_stored_times(a.path, &a.settings, a.scene.end, 1, time, &found, NULL) ==
               STATUS_OK);
         if (!CHECK(found == 1))
             printf("%s: %s\n", entries[n].name, entries[n].text);
-        check_origin(entries[n].name, &s);
-        settings_clear(&settings);
-        scene_clear(&s);
-        free(path);
+        check_origin(entries[n].name, &a.scene);
+        asked_close(&a);
     }
     named_file_list_free(entries, count);
 }
@@ -132,46 +119,6 @@ static void each_scene_is_known(void)
     }
     named_file_list_free(scenes, count);
     free(text);
-}
-
-static void made_anew(const char *scene)
-{
-    const struct truth_wish wish = {.error = 0.01, .seconds = 60};
-    struct truth_end end;
-    struct truth made = {0}, stored = {0};
-    struct message why = {""};
-    struct scene s = {0};
-    struct settings settings = {0};
-    char *path = NULL, *file = NULL, *physics = NULL;
-
-    REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
-    REQUIRE(truth_plan_scene(path, &settings, &s, NULL) == STATUS_OK);
-    struct truth_runs runs = {path, &settings, TIMES, times, folder, truth_plan_frame(&s)};
-    REQUIRE(named_file_find(&truth_file_kind, scene, &file, NULL) == STATUS_OK);
-    REQUIRE(truth_file_read(file, &stored, &physics, NULL) == STATUS_OK);
-    truth_thin(&stored, &s);
-    if (!CHECK(truth_make(&runs, &s, &wish, &made, &end, &why) == STATUS_OK))
-        printf("%s\n", why.text);
-    CHECK(made.claimed == TIMES && strstr(made.horizon, "can be predicted"));
-    for (int n = 0; n < made.claimed; n++) {
-        REQUIRE(fabs(stored.time[n] - times[n]) < 1e-9 && stored.xyz[n]);
-        double apart = metric_rmse(made.xyz[n], stored.xyz[n]);
-        double bars = made.error[n] + stored.error[n];
-        if (!CHECK(apart <= bars))
-            printf("%s at %g s: %g m apart, bars %g m\n", scene, times[n], apart, bars);
-        const double *v = made.value[n];
-        CHECK(made.error[n] >= v[TRUTH_DIFFERENCE] &&
-              made.error[n] >= fmin(v[TRUTH_SOLID_BAR], v[TRUTH_SHELL_BAR]) &&
-              made.error[n] < 0.05 * s.length);
-        CHECK(v[TRUTH_GROWTH] > 0 && v[TRUTH_GROWTH] < 1); /* so early nothing grows */
-    }
-    truth_clear(&made);
-    truth_clear(&stored);
-    settings_clear(&settings);
-    scene_clear(&s);
-    free(physics);
-    free(path);
-    free(file);
 }
 
 /* An error that grows along the strip as s^2, as a bend at its clamp makes it, is at the
@@ -208,34 +155,16 @@ static void strip_is_the_beam(void)
     free(file);
 }
 
-/* Runs that an earlier call of this test left would say nothing on the models as they are.
- */
-static void clear_folder(void)
-{
-    DIR *directory = opendir(folder);
-    const struct dirent *file;
-    char path[4096];
-
-    REQUIRE(directory);
-    while ((file = readdir(directory))) {
-        snprintf(path, sizeof path, "%s/%s", folder, file->d_name);
-        if (strstr(file->d_name, ".h5"))
-            remove(path);
-    }
-    closedir(directory);
-}
-
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     folder = argv[1];
-    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
-    clear_folder();
+    fresh_folder(
+        folder); /* runs of an earlier call would say nothing on models as they are */
     each_has_its_scene();
     each_scene_is_known();
     strip_is_the_beam();
     mid_size("edge_drop", TRUTH_SOLID, 2);
     mid_size("edge_drop", TRUTH_SHELL, 4);
-    made_anew("edge_drop");
     return check_result();
 }

@@ -54,29 +54,19 @@ static const struct leg {
     const char *said; /* in `third`, or in the sentence of a refusal */
     int claims;       /* times that the third claims itself; 0: all */
 } legs[] = {
-    {"within both bars",
-     {0.001, -0.029, 0.029},
-     false,
-     NULL,
-     NULL,
-     STATUS_OK,
-     3,
+    /* clang-format off */
+    {"within both bars", {0.001, -0.029, 0.029}, false, NULL, NULL, STATUS_OK, 3,
      "made up"},
     {"contradicts", {0.001, 0.031, 0}, false, NULL, NULL, STATUS_OK, 1, "contradicts"},
     {"on the other side", {0, 0, -0.031}, false, NULL, NULL, STATUS_OK, 2, "contradicts"},
     {"at once", {0.031, 0, 0}, false, NULL, NULL, STATUS_OK, 0, "contradicts"},
     {"claims two", {0, 0, 1}, false, NULL, NULL, STATUS_OK, 3, "made up", 2},
     {"missing", {1, 1, 1}, true, NULL, NULL, STATUS_OK, 3, ""},
-    {"of other physics",
-     {1, 1, 1},
-     false,
-     "material.young=2e5",
-     NULL,
-     STATUS_OK,
-     3,
+    {"of other physics", {1, 1, 1}, false, "material.young=2e5", NULL, STATUS_OK, 3,
      "other physics"},
     {"of another checksum", {0}, false, NULL, spoil, STATUS_INPUT, 0, "checksum"},
     {"cut short", {0}, false, NULL, cut_short, STATUS_INPUT, 0, "third/edge_drop.h5"},
+    /* clang-format on */
 };
 
 /* Distances are there where it is compared, and bars stay. */

@@ -1,6 +1,8 @@
 /* Verdicts: rules are read, refused with a sentence, and applied the same to every case. */
 #include "bench/experiment/verdict.h"
 
+#include "bench/experiment/judge.h"
+#include "bench/experiment/learn.h"
 #include "bench/harness/run_result.h"
 #include "tests/check.h"
 
@@ -34,49 +36,56 @@ static struct run_result sound(void)
     return r;
 }
 
-/* The sound run with up to two other measures, and how it is then called: labels that it
- * has, then those that nobody can say. */
-enum {
-    STRETCH = MEASURE_STRETCH_MAX,
-    DROP = MEASURE_DROP_END,
-    CROSSES = MEASURE_INTERSECTION_TIME,
-    ENERGY = MEASURE_ENERGY_DRIFT_MAX,
-    YES = VERDICT_FEASIBLE,
-    NO = VERDICT_INFEASIBLE,
-    OPEN = VERDICT_UNJUDGED,
-    NONE = VERDICT_NONE,
-    DONE = STATUS_OK
-};
+/* The sound run with up to three other measures, and how it is then called. */
 static const struct judged {
-    int outcome, kind;
-    const char *text;
-    struct {
-        int measure;
-        double value;
-    } with[2];
+    enum status outcome;
     bool quick;
+    struct {
+        enum measure measure;
+        double value;
+    } with[3];
+    enum verdict_kind kind;
+    const char *text, *has, *lacks; /* labels it has; labels that nobody can say         */
 } judged[] = {
-    {DONE, YES, "feasible", {{0}}},
-    {DONE, NO, "over-stretched", {{STRETCH, 1.2}}},
+    /* clang-format off */
+    {STATUS_OK, false, {{0}}, VERDICT_FEASIBLE, "feasible", "", ""},
+    {STATUS_OK, false, {{MEASURE_STRETCH_MAX, 1.2}}, VERDICT_INFEASIBLE, "over-stretched",
+     "over-stretched", ""},
     /* by two rules, said once */
-    {DONE, NO, "over-stretched", {{STRETCH, 1.2}, {DROP, 1.3}}},
-    {DONE, NO, "penetration, over-stretched", {{DROP, 2}, {CROSSES, .5}}},
-    {DONE, YES, "feasible", {{CROSSES, 1000}}}, /* on the bound */
+    {STATUS_OK, false, {{MEASURE_STRETCH_MAX, 1.2}, {MEASURE_DROP_END, 1.3}},
+     VERDICT_INFEASIBLE, "over-stretched", "over-stretched", ""},
+    {STATUS_OK, false, {{MEASURE_DROP_END, 1.3}, {MEASURE_INTERSECTION_TIME, 0.5}},
+     VERDICT_INFEASIBLE, "penetration, over-stretched", "penetration, over-stretched", ""},
+    {STATUS_OK, false, {{MEASURE_INTERSECTION_TIME, 1000}}, VERDICT_FEASIBLE, "feasible",
+     "", ""}, /* on the bound: not below it */
     /* what was not measured is neither */
-    {DONE, OPEN, "not judged: penetration", {{CROSSES, NAN}}},
-    {DONE, OPEN, "not judged: penetration, won energy", {{CROSSES, NAN}, {ENERGY, NAN}}},
-    {DONE, NO, "over-stretched; not judged: penetration", {{CROSSES, NAN}, {DROP, 2}}},
+    {STATUS_OK, false, {{MEASURE_INTERSECTION_TIME, NAN}}, VERDICT_UNJUDGED,
+     "not judged: penetration", "", "penetration"},
+    {STATUS_OK, false, {{MEASURE_INTERSECTION_TIME, NAN}, {MEASURE_ENERGY_DRIFT_MAX, NAN}},
+     VERDICT_UNJUDGED, "not judged: penetration, won energy", "",
+     "penetration, won energy"},
+    {STATUS_OK, false, {{MEASURE_INTERSECTION_TIME, NAN}, {MEASURE_DROP_END, 2}},
+     VERDICT_INFEASIBLE, "over-stretched; not judged: penetration", "over-stretched",
+     "penetration"},
     /* one rule of a label lacks its measure, the other gives it, or does not */
-    {DONE, NO, "over-stretched", {{STRETCH, NAN}, {DROP, 2}}},
-    {DONE, OPEN, "not judged: over-stretched", {{STRETCH, NAN}, {DROP, 1.2}}},
+    {STATUS_OK, false, {{MEASURE_STRETCH_MAX, NAN}, {MEASURE_DROP_END, 2}},
+     VERDICT_INFEASIBLE, "over-stretched", "over-stretched", ""},
+    {STATUS_OK, false, {{MEASURE_STRETCH_MAX, NAN}, {MEASURE_DROP_END, 1.2}},
+     VERDICT_UNJUDGED, "not judged: over-stretched", "", "over-stretched"},
     /* a death is infeasible, whatever the rules say */
-    {STATUS_ESCAPED, NO, "died", {{0}}},
-    {STATUS_ESCAPED, NO, "died; not judged: penetration", {{CROSSES, NAN}}},
-    {STATUS_NAN, NO, "chaotic", {{MEASURE_BLOWUP_TIME, .3}}},
-    {STATUS_UNSUPPORTED, NONE, "unsupported", {{STRETCH, 2}}},
-    {STATUS_INPUT, NONE, "unsupported", {{STRETCH, NAN}}},
-    {DONE, OPEN, "not judged: quick", {{0}}, true},
-    {STATUS_NAN, OPEN, "not judged: quick", {{STRETCH, 2}}, true},
+    {STATUS_ESCAPED, false, {{0}}, VERDICT_INFEASIBLE, "died", "", ""},
+    {STATUS_ESCAPED, false, {{MEASURE_INTERSECTION_TIME, NAN}}, VERDICT_INFEASIBLE,
+     "died; not judged: penetration", "", "penetration"},
+    {STATUS_NAN, false, {{MEASURE_BLOWUP_TIME, 0.3}}, VERDICT_INFEASIBLE, "chaotic",
+     "chaotic", ""},
+    {STATUS_UNSUPPORTED, false, {{MEASURE_STRETCH_MAX, 2}}, VERDICT_NONE, "unsupported", "",
+     ""},
+    {STATUS_INPUT, false, {{MEASURE_STRETCH_MAX, NAN}}, VERDICT_NONE, "unsupported", "",
+     ""},
+    {STATUS_OK, true, {{0}}, VERDICT_UNJUDGED, "not judged: quick", "", ""},
+    {STATUS_NAN, true, {{MEASURE_STRETCH_MAX, 2}}, VERDICT_UNJUDGED, "not judged: quick",
+     "", ""},
+    /* clang-format on */
 };
 
 static void test_verdicts(void)
@@ -86,35 +95,44 @@ static void test_verdicts(void)
     struct verdict_rules rules;
 
     REQUIRE(read_rules(good, &rules, NULL) == STATUS_OK && rules.count == 5);
-    CHECK(rules.rule[0].measure == STRETCH && rules.rule[0].above);
-    CHECK(rules.rule[1].bound == 1000 && !rules.rule[1].above);
-    CHECK(!strcmp(rules.rule[2].why, "it died"));
     for (size_t n = 0; n < sizeof judged / sizeof *judged; n++) {
         const struct judged *j = &judged[n];
         struct run_result r = sound();
         char text[128];
 
-        r.outcome = (enum status)j->outcome;
+        r.outcome = j->outcome;
         r.quick = j->quick;
-        for (int i = 0; i < 2; i++)
+        for (int i = 0; i < 3; i++)
             if (j->with[i].value != 0)
                 r.value[j->with[i].measure] = j->with[i].value;
         const struct verdict v = verdict_of(&rules, &r);
-        bool fine = (int)v.kind == j->kind && v.quick == j->quick;
+        bool fine = v.kind == j->kind && v.quick == j->quick;
         fine = fine && !strcmp(verdict_text(&rules, v, text, sizeof text), j->text);
-        const char *unsaid = strstr(j->text, "not judged: ");
         for (int i = 0; i < 4; i++) {
-            const char *said = strstr(j->text, labels[i]);
-            fine = fine && verdict_has(&rules, v, labels[i]) ==
-                               (said && (!unsaid || said < unsaid));
+            fine = fine && verdict_has(&rules, v, labels[i]) == !!strstr(j->has, labels[i]);
             fine = fine &&
-                   verdict_lacks(&rules, v, labels[i]) == (said && unsaid && said > unsaid);
+                   verdict_lacks(&rules, v, labels[i]) == !!strstr(j->lacks, labels[i]);
         }
         if (!CHECK(fine))
             printf("  row %zu: '%s', want '%s'\n", n, text, j->text);
     }
     verdict_clear(&rules);
     CHECK(rules.count == 0);
+}
+
+static void test_rules(void)
+{
+    struct verdict_rules rules;
+
+    REQUIRE(read_rules(good, &rules, NULL) == STATUS_OK && rules.count == 5);
+    CHECK(rules.rule[0].measure == MEASURE_STRETCH_MAX && rules.rule[0].above);
+    CHECK(rules.rule[1].bound == 1000 && !rules.rule[1].above);
+    CHECK(!strcmp(rules.rule[2].why, "it died"));
+    CHECK(!strcmp(verdict_kind_word[VERDICT_FEASIBLE], "feasible"));
+    CHECK(!strcmp(verdict_kind_word[VERDICT_INFEASIBLE], "infeasible"));
+    CHECK(!strcmp(verdict_kind_word[VERDICT_UNJUDGED], "not judged"));
+    CHECK(!strcmp(verdict_kind_word[VERDICT_NONE], "none"));
+    verdict_clear(&rules);
 }
 
 /* Words that do not fit are cut, not written past the end. */
@@ -163,8 +181,138 @@ static void test_refusals(void)
     }
 }
 
+/* --- What bounds can do at their best, and what those that were learnt from all answers
+ * but one say of that one. */
+
+enum { LEARNT = 6 };
+
+static void expect(const double *value, const bool *yes, enum learn_shape shape, double low,
+                   double high, int agree)
+{
+    const struct learnt w = learn(LEARNT, value, yes, shape);
+    int right = 0;
+
+    for (int n = 0; n < LEARNT; n++)
+        right += w.fitted[n] == yes[n];
+    CHECK(right == agree);
+    CHECK(w.low == low && w.high == high);
+}
+
+/* Bounds half way between values. NaN lies in none. */
+static void fits(void)
+{
+    const double value[] = {2.5, 1, 2, 5, 4, 6};
+    const bool middle[] = {true, false, true, false, true, false}; /* 2, 3, 4 */
+    const bool top[] = {false, false, false, true, true, true};    /* 4, 5, 6 */
+    const bool none[] = {false, false, false, false, false, false};
+    const double odd[] = {3, NAN, 2, INFINITY, 4, NAN};
+
+    expect(value, middle, LEARN_ANY, 1.5, 4.5, 6);
+    expect(value, middle, LEARN_ABOVE, 1.5, INFINITY, 4);
+    expect(value, middle, LEARN_BELOW, -INFINITY, 4.5, 5);
+    expect(value, top, LEARN_ABOVE, 3.25, INFINITY, 6);
+    expect(value, top, LEARN_ANY, 3.25, INFINITY, 6);
+    expect(value, top, LEARN_BELOW, INFINITY, -INFINITY, 3); /* never */
+    expect(value, none, LEARN_ANY, INFINITY, -INFINITY, 6);
+    expect(odd, middle, LEARN_ANY, -INFINITY, 4, 6);
+    expect(odd, top, LEARN_ABOVE, 3.5, INFINITY, 5);
+}
+
+/* What a lone one alone taught is not known without it. */
+static void leaves_out(void)
+{
+    const double value[] = {2.5, 1, 2, 5, 4, 6};
+    const bool top[] = {false, false, false, true, true, true};
+    const bool lone[] = {false, false, false, false, false, true};
+    const bool odd[] = {false, true, false, true, true, true}; /* 1 among those above 2.5 */
+    const double missing[] = {2.5, 1, NAN, 5, 4, 6};
+    const double never[] = {INFINITY, INFINITY, INFINITY, /* times that did not come */
+                            0.3,      0.5,      0.4};
+    struct learnt l = learn(LEARNT, value, top, LEARN_ABOVE);
+
+    for (int n = 0; n < LEARNT; n++)
+        CHECK(l.fitted[n] == top[n] && l.left_out[n] == top[n]);
+    l = learn(LEARNT, value, lone, LEARN_ANY);
+    CHECK(l.low == 5.5 && l.fitted[5] && !l.left_out[5]);
+    l = learn(LEARNT, value, odd, LEARN_ABOVE);
+    CHECK(!l.fitted[1] && !l.left_out[1] && l.fitted[4]);
+    l = learn(LEARNT, missing, top, LEARN_ABOVE);
+    CHECK(!l.fitted[2] && !l.left_out[2] && l.left_out[4]);
+    l = learn(LEARNT, never, top, LEARN_BELOW);
+    CHECK(l.high == 0.5 && !l.fitted[0] && !l.left_out[0] && l.left_out[5]);
+}
+
+/* --- How sentences turn. */
+
+static const struct {
+    double value[4];
+    int count, sign;
+    double bar;
+    enum judge turn;
+} orders[] = {
+    /* clang-format off */
+    {{1, 2, 3, 4}, 4, 1, 0, JUDGE_HOLDS}, {{4, 3, 2, 1}, 4, 1, 0, JUDGE_FAILS},
+    {{4, 3, 2, 1}, 4, -1, 0, JUDGE_HOLDS}, {{1, 2, 3, 4}, 4, -1, 0, JUDGE_FAILS},
+    {{1, 2, 2, 4}, 4, 1, 0, JUDGE_FAILS}, /* no more is not more */
+    {{1, 2, 3, 3}, 4, 1, 0, JUDGE_FAILS}, {{1, 2, 3, 2}, 3, 1, 0, JUDGE_HOLDS},
+    /* the fourth is not asked for */
+    {{1, NAN, 3, 4}, 4, 1, 0, JUDGE_OPEN}, {{NAN, 2, 3, 4}, 4, 1, 0, JUDGE_OPEN},
+    {{1, 2, 3, NAN}, 4, 1, 0, JUDGE_OPEN}, {{3, NAN, 1, 4}, 4, 1, 0, JUDGE_FAILS},
+    /* across the one that is missing */
+    {{NAN, 3, 1, 4}, 4, 1, 0, JUDGE_FAILS}, {{NAN, NAN}, 2, 1, 0, JUDGE_OPEN},
+    {{1, 1.2, 1.4}, 3, 1, 0.1, JUDGE_HOLDS}, {{1, 1.2, 1.25}, 3, 1, 0.1, JUDGE_OPEN},
+    /* within the bar */
+    {{1, 1.2, 1.15}, 3, 1, 0.1, JUDGE_OPEN}, {{1, 1.2, 1.2}, 3, 1, 0.1, JUDGE_OPEN},
+    {{1, 1.2, 1.05}, 3, 1, 0.1, JUDGE_FAILS}, {{1.05, 1, 1.3, 1.1}, 4, 1, 0.1, JUDGE_FAILS},
+    /* what is settled stays so */
+    {{1, 2, 3}, 3, 1, NAN, JUDGE_OPEN}, {{3, 2, 1}, 3, 1, NAN, JUDGE_OPEN},
+    {{1}, 1, 1, 0, JUDGE_OPEN}, /* nothing to compare with */
+    /* clang-format on */
+};
+
+static const struct {
+    double value, bound;
+    enum judge turn;
+} bounds[] = {{1, 2, JUDGE_HOLDS},       {2, 1, JUDGE_FAILS},  {1, 1, JUDGE_FAILS},
+              {NAN, 1, JUDGE_OPEN},      {1, NAN, JUDGE_OPEN}, {-2, -1, JUDGE_HOLDS},
+              {1, INFINITY, JUDGE_HOLDS}};
+
+/* Of two, in either order. */
+static const enum judge both[][3] = {
+    {JUDGE_HOLDS, JUDGE_HOLDS, JUDGE_HOLDS}, {JUDGE_HOLDS, JUDGE_FAILS, JUDGE_FAILS},
+    {JUDGE_HOLDS, JUDGE_OPEN, JUDGE_OPEN},   {JUDGE_FAILS, JUDGE_OPEN, JUDGE_FAILS},
+    {JUDGE_FAILS, JUDGE_FAILS, JUDGE_FAILS}, {JUDGE_OPEN, JUDGE_OPEN, JUDGE_OPEN},
+    {JUDGE_HOLDS, JUDGE_QUICK, JUDGE_QUICK}, {JUDGE_FAILS, JUDGE_QUICK, JUDGE_FAILS}};
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+static void turns(void)
+{
+    for (size_t n = 0; n < COUNT(orders); n++)
+        if (!CHECK(judge_order(orders[n].count, orders[n].value, orders[n].sign,
+                               orders[n].bar) == orders[n].turn))
+            printf("order %zu\n", n);
+    for (size_t n = 0; n < COUNT(bounds); n++)
+        if (!CHECK(judge_below(bounds[n].value, bounds[n].bound) == bounds[n].turn))
+            printf("bound %zu\n", n);
+    for (size_t n = 0; n < COUNT(both); n++)
+        if (!CHECK(judge_both(both[n][0], both[n][1]) == both[n][2]) ||
+            !CHECK(judge_both(both[n][1], both[n][0]) == both[n][2]))
+            printf("both %zu\n", n);
+    for (enum judge turn = JUDGE_FAILS; turn <= JUDGE_QUICK; turn++) {
+        const char *const want[] = {"no", "yes", "perhaps", "perhaps"};
+        CHECK(!strcmp(judge_words(turn, "yes", "no", "perhaps"), want[turn]));
+    }
+    CHECK(judge_most(1, 2) == 2 && judge_most(2, 1) == 2);
+    CHECK(isnan(judge_most(NAN, 1)) && isnan(judge_most(1, NAN)));
+}
+
 int main(void)
 {
+    fits();
+    leaves_out();
+    turns();
+    test_rules();
     test_verdicts();
     test_short_text();
     test_refusals();

@@ -113,8 +113,8 @@ static char *print(const struct plan *plan, const struct pool *pool,
     FILE *memory = open_memstream(&text, &size);
 
     REQUIRE(memory);
-    CHECK(sweep_table_print(plan, &(struct sweep_folder){.path = "there"}, pool, table, NULL,
-                      plot, memory) == STATUS_OK);
+    CHECK(sweep_table_print(plan, &(struct sweep_folder){.path = "there"}, pool, table,
+                            NULL, plot, memory) == STATUS_OK);
     REQUIRE(fclose(memory) == 0);
     return text;
 }

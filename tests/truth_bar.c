@@ -187,8 +187,8 @@ static void limits(void)
         CHECK(v[TRUTH_SHELL_BAR] > 0 && v[TRUTH_SHELL_BAR] < 2e-6);
     }
     CHECK(strstr(made.source, "21x21, step 0.8333 ms, 2 times extrapolated from 9x9, "
-                            "12x12, 15x15 and that; error bar: its own by how far its "
-                            "limit moved"));
+                              "12x12, 15x15 and that; error bar: its own by how far its "
+                              "limit moved"));
 }
 
 /* One of four is off. The first: then the first three show no order (as near as the second,

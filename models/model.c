@@ -61,6 +61,9 @@ enum status model_refuse_options(const struct discretization *d, struct message 
 {
     const struct schema_key *foreign = d->foreign;
 
+    if (!d->model)
+        return status_fail(why, STATUS_INPUT,
+                           "the discretization is no model's: begin with model_defaults");
     for (const struct schema_key *s = option_shared; s->key; s++) {
         const struct schema_key *listed = option_find(d->model->options, s->key);
         const int value = *(const int *)(const void *)((const char *)d + s->offset);

@@ -27,8 +27,10 @@ static inline void plate_hold(struct scene *scene, int direction, double at, uns
 
 static inline struct discretization plate_degrees(int p, int q, int r, int n, int m, int l)
 {
-    return (struct discretization){
-        .points = {n, m, l}, .degree = {p, q, r}, .kinematics = KINEMATICS_LINEAR};
+    return (struct discretization){.model = &plate_model,
+                                   .points = {n, m, l},
+                                   .degree = {p, q, r},
+                                   .kinematics = KINEMATICS_LINEAR};
 }
 
 /* Downward displacement [m] of the mid-surface at (u, v) in static equilibrium. */
@@ -36,12 +38,14 @@ static inline double plate_sag(const struct model *model, const struct scene *sc
                                const struct discretization *d, double u, double v)
 {
     const double uvw[3] = {u, v, 0.5};
+    struct discretization of = *d;
     struct counters counters = {0};
     struct message why = {""};
     double xyz[3];
     void *state = NULL;
 
-    if (!CHECK(model->create(scene, d, &state, &why) == STATUS_OK) ||
+    of.model = model;
+    if (!CHECK(model->create(scene, &of, &state, &why) == STATUS_OK) ||
         !CHECK(model->equilibrium(state, &counters, &why) == STATUS_OK)) {
         printf("  %s\n", why.text);
         model->destroy(state);

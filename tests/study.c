@@ -150,7 +150,7 @@ static void deaths_and_refusals(void)
     CHECK_NEAR(row[0].frame[0].next, rmse("rough_calm", "rough_wild", 0), TOL_STORED);
     CHECK(isnan(row[0].frame[1].next)); /* nobody else lives */
     CHECK(isnan(study_order(s, 0)));
-    CHECK(strstr(text, "died at t = 0.265 s") && strstr(text, "no remedy"));
+    CHECK(strstr(text, "died at t = 0.265 s") && strstr(text, "remedy=incompatible: "));
     CHECK(!late->truth && strstr(text, "Truth: none; no truth is claimed"));
     CHECK(!strcmp(late->plan->levels[0].name, "flat_sheet"));
     /* A factor a step has no limit: the shell's own steps would be damped otherwise. */

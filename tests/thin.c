@@ -100,6 +100,7 @@ int main(void)
     for (double h = 0.1; h > 5e-6; h /= 10)
         for (int normal = 0; normal < 3; normal++) {
             struct discretization d = plate_degrees(1, 1, 1, 6, 5, 2);
+            d.model = &hex_model;
             check_parity(&hex_model, &d, h, normal);
             d.remedy = REMEDY_INCOMPATIBLE;
             check_parity(&hex_model, &d, h, normal);

@@ -23,7 +23,7 @@ struct elastica {
 };
 
 /* Solves for ELASTICA_MIN <= gamma <= ELASTICA_MAX; otherwise STATUS_INPUT. Relative error
- * below 1e-10 (tests/elastica.c). At most 0.3 s; allocates nothing. */
+ * below 1e-10 (tests/fem_ref/elastica.c). At most 0.3 s; allocates nothing. */
 enum status elastica_solve(double gamma, struct elastica *e);
 
 /* The shape of the strip: where each s[count], increasing from 0 (the clamp) to 1 (the

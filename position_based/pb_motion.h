@@ -6,7 +6,7 @@
  * so many iterations that nothing moves this is implicit Euler's step but for one thing: a
  * spring has pulled along the directions that it had on the way, not along the last one.
  * That is of second order in what it turns in a step: 1e-6 of the way for steps of 4 ms,
- * 1e-4 of 16 ms (tests/position_based.c).
+ * 1e-4 of 16 ms (tests/position_based/position_based.c).
  *
  * Constraints and what compliance means. The springs of spring_law.h, C = l - r [m], have
  * the energy C^2 / 2 alpha with the compliance alpha = 1 / k [m/N]; on square cells
@@ -25,8 +25,9 @@
  * step: small steps do more than iterations. Unless their number is given, there are so
  * many substeps that it is 10 at most. A cloth that hardly stretches does not mind; but
  * springs so soft store more than they push with, and a hard impact seems to add energy, on
- * the ball of tests/contact_truth.c 2.7 times that of the fall, at a softening of 1 still 3
- * %, below 0.6 none: with obstacles it is 0.4 at most, for five times as many substeps.
+ * the ball of tests/physics/contact_truth.c 2.7 times that of the fall, at a softening of 1
+ * still 3 %, below 0.6 none: with obstacles it is 0.4 at most, for five times as many
+ * substeps.
  * `doubt` tells what it comes to: the strain of springs beyond what their forces ask for,
  * l - r + alpha lambda / dt^2 over r.
  *

@@ -23,7 +23,8 @@
  * mu p, slipping when the way is along the force. On planes of one direction neither sees
  * the other; where the turns do not settle at once, the next iteration goes on. After a
  * fixed number of iterations friction on a curved obstacle may exceed mu p by what p still
- * changes; at a small tolerance it does not (tests/projective_dynamics_contact.c).
+ * changes; at a small tolerance it does not
+ * (tests/projective_dynamics/projective_dynamics_contact.c).
  */
 #ifndef PD_CONTACT_H
 #define PD_CONTACT_H

@@ -19,7 +19,8 @@
 
 /* A node that moves by d in an iteration is about d / (1 - rate) from its end, and the rate
  * is 0.999 or more where stretching is stiff against the mass: a tolerance of 1e-8 spoils a
- * motion in steps of 0.06 ms (tests/projective_dynamics_truth.c uses 1e-10). */
+ * motion in steps of 0.06 ms (tests/projective_dynamics/projective_dynamics_truth.c uses
+ * 1e-10). */
 struct pd_options {
     int points[2];
     enum constraint constraint;

@@ -19,7 +19,7 @@ TOL_BOUNDS = 1e-12
 
 
 def position(frame, u, v, w):
-    """As in tests/store.c."""
+    """As in tests/bench/files/store.c."""
     curvature = frame + 0.01
     radius = 1 / curvature - 0.05 * (w - 0.5)
     return (radius * math.sin(u * curvature), 0.5 * v,

@@ -1,5 +1,6 @@
 /* toy_model.h - the smallest model that keeps the contract of models/model.h: what to copy
- * when adding one (doc/adding_a_model.md). Not registered; tests/contract.c runs it. */
+ * when adding one (doc/adding_a_model.md). Not registered; tests/physics/contract.c runs
+ * it. */
 #ifndef TOY_MODEL_H
 #define TOY_MODEL_H
 

@@ -231,15 +231,15 @@ static void physics(void)
 /* Another scene than a text is of is told by what differs first. */
 static void physics_told(void)
 {
-    static const char *const held = HELD("u: 0, v: [0.25,0.75]");
-    char *text = physics_of("edge_drop", 1, &held);
+    static const char *const patch = HELD("u: 0, v: [0.25,0.75]");
+    char *text = physics_of("edge_drop", 1, &patch);
     struct scene s = {0};
     struct settings settings = {0};
     struct message why = {""};
     char *path = NULL;
 
     REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
-    settings_set(&settings, held);
+    settings_set(&settings, patch);
     REQUIRE(contestant_read_scene(&settings, path, &s, NULL) == STATUS_OK);
     CHECK(truth_physics_check(text, &s, &why) == STATUS_OK && !*why.text);
     s.poisson = 0.25;

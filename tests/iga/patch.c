@@ -6,15 +6,16 @@
 
 #include <float.h>
 
-/* Three univariate factors at 8 eps each (see tests/bspline.c), sums over up to 216
+/* Three univariate factors at 8 eps each (see tests/iga/bspline.c), sums over up to 216
  * positive terms that add to 1: about 2 sqrt(216) / 2 eps more. */
 #define TOL_SUM (40 * DBL_EPSILON)
 /* The same, with derivative factors: terms up to 2 p / (knot distance) = 250 times the sum,
  * and never more than 250 * 40 eps; stated relative to that scale. */
 #define TOL_GRADIENT_SUM (250 * TOL_SUM)
 /* Central difference with relative truncation c t^2 and round-off 40 eps / t; c is 1120 for
- * one polynomial of degree 5 (tests/bspline.c) and, for a quotient by weights in [0.5, 2),
- * up to (1 + W'/W)^3 with W' / W <= 4 more: about 1e5. Best at t = 4e-7: 1.6e-8 + 2.2e-8.
+ * one polynomial of degree 5 (tests/iga/bspline.c) and, for a quotient by weights in [0.5,
+ * 2), up to (1 + W'/W)^3 with W' / W <= 4 more: about 1e5. Best at t = 4e-7: 1.6e-8
+ * + 2.2e-8.
  */
 #define TOL_DIFFERENCE 4e-8
 /* Newton's last residual is below this part of the size; parameters follow within it times

@@ -8,8 +8,8 @@
 
 /* A new control point is a convex combination of old ones through up to 5 levels of 3
  * roundings, averaged over 10 choices, of coordinates about 1: 8 eps; evaluating at both
- * patches adds 40 eps at the very worst, 8 as a rule (tests/patch.c). Repeated refinements
- * add their 8 eps each. */
+ * patches adds 40 eps at the very worst, 8 as a rule (tests/iga/patch.c). Repeated
+ * refinements add their 8 eps each. */
 #define TOL_SHAPE 1e-14
 #define TOL_KNOT  DBL_EPSILON
 

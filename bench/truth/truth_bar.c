@@ -1,3 +1,4 @@
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -326,16 +327,17 @@ static void tell(const struct truth_family family[TRUTH_MODELS],
     if (less->times)
         snprintf(at, sizeof at, "; at %d of %d times the ", less->times,
                  less->times + more->times);
-    snprintf(made->source, sizeof made->source,
-             "nonlinear %s%s%s; error bar: its own by %s%s%s", first, at,
-             less->times ? other : "",
-             more->limits + less->limits ? "how far its limit moved, and observed orders"
-             : family[most].count < 3    ? "the difference of two runs, three times"
-                                         : "observed orders",
-             family[!most].count ? " or, if larger, its difference from the " : "",
-             less->times           ? "other"
-             : family[!most].count ? other
-                                   : "");
+    const int length = snprintf(
+        made->source, sizeof made->source, "nonlinear %s%s%s; error bar: its own by %s%s%s",
+        first, at, less->times ? other : "",
+        more->limits + less->limits ? "how far its limit moved, and observed orders"
+        : family[most].count < 3    ? "the difference of two runs, three times"
+                                    : "observed orders",
+        family[!most].count ? " or, if larger, its difference from the " : "",
+        less->times           ? "other"
+        : family[!most].count ? other
+                              : "");
+    assert(length < (int)sizeof made->source); /* nets have at most four digits a side */
 }
 
 void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,

@@ -403,6 +403,7 @@ int main(void)
     unsettled();
     moved();
     heard();
+    truth_clear(&made);
     check_choices();
     check_doubt();
     truth_clear(&made);

@@ -23,7 +23,7 @@ static const double FIRST = 0.02, LONGER = 3;
  * than anybody waits. */
 static const double DEARER = 30, SHORT = 0.2;
 
-/* Of what is left of the budget a run may take, with its judging and its repeats. */
+/* The share of the budget left that a run may take, with its judging and its repeats. */
 static const double SHARE = 1.0 / 20;
 
 /* The truth, as sharp as it takes, in so many seconds at most: job->found, or NULL with a
@@ -67,7 +67,7 @@ double advise_search_rate(const struct advise_search *s, const struct contest_ro
     return row->seconds / s->job->time[s->job->times - 1];
 }
 
-/* Of a contestant's rows the cheapest within the target; NULL: none is. */
+/* Returns a contestant's cheapest row within the target; NULL: none is. */
 static const struct contest_row *cheapest(const struct advise_search *s,
                                           const struct contestant *who)
 {
@@ -155,7 +155,7 @@ static const struct scene *scene_of(const struct advise_search *s)
     return s->job->contest.scene;
 }
 
-/* What kept a contestant from serving, for people. */
+/* Says what kept a contestant from serving. */
 static void tell_reason(const struct advise_search *s, const struct contestant *who,
                         char text[TEXT])
 {

@@ -17,7 +17,7 @@ struct advise_wish {
     double budget; /* seconds that all of this may take, the truth included            */
 };
 
-/* Where the search ended. */
+/* The reason for which the search ended. */
 enum advise_end { ADVISE_DONE, ADVISE_BUDGET };
 
 struct advise_search {

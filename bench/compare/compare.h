@@ -43,7 +43,7 @@ enum status compare_job_ladder(struct compare_job *j, const char *models,
  * STATUS_LATE with a sentence: the budget was over before, and some are absent. */
 enum status compare_job_rows(struct compare_job *j, int first, struct message *why);
 
-/* What is proposed by contest_search for any contestant becomes a row. */
+/* Makes a row of each run that contest_search proposes for any contestant. */
 enum status compare_job_propose(struct compare_job *j, const struct contest_wish *wish);
 
 /* Runs and times the ladder, what it makes worth a try (contest_search_all), then, untimed,

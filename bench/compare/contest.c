@@ -405,7 +405,7 @@ static void append_size(const struct contest *c, const struct contest_row *r,
         append(text, size, "%d", n[axis]);
 }
 
-/* What could not be seen: "; step not tried", "; net 60x60 died". */
+/* Says what could not be seen: "; step not tried", "; net 60x60 died". */
 static void append_unseen(const struct contest *c, const struct contest_limit *l,
                           char *text, size_t size)
 {

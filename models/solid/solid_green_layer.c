@@ -72,7 +72,7 @@ bool solid_green_layer_strain(struct solid_green_element *e,
         const struct solid_layer_form *form = &solid_layer_form[kind];
         const struct solid_layer_term *term = form->term;
         const double *t = rest->t + (size_t)n * VECTORS * 3;
-        double d[VECTORS][3], last[VECTORS][3] = {{0}}, beside[VECTORS][3] = {{0}};
+        double d[VECTORS][3], last[VECTORS][3], beside[VECTORS][3];
 
         vectors(e, e->U[0], rows_at(e, rest, n), d);
         if (kind == SOLID_OTHER && !(volume(t, d) > 0))
@@ -84,10 +84,10 @@ bool solid_green_layer_strain(struct solid_green_element *e,
         memset(strain, 0, (size_t)form->strains * sizeof *strain);
         for (int m = 0; m < form->terms; m++) {
             int k = term[m].k, l = term[m].l;
-            strain[term[m].strain] +=
-                term[m].factor *
-                (dot(t + 3 * k, d[l]) + dot(t + 3 * l, d[k]) + dot(d[k], d[l]) -
-                 (dot(beside[k], last[l]) + dot(last[k], beside[l])) / 2);
+            double part = dot(t + 3 * k, d[l]) + dot(t + 3 * l, d[k]) + dot(d[k], d[l]);
+            if (change)
+                part -= (dot(beside[k], last[l]) + dot(last[k], beside[l])) / 2;
+            strain[term[m].strain] += term[m].factor * part;
         }
         strain += form->strains;
     }

@@ -155,11 +155,10 @@ out:
 
 static const struct command list_command = {
     .name = "list",
-    .summary = "what there is: " NAMES(", "),
+    .summary = "list " NAMES(", "),
     .arguments = "[" NAMES("|") "]",
-    .text =
-        "Prints names, one a line, each with a word on it. The names are those that the\n"
-        "other commands take.\n",
+    .text = "Prints the names that the other commands take, one a line, each with a\n"
+            "description.\n",
     .examples = "list\nlist scenes\n",
     .most = 1,
     .run = run,

@@ -36,19 +36,20 @@ static int exit_code(enum status st)
 static void print_help(FILE *file)
 {
     fputs("usage: clothbench COMMAND [ARGUMENT]...\n\n"
-          "Verifies and times cloth models against each other and against a truth.\n\n"
+          "Runs cloth models on the same scenes and compares their speed and error.\n\n"
           "Commands:\n",
           file);
     for (int n = 0; commands[n]; n++)
         fprintf(file, "  %-8s%s\n", commands[n]->name, commands[n]->summary);
-    fputs("  help    this text; help COMMAND: options and examples of a command\n"
-          "  version commit, compiler, libraries, machine, threads\n"
+    fputs("  help    print this text, or the options and examples of a command: help "
+          "COMMAND\n"
+          "  version print commit, compiler, libraries, machine and threads\n"
           "\nExamples:\n"
           "  clothbench list scenes\n"
           "  clothbench run edge_drop\n"
           "  clothbench run cantilever --static\n"
           "  clothbench help run\n"
-          "\nExit: 0 done; 1 a run died or a check failed; 2 bad input or usage.\n",
+          "\nExit code: 0 done; 1 a run died or a check failed; 2 bad input or usage.\n",
           file);
 }
 

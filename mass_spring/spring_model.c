@@ -15,9 +15,9 @@ static const struct schema_key options[] = {
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_EXPLICIT) |
                            OPTION(INTEGRATOR_LEAPFROG) | OPTION(INTEGRATOR_MOMENTUM)},
     {"bending", .only = OPTION(BENDING_QUADRATIC) | OPTION(BENDING_STRUT)},
-    {"strain_limit", "of a spring, 0: none", SCHEMA_NUMBER, .low = 0, .high = 10,
+    {"strain_limit", "largest strain of a spring; 0: none", SCHEMA_NUMBER, .low = 0, .high = 10,
      OPTION_OWN(spring_own, strain_limit)},
-    {"springs", "what springs resist in leapfrog steps",
+    {"springs", "changes that springs resist in leapfrog steps",
      OPTION_WORDS([SPRINGS_SQUARES] = "squares", [SPRINGS_LENGTHS] = "lengths"),
      OPTION_OWN(spring_own, springs)},
     {NULL}};

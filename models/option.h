@@ -8,8 +8,8 @@
  *
  *     {"substeps"},
  *     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
- *     {"strain_limit", "of a spring, 0: none", SCHEMA_NUMBER, .low = 0, .high = 10,
- *      OPTION_OWN(spring_own, strain_limit)},
+ *     {"strain_limit", "largest strain of a spring; 0: none", SCHEMA_NUMBER, .low = 0,
+ * .high = 10, OPTION_OWN(spring_own, strain_limit)},
  */
 #ifndef OPTION_H
 #define OPTION_H

@@ -12,7 +12,7 @@
 static const struct schema_key options[] = {
     OPTIONS_NET, {"solver"}, {"preconditioner"}, {"parameters"}, {"precision"},
 
-    {"projection", "of constraints on positions",
+    {"projection", "projection of constraints on positions",
      OPTION_WORDS([PROJECTION_XPBD] = "xpbd", [PROJECTION_PBD] = "pbd"),
      OPTION_OWN(pb_own, projection)},
     {NULL}};

@@ -14,7 +14,7 @@ static const struct schema_key options[] = {
     {"integrator", .only = OPTION(INTEGRATOR_MOMENTUM) | OPTION(INTEGRATOR_IMPLICIT) |
                            OPTION(INTEGRATOR_LEAPFROG)},
     {"bending", .only = OPTION(BENDING_QUADRATIC) | OPTION(BENDING_HINGE)},
-    {"membrane", "strain of triangles",
+    {"membrane", "membrane strain of triangles",
      OPTION_WORDS([MEMBRANE_GREEN] = "green", [MEMBRANE_COROTATIONAL] = "corotational",
                   [MEMBRANE_BARAFF_WITKIN] = "baraff_witkin"),
      OPTION_OWN(tri_own, membrane)},

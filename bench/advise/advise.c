@@ -486,33 +486,38 @@ out:
 }
 
 static const struct command_option options[] = {
-    {"--error", "PERCENT", false, "of the length, at every time: 2% or 0.02; needed"},
-    {"--realtime", NULL, false, "a second of motion may take a second"},
-    {"--seconds", "SECONDS", false, "a second of motion may take so many"},
+    {"--error", "PERCENT", false,
+     "largest error at any time, of the length: 2% or 0.02\n"
+     "(required)"},
+    {"--realtime", NULL, false, "a second of motion may take at most a second"},
+    {"--seconds", "SECONDS", false, "a second of motion may take at most this long"},
     {"--models", "NAME,NAME,...", false,
-     "which models or contestants (all that enter\n`compare`)"},
-    {"--set", "KEY=VALUE", true, "override a key of the scene"},
+     "models or contestants (those that take part in\n"
+     "`compare`)"},
+    {"--set", "KEY=VALUE", true, "change a key of the scene"},
     {"--until", "SECONDS", false,
-     "how much of the motion counts (0.5, or the stored\ntruth up to there)"},
-    {"--budget", "SECONDS", false, "that the answer may take (240)"},
-    {"--format", TABLE_FORMATS, false, "how to print (text)"},
-    {"--out", "DIR", false, "where result files and CSV go (results/advise_SCENE)"},
+     "end of the motion that counts (0.5, or the end of the\n"
+     "stored truth before that)"},
+    {"--budget", "SECONDS", false, "time for the answer (240)"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--out", "DIR", false, "folder of result files and CSV (results/advise_SCENE)"},
     {NULL, NULL, false, NULL},
 };
 
 const struct command advise_command = {
     .name = "advise",
-    .summary = "the cheapest model, net and step for a scene and an error",
+    .summary = "find the cheapest model, net and step for a scene and an error",
     .arguments = "SCENE [OPTION]...",
     .text =
-        "Measures every contestant on your scene, from its coarsest net and longest step\n"
-        "on, against the scene's truth: the stored one, or runs refined until its\n"
-        "error bar is small beside the error that is asked for. Prints the `run` command\n"
-        "to use, its error and its seconds for a second of motion, then everybody else:\n"
-        "those that serve too, from cheap to dear, and those that do not, with the\n"
-        "reason. To serve for sure a run has to be nearer than the error asked for less\n"
-        "the truth's bar; where the bar is larger, nothing can be decided, and that is\n"
-        "the answer (exit 1).\n",
+        "Measures every contestant on your scene, starting from its coarsest net and\n"
+        "longest step, against the scene's truth: the stored one, or runs that are\n"
+        "refined until its error bar is small beside the required error. Prints the\n"
+        "`run` command to use, with its error and its seconds for a second of motion.\n"
+        "Then it lists the other contestants: those that are accurate enough, from cheap\n"
+        "to expensive, and those that are not, with the reason. A run is accurate enough\n"
+        "if its error is below the required one minus the truth's error bar. If the bar\n"
+        "is larger than the required error, nothing can be decided: that is the answer\n"
+        "(exit code 1).\n",
     .examples = "advise edge_drop --error 2%\n"
                 "advise my_flap.yaml --error 2% --realtime\n"
                 "advise edge_drop --error 1% --models mass_spring,triangles --until 0.3\n",

@@ -239,45 +239,48 @@ out:
 
 static const struct command_option options[] = {
     {"--models", "NAME,NAME,...", false,
-     "which models or contestants (all that enter here;\nclothbench list contestants)"},
-    {"--set", "KEY=VALUE", true, "override a key of the scene"},
+     "models or contestants (those that take part here;\n"
+     "`clothbench list contestants`)"},
+    {"--set", "KEY=VALUE", true, "change a key of the scene"},
     {"--until", "SECONDS", false,
-     "compare five times up to this one (0.5, or those of\nthe stored truth before it, "
-     "while "
-     "it is known to 3 %)"},
+     "compare at five times up to this one (0.5, or those of\n"
+     "the stored truth before it that it knows to 3 %)"},
     {"--longest", "SECONDS", false,
-     "of a run that the search for the best net, points\nacross it, step and iterations "
-     "may try (3; 0: no "
-     "search)"},
+     "longest run that the search for the best net, points\n"
+     "across it, step and iterations may try (3; 0: no search)"},
     {"--budget", "SECONDS", false,
-     "of all runs of a scene together (as long as it takes):\ncheap ones are tried first, "
-     "and what is left is told"},
-    {"--threads", "N,N,...", false, "times the best runs again with so many threads (1)"},
-    {"--format", TABLE_FORMATS, false, "how to print (text)"},
-    {"--out", "DIR", false, "where result files, CSV and plot go (results/compare_SCENE)"},
-    {"--from", "DIR", false, "tables and plot from result files of an earlier run"},
-    {"--quick", NULL, false, "the cheap half of each ladder, no search, three\nrepeats"},
+     "time for all runs of a scene together (no limit); cheap\n"
+     "ones go first, and what is left out is printed"},
+    {"--threads", "N,N,...", false, "time the best runs again with so many threads (1)"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--out", "DIR", false,
+     "folder of result files, CSV and plot\n"
+     "(results/compare_SCENE)"},
+    {"--from", "DIR", false, "print again from the result files of an earlier run"},
+    {"--quick", NULL, false, "the cheap half of the nets, no search, three repeats"},
     {NULL, NULL, false, NULL},
 };
 
 const struct command compare_command = {
     .name = "compare",
-    .summary = "speed against error, all models, a scene or several",
+    .summary = "measure speed against error of all models, on a scene or several",
     .arguments = "SCENE... [OPTION]...",
     .text =
-        "Runs each contestant over nets, time steps and iterations from cheap to dear,\n"
-        "holds every run against the scene's truth on the material grid, times all in\n"
-        "turn, and searches from there: for the least net, the fewest points across it,\n"
-        "the longest step and the fewest iterations that reach 3, 2, 1, 0.5 and 0.2 %,\n"
-        "and for what comes nearer. Nets begin with cells about as long as wide.\n"
-        "It prints the error beside the seconds; the least time for each of these; how\n"
-        "seconds grow with accuracy; the least error in real time and the least of all,\n"
-        "each with the net, the step and the iterations that reach it; and what limits\n"
-        "the last: from there the net, the net across, step and iterations are refined\n"
-        "once more, one at a time, and what takes most off is named, or the truth, where\n"
-        "the error is within its bar. Seconds are set-up and stepping, medians of the\n"
-        "repeats that stand beside them. After several scenes a table over all of them\n"
-        "tells who wins where.\n",
+        "Runs each contestant over nets, time steps and iterations from cheap to\n"
+        "expensive, compares every run with the scene's truth on the material grid, and\n"
+        "times all in turn. From there it searches the smallest net, the fewest points\n"
+        "across it, the longest step and the fewest iterations that reach an error of 3,\n"
+        "2, 1, 0.5 and 0.2 %, and more accurate runs. Nets start with cells about as\n"
+        "long as wide.\n"
+        "\n"
+        "It prints the error beside the seconds, the least time for each of these\n"
+        "errors, how seconds grow with accuracy, and the lowest error in real time and\n"
+        "of all, each with its net, step and iterations. It also says what limits the\n"
+        "lowest error: the net, the net across, the step and the iterations are refined\n"
+        "once more, one at a time, and the one that lowers the error most is named, or\n"
+        "the truth where the error is within its bar. Seconds are those of set-up and\n"
+        "stepping, as medians of the repeats beside them. With several scenes a last\n"
+        "table compares the contestants on all of them.\n",
     .examples = "compare edge_drop\ncompare edge_drop corners_patch flag\ncompare "
                 "corners_drop --models iga,shell_3\n"
                 "compare edge_drop --from results/compare_edge_drop --format csv\n",

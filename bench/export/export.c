@@ -471,26 +471,25 @@ out:
 }
 
 static const struct command_option options[] = {
-    {"--points", "N,M", false, "vertices along u and v, needed"},
-    {"--out", "FOLDER", false, "a new folder for the files, needed"},
-    {"--format", "obj|ply|csv", false, "of the rest mesh (all three)"},
-    {"--set", "KEY=VALUE", true, "override a key of the scene"},
+    {"--points", "N,M", false, "vertices along u and v (required)"},
+    {"--out", "FOLDER", false, "a new folder for the files (required)"},
+    {"--format", "obj|ply|csv", false, "format of the rest mesh (all three)"},
+    {"--set", "KEY=VALUE", true, "change a key of the scene"},
     {NULL, NULL, false, NULL},
 };
 
 const struct command export_command = {
     .name = "export",
-    .summary = "a scene for somebody else's simulator",
+    .summary = "write a scene for your own simulator",
     .arguments = "SCENE [OPTION]...",
     .text =
         "Writes what another simulator needs to run a scene: the rest mesh with u and v,\n"
-        "what is held and the vertices outside the sheet that make a clamp of an edge, "
-        "the\n"
-        "material as elements, springs and XPBD want it, times at which the truth is\n"
-        "known, obstacles, loads and moving supports, the scene itself, and README.md "
-        "with\n"
-        "the rules on one page. Physics are those of the scene's truth. All files appear\n"
-        "at once or none does; a folder that has something in it is left alone.\n",
+        "the vertices that are held and those outside the sheet that make an edge a\n"
+        "clamp, the material as elements, springs and XPBD need it, the times at which\n"
+        "the truth is known, obstacles, loads and moving supports, the scene itself, and\n"
+        "README.md with the rules on one page. The physics are those of the scene's\n"
+        "truth. Either all files appear or none does; a folder that is not empty is left\n"
+        "alone.\n",
     .examples = "export edge_drop --points 21,21 --out edge_drop_21\n"
                 "export sphere --points 51,51 --format obj --out ball\n",
     .least = 1,

@@ -175,23 +175,22 @@ static enum status run(const struct command_line *line, struct message *why)
 }
 
 static const struct command_option options[] = {
-    {"--out", "FILE", false, "where the page goes (DIR/report.html)"},
+    {"--out", "FILE", false, "the page (DIR/report.html)"},
     {NULL, NULL, false, NULL},
 };
 
 const struct command report_command = {
     .name = "report",
-    .summary =
-        "one page of HTML from all results: what holds, what does not, what is missing",
+    .summary = "write one page of HTML from all results: what holds, what does not, what "
+               "is missing",
     .arguments = "[DIR] [OPTION]...",
     .text =
-        "Writes one self-contained page from what the other commands left in DIR\n"
-        "(results): the verdict on every claim of the paper, tables, pictures beside the\n"
-        "paper's captions, speed against error, verification, hard cases, truths with\n"
-        "their error bars, and motions to play. It needs no network and no server, and\n"
-        "stays under 10 MB. What was not run is named with the command that makes it, "
-        "what\n"
-        "is damaged with what is wrong.\n",
+        "Writes one self-contained page from the results that the other commands left in\n"
+        "DIR (results): the verdict on every claim of the paper, tables, pictures beside\n"
+        "the paper's captions, speed against error, verification, hard cases, truths\n"
+        "with their error bars, and motions to play. The page needs no network and no\n"
+        "server, and stays under 10 MB. It names the command that makes what is missing,\n"
+        "and says what is wrong with a damaged file.\n",
     .examples = "report\nreport results --out page.html\n",
     .most = 1,
     .options = options,

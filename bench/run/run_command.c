@@ -335,46 +335,46 @@ out:
 
 static const struct command_option options[] = {
     {"--model", "NAME", false,
-     "a model or a contestant; the first of clothbench list\nmodels unless told otherwise"},
+     "a model or a contestant; without it the first of\n"
+     "`clothbench list models`"},
     {"--set", "KEY=VALUE", true,
      "a key of the scene (material.young=5e4) or of the\n"
      "discretization (discretization.points=[20,20,2],\n"
      ".degree=[3,3,1], .kinematics=linear|printed|incremental|nonlinear);\n"
      "all keys: clothbench help scene"},
     {"--static", NULL, false,
-     "static equilibrium instead of motion, at large\n"
-     "displacements unless discretization.kinematics=linear;\n"
-     "on obstacles, too; and whether it is stable"},
+     "static equilibrium instead of motion, and whether it is\n"
+     "stable; at large displacements unless\n"
+     "discretization.kinematics=linear; also on obstacles"},
     {"--modes", "N", false,
-     "the N lowest natural frequencies instead of motion:\n"
-     "about the rest shape, or with --static about nonlinear\n"
+     "the N lowest natural frequencies instead of motion,\n"
+     "about the rest shape or, with --static, about nonlinear\n"
      "static equilibrium, and whether that is stable"},
-    {"--format", TABLE_FORMATS, false, "of the table of --static or --modes (text)"},
+    {"--format", TABLE_FORMATS, false, "format of the table of --static or --modes (text)"},
     {"--probe", "U,V,W", true,
-     "where this material point is in every frame, as CSV\n"
-     "t,u,v,w,x,y,z with 17 digits on standard output"},
+     "print the position of this material point in every\n"
+     "frame, as CSV t,u,v,w,x,y,z with 17 digits"},
     {"--out", "FILE.h5", false,
-     "keep every frame in an HDF5 file, and a FILE.xdmf\nbeside it that opens in ParaView"},
-    {"--every", "N", false,
-     "keep only each N-th frame in --out; the first and the\nlast always"},
+     "store every frame in an HDF5 file, and write a FILE.xdmf\n"
+     "beside it that opens in ParaView"},
+    {"--every", "N", false, "store only each N-th frame, the first and the last"},
     {"--matrices", "FOLDER", false,
      "also write stiffness and mass of the rest shape to\n"
      "FOLDER/K.mtx and M.mtx, in Matrix Market form"},
-    {"--quiet", NULL, false, "no words for people, no progress bar"},
+    {"--quiet", NULL, false, "print no words for people and no progress bar"},
     {0},
 };
 
 const struct command run_command = {
     .name = "run",
-    .summary = "one model on one scene: its motion, static equilibrium or frequencies",
+    .summary = "run one model on one scene: its motion, static equilibrium or frequencies",
     .arguments = "SCENE [OPTION]...",
     .text =
         "Runs a model on a scene: a name from `clothbench list scenes` or the path of a\n"
-        "YAML file. What it did is told on standard error: Gamma, the discretization,\n"
-        "milliseconds a frame, work done, metrics of the last frame; and before all that,\n"
-        "if the sheet stretched as no sheet does, went through itself or deep into an\n"
-        "obstacle, that the result is not to be trusted. Positions and tables go to\n"
-        "standard output.\n",
+        "YAML file. Standard error gets Gamma, the discretization, milliseconds a frame,\n"
+        "counts of work and the metrics of the last frame. If the sheet stretched far,\n"
+        "went through itself or deep into an obstacle, a sentence says first that the\n"
+        "result is not to be trusted. Positions and tables go to standard output.\n",
     .options = options,
     .examples =
         "run edge_drop\n"

@@ -161,35 +161,35 @@ out:
 
 static const struct command_option options[] = {
     {"--rest", "FILE", false,
-     "a mesh (.obj, .ply) in the frames' order, for those without uv: its vt,\nor where "
-     "its "
-     "vertices are"},
+     "a mesh (.obj, .ply) in the order of the frames, for\n"
+     "frames without uv: its vt, or its vertices' positions"},
     {"--dt", "S", false,
-     "seconds from frame to frame, where files have no times; the first "
+     "seconds between frames of files without times; the first\n"
      "is at 0"},
-    {"--up", "x|y|z", false, "which axis of the frames points up (z)"},
-    {"--scale", "K", false, "metres of a unit of the frames (1); 0.001: millimetres"},
-    {"--format", TABLE_FORMATS, false, "how to print (text)"},
+    {"--up", "x|y|z", false, "axis of the frames that points up (z)"},
+    {"--scale", "K", false, "metres in a unit of the frames (1); 0.001: millimetres"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
     {NULL, NULL, false, NULL},
 };
 
 const struct command score_command = {
     .name = "score",
-    .summary = "anybody's frames against a scene's truth, with a diagnosis",
+    .summary = "compare your simulator's frames with a scene's truth, and diagnose them",
     .arguments = "SCENE [FRAMES]... [OPTION]...",
     .text =
-        "Holds the frames of any simulator against what is known of the scene's motion,\n"
-        "at the times at which both are: rms over the sheet, beside the truth's error bar\n"
-        "and the net's own floor, which is the truth bilinear between its vertices; and\n"
-        "says what is wrong: a first-order step, damping, gravity, stretch, bending, a\n"
-        "hinge, a soft clamp, lag, pace, axes, units, order, supports. Scenes that are "
-        "damped by velocity_scale are\n"
-        "judged undamped, as their truths are. Units are SI, z points up.\n"
-        "FRAMES: a .csv of lines t,u,v,x,y,z; .npz or .h5 with xyz [frames][n][3], uv\n"
-        "[n][2], t [frames]; .npy; .mdd, .pc2; .obj or .ply, a file a frame (several, or "
-        "a\n"
-        "folder); the program's own result files. A folder alone, with files or folders\n"
-        "that are named like scenes, gives one sheet of all.\n",
+        "Compares the frames of any simulator with the truth of a scene at the times at\n"
+        "which both are known: the rms distance over the sheet, beside the truth's error\n"
+        "bar and the floor of the net, which is the error of the truth itself when it is\n"
+        "interpolated bilinearly between these vertices. Then it says what is wrong with\n"
+        "the frames: a first-order step, damping, gravity, stretch, bending, a hinge, a\n"
+        "soft clamp, lag, pace, axes, units, order, supports. Scenes that are damped by\n"
+        "velocity_scale are judged undamped, as their truths are. Units are SI, and z\n"
+        "points up.\n"
+        "\n"
+        "FRAMES is a .csv with lines t,u,v,x,y,z; .npz or .h5 with xyz [frames][n][3],\n"
+        "uv [n][2] and t [frames]; .npy; .mdd or .pc2; .obj or .ply with a file a frame\n"
+        "(several files or a folder); or a result file of this program. A folder alone,\n"
+        "whose files or folders are named like scenes, gives one table of all.\n",
     .examples =
         "score edge_drop frames.csv\n"
         "score edge_drop frames.npz --format json\n"

@@ -188,25 +188,27 @@ out:
 
 static const struct command_option options[] = {
     {"--models", "NAME,NAME,...", false,
-     "which models or contestants the timing table has (all\nthat enter it; clothbench "
-     "list contestants)"},
-    {"--format", TABLE_FORMATS, false, "how to print (text)"},
-    {"--out", "DIR", false, "where every repeat is kept (results/bench)"},
-    {"--from", "DIR", false, "print again what an earlier run kept"},
+     "models or contestants of the timing table (those that\n"
+     "take part; `clothbench list contestants`)"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--out", "DIR", false, "folder of all repeats (results/bench)"},
+    {"--from", "DIR", false, "print again from the files of an earlier run"},
     {"--quick", NULL, false,
-     "three repeats of everything; matrices, surfaces and\nnets: the smaller ones"},
+     "three repeats of everything, and the smaller matrices,\n"
+     "surfaces and nets"},
     {NULL, NULL, false, NULL},
 };
 
 const struct command bench_command = {
     .name = "bench",
-    .summary = "how fast the models are, against aims and named baselines",
+    .summary = "time the models and compare them with aims and other libraries",
     .arguments = "[NAME]... [OPTION]...",
     .text =
-        "Times set-up and frames of all contestants, the phases of a frame against aims,\n"
-        "and libraries on the same matrices: on one thread, all of a part in turn, nine\n"
-        "repeats of what takes up to 0.2 s and three of the rest, which stand beside the\n"
-        "medians. A loaded machine spoils the times: look at the quartiles.\n",
+        "Times set-up and frames of all contestants, the phases of a frame, which are\n"
+        "compared with aims, and libraries on the same matrices. All of a part take\n"
+        "turns on one thread, with nine repeats of what takes up to 0.2 s and three of\n"
+        "the rest; the number stands beside the medians. Other work on the machine\n"
+        "spoils the times: look at the quartiles.\n",
     .examples = "bench contestants\nbench solids growth --out times\n"
                 "bench solids growth --from times --format csv\n",
     .least = 0,

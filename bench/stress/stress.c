@@ -242,11 +242,11 @@ out:
 }
 
 static const struct command_option options[] = {
-    {"--models", "A,B,...", false, "models or contestants (all that enter here)"},
+    {"--models", "A,B,...", false, "models or contestants (those that take part here)"},
     {"--quick", NULL, false, "some of the cases, in less than a minute"},
-    {"--jobs", "N", false, "runs at a time (as many as there are processors)"},
-    {"--format", TABLE_FORMATS, false, "how to print (text)"},
-    {"--out", "DIR", false, "where results go (results/stress)"},
+    {"--jobs", "N", false, "runs at a time (the number of processors)"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--out", "DIR", false, "folder of the results (results/stress)"},
     {"--from", "DIR", false, "print again from the results of an earlier run"},
     {NULL, NULL, false, NULL},
 };
@@ -254,14 +254,14 @@ static const struct command_option options[] = {
 const struct command stress_command = {
     .name = "stress",
     .summary =
-        "hard cases: thin, stiff, nearly incompressible, long steps, odd nets, units",
+        "run hard cases: thin, stiff, nearly incompressible, long steps, odd nets, units",
     .arguments = "[CASE]... [OPTION]...",
     .text =
-        "Puts every contestant through hard cases, each run in a process of its own with "
-        "a\n"
-        "time limit. Each ends as accurate or degraded, by its error against the truth\n"
-        "that the case names, or refused, with the model's sentence, or died, with time\n"
-        "and cause. A bound is the same for all, and printed with its reason.\n",
+        "Runs every contestant on hard cases, each in a process of its own with a time\n"
+        "limit. A run ends as accurate or degraded, by its error against the truth that\n"
+        "the case names; as refused, with the model's sentence; or as died, with time\n"
+        "and cause. The bound on the error is the same for all and is printed with its\n"
+        "reason.\n",
     .examples = "stress\nstress --quick\nstress thin_5 buckling --models iga,shell\n",
     .most = 64,
     .options = options,

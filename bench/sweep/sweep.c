@@ -358,34 +358,34 @@ out:
 
 static const struct command_option options[] = {
     {"--resume", NULL, false,
-     "go on with what is in the folder: cases that ended are not\nrun again"},
-    {"--jobs", "N", false, "cases at a time (as many as there are processors)"},
-    {"--out", "DIR", false, "where results go (results/sweep_NAME)"},
-    {"--quiet", NULL, false, "no progress bar, no summary"},
+     "continue with what is in the folder; cases that ended\n"
+     "are not repeated"},
+    {"--jobs", "N", false, "cases that run at a time (the number of processors)"},
+    {"--out", "DIR", false, "folder of the results (results/sweep_NAME)"},
+    {"--quiet", NULL, false, "print no progress bar and no summary"},
     {NULL, NULL, false, NULL},
 };
 
 const struct command sweep_command = {
     .name = "sweep",
-    .summary = "many cases of one plan: parameter feasibility",
+    .summary = "run many cases of one plan: which parameters give cloth?",
     .arguments = "PLAN [OPTION]...",
     .text =
         "Runs every case of a plan, each in a process of its own, judges them by the\n"
-        "plan's rules and leaves one result file a case, table.csv with all keys and\n"
-        "measures, and map.png (needs gnuplot). PLAN is feasibility, table4,\n"
-        "refinement, refinement_nets, remedies or a YAML file; the other plans of\n"
-        "clothbench list plans have levels and are for clothbench study.\n"
-        "A case that dies, hangs or is refused is a row. Where the plan says what is to\n"
-        "fall along an axis (refinement, remedies), falls.csv has it, and the exit\n"
-        "code is 1 where it grows. A plan of two by three cases, "
-        "whose\n"
-        "other keys clothbench help plan has, is\n"
+        "plan's rules, and writes one result file a case, table.csv with all keys and\n"
+        "measures, and map.png (needs gnuplot). PLAN is feasibility, table4, refinement,\n"
+        "refinement_nets, remedies or a YAML file; the other plans of `clothbench list\n"
+        "plans` have levels and are for `clothbench study`. A case that dies, hangs or\n"
+        "is refused is a row, too. If the plan names a measure that has to fall along an\n"
+        "axis (refinement, remedies), falls.csv lists it, and the exit code is 1 where\n"
+        "it grows. This plan has two by three cases; `clothbench help plan` has all\n"
+        "keys:\n"
         "\n" SWEEP_PLAN "\n"
-        "Whatever ends a sweep - Ctrl-C, SIGKILL, a full disk -, the cases in flight are\n"
-        "lost, no more; --resume goes on. It runs again what was killed or suspended, ran\n"
-        "out of memory, or has a damaged file, and refuses files of another plan or of\n"
-        "another build of the program. Under mpirun the ranks share the cases; on\n"
-        "several machines they must see the same folder.\n",
+        "Ctrl-C, SIGKILL or a full disk cost only the cases that are running; --resume\n"
+        "continues. It repeats cases that were killed or suspended, ran out of memory,\n"
+        "or have a damaged file, and refuses files of another plan or of another build\n"
+        "of the program. Under mpirun the ranks share the cases; on several machines\n"
+        "they need the same folder.\n",
     .examples = "sweep feasibility\nsweep mine.yaml --jobs 4 --out results/mine\n"
                 "sweep feasibility --resume\n",
     .least = 1,

@@ -447,51 +447,51 @@ out:
 }
 
 static const struct command_option options[] = {
-    {"--set", "KEY=VALUE", true, "override a key of the scene"},
+    {"--set", "KEY=VALUE", true, "change a key of the scene"},
     {"--error", "PERCENT", false,
-     "the largest error bar, of the length, below 5% (1%):\nmore runs until the bar is "
-     "within it, else exit 1"},
-    {"--budget", "SECONDS", false, "that all runs together may take (3600)"},
-    {"--until", "SECONDS", false, "how much of the motion (all)"},
-    {"--out", "FILE", false, "where the truth goes (results/truths/SCENE.h5)"},
-    {"--store", NULL, false, "among those that come with the program"},
-    {"--runs", "FOLDER", false, "where its runs are kept (results/truth_SCENE)"},
+     "largest error bar, of the length, below 5% (1%); exit\n"
+     "code 1 if it is not reached"},
+    {"--budget", "SECONDS", false, "time for all runs together (3600)"},
+    {"--until", "SECONDS", false, "end of the motion (the scene's)"},
+    {"--out", "FILE", false, "file of the truth (results/truths/SCENE.h5)"},
+    {"--store", NULL, false, "store the truth among those that come with the program"},
+    {"--runs", "FOLDER", false, "folder of the runs (results/truth_SCENE)"},
     {"--stored", NULL, false,
-     "run nothing: the table of the truth that is stored,\nor is a closed form; without "
-     "SCENE what is known of all"},
+     "run nothing: print the table of the stored truth or\n"
+     "closed form; without SCENE, of all scenes"},
     {"--third", "FOLDER", false,
-     "run nothing: put somebody else's frames on three nets,\nextrapolated, beside the "
-     "truth, into third/ of its folder"},
+     "run nothing: extrapolate somebody else's frames on three\n"
+     "nets and store them beside the truth, in third/ of its\n"
+     "folder"},
     {"--points", "N,M", false,
-     "with --stored: its positions as CSV t,u,v,x,y,z on a net of so many points"},
-    {"--format", TABLE_FORMATS, false, "how to print (text)"},
-    {"--quick", NULL, false, "coarse nets, 0.2 s: for trying out"},
+     "with --stored: print positions as CSV t,u,v,x,y,z on a\n"
+     "net of so many points"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--quick", NULL, false, "coarse nets to 0.2 s, for trying out"},
     {NULL, NULL, false, NULL},
 };
 
 const struct command truth_command = {
     .name = "truth",
-    .summary = "what a scene's motion is, with an error bar, and until when",
+    .summary = "compute a scene's motion with an error bar, or print what is known of it",
     .arguments = "[SCENE] [OPTION]...",
     .text =
-        "A scene that is a closed form (a free fall; nu = 0, hanging or clamped level, "
-        "come\n"
-        "to rest under mass damping) is known at once. Else:\n"
-        "Runs the nonlinear solid and the nonlinear shell, both cured of locking, on ever\n"
-        "finer nets with ever shorter steps, until the error bar is as small as "
-        "requested,\n"
-        "or the horizon, the budget or the two models forbid it, which is said. Prints "
-        "the\n"
-        "orders observed, what they leave as error bars, the difference of the two "
-        "models,\n"
-        "and until which time the motion is predictable: one run is made again with "
-        "gravity\n"
-        "changed by 1e-6. At each time the field stored is that of the model with the\n"
-        "smaller bar, and the bar is that or, if larger, the difference.\n"
-        "Truths of some scenes come with the program; `compare` and others use these and\n"
-        "those in $CLOTHBENCH_TRUTHS. A scene damped by velocity_scale, which is no rate,\n"
-        "has an undamped truth. Runs of these solvers are not made again: a command\n"
-        "that was killed goes on where it was.\n",
+        "If the scene is a closed form (a free fall; nu = 0 and hanging or clamped\n"
+        "level, at rest under mass damping), its truth is known at once. Otherwise the\n"
+        "command runs the nonlinear solid and the nonlinear shell, both cured of\n"
+        "locking, on finer and finer nets with shorter and shorter steps, until the\n"
+        "error bar is as small as requested. It stops earlier, and says so, at the\n"
+        "horizon, at the end of the budget, or where the two models contradict each\n"
+        "other. It prints the observed orders, the error bars that follow from them, the\n"
+        "difference of the two models, and the time until which the motion is\n"
+        "predictable: one run is repeated with gravity changed by 1e-6. At each time it\n"
+        "stores the field of the model with the smaller bar; the truth's bar is that bar\n"
+        "or, if larger, the difference.\n"
+        "\n"
+        "Truths of some scenes come with the program; `compare` and other commands use\n"
+        "these and those in $CLOTHBENCH_TRUTHS. A scene with velocity_scale, a damping\n"
+        "that is not a rate, has an undamped truth. Runs are stored, and a command that\n"
+        "was killed continues where it was.\n",
     .examples =
         "truth edge_drop --stored\ntruth edge_drop --stored --points 21,21\n"
         "truth --stored\ntruth sphere --quick\ntruth mine.yaml --error 0.5% --until 0.3\n"

@@ -32,10 +32,10 @@ static const struct command_item *const items[] = {CHECKS(CHECK_ITEM), NULL};
 enum { MOST_CHECKS = 64, DIGITS = 6, PATH = 4096 };
 
 static const struct command_option options[] = {
-    {"--models", "A,B,...", false, "rows of these models or contestants only (all)"},
-    {"--quick", NULL, false, "leaves out the dear checks, and dear rows of others"},
-    {"--format", TABLE_FORMATS, false, "how to print (text)"},
-    {"--out", "DIR", false, "where the rows go, a file a check (results/verify)"},
+    {"--models", "A,B,...", false, "models or contestants (all)"},
+    {"--quick", NULL, false, "leave out expensive checks, and expensive rows of others"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--out", "DIR", false, "folder of the rows, a file a check (results/verify)"},
     {"--from", "DIR", false, "print again from the files of an earlier run"},
     {NULL, NULL, false, NULL},
 };
@@ -393,13 +393,14 @@ static enum status run(const struct command_line *line, struct message *why)
 
 const struct command verify_command = {
     .name = "verify",
-    .summary = "every model against every truth that applies to it",
+    .summary = "compare every model with every truth that applies to it",
     .arguments = "[CHECK]... [OPTION]...",
     .text =
         "Runs checks (all, unless some are named) and prints a row for every model and\n"
-        "number: truth, its error bar and source, our value, error, what is claimed,\n"
-        "order of convergence, verdict, seconds. 'not applicable' and 'out of range'\n"
-        "are said. Ends with 1 if a claim is not met.\n",
+        "number: the truth with its error bar and source, our value, the error, what is\n"
+        "claimed, the order of convergence, the verdict and the seconds. Rows that are\n"
+        "'not applicable' or 'out of range' say so. The exit code is 1 if a claim is\n"
+        "missed.\n",
     .examples = "verify\nverify elastica --models shell,iga\n"
                 "verify --quick --format markdown\n",
     .least = 0,

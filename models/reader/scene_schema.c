@@ -47,9 +47,9 @@ static enum status read_name(const struct schema_key *key, const struct yaml_tre
 
 /* clang-format off */
 static const struct schema_key PLANE[] = {
-    {"point", "on the plane [m]", SCHEMA_VECTOR, .required = true, PLACE,
+    {"point", "a point on the plane [m]", SCHEMA_VECTOR, .required = true, PLACE,
      IN(scene_obstacle, point)},
-    {"normal", "outward", SCHEMA_VECTOR, .required = true, PLACE, IN(scene_obstacle, normal)},
+    {"normal", "direction away from the obstacle", SCHEMA_VECTOR, .required = true, PLACE, IN(scene_obstacle, normal)},
     {"friction", "Coulomb coefficient", SCHEMA_NUMBER, .low = 0, .high = 1e3,
      IN(scene_obstacle, friction)},
     {NULL}};
@@ -143,33 +143,33 @@ static const struct schema_key DRAG[] = {
     {NULL}};
 
 static const struct schema_key DAMPING[] = {
-    {"kind", "law", SCHEMA_WORD, .required = true, .words = damping_words,
+    {"kind", "law of damping", SCHEMA_WORD, .required = true, .words = damping_words,
      IN(scene, damping.kind)},
-    {"value", "factor, or rate [1/s]", SCHEMA_NUMBER, NOT_NEGATIVE,
+    {"value", "factor a step, or rate [1/s]", SCHEMA_NUMBER, NOT_NEGATIVE,
      IN(scene, damping.value)},
-    {"alpha", "rayleigh: of the mass [1/s]", SCHEMA_NUMBER, NOT_NEGATIVE,
+    {"alpha", "rayleigh: factor on the mass [1/s]", SCHEMA_NUMBER, NOT_NEGATIVE,
      IN(scene, damping.alpha)},
-    {"beta", "rayleigh: of the stiffness [s]", SCHEMA_NUMBER, NOT_NEGATIVE,
+    {"beta", "rayleigh: factor on the stiffness [s]", SCHEMA_NUMBER, NOT_NEGATIVE,
      IN(scene, damping.beta)},
     {NULL}};
 
 static const struct schema_key MOTION[] = {
-    {"velocity", "of all of it [m/s]", SCHEMA_VECTOR, PLACE, IN(scene, velocity)},
-    {"spin", "about the origin of coordinates [rad/s]", SCHEMA_VECTOR, PLACE,
+    {"velocity", "velocity of the sheet at the start [m/s]", SCHEMA_VECTOR, PLACE, IN(scene, velocity)},
+    {"spin", "angular velocity about the origin at the start [rad/s]", SCHEMA_VECTOR, PLACE,
      IN(scene, spin)},
     {NULL}};
 
 static const struct schema_key TIME[] = {
-    {"step", "one frame [s]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, step)},
+    {"step", "time of one frame [s]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, step)},
     {"end", "duration [s]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, end)},
     {NULL}};
 
 static const struct schema_key SCENE[] = {
-    {"name", "key in lists and results", SCHEMA_SPECIAL, .required = true, .read = read_name,
+    {"name", "name in lists and results", SCHEMA_SPECIAL, .required = true, .read = read_name,
      .want = "1 to 64 of the characters a-z, 0-9 and _"},
-    {"source", "where the numbers come from", SCHEMA_TEXT, .required = true,
+    {"source", "source of the numbers", SCHEMA_TEXT, .required = true,
      IN(scene, source)},
-    {"about", "what happens, a line for lists", SCHEMA_TEXT, IN(scene, about)},
+    {"about", "what happens, for lists", SCHEMA_TEXT, IN(scene, about)},
     {"sheet", "the sheet", SCHEMA_SECTION, .required = true, .keys = SHEET},
     {"pose", "its rest pose", SCHEMA_SECTION, .keys = POSE},
     {"material", "isotropic, linear", SCHEMA_SECTION, .required = true, .keys = MATERIAL},
@@ -187,7 +187,7 @@ static const struct schema_key SCENE[] = {
      .read = read_obstacles,
      .want = "a list of at most 100 obstacles {plane: {...}} or {sphere: {...}}"},
     {"time", "steps", SCHEMA_SECTION, .required = true, .keys = TIME},
-    {"snapshots", "times worth keeping [s]", SCHEMA_NUMBERS, .low = 0, .high = 1e6,
+    {"snapshots", "times at which frames are stored [s]", SCHEMA_NUMBERS, .low = 0, .high = 1e6,
      .order = SCHEMA_INCREASING, .most = SCENE_MAX_SNAPSHOTS, IN(scene, snapshots),
      .count_offset = offsetof(struct scene, snapshot_count)},
     {"discretization", NULL, SCHEMA_SPECIAL, .read = refuse_numerics}, /* not listed */

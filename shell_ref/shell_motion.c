@@ -217,41 +217,33 @@ static const double (*stiffness(const struct shell_motion *m))[9]
     return (const double(*)[9])m->K;
 }
 
-/* Solves M a = load - M alpha v - K (d + beta v) at the start, held unknowns following
- * their paths; then factors the constant system of the steps. */
-static enum status start_linear(struct shell_motion *m, struct counters *counters)
+/* Finds where held unknowns are on their paths at time t; NULL if nothing moves. */
+static const struct newmark_held *follow(struct shell_motion *m, double t,
+                                         struct newmark_held *held)
 {
-    enum status st;
-    struct newmark *n = &m->newmark;
-    struct newmark_held held;
-
-    if (m->supports.moving)
-        held = newmark_follow(&m->supports, m->scene, m->time, n->dt, m->held);
-    TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
-                      m->supports.moving ? &held : NULL, counters));
-    m->started = true;
-out:
-    return st;
+    if (!m->supports.moving)
+        return NULL;
+    *held = newmark_follow(&m->supports, m->scene, t, m->newmark.dt, m->held);
+    return held;
 }
 
 static enum status step_linear(struct shell_motion *m, struct counters *counters)
 {
     enum status st;
+    struct newmark *n = &m->newmark;
     struct newmark_held held;
     size_t count = 3 * (size_t)m->space->nodes;
 
     if (!m->started)
-        TRY(start_linear(m, counters));
-    if (m->supports.moving)
-        held = newmark_follow(&m->supports, m->scene, m->time + m->newmark.dt,
-                              m->newmark.dt, m->held);
+        TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
+                          follow(m, m->time, &held), counters));
+    m->started = true;
+    const struct newmark_held *at = follow(m, m->time + n->dt, &held);
     if (m->scene->obstacle_count) {
-        TRY(contact_step_linear(&m->contact, &m->newmark, &m->system, stiffness(m),
-                                m->assembly.M, m->load, m->supports.moving ? &held : NULL,
-                                m->x, counters));
+        TRY(contact_step_linear(&m->contact, n, &m->system, stiffness(m), m->assembly.M,
+                                m->load, at, m->x, counters));
     } else {
-        TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
-                         m->supports.moving ? &held : NULL));
+        TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load, at));
         counters->solves++;
     }
     for (size_t t = 0; t < count; t++)
@@ -260,8 +252,9 @@ out:
     return st;
 }
 
-enum status shell_motion_step(struct shell_motion *m, struct counters *counters)
+enum status shell_motion_step(void *state, struct counters *counters)
 {
+    struct shell_motion *m = state;
     enum status st = m->kinematics == KINEMATICS_LINEAR
                          ? step_linear(m, counters)
                          : large_motion_step(&m->large, m->time, counters);
@@ -277,8 +270,9 @@ enum status shell_motion_step(struct shell_motion *m, struct counters *counters)
     return STATUS_OK;
 }
 
-void shell_motion_energy(const struct shell_motion *m, struct energy *energy)
+void shell_motion_energy(const void *state, struct energy *energy)
 {
+    const struct shell_motion *m = state;
     const struct newmark *n = &m->newmark;
     const struct blocks *graph = &m->assembly.graph;
     const struct scene *s = m->scene;
@@ -303,15 +297,19 @@ void shell_motion_energy(const struct shell_motion *m, struct energy *energy)
         energy->elastic += n->d[t] * y[t] / 2;
 }
 
-void shell_motion_contact(const struct shell_motion *m, struct model_contact *contact)
+void shell_motion_contact(const void *state, struct model_contact *contact)
 {
+    const struct shell_motion *m = state;
+
     if (m->kinematics == KINEMATICS_NONLINEAR && m->scene->obstacle_count)
         large_motion_contact(&m->large, contact);
     else
         contact_set_report(&m->contact.set, m->x, 1 / m->newmark.dt, contact);
 }
 
-void shell_motion_size(const struct shell_motion *m, struct model_size *size)
+void shell_motion_size(const void *state, struct model_size *size)
 {
+    const struct shell_motion *m = state;
+
     *size = system_size(&m->system, "control points");
 }

@@ -55,11 +55,11 @@ enum status shell_motion_init(struct shell_motion *m, const struct scene *scene,
                               const struct discretization *d, struct message *why);
 void shell_motion_clear(struct shell_motion *m);
 
-/* Takes one step of scene->step. */
-enum status shell_motion_step(struct shell_motion *m, struct counters *counters);
-
-void shell_motion_energy(const struct shell_motion *m, struct energy *energy);
-void shell_motion_contact(const struct shell_motion *m, struct model_contact *contact);
-void shell_motion_size(const struct shell_motion *m, struct model_size *size);
+/* Implement model.h's entries advance, energy, contact and size for a state that begins
+ * with a struct shell_motion. */
+enum status shell_motion_step(void *state, struct counters *counters);
+void shell_motion_energy(const void *state, struct energy *energy);
+void shell_motion_contact(const void *state, struct model_contact *contact);
+void shell_motion_size(const void *state, struct model_size *size);
 
 #endif

@@ -6,15 +6,6 @@
 #include "models/mechanics/large_rest.h"
 #include "models/mechanics/pencil.h"
 
-static const struct large_path statics = {.s1 = 1, .g1 = 1};
-
-/* Computes the tangent of the rest shape, wherever x is. */
-static enum status rest_stiffness(const struct shell_motion *m, double (*K)[9])
-{
-    return large_body_tangent(&m->assembly.body, &statics, m->space->rest,
-                              (struct large_foresight){0}, K);
-}
-
 static enum status linear(struct shell_motion *m, struct counters *counters)
 {
     enum status st;
@@ -44,9 +35,10 @@ out:
     return st;
 }
 
-enum status shell_rest_equilibrium(struct shell_motion *m, struct counters *counters,
+enum status shell_rest_equilibrium(void *state, struct counters *counters,
                                    struct message *why)
 {
+    struct shell_motion *m = state;
     enum status st;
 
     TRY(supports_allow_rest(&m->supports, m->scene, m->kinematics == KINEMATICS_NONLINEAR,
@@ -64,20 +56,21 @@ out:
     return st;
 }
 
-/* Makes K of the rest shape, *K, owned by the caller. */
+/* Makes the tangent of the rest shape, wherever x is: *K, owned by the caller. */
 static enum status make_stiffness(const struct shell_motion *m, double (**K)[9])
 {
+    const struct large_path statics = {.s1 = 1, .g1 = 1};
     const struct blocks *graph = &m->assembly.graph;
-    double(*new)[9] = malloc((size_t)graph->start[graph->nodes] * sizeof *new);
-    enum status st = new ? rest_stiffness(m, new) : STATUS_MEMORY;
 
-    *K = new;
-    return st;
+    *K = malloc((size_t)graph->start[graph->nodes] * sizeof **K);
+    return *K ? large_body_tangent(&m->assembly.body, &statics, m->space->rest,
+                                   (struct large_foresight){0}, *K)
+              : STATUS_MEMORY;
 }
 
-enum status shell_rest_modes(struct shell_motion *m, int count, double *omega,
-                             struct message *why)
+enum status shell_rest_modes(void *state, int count, double *omega, struct message *why)
 {
+    struct shell_motion *m = state;
     double(*K)[9];
 
     if (m->large.rested)
@@ -91,9 +84,9 @@ enum status shell_rest_modes(struct shell_motion *m, int count, double *omega,
     return st;
 }
 
-enum status shell_rest_matrices(const struct shell_motion *m, struct matrix *K,
-                                struct matrix *M)
+enum status shell_rest_matrices(const void *state, struct matrix *K, struct matrix *M)
 {
+    const struct shell_motion *m = state;
     double(*block)[9];
     enum status st = make_stiffness(m, &block);
 

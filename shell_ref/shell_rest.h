@@ -1,4 +1,5 @@
-/* shell_rest.h - results without time stepping: equilibrium, natural modes, matrices. */
+/* shell_rest.h - results without time stepping: model.h's entries of these names for a
+ * state that begins with a struct shell_motion. */
 #ifndef SHELL_REST_H
 #define SHELL_REST_H
 
@@ -8,13 +9,9 @@
  * Linear: one solve, one pass of refinement. Nonlinear: from the rest shape by growing
  * loads, in shorter increments where Newton's method fails, at last by steps downhill (a
  * sheet on a hinge). STATUS_INPUT without supports. */
-enum status shell_rest_equilibrium(struct shell_motion *m, struct counters *counters,
+enum status shell_rest_equilibrium(void *state, struct counters *counters,
                                    struct message *why);
-
-/* Compute model.h's modes, and its matrices, of the rest shape. */
-enum status shell_rest_modes(struct shell_motion *m, int count, double *omega,
-                             struct message *why);
-enum status shell_rest_matrices(const struct shell_motion *m, struct matrix *K,
-                                struct matrix *M);
+enum status shell_rest_modes(void *state, int count, double *omega, struct message *why);
+enum status shell_rest_matrices(const void *state, struct matrix *K, struct matrix *M);
 
 #endif

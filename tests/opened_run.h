@@ -5,10 +5,10 @@
 #include "bench/harness/run.h"
 #include "tests/check.h"
 
-/* A model, or contestant, by its name on a scene with settings; ends the test if it cannot.
- */
-static inline void opened_run(struct run *run, const char *scene, const char *name,
-                              int count, const char *const *text)
+/* Reads a model, or contestant, by its name on a scene with settings, and builds it, so
+ * that a test may change things between; end the test if they cannot. */
+static inline void opened_read(struct run *run, const char *scene, const char *name,
+                               int count, const char *const *text)
 {
     struct settings settings = {0};
     struct run_plan plan = {.path = scene, .settings = &settings};
@@ -16,20 +16,41 @@ static inline void opened_run(struct run *run, const char *scene, const char *na
 
     REQUIRE(contestant_find(name, &plan.contestant, NULL) == STATUS_OK);
     settings_list(&settings, count, text);
-    if (!CHECK(run_open(run, &plan, &why) == STATUS_OK)) {
+    if (!CHECK(run_read(run, &plan, &why) == STATUS_OK)) {
         printf("%s: %s\n", name, why.text);
         exit(1);
     }
     settings_clear(&settings);
 }
 
-/* Settings are a list that a NULL may end early. */
-#define OPENED_RUN(run, scene, name, ...)                                                  \
-    opened_run(run, scene, name,                                                           \
-               (int)(sizeof((const char *const[]){__VA_ARGS__}) / sizeof(const char *)),   \
-               (const char *const[]){__VA_ARGS__})
+static inline void opened_build(struct run *run)
+{
+    struct message why = {""};
 
-/* So many frames on. */
+    if (!CHECK(run_build(run, &why) == STATUS_OK)) {
+        printf("%s: %s\n", run->contestant->name, why.text);
+        exit(1);
+    }
+}
+
+static inline void opened_run(struct run *run, const char *scene, const char *name,
+                              int count, const char *const *text)
+{
+    opened_read(run, scene, name, count, text);
+    opened_build(run);
+}
+
+/* Settings are a list that a NULL may end early. */
+#define OPENED_LIST(...)                                                                   \
+    (int)(sizeof((const char *const[]){__VA_ARGS__}) / sizeof(const char *)),              \
+        (const char *const[])                                                              \
+    {                                                                                      \
+        __VA_ARGS__                                                                        \
+    }
+#define OPENED_RUN(run, scene, name, ...)                                                  \
+    opened_run(run, scene, name, OPENED_LIST(__VA_ARGS__))
+
+/* Advances so many frames. */
 static inline struct counters opened_steps(struct run *run, int frames)
 {
     struct counters work = {0};

@@ -134,41 +134,6 @@ static void check_subject(const struct subject *s, bool obstacle)
     scene_clear(&scene);
 }
 
-/* A sentence each. */
-static void check_refused(void)
-{
-    static const struct {
-        const char *model, *settings[2], *sentence;
-    } rows[] = {
-        {"projective_dynamics", {"discretization.solver=cg"}, "solver=cg"},
-        {"mass_spring",
-         {"discretization.solver=gmres", "discretization.integrator=leapfrog"},
-         "integrator=implicit or momentum only"},
-        {"mass_spring", {"discretization.newton=full"}, "newton: mass_spring has no use"},
-        {"iga", {"discretization.preconditioner=ichol"}, "with solver=cg or gmres only"},
-        {"shell", {"discretization.preconditioner=jacobi"}, "with solver=cg or gmres only"},
-    };
-
-    for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
-        const struct contestant *c = NULL;
-        struct settings settings = {0};
-        struct message why = {""};
-        struct run run;
-        REQUIRE(contestant_find(rows[n].model, &c, NULL) == STATUS_OK);
-        settings_list(&settings, 2, rows[n].settings);
-        CHECK(
-            run_open(&run,
-                     &(struct run_plan){.path = SOURCE_DIR "/models/scenes/edge_drop.yaml",
-                                        .contestant = c,
-                                        .settings = &settings},
-                     &why) != STATUS_OK);
-        if (!CHECK(strstr(why.text, rows[n].sentence)))
-            printf("%s: '%s'\n", rows[n].model, why.text);
-        run_close(&run);
-        settings_clear(&settings);
-    }
-}
-
 /* More than double precision has to give: it ends, as a death with words. */
 static void check_death(enum solver solver, enum preconditioner preconditioner)
 {
@@ -196,7 +161,6 @@ int main(void)
         check_subject(&subjects[n], false);
     for (size_t n = 0; n < sizeof subjects / sizeof *subjects; n++)
         check_subject(&subjects[n], true);
-    check_refused();
     check_death(SOLVER_GMRES, PRECONDITIONER_FACTOR);
     check_death(SOLVER_GMRES, PRECONDITIONER_JACOBI);
     return check_result();

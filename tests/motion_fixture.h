@@ -5,7 +5,6 @@
 
 #include <float.h>
 
-#include "models/grid.h"
 #include "models/linalg/eigen.h"
 #include "models/metric/metric.h"
 #include "models/solid/solid_model.h"
@@ -21,18 +20,6 @@ typedef double run_field[GRID_POINTS][3];
 static inline void run_sample(const struct run *run, run_field field)
 {
     run->model->sample(run->state, field[0]);
-}
-
-/* Returns the largest |a - b| over two fields' coordinates [m]. */
-static inline double run_distance(run_field a, run_field b)
-{
-    double most = 0;
-
-    for (int n = 0; n < GRID_POINTS; n++)
-        for (int i = 0; i < 3; i++)
-            if (!(fabs(a[n][i] - b[n][i]) <= most))
-                most = fabs(a[n][i] - b[n][i]);
-    return most;
 }
 
 static inline size_t run_unknowns(const struct run *run)

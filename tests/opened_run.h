@@ -3,6 +3,7 @@
 #define TESTS_OPENED_RUN_H
 
 #include "bench/harness/run.h"
+#include "models/grid.h"
 #include "tests/check.h"
 
 /* Reads a model, or contestant, by its name on a scene with settings, and builds it, so
@@ -78,6 +79,33 @@ static inline double opened_total(const struct run *run)
 
     run->model->energy(run->state, &e);
     return e.kinetic + e.elastic + e.potential;
+}
+
+/* Returns the largest |a - b| of two fields' coordinates [m]; NaN if one is. */
+static inline double opened_apart(const double *a, const double *b)
+{
+    double most = 0;
+
+    for (int t = 0; t < 3 * GRID_POINTS; t++)
+        if (!(fabs(a[t] - b[t]) <= most))
+            most = fabs(a[t] - b[t]);
+    return most;
+}
+
+/* Returns how far the present field is from the one at rest, shifted by `by` (NULL: 0). */
+static inline double opened_off(const struct run *run, const double *by)
+{
+    static double xyz[3 * GRID_POINTS], want[3 * GRID_POINTS];
+
+    run->model->sample(run->state, xyz);
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        scene_rest_point(&run->scene, uvw, want + 3 * n);
+        for (int i = 0; by && i < 3; i++)
+            want[3 * n + i] += by[i];
+    }
+    return opened_apart(xyz, want);
 }
 
 #endif

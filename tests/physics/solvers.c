@@ -3,10 +3,9 @@
  * refused; an iteration that does not converge is a death. */
 #include <omp.h>
 
-#include "bench/harness/run.h"
-#include "models/grid.h"
 #include "models/solid/solid_model.h"
 #include "tests/contract.h"
+#include "tests/opened_run.h"
 
 /* Between solvers, of the length, after FRAMES frames: solutions are to 1e-8 in the energy
  * where frames are rebuilt, Newton's steps to 1e-7, those of springs, too (1e-6 of a spring
@@ -63,16 +62,6 @@ static struct counters move(const struct subject *s, const struct scene *scene,
     return work;
 }
 
-static double apart(const double *a, const double *b)
-{
-    double most = 0;
-
-    for (int t = 0; t < 3 * GRID_POINTS; t++)
-        if (!(fabs(a[t] - b[t]) <= most))
-            most = fabs(a[t] - b[t]);
-    return most;
-}
-
 static void check_way(const struct subject *s, const struct scene *scene,
                       const struct way *way, const double *direct)
 {
@@ -83,7 +72,7 @@ static void check_way(const struct subject *s, const struct scene *scene,
     d.solver = way->solver, d.preconditioner = way->preconditioner;
     omp_set_num_threads(1);
     const struct counters work = move(s, scene, &d, xyz);
-    off = apart(xyz, direct) / scene->length;
+    off = opened_apart(xyz, direct) / scene->length;
     if (!CHECK(off < SAME))
         printf("%s %s, %s, %d: %g L\n", s->model, option_kinematics[s->kinematics],
                option_solver[way->solver], (int)way->preconditioner, off);
@@ -106,7 +95,7 @@ static void check_full(const struct subject *s, const struct scene *scene,
 
     d.newton = NEWTON_FULL;
     const struct counters full = move(s, scene, &d, xyz);
-    CHECK(apart(xyz, direct) / scene->length < SAME);
+    CHECK(opened_apart(xyz, direct) / scene->length < SAME);
     d.newton = NEWTON_CHORD;
     const struct counters chord = move(s, scene, &d, xyz);
     CHECK(full.factorisations == full.assemblies && full.solves == full.iterations);

@@ -8,10 +8,10 @@
 #include "iga/support_knots.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
-#include "shell_ref/shell_rest.h"
+#include "shell_ref/shell_motion.h"
 
 struct shell {
-    struct shell_motion motion; /* first: shell_motion.h, shell_rest.h                 */
+    struct shell_motion motion; /* first: shell_motion.h                               */
     struct shell_space space;
 };
 
@@ -352,8 +352,8 @@ const struct model shell_model = {
     .describe = describe,
     .energy = shell_motion_energy,
     .contact = shell_motion_contact,
-    .equilibrium = shell_rest_equilibrium,
-    .modes = shell_rest_modes,
-    .matrices = shell_rest_matrices,
+    .equilibrium = shell_motion_equilibrium,
+    .modes = shell_motion_modes,
+    .matrices = shell_motion_matrices,
     .destroy = destroy,
 };

@@ -61,15 +61,16 @@ static double wrinkle(const struct scene *scene)
                 (scene->density * scene->thickness * push));
 }
 
-/* Whether that is shorter than SPANS of the longest spans, with a sentence. At a clamped
- * edge a selective shell sees its strain along u at the edge, where it has none, and once
- * in the span beside it. It folds there, all along the edge, and turns about the corner;
- * one without remedy locks against it. (flag, rms distance to the truth at 0.3 and 0.5 s in
- * % of the length, with remedy and without: 10x10 points, 1.9 spans a wave, 2.8 11, .7 7.5;
- * 16x16 2.1 10, .6 5.8; 26x26 1.5 9.1, .7 2.8; on 40x40, 10 spans a wave, .8 and .7 at 0.3
- * s.) A net of fewer spans a side has no room to fold. Where gravity bends the sheet a net
- * with remedy is nearer, however heavy it is: edge_drop of nu = 0 and 1, 10, 100 times its
- * Gamma on 10x10 points at 0.4 s, .5, 1.1, 1.6 and without 10, 6.4, 5.5. */
+/* Returns whether that is shorter than SPANS of the longest spans, with a sentence. At a
+ * clamped edge a selective shell sees its strain along u at the edge, where it has none,
+ * and once in the span beside it. It folds there, all along the edge, and turns about the
+ * corner; one without remedy locks against it. (flag, rms distance to the truth at 0.3 and
+ * 0.5 s in % of the length, with remedy and without: 10x10 points, 1.9 spans a wave, 2.8
+ * 11, .7 7.5; 16x16 2.1 10, .6 5.8; 26x26 1.5 9.1, .7 2.8; on 40x40, 10 spans a wave, .8
+ * and .7 at 0.3 s.) A net of fewer spans a side has no room to fold. Where gravity bends
+ * the sheet a net with remedy is nearer, however heavy it is: edge_drop of nu = 0 and 1,
+ * 10, 100 times its Gamma on 10x10 points at 0.4 s, .5, 1.1, 1.6 and without 10, 6.4, 5.5.
+ */
 static bool wrinkles(const struct scene *scene, const struct discretization *d,
                      struct message *reason)
 {

@@ -213,8 +213,8 @@ static void by_metric(const struct tri_body *b, const struct tri_strain *s,
             double DJ[3], sum = 0;
             tri_strain_stress(b->D, column, DJ);
             for (int k = 0; k < 3; k++)
-                sum += material * s->J[k][l] * DJ[k] +
-                       geometric * stress[k] * s->H[k][l][m];
+                sum +=
+                    material * s->J[k][l] * DJ[k] + geometric * stress[k] * s->H[k][l][m];
             M[l][m] = b->area * sum;
         }
 }

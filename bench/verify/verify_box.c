@@ -4,7 +4,7 @@
 
 #include "models/linalg/gauss.h"
 
-/* One direction. */
+/* The matrices of one direction. */
 struct line {
     int n, below;  /* its functions; those of the directions behind it, all together */
     double *of[3]; /* [n][n] each: int N_a N_b, int N_a' N_b, int N_a' N_b'          */

@@ -201,8 +201,8 @@ static struct verify_subject filled(const struct verify_subject *row,
     return s;
 }
 
-/* Whether a contestant that the field's table does not name comes in. A model's name does
- * not ask for the contestant of that name where it does not enter. */
+/* Returns whether a contestant that the field's table does not name comes in. A model's
+ * name does not ask for the contestant of that name where it does not enter. */
 static bool comes_in(const struct verify_sheet *sheet, const struct verify_field *field,
                      const struct contestant *c)
 {

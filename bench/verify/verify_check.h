@@ -78,7 +78,8 @@ void verify_row_end(struct verify_row *row, enum verify_verdict verdict, const c
                     ...) __attribute__((format(printf, 3, 4)));
 #define verify_row_note(row, ...) verify_row_end(row, (row)->verdict, __VA_ARGS__)
 
-/* Whether the row holds a claim that was tested (met, missed, died); whether it failed. */
+/* Return whether the row holds a tested claim (met, missed, died), and whether it failed.
+ */
 bool verify_row_claims(const struct verify_row *row);
 bool verify_row_failed(const struct verify_row *row);
 
@@ -110,7 +111,7 @@ struct verify_subject {
     int at;                              /* the part's case                              */
 };
 
-/* Whom a check judges. */
+/* The contestants that a check judges. */
 struct verify_field {
     const struct verify_subject *subject; /* in this order; names NULL ends               */
     unsigned enters;     /* contestants that enter here (CONTESTANT_ bits) come after,    */
@@ -141,7 +142,7 @@ void verify_subject_title(const struct verify_subject *s, char text[VERIFY_TEXT]
 /* Adds the settings of net n that the contestant itself does not have. */
 void verify_subject_settings(const struct verify_subject *s, int n, struct settings *all);
 
-/* Whether its strains are small: kinematics=linear. */
+/* Returns whether its strains are small: kinematics=linear. */
 bool verify_subject_is_linear(const struct verify_subject *s);
 
 /* Returns the order that errors show on the last two nets; NAN if one is none, or if the

@@ -50,7 +50,7 @@ static void add_block(struct verify_subject *s)
 
 /* --- Tips. */
 
-/* The same element on the same nodes, to the 7 digits of the file. */
+/* This is the same element on the same nodes; the file has 7 digits. */
 static const struct verify_subject twin[] = {
     {"hex_incompatible_linear", 1e-6, "the same element", {33}}, {NULL}};
 static const struct verify_field twin_field = {.subject = twin};

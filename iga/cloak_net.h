@@ -13,7 +13,7 @@
 #include "iga/bspline.h"
 #include "models/scene.h"
 
-/* Whether functions of this basis along v contain the shape. */
+/* Returns whether functions of this basis along v contain the shape. */
 bool cloak_net_exact(const struct bspline *v);
 
 /* Computes point[n u][n v][layers][3] [m] and weight[n u][n v][layers], for layers at

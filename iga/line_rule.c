@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "iga/greville.h"
+#include "models/room.h"
 
 void line_rule_clear(struct line_rule *rule)
 {
@@ -77,12 +77,65 @@ enum status line_rule_bending(struct line_rule *rule, const struct bspline *b)
     return st;
 }
 
+static double integral(const struct bspline *b, int a)
+{
+    return (b->U[a + b->p + 1] - b->U[a]) / (b->p + 1);
+}
+
+/* Solves A w = w in place; A[n][n] with `band` entries either side of its diagonal, totally
+ * positive, so that elimination needs no pivots (de Boor, Pinkus 1977). */
+static void solve(int n, int band, double *A, double *w)
+{
+    for (int k = 0; k < n; k++)
+        for (int i = k + 1; i < n && i <= k + band; i++) {
+            double factor = A[i * n + k] / A[k * n + k];
+            for (int j = k; j < n && j <= k + band; j++)
+                A[i * n + j] -= factor * A[k * n + j];
+            w[i] -= factor * w[k];
+        }
+    for (int k = n - 1; k >= 0; k--) {
+        for (int j = k + 1; j < n && j <= k + band; j++)
+            w[k] -= A[k * n + j] * w[j];
+        w[k] /= A[k * n + k];
+    }
+}
+
+/* Computes points and weights of line_rule_greville; returns how many, 0: no memory. */
+static int greville(const struct bspline *b, bool derivative, double *at, double *weight)
+{
+    const struct bspline s = {b->p - derivative, b->n - derivative, b->U + derivative};
+    size_t n = (size_t)s.n;
+    double *A = calloc(n * n, sizeof *A), *N = malloc(n * sizeof *N);
+    bool positive = true;
+
+    if (!A || !N) {
+        free(A);
+        free(N);
+        return 0;
+    }
+    for (int q = 0; q < s.n; q++) {
+        at[q] = bspline_greville(&s, q);
+        weight[q] = integral(&s, q);
+        bspline_values(&s, at[q], N);
+        for (int a = 0; a < s.n; a++)
+            A[a * s.n + q] = N[a];
+    }
+    solve(s.n, s.p, A, weight);
+    for (int q = 0; q < s.n; q++)
+        positive = positive && weight[q] > 0;
+    for (int q = 0; q < s.n && !positive; q++)
+        weight[q] = integral(&s, q);
+    free(A);
+    free(N);
+    return s.n;
+}
+
 enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
                                bool derivative)
 {
     enum status st = line_rule_room(rule, b);
     double *at = malloc(2 * (size_t)b->n * sizeof *at), *weight = at ? at + b->n : NULL;
-    const int count = at && st == STATUS_OK ? greville_rule(b, derivative, at, weight) : 0;
+    const int count = at && st == STATUS_OK ? greville(b, derivative, at, weight) : 0;
 
     for (int q = 0, e = 0; q < count; q++) {
         while (e + 1 < rule->spans && at[q] >= b->U[rule->span[e + 1]])
@@ -99,4 +152,38 @@ enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
     }
     line_rule_most(rule);
     return STATUS_OK;
+}
+
+enum status line_rule_table(struct line_table *table, const struct bspline *b,
+                            enum status st, struct line_rule *rule, int rows,
+                            void (*eval)(const struct bspline *b, int span, double u,
+                                         int order, double *out))
+{
+    struct line_table new = {
+        .spans = rule->spans, .most = rule->most, .order = b->p + 1, .rows = rows};
+    const size_t points = (size_t)(new.spans *new.most), row = (size_t)(rows * new.order);
+
+    if (st == STATUS_OK)
+        st = room_cut(&new.room, ROOM(new.first, new.spans), ROOM(new.points, new.spans),
+                      ROOM(new.weight, points), ROOM(new.value, points * row));
+    for (int e = 0; st == STATUS_OK && e < new.spans; e++) {
+        const double lo = b->U[rule->span[e]], size = line_rule_size(rule, b, e);
+        new.first[e] = rule->span[e] - b->p;
+        new.points[e] = rule->count[e];
+        for (int q = 0; q < new.points[e]; q++) {
+            const int from = e * LINE_RULE_MOST + q, to = e * new.most + q;
+            eval(b, rule->span[e], lo + size * rule->x[from], rows - 1,
+                 new.value + (size_t)to *row);
+            new.weight[to] = size * rule->part[from];
+        }
+    }
+    line_rule_clear(rule);
+    *table = new;
+    return st;
+}
+
+void line_rule_table_clear(struct line_table *table)
+{
+    free(table->room);
+    memset(table, 0, sizeof *table);
 }

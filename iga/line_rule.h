@@ -1,5 +1,5 @@
 /* line_rule.h - quadrature along one direction of a spline space: points and weights, span
- * by span. A patch is integrated by products of such lines.
+ * by span, and the functions there. A patch is integrated by products of such lines.
  */
 #ifndef LINE_RULE_H
 #define LINE_RULE_H
@@ -32,7 +32,11 @@ enum status line_rule_gauss(struct line_rule *rule, const struct bspline *b, int
 enum status line_rule_bending(struct line_rule *rule, const struct bspline *b);
 
 /* Takes one point a function, or with `derivative` one a function of the space of
- * derivatives: the points of greville.h. */
+ * derivatives (degree p - 1, n - 1 functions): their Greville abscissae, with weights that
+ * integrate every spline of that space exactly, those of its interpolant (Greville 1967; as
+ * points of collocation: Johnson, Appl. Numer. Math. 52, 2005). Where knots are so uneven
+ * that a weight comes out negative, all are the integrals of the functions themselves,
+ * exact for straight lines. */
 enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
                                bool derivative);
 
@@ -43,5 +47,24 @@ void line_rule_most(struct line_rule *rule);
 double line_rule_size(const struct line_rule *rule, const struct bspline *b, int span);
 
 void line_rule_clear(struct line_rule *rule);
+
+/* The functions alive at the points of a rule. */
+struct line_table {
+    int spans, most, order; /* as the rule's; order = p + 1 functions                  */
+    int rows;               /* values and derivatives kept                             */
+    void *room;             /* of the arrays below                             owned   */
+    int *first;             /* [spans] first function alive                            */
+    int *points;            /* [spans] points in use                                   */
+    double *weight;         /* [spans][most]                                           */
+    double *value;          /* [spans][most][rows][order]                              */
+};
+
+/* Makes the table of a rule, which is cleared, by bspline_eval or a function like it; fails
+ * if `st`, the rule's own status, does. */
+enum status line_rule_table(struct line_table *table, const struct bspline *b,
+                            enum status st, struct line_rule *rule, int rows,
+                            void (*eval)(const struct bspline *b, int span, double u,
+                                         int order, double *out));
+void line_rule_table_clear(struct line_table *table);
 
 #endif

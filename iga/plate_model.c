@@ -12,20 +12,12 @@
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"
 
-/* A direction of the material grid: spans and values at its samples, [count][order]. */
-struct samples {
-    int count, order;
-    int *first;    /* first function alive                                     owned   */
-    double *value; /*                                                          owned   */
-};
-
 struct plate {
     struct solid_sheet sheet; /* first: solid_model.h                                  */
     struct plate_tables tables;
     struct patch patch;
     struct scene scene; /* the caller's, with supports of its own                owned  */
-    struct samples grid[3];
-    double (*uvw)[3]; /* with weights given: parameters of the grid's points    owned  */
+    double (*uvw)[3];   /* with weights given: parameters of the grid's points    owned  */
 };
 
 /* clang-format off */
@@ -150,59 +142,32 @@ static enum status add_loads(struct plate *p, struct message *why)
     return solid_motion_add_loads(&p->sheet.motion, line);
 }
 
-static enum status make_samples(struct plate *p, int i, int count)
+/* Replaces material points by their parameters: in a flat sheet with weights given they are
+ * not the same. */
+static enum status find_parameters(const struct plate *p, int count, double (*uvw)[3])
 {
-    struct samples *s = &p->grid[i];
-
-    *s = (struct samples){.count = count, .order = p->patch.basis[i].p + 1};
-    s->first = malloc((size_t)count * sizeof *s->first);
-    s->value = malloc((size_t)(count * s->order) * sizeof *s->value);
-    if (!s->first || !s->value)
-        return STATUS_MEMORY;
-    for (int n = 0; n < count; n++)
-        s->first[n] = alive(p, i, (double)n / (count - 1), s->value + n * s->order);
-    return STATUS_OK;
-}
-
-/* Finds the parameters of material points: in a flat sheet with weights given they are not
- * the material coordinates. */
-static enum status find_material_points(const struct plate *p, const struct scene *scene,
-                                        int count, const double *material, double (*uvw)[3])
-{
-    double tolerance = 1e-12 * (scene->length + scene->width);
-
-    for (int n = 0; n < count; n++) {
-        double x[3];
-        memcpy(uvw[n], material + 3 * (size_t)n, sizeof uvw[n]);
-        scene_rest_point(scene, uvw[n], x);
-        enum status st = patch_invert(&p->patch, x, tolerance, uvw[n]);
-        if (st != STATUS_OK)
-            return st;
-    }
-    return STATUS_OK;
-}
-
-static enum status make_grid(struct plate *p, const struct scene *scene)
-{
+    const struct scene *scene = &p->scene;
+    const double tolerance = 1e-12 * (scene->length + scene->width);
     enum status st = STATUS_OK;
-    double(*material)[3] = NULL;
 
-    if (!p->patch.weight || scene->shape != SCENE_FLAT) {
-        TRY(make_samples(p, 0, GRID_U));
-        TRY(make_samples(p, 1, GRID_V));
-        TRY(make_samples(p, 2, GRID_W));
-        return STATUS_OK;
+    for (int n = 0; n < count && st == STATUS_OK; n++) {
+        double x[3];
+        scene_rest_point(scene, uvw[n], x);
+        st = patch_invert(&p->patch, x, tolerance, uvw[n]);
     }
-    p->uvw = malloc(GRID_POINTS * sizeof *p->uvw);
-    material = malloc(GRID_POINTS * sizeof *material);
-    if (!p->uvw || !material)
-        TRY(STATUS_MEMORY);
-    for (int n = 0; n < GRID_POINTS; n++)
-        grid_point(n, material[n]);
-    TRY(find_material_points(p, scene, GRID_POINTS, material[0], p->uvw));
-out:
-    free(material);
     return st;
+}
+
+static enum status find_grid(struct plate *p)
+{
+    if (!p->patch.weight || p->scene.shape != SCENE_FLAT)
+        return STATUS_OK;
+    p->uvw = malloc(GRID_POINTS * sizeof *p->uvw);
+    if (!p->uvw)
+        return STATUS_MEMORY;
+    for (int n = 0; n < GRID_POINTS; n++)
+        grid_point(n, p->uvw[n]);
+    return find_parameters(p, GRID_POINTS, p->uvw);
 }
 
 /* Returns the present control points, or coefficients of the thickness basis. */
@@ -262,24 +227,26 @@ static void evaluate_at(const struct plate *p, const double *x, const double uvw
 
 static void sample(const void *state, double *xyz)
 {
+    enum { LINE = GRID_U > GRID_V ? GRID_U : GRID_V };
+    static const int counts[3] = {GRID_U, GRID_V, GRID_W};
     const struct plate *p = state;
     const double *x = points_of(p);
+    double value[3][LINE][BSPLINE_MAX_ORDER]; /* of the lines along u, v and w */
+    int first[3][LINE];
 
-    if (p->uvw) {
-        for (int n = 0; n < GRID_POINTS; n++)
-            evaluate_at(p, x, p->uvw[n], xyz + 3 * (size_t)n);
+    for (int n = 0; p->uvw && n < GRID_POINTS; n++)
+        evaluate_at(p, x, p->uvw[n], xyz + 3 * (size_t)n);
+    if (p->uvw)
         return;
-    }
+    for (int d = 0; d < 3; d++)
+        for (int n = 0; n < counts[d]; n++)
+            first[d][n] = alive(p, d, n / (counts[d] - 1.0), value[d][n]);
     for (int k = 0; k < GRID_W; k++)
         for (int j = 0; j < GRID_V; j++)
-            for (int i = 0; i < GRID_U; i++, xyz += 3) {
-                const struct samples *g = p->grid;
-                const int first[3] = {g[0].first[i], g[1].first[j], g[2].first[k]};
-                const double *const N[3] = {g[0].value + i * g[0].order,
-                                            g[1].value + j * g[1].order,
-                                            g[2].value + k * g[2].order};
-                evaluate(p, x, first, N, xyz);
-            }
+            for (int i = 0; i < GRID_U; i++, xyz += 3)
+                evaluate(p, x, (const int[]){first[0][i], first[1][j], first[2][k]},
+                         (const double *const[]){value[0][i], value[1][j], value[2][k]},
+                         xyz);
 }
 
 static void destroy(void *state)
@@ -292,10 +259,6 @@ static void destroy(void *state)
     plate_space_clear(&p->sheet.space, &p->tables);
     patch_clear(&p->patch);
     free(p->scene.supports);
-    for (int i = 0; i < 3; i++) {
-        free(p->grid[i].first);
-        free(p->grid[i].value);
-    }
     free(p->uvw);
     free(p);
 }
@@ -392,7 +355,7 @@ static enum status create(const struct scene *scene, const struct discretization
         TRY(plate_space_select(&p->sheet.space, &p->tables, &p->patch));
     if (d->remedy == REMEDY_CLAMPED)
         clamp_edges(p, scene);
-    TRY(make_grid(p, scene));
+    TRY(find_grid(p));
     const struct bspline *b = p->patch.basis;
     plate_space_thickness(&p->patch, false, 0.5, middle);
     TRY(solid_model_init(&p->sheet, &p->scene, d, (const int[]){b[0].n, b[1].n, b[2].n},
@@ -412,7 +375,7 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
 
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         double at[1][3] = {{uvw[0], uvw[1], uvw[2]}};
-        if (p->uvw && find_material_points(p, p->sheet.motion.scene, 1, uvw, at))
+        if (p->uvw && find_parameters(p, 1, at))
             at[0][0] = NAN; /* cannot be: the rest shape was inverted at create */
         evaluate_at(p, x, at[0], xyz);
     }

@@ -1,12 +1,11 @@
 #include "iga/plate_space.h"
-#include "iga/plate_space_part.h"
-#include "iga/line_rule.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/reduced_rule.h"
 #include "models/mechanics/supports.h"
-#include "models/room.h"
 
 void plate_space_legendre(int degree, double w, double *value, double *derivative)
 {
@@ -35,74 +34,48 @@ void plate_space_thickness(const struct patch *patch, bool thickness, double w, 
         bspline_eval(b, bspline_span(b, w), w, 0, N);
 }
 
-static void direction_clear(struct plate_direction *d)
+static void legendre(const struct bspline *b, int span, double w, int order, double *out)
 {
-    free(d->room);
-    memset(d, 0, sizeof *d);
+    (void)span;
+    plate_space_legendre(b->p, w, out, order ? out + b->p + 1 : NULL);
 }
 
-enum status plate_space_direction(struct plate_direction *d, const struct bspline *b,
-                                  enum status st, struct line_rule *rule, bool legendre)
+/* Returns values, followed by slopes, at point q of span e. */
+static const double *values(const struct line_table *t, int e, int q)
 {
-    const size_t points = (size_t)(rule->spans * rule->most), order = (size_t)b->p + 1;
-    double value[2 * BSPLINE_MAX_ORDER];
-
-    *d = (struct plate_direction){
-        .order = (int)order, .gauss = rule->most, .spans = rule->spans};
-    if (st == STATUS_OK)
-        st = room_cut(&d->room, ROOM(d->first, d->spans), ROOM(d->points, d->spans),
-                      ROOM(d->N, points * order), ROOM(d->dN, points * order),
-                      ROOM(d->weight, points));
-    for (int e = 0; st == STATUS_OK && e < d->spans; e++) {
-        double lo = b->U[rule->span[e]], size = line_rule_size(rule, b, e);
-        d->first[e] = rule->span[e] - b->p;
-        d->points[e] = rule->count[e];
-        for (int q = 0; q < d->points[e]; q++) {
-            size_t row = (size_t)(e * d->gauss + q);
-            double u = lo + size * rule->x[e * LINE_RULE_MOST + q];
-            if (legendre)
-                plate_space_legendre(b->p, u, value, value + order);
-            else
-                bspline_eval(b, rule->span[e], u, 1, value);
-            memcpy(d->N + row * order, value, order * sizeof *value);
-            memcpy(d->dN + row * order, value + order, order * sizeof *value);
-            d->weight[row] = size * rule->part[e * LINE_RULE_MOST + q];
-        }
-    }
-    line_rule_clear(rule);
-    return st;
+    return t->value + (size_t)(e * t->most + q) * 2 * (size_t)t->order;
 }
 
 static size_t product_size(const struct plate_tables *t)
 {
-    const struct plate_direction *v = &t->direction[1], *w = &t->direction[2];
+    const struct line_table *v = &t->direction[1], *w = &t->direction[2];
 
-    return (size_t)(v->gauss * w->gauss) * 3 * (size_t)(v->order * w->order);
+    return (size_t)(v->most * w->most) * 3 * (size_t)(v->order * w->order);
 }
 
 /* Fills N_v N_w, N_v' N_w, N_v N_w' of one pair of spans. */
 static void fill_product(const struct plate_tables *t, int ev, int ew, double *out)
 {
-    const struct plate_direction *v = &t->direction[1], *w = &t->direction[2];
+    const struct line_table *v = &t->direction[1], *w = &t->direction[2];
     int count = v->order * w->order;
 
-    for (int q = 0; q < v->gauss; q++)
-        for (int s = 0; s < w->gauss; s++, out += 3 * count) {
-            size_t vrow = (size_t)(ev * v->gauss + q) * (size_t)v->order;
-            size_t wrow = (size_t)(ew * w->gauss + s) * (size_t)w->order;
+    for (int q = 0; q < v->most; q++)
+        for (int s = 0; s < w->most; s++, out += 3 * count) {
+            const double *V = values(v, ev, q), *dV = V + v->order;
+            const double *W = values(w, ew, s), *dW = W + w->order;
             for (int b = 0; b < v->order; b++)
                 for (int c = 0; c < w->order; c++) {
                     int n = b * w->order + c;
-                    out[n] = v->N[vrow + b] * w->N[wrow + c];
-                    out[count + n] = v->dN[vrow + b] * w->N[wrow + c];
-                    out[2 * count + n] = v->N[vrow + b] * w->dN[wrow + c];
+                    out[n] = V[b] * W[c];
+                    out[count + n] = dV[b] * W[c];
+                    out[2 * count + n] = V[b] * dW[c];
                 }
         }
 }
 
 static enum status make_products(struct plate_tables *t)
 {
-    const struct plate_direction *v = &t->direction[1], *w = &t->direction[2];
+    const struct line_table *v = &t->direction[1], *w = &t->direction[2];
     size_t one = product_size(t);
 
     t->product = malloc((size_t)(v->spans * w->spans) * one * sizeof *t->product);
@@ -114,7 +87,10 @@ static enum status make_products(struct plate_tables *t)
     return STATUS_OK;
 }
 
-void plate_space_rational(const struct solid_space *space, int element, double *N,
+/* Computes R_a = w_a N_a / W and its gradient at one Gauss point, in place. In the
+ * thickness basis, weights are equal through a column and its first function, 1, represents
+ * the sum of all. */
+static void make_rational(const struct solid_space *space, int element, double *N,
                           double *G, int row)
 {
     const struct plate_tables *t = space->tables;
@@ -139,18 +115,17 @@ static void functions(const struct solid_space *space, int element,
                       struct solid_functions *out)
 {
     const struct plate_tables *t = space->tables;
-    const struct plate_direction *u = &t->direction[0], *v = &t->direction[1],
-                                 *w = &t->direction[2];
+    const struct line_table *u = &t->direction[0], *v = &t->direction[1],
+                            *w = &t->direction[2];
     int eu = element / (v->spans * w->spans), evw = element % (v->spans * w->spans);
     int ev = evw / w->spans, ew = evw % w->spans, count = v->order * w->order;
     int row = SOLID_PADDED(space->local);
     double *N = out->N, *G = out->G, *weight = out->weight;
 
-    for (int q = 0; q < u->gauss; q++) {
-        const double *Nu = u->N + (size_t)(eu * u->gauss + q) * (size_t)u->order;
-        const double *dNu = u->dN + (size_t)(eu * u->gauss + q) * (size_t)u->order;
+    for (int q = 0; q < u->most; q++) {
+        const double *Nu = values(u, eu, q), *dNu = Nu + u->order;
         const double *vw = t->product + (size_t)evw * product_size(t);
-        for (int s = 0; s < v->gauss * w->gauss; s++, vw += 3 * count) {
+        for (int s = 0; s < v->most * w->most; s++, vw += 3 * count) {
             for (int a = 0; a < u->order; a++)
                 for (int n = 0; n < count; n++) {
                     N[a * count + n] = Nu[a] * vw[n];
@@ -159,10 +134,10 @@ static void functions(const struct solid_space *space, int element,
                     G[2 * row + a * count + n] = Nu[a] * vw[2 * count + n];
                 }
             *weight++ =
-                u->weight[eu * u->gauss + q] * (v->weight[ev * v->gauss + s / w->gauss] *
-                                                w->weight[ew * w->gauss + s % w->gauss]);
+                u->weight[eu * u->most + q] * (v->weight[ev * v->most + s / w->most] *
+                                               w->weight[ew * w->most + s % w->most]);
             if (t->point_weight)
-                plate_space_rational(space, element, N, G, row);
+                make_rational(space, element, N, G, row);
             N += row;
             G += 3 * row;
         }
@@ -172,7 +147,7 @@ static void functions(const struct solid_space *space, int element,
 static void number_elements(struct solid_space *space, const struct plate_tables *t,
                             const struct patch *patch)
 {
-    const struct plate_direction *d = t->direction;
+    const struct line_table *d = t->direction;
     int m = patch->basis[1].n, l = patch->basis[2].n, *node = space->ien;
 
     for (int eu = 0; eu < d[0].spans; eu++)
@@ -236,10 +211,10 @@ void plate_space_clear(struct solid_space *space, struct plate_tables *tables)
     if (!tables)
         return;
     for (int i = 0; i < 3; i++)
-        direction_clear(&tables->direction[i]);
+        line_rule_table_clear(&tables->direction[i]);
     for (int l = 0; l < PLATE_LINES; l++)
         for (int i = 0; i < 2; i++)
-            direction_clear(&tables->cure[l][i]);
+            line_rule_table_clear(&tables->cure[l][i]);
     free(tables->product);
     memset(tables, 0, sizeof *tables);
 }
@@ -249,18 +224,19 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
 {
     enum status st = STATUS_OK;
     struct plate_tables t = {.point_weight = patch->weight};
-    const struct plate_direction *d = t.direction;
+    const struct line_table *d = t.direction;
     struct solid_space new = {.nodes = patch_nodes(patch), .local = patch_local(patch)};
 
     for (int i = 0; i < 3; i++) {
         const struct bspline *b = &patch->basis[i];
         struct line_rule rule;
         st = line_rule_gauss(&rule, b, gauss[i] ? gauss[i] : b->p + 1);
-        TRY(plate_space_direction(&t.direction[i], b, st, &rule, thickness && i == 2));
+        TRY(line_rule_table(&t.direction[i], b, st, &rule, 2,
+                            thickness && i == 2 ? legendre : bspline_eval));
     }
     TRY(make_products(&t));
     new.elements = d[0].spans *d[1].spans *d[2].spans;
-    new.gauss = d[0].gauss *d[1].gauss *d[2].gauss;
+    new.gauss = d[0].most *d[1].most *d[2].most;
     new.thickness_basis = thickness;
     new.functions = functions;
     new.tables = tables;
@@ -272,4 +248,203 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
 out:
     plate_space_clear(&new, &t);
     return st;
+}
+
+/* --- Cures. */
+
+/* Computes N, G and weight of one point from rows of the three directions' tables. */
+static double one_point(const struct line_table *const d[3], const int e[3], const int q[3],
+                        double *N, double *G, int row)
+{
+    const double *value[3], *slope[3];
+    double weight[3];
+    int n = 0;
+
+    for (int i = 0; i < 3; i++) {
+        value[i] = values(d[i], e[i], q[i]), slope[i] = value[i] + d[i]->order;
+        weight[i] = d[i]->weight[e[i] * d[i]->most + q[i]];
+    }
+    for (int a = 0; a < d[0]->order; a++)
+        for (int b = 0; b < d[1]->order; b++)
+            for (int c = 0; c < d[2]->order; c++, n++) {
+                N[n] = value[0][a] * value[1][b] * value[2][c];
+                G[n] = slope[0][a] * value[1][b] * value[2][c];
+                G[row + n] = value[0][a] * slope[1][b] * value[2][c];
+                G[2 * row + n] = value[0][a] * value[1][b] * slope[2][c];
+            }
+    return weight[0] * weight[1] * weight[2];
+}
+
+static int reduced_functions(const struct solid_space *space, int element,
+                             struct solid_functions *out)
+{
+    const struct plate_tables *t = space->tables;
+    const struct line_table *const d[3] = {&t->cure[PLATE_REDUCED][0],
+                                           &t->cure[PLATE_REDUCED][1], &t->direction[2]};
+    const int e[3] = {element / (d[1]->spans * d[2]->spans),
+                      element / d[2]->spans % d[1]->spans, element % d[2]->spans};
+    int row = SOLID_PADDED(space->local), count = 0;
+
+    for (int q = 0; q < d[0]->points[e[0]]; q++)
+        for (int s = 0; s < d[1]->points[e[1]]; s++)
+            for (int r = 0; r < d[2]->most; r++, count++) {
+                double *N = out->N + count * row, *G = out->G + 3 * count * row;
+                out->weight[count] = one_point(d, e, (const int[]){q, s, r}, N, G, row);
+                if (t->point_weight)
+                    make_rational(space, element, N, G, row);
+            }
+    return count;
+}
+
+static enum status make_line(struct plate_tables *tables, const struct bspline *b, int l,
+                             int i)
+{
+    struct line_rule rule;
+    enum status st = l == PLATE_BENDING    ? line_rule_bending(&rule, b)
+                     : l == PLATE_GREVILLE ? line_rule_greville(&rule, b, false)
+                                           : reduced_rule_init(&rule, b);
+
+    return line_rule_table(&tables->cure[l][i], b, st, &rule, 2, bspline_eval);
+}
+
+enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
+                               const struct patch *patch)
+{
+    enum status st = STATUS_OK;
+
+    for (int i = 0; i < 2 && st == STATUS_OK; i++)
+        st = make_line(tables, &patch->basis[i], PLATE_REDUCED, i);
+    space->reduced = reduced_functions;
+    space->plane_stress = patch->basis[2].n == 2;
+    return st;
+}
+
+/* Computes values and gradients of the functions of a surface at one point: N, N_u, N_v,
+ * [3][order u * order v]. */
+static void surface_point(const struct solid_space *space, int element,
+                          const struct line_table *u, const double *Nu,
+                          const struct line_table *v, const double *Nv, double *N)
+{
+    const struct plate_tables *t = space->tables;
+    const double *dNu = Nu + u->order, *dNv = Nv + v->order;
+    const int *node = space->ien + (size_t)element * (size_t)space->local;
+    int count = u->order * v->order, n = 0;
+    double W[3] = {0};
+
+    for (int a = 0; a < u->order; a++)
+        for (int b = 0; b < v->order; b++, n++) {
+            double w = t->point_weight ? t->point_weight[node[2 * n]] : 1;
+            W[0] += N[n] = w * Nu[a] * Nv[b];
+            W[1] += N[count + n] = w * dNu[a] * Nv[b];
+            W[2] += N[2 * count + n] = w * Nu[a] * dNv[b];
+        }
+    for (n = 0; t->point_weight && n < count; n++) {
+        N[n] /= W[0];
+        N[count + n] = (N[count + n] - N[n] * W[1]) / W[0];
+        N[2 * count + n] = (N[2 * count + n] - N[n] * W[2]) / W[0];
+    }
+}
+
+/* The lines of points along u and v of each kind of strain. */
+static const int lines[SOLID_KINDS][2] = {
+    [SOLID_ALONG_U] = {PLATE_REDUCED, PLATE_GREVILLE},
+    [SOLID_ALONG_V] = {PLATE_GREVILLE, PLATE_REDUCED},
+    [SOLID_OTHER] = {PLATE_REDUCED, PLATE_REDUCED},
+    [SOLID_BENDING] = {PLATE_BENDING, PLATE_BENDING},
+};
+
+static int layer_functions(const struct solid_space *space, int element,
+                           enum solid_strains kind, double *G, double *weight)
+{
+    const struct plate_tables *t = space->tables;
+    const struct line_table *u = &t->cure[lines[kind][0]][0],
+                            *v = &t->cure[lines[kind][1]][1];
+    double N[3 * BSPLINE_MAX_ORDER * BSPLINE_MAX_ORDER];
+    int eu = element / v->spans, ev = element % v->spans, points = 0;
+    int surface = u->order * v->order, row = SOLID_PADDED(space->local);
+
+    for (int q = 0; q < u->points[eu]; q++)
+        for (int s = 0; s < v->points[ev]; s++, G += 6 * row) {
+            surface_point(space, element, u, values(u, eu, q), v, values(v, ev, s), N);
+            weight[points++] = u->weight[eu * u->most + q] * v->weight[ev * v->most + s];
+            for (int n = 0; n < surface; n++)
+                for (int c = 0; c < 2; c++) {
+                    int a = 2 * n + c;
+                    G[a] = N[surface + n] * t->layer[0][c];
+                    G[row + a] = N[2 * surface + n] * t->layer[0][c];
+                    G[2 * row + a] = N[n] * t->layer[1][c];
+                    G[3 * row + a] = N[surface + n] * t->layer[1][c];
+                    G[4 * row + a] = N[2 * surface + n] * t->layer[1][c];
+                }
+        }
+    return points;
+}
+
+enum status plate_space_select(struct solid_space *space, struct plate_tables *tables,
+                               const struct patch *patch)
+{
+    double face[2][2];
+    enum status st = STATUS_OK;
+
+    for (int l = 0; l < PLATE_LINES && st == STATUS_OK; l++)
+        for (int i = 0; i < 2 && st == STATUS_OK; i++)
+            st = make_line(tables, &patch->basis[i], l, i);
+    for (int k = 0; k < 2; k++)
+        plate_space_thickness(patch, space->thickness_basis, k, face[k]);
+    for (int c = 0; c < 2; c++) {
+        tables->layer[0][c] = (face[0][c] + face[1][c]) / 2;
+        tables->layer[1][c] = face[1][c] - face[0][c];
+    }
+    space->layer = layer_functions;
+    for (int k = 0; k < SOLID_KINDS; k++)
+        space->layer_points[k] =
+            tables->cure[lines[k][0]][0].most * tables->cure[lines[k][1]][1].most;
+    return st;
+}
+
+/* Computes int_a^b exp(-y) of the `count` polynomials that are 1 at one of y[count] and 0
+ * at the others; y counts from a. */
+static void decaying(int count, const double *y, double a, double b, double *out)
+{
+    double moment[GAUSS_MAX], end = exp(a - b), power = 1;
+
+    for (int k = 0; k < count; k++, power *= b - a)
+        moment[k] = (k ? k * moment[k - 1] : 1) - power * end;
+    for (int q = 0; q < count; q++) {
+        double c[GAUSS_MAX] = {1}; /* coefficients of the polynomial, from the constant */
+        for (int r = 0, degree = 0; r < count; r++) {
+            if (r == q)
+                continue;
+            degree++;
+            for (int k = degree; k >= 0; k--)
+                c[k] = ((k ? c[k - 1] : 0) - y[r] * c[k]) / (y[q] - y[r]);
+        }
+        out[q] = 0;
+        for (int k = 0; k < count; k++)
+            out[q] += exp(-a) * c[k] * moment[k];
+    }
+}
+
+void plate_space_clamp(struct plate_tables *tables, const struct patch *patch, int i,
+                       bool end, double thickness, double poisson)
+{
+    const struct bspline *b = &patch->basis[i];
+    struct line_table *d = &tables->cure[PLATE_BENDING][i];
+    const double width = thickness * sqrt((1 - poisson) / 120);
+    const double share = poisson * poisson / ((1 - poisson) * (1 - poisson));
+    double x[GAUSS_MAX], w[GAUSS_MAX], y[GAUSS_MAX], less[GAUSS_MAX];
+
+    for (int e = 0; e < d->spans && width > 0; e++) {
+        const int points = d->points[e];
+        double lo = b->U[d->first[e] + b->p], hi = b->U[d->first[e] + b->p + 1];
+        double near = (end ? 1 - hi : lo) / width, far = (end ? 1 - lo : hi) / width;
+        gauss_rule(points, x, w);
+        for (int q = 0; q < points; q++) /* the rule is symmetric */
+            y[q] = (far - near) * x[q];
+        decaying(points, y, near, far, less);
+        for (int q = 0; q < points; q++) {
+            double *weight = d->weight + e * d->most + (end ? points - 1 - q : q);
+            *weight /= 1 - share * less[q] / ((far - near) * w[q]);
+        }
+    }
 }

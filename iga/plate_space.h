@@ -5,29 +5,19 @@
 #ifndef PLATE_SPACE_H
 #define PLATE_SPACE_H
 
+#include "iga/line_rule.h"
 #include "iga/patch.h"
-#include "models/linalg/gauss.h"
 #include "models/solid/solid_space.h"
-
-/* Tables of one direction, per non-empty span and Gauss point: [spans][gauss][p + 1]. */
-struct plate_direction {
-    int spans, order, gauss; /* order = p + 1 functions                                */
-    int *points;             /* [spans] of the gauss points in use                     */
-    void *room;              /* of the arrays below                            owned   */
-    int *first;              /* [spans] first function alive                           */
-    double *N, *dN;          /* values and derivatives                                 */
-    double *weight;          /* [spans][gauss]                                         */
-};
 
 /* The lines of points of a remedy: reduced_rule.h's; line_rule.h's greville, bending. */
 enum { PLATE_REDUCED, PLATE_GREVILLE, PLATE_BENDING, PLATE_LINES };
 
 struct plate_tables {
-    struct plate_direction direction[3];
-    /* Products over v and w, [spans v][spans w][gauss v][gauss w][3][order v * order w]:
+    struct line_table direction[3]; /* values and slopes, as of `cure` */
+    /* Products over v and w, [spans v][spans w][most v][most w][3][order v * order w]:
      * N N, N' N, N N'. */
     double *product; /*                                                    owned   */
-    struct plate_direction cure[PLATE_LINES][2]; /* u, v of a cure; else all zero      */
+    struct line_table cure[PLATE_LINES][2]; /* u, v of a cure; else all zero           */
     double layer[2][2]; /* its functions through the thickness at w = 1/2: N, dN/dw    */
     const double *point_weight; /* [nodes] NURBS weights or NULL; borrowed from patch  */
 };

@@ -21,7 +21,7 @@
 #include "iga/bspline.h"
 #include "models/scene.h"
 
-/* Whether a support clamps a line inside the sheet across direction i. */
+/* Returns whether a support clamps a line inside the sheet across direction i. */
 bool support_knots_clamps_line(const struct scene_support *s, int i);
 
 /* The continuity of a sheet at an end: C^0 or C^1. */

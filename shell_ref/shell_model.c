@@ -8,19 +8,11 @@
 #include "iga/support_knots.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
-#include "shell_ref/shell_rest.h"
-
-/* A direction of the material grid: values and slopes at its samples, [count][2][order]. */
-struct samples {
-    int count, order;
-    int *first;    /* first function alive                                     owned   */
-    double *value; /*                                                          owned   */
-};
+#include "shell_ref/shell_motion.h"
 
 struct shell {
-    struct shell_motion motion; /* first: tests reach it                               */
+    struct shell_motion motion; /* first: shell_motion.h                               */
     struct shell_space space;
-    struct samples grid[2];
 };
 
 /* clang-format off */
@@ -69,15 +61,16 @@ static double wrinkle(const struct scene *scene)
                 (scene->density * scene->thickness * push));
 }
 
-/* Whether that is shorter than SPANS of the longest spans, with a sentence. At a clamped
- * edge a selective shell sees its strain along u at the edge, where it has none, and once
- * in the span beside it. It folds there, all along the edge, and turns about the corner;
- * one without remedy locks against it. (flag, rms distance to the truth at 0.3 and 0.5 s in
- * % of the length, with remedy and without: 10x10 points, 1.9 spans a wave, 2.8 11, .7 7.5;
- * 16x16 2.1 10, .6 5.8; 26x26 1.5 9.1, .7 2.8; on 40x40, 10 spans a wave, .8 and .7 at 0.3
- * s.) A net of fewer spans a side has no room to fold. Where gravity bends the sheet a net
- * with remedy is nearer, however heavy it is: edge_drop of nu = 0 and 1, 10, 100 times its
- * Gamma on 10x10 points at 0.4 s, .5, 1.1, 1.6 and without 10, 6.4, 5.5. */
+/* Returns whether that is shorter than SPANS of the longest spans, with a sentence. At a
+ * clamped edge a selective shell sees its strain along u at the edge, where it has none,
+ * and once in the span beside it. It folds there, all along the edge, and turns about the
+ * corner; one without remedy locks against it. (flag, rms distance to the truth at 0.3 and
+ * 0.5 s in % of the length, with remedy and without: 10x10 points, 1.9 spans a wave, 2.8
+ * 11, .7 7.5; 16x16 2.1 10, .6 5.8; 26x26 1.5 9.1, .7 2.8; on 40x40, 10 spans a wave, .8
+ * and .7 at 0.3 s.) A net of fewer spans a side has no room to fold. Where gravity bends
+ * the sheet a net with remedy is nearer, however heavy it is: edge_drop of nu = 0 and 1,
+ * 10, 100 times its Gamma on 10x10 points at 0.4 s, .5, 1.1, 1.6 and without 10, 6.4, 5.5.
+ */
 static bool wrinkles(const struct scene *scene, const struct discretization *d,
                      struct message *reason)
 {
@@ -191,20 +184,6 @@ static int alive(const struct shell *s, int i, double x, double *value)
     return span - b->p;
 }
 
-static enum status make_samples(struct shell *s, int i, int count)
-{
-    struct samples *g = &s->grid[i];
-
-    *g = (struct samples){.count = count, .order = s->space.basis[i].p + 1};
-    g->first = malloc((size_t)count * sizeof *g->first);
-    g->value = malloc((size_t)(count * 2 * g->order) * sizeof *g->value);
-    if (!g->first || !g->value)
-        return STATUS_MEMORY;
-    for (int n = 0; n < count; n++)
-        g->first[n] = alive(s, i, (double)n / (count - 1), g->value + n * 2 * g->order);
-    return STATUS_OK;
-}
-
 static void destroy(void *state)
 {
     struct shell *s = state;
@@ -213,10 +192,6 @@ static void destroy(void *state)
         return;
     shell_motion_clear(&s->motion);
     shell_space_clear(&s->space);
-    for (int i = 0; i < 2; i++) {
-        free(s->grid[i].first);
-        free(s->grid[i].value);
-    }
     free(s);
 }
 
@@ -231,8 +206,6 @@ static enum status create(const struct scene *scene, const struct discretization
     if (!s)
         TRY(STATUS_MEMORY);
     TRY(make_space(scene, d, &s->space, why));
-    TRY(make_samples(s, 0, GRID_U));
-    TRY(make_samples(s, 1, GRID_V));
     TRY(shell_motion_init(&s->motion, scene, &s->space, d, why));
     *state = s, s = NULL;
 out:
@@ -325,28 +298,25 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
 static void sample(const void *state, double *xyz)
 {
     const struct shell *s = state;
-    const struct samples *g = s->grid;
+    double value[2][GRID_U][2 * BSPLINE_MAX_ORDER]; /* of the lines along u and v */
+    int alive_at[2][GRID_U];
 
+    _Static_assert(GRID_U == GRID_V, "both lines have as many points");
+    for (int n = 0; n < 2 * GRID_U; n++)
+        alive_at[n % 2][n / 2] =
+            alive(s, n % 2, n / 2 / (GRID_U - 1.0), value[n % 2][n / 2]);
     for (int n = 0; n < GRID_U * GRID_V; n++) {
-        int i = n % GRID_U, j = n / GRID_U;
-        const int first[2] = {g[0].first[i], g[1].first[j]};
-        const double *const N[2] = {g[0].value + i * 2 * g[0].order,
-                                    g[1].value + j * 2 * g[1].order};
-        double middle[3], offset[3], uvw[3];
-        grid_point(n, uvw);
+        const int i = n % GRID_U, j = n / GRID_U;
+        double middle[3], offset[3];
         if (s->space.weight)
-            evaluate_rational(s, uvw[0], uvw[1], middle, offset);
+            evaluate_rational(s, i / (GRID_U - 1.0), j / (GRID_V - 1.0), middle, offset);
         else
-            evaluate(s, first, N, middle, offset);
+            evaluate(s, (const int[]){alive_at[0][i], alive_at[1][j]},
+                     (const double *const[]){value[0][i], value[1][j]}, middle, offset);
         for (int k = 0; k < GRID_W; k++)
             place(middle, offset, k / (GRID_W - 1.0),
                   xyz + 3 * (size_t)(k * GRID_U * GRID_V + n));
     }
-}
-
-static enum status advance(void *state, struct counters *counters)
-{
-    return shell_motion_step(state, counters);
 }
 
 static void describe(const void *state, struct message *line)
@@ -354,36 +324,6 @@ static void describe(const void *state, struct message *line)
     const struct shell *s = state;
 
     large_leapfrog_describe(&s->motion.large, line);
-}
-
-static void size(const void *state, struct model_size *out)
-{
-    shell_motion_size(state, out);
-}
-
-static void energy(const void *state, struct energy *out)
-{
-    shell_motion_energy(state, out);
-}
-
-static void contact(const void *state, struct model_contact *out)
-{
-    shell_motion_contact(state, out);
-}
-
-static enum status equilibrium(void *state, struct counters *counters, struct message *why)
-{
-    return shell_rest_equilibrium(state, counters, why);
-}
-
-static enum status modes(void *state, int count, double *omega, struct message *why)
-{
-    return shell_rest_modes(state, count, omega, why);
-}
-
-static enum status matrices(const void *state, struct matrix *K, struct matrix *M)
-{
-    return shell_rest_matrices(state, K, M);
 }
 
 const struct model shell_model = {
@@ -406,15 +346,15 @@ const struct model shell_model = {
     .adapt = adapt,
     .extra_points = extra_points,
     .create = create,
-    .advance = advance,
+    .advance = shell_motion_step,
     .sample = sample,
     .probe = probe,
-    .size = size,
+    .size = shell_motion_size,
     .describe = describe,
-    .energy = energy,
-    .contact = contact,
-    .equilibrium = equilibrium,
-    .modes = modes,
-    .matrices = matrices,
+    .energy = shell_motion_energy,
+    .contact = shell_motion_contact,
+    .equilibrium = shell_motion_equilibrium,
+    .modes = shell_motion_modes,
+    .matrices = shell_motion_matrices,
     .destroy = destroy,
 };

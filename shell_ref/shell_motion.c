@@ -9,8 +9,12 @@
 #include "models/linalg/order.h"
 #include "models/mechanics/dead_load.h"
 #include "models/mechanics/large_leapfrog.h"
+#include "models/mechanics/large_rest.h"
 #include "models/mechanics/lumped_mass.h"
+#include "models/mechanics/pencil.h"
 #include "models/room.h"
+
+static const struct large_path statics = {.s1 = 1, .g1 = 1};
 
 static void compute_load(struct shell_motion *m)
 {
@@ -154,7 +158,6 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     const struct scene *scene = m->scene;
     const struct shell_material material = {scene->young, scene->poisson, scene->density,
                                             scene->thickness};
-    const struct large_path statics = {.s1 = 1, .g1 = 1};
     int *order = NULL;
     enum status st;
 
@@ -217,41 +220,33 @@ static const double (*stiffness(const struct shell_motion *m))[9]
     return (const double(*)[9])m->K;
 }
 
-/* Solves M a = load - M alpha v - K (d + beta v) at the start, held unknowns following
- * their paths; then factors the constant system of the steps. */
-static enum status start_linear(struct shell_motion *m, struct counters *counters)
+/* Finds where held unknowns are on their paths at time t; NULL if nothing moves. */
+static const struct newmark_held *follow(struct shell_motion *m, double t,
+                                         struct newmark_held *held)
 {
-    enum status st;
-    struct newmark *n = &m->newmark;
-    struct newmark_held held;
-
-    if (m->supports.moving)
-        held = newmark_follow(&m->supports, m->scene, m->time, n->dt, m->held);
-    TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
-                      m->supports.moving ? &held : NULL, counters));
-    m->started = true;
-out:
-    return st;
+    if (!m->supports.moving)
+        return NULL;
+    *held = newmark_follow(&m->supports, m->scene, t, m->newmark.dt, m->held);
+    return held;
 }
 
 static enum status step_linear(struct shell_motion *m, struct counters *counters)
 {
     enum status st;
+    struct newmark *n = &m->newmark;
     struct newmark_held held;
     size_t count = 3 * (size_t)m->space->nodes;
 
     if (!m->started)
-        TRY(start_linear(m, counters));
-    if (m->supports.moving)
-        held = newmark_follow(&m->supports, m->scene, m->time + m->newmark.dt,
-                              m->newmark.dt, m->held);
+        TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
+                          follow(m, m->time, &held), counters));
+    m->started = true;
+    const struct newmark_held *at = follow(m, m->time + n->dt, &held);
     if (m->scene->obstacle_count) {
-        TRY(contact_step_linear(&m->contact, &m->newmark, &m->system, stiffness(m),
-                                m->assembly.M, m->load, m->supports.moving ? &held : NULL,
-                                m->x, counters));
+        TRY(contact_step_linear(&m->contact, n, &m->system, stiffness(m), m->assembly.M,
+                                m->load, at, m->x, counters));
     } else {
-        TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
-                         m->supports.moving ? &held : NULL));
+        TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load, at));
         counters->solves++;
     }
     for (size_t t = 0; t < count; t++)
@@ -260,8 +255,9 @@ out:
     return st;
 }
 
-enum status shell_motion_step(struct shell_motion *m, struct counters *counters)
+enum status shell_motion_step(void *state, struct counters *counters)
 {
+    struct shell_motion *m = state;
     enum status st = m->kinematics == KINEMATICS_LINEAR
                          ? step_linear(m, counters)
                          : large_motion_step(&m->large, m->time, counters);
@@ -277,8 +273,9 @@ enum status shell_motion_step(struct shell_motion *m, struct counters *counters)
     return STATUS_OK;
 }
 
-void shell_motion_energy(const struct shell_motion *m, struct energy *energy)
+void shell_motion_energy(const void *state, struct energy *energy)
 {
+    const struct shell_motion *m = state;
     const struct newmark *n = &m->newmark;
     const struct blocks *graph = &m->assembly.graph;
     const struct scene *s = m->scene;
@@ -303,15 +300,112 @@ void shell_motion_energy(const struct shell_motion *m, struct energy *energy)
         energy->elastic += n->d[t] * y[t] / 2;
 }
 
-void shell_motion_contact(const struct shell_motion *m, struct model_contact *contact)
+void shell_motion_contact(const void *state, struct model_contact *contact)
 {
+    const struct shell_motion *m = state;
+
     if (m->kinematics == KINEMATICS_NONLINEAR && m->scene->obstacle_count)
         large_motion_contact(&m->large, contact);
     else
         contact_set_report(&m->contact.set, m->x, 1 / m->newmark.dt, contact);
 }
 
-void shell_motion_size(const struct shell_motion *m, struct model_size *size)
+void shell_motion_size(const void *state, struct model_size *size)
 {
+    const struct shell_motion *m = state;
+
     *size = system_size(&m->system, "control points");
+}
+
+/* --- Results without time stepping. */
+
+static enum status rest_linear(struct shell_motion *m, struct counters *counters)
+{
+    enum status st;
+    struct newmark *n = &m->newmark;
+    size_t count = 3 * (size_t)m->space->nodes;
+    const double(*K)[9] = (const double(*)[9])m->K;
+    double *r = n->work;
+
+    memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
+    supports_shift(&m->supports, m->scene, m->time, m->held);
+    for (int h = 0; h < m->supports.held_count; h++)
+        n->d[m->supports.held[h]] = m->held[h];
+    TRY(system_factor(&m->system, 1, K, 0, NULL));
+    counters->factorisations++;
+    for (int pass = 0; pass < 2; pass++) {
+        blocks_multiply(&m->assembly.graph, K, n->d, r);
+        for (size_t t = 0; t < count; t++)
+            r[t] = m->load[t] - r[t];
+        TRY(system_solve(&m->system, r));
+        counters->solves++;
+        for (size_t t = 0; t < count; t++)
+            n->d[t] += r[t];
+    }
+    for (size_t t = 0; t < count; t++)
+        m->x[t] = m->space->rest[t] + n->d[t];
+out:
+    return st;
+}
+
+enum status shell_motion_equilibrium(void *state, struct counters *counters,
+                                     struct message *why)
+{
+    struct shell_motion *m = state;
+    enum status st;
+
+    TRY(supports_allow_rest(&m->supports, m->scene, m->kinematics == KINEMATICS_NONLINEAR,
+                            why));
+    m->time = supports_rest_time(&m->supports, m->scene);
+    m->started = false;
+    if (m->kinematics == KINEMATICS_NONLINEAR)
+        return large_rest_equilibrium(&m->large, counters, why);
+    st = rest_linear(m, counters);
+    if (st == STATUS_INDEFINITE)
+        status_fail(why, st,
+                    "the stiffness is singular to working accuracy: the supports "
+                    "leave the sheet free to move");
+out:
+    return st;
+}
+
+/* Makes the tangent of the rest shape, wherever x is: *K, owned by the caller. */
+static enum status make_stiffness(const struct shell_motion *m, double (**K)[9])
+{
+    const struct blocks *graph = &m->assembly.graph;
+
+    *K = malloc((size_t)graph->start[graph->nodes] * sizeof **K);
+    return *K ? large_body_tangent(&m->assembly.body, &statics, m->space->rest,
+                                   (struct large_foresight){0}, *K)
+              : STATUS_MEMORY;
+}
+
+enum status shell_motion_modes(void *state, int count, double *omega, struct message *why)
+{
+    struct shell_motion *m = state;
+    double(*K)[9];
+
+    if (m->large.rested)
+        return large_rest_modes(&m->large, count, omega, why);
+    enum status st = make_stiffness(m, &K);
+    if (st == STATUS_OK)
+        st = pencil_modes(
+            &(struct pencil){&m->assembly.graph, (const double(*)[9])K, m->assembly.M},
+            &m->supports, m->parity, count, omega, why);
+    free(K);
+    return st;
+}
+
+enum status shell_motion_matrices(const void *state, struct matrix *K, struct matrix *M)
+{
+    const struct shell_motion *m = state;
+    double(*block)[9];
+    enum status st = make_stiffness(m, &block);
+
+    if (st == STATUS_OK)
+        st = pencil_matrices(
+            &(struct pencil){&m->assembly.graph, (const double(*)[9])block, m->assembly.M},
+            K, M);
+    free(block);
+    return st;
 }

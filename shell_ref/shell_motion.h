@@ -55,11 +55,19 @@ enum status shell_motion_init(struct shell_motion *m, const struct scene *scene,
                               const struct discretization *d, struct message *why);
 void shell_motion_clear(struct shell_motion *m);
 
-/* Takes one step of scene->step. */
-enum status shell_motion_step(struct shell_motion *m, struct counters *counters);
+/* Implement model.h's entries for a state that begins with a struct shell_motion. */
+enum status shell_motion_step(void *state, struct counters *counters);
+void shell_motion_energy(const void *state, struct energy *energy);
+void shell_motion_contact(const void *state, struct model_contact *contact);
+void shell_motion_size(const void *state, struct model_size *size);
 
-void shell_motion_energy(const struct shell_motion *m, struct energy *energy);
-void shell_motion_contact(const struct shell_motion *m, struct model_contact *contact);
-void shell_motion_size(const struct shell_motion *m, struct model_size *size);
+/* Moves the state to equilibrium under the scene's loads, supports where it ends, at rest.
+ * Linear: one solve, one pass of refinement. Nonlinear: from the rest shape by growing
+ * loads, in shorter increments where Newton's method fails, at last by steps downhill (a
+ * sheet on a hinge). STATUS_INPUT without supports. */
+enum status shell_motion_equilibrium(void *state, struct counters *counters,
+                                     struct message *why);
+enum status shell_motion_modes(void *state, int count, double *omega, struct message *why);
+enum status shell_motion_matrices(const void *state, struct matrix *K, struct matrix *M);
 
 #endif

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "iga/line_rule.h"
 #include "models/linalg/blocks.h"
 #include "models/room.h"
 
@@ -16,13 +15,8 @@ void shell_space_clear(struct shell_space *space)
 {
     for (int d = 0; d < 2; d++) {
         bspline_clear(&space->basis[d]);
-        free(space->direction[d].span);
-        for (int l = 0; l < SHELL_LINES; l++) {
-            struct shell_line *line = &space->direction[d].line[l];
-            free(line->points);
-            free(line->weight);
-            free(line->table);
-        }
+        for (int l = 0; l < SHELL_LINES; l++)
+            line_rule_table_clear(&space->direction[d].line[l]);
     }
     free(space->room);
     free(space->slab);
@@ -51,37 +45,7 @@ static enum status check(const struct bspline basis[2], const int gauss[2],
     return STATUS_OK;
 }
 
-/* Turns the points of `rule`, which is cleared, into a line. */
-static enum status tabulate(const struct bspline *b, struct line_rule *rule,
-                            struct shell_line *line)
-{
-    enum status st = STATUS_MEMORY;
-    const size_t row = 3 * (size_t)(b->p + 1), points = (size_t)(rule->spans * rule->most);
-
-    line->most = rule->most;
-    line->points = calloc((size_t)rule->spans, sizeof *line->points);
-    line->weight = calloc(points, sizeof *line->weight);
-    line->table = calloc(points * row, sizeof *line->table);
-    if (!line->points || !line->weight || !line->table)
-        goto out;
-    for (int s = 0; s < rule->spans; s++) {
-        const double from = b->U[rule->span[s]], size = line_rule_size(rule, b, s);
-        line->points[s] = rule->count[s];
-        for (int q = 0; q < rule->count[s]; q++) {
-            const int at = s * LINE_RULE_MOST + q;
-            const size_t to = (size_t)(s * line->most + q);
-            line->weight[to] = size * rule->part[at];
-            bspline_eval(b, rule->span[s], from + size * rule->x[at], 2,
-                         line->table + to * row);
-        }
-    }
-    st = STATUS_OK;
-out:
-    line_rule_clear(rule);
-    return st;
-}
-
-static enum status make_line(const struct bspline *b, struct shell_line *line, int l,
+static enum status make_line(const struct bspline *b, struct line_table *line, int l,
                              int gauss)
 {
     struct line_rule rule;
@@ -89,7 +53,7 @@ static enum status make_line(const struct bspline *b, struct shell_line *line, i
                      : l == SHELL_BENT ? line_rule_bending(&rule, b)
                                        : line_rule_greville(&rule, b, l == SHELL_DERIVED);
 
-    return st == STATUS_OK ? tabulate(b, &rule, line) : st;
+    return line_rule_table(line, b, st, &rule, 3, bspline_eval);
 }
 
 static enum status make_directions(struct shell_space *space, const int gauss[2],
@@ -98,16 +62,12 @@ static enum status make_directions(struct shell_space *space, const int gauss[2]
     for (int i = 0; i < 2; i++) {
         struct shell_direction *d = &space->direction[i];
         const struct bspline *b = &space->basis[i];
-        d->order = b->p + 1;
-        d->span = malloc((size_t)b->n * sizeof *d->span);
-        if (!d->span)
-            return STATUS_MEMORY;
-        d->spans = bspline_spans(b, d->span);
         for (int l = 0; l < (selective ? SHELL_LINES : SHELL_FULL + 1); l++) {
             enum status st = make_line(b, &d->line[l], l, gauss[i]);
             if (st != STATUS_OK)
                 return st;
         }
+        d->order = d->line[SHELL_FULL].order, d->spans = d->line[SHELL_FULL].spans;
     }
     return STATUS_OK;
 }
@@ -147,11 +107,11 @@ static void number_elements(struct shell_space *space)
     int m = space->basis[1].n;
 
     for (int e = 0; e < space->elements; e++) {
-        int ku = u->span[e / v->spans], kv = v->span[e % v->spans];
+        const int first_u = u->line[SHELL_FULL].first[e / v->spans];
+        const int first_v = v->line[SHELL_FULL].first[e % v->spans];
         int *node = space->ien + (size_t)e * (size_t)space->local;
         for (int a = 0; a < space->local; a++)
-            node[a] =
-                (ku - u->order + 1 + a / v->order) * m + kv - v->order + 1 + a % v->order;
+            node[a] = (first_u + a / v->order) * m + first_v + a % v->order;
     }
 }
 
@@ -194,7 +154,7 @@ int shell_space_places(const struct shell_space *space, int rule, int element,
 
     for (int g = 0; g < space->rule[rule].grids; g++) {
         const struct shell_grid *grid = &space->rule[rule].grid[g];
-        const struct shell_line *u = &d[0].line[grid->line[0]],
+        const struct line_table *u = &d[0].line[grid->line[0]],
                                 *v = &d[1].line[grid->line[1]];
         for (int i = 0; i < u->points[span[0]]; i++)
             for (int j = 0; j < v->points[span[1]]; j++) {
@@ -202,7 +162,7 @@ int shell_space_places(const struct shell_space *space, int rule, int element,
                 place[count++] = (struct shell_place){
                     u->weight[at_u] * v->weight[at_v],
                     grid->share,
-                    {u->table + at_u * 3 * d[0].order, v->table + at_v * 3 * d[1].order}};
+                    {u->value + at_u * 3 * d[0].order, v->value + at_v * 3 * d[1].order}};
             }
     }
     return count;

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "iga/bspline.h"
+#include "iga/line_rule.h"
 
 /* Rows of Gauss points and of functions are padded with zeros to a multiple of it, so that
  * the kernels, vectors of 4 doubles, have no remainders. */
@@ -34,23 +34,13 @@ enum { SHELL_MEMBRANE, SHELL_BENDING, SHELL_PARTS, SHELL_MASS = SHELL_PARTS, SHE
 /* The strains of which a point of the membrane has its share. */
 enum shell_share { SHELL_ALL, SHELL_REST, SHELL_ALONG_U, SHELL_ALONG_V };
 
-/* Points along one direction, weights, and values and two derivatives of the functions
- * alive there. */
-struct shell_line {
-    int most;       /* points a span, where they are most                              */
-    int *points;    /* [spans] points in use                                   owned   */
-    double *weight; /* [spans][most]                                           owned   */
-    double *table;  /* [spans][most][3][order]                                 owned   */
-};
-
 /* Gauss points of the full rule; line_rule.h's of bending, and as many points as there are
  * functions, and derivatives. */
 enum { SHELL_FULL, SHELL_BENT, SHELL_VALUES, SHELL_DERIVED, SHELL_LINES };
 
 struct shell_direction {
     int order, spans;
-    int *span; /* [spans] knot index                                           owned   */
-    struct shell_line line[SHELL_LINES];
+    struct line_table line[SHELL_LINES]; /* values and two derivatives                 */
 };
 
 /* Grids of points, one after the other: each the product of a line of u and one of v. */

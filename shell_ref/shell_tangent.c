@@ -139,7 +139,7 @@ static inline void add_membrane(const double *restrict l, const shell_lanes *res
 /* --- bending ----------------------------------------------------------------------------
  */
 
-/* One of four points. */
+/* The numbers of one of four points. */
 struct point {
     double n[3], dual[2][3], gamma[2][3], inverse[3];
     double C[3][3], m[3], curved;

@@ -1,100 +1,18 @@
-/* motion_fixture.h - shipped scenes in motion, for tests that concern time: a scene with
- * settings and a solid model, its state within reach, all natural modes of a small net. */
+/* motion_fixture.h - solids in motion, for tests that concern time: the state within reach,
+ * fields, and all natural modes of a small net. */
 #ifndef MOTION_FIXTURE_H
 #define MOTION_FIXTURE_H
 
 #include <float.h>
 
-#include "fem_ref/hex_model.h"
-#include "iga/plate_model.h"
-#include "models/grid.h"
 #include "models/linalg/eigen.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
 #include "models/solid/solid_model.h"
-#include "tests/check.h"
-
-struct run {
-    const struct model *model;
-    struct scene scene;
-    struct discretization d;
-    void *state; /* begins with a struct solid_motion (solid_model.h)                  */
-    struct counters counters;
-};
-
-/* Settings are a list that ends with NULL: RUN_SETTINGS("time.step=0.01", ...). */
-#define RUN_SETTINGS(...) ((const char *const[]){__VA_ARGS__, NULL})
-
-/* Reads the scene; the paper's scheme and space unless settings say otherwise. run_start
- * creates the model, so that a test may change things between.
- */
-static inline void run_read(struct run *run, const char *model, const char *scene,
-                            const char *const *settings)
-{
-    struct message why;
-    char path[1024];
-    int count = 0;
-
-    memset(run, 0, sizeof *run);
-    run->model = !strcmp(model, "hex") ? &hex_model : &plate_model;
-    model_defaults(run->model, &run->d);
-    run->d.kinematics = KINEMATICS_PRINTED;
-    run->d.remedy = REMEDY_NONE;
-    if (run->model == &plate_model)
-        run->d.degree[0] = run->d.degree[1] = 2;
-    while (settings && settings[count])
-        count++;
-    snprintf(path, sizeof path, SOURCE_DIR "/models/scenes/%s.yaml", scene);
-    why.text[0] = 0;
-    if (!CHECK(scene_file_read(path, count, settings, &run->scene, &run->d, &why) ==
-               STATUS_OK)) {
-        printf("%s\n", why.text);
-        exit(1);
-    }
-}
-
-static inline void run_start(struct run *run)
-{
-    struct message why;
-
-    why.text[0] = 0;
-    if (!CHECK(run->model->create(&run->scene, &run->d, &run->state, &why) == STATUS_OK)) {
-        printf("%s\n", why.text);
-        exit(1);
-    }
-}
-
-static inline void run_open(struct run *run, const char *model, const char *scene,
-                            const char *const *settings)
-{
-    run_read(run, model, scene, settings);
-    run_start(run);
-}
-
-static inline void run_close(struct run *run)
-{
-    if (run->state)
-        run->model->destroy(run->state);
-    scene_clear(&run->scene);
-    discretization_clear(&run->d);
-    memset(run, 0, sizeof *run);
-}
+#include "tests/opened_run.h"
 
 static inline struct solid_motion *run_motion(const struct run *run)
 {
-    return run->state;
-}
-
-static inline void run_steps(struct run *run, int steps)
-{
-    for (int n = 0; n < steps; n++)
-        REQUIRE(run->model->advance(run->state, &run->counters) == STATUS_OK);
-}
-
-/* Runs to time t, which must be a whole number of steps. */
-static inline void run_until(struct run *run, double t)
-{
-    run_steps(run, (int)floor((t - run_motion(run)->time) / run->scene.step + 0.5));
+    return run->state; /* solid_model.h: a state begins with it */
 }
 
 typedef double run_field[GRID_POINTS][3];
@@ -102,18 +20,6 @@ typedef double run_field[GRID_POINTS][3];
 static inline void run_sample(const struct run *run, run_field field)
 {
     run->model->sample(run->state, field[0]);
-}
-
-/* Largest |a - b| over two fields' coordinates [m]. */
-static inline double run_distance(run_field a, run_field b)
-{
-    double most = 0;
-
-    for (int n = 0; n < GRID_POINTS; n++)
-        for (int i = 0; i < 3; i++)
-            if (!(fabs(a[n][i] - b[n][i]) <= most))
-                most = fabs(a[n][i] - b[n][i]);
-    return most;
 }
 
 static inline size_t run_unknowns(const struct run *run)

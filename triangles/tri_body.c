@@ -207,16 +207,14 @@ static void by_metric(const struct tri_body *b, const struct tri_strain *s,
                       const double stress[3], double material, double geometric,
                       double M[3][3])
 {
-    static const int PLACE[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
-
     for (int l = 0; l < 3; l++)
         for (int m = 0; m < 3; m++) {
             const double column[3] = {s->J[0][m], s->J[1][m], s->J[2][m]};
             double DJ[3], sum = 0;
             tri_strain_stress(b->D, column, DJ);
             for (int k = 0; k < 3; k++)
-                sum += material * s->J[k][l] * DJ[k] +
-                       geometric * stress[k] * s->H[k][PLACE[l][m]];
+                sum +=
+                    material * s->J[k][l] * DJ[k] + geometric * stress[k] * s->H[k][l][m];
             M[l][m] = b->area * sum;
         }
 }

@@ -64,11 +64,6 @@ out:
     return st;
 }
 
-static enum status advance(void *state, struct counters *counters)
-{
-    return tri_motion_step(state, counters);
-}
-
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct tri_motion *m = state;
@@ -118,31 +113,6 @@ static void describe(const void *state, struct message *line)
              m->large.motion.leapfrog ? "; " : "", limit.text);
 }
 
-static void energy(const void *state, struct energy *energy)
-{
-    tri_motion_energy(state, energy);
-}
-
-static void contact(const void *state, struct model_contact *contact)
-{
-    tri_motion_contact(state, contact);
-}
-
-static enum status equilibrium(void *state, struct counters *counters, struct message *why)
-{
-    return tri_motion_rest(state, counters, why);
-}
-
-static enum status modes(void *state, int count, double *omega, struct message *why)
-{
-    return tri_motion_modes(state, count, omega, why);
-}
-
-static enum status matrices(const void *state, struct matrix *K, struct matrix *M)
-{
-    return tri_motion_matrices(state, K, M);
-}
-
 const struct model tri_model = {
     .name = "triangles",
     .title = "constant-strain triangles",
@@ -159,15 +129,15 @@ const struct model tri_model = {
                  .kinematics = KINEMATICS_NONLINEAR,
                  .integrator = INTEGRATOR_MOMENTUM},
     .create = create,
-    .advance = advance,
+    .advance = tri_motion_step,
     .sample = sample,
     .probe = probe,
     .size = size,
     .describe = describe,
-    .energy = energy,
-    .contact = contact,
-    .equilibrium = equilibrium,
-    .modes = modes,
-    .matrices = matrices,
+    .energy = tri_motion_energy,
+    .contact = tri_motion_contact,
+    .equilibrium = tri_motion_rest,
+    .modes = tri_motion_modes,
+    .matrices = tri_motion_matrices,
     .destroy = destroy,
 };

@@ -143,8 +143,9 @@ enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
     return st;
 }
 
-enum status tri_motion_step(struct tri_motion *m, struct counters *counters)
+enum status tri_motion_step(void *state, struct counters *counters)
 {
+    struct tri_motion *m = state;
     enum status st;
 
     if (m->leapfrog) {
@@ -161,9 +162,9 @@ out:
     return st;
 }
 
-enum status tri_motion_rest(struct tri_motion *m, struct counters *counters,
-                            struct message *why)
+enum status tri_motion_rest(void *state, struct counters *counters, struct message *why)
 {
+    struct tri_motion *m = state;
     enum status st;
     double end = supports_rest_time(&m->supports, m->scene);
 
@@ -177,9 +178,9 @@ out:
     return st;
 }
 
-enum status tri_motion_modes(struct tri_motion *m, int count, double *omega,
-                             struct message *why)
+enum status tri_motion_modes(void *state, int count, double *omega, struct message *why)
 {
+    struct tri_motion *m = state;
     enum status st;
 
     if (m->large.motion.rested)
@@ -187,17 +188,17 @@ enum status tri_motion_modes(struct tri_motion *m, int count, double *omega,
     TRY(make_large(m));
     m->large.motion.factored = -1;
     TRY(rest_stiffness(m, m->large.K));
-    const struct pencil p = {&m->net.graph, (const double(*)[9])m->large.K, m->large.M,
-                             false};
-    TRY(pencil_modes(&p, &m->supports, NULL, count, omega, why));
+    TRY(pencil_modes(
+        &(struct pencil){&m->net.graph, (const double(*)[9])m->large.K, m->large.M},
+        &m->supports, NULL, count, omega, why));
 out:
     return st;
 }
 
 /* Makes the matrices of the sheet itself: clamps belong to the supports. */
-enum status tri_motion_matrices(const struct tri_motion *m, struct matrix *K,
-                                struct matrix *M)
+enum status tri_motion_matrices(const void *state, struct matrix *K, struct matrix *M)
 {
+    const struct tri_motion *m = state;
     enum status st;
     struct scene bare = *m->scene;
     struct tri_net net = {0};
@@ -226,8 +227,10 @@ out:
     return st;
 }
 
-void tri_motion_contact(const struct tri_motion *m, struct model_contact *contact)
+void tri_motion_contact(const void *state, struct model_contact *contact)
 {
+    const struct tri_motion *m = state;
+
     if (!m->leapfrog || m->large.motion.rested) {
         large_motion_contact(&m->large.motion, contact);
         return;
@@ -238,8 +241,10 @@ void tri_motion_contact(const struct tri_motion *m, struct model_contact *contac
     memcpy(contact->force, m->push, sizeof contact->force);
 }
 
-void tri_motion_energy(const struct tri_motion *m, struct energy *energy)
+void tri_motion_energy(const void *state, struct energy *energy)
 {
+    const struct tri_motion *m = state;
+
     if (m->leapfrog)
         spring_leapfrog_velocity(m->leapfrog, m->v);
     spring_load_energy(&m->load, m->x, m->leapfrog ? m->v : m->large.newmark.v, energy);

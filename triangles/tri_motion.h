@@ -46,17 +46,13 @@ enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
                             const struct discretization *d, struct message *why);
 void tri_motion_clear(struct tri_motion *m);
 
-/* Takes one step of scene->step. */
-enum status tri_motion_step(struct tri_motion *m, struct counters *counters);
-
-/* Implement model.h's entries of these names. */
-enum status tri_motion_rest(struct tri_motion *m, struct counters *counters,
-                            struct message *why);
-enum status tri_motion_modes(struct tri_motion *m, int count, double *omega,
-                             struct message *why);
-enum status tri_motion_matrices(const struct tri_motion *m, struct matrix *K,
-                                struct matrix *M);
-void tri_motion_contact(const struct tri_motion *m, struct model_contact *contact);
-void tri_motion_energy(const struct tri_motion *m, struct energy *energy);
+/* Implement model.h's entries advance, equilibrium, modes, matrices, contact and energy;
+ * the state is a struct tri_motion. */
+enum status tri_motion_step(void *state, struct counters *counters);
+enum status tri_motion_rest(void *state, struct counters *counters, struct message *why);
+enum status tri_motion_modes(void *state, int count, double *omega, struct message *why);
+enum status tri_motion_matrices(const void *state, struct matrix *K, struct matrix *M);
+void tri_motion_contact(const void *state, struct model_contact *contact);
+void tri_motion_energy(const void *state, struct energy *energy);
 
 #endif

@@ -12,7 +12,7 @@ static int node_of(const struct tri_net *net, int i, int j)
     return i * net->points.points[1] + j;
 }
 
-/* Whether four diagonals meet at the node. */
+/* Returns whether four diagonals meet at the node. */
 static bool is_hub(const struct tri_net *net, int node)
 {
     int m = net->points.points[1];

@@ -3,10 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The places of (l,m) in H. */
-static const int PLACE[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
-
-/* A triangle below this share of its rest area counts as having none. */
+/* Share of its rest area below which a triangle counts as having none. */
 static const double LEAST_AREA = 1e-8;
 
 static void green(const double C[3], struct tri_strain *s)
@@ -21,7 +18,7 @@ static void baraff_witkin(const double C[3], struct tri_strain *s)
         double length = sqrt(C[k]);
         s->e[k] = length - 1;
         s->J[k][k] = 1 / (2 * length);
-        s->H[k][k] = -1 / (4 * length * C[k]);
+        s->H[k][k][k] = -1 / (4 * length * C[k]);
     }
     s->e[2] = C[2], s->J[2][2] = 1;
 }
@@ -45,7 +42,7 @@ static void corotational(const double C[3], double j, struct tri_strain *s)
             for (int m = l; m < 3; m++) {
                 double j2 = (PP[l][m] / 2 - j1[l] * j1[m]) / j;
                 double t2 = (j2 - t1[l] * t1[m]) / t;
-                s->H[k][PLACE[l][m]] =
+                s->H[k][l][m] = s->H[k][m][l] =
                     ((k < 2 ? j2 : 0) - s->J[k][l] * t1[m] - s->J[k][m] * t1[l] - U * t2) /
                     t;
             }

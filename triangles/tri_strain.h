@@ -21,7 +21,7 @@
 struct tri_strain {
     double e[3];    /* [1] */
     double J[3][3]; /* de_k / dC_l                                                     */
-    double H[3][6]; /* d2e_k / dC_l dC_m for (l,m) = 11, 22, 33, 12, 13, 23             */
+    double H[3][3][3]; /* d2e_k / dC_l dC_m                                            */
 };
 
 /* Computes strains; false where the triangle has no area, or C is not finite. */

@@ -13,7 +13,7 @@
 #include "bench/ui/progress.h"
 #include "bench/ui/table.h"
 
-/* Statics first, then motions, and what outside programs and stored truths say. */
+/* Statics first, then motions, then outside programs and stored truths. */
 #define CHECKS(X)                                                                          \
     X(elastica), X(sze), X(fabrics), X(matrices), X(navier), X(frequencies),               \
         X(cantilever), X(lateral), X(postbuckling), X(hanging), X(pendulum), X(transient), \
@@ -40,7 +40,7 @@ static const struct command_option options[] = {
     {NULL, NULL, false, NULL},
 };
 
-/* Columns of the numbers and texts of a row, and of its verdict. */
+/* The columns of a row's numbers, of its texts, and of its verdict. */
 #define NUMBERS(X)                                                                         \
     X(2, value) X(3, truth) X(4, bar) X(5, error) X(6, tolerance) X(7, order) X(9, seconds)
 #define TEXTS(X) X(0, quantity) X(1, subject) X(10, note) X(13, changed)
@@ -103,7 +103,7 @@ out:
     return st;
 }
 
-/* False for a verdict that is none. */
+/* Reads a row; false if its verdict is none. */
 static bool take_row(const struct csv_table *t, int n, struct verify_row *row)
 {
 #define TAKE_NUMBER(column, field) row->field = csv_number(t, n, column);
@@ -155,9 +155,9 @@ out:
     return st;
 }
 
-/* What was asked for, of which checks (NULL ends them), and where tables go. */
+/* The command's choices, and the rows of the chosen checks. */
 struct job {
-    const struct verify_check *const *known;
+    const struct verify_check *const *known; /* NULL ends them */
     FILE *out;
     const char *folder, *models;
     bool quick, read_only;
@@ -167,7 +167,7 @@ struct job {
     struct verify_sheet sheet[MOST_CHECKS];
 };
 
-/* The checks named, each once, or all; with --quick the cheap ones of all. */
+/* Chooses the checks named, each once, or all; with --quick the cheap ones of all. */
 static enum status choose(struct job *job, const struct command_line *line,
                           struct message *why)
 {
@@ -238,7 +238,7 @@ static enum status run_check(struct job *job, int n, struct message *why)
     return verify_file_write(check, sheet, job->folder, why);
 }
 
-/* The texts at `text` in the rows, each once of a subject. */
+/* Notes the rows' texts at offset `text`, each once for a subject. */
 static void add_notes(struct table *t, const struct verify_sheet *sheet, size_t text,
                       const char *format)
 {
@@ -253,7 +253,7 @@ static void add_notes(struct table *t, const struct verify_sheet *sheet, size_t 
     }
 }
 
-/* How many rows end how, all of them, and their seconds. */
+/* Adds a row that counts the verdicts of so many sheets, their rows and seconds. */
 static void add_tally(struct table *t, const char *name, const struct verify_sheet *sheet,
                       int sheets)
 {
@@ -276,7 +276,7 @@ static void add_tally(struct table *t, const char *name, const struct verify_she
 static enum status print_summary(const struct job *job)
 {
     struct table_column heads[VERIFY_VERDICTS + 3] = {{"check", NULL, TABLE_LEFT}};
-    long claims = 0, changed = 0; /* that something came of; after a first result */
+    long claims = 0, changed = 0; /* tested claims; those changed after a result */
 
     for (int v = 0; v < VERIFY_VERDICTS; v++)
         heads[v + 1] = (struct table_column){verify_verdict_name(v)};
@@ -304,7 +304,7 @@ static enum status print_summary(const struct job *job)
     return st;
 }
 
-/* Tables of all checks, and below them how many rows of each end how. For machines: all
+/* Prints a table for each check, and below them a count of the verdicts; for machines, all
  * rows in one table. */
 static enum status print(const struct job *job)
 {
@@ -338,7 +338,7 @@ out:
     return st;
 }
 
-/* The sentence of a command that found claims not met. */
+/* Writes the sentence of a command that found claims not met. */
 static enum status tell_failures(const struct job *job, struct message *why)
 {
     int rows = 0;

@@ -4,10 +4,10 @@
 
 #include "models/linalg/gauss.h"
 
-/* Of one direction, [n][n] each: int N_a N_b, int N_a' N_b, int N_a' N_b'. */
+/* The matrices of one direction. */
 struct line {
-    int n, below; /* functions; of the directions behind it, all together */
-    double *of[3];
+    int n, below;  /* its functions; those of the directions behind it, all together */
+    double *of[3]; /* [n][n] each: int N_a N_b, int N_a' N_b, int N_a' N_b'          */
 };
 
 static void add_point(struct line *line, const struct bspline *b, int span, const double *N,
@@ -24,31 +24,37 @@ static void add_point(struct line *line, const struct bspline *b, int span, cons
         }
 }
 
-/* basis = NULL: the function 1. */
-static enum status line_init(struct line *line, const struct bspline *b, double size)
+static enum status line_init(struct line *line, int degree, int points, double size,
+                             struct message *why)
 {
-    const int n = b ? b->n : 1;
+    const int n = points ? points : 1;
     double x[GAUSS_MAX], w[GAUSS_MAX], N[2 * BSPLINE_MAX_ORDER];
     double *room = calloc(3 * (size_t)(n * n), sizeof *room);
+    struct bspline b = {0};
+    enum status st;
 
     *line = (struct line){n, 1, {room, room + n * n, room + 2 * n * n}};
     if (!room)
         return STATUS_MEMORY;
-    if (!b)
+    if (!points) {
         *room = size;
-    else
-        gauss_rule(b->p + 3, x, w);
-    for (int k = b ? b->p : n; k < n; k++) {
-        const double edge = b->U[k + 1] - b->U[k];
-        for (int q = 0; edge > 0 && q < b->p + 3; q++) {
-            bspline_eval(b, k, b->U[k] + edge * x[q], 1, N);
-            add_point(line, b, k, N, edge * w[q], size);
+        return STATUS_OK;
+    }
+    TRY(bspline_init_uniform(&b, degree, points, why));
+    gauss_rule(degree + 3, x, w);
+    for (int k = degree; k < n; k++) {
+        const double edge = b.U[k + 1] - b.U[k];
+        for (int q = 0; q < degree + 3; q++) {
+            bspline_eval(&b, k, b.U[k] + edge * x[q], 1, N);
+            add_point(line, &b, k, N, edge * w[q], size);
         }
     }
-    return STATUS_OK;
+out:
+    bspline_clear(&b);
+    return st;
 }
 
-/* int N_a,i N_b,j dV; i = j = 3: int N_a N_b dV. */
+/* Returns int N_a,i N_b,j dV; for i = j = 3 int N_a N_b dV. */
 static double product(const struct line line[3], int a, int b, int i, int j)
 {
     double value = 1;
@@ -61,37 +67,31 @@ static double product(const struct line line[3], int a, int b, int i, int j)
     return value;
 }
 
-int verify_box_nodes(const struct verify_box *box)
+static double entry(const struct verify_box *box, bool mass, const struct line line[3],
+                    int a, int b, int i, int j)
 {
-    int nodes = 1;
-
-    for (int d = 0; d < 3; d++)
-        nodes *= box->basis[d] ? box->basis[d]->n : 1;
-    return nodes;
+    if (mass)
+        return i == j ? box->density * product(line, a, b, 3, 3) : 0;
+    double value =
+        box->lambda * product(line, a, b, i, j) + box->mu * product(line, a, b, j, i);
+    for (int k = 0; i == j && k < 3; k++)
+        value += box->mu * product(line, a, b, k, k);
+    return value;
 }
 
-enum status verify_box_matrices(const struct verify_box *box, double *K, double *M)
+enum status verify_box_matrix(const struct verify_box *box, bool mass, double *full,
+                              struct message *why)
 {
     enum status st = STATUS_OK;
     struct line line[3] = {{0}};
-    const int nodes = verify_box_nodes(box);
 
     for (int d = 0; d < 3; d++)
-        TRY(line_init(&line[d], box->basis[d], box->size[d]));
+        TRY(line_init(&line[d], box->degree[d], box->points[d], box->size[d], why));
     line[1].below = line[2].n, line[0].below = line[1].n * line[2].n;
-    for (int a = 0; a < nodes; a++)
-        for (int b = 0; b < nodes; b++) {
-            if (M)
-                M[a * nodes + b] = box->density * product(line, a, b, 3, 3);
-            for (int i = 0; K && i < 3; i++)
-                for (int j = 0; j < 3; j++) {
-                    double *entry = &K[(3 * a + i) * 3 * nodes + 3 * b + j];
-                    *entry = box->lambda * product(line, a, b, i, j) +
-                             box->mu * product(line, a, b, j, i);
-                    for (int k = 0; i == j && k < 3; k++)
-                        *entry += box->mu * product(line, a, b, k, k);
-                }
-        }
+    const int rows = 3 * line[0].n * line[0].below;
+    for (int r = 0; r < rows; r++)
+        for (int c = 0; c < rows; c++)
+            *full++ = entry(box, mass, line, r / 3, c / 3, r % 3, c % 3);
 out:
     for (int d = 0; d < 3; d++)
         free(line[d].of[0]);

@@ -94,10 +94,8 @@ void verify_subject_last(struct verify_subject *s, int count)
     const int first = s->nets > count ? s->nets - count : 0;
 
     s->nets -= first;
-    for (int n = 0; n < s->nets; n++) {
-        s->along[n] = s->along[first + n];
-        s->across[n] = s->across[first + n];
-    }
+    memmove(s->along, s->along + first, (size_t)s->nets * sizeof *s->along);
+    memmove(s->across, s->across + first, (size_t)s->nets * sizeof *s->across);
 }
 
 void verify_subject_claim(struct verify_subject *s, double tolerance, const char *reason)
@@ -108,54 +106,14 @@ void verify_subject_claim(struct verify_subject *s, double tolerance, const char
     }
 }
 
-/* Nets: the entry's, else the field's, else the contestant's own. */
-static void take_nets(struct verify_subject *s, const struct verify_entry *e,
-                      const struct verify_field *field)
-{
-    const bool own = e->along[0];
-    const int *along = own ? e->along : field->along,
-              *across = own ? e->across : field->across;
-
-    for (int n = 0; n < VERIFY_NETS && along[n]; n++)
-        add_net(s, along[n],
-                across[n] ? across[n]
-                : own     ? along[n]
-                          : contestant_least(s->contestant));
-    for (int n = 0; n < 2 && !along[0] && s->contestant->points[n]; n++)
-        add_net(s, s->contestant->points[n], s->contestant->points[n]);
-}
-
-struct verify_subject verify_subject_of(const struct verify_field *field,
-                                        const struct verify_entry *entry,
-                                        const struct contestant *contestant)
-{
-    static const struct verify_entry nothing;
-    const struct verify_entry *e = entry ? entry : &nothing;
-    struct verify_subject s = {.contestant = contestant,
-                               .tolerance = e->claim > 0 ? e->claim : NAN,
-                               .second = e->second > 0 ? e->second : NAN,
-                               .reason = e->reason,
-                               .changed = e->changed,
-                               .layers = e->layers ? e->layers : contestant->layers,
-                               .degree = e->degree ? e->degree : contestant->degree,
-                               .grade = e->grade,
-                               .more = e->more,
-                               .settings = e->settings,
-                               .dear = e->dear,
-                               .mark = e->mark};
-
-    take_nets(&s, e, field);
-    return s;
-}
-
-void verify_subject_title(const struct verify_subject *s, char text[VERIFY_SUBJECT_TEXT])
+void verify_subject_title(const struct verify_subject *s, char text[VERIFY_TEXT])
 {
     const int n = s->nets - 1;
     char layers[16] = "";
 
     if (s->layers)
         snprintf(layers, sizeof layers, "x%d", s->layers);
-    snprintf(text, VERIFY_SUBJECT_TEXT, "%s%s%s, %dx%d%s%s", s->contestant->title,
+    snprintf(text, VERIFY_TEXT, "%s%s%s, %dx%d%s%s", s->contestant->title,
              s->more ? ", " : "", s->more ? s->more : "", s->along[n], s->across[n], layers,
              s->grade ? ", graded" : "");
 }
@@ -167,7 +125,7 @@ void verify_subject_settings(const struct verify_subject *s, int n, struct setti
 
     settings_list(all, VERIFY_SETTINGS, s->settings);
     settings_integers(all, "discretization.points", s->layers ? 3 : 2, points);
-    if (s->grade) /* open knots, inner ones at (k / spans)^grade */
+    if (s->grade)
         settings_set(all, "discretization.knots_u=[");
     for (int k = 0; s->grade && k < count; k++) {
         const double share = (double)(k - s->degree) / (points[0] - s->degree);
@@ -205,7 +163,7 @@ bool verify_sheet_sound(struct verify_sheet *sheet)
 {
     struct message what;
 
-    /* what failed besides mostly follows from it */
+    /* other failures mostly follow from this one */
     if (sheet->table && reference_fault(sheet->table, &what) != STATUS_OK)
         sheet->status = STATUS_INPUT, sheet->why = what;
     return sheet->status == STATUS_OK;
@@ -220,64 +178,67 @@ bool verify_sheet_table(struct verify_sheet *sheet, const char *name)
            verify_sheet_holds(sheet, truth_table_open(name, &sheet->table, &sheet->why));
 }
 
-/* The n-th name of a field's entries, counted over all of them, into name[VERIFY_TEXT];
- * NULL: there are not so many. */
-static const struct verify_entry *named(const struct verify_field *field, int n, char *name)
+/* Fills in a row of a field's table. Its nets are its own, else the field's, else the
+ * contestant's. */
+static struct verify_subject filled(const struct verify_subject *row,
+                                    const struct verify_field *field,
+                                    struct verify_sheet *sheet, const struct contestant *c)
 {
-    for (const struct verify_entry *e = field->entry; e && e->contestant; e++)
-        for (const char *at = e->contestant; at; at = strchr(at, ',')) {
-            at += *at == ',';
-            if (n-- == 0) {
-                snprintf(name, VERIFY_TEXT, "%.*s", (int)strcspn(at, ","), at);
-                return e;
-            }
-        }
-    return NULL;
+    struct verify_subject s = *row;
+    const bool own = row->along[0];
+    const int *along = own ? row->along : field->along,
+              *across = own ? row->across : field->across;
+
+    s.sheet = sheet, s.contestant = c;
+    s.tolerance = s.tolerance > 0 ? s.tolerance : NAN;
+    s.second = s.second > 0 ? s.second : NAN;
+    s.layers = s.layers ? s.layers : c->layers;
+    s.degree = s.degree ? s.degree : c->degree;
+    for (int n = 0; n < VERIFY_NETS && along[n]; n++)
+        add_net(&s, along[n], across[n] ? across[n] : own ? along[n] : contestant_least(c));
+    for (int n = 0; n < 2 && !along[0] && c->points[n]; n++)
+        add_net(&s, c->points[n], c->points[n]);
+    return s;
 }
 
-/* Whether one that no entry names comes in. A model's name does not ask for the contestant
- * of that name where it does not enter. */
+/* Returns whether a contestant that the field's table does not name comes in. A model's
+ * name does not ask for the contestant of that name where it does not enter. */
 static bool comes_in(const struct verify_sheet *sheet, const struct verify_field *field,
                      const struct contestant *c)
 {
-    enum { NOWHERE = 1 << 30 }; /* no contestant's: enters nowhere, but where it is named */
+    enum { NOWHERE = 1 << 30 }; /* no contestant enters there */
     const bool left_out =
         field->without && contestant_chosen(c, field->without, CONTESTANT_EVERYWHERE);
     const bool enters = !left_out && c->enters & field->enters;
-    char name[VERIFY_TEXT];
 
-    for (int n = 0; named(field, n, name); n++)
-        if (!strcmp(name, c->name))
-            return false;
     return field->enters && (enters || strcmp(c->name, c->model->name)) &&
            contestant_chosen(c, sheet->models, left_out ? NOWHERE : field->enters);
 }
 
-bool verify_sheet_next(struct verify_sheet *sheet, const struct verify_field *field, int *n,
-                       struct verify_subject *subject)
+int verify_sheet_subjects(struct verify_sheet *sheet, const struct verify_field *field,
+                          struct verify_subject *all)
 {
-    char name[VERIFY_TEXT];
-    int names = 0;
+    static const struct verify_subject nothing;
+    bool named[VERIFY_MOST] = {false};
+    const struct contestant *c;
+    int count = 0;
 
-    if (*n == 0 && field->without)
+    if (field->without)
         verify_sheet_holds(sheet, contestant_check(field->without, &sheet->why));
-    while (named(field, names, name))
-        names++;
-    while (verify_sheet_sound(sheet)) { /* nothing runs against a truth that is not there */
-        const int at = (*n)++;
-        const struct verify_entry *entry = named(field, at, name);
-        const struct contestant *c = entry ? NULL : &contestant_table[at - names];
-        if ((entry && !verify_sheet_holds(sheet, contestant_find(name, &c, &sheet->why))) ||
-            !c->name)
-            return false;
-        if (entry ? contestant_chosen(c, sheet->models, 0) && !(entry->dear && sheet->quick)
-                  : comes_in(sheet, field, c)) {
-            *subject = verify_subject_of(field, entry, c);
-            subject->sheet = sheet;
-            return true;
+    for (const struct verify_subject *row = field->subject; row && row->names; row++)
+        for (const char *at = row->names; *at; at += strcspn(at, ","), at += *at == ',') {
+            char name[VERIFY_TEXT];
+            snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ","), at);
+            if (!verify_sheet_holds(sheet, contestant_find(name, &c, &sheet->why)))
+                return 0;
+            named[c - contestant_table] = true;
+            if (contestant_chosen(c, sheet->models, 0) && !(row->dear && sheet->quick))
+                all[count++] = filled(row, field, sheet, c);
         }
-    }
-    return false;
+    for (c = contestant_table; c->name; c++)
+        if (!named[c - contestant_table] && comes_in(sheet, field, c))
+            all[count++] = filled(&nothing, field, sheet, c);
+    return sheet->status == STATUS_OK ? count : 0;
 }
 
 struct verify_row *verify_sheet_grow(struct verify_sheet *sheet)
@@ -341,7 +302,7 @@ void verify_trial_set(struct verify_trial *t, const char *settings, ...)
     free(text);
 }
 
-/* A refusal and a death are the row's, anything else is the sheet's. */
+/* Tells how a run ended: a refusal and a death to the row, other failures to the sheet. */
 static bool tell(struct verify_trial *t, enum status st, const struct message *sentence)
 {
     t->lived = st == STATUS_OK;
@@ -369,7 +330,7 @@ bool verify_trial_open(struct verify_trial *t)
         verify_sheet_holds(sheet, run_read(&t->run, &plan, &sheet->why))) {
         enum status built = run_build(&t->run, &sentence);
         t->row->seconds += t->run.create_seconds;
-        /* one that the check does not know has no such net */
+        /* a contestant that the check does not name may have no such net */
         if (built == STATUS_INPUT && isnan(t->row->tolerance))
             built = STATUS_UNSUPPORTED;
         tell(t, built, &sentence);
@@ -447,7 +408,7 @@ double *verify_trial_matrix(struct verify_trial *t, bool mass, int *rows)
     double *full = NULL;
 
     *rows = 0;
-    if (t->subject->layers) /* solids may have other unknowns than control points */
+    if (t->subject->layers) /* otherwise solids may have other unknowns */
         settings_set(&t->settings, "discretization.unknowns=points");
     if (!verify_trial_open(t))
         return NULL;
@@ -474,7 +435,7 @@ double *verify_trial_matrix(struct verify_trial *t, bool mass, int *rows)
     return full;
 }
 
-/* Keeps the points at the times that are wanted. */
+/* Points at the requested times of a motion. */
 struct keeper {
     int times, n, kept;
     const double *time, *uvw;
@@ -538,7 +499,7 @@ bool verify_trial_worst(struct verify_trial *t, double value, double truth,
     return true;
 }
 
-/* Net `net`, the finest step times 2^coarser. */
+/* Moves net `net` with the finest step times 2^coarser. */
 static bool move(const struct verify_subject *s, const struct verify_trial_refine *r,
                  struct verify_row *row, int net, int coarser, double *field)
 {
@@ -549,18 +510,18 @@ static bool move(const struct verify_subject *s, const struct verify_trial_refin
     return verify_trial_motion(&t, r->times, r->time, r->n, r->uvw, field);
 }
 
-/* Of halves: by the error (or change) before and after. */
+/* Returns the order in something halved, by the error (or change) before and after. */
 static double order_of(double before, double after)
 {
     return fit_exponent(2, (double[]){2, 1}, (double[]){before, after});
 }
 
-/* The coarser nets, with the finest step: their errors into the row's note, its order from
- * the last two. Leaves the row's verdict as it is. */
+/* Runs the coarser nets with the finest step: adds their errors to the row's note, and the
+ * order of the last two nets. */
 static void refine_net(const struct verify_subject *s, const struct verify_trial_refine *r,
                        struct verify_row *row, double *field)
 {
-    struct verify_row scratch = {.seconds = 0}; /* of the runs that are no rows           */
+    struct verify_row scratch = {.seconds = 0}; /* takes deaths of the coarser runs       */
     double coarser = NAN;
 
     for (int n = 0; n + 1 < s->nets; n++) {
@@ -573,7 +534,7 @@ static void refine_net(const struct verify_subject *s, const struct verify_trial
     row->seconds += scratch.seconds;
 }
 
-/* The coarser steps, each against the one before; field[0] is the finest run's. */
+/* Runs the coarser steps, each against the one before; field[0] is the finest run's. */
 static void refine_step(const struct verify_subject *s, const struct verify_trial_refine *r,
                         struct verify_row *row, double *const field[3])
 {
@@ -629,10 +590,28 @@ bool verify_trial_refine(const struct verify_subject *subject,
     return lived;
 }
 
+static void run_part(const struct verify_part *part, struct verify_sheet *sheet)
+{
+    struct verify_subject all[VERIFY_MOST];
+    const int subjects = verify_sheet_subjects(sheet, part->field, all);
+    const int cases = part->cases ? part->cases : reference_rows(sheet->table);
+
+    for (int n = 0, count = 0; n < cases; n++) {
+        if (part->column &&
+            (n = reference_find(sheet->table, n, part->column, part->text)) < 0)
+            return;
+        if (sheet->quick && part->every && count++ % part->every)
+            continue;
+        for (int k = 0; k < subjects && verify_sheet_sound(sheet); k++) {
+            struct verify_subject s = all[k];
+            s.at = n;
+            part->row(&s);
+        }
+    }
+}
+
 void verify_check_run(const struct verify_check *check, struct verify_sheet *sheet)
 {
-    struct verify_subject s;
-
     if (check->table && !verify_sheet_table(sheet, check->table))
         return;
     if (check->run)
@@ -640,16 +619,6 @@ void verify_check_run(const struct verify_check *check, struct verify_sheet *she
     for (const struct verify_part *p = check->parts; p->row; p++) {
         if (p->table && !verify_sheet_table(sheet, p->table))
             return;
-        const int all = p->cases ? p->cases : reference_rows(sheet->table);
-        for (int n = 0, count = 0; n < all; n++) {
-            if (p->column && (n = reference_find(sheet->table, n, p->column, p->text)) < 0)
-                break;
-            if (sheet->quick && p->every && count++ % p->every)
-                continue;
-            for (int k = 0; verify_sheet_next(sheet, p->field, &k, &s);) {
-                s.at = n;
-                p->row(&s);
-            }
-        }
+        run_part(p, sheet);
     }
 }

@@ -176,7 +176,7 @@ static void check_clamp(int points, double thickness, int i, bool end)
     solid_box(&box, &patch);
     REQUIRE(!plate_space_init(&space, &tables, &patch, (int[3]){0}, true));
     REQUIRE(!plate_space_select(&space, &tables, &patch));
-    REQUIRE(tables.cure[PLATE_BENDING][i].gauss == 2);
+    REQUIRE(tables.cure[PLATE_BENDING][i].most == 2);
     plate_space_clamp(&tables, &patch, i, end, thickness, nu);
     gauss_rule(2, x, w);
     for (int e = 0, n = tables.cure[PLATE_BENDING][i].spans; e < n; e++)

@@ -38,6 +38,7 @@ static void test_points(double opening, double flare)
     struct scene s;
 
     init_cloak(&s, opening, flare);
+    CHECK(scene_needs(&s) & SCENE_NEED_CURVED_REST);
     for (int j = 0; j <= 16; j++)
         for (int i = 0; i <= 4; i++) {
             double u = i / 4.0, v = j / 16.0, face[2][3], x[3], along = 0, across = 0;
@@ -188,27 +189,6 @@ static void test_integrals(double opening, double flare)
     scene_clear(&s);
 }
 
-static void test_refusals(void)
-{
-    struct discretization d;
-    struct message why = {{0}};
-    struct scene s;
-    void *state = NULL;
-
-    init_cloak(&s, 200, 25);
-    CHECK(scene_needs(&s) & SCENE_NEED_CURVED_REST);
-    d = net(find("iga"), 5, 3, 2, 2); /* one rational arc of 200 degrees */
-    CHECK(find("iga")->create(&s, &d, &state, &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "more than 3 points along v"));
-    d = net(find("iga"), 5, 5, 2, 2);
-    d.weight_count = 1;
-    CHECK(find("iga")->create(&s, &d, &state, &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "brings its own"));
-    s.shape = SCENE_FLAT;
-    CHECK(!(scene_needs(&s) & SCENE_NEED_CURVED_REST));
-    scene_clear(&s);
-}
-
 /* The scene of the list: settings reach its shape, and a result file gives it back. */
 static void test_file(void)
 {
@@ -356,7 +336,6 @@ int main(void)
     }
     test_misfit("hex", 1);
     test_misfit("iga", 1);
-    test_refusals();
     test_metrics();
     test_roof("iga", 12, 3, 3, REMEDY_NONE);
     test_roof("hex", 25, 1, 2, REMEDY_INCOMPATIBLE);

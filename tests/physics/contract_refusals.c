@@ -1,5 +1,5 @@
-/* What models refuse, and that they say so: for every model of the
- * contestants and the toy model; and that the table of contestants is sound. */
+/* Refusals of every model of the contestants and of the toy model; and that the table of
+ * contestants is sound. */
 #include "tests/contract.h"
 
 static void model_starts(const struct model *model, const struct scene *scene,
@@ -61,54 +61,6 @@ static void check_options(const struct model *model)
     }
 }
 
-/* What another model has is read if it is said right, and refused by name. */
-static void check_foreign(void)
-{
-    static const struct {
-        const char *model, *setting, *part;
-    } cases[] = {
-        {NULL, "discretization.constraint=edges", ""},
-        {NULL, "discretization.constraint=foo", "must be one of triangles, edges"},
-        {NULL, "discretization.strain_limit=-0.1", "a number from 0 to 10"},
-        {NULL, "discretization.constrant=edges", "did you mean 'constraint'"},
-        {"iga", "discretization.acceleration=magic", "one of none, chebyshev, admm"},
-        {"iga", "discretization.constraint=edges", "constraint: iga has no use for it"},
-        {"iga", "discretization.constraint=triangles", ""},
-        {"iga", "discretization.integrator=bdf2",
-         "integrator=bdf2: iga has implicit, leapfrog"},
-        {"hex", "discretization.knots_u=[0,0,1,1]", "knots_u: hex has no use for it"},
-        {"hex", "discretization.remedy=clamped", "remedy=clamped: hex has none, incomp"},
-        {"triangles", "discretization.bending=strut",
-         "bending=strut: triangles has quadratic, hinge"},
-        {"mass_spring", "discretization.kinematics=linear",
-         "kinematics=linear: mass_spring has nonlinear"},
-    };
-
-    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        const struct contestant *c = NULL;
-        struct discretization d = {0};
-        struct settings all = {0};
-        struct message why = {""};
-        struct scene scene;
-        void *state = NULL;
-        enum status st = STATUS_OK;
-        if (cases[n].model)
-            st = contestant_find(cases[n].model, &c, &why), model_defaults(c->model, &d);
-        settings_set(&all, cases[n].setting);
-        TRY(contestant_read_settings(&all, SOURCE_DIR "/models/scenes/edge_drop.yaml",
-                                     &scene, &d, &why));
-        st = c ? c->model->create(&scene, &d, &state, &why) : STATUS_OK;
-    out:
-        if (!CHECK(*cases[n].part ? st && strstr(why.text, cases[n].part) : !st))
-            printf("%s: '%s'\n", cases[n].setting, why.text);
-        if (state)
-            c->model->destroy(state);
-        settings_clear(&all);
-        scene_clear(&scene);
-        discretization_clear(&d);
-    }
-}
-
 static void check_table(void)
 {
     const struct contestant *found = NULL;
@@ -118,6 +70,14 @@ static void check_table(void)
         check_row(c);
     CHECK(contestant_find("no_such_model", &found, &why) == STATUS_INPUT && !found);
     CHECK(strstr(why.text, contestant_model(0)->name));
+    /* where the scene alone is read, any model's choices are */
+    struct settings all = {0};
+    struct scene scene;
+    settings_set(&all, "discretization.constraint=edges");
+    CHECK(contestant_read_scene(&all, SOURCE_DIR "/models/scenes/edge_drop.yaml", &scene,
+                                &why) == STATUS_OK);
+    settings_clear(&all);
+    scene_clear(&scene);
 }
 
 /* Refused with a sentence, and the caller's pointer is as it was. */
@@ -138,34 +98,22 @@ static void check_refused(const struct model *model, const struct scene *scene,
 
 static void check_bad_discretizations(const struct model *model, const struct scene *scene)
 {
-    double one = 1;
+    static double one = 1;
+    const struct discretization usual = small_net(model);
+    const struct {
+        const char *what;
+        int points[2], degree, weights, knots;
+    } bad[] = {{"no points", {0, 5}},           {"one point", {6, 1}},
+               {"points < 0", {-7, 5}},         {"a stray weight", {6, 5}, 0, 1, 0},
+               {"half knots", {6, 5}, 0, 0, 1}, {"degree 9", {6, 5}, 9, 0, 0}};
 
-    for (int n = 0; n < 6; n++) {
-        static const char *const what[] = {"no points",      "one point",  "points < 0",
-                                           "a stray weight", "half knots", "degree 9"};
-        struct discretization d = small_net(model);
-        enum status want = STATUS_INPUT;
-        switch (n) {
-        case 0:
-            d.points[0] = 0;
-            break;
-        case 1:
-            d.points[1] = 1;
-            break;
-        case 2:
-            d.points[0] = -7;
-            break;
-        case 3:
-            d.weight_count = 1, d.weights = &one;
-            break;
-        case 4:
-            d.knot_count[0] = 1, d.knots[0] = &one;
-            break;
-        case 5:
-            d.degree[0] = 9;
-            break;
-        }
-        check_refused(model, scene, &d, want, what[n]);
+    for (size_t n = 0; n < sizeof bad / sizeof *bad; n++) {
+        struct discretization d = usual;
+        memcpy(d.points, bad[n].points, sizeof bad[n].points);
+        d.degree[0] = bad[n].degree ? bad[n].degree : d.degree[0];
+        d.weight_count = bad[n].weights, d.weights = bad[n].weights ? &one : NULL;
+        d.knot_count[0] = bad[n].knots, d.knots[0] = bad[n].knots ? &one : NULL;
+        check_refused(model, scene, &d, STATUS_INPUT, bad[n].what);
     }
 }
 
@@ -282,7 +230,6 @@ static void check_needs(const struct model *model)
 int main(void)
 {
     check_table();
-    check_foreign();
     for (int n = 0; contract_model(n); n++) {
         const struct model *model = contract_model(n);
         struct scene scene;

@@ -2,66 +2,38 @@
  * was, in every model and kinematics, moving, at rest and over an obstacle; it has no
  * modes, and that is a sentence.
  */
-#include "bench/harness/contestant.h"
-#include "bench/harness/run.h"
-#include "models/grid.h"
-#include "models/reader/scene_file.h"
-#include "tests/check.h"
+#include "tests/opened_run.h"
 
 /* Positions are sums over a basis that is one up to its round-off. */
 static const double ROUND_OFF = 1e-15;
 
-static double moved(const struct run *run)
-{
-    static double xyz[3 * GRID_POINTS];
-    double most = 0;
-
-    run->model->sample(run->state, xyz);
-    for (int n = 0; n < GRID_POINTS; n++) {
-        double uvw[3], rest[3];
-        grid_point(n, uvw);
-        scene_rest_point(&run->scene, uvw, rest);
-        for (int i = 0; i < 3; i++)
-            most = fmax(most, fabs(xyz[3 * n + i] - rest[i]));
-    }
-    return most;
-}
-
 static void check_stays(const struct contestant *c, const char *scene, const char *supports)
 {
-    struct settings settings = {0};
-    struct run_plan plan = {.contestant = c, .settings = &settings};
-    struct counters work = {0};
     struct message why = {""};
     struct run run;
-    char *path = NULL;
+    char points[64];
+    double omega;
 
-    REQUIRE(scene_file_find(scene, &path, NULL) == STATUS_OK);
-    plan.path = path;
-    settings_word(&settings, "supports", supports);
-    contestant_points(c, contestant_least(c), contestant_least(c), &settings);
-    if (!CHECK(run_open(&run, &plan, &why) == STATUS_OK))
-        printf("%s on %s: %s\n", c->name, scene, why.text);
-    for (int n = 0; run.state && n < 5; n++)
-        CHECK(run.model->advance(run.state, &work) == STATUS_OK);
-    CHECK(!run.state || moved(&run) <= ROUND_OFF);
-    if (run.state && run.model->equilibrium && !run.scene.obstacle_count) {
-        CHECK(run_settle(&run, &work, &why) == STATUS_OK);
-        CHECK(moved(&run) <= ROUND_OFF);
+    snprintf(points, sizeof points,
+             c->layers ? "discretization.points=[%d,%d,%d]"
+                       : "discretization.points=[%d,%d]",
+             contestant_least(c), contestant_least(c), c->layers);
+    OPENED_RUN(&run, scene, c->name, supports, points);
+    opened_steps(&run, 5);
+    CHECK_NEAR(opened_off(&run, NULL), 0, ROUND_OFF);
+    if (run.model->equilibrium && !run.scene.obstacle_count) {
+        opened_settle(&run);
+        CHECK_NEAR(opened_off(&run, NULL), 0, ROUND_OFF);
     }
-    if (run.state && run.model->modes) {
-        double omega;
+    if (run.model->modes)
         CHECK(run_modes(&run, 1, &omega, &why) == STATUS_INPUT && *why.text);
-    }
     run_close(&run);
-    settings_clear(&settings);
-    free(path);
 }
 
 int main(void)
 {
-    static const char all[] = "[{at: {u: [0,1]}, fix: xyz}]";
-    static const char ends[] = "[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz}]";
+    static const char all[] = "supports=[{at: {u: [0,1]}, fix: xyz}]";
+    static const char ends[] = "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz}]";
 
     for (const struct contestant *c = contestant_table; c->name; c++) {
         check_stays(c, "edge_drop", all);

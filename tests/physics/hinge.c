@@ -4,9 +4,7 @@
  * that a hinge leaves cost nothing. (Threads: threads.c; what is not served: refusals.c.)
  */
 #include <float.h>
-#include <string.h>
 
-#include "models/grid.h"
 #include "models/solid/solid_model.h"
 #include "tests/opened_run.h"
 
@@ -51,22 +49,13 @@ static void open_row(struct run *run, const char *scene, const struct row *row,
                      const char *const *more)
 {
     const char *text[MOST] = {row->net[0], row->net[1] ? row->net[1] : row->net[0]};
-    int count = 2;
 
-    for (; more && *more; more++)
-        text[count++] = *more;
-    opened_run(run, scene, row->model, count, text);
+    for (int n = 2; more && *more; n++)
+        text[n] = *more++;
+    opened_run(run, scene, row->model, MOST, text);
 }
 
-static void step(struct run *run, int steps)
-{
-    struct counters work = {0};
-
-    for (int n = 0; n < steps; n++)
-        REQUIRE(run->model->advance(run->state, &work) == STATUS_OK);
-}
-
-/* Positions at u = 0, across, at w; less those at rest. */
+/* Computes the motion of points at u = 0, across, at w. */
 static void line(const struct run *run, double w, double move[LINE][3])
 {
     for (int n = 0; n < LINE; n++) {
@@ -99,7 +88,7 @@ static void check_held(const struct row *row, const char *const *settings,
     double move[LINE][3];
 
     open_row(&run, "hinge", row, settings);
-    step(&run, STEPS);
+    opened_steps(&run, STEPS);
     const double share = STEPS * run.scene.step,
                  by[3] = {share * path[0], share * path[1], share * path[2]};
     line(&run, 0.5, move);
@@ -130,19 +119,16 @@ static double apart(const struct row *row, const char *scene, const char *const 
 {
     static double x[3 * GRID_POINTS], y[3 * GRID_POINTS];
     struct run one, other;
-    double most = 0;
 
     open_row(&one, scene, row, a);
     open_row(&other, scene, row, b);
-    step(&one, STEPS);
-    step(&other, STEPS);
+    opened_steps(&one, STEPS);
+    opened_steps(&other, STEPS);
     one.model->sample(one.state, x);
     other.model->sample(other.state, y);
-    for (int n = 0; n < 3 * GRID_POINTS; n++)
-        most = fmax(most, fabs(x[n] - y[n]));
     run_close(&one);
     run_close(&other);
-    return most;
+    return opened_apart(x, y);
 }
 
 /* The same space in two bases, with a couple on the hinge; and curved, with weights. */
@@ -169,7 +155,7 @@ static void check_component(const struct row *row, const char *basis)
     open_row(&run, "hinge", row,
              (const char *const[]){PLATE, MATERIAL, basis, "gravity=[-1, 0, -9.81]",
                                    "supports=[{at: {u: 0, w: 0.5}, fix: z}]", NULL});
-    step(&run, STEPS);
+    opened_steps(&run, STEPS);
     line(&run, 0.5, move);
     for (int n = 0; n < LINE; n++) {
         CHECK_NEAR(move[n][2], 0, ROUND_OFF);

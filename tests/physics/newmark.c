@@ -11,7 +11,7 @@
  * of every mode. */
 #define SHEET                                                                              \
     "material={young: 1.0e5, poisson: 0.3, density: 10}", "sheet.thickness=0.05",          \
-        "sheet.width=0.7", "discretization.kinematics=linear"
+        "sheet.width=0.7"
 
 static const char *model, *points;
 
@@ -22,8 +22,7 @@ static void open_run(struct run *run, const char *damping, const char *gravity, 
     snprintf(text[0], sizeof text[0], "damping=%s", damping);
     snprintf(text[1], sizeof text[1], "gravity=%s", gravity);
     snprintf(text[2], sizeof text[2], "time.step=%.17g", step);
-    run_open(run, model, "cantilever",
-             RUN_SETTINGS(SHEET, points, text[0], text[1], text[2]));
+    OPENED_RUN(run, "cantilever", model, SHEET, points, text[0], text[1], text[2]);
 }
 
 /* Round-off: lambda_i carries eps lambda_max, which shifts the phase of mode i by
@@ -65,7 +64,7 @@ static void check_modes(const char *damping, double alpha, double beta, int step
     CHECK(sqrt(m.lambda[0]) * dt < 0.2 && sqrt(m.lambda[m.count - 1]) * dt > 5);
     for (int done = 0; done < steps;) {
         int more = done < 10 ? 1 : steps / 10;
-        run_steps(&run, more);
+        opened_steps(&run, more);
         done += more;
         modes_project(&m, &run, run_motion(&run)->newmark.d, q);
         for (int i = 0; i < m.count; i++) {
@@ -95,7 +94,7 @@ static void check_velocity_damping(const char *damping, double dt, double factor
     double *q = malloc((size_t)m.count * sizeof *q),
            *load = malloc((size_t)m.count * sizeof *q);
     modes_load(&m, &run, load);
-    run_steps(&run, STEPS);
+    opened_steps(&run, STEPS);
     modes_project(&m, &run, run_motion(&run)->newmark.d, q);
     for (int i = 0; i < m.count; i++) {
         double d = 0, v = 0, a = load[i], c = dt * dt / 4;
@@ -132,7 +131,7 @@ static void check_reversal(void)
     double largest = 0, left = 0, speed = 0;
     for (int back = 0; back < 2; back++) {
         for (int s = 0; s < STEPS; s++) {
-            run_steps(&run, 1);
+            opened_steps(&run, 1);
             for (size_t t = 0; t < count; t++)
                 largest = fmax(largest, fabs(n->d[t]));
         }
@@ -152,9 +151,9 @@ static void check_reversal(void)
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
-    model = argv[1];
-    points = !strcmp(model, "hex") ? "discretization.points=[9,4,2]"
-                                   : "discretization.points=[6,4,2]";
+    model = !strcmp(argv[1], "hex") ? "hex_linear" : "iga_linear";
+    points = !strcmp(argv[1], "hex") ? "discretization.points=[9,4,2]"
+                                     : "discretization.points=[6,4,2]";
     check_modes("{kind: none}", 0, 0, 2000);
     check_modes("{kind: mass, value: 1.5}", 1.5, 0, 200);
     check_modes("{kind: rayleigh, alpha: 0.7, beta: 0.002}", 0.7, 0.002, 200);

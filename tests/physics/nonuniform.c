@@ -42,48 +42,39 @@ static void set_weights(struct discretization *d, bool through)
     }
 }
 
-static void open_net(struct run *run, enum net net, const char *points, const char *scene)
+static void open_net(struct run *run, enum net net, const char *points)
 {
-    run_read(run, "iga", scene,
-             RUN_SETTINGS(points, "discretization.degree=[3,3,2]", "sheet.thickness=0.05",
-                          "sheet.width=0.8", "material.density=20", "time.step=0.01",
-                          "pose={origin: [1,2,3], u: [0.6,0.8,0], v: [-0.8,0.6,0]}",
-                          "discretization.kinematics=linear"));
+    struct discretization *d = &run->discretization;
+
+    opened_read(run, "cantilever", "iga_linear",
+                OPENED_LIST(points, "discretization.degree=[3,3,2]", "sheet.thickness=0.05",
+                            "sheet.width=0.8", "material.density=20", "time.step=0.01",
+                            "pose={origin: [1,2,3], u: [0.6,0.8,0], v: [-0.8,0.6,0]}"));
     if (net == GRADED || net == REPEATED) {
-        set_knots(&run->d, 0, net);
-        set_knots(&run->d, 1, net);
+        set_knots(d, 0, net);
+        set_knots(d, 1, net);
     }
     if (net >= WEIGHTED)
-        set_weights(&run->d, net == WEIGHTED_THROUGH);
-    run_start(run);
+        set_weights(d, net == WEIGHTED_THROUGH);
+    opened_build(run);
 }
 
 /* At rest every sample is where the scene says its material point is. */
 static void check_rest(enum net net)
 {
     struct run run;
-    double worst = 0;
 
-    open_net(&run, net, "discretization.points=[9,8,3]", "cantilever");
-    run_sample(&run, field);
-    for (int p = 0; p < GRID_POINTS; p++) {
-        double uvw[3], rest[3];
-        grid_point(p, uvw);
-        scene_rest_point(&run.scene, uvw, rest);
-        for (int i = 0; i < 3; i++)
-            worst = fmax(worst, fabs(field[p][i] - rest[i]));
-    }
-    CHECK_NEAR(worst, 0, TOL_REST);
+    open_net(&run, net, "discretization.points=[9,8,3]");
+    CHECK_NEAR(opened_off(&run, NULL), 0, TOL_REST);
     run_close(&run);
 }
 
 static void bend(enum net net, const char *points, run_field out)
 {
     struct run run;
-    struct message why;
 
-    open_net(&run, net, points, "cantilever");
-    REQUIRE(run.model->equilibrium(run.state, &run.counters, &why) == STATUS_OK);
+    open_net(&run, net, points);
+    opened_settle(&run);
     run_sample(&run, out);
     run_close(&run);
 }
@@ -99,7 +90,7 @@ static void check_answers(void)
     static run_field rest;
     struct run run;
 
-    open_net(&run, UNIFORM, points[0], "cantilever");
+    open_net(&run, UNIFORM, points[0]);
     run_sample(&run, rest);
     run_close(&run);
     for (int fine = 0; fine < 2; fine++) {

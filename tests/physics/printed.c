@@ -13,8 +13,8 @@ static double angle_at(const char *kinematics, const char *damping, double t)
 {
     struct run run;
 
-    run_open(&run, "iga", "edge_drop", RUN_SETTINGS(thin, kinematics, damping));
-    run_until(&run, t);
+    OPENED_RUN(&run, "edge_drop", "iga_paper", thin, kinematics, damping);
+    opened_steps(&run, (int)lround(t / run.scene.step));
     run_sample(&run, field);
     double angle = metric_angle(&run.scene, field[0]);
     run_close(&run);
@@ -38,15 +38,15 @@ static void check_angles(void)
 /* First time at which a run dies or its points escape; INFINITY if it reaches `end`. */
 static double blowup(const char *mu, const char *step, double end)
 {
+    struct counters work = {0};
     struct run run;
     double died = INFINITY;
 
-    run_open(&run, "iga", "edge_drop",
-             RUN_SETTINGS(thin, printed,
-                          "material={young: 5.0e4, poisson: 0.3, density: 0.1}", mu, step));
+    OPENED_RUN(&run, "edge_drop", "iga_paper", thin,
+               "material={young: 5.0e4, poisson: 0.3, density: 0.1}", mu, step);
     while (isinf(died) && run_motion(&run)->time < end - run.scene.step / 2) {
         double next = run_motion(&run)->time + run.scene.step;
-        enum status st = run.model->advance(run.state, &run.counters);
+        enum status st = run.model->advance(run.state, &work);
         if (st == STATUS_OK) {
             run_sample(&run, field);
             st = metric_blowup(&run.scene, 0, field[0]);
@@ -81,18 +81,17 @@ static void check_blowup(void)
 static void check_from_equilibrium(const char *kinematics)
 {
     struct run run;
-    struct message why;
     static run_field after;
     double step = 0;
 
-    run_open(&run, "iga", "cantilever",
-             RUN_SETTINGS(kinematics, "sheet.thickness=0.05", "material.density=5"));
-    REQUIRE(run.model->equilibrium(run.state, &run.counters, &why) == STATUS_OK);
+    OPENED_RUN(&run, "cantilever", "iga_paper", kinematics, "sheet.thickness=0.05",
+               "material.density=5");
+    opened_settle(&run);
     run_sample(&run, field);
     CHECK(metric_drop(&run.scene, field[0]) > 0.1);
-    run_steps(&run, 1);
+    opened_steps(&run, 1);
     run_sample(&run, after);
-    step = run_distance(field, after);
+    step = opened_apart(field[0], after[0]);
     CHECK(step > 0 && step < 2 * 9.81 * run.scene.step * run.scene.step / 4);
     run_close(&run);
 }

@@ -1,22 +1,20 @@
 /* Static equilibrium on obstacles, and what is said of its stability: a floor and an
  * incline bear the weight or let the sheet slide, a strip hangs over a ball. A row a model.
  * (Strips that are pressed: `clothbench verify postbuckling`.) */
-#include "models/grid.h"
-#include "tests/check.h"
 #include "tests/opened_run.h"
 
-/* Of the weight: what the search leaves unbalanced is 1e-6 of it. */
+/* Share of the weight: the search leaves 1e-6 of it unbalanced. */
 static const double BALANCE = 2e-6;
 /* Lengths. A frame of free fall is 1e-4; a sheet at rest moves as little as 1e-6 of its
  * weight moves a node of a hundredth of its mass, in STEPS frames. */
 static const double STILL = 1e-6;
-/* Of what is flat or its own mirror image: the search ends by forces, and where it ends it
- * is as soft as bending is, or a solid's compression by its own weight. */
+/* Lengths, for shapes that are flat or their own mirror image: the search ends by forces,
+ * and there the sheet is as soft as bending is, or a solid's compression by its weight. */
 static const double ALIKE = 1e-5;
-/* Of sqrt(g / L): rates of what can be pushed about; round-off of a solid's stiffness. */
+/* Share of sqrt(g / L) below which a rate is zero: round-off of a solid's stiffness. */
 static const double NEUTRAL = 1e-2;
 
-enum { STEPS = 5, SETTINGS = 12 };
+enum { STEPS = 5 };
 
 struct net {
     const char *model, *sheet, *strip, *extra;
@@ -35,6 +33,7 @@ static const struct net nets[] = {
 };
 enum { NETS = sizeof nets / sizeof *nets };
 
+#define LARGE    "discretization.kinematics=nonlinear"
 #define SHEET    "sheet={length: 0.5, width: 0.4, thickness: 0.004}"
 #define STRIP    "sheet={length: 0.5, width: 0.05, thickness: 0.004}"
 #define MATERIAL "material={young: 1e5, poisson: 0.3, density: 200}"
@@ -43,18 +42,6 @@ enum { NETS = sizeof nets / sizeof *nets };
 
 #define BALL(mu)                                                                           \
     "obstacles=[{sphere: {center: [0,0,-0.1021], radius: 0.1, friction: " #mu "}}]"
-
-static void open_net(struct run *t, const struct net *net, const char *points,
-                     const char *const more[SETTINGS])
-{
-    const char *settings[SETTINGS + 3] = {"discretization.kinematics=nonlinear", net->extra,
-                                          points};
-    int count = 3;
-
-    for (int n = 0; more[n]; n++)
-        settings[count++] = more[n];
-    opened_run(t, SOURCE_DIR "/models/scenes/cantilever.yaml", net->model, count, settings);
-}
 
 static double weight_of(const struct run *t)
 {
@@ -75,9 +62,8 @@ static double lowest(struct run *t)
 static void check_at_rest(struct run *t)
 {
     static double before[3 * GRID_POINTS], after[3 * GRID_POINTS];
-    struct counters counters = {0};
     struct model_contact c;
-    double weight = weight_of(t), moved = 0;
+    double weight = weight_of(t);
 
     t->model->contact(t->state, &c);
     CHECK_RELATIVE(c.force[2], weight, BALANCE);
@@ -86,12 +72,9 @@ static void check_at_rest(struct run *t)
     CHECK_NEAR(c.least_gap, 0, STILL * t->scene.length);
     CHECK(c.nodes > 0);
     t->model->sample(t->state, before);
-    for (int n = 0; n < STEPS; n++)
-        CHECK(t->model->advance(t->state, &counters) == STATUS_OK);
+    opened_steps(t, STEPS);
     t->model->sample(t->state, after);
-    for (int n = 0; n < 3 * GRID_POINTS; n++)
-        moved = fmax(moved, fabs(after[n] - before[n]));
-    CHECK_NEAR(moved / t->scene.length, 0, STILL);
+    CHECK_NEAR(opened_apart(after, before) / t->scene.length, 0, STILL);
 }
 
 static const struct ground {
@@ -114,12 +97,11 @@ static void check_ground(const struct net *net, const struct ground *g)
     struct run t;
     double xyz[2][3];
 
-    open_net(&t, net, net->sheet,
-             (const char *const[SETTINGS]){
-                 SHEET, MATERIAL, "supports=[]", g->obstacle,
-                 g->flat ? "pose={origin: [0,0,0], u: [1,0,0], v: [0,1,0]}"
-                         : "pose={origin: [0,0,0], u: "
-                           "[0.92847669088526,0,-0.371390676354104], v: [0,1,0]}"});
+    OPENED_RUN(&t, "cantilever", net->model, LARGE, net->extra, net->sheet, SHEET, MATERIAL,
+               "supports=[]", g->obstacle,
+               g->flat ? "pose={origin: [0,0,0], u: [1,0,0], v: [0,1,0]}"
+                       : "pose={origin: [0,0,0], u: "
+                         "[0.92847669088526,0,-0.371390676354104], v: [0,1,0]}");
     enum status st = t.model->equilibrium(t.state, &counters, &why);
     bool good = CHECK(st == (g->rests ? STATUS_OK : STATUS_DIVERGED));
     good &= CHECK(strstr(why.text, g->rests ? "Relaxed in" : "no equilibrium in"));
@@ -144,11 +126,9 @@ static void check_ball(const struct net *net, bool rough)
     struct run t;
     double xyz[3][3];
 
-    open_net(&t, net, net->strip,
-             (const char *const[SETTINGS]){
-                 STRIP, MATERIAL, "supports=[]",
-                 "pose={origin: [-0.25,-0.025,0], u: [1,0,0], v: [0,1,0]}",
-                 rough ? BALL(0.3) : BALL(0)});
+    OPENED_RUN(&t, "cantilever", net->model, LARGE, net->extra, net->strip, STRIP, MATERIAL,
+               "supports=[]", "pose={origin: [-0.25,-0.025,0], u: [1,0,0], v: [0,1,0]}",
+               rough ? BALL(0.3) : BALL(0));
     bool good = CHECK(t.model->equilibrium(t.state, &counters, &why) == STATUS_OK);
     double omega = lowest(&t) / sqrt(9.81 / t.scene.length);
     good &= CHECK(rough ? omega > NEUTRAL : omega < -NEUTRAL);

@@ -3,10 +3,9 @@
  * refused; an iteration that does not converge is a death. */
 #include <omp.h>
 
-#include "bench/harness/run.h"
-#include "models/grid.h"
 #include "models/solid/solid_model.h"
 #include "tests/contract.h"
+#include "tests/opened_run.h"
 
 /* Between solvers, of the length, after FRAMES frames: solutions are to 1e-8 in the energy
  * where frames are rebuilt, Newton's steps to 1e-7, those of springs, too (1e-6 of a spring
@@ -63,16 +62,6 @@ static struct counters move(const struct subject *s, const struct scene *scene,
     return work;
 }
 
-static double apart(const double *a, const double *b)
-{
-    double most = 0;
-
-    for (int t = 0; t < 3 * GRID_POINTS; t++)
-        if (!(fabs(a[t] - b[t]) <= most))
-            most = fabs(a[t] - b[t]);
-    return most;
-}
-
 static void check_way(const struct subject *s, const struct scene *scene,
                       const struct way *way, const double *direct)
 {
@@ -83,7 +72,7 @@ static void check_way(const struct subject *s, const struct scene *scene,
     d.solver = way->solver, d.preconditioner = way->preconditioner;
     omp_set_num_threads(1);
     const struct counters work = move(s, scene, &d, xyz);
-    off = apart(xyz, direct) / scene->length;
+    off = opened_apart(xyz, direct) / scene->length;
     if (!CHECK(off < SAME))
         printf("%s %s, %s, %d: %g L\n", s->model, option_kinematics[s->kinematics],
                option_solver[way->solver], (int)way->preconditioner, off);
@@ -106,7 +95,7 @@ static void check_full(const struct subject *s, const struct scene *scene,
 
     d.newton = NEWTON_FULL;
     const struct counters full = move(s, scene, &d, xyz);
-    CHECK(apart(xyz, direct) / scene->length < SAME);
+    CHECK(opened_apart(xyz, direct) / scene->length < SAME);
     d.newton = NEWTON_CHORD;
     const struct counters chord = move(s, scene, &d, xyz);
     CHECK(full.factorisations == full.assemblies && full.solves == full.iterations);
@@ -132,41 +121,6 @@ static void check_subject(const struct subject *s, bool obstacle)
         !obstacle)
         check_full(s, &scene, direct);
     scene_clear(&scene);
-}
-
-/* A sentence each. */
-static void check_refused(void)
-{
-    static const struct {
-        const char *model, *settings[2], *sentence;
-    } rows[] = {
-        {"projective_dynamics", {"discretization.solver=cg"}, "solver=cg"},
-        {"mass_spring",
-         {"discretization.solver=gmres", "discretization.integrator=leapfrog"},
-         "integrator=implicit or momentum only"},
-        {"mass_spring", {"discretization.newton=full"}, "newton: mass_spring has no use"},
-        {"iga", {"discretization.preconditioner=ichol"}, "with solver=cg or gmres only"},
-        {"shell", {"discretization.preconditioner=jacobi"}, "with solver=cg or gmres only"},
-    };
-
-    for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
-        const struct contestant *c = NULL;
-        struct settings settings = {0};
-        struct message why = {""};
-        struct run run;
-        REQUIRE(contestant_find(rows[n].model, &c, NULL) == STATUS_OK);
-        settings_list(&settings, 2, rows[n].settings);
-        CHECK(
-            run_open(&run,
-                     &(struct run_plan){.path = SOURCE_DIR "/models/scenes/edge_drop.yaml",
-                                        .contestant = c,
-                                        .settings = &settings},
-                     &why) != STATUS_OK);
-        if (!CHECK(strstr(why.text, rows[n].sentence)))
-            printf("%s: '%s'\n", rows[n].model, why.text);
-        run_close(&run);
-        settings_clear(&settings);
-    }
 }
 
 /* More than double precision has to give: it ends, as a death with words. */
@@ -196,7 +150,6 @@ int main(void)
         check_subject(&subjects[n], false);
     for (size_t n = 0; n < sizeof subjects / sizeof *subjects; n++)
         check_subject(&subjects[n], true);
-    check_refused();
     check_death(SOLVER_GMRES, PRECONDITIONER_FACTOR);
     check_death(SOLVER_GMRES, PRECONDITIONER_JACOBI);
     return check_result();

@@ -3,9 +3,9 @@
 #include "bench/truth/truth.h"
 #include "bench/verify/checks/verify_plates.h"
 
-/* Weight small enough that every model's answer is that of linear theory: slopes of 1e-3
- * change a strip by 1e-6 (heavy_elastica.csv), and a plate that bends two ways, as any does
- * with nu > 0, stretches by (deflection / thickness)^2 (von Karman), here 0.05. */
+/* Returns a weight small enough that every model's answer is that of linear theory: slopes
+ * of 1e-3 change a strip by 1e-6 (heavy_elastica.csv), and a plate that bends two ways, as
+ * any does with nu > 0, stretches by (deflection / thickness)^2 (von Karman), here 0.05. */
 static double gamma_of(double slenderness)
 {
     return fmin(0.01, 0.4 * slenderness);
@@ -14,14 +14,14 @@ static double gamma_of(double slenderness)
 /* h / L from which a surface without transverse shear is no model of a plate. */
 static const double THICK = 0.1;
 
-/* 2 % are asked of the paper's own net, 10 x 10 x 2, cured. */
+/* Claim for the paper's own net, 10 x 10 x 2, cured. */
 #define ASKED 0.02, "asked of the paper's net"
 
-/* As thick at the clamp as a solid. */
+/* Keeps the sheet as thick at the clamp as a solid is. */
 #define CLAMPED "clamped", .settings = {"discretization.remedy=clamped"}
 
 /* Large displacements must do as well where they are small. */
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     VERIFY_PLATES(ASKED),
     {"triangles", ASKED},
     {"mass_spring", 0, "isotropic at nu = 1/3"},
@@ -52,13 +52,13 @@ static double measure_tip(struct verify_trial *t, void *context)
     return -xyz[2] / gamma;
 }
 
-/* Its bar: what the last quarter of the terms changes, relative. A solid is no Kirchhoff
- * plate: shear adds some (h/L)^2, and near free and clamped edges, over a width h, stresses
- * differ; h / L in all. */
+/* Judges the tip. The bar is the relative change by the last quarter of the terms; h / L is
+ * added for solids, which are no Kirchhoff plates: shear adds some (h/L)^2, and near free
+ * and clamped edges, over a width h, stresses differ. */
 static void add_tip(struct verify_subject *s)
 {
     const double h = hs[s->at % HS], nu = nus[s->at / HS];
-    static double kept = NAN, tip, fewer; /* by so many functions, of the last nu */
+    static double kept = NAN, tip, fewer; /* the last nu, its tip by all and fewer terms */
     enum { TERMS = 40 };
 
     if (s->sheet->quick && s->at >= 3)
@@ -76,8 +76,8 @@ static void add_tip(struct verify_subject *s)
 
 /* --- Three-dimensional elasticity: stored fields of FreeFEM. */
 
-/* rms of the difference of one net's field, of the rms of the truth's. The load is that of
- * gamma_of, the shifts are scaled back. */
+/* Returns the rms difference of one net's field, of the rms of the truth's. The load is
+ * that of gamma_of, the shifts are scaled back. */
 static double measure_field(struct verify_trial *t, void *context)
 {
     const struct verify_subject *s = t->subject;

@@ -2,8 +2,9 @@
 
 #include "bench/verify/verify_check.h"
 
-/* Forces and accelerations, of the weight and of g: iterations end far below. A sheet that
- * sticks: their ends, 1e-6 to 1e-8 L. Gaps: round-off of the solve. */
+/* Claims: forces and accelerations, of the weight and of g, since iterations end far below;
+ * slip of a sheet that sticks, at the ends of iterations, 1e-6 to 1e-8 L; gaps, round-off
+ * of the solve. */
 #define BALANCE 1e-6, NULL
 static const double STUCK = 1e-5, CLOSED = 1e-11;
 
@@ -13,7 +14,7 @@ static const double WEIGHT = 9.81 * 200 * 0.004 * 0.5 * 0.4;
 /* A solid swings through its thickness, and breathes, when its weight comes onto it: forces
  * are looked at after that, with a step that resolves it and stiffness damping, which
  * leaves rigid motion alone; at rest mass damping ends what is slower. */
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_linear", BALANCE},
     {"iga_paper", 0, "the paper's scheme"},
     {"iga_incremental", 0, "forgets its stress"},
@@ -26,13 +27,13 @@ static const struct verify_field field = {
 
 enum { SIDE = 21, LOOKS = 12 };
 
-/* What is seen of the last frames. */
+/* Measurements of the last frames. */
 struct seen {
-    double settled;  /* when looking begins                                        [s] */
+    double settled;  /* start of the measurements                                  [s] */
     double force;    /* along z, the farthest from the weight                      [N] */
     double gap;      /* least                                                      [m] */
     double along[3]; /* the centre's x in the last three frames                    [m] */
-    double from;     /* ... and when looking began                                     */
+    double from;     /* the centre's x at the first measurement                    [m] */
     int looks;
 };
 
@@ -63,8 +64,8 @@ static enum status look(void *context, const struct motion *m, struct message *w
     return STATUS_OK;
 }
 
-/* At rest on the level, and then on a plane inclined by SLOPE (gravity is). Where nothing
- * is claimed, the hasty do not look. */
+/* Adds the rows of a sheet at rest on the level, and then of planes inclined by SLOPE
+ * (gravity is). A quick run leaves out those of whom nothing is claimed. */
 static void add_rows(struct verify_subject *s)
 {
     const bool rest = s->at == 0;

@@ -4,12 +4,12 @@
 #include "bench/verify/checks/verify_strips.h"
 
 static const double BAR = 1e-10; /* of the table, relative */
-/* What a strip may still move in the last half of its time, of its drop, and count as at
- * rest: less than any net here errs by. */
+/* Way in the last half of the time, of the drop, up to which a strip counts as at rest:
+ * less than the error of any net here. */
 static const double REST = 1e-4;
 
-/* Motion with twice the lowest frequency as mass damping, near the critical, over some ten
- * decay times; *xyz of the tip at the end. */
+/* Moves, damped with twice the lowest frequency, near the critical, over some ten decay
+ * times; writes where the tip ends. */
 static void come_to_rest(struct verify_trial *t, double gamma, double *xyz)
 {
     enum { STEPS = 2000 };
@@ -33,7 +33,7 @@ static void come_to_rest(struct verify_trial *t, double gamma, double *xyz)
     }
 }
 
-/* A strip of weight gamma. */
+/* Adds the settings of a strip of weight gamma. */
 static void add_strip(struct verify_trial *t, double width, double gamma)
 {
     /* E h^3 / 12 = rho g h / Gamma for L = 1: the load is kept, the stiffness follows. */
@@ -61,7 +61,7 @@ static int decade(const struct verify_subject *s, int row)
     return (int)floor(log10(reference_number(s->sheet->table, row, "Gamma")) + 1e-9);
 }
 
-/* The loads of a decade, from its first on; the row tells of the worst of them. */
+/* Adds a row for the worst load of a decade, at the first of them. */
 static void add_row(struct verify_subject *s)
 {
     static const char *const truth[] = {"H_over_L", "W_over_L"};
@@ -85,13 +85,14 @@ static void add_row(struct verify_subject *s)
                        VERIFY_STRIPS_LINEAR_GAMMA);
 }
 
-/* The drop of a square on the paper's own net, cured, of which 2 % are asked as of the
- * plate's deflection: at Gamma = 100 the clamp's bend takes one of its eight spans. */
+/* The drop of a square on the paper's own net, cured; 2 % are asked as of the plate's
+ * deflection, since at Gamma = 100 the clamp's bend takes one of its eight spans. */
 #define ASKED                                                                              \
     0.02, "asked of the paper's net", {10}, {10},                                          \
         .changed = "as now, in a test, where it was 2.1 % for a while after it was missed"
-static const struct verify_entry square[] = {{"iga_reduced,iga_selective", ASKED}, {NULL}};
-static const struct verify_field squares = {.entry = square};
+static const struct verify_subject square[] = {{"iga_reduced,iga_selective", ASKED},
+                                               {NULL}};
+static const struct verify_field squares = {.subject = square};
 
 static void add_square(struct verify_subject *s)
 {

@@ -2,16 +2,16 @@
 
 #include "bench/verify/verify_check.h"
 
-/* Of the largest potential energy that was turned over: the schemes gain nothing but what
- * Newton's method leaves (a solid) or third order in the step (a shell's bending); they may
- * lose a twentieth by the viscosity that takes waves shorter than a step, and explicit
- * ones, which have none, as little as they gain. Linear models with average acceleration
- * keep their quadratic energy to round-off. */
+/* Claims, as shares of the largest potential energy that was turned over. Schemes gain only
+ * what Newton's method leaves (a solid) or third order in the step (a shell's bending);
+ * they may lose a twentieth by the viscosity that damps waves shorter than a step, and
+ * explicit ones, which have none, as little as they gain. Linear models with average
+ * acceleration keep their quadratic energy to round-off. */
 #define GAIN   1e-3
 #define LINEAR 1e-9
 #define LOSS   0.05
 
-/* Tolerances are of the gain, second ones of the loss. Dear: no row of 10 s. */
+/* Tolerances are of the gain, second ones of the loss. Dear ones have no row of 10 s. */
 #define AVERAGE LINEAR, "average acceleration keeps a linear model's energy"
 #define VISCOUS GAIN, "kept but for the membrane's viscosity, 0.1 dt"
 #define KEPT    GAIN, "energy-momentum scheme"
@@ -23,11 +23,11 @@
 #define SHORTER(claim, steps)                                                              \
     .more = #steps " steps a frame", .settings = {"discretization.substeps=" #steps},      \
     .second = claim
-#define SPRING     1e-2 /* asked of springs */
+#define SPRING     1e-2 /* claim for springs */
 #define NOT_STABLE .changed = "the same of steps just stable, which do not keep it for 10 s"
 #define RINGS      "a coarse net's membrane rings, which its viscosity takes"
 /* clang-format off */
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_linear", AVERAGE, {10}, .settings = {"gravity=[0,0,-0.01]"}, .second = LINEAR},
     {"iga_paper", 0, "the paper's scheme", {10}},
     {"iga_reduced_incremental", 0, NULL, {10}},

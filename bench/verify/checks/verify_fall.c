@@ -2,23 +2,23 @@
 
 #include "bench/verify/verify_check.h"
 
-/* Round-off of a solve with a matrix of condition 2e7, over hundreds of steps; Newton's
- * method and local-global iterations end at 1e-7 L. */
+/* Claims: round-off of a solve with a matrix of condition 2e7, over hundreds of steps, and
+ * iterations that end at 1e-7 L. */
 #define EXACT 1e-8
 static const double SPEED = 1e-6;
 #define G  9.81
 #define T  1.0
 #define DT 0.005
 
-/* Of a damped fall the average acceleration is second order: (alpha dt)^2 / 12 = 5e-5 with
- * alpha = 5; implicit Euler, and a start without acceleration, are first order: dt / t of
+/* Claims for a damped fall: average acceleration is second order, (alpha dt)^2 / 12 = 5e-5
+ * with alpha = 5; implicit Euler, and a start without acceleration, first order, dt / t of
  * the way. */
 static const double SECOND = 1e-4;
 #define FIRST (DT / T * (1 + 1e-6))
 
 #define LATE "starts without acceleration: dt / t"
-/* Marked: the kinetic energy is that of the step's mean speed, not of v. */
-static const struct verify_entry entries[] = {
+/* Those marked have the kinetic energy of the step's mean speed, not of v. */
+static const struct verify_subject entries[] = {
     {"iga_linear", EXACT, NULL, {5}, {4}},
     {"iga_paper", 0, "the paper's scheme", {5}, {4}, .mark = true},
     {"iga_incremental", FIRST, LATE, {5}, {4}, .mark = true},
@@ -33,11 +33,11 @@ static const struct verify_entry entries[] = {
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, VERIFY_REMEDIES, {5}, {5}};
 
-/* Kinds of fall until T, and alpha = c / rho, or of mass damping [1/s]. */
+/* Kinds of fall until T. */
 #define DRAG(c) "drag.coefficient=" c
 static const struct fall {
     const char *quantity, *settings[3];
-    double rate;
+    double rate; /* alpha: c / rho, or that of mass damping [1/s]                         */
 } falls[] = {{"free fall, way over g t^2 / 2", {DRAG("0"), "damping={kind: none}"}, 0},
              {"fall with drag, way at 1 s", {DRAG("2.5"), "damping={kind: none}"}, 5},
              {"fall with mass damping, way at 1 s",
@@ -45,7 +45,7 @@ static const struct fall {
               5}};
 enum { FALLS = sizeof falls / sizeof *falls, POINTS = 5 };
 
-/* Largest deviation over the way fallen. */
+/* Returns the largest deviation over the way fallen. */
 static double deviation(const void *context, const double *a, const double *b)
 {
     return verify_row_apart(3 * POINTS, a, b) / *(const double *)context;
@@ -74,7 +74,7 @@ static void add_fall(struct verify_subject *s)
     verify_trial_refine(s, &r, f->quantity);
 }
 
-/* Speed of a sheet of mass rho h L W by its kinetic energy [m/s]. */
+/* Computes the speed of a sheet of mass rho h L W from its kinetic energy [m/s]. */
 static enum status see_speed(void *context, const struct motion *m, struct message *why)
 {
     const struct scene *s = m->scene;
@@ -88,8 +88,8 @@ static enum status see_speed(void *context, const struct motion *m, struct messa
     return STATUS_OK;
 }
 
-/* Terminal speed rho g / c, of which exp(-c t / rho) is missing; and, in rows of the table,
- * v <- mu v after every step: mu / (1 - mu) g dt, set by the step, but for mu^n. */
+/* Judges the terminal speed rho g / c, of which exp(-c t / rho) is missing; and, in rows of
+ * the table, that of v <- mu v after every step, mu / (1 - mu) g dt up to mu^n. */
 static void add_speed(struct verify_subject *s)
 {
     const bool drag = s->at == 0;

@@ -3,19 +3,19 @@
 
 #include "bench/verify/checks/verify_plates.h"
 
-/* Of solids: thin enough that shear, rotary inertia and edge layers, some h / a in all, are
- * below what is claimed. */
+/* Thickness of solids, small enough that shear, rotary inertia and edge layers, some h / a
+ * in all, are below what is claimed. */
 static const double THICKNESS = 1e-3;
-/* Frequencies below this part of the plate's first are rigid motions. */
+/* Share of the plate's first frequency below which a motion is rigid. */
 static const double RIGID = 0.05;
-/* Modes of each plate that count, and that are computed: up to six rigid ones. */
+/* Modes of each plate that count, and that are computed: up to six are rigid. */
 enum { MODES = 6, COMPUTED = MODES + 6 };
 
-static const struct verify_entry entries[] = {VERIFY_PLATES(VERIFY_PLATES_CURED), {NULL}};
+static const struct verify_subject entries[] = {VERIFY_PLATES(VERIFY_PLATES_CURED), {NULL}};
 static const struct verify_field field = {entries, CONTESTANT_SMALL};
 
-/* The plate of length 1; or NAFEMS' FV12 (free) and FV16 (cantilever), R0015, of steel: h /
- * a = 1/200. */
+/* Adds the settings of the plate of length 1, or of NAFEMS' FV12 (free) and FV16
+ * (cantilever), R0015, of steel, h / a = 1/200. */
 static void add_physics(const struct verify_subject *s, const char *edges, bool nafems,
                         struct verify_trial *t)
 {
@@ -36,7 +36,7 @@ static void add_physics(const struct verify_subject *s, const char *edges, bool 
     settings_more(&t->settings, "]");
 }
 
-/* omega L^2 sqrt(rho h / D) on two nets; NAFEMS' plates in Hz, on the finer one alone. */
+/* Judges omega L^2 sqrt(rho h / D) on two nets; NAFEMS' plates in Hz, on the finer one. */
 static void judge(struct verify_subject *s, const char *edges, bool nafems)
 {
     const double young = 1e5, density = 0.05, nu = verify_number(s, "nu");
@@ -78,8 +78,8 @@ static void judge(struct verify_subject *s, const char *edges, bool nafems)
                         worst + 1);
 }
 
-/* A plate is as many rows of the table as it has modes: at the first its own row is added,
- * at the second that of NAFEMS' plate where it is one. */
+/* Adds a plate's row at the first of its modes in the table, and at the second one that of
+ * NAFEMS' plate, where it is one. */
 static void add_row(struct verify_subject *s)
 {
     const int mode = (int)verify_number(s, "mode");

@@ -6,8 +6,8 @@
 
 #include "bench/verify/verify_check.h"
 
-/* As of the elastica: 1 % is asked of solids, the shell claims half of it. Linear modes
- * know no weight, which is 0.6 % of the first frequency at Gamma = 0.1 and 6 % at 1. */
+/* Claims as for the elastica. Linear modes know no weight, which is 0.6 % of the first
+ * frequency at Gamma = 0.1 and 6 % at 1. */
 #define SOLID 0.01, "1 % is asked"
 #define HALF  0.005, "half of what is asked of solids"
 static const double LINEAR_GAMMA = 0.1;
@@ -22,15 +22,15 @@ static const double WIDEST = 0.05;
 
 enum { MODES = 3 };
 
-/* Missed from Gamma = 1e4 on as long as the cures of degree 2 had their points in the
- * middle of spans, where a net that zigzags has no slope. */
+/* The claim was missed from Gamma = 1e4 on as long as the cures of degree 2 had their
+ * points in the middle of spans, where a net that zigzags has no slope. */
 #define WITHDRAWN                                                                          \
     .changed = "1 % at every Gamma, as now; withdrawn for a while after it was missed "    \
                "from 1e4 on"
 
 /* Knots at (k / spans)^2 near the clamp, where a chain bends over L / sqrt(Gamma). */
 #define CHAIN {20, 40}, {3, 3}, 2
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_reduced_linear", 0.01, "the weight's share at Gamma = 0.1", CHAIN},
     {"iga_nonlinear", 0, "the paper's space: locks", CHAIN},
     {"iga_reduced,iga_selective", SOLID, CHAIN, WITHDRAWN},
@@ -43,8 +43,8 @@ static const struct verify_entry entries[] = {
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, "iga_nonlinear_3,hex_nonlinear," VERIFY_TWINS, {20, 40}};
 
-/* sqrt(L / g) omega of one net, into the row that of the mode that is farthest off; its
- * error. */
+/* Computes sqrt(L / g) omega on one net; writes the mode that is farthest off into the row
+ * and returns its error. */
 static double measure(struct verify_trial *t, void *context)
 {
     static const char *const column[MODES] = {"v1", "v2", "v3"};

@@ -6,19 +6,19 @@
 
 #include "bench/verify/verify_check.h"
 
-/* The bracket that is asked of every model: stable at 1 - BRACKET of the critical Gamma,
- * one mode that grows at 1 + BRACKET. The shell, a truth for others, claims a third. */
+/* Claim for every model: stable at 1 - BRACKET of the critical Gamma, one mode that grows
+ * at 1 + BRACKET. The shell, a truth for others, claims a third. */
 #define BRACKET 0.03
 #define ASKED   BRACKET, "3 % is asked"
-/* The table's estimate is a difference of refinements; its header puts the true value up to
- * three times that lower. */
+/* Error of the table over its estimate, a difference of refinements; its header puts the
+ * true value up to three times that lower. */
 static const double BARS = 3;
-/* The plate is w / 100 thick: what it bends in its own plane before, (h / w)^2, and what a
- * solid's free edges twist more than Kirchhoff's, up to 0.6 h / w of a strip's torsion,
+/* Thickness over the width w: bending in the plate's own plane before it buckles, (h /
+ * w)^2, and a solid's softer twisting at free edges, up to 0.6 h / w of a strip's torsion,
  * stay within a fraction of the bracket. */
 static const double THICKNESS = 0.01;
 
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_nonlinear", 0, "the paper's space: locks", {12, 24}, {6, 12}},
     {"iga_reduced", ASKED, {12, 24}, {6, 12}},
     {"hex_incompatible", ASKED, {32, 64}, {8, 16}},
@@ -29,7 +29,7 @@ static const struct verify_entry entries[] = {
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, VERIFY_LOCKED "," VERIFY_TWINS, {12, 24}, {6, 12}};
 
-/* The plate of weight gamma. */
+/* Adds the settings of the plate of weight gamma. */
 static void add_settings(struct verify_trial *t, double gamma)
 {
     const double width = verify_number(t->subject, "w_over_L"), h = THICKNESS * width;
@@ -42,7 +42,7 @@ static void add_settings(struct verify_trial *t, double gamma)
                      width, h, nu, 12 * (1 - nu * nu) * 0.05 * 9.81 / (gamma * h * h));
 }
 
-/* Lowest eigenvalue at the plane equilibrium of the plate of weight gamma [1/s^2]. */
+/* Returns the lowest eigenvalue at the plane equilibrium of weight gamma [1/s^2]. */
 static double lowest(struct verify_trial *t, double gamma)
 {
     double omega = NAN;
@@ -52,8 +52,8 @@ static double lowest(struct verify_trial *t, double gamma)
     return omega * fabs(omega);
 }
 
-/* The critical Gamma, by the secant method from both ends of the bracket, whose eigenvalues
- * go into context[2]; NAN if it does not end. */
+/* Finds the critical Gamma by the secant method from both ends of the bracket, whose
+ * eigenvalues go into context[2]; NAN if it does not end. */
 static double find(struct verify_trial *t, void *context)
 {
     enum { MOST = 12 };
@@ -78,7 +78,7 @@ static double find(struct verify_trial *t, void *context)
     return NAN;
 }
 
-/* Whom the bracket is asked of must have it, too. */
+/* Judges the critical Gamma; a claim holds only if the bracket does, too. */
 static void add_critical(struct verify_subject *s, double width, double nu, double bar)
 {
     double lambda[2];
@@ -93,8 +93,8 @@ static void add_critical(struct verify_subject *s, double width, double nu, doub
         t.row->verdict = VERIFY_MISSED;
 }
 
-/* The bracket in time: how much a sideways jolt of the clamp by 1e-4 L has grown from 4 s
- * to 10 s, in a motion with damping: at the bracket's ends the least damped rate is near
+/* Judges the bracket in time: by how much a sideways jolt of the clamp by 1e-4 L has grown
+ * from 4 s to 10 s, in a damped motion; at the bracket's ends the least damped rate is near
  * +-0.4 / s. */
 static void add_motion(struct verify_subject *s, double width, double nu, double bar)
 {
@@ -119,8 +119,8 @@ static void add_motion(struct verify_subject *s, double width, double nu, double
                     factor[0], factor[1]);
 }
 
-/* Plates of four widths, with orders where it is half the length; of the table's row behind
- * that, w / L = 0.6, one motion. Those without frequencies are told of once. */
+/* Adds plates of four widths, with orders where it is half the length, and, at the table's
+ * row behind that, w / L = 0.6, one motion. Models without frequencies have one row. */
 static void add_row(struct verify_subject *s)
 {
     const char *name = reference_text(s->sheet->table, s->at, "w_over_L");

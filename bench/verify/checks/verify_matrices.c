@@ -6,24 +6,23 @@
 #include "bench/verify/verify_box.h"
 #include "bench/verify/verify_check.h"
 
-/* Asked: 1e-12 of matrices, where an entry is a sum over a few hundred points of a dozen
- * roundings each; and of E (times 1 m^3), turned by any angle. */
+/* Claim for matrices, whose entries are sums over a few hundred points of a dozen roundings
+ * each, and for energies of turned sheets, in E times 1 m^3. */
 #define ASKED 1e-12, NULL
-/* Eigenvalues of round-off: some n eps |K|, n < 500; the softest true mode of these boxes,
- * bending at h / L = 0.05, is at 1e-8 of the largest or above. */
+/* Share of the largest eigenvalue up to which one counts as zero: round-off makes some n
+ * eps |K|, n < 500; the softest true mode, bending at h / L = 0.05, is at 1e-8 or above. */
 static const double ZERO = 1e-11;
 static const double LENGTH = 1.1, WIDTH = 0.7, THICKNESS = 0.05;
 static const double YOUNG = 3, POISSON = 0.3, DENSITY = 1.7;
 #define SHAPE "sheet={length: 1.1, width: 0.7, thickness: 0.05}; material.young=3"
 #define BOX   SHAPE "; material.poisson=0.3; material.density=1.7"
 
-/* Degrees are in the settings, and in the title. Marked: its stiffness is not that of the
- * full rule, on purpose. */
+/* Those marked have, on purpose, a stiffness that is not that of the full rule. */
 #define REMEDY "discretization.remedy="
 #define DEGREE "discretization.degree="
 #define LUMPED "1e-12 of M, as of the others, which is not what lumped mass is"
 /* clang-format off */
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga", ASKED, {6}, {5}, 0, "p = 2, 2, 1", {DEGREE "[2,2,1]", REMEDY "none"}},
     {"iga", ASKED, {6}, {5}, 0, "p = 3, 3, 2", {DEGREE "[3,3,2]", REMEDY "none"}, 3},
     {"iga", ASKED, {6}, {4}, 0, "p = 4, 2, 3", {DEGREE "[4,2,3]", REMEDY "none"}, 4},
@@ -44,35 +43,27 @@ static const struct verify_entry entries[] = {
 static const struct verify_field field = {
     entries, CONTESTANT_SMALL, "iga,hex,shell", {6}, {5}};
 
-/* Products for the box: K, or M spread over three components, into zeros [3 nodes][3
- * nodes]. */
-static enum status products(const struct discretization *d, bool solid, bool mass,
-                            double *full, struct message *why)
+/* Holds K, or M, against the products for the box; a surface's net has one layer. */
+static void judge_box(struct verify_trial *t, bool mass, int rows, const double *ours)
 {
-    enum status st = STATUS_OK;
-    struct bspline basis[3] = {{0}};
-    struct verify_box box = {.size = {LENGTH, WIDTH, THICKNESS},
-                             .density = DENSITY,
-                             .lambda =
-                                 YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON)),
-                             .mu = YOUNG / (2 * (1 + POISSON))};
+    const struct discretization *d = &t->run.discretization;
+    const struct verify_box box = {
+        .degree = {d->degree[0], d->degree[1], d->degree[2]},
+        .points = {d->points[0], d->points[1], t->subject->layers ? d->points[2] : 0},
+        .size = {LENGTH, WIDTH, THICKNESS},
+        .density = DENSITY,
+        .lambda = YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON)),
+        .mu = YOUNG / (2 * (1 + POISSON))};
+    struct verify_sheet *sheet = t->subject->sheet;
+    const int count = rows * rows;
+    double *zero = calloc(2 * (size_t)count, sizeof *zero), *want = zero + count;
 
-    for (int i = 0; i < (solid ? 3 : 2); i++) {
-        TRY(bspline_init_uniform(&basis[i], d->degree[i], d->points[i], why));
-        box.basis[i] = &basis[i];
-    }
-    TRY(verify_box_matrices(&box, mass ? NULL : full, mass ? full : NULL));
-    const size_t n = (size_t)verify_box_nodes(&box);
-    for (size_t t = n * n; mass && t-- > 0;) { /* from the end: it is its own room */
-        const double value = full[t];
-        full[t] = 0;
-        for (size_t i = 0; i < 3; i++)
-            full[(3 * (t / n) + i) * 3 * n + 3 * (t % n) + i] = value;
-    }
-out:
-    for (int i = 0; i < 3; i++)
-        bspline_clear(&basis[i]);
-    return st;
+    if (verify_sheet_holds(sheet, zero ? verify_box_matrix(&box, mass, want, &sheet->why)
+                                       : STATUS_MEMORY))
+        verify_row_judge_error(
+            t->row,
+            verify_row_apart(count, ours, want) / verify_row_apart(count, want, zero), 0);
+    free(zero);
 }
 
 static void add_box(struct verify_subject *s)
@@ -87,29 +78,19 @@ static void add_box(struct verify_subject *s)
     if (ours && !mass && s->mark)
         verify_row_end(t.row, VERIFY_NOT_APPLICABLE,
                        "its stiffness differs from the solid's on purpose");
-    else if (ours) {
-        const int count = rows * rows;
-        double *zero = calloc(2 * (size_t)count, sizeof *zero), *want = zero + count;
-        if (verify_sheet_holds(s->sheet, zero ? products(&t.run.discretization, s->layers,
-                                                         mass, want, &s->sheet->why)
-                                              : STATUS_MEMORY))
-            verify_row_judge_error(t.row,
-                                   verify_row_apart(count, ours, want) /
-                                       verify_row_apart(count, want, zero),
-                                   0);
-        free(zero);
-    }
+    else if (ours)
+        judge_box(&t, mass, rows, ours);
     run_close(&t.run);
     free(ours);
 }
 
-/* Motions without energy. */
+/* Counts the motions without energy. */
 static void add_zero_modes(struct verify_subject *s)
 {
     const char *scene = s->at ? "cloak" : "cantilever";
     int rows, zeros = 0;
 
-    /* of six: not one more or less */
+    /* a tenth of six allows not one more or less */
     verify_subject_claim(s, 0.1, "three shifts, three turns");
     struct verify_trial t =
         verify_trial_of(s, scene, "eigenvalues of K that vanish, %s", scene);
@@ -129,10 +110,10 @@ static void add_zero_modes(struct verify_subject *s)
     free(lambda);
 }
 
-/* --- A sheet whose corners are turned, and nothing else: all of it follows. From a third
- * of a turn on the search, which begins at the flat rest, can turn elements inside out. */
+/* --- A sheet whose corners alone are turned: all of it follows. From a third of a turn on
+ * the search, which begins at the flat rest, can turn elements inside out. */
 
-/* X turned about (1,2,2)/3 by `angle`, less X (Rodrigues). */
+/* Computes the shift of X that is turned about (1,2,2)/3 by `angle` (Rodrigues). */
 static void turn(double angle, const double X[3], double shift[3])
 {
     const double n[3] = {1 / 3., 2 / 3., 2 / 3.};
@@ -145,7 +126,7 @@ static void turn(double angle, const double X[3], double shift[3])
     }
 }
 
-/* Each corner goes round to its place in ROWS pieces, which statics follow. */
+/* Leads each corner round to its place in ROWS pieces, which statics follow. */
 static void add_supports(double angle, bool solid, struct settings *all)
 {
     enum { ROWS = 8 };

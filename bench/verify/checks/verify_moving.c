@@ -2,19 +2,19 @@
 
 #include "bench/verify/verify_check.h"
 
-/* Both are the same equations: round-off of a solve, over tens of steps, for a linear
- * model; where Newton's method or others iterate they end at 1e-7 L, or as asked. */
+/* Claims, since the equations are the same: round-off of a solve, over tens of steps, for a
+ * linear model; others iterate to 1e-7 L, or as set below. */
 #define EXACT    1e-8, NULL
 #define ITERATED 1e-6, NULL
 
 enum { STEPS = 60, TIMES = 3, POINTS = 6 };
 static const double DT = 0.005, PUSH[3] = {0.5, -0.3, 4};
 
-/* Marked: its velocities are those of the step before, as with implicit Euler. */
+/* Those marked have the velocity of the step before, as with implicit Euler. */
 #define CLOSE "discretization.tolerance=1e-9"
 #define LONG  "discretization.iterations=100000", "discretization.acceleration=chebyshev"
 #define LATE  "starts without acceleration"
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_linear", EXACT, {8}, {6}},
     {"iga_paper,iga_incremental", 0, LATE, {8}, {6}},
     {"iga_nonlinear", ITERATED, {8}, {6}},
@@ -30,14 +30,14 @@ static const struct verify_entry entries[] = {
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, VERIFY_REMEDIES, {8}, {6}};
 
-/* The edge's way over PUSH after n steps, a parabola; for implicit Euler that of its own
- * velocities n dt, which it sees in whole steps. */
+/* Returns the edge's way over PUSH after n steps, a parabola; for implicit Euler the sum of
+ * its velocities n dt, which it sees in whole steps. */
 static double way(const struct verify_subject *s, int n)
 {
     return s->mark ? DT * DT * n * (n + 1) / 2 : DT * DT * n * n / 2;
 }
 
-/* One row before the start and one after the end, for differences of the path. */
+/* Sets the path, with a row before the start and one after the end for its differences. */
 static void add_path(const struct verify_subject *s, struct settings *all)
 {
     settings_set(all, "supports=[{at: {u: 0}, fix: xyz, path: [");

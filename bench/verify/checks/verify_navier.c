@@ -4,13 +4,13 @@
 #include "bench/verify/checks/verify_plates.h"
 
 static const double GAMMA = 0.01; /* every model's answer is that of linear theory */
-/* Of the table: ten digits, uniform loads a series to 6e-7. */
+/* Error of the table: ten digits, uniform loads a series to 6e-7. */
 static const double BAR = 1e-6;
-/* Modes computed: those in the plane lie about, the one nearest to the truth counts. */
+/* Modes computed; since those in the plane lie among them, the one nearest counts. */
 enum { MODES = 8 };
 
-/* One layer of linear functions has no shear correction: a sixth of the shear deflection,
- * which is some 5 (h/a)^2, is missing; 0.2 % up to here. */
+/* h/a up to which one layer of linear functions, which has no shear correction, lacks 0.2
+ * %: a sixth of the shear deflection, which is some 5 (h/a)^2. */
 static const double ONE_LAYER = 0.05;
 
 /* Elasticity itself: degree 5 through the thickness leaves (h/a)^10 of it, the in-plane net
@@ -21,7 +21,7 @@ static const double SOLID_LOCKS = 0.01;
     1e-3, "elasticity itself, on five spans a half wave", {8, 14}, {8, 14}, 0,             \
         "p = 4, r = 5", {"discretization.degree=[4,4,5]"}, SOLID_LAYERS, 4
 
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     VERIFY_PLATES(VERIFY_PLATES_CURED),
     {"triangles", VERIFY_PLATES_CURED},
     {"mass_spring", 0, "isotropic at nu = 1/3"},
@@ -40,7 +40,7 @@ static double truth_of(const struct verify_subject *s)
     return verify_number(s, s->layers ? "exact3D_body" : "kirchhoff");
 }
 
-/* w D / (q a^4) of the centre, or omega a^2 sqrt(rho h / D). */
+/* Returns w D / (q a^4) of the centre, or omega a^2 sqrt(rho h / D). */
 static double measure(struct verify_trial *t, void *context)
 {
     const double h = verify_number(t->subject, "h_over_a");

@@ -3,20 +3,20 @@
 
 #include "bench/verify/checks/verify_plates.h"
 
-/* Asked: two codes that do the same sums differ by round-off. The file has 14 digits. */
+/* Claim: two codes that do the same sums differ by round-off. The file has 14 digits. */
 #define MATRIX 1e-12
 static const double DIGITS = 5e-14;
 
 #define PLAIN  "discretization.remedy=none"
 #define LINEAR MATRIX, "linear B-splines are the same functions"
-static const struct verify_entry blocks[] = {
+static const struct verify_subject blocks[] = {
     {"hex", MATRIX, "the same sums", {3}, .settings = {PLAIN}},
     {"iga", LINEAR, {3}, {3}, 0, "p = 1", {PLAIN, "discretization.degree=[1,1,1]"}},
     {NULL}};
-static const struct verify_field block_field = {.entry = blocks};
+static const struct verify_field block_field = {.subject = blocks};
 
-/* The largest difference of the lower triangle's entries, which are the table's rows, of
- * the largest; INFINITY for other sizes. */
+/* Judges the largest difference of the lower triangle's entries, which are the table's
+ * rows, over the largest entry; INFINITY for other sizes. */
 static void add_block(struct verify_subject *s)
 {
     const char *const column[] = {"stiffness", "mass"};
@@ -50,18 +50,18 @@ static void add_block(struct verify_subject *s)
 
 /* --- Tips. */
 
-/* The same element on the same nodes, to the 7 digits of the file. */
-static const struct verify_entry twin[] = {
+/* This is the same element on the same nodes; the file has 7 digits. */
+static const struct verify_subject twin[] = {
     {"hex_incompatible_linear", 1e-6, "the same element", {33}}, {NULL}};
-static const struct verify_field twin_field = {.entry = twin};
+static const struct verify_field twin_field = {.subject = twin};
 
 static void add_tip(struct verify_subject *s)
 {
     const double uvw[2][3] = {{1, 0.5, 0.5}, {1, 1, 0.5}};
     const char *const column[] = {"middle", "corner"};
     const double h = verify_number(s, "thickness");
-    /* What round-off leaves of an answer in nodes of both faces, which CalculiX solves for:
-     * the condition of K, 2.5e12 at h/L = 1e-3 and as h^-4. */
+    /* CalculiX solves for nodes of both faces, where K has the condition 2.5e12 at h/L =
+     * 1e-3, growing as h^-4 */
     const double rounding = 1e-16 * 2.5e12 * pow(h / 1e-3, -4);
     double xyz[2][3];
     struct verify_trial t =
@@ -79,8 +79,8 @@ static void add_tip(struct verify_subject *s)
 
 /* --- A large swing. */
 
-#define SWING 1e-3, "asked" /* of nonlinear solids */
-static const struct verify_entry strips[] = {
+#define SWING 1e-3, "asked" /* claim for nonlinear solids */
+static const struct verify_subject strips[] = {
     {"iga_nonlinear_3", SWING, {19}, {4}, 0, "r = 2", {"discretization.degree=[3,3,2]"}, 3},
     {"iga_reduced", SWING, {66}, {3}},
     {"hex_incompatible", SWING, {129}, {2}},
@@ -95,7 +95,7 @@ static const struct verify_field strip_field = {strips, CONTESTANT_LARGE, OTHERS
 
 enum { TIMES = 6, POINTS = 4 };
 
-/* Against the positions at every 0.05 s of the table's 0.01 s. */
+/* Judges the positions at every 0.05 s of the table's 0.01 s. */
 static void add_swing(struct verify_subject *s)
 {
     static const double uvw[POINTS][3] = {
@@ -123,11 +123,11 @@ static void add_swing(struct verify_subject *s)
                            verify_note(s, "mesh_error_m") + verify_note(s, "step_error_m"));
 }
 
-/* --- Plates let go. As in `transient`, on its finest nets: a solid 1 %; a thin shell is to
- * be as good. */
+/* --- Plates let go, on the finest nets of `transient`; a thin shell is to be as good as a
+ * solid. */
 #define PLATE 0.01, NULL
 
-static const struct verify_entry plates[] = {
+static const struct verify_subject plates[] = {
     {"iga_linear", 0, "the paper's: locks", {10}},
     {"iga_reduced_linear", PLATE, {34}, {18}},
     {"iga_linear_32", PLATE, {35}, {19}},
@@ -141,7 +141,7 @@ static const struct verify_entry plates[] = {
 static const struct verify_field plate_field = {
     plates, CONTESTANT_SMALL, THEIR_LIKE, {35}, {19}};
 
-/* The largest rms difference at one of the times, of the rms of the field. */
+/* Judges the largest rms difference at one of the times, over the rms of the field. */
 static void add_plate(struct verify_subject *s)
 {
     static const char *const names[] = {"freefem_transient_h10mm",

@@ -4,8 +4,8 @@
 #include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
 
-/* Asked of the nonlinear solid wherever the strip is heavy: 1 %; of a shell, whose theory
- * is the truth's own: 1e-3 L. */
+/* Claims: 1 % for nonlinear solids, as wherever a strip is heavy; 1e-3 L for shells, whose
+ * theory is the truth's own. */
 #define SOLID 0.01, NULL
 #define SHELL 1e-3, NULL
 
@@ -27,14 +27,14 @@ static const struct swing {
 /* clang-format on */
 enum { SWINGS = sizeof swings / sizeof *swings };
 
-/* What the truth's files give, to 1 s: 10 ms apart, which every step divides. Their own
- * energy stays to 1e-9 until 1.2 s. */
+/* Times to 1 s, 10 ms apart, which every step divides. The truths keep their own energy to
+ * 1e-9 until 1.2 s. */
 enum { TIMES = 100, POINTS = 4 };
 static const double APART = 0.01, STEP = 0.0025, BAR = 1e-5;
 
-/* Spans along u of the finer of two nets, on thick and on thin strips (whose bend at the
- * clamp, about sqrt(D / (rho g h L)) long, sets the scale). Marked: one net and one step
- * only. */
+/* Instead of points along u: the spans of the finer of two nets, on thick and on thin
+ * strips (whose bend at the clamp, about sqrt(D / (rho g h L)) long, sets the scale). Those
+ * marked have one net and one step only. */
 #define ONE    {16, 16}, {3, 3}, .mark = true
 #define PLANAR "discretization.degree=[3,2]"
 #define EULER  "implicit Euler damps; nothing is claimed of it"
@@ -42,7 +42,7 @@ static const double APART = 0.01, STEP = 0.0025, BAR = 1e-5;
     .more = "iterated to the end",                                                         \
     .settings = {"discretization.acceleration=chebyshev",                                  \
                  "discretization.iterations=100000", "discretization.tolerance=1e-9"}
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_linear", 0, "the paper's space: locks", ONE},
     {"iga_paper", 0, "the paper's scheme: viscous, not elastic", ONE},
     {"iga_reduced_incremental", 0, "stress is forgotten after each step", ONE},
@@ -64,7 +64,7 @@ static const struct verify_field field = {
 static const char *const column[POINTS][2] = {
     {"x1", "z1"}, {"x075", "z075"}, {"x05", "z05"}, {"x025", "z025"}};
 
-/* Positions at all times, and when; the strip is 0.1 m wide. */
+/* Reads the positions of a strip 0.1 m wide at all times. */
 static bool read_truth(struct verify_sheet *sheet, const char *file, double *time,
                        double (*xyz)[POINTS][3])
 {
@@ -88,7 +88,7 @@ static bool read_truth(struct verify_sheet *sheet, const char *file, double *tim
     return verify_sheet_sound(sheet);
 }
 
-/* Largest distance of a point at any time; L = 1 m. */
+/* Returns the largest distance of a point at any time; L = 1 m. */
 static double distance(const void *context, const double *a, const double *b)
 {
     double worst = 0;

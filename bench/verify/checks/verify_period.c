@@ -2,22 +2,22 @@
 
 #include "bench/verify/verify_check.h"
 
-/* The table has 12 digits; positions of 1 m have 11 of a sway of 2e-5 m, each of up to
- * 25000 steps adds its round-off. */
+/* The table has 12 digits. Positions of 1 m resolve 11 digits of a sway of 2e-5 m, and each
+ * of up to 25000 steps adds its round-off. */
 #define PERIOD 1e-6, NULL
 
-/* E A / L against rho A L / 3. */
+/* omega^2 = (E A / L) / (rho A L / 3) for L = 1. */
 static const double YOUNG = 1e5, DENSITY = 0.5, WEIGHT = 9.81;
 
 #define SPRINGS "shell,mass_spring,position_based,projective_dynamics"
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_linear", PERIOD, {2}, {2}, 0, "p = 1", {"discretization.degree=[1,1,1]"}},
     {"hex_linear", PERIOD, {2}},
     {NULL}};
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, "iga,hex," SPRINGS, {2}, {2}};
 
-static const struct verify_entry others[] = {{SPRINGS}, {NULL}};
+static const struct verify_subject others[] = {{SPRINGS}, {NULL}};
 static const struct verify_field without_mode = {others};
 
 static void add_none(struct verify_subject *s)
@@ -26,8 +26,8 @@ static void add_none(struct verify_subject *s)
                    "it has no net with a single mode along itself");
 }
 
-/* The tip moves by x_n = x_s (1 - cos n theta). n is such that n theta is about a radian
- * from 0 or, for steps beyond the period, from n pi: there cos n theta tells theta best. */
+/* Finds theta from the tip's x_n = x_s (1 - cos n theta), with n such that n theta is about
+ * a radian from 0 or, for steps beyond the period, from n pi: there it is found best. */
 static void add_row(struct verify_subject *s)
 {
     const double a = verify_number(s, "a"), ratio = verify_number(s, "v1");

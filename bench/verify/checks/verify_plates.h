@@ -1,5 +1,5 @@
-/* verify_plates.h - plates of linear theory: what is claimed of whom in all checks on them,
- * and fields of clamped ones that FreeFEM computed as three-dimensional solids. */
+/* verify_plates.h - plates of linear theory: the claims of all checks on them, and fields
+ * of clamped plates that FreeFEM computed as three-dimensional solids. */
 #ifndef VERIFY_PLATES_H
 #define VERIFY_PLATES_H
 
@@ -10,8 +10,8 @@
 #define VERIFY_PLATES_THEORY 0.01, "half of what is asked of solids: nothing in it can lock"
 #define VERIFY_PLATES_SHEAR  "nothing frees twisting from shear in thin ones"
 
-/* Entries; ASKED: tolerance and reason of cured solids. The paper's net, 10 x 10 x 2, and a
- * coarser one; hexahedra on theirs. */
+/* Subjects; the arguments are tolerance and reason of cured solids. Nets are the paper's,
+ * 10 x 10 x 2, and a coarser one; hexahedra have theirs. */
 /* clang-format off */
 #define VERIFY_PLATES(...)                                                                 \
     {"iga_linear", 0, "the paper's: locks", {6, 10}},                                      \
@@ -23,21 +23,23 @@
     {"shell_linear,shell_linear_3", VERIFY_PLATES_THEORY}
 /* clang-format on */
 
-/* The same of those that vibrate. */
+/* Claim for cured solids that vibrate. */
 #define VERIFY_PLATES_CURED 0.02, "what is asked of the cured plate's deflection"
 
 enum { VERIFY_PLATES_POINTS = FREEFEM_SIDE * FREEFEM_SIDE };
 
-/* A stored field; the sheet's table is that file's then. */
+/* Reads a stored field; the file becomes the sheet's table. */
 bool verify_plates_read(struct verify_sheet *sheet, const char *name,
                         struct freefem_field *f);
 
-/* The physics that the notes of the sheet's table tell. */
+/* Adds the physics that the notes of the sheet's table have. */
 void verify_plates_physics(const struct verify_sheet *sheet, struct settings *all);
 
-/* Material points of a field's; how far the shifts of those points, times `scale`, are from
- * it at one of its times: rms, of its own; and its error bar likewise. */
-const double *verify_plates_points(void); /* [VERIFY_PLATES_POINTS][3] */
+/* Returns the material points of a field, [VERIFY_PLATES_POINTS][3]. */
+const double *verify_plates_points(void);
+
+/* Returns the rms distance of the points' shifts, times `scale`, from a field at one of its
+ * times, over the field's rms; writes the field's error bar likewise. */
 double verify_plates_error(const struct freefem_field *f, int time, const double (*xyz)[3],
                            double scale, double *bar);
 

@@ -3,19 +3,19 @@
 
 #include "bench/verify/verify_check.h"
 
-/* As of the elastica: 1 % is asked of solids, the shell claims half of it. */
+/* Claims as for the elastica. */
 #define SOLID 0.01, "1 % is asked"
 #define HALF  0.005, "half of what is asked of solids"
 static const double BAR = 1e-9; /* of the table, by its header */
-/* A strip that was pushed through is its own mirror image; the weight that chose the side
- * it buckled to is 1e-4 of the elastic energy, and works on its shape to second order. */
+/* Claim for a strip that was pushed through, which is its own mirror image: the weight that
+ * chose the side it buckled to is 1e-4 of the elastic energy. */
 static const double MIRROR = 1e-3;
 
 #define CLAMPED "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz, "
 static const double THICKNESS = 1e-3, WIDTH = 0.1, YOUNG = 1e5; /* of the scene, L = 1 */
 
 /* Odd numbers of points, one of them in the middle. */
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_nonlinear", 0, "the paper's space: locks", {25, 49}, {3, 3}},
     {"iga_reduced", SOLID, {25, 49}, {3, 3}},
     {"hex_incompatible", SOLID, {41, 81}, {2, 2}},
@@ -31,7 +31,7 @@ struct shape {
     double energy, elastic, deflection; /* [J], [J], of the middle [m]                    */
 };
 
-/* Equilibrium with the supports that t->settings have, at time `end`. */
+/* Finds the equilibrium with the supports that t->settings have, at time `end`. */
 static bool settle(struct verify_trial *t, double end, struct shape *shape)
 {
     struct energy energy;
@@ -54,8 +54,8 @@ static bool settle(struct verify_trial *t, double end, struct shape *shape)
     return t->lived;
 }
 
-/* P / P_cr and deflection / L at a shortening: the force at the supports is the energy's
- * derivative by it, of two equilibria on both sides. */
+/* Computes P / P_cr and deflection / L at a shortening. The force at the supports is the
+ * energy's derivative by it, from two equilibria on both sides. */
 static bool press(struct verify_trial *t, double shortening, double value[2])
 {
     const double part = 0.01, h = THICKNESS;
@@ -97,9 +97,9 @@ static void add_rows(struct verify_subject *s)
     }
 }
 
-/* Pressed by a tenth, its middle at the elastica's deflection all the way, and then moved
- * across to as far on the other side: through shapes whose middle has to be pulled. The
- * energy at the end is that of the start. */
+/* Presses the strip by a tenth, its middle at the elastica's deflection all the way, and
+ * moves the middle as far to the other side, through shapes whose middle has to be pulled.
+ * The energy at the end is that of the start. */
 static void add_crossing(struct verify_subject *s)
 {
     static const char supports[] = CLAMPED

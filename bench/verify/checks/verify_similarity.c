@@ -2,15 +2,15 @@
 
 #include "bench/verify/verify_check.h"
 
-/* Round-off alone, carried through 40 frames; what units do to powers of ten, a little
- * more. */
+/* Claims: round-off alone, carried through 40 frames; units that scale numbers by other
+ * than powers of two make a little more. */
 #define SAME 1e-9, NULL
 static const double UNITS = 1e-8;
 
 enum { POINTS = 6, TIMES = 2 };
 
-/* Marked: damped as in the paper. */
-static const struct verify_entry entries[] = {
+/* The one marked is damped as in the paper. */
+static const struct verify_subject entries[] = {
     {"iga_linear", SAME},
     {"iga_paper", 0, "the paper's scheme", .mark = true},
     {"iga_reduced_incremental"},
@@ -24,13 +24,13 @@ static const struct verify_entry entries[] = {
     "shell_selective_3"
 static const struct verify_field field = {entries, CONTESTANT_LARGE, OTHERS, {7}, {6}};
 
-/* How the scene is told. */
+/* A way to describe the scene. */
 struct telling {
     const char *name;
-    double unit;    /* lengths are so many times as large, kg and s stay               */
-    double heavier; /* E, density and drag                                             */
+    double unit;    /* factor on lengths; kg and s stay                                */
+    double heavier; /* factor on E, density and drag                                   */
     double turn[3][3];
-    bool scaled; /* the tolerance is that of units                                     */
+    bool scaled; /* whether the claim is that of units                                 */
 };
 
 /* clang-format off */
@@ -51,8 +51,7 @@ static void turn(const struct telling *t, const double from[3], double to[3])
         to[i] = t->turn[i][0] * from[0] + t->turn[i][1] * from[1] + t->turn[i][2] * from[2];
 }
 
-/* The motion of a sheet that is pulled along all axes, so that nothing vanishes by
- * symmetry. */
+/* Moves a sheet that is pulled along all axes, so that nothing vanishes by symmetry. */
 static bool run_told(struct verify_trial *trial, const struct telling *t, double *xyz)
 {
     static const double uvw[POINTS][3] = {{0.2, 0.3, 0.5}, {0.5, 0.5, 0.5}, {1, 0, 0.5},

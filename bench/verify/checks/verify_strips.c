@@ -11,11 +11,11 @@
 #define CUBIC  GRADED, NULL, {"discretization.degree=[3,2,1]"}, 0
 #define MANY   {80, 160}, {2, 2}, 0
 
-/* Changed after a first result of `elastica`, and of that alone: nets drawn to the clamp,
- * or made finer. */
+/* Claims changed after a first result of `elastica`, and of that alone: nets were drawn to
+ * the clamp, or made finer. */
 #define UNIFORM "1 % of 24x3x2, uniform knots, which the heaviest strips miss"
 /* clang-format off */
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_linear", 0, "locks", {10, 20}, {3, 3}},
     {"iga_reduced_linear", 0.01, "what linear theory errs by at Gamma = 0.9", GRADED},
     {"iga_nonlinear", 0, "locks", GRADED},

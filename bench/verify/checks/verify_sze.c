@@ -5,16 +5,16 @@
 #include "bench/verify/checks/verify_strips.h"
 
 static const double BAR = 1e-8; /* of the columns exact1, exact2 */
-/* Sheets of 3.1 and 3.2, but for the length. */
+/* The sheets of 3.1 and 3.2, except for the length. */
 #define STRIP                                                                              \
     "sheet.width=1; sheet.thickness=0.1; material.young=1.2e6; material.poisson=0; "       \
     "gravity=[0,0,0]; "
 static const double LENGTH = 10, FULL_LOAD = 4;
-/* Small strains are 1 % wrong where a third of the squared slope is, 0.03 = (P L^2 / 2 E
- * I)^2 / 3: from 0.6 / 4 of the load in all on they are out of range. */
+/* Share of the full load up to which small strains hold: they are 1 % wrong where a third
+ * of the squared slope is, 0.03 = (P L^2 / 2 E I)^2 / 3, at 0.6 / 4 of the load. */
 static const double LINEAR_LOAD = 0.05;
 
-/* How far the tip is up, and how far it has come back, at a share of the full load. */
+/* Computes how far the tip is up, and how far it has come back, at a share of the load. */
 static void measure(struct verify_trial *t, double at[2])
 {
     double xyz[3] = {NAN, NAN, NAN};
@@ -26,7 +26,7 @@ static void measure(struct verify_trial *t, double at[2])
     at[0] = xyz[2], at[1] = LENGTH - xyz[0];
 }
 
-/* Five loads, the table's first twenty rows; --quick: the last of them. */
+/* Adds a row for each five loads of the table's first twenty; --quick: their last one. */
 static void add_shear(struct verify_subject *s)
 {
     enum { GROUP = 5 };
@@ -51,18 +51,19 @@ static void add_shear(struct verify_subject *s)
                        LINEAR_LOAD);
 }
 
-/* --- 3.2: the end face is led along the circle, which is what a moment asks of it; the
- * shape between, and the work of the moment as elastic energy, must follow. */
+/* --- 3.2: supports lead the end face along the circle, as a moment would; the shape
+ * between must follow. */
 
 static const double LONG = 12, BENDING = 100; /* L [m], E I [N m^2]                      */
 
-/* Slow against the strip's first frequency, 22.4 sqrt(E I / m L^4) = 22.4 / s by this
- * density, and damped near it: what moves at the end is e^-20 of what was moved. */
+/* A motion that is slow against the strip's first frequency, 22.4 sqrt(E I / m L^4) = 22.4
+ * / s by this density, and damped near it: e^-20 of the swing is left at the end. */
 #define SLOWLY                                                                             \
     "material.density=0.0482253;damping={kind: mass, value: 40};time.step=0.02;time.end=4"
 static const double LED = 2, REST_AT = 4; /* [s]                                         */
 
-/* Where the arc of angle `turn` over the length puts the point s, z from the middle. */
+/* Computes where the arc of angle `turn` over the length puts the point s, z off its
+ * middle. */
 static void arc(double turn, double s, double z, double *x, double *up)
 {
     double phi = turn * s, radius = turn != 0 ? LONG / turn : INFINITY;
@@ -71,7 +72,7 @@ static void arc(double turn, double s, double z, double *x, double *up)
     *up = turn != 0 ? radius * (1 - cos(phi)) + z * cos(phi) : z;
 }
 
-/* Clamped at u = 0; the lower and the upper edge at u = 1 go round in ROWS pieces. */
+/* Clamps u = 0 and leads the lower and the upper edge at u = 1 round in ROWS pieces. */
 static void add_leading(double turn, struct settings *all)
 {
     enum { ROWS = 40 };
@@ -90,7 +91,6 @@ static void add_leading(double turn, struct settings *all)
     settings_more(all, "]");
 }
 
-/* As of 3.1, on the finest net. */
 static void add_moment(struct verify_subject *s)
 {
     const double turn = (double[]){0.25, 0.5, 1}[s->at] * 2 * acos(-1), time[1] = {REST_AT};

@@ -11,12 +11,13 @@
 #include "models/metric/metric_rest.h"
 #include "models/reader/scene_file.h"
 
-/* As in `pendulum`: a solid 1 %, a shell, whose theory is the truth's own, 1e-3. */
+/* Claims as in `pendulum`: 1 % for solids, 1e-3 for shells, whose theory is the truth's. */
 #define SOLID 0.01, NULL
 #define SHELL 1e-3, NULL
 
-/* So little of gravity that the plate falls by 8e-5 m, a fifteenth of its thickness: models
- * of large displacements are linear there, too, and linear ones the same as under all. */
+/* Share of gravity under which the plate falls by 8e-5 m, a fifteenth of its thickness:
+ * models of large displacements are linear there, too, and linear ones as under all of it.
+ */
 #define SMALL 1e-4
 static const char *const settings[] = {"gravity=[0,0,-9.81e-4]", NULL};
 
@@ -34,7 +35,7 @@ static const double STEP = 0.00125;
 #define EVERY_EIGHTH {10, 18, 34}, {6, 10, 18}
 #define THREE        {11, 19, 35}, {7, 11, 19}
 #define MANY         {17, 33, 65}, {9, 17, 33}
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_linear", 0, "the paper's space: locks", EVERY_EIGHTH},
     {"iga_paper", 0, "the paper's scheme: viscous, not elastic", {10}, {6}},
     {"iga_reduced_incremental", 0, "stress is forgotten after each step", {10, 18}, {6, 10},
@@ -59,16 +60,15 @@ static const struct verify_entry entries[] = {
 static const struct verify_field field = {
     entries, CONTESTANT_SMALL, OTHERS, {11, 19, 35}, {7, 11, 19}};
 
-/* Truths and room. */
 struct transient {
-    struct scene scene; /* with all of gravity                                          */
-    struct freefem_field solid; /* 3-D elasticity                                       */
-    double fallen[TIMES];       /* rms [m]                                              */
+    struct scene scene;         /* with all of gravity                                    */
+    struct freefem_field solid; /* truth of 3-D elasticity                                */
+    double fallen[TIMES];       /* rms deflection of the Kirchhoff truth [m]              */
     double uvw[3 * GRID_POINTS], truth[TIMES * 3 * GRID_POINTS];
     double field[TIMES * 3 * GRID_POINTS];
 };
 
-/* *t all zero. */
+/* Reads both truths into *t, which is all zero. */
 static enum status transient_init(struct transient *t, struct message *why)
 {
     enum status st;
@@ -105,7 +105,7 @@ out:
     return st;
 }
 
-/* rms over the grid by the truth's rms deflection, at the worst of the times. */
+/* Returns the rms error over the grid, of the truth's rms deflection, at the worst time. */
 static double plate_error(const void *context, const double *a, const double *b)
 {
     const struct transient *t = context;
@@ -121,7 +121,7 @@ static double plate_error(const void *context, const double *a, const double *b)
 static void run(struct verify_sheet *sheet)
 {
     struct transient *t = calloc(1, sizeof *t);
-    struct verify_subject s;
+    struct verify_subject all[VERIFY_MOST];
 
     if (!verify_sheet_holds(sheet, t ? STATUS_OK : STATUS_MEMORY))
         return;
@@ -131,13 +131,14 @@ static void run(struct verify_sheet *sheet)
     r.times = TIMES, r.time = times, r.n = GRID_POINTS, r.uvw = t->uvw, r.truth = t->truth;
     r.measure = plate_error, r.context = t, r.bar = KIRCHHOFF_TRANSIENT_ERROR;
     r.field = t->field;
-    for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);) {
-        if (sheet->quick) /* the finest two, no coarser step */
-            verify_subject_last(&s, 2);
-        if (!verify_trial_refine(&s, &r, "rms deflection, Kirchhoff") || sheet->quick)
+    const int subjects = verify_sheet_subjects(sheet, &field, all);
+    for (struct verify_subject *s = all; s < all + subjects; s++) {
+        if (sheet->quick) /* the finest two nets, no coarser step */
+            verify_subject_last(s, 2);
+        if (!verify_trial_refine(s, &r, "rms deflection, Kirchhoff") || sheet->quick)
             continue;
-        struct verify_row *row = verify_sheet_add(&s, "rms deflection, 3-D elasticity");
-        for (int k = 0; k < TIMES; k++) { /* of the mid-surface, the worst likewise */
+        struct verify_row *row = verify_sheet_add(s, "rms deflection, 3-D elasticity");
+        for (int k = 0; k < TIMES; k++) { /* the mid-surface at the worst time */
             const double *xyz = t->field + 3 * GRID_POINTS * k;
             const double e = freefem_rmse(&t->solid, k, &t->scene, xyz) / t->fallen[k];
             if (k == 0 || e > row->error)

@@ -6,12 +6,12 @@
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
 
-/* A thirtieth of the length, of nets of a dozen points a side that bend without locking:
- * what a reader of a picture of these motions would not see. */
+/* Claim for nets of a dozen points a side that bend without locking: a thirtieth of the
+ * length, which is not seen in a picture of these motions. */
 #define COARSE 0.03
 
 /* Nets with a node at a tenth of the length, where the clamps of corners_patch end. */
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_incremental", 0, "locks", {12}},
     {"iga_reduced_incremental", 0, "forgets its shape at rest", {12}},
     {"iga_reduced", COARSE, "coarse, but bends without locking", {12}},
@@ -28,18 +28,19 @@ static const struct verify_entry entries[] = {
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, "iga_nonlinear," VERIFY_LOCKED, {11}, {11}};
 
-/* The motions part with time: judged not later than this [s]. */
+/* Latest time at which motions are judged: errors grow with time [s]. */
 static const double LATEST = 0.3, QUICK = 0.1;
 
 struct stored {
     const char *scene;
     double length;
-    struct settings settings; /* as its truth moves                                    */
+    struct settings settings; /* of the truth's own runs                               */
     struct truth truth;
     double uvw[3 * GRID_POINTS], xyz[3 * GRID_POINTS];
 };
 
-/* The scene as its truth moves, and that truth. STATUS_UNSUPPORTED: of other physics. */
+/* Finds the scene's truth, and the settings of its runs. STATUS_UNSUPPORTED: the truth is
+ * one of other physics. */
 static enum status find_truth(struct stored *s, struct message *why)
 {
     char *path = NULL;
@@ -56,11 +57,11 @@ out:
     return st;
 }
 
-/* Nobody is judged by a truth of other physics. */
+/* Adds the rows of a scene. A truth of other physics judges nobody. */
 static void add_scene(struct verify_sheet *sheet, struct stored *s)
 {
     const double latest = sheet->quick ? QUICK : LATEST;
-    struct verify_subject subject;
+    struct verify_subject all[VERIFY_MOST];
     struct message sentence = {""};
     const enum status st = find_truth(s, &sentence);
     int index = -1;
@@ -69,14 +70,15 @@ static void add_scene(struct verify_sheet *sheet, struct stored *s)
         index++;
     if (st != STATUS_OK && st != STATUS_UNSUPPORTED)
         verify_sheet_holds(sheet, status_fail(&sheet->why, st, "%s", sentence.text));
-    for (int n = 0; verify_sheet_next(sheet, &field, &n, &subject);)
+    const int subjects = verify_sheet_subjects(sheet, &field, all);
+    for (const struct verify_subject *who = all; who < all + subjects; who++)
         if (st == STATUS_UNSUPPORTED)
-            verify_row_end(verify_sheet_add(&subject, "%s, rms / L", s->scene),
+            verify_row_end(verify_sheet_add(who, "%s, rms / L", s->scene),
                            VERIFY_NOT_APPLICABLE, "%s", sentence.text);
         else if (index >= 0) {
             const double time = s->truth.time[index], length = s->length;
-            struct verify_trial t = verify_trial_of(
-                &subject, s->scene, "%s, rms / L at %.3g s", s->scene, time);
+            struct verify_trial t =
+                verify_trial_of(who, s->scene, "%s, rms / L at %.3g s", s->scene, time);
             settings_append(&t.settings, &s->settings);
             if (verify_trial_motion(&t, 1, &time, GRID_POINTS, s->uvw, s->xyz))
                 verify_row_judge_error(t.row,

@@ -1,5 +1,5 @@
-/* The command verify on checks that are made up: what it prints, counts and ends with, for
- * every verdict each way; rows, subjects and their files. Nothing is computed. */
+/* The command verify on checks that are made up: what it prints, counts and ends with for
+ * every verdict; rows, subjects and their files. Nothing is computed. */
 #include "bench/files/folder.h"
 #include "bench/verify/verify.h"
 #include "bench/verify/verify_check.h"
@@ -9,65 +9,44 @@ static char folder[4096];
 
 /* --- A check that adds rows as it is told. */
 
-static const struct verify_entry entries[] = {
+static const struct verify_subject entries[] = {
     {"iga_reduced", 0.01, "asked", {6, 10}, {3}, .changed = "2 % before"},
     {"shell_3", 0.01, "asked", {7, 10}, {4}},
     {"mass_spring", 0, "nobody asks", {5}, .changed = "never claimed"},
     {NULL}};
-static const struct verify_field field = {.entry = entries};
+static const struct verify_field field = {.subject = entries};
 
-/* What all three rows of `first` do. */
+/* What the rows of `first` do. */
 static struct {
     double value, truth, bar;
     enum verify_verdict end; /* VERIFY_VERDICTS: it is judged                            */
-    enum status status;
+    enum status status;      /* of the check                                             */
 } script;
 
-static void run_first(struct verify_sheet *sheet)
+static void add_first(struct verify_subject *s)
 {
-    struct verify_subject s;
+    struct verify_row *row = verify_sheet_add(s, "tip");
 
-    for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);) {
-        struct verify_row *row = verify_sheet_add(&s, "tip");
-        row->seconds = 2;
-        if (script.end == VERIFY_VERDICTS)
-            verify_row_judge(row, script.value, script.truth, script.bar);
-        else
-            verify_row_end(row, script.end, "so it is");
-    }
-    verify_sheet_holds(sheet, status_fail(&sheet->why, script.status, "first: torn"));
+    row->seconds = 2;
+    if (script.end == VERIFY_VERDICTS)
+        verify_row_judge(row, script.value, script.truth, script.bar);
+    else
+        verify_row_end(row, script.end, "so it is");
+    verify_sheet_holds(s->sheet, status_fail(&s->sheet->why, script.status, "first: torn"));
 }
 
-static void run_second(struct verify_sheet *sheet)
+static void add_second(struct verify_subject *s)
 {
-    struct verify_subject s;
-
-    for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);)
-        verify_row_judge_error(verify_sheet_add(&s, "field"), 0.001, 0);
+    verify_row_judge_error(verify_sheet_add(s, "quantity %d", s->at), 0.001, 0);
 }
 
 static const struct verify_check first = {
-    .item = {"first", "as told"}, .source = "made up", .run = run_first};
-static const struct verify_check second = {
-    .item = {"second", "always met"}, .source = "made up", .slow = true, .run = run_second};
-
-/* Two quantities of all three, each remark twice, one of them of two. */
-static void run_third(struct verify_sheet *sheet)
-{
-    struct verify_subject s;
-
-    for (int q = 0; q < 2; q++)
-        for (int n = 0; verify_sheet_next(sheet, &field, &n, &s);) {
-            struct verify_row *row = verify_sheet_add(&s, "quantity %d", q);
-            verify_row_judge(row, 0.125, 0.125, 0.25);
-            row->order = 1.5;
-            row->seconds = 0.25;
-        }
-}
-static const struct verify_check third = {
-    .item = {"third", "in two parts"}, .source = "made up", .slow = true, .run = run_third};
-
-static const struct verify_check *const checks[] = {&first, &second, &third, NULL};
+    .item = {"first", "as told"}, .source = "made up", .parts = {{&field, add_first, 1}}};
+static const struct verify_check second = {.item = {"second", "always met"},
+                                           .source = "made up",
+                                           .slow = true,
+                                           .parts = {{&field, add_second, 2, .every = 2}}};
+static const struct verify_check *const checks[] = {&first, &second, NULL};
 
 /* --- The command. */
 
@@ -105,12 +84,6 @@ static struct outcome judge(double value, double truth, double bar)
 {
     script.value = value, script.truth = truth, script.bar = bar;
     script.end = VERIFY_VERDICTS;
-    return COMMAND("first", "--out", folder);
-}
-
-static struct outcome end(enum verify_verdict verdict)
-{
-    script.end = verdict;
     return COMMAND("first", "--out", folder);
 }
 
@@ -160,44 +133,50 @@ static void check_judged(void)
 /* Rows that are not judged: a death fails what was claimed, the rest fails nothing. */
 static void check_ended(void)
 {
-    struct outcome o = end(VERIFY_DIED);
+    static const struct {
+        const char *counts;
+        enum verify_verdict end;
+        int changed, claims; /* of the last note */
+    } ends[] = {{"0 0 0 0 0 3 3", VERIFY_DIED, 1, 2},
+                {"0 0 0 3 0 0 3", VERIFY_OUT_OF_RANGE, 0, 0},
+                {"0 0 0 0 3 0 3", VERIFY_NOT_APPLICABLE, 0, 0},
+                {"0 0 3 0 0 0 3", VERIFY_NO_CLAIM, 0, 0}};
+    char note[64];
 
-    CHECK(o.status == STATUS_FAILED && counts(&o, "first", "0 0 0 0 0 3 3"));
-    CHECK(!strcmp(o.why.text, "2 claims are not met, in: first"));
-    CHECK(strstr(o.text, "Changed after a first result: 1 of 2 claims;"));
-    o = end(VERIFY_OUT_OF_RANGE);
-    CHECK(o.status == STATUS_OK && counts(&o, "first", "0 0 0 3 0 0 3"));
-    CHECK(strstr(o.text, "Changed after a first result: 0 of 0 claims."));
-    o = end(VERIFY_NOT_APPLICABLE);
-    CHECK(o.status == STATUS_OK && counts(&o, "first", "0 0 0 0 3 0 3"));
-    o = end(VERIFY_NO_CLAIM);
-    CHECK(o.status == STATUS_OK && counts(&o, "first", "0 0 3 0 0 0 3"));
+    for (size_t n = 0; n < sizeof ends / sizeof *ends; n++) {
+        script.end = ends[n].end;
+        struct outcome o = COMMAND("first", "--out", folder);
+        CHECK(counts(&o, "first", ends[n].counts));
+        CHECK(o.status == (ends[n].claims ? STATUS_FAILED : STATUS_OK));
+        snprintf(note, sizeof note, "first result: %d of %d claims", ends[n].changed,
+                 ends[n].claims);
+        CHECK(strstr(o.text, note));
+    }
 }
 
-/* Sums of several checks, one failure among them, and who is run at all. */
+/* Sums over several checks, one failure among them, and who is run at all. */
 static void check_several(void)
 {
     script.end = VERIFY_VERDICTS, script.value = 1.1, script.truth = 1;
     struct outcome o = COMMAND("first", "second", "first", "--out", folder);
 
-    CHECK(o.status == STATUS_FAILED && counts(&o, "all", "2 2 2 0 0 0 6"));
-    CHECK(counts(&o, "first", "0 2 1 0 0 0 3") && counts(&o, "second", "2 0 1 0 0 0 3"));
+    CHECK(o.status == STATUS_FAILED && counts(&o, "all", "4 2 3 0 0 0 9"));
+    CHECK(counts(&o, "first", "0 2 1 0 0 0 3") && counts(&o, "second", "4 0 2 0 0 0 6"));
     CHECK(!strcmp(o.why.text, "2 claims are not met, in: first"));
-    CHECK(strstr(o.text, "2 of 4 claims;"));
+    CHECK(strstr(o.text, "3 of 6 claims;"));
     o = COMMAND("--out", folder);
-    CHECK(counts(&o, "all", "6 2 4 0 0 0 12") && counts(&o, "third", "4 0 2 0 0 0 6"));
+    CHECK(counts(&o, "all", "4 2 3 0 0 0 9"));
     o = COMMAND("--out", folder, "--quick"); /* not the slow one */
     CHECK(counts(&o, "all", "0 2 1 0 0 0 3"));
     o = COMMAND("second", "--out", folder, "--quick"); /* but if it is named */
-    CHECK(o.status == STATUS_OK && counts(&o, "all", "2 0 1 0 0 0 3"));
+    CHECK(o.status == STATUS_OK && counts(&o, "all", "2 0 1 0 0 0 3")); /* one of two */
     o = COMMAND("first", "--models", "shell", "--out", folder);
     CHECK(!strcmp(o.why.text, "1 claim is not met, in: first"));
     CHECK(counts(&o, "all", "0 1 0 0 0 0 1"));
     o = COMMAND("fourth", "--out", folder);
     CHECK(o.status == STATUS_INPUT);
-    CHECK(!strcmp(o.why.text,
-                  "verify: there is no check 'fourth'; there are first, second, "
-                  "third"));
+    CHECK(
+        !strcmp(o.why.text, "verify: there is no check 'fourth'; there are first, second"));
 }
 
 /* What is printed: each remark once, the truth, what was claimed before; and again, the
@@ -220,8 +199,9 @@ static void check_printed(void)
     free(printed);
     o = COMMAND("first", "second", "--out", folder, "--format", "csv");
     const char *head = strstr(o.text, "quantity,model,value,truth,error_bar,error,");
-    CHECK(head == o.text && !strstr(head + 1, "\nquantity") && !strstr(o.text, "How many"));
-    CHECK(strstr(o.text, "\ntip,") && strstr(o.text, "\nfield,"));
+    CHECK(head == o.text && !strstr(head + 1, "\nquantity,") &&
+          !strstr(o.text, "How many"));
+    CHECK(strstr(o.text, "\ntip,") && strstr(o.text, "\nquantity 1,"));
     CHECK(strstr(o.text, "2 % before"));
 }
 
@@ -235,42 +215,35 @@ static void check_torn(void)
     script.status = STATUS_OK;
 }
 
-/* --- The list that tests of checks are held to, each way. */
+/* --- The list that tests of checks are held to. */
 
-static int against(const char *text, bool quick)
-{
-    struct verify_sheet sheet = {0};
-    FILE *list = tmpfile();
-
-    REQUIRE(list && fputs(text, list) >= 0);
-    rewind(list);
-    script.end = VERIFY_VERDICTS, script.value = 1.02, script.truth = 1;
-    script.bar = 0;
-    run_first(&sheet);
-    verify_row_judge(&sheet.rows[1], 1, 1, 0);
-    printf("--- %s", text);
-    const int count = known_misses_wrong(&sheet, "first", list, quick);
-    fclose(list);
-    verify_sheet_clear(&sheet);
-    return count;
-}
-
-#define IGA   "IGA, reduced, nonlinear, 10x10x2"
-#define SHELL "shell, p = 3, 10x10"
+#define KNOWN "first | tip | IGA, reduced, nonlinear, 10x10x2 | "
 static void check_misses(void)
 {
-    const char known[] = "# a remark\n\nfirst | tip | " IGA " | it is so\n";
+    static const struct {
+        const char *list;
+        int wrong, quick; /* how many are wrong; after a run with --quick */
+    } cases[] = {{"# a remark\n\n" KNOWN "it is so\n", 0, 0},
+                 {"", 1, 1},         /* a new one            */
+                 {KNOWN "\n", 2, 2}, /* it has no reason     */
+                 {KNOWN "so\nfirst | tip | shell, p = 3, 10x10 | no\n", 1, 1},  /* met  */
+                 {KNOWN "so\nfirst | top | shell, p = 3, 10x10 | no\n", 1, 0}}; /* none */
 
-    CHECK(against(known, false) == 0);
-    CHECK(against("", false) == 1);                              /* a new one   */
-    CHECK(against("second | tip | " IGA " | so\n", false) == 1); /* not here    */
-    CHECK(against("first | tip | " IGA " |\n", false) == 2);     /* no reason   */
-    CHECK(against("first | tip | " IGA " | so\nfirst | tip | " SHELL " | no\n", false) ==
-          1); /* it is met */
-    CHECK(against("first | tip | " IGA " | so\nfirst | top | " IGA " | no\n", false) ==
-          1); /* there is none ... */
-    CHECK(against("first | tip | " IGA " | so\nfirst | top | " IGA " | no\n", true) ==
-          0); /* ... in a hurry */
+    for (size_t n = 0; n < 2 * sizeof cases / sizeof *cases; n++) {
+        struct verify_sheet sheet = {0};
+        const bool quick = n % 2;
+        FILE *list = tmpfile();
+
+        REQUIRE(list && fputs(cases[n / 2].list, list) >= 0);
+        rewind(list);
+        script.end = VERIFY_VERDICTS, script.value = 1.02, script.truth = 1, script.bar = 0;
+        verify_check_run(&first, &sheet);
+        verify_row_judge(&sheet.rows[1], 1, 1, 0);
+        CHECK(known_misses_wrong(&sheet, "first", list, quick) ==
+              (quick ? cases[n / 2].quick : cases[n / 2].wrong));
+        fclose(list);
+        verify_sheet_clear(&sheet);
+    }
 }
 
 /* --- Rows: who is walked, nets and orders, and the same after writing and reading. */
@@ -279,7 +252,7 @@ static const struct verify_check rows_check = {.item = {"unit_rows", "rows of a 
                                                .source = "made up"};
 
 /* One claim, and one contestant that only this field has. */
-static const struct verify_entry pair[] = {
+static const struct verify_subject pair[] = {
     {"iga_reduced", 0.01, "asked", {6, 10}, {3}, .dear = true},
     {"mass_spring_paper", 0, NULL, {5}},
     {NULL}};
@@ -292,128 +265,114 @@ static void check_worse(void)
     CHECK(isnan(verify_row_worse(NAN, 1)) && isnan(verify_row_worse(1, NAN)));
 }
 
-/* Names of the walk, "a b c", into text. */
-static void walk(struct verify_sheet *sheet, const struct verify_field *f, char text[512])
+/* Lists the names of a field's subjects, "a b c". */
+static const char *walk(struct verify_sheet *sheet, const struct verify_field *f)
 {
-    struct verify_subject s;
+    static char text[512];
+    struct verify_subject all[VERIFY_MOST];
+    const int count = verify_sheet_subjects(sheet, f, all);
 
     *text = '\0';
-    for (int n = 0; verify_sheet_next(sheet, f, &n, &s);)
-        snprintf(text + strlen(text), 512 - strlen(text), "%s%s", *text ? " " : "",
-                 s.contestant->name);
+    for (int n = 0; n < count; n++)
+        snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s", n ? " " : "",
+                 all[n].contestant->name);
+    return text;
 }
 
-/* Entries first, then the others that enter, each as --models has it. */
+/* The table's first, then the others that enter, each as --models has it. */
 static void check_walk(void)
 {
-    static const struct verify_entry wrong[] = {{"nobody"}, {NULL}};
+    static const struct verify_subject wrong[] = {{"nobody"}, {NULL}};
     struct verify_sheet sheet = {0};
-    char text[512], want[512];
+    char want[512];
 
     snprintf(want, sizeof want, "iga_reduced mass_spring_paper");
     for (const struct contestant *c = contestant_table; c->name; c++)
         if (c->enters & CONTESTANT_LARGE && strcmp(c->name, "iga_reduced") &&
             strcmp(c->name, "shell_3") && strcmp(c->model->name, "hex"))
             snprintf(want + strlen(want), sizeof want - strlen(want), " %s", c->name);
-    walk(&sheet, &of_pair, text);
-    CHECK(!strcmp(text, want) && strstr(text, " iga_nonlinear "));
+    CHECK(!strcmp(walk(&sheet, &of_pair), want) && strstr(want, " iga_nonlinear "));
     sheet.models = "hex,mass_spring";
-    walk(&sheet, &of_pair, text);
-    CHECK(!strcmp(
-        text, "mass_spring_paper mass_spring mass_spring_momentum mass_spring_leapfrog"));
+    CHECK(!strcmp(walk(&sheet, &of_pair), "mass_spring_paper mass_spring "
+                                          "mass_spring_momentum mass_spring_leapfrog"));
     sheet.models = "shell_3,iga_reduced"; /* by name, one that is left out, too */
-    walk(&sheet, &of_pair, text);
-    CHECK(!strcmp(text, "iga_reduced shell_3"));
-    sheet.quick = true; /* it is dear */
-    walk(&sheet, &of_pair, text);
-    CHECK(!strcmp(text, "shell_3"));
+    CHECK(!strcmp(walk(&sheet, &of_pair), "iga_reduced shell_3"));
+    sheet.quick = true; /* iga_reduced is dear */
+    CHECK(!strcmp(walk(&sheet, &of_pair), "shell_3"));
     CHECK(sheet.status == STATUS_OK);
-    walk(&sheet, &(struct verify_field){.entry = wrong}, text);
+    CHECK(!*walk(&sheet, &(struct verify_field){.subject = wrong}));
     CHECK(sheet.status == STATUS_INPUT && strstr(sheet.why.text, "nobody"));
     sheet.status = STATUS_OK;
-    walk(&sheet, &(struct verify_field){.without = "nobody"}, text);
+    walk(&sheet, &(struct verify_field){.without = "nobody"});
     CHECK(sheet.status == STATUS_INPUT);
 }
 
-/* The first failure is kept, and walks end with it. */
+/* The first failure is kept, and nobody is judged after it. */
 static void check_failure(void)
 {
     struct verify_sheet sheet = {0};
-    char text[512];
 
     CHECK(!verify_sheet_table(&sheet, "no_such_table"));
     CHECK(sheet.status == STATUS_INPUT && strstr(sheet.why.text, "no_such_table"));
     CHECK(!verify_sheet_holds(&sheet, STATUS_MEMORY) && sheet.status == STATUS_INPUT);
-    walk(&sheet, &of_pair, text);
-    CHECK(!*text);
+    CHECK(!*walk(&sheet, &of_pair));
     verify_sheet_clear(&sheet);
 }
 
-/* Nets of an entry, of the field, and of the contestant itself, in title and settings. */
-static void check_nets(void)
-{
-    const struct verify_field plain = {NULL};
-    const struct contestant *c = NULL;
-    struct settings all = {0};
-    struct message why = {""};
-    char title[VERIFY_SUBJECT_TEXT];
-
-    CHECK(contestant_find("iga_reduced", &c, &why) == STATUS_OK);
-    struct verify_subject s = verify_subject_of(&of_pair, &pair[0], c);
-    CHECK(s.nets == 2 && s.across[0] == 3 && s.across[1] == 10 && s.tolerance == 0.01);
-    s = verify_subject_of(&of_pair, NULL, c);
-    CHECK(s.nets == 2 && s.along[1] == 14 && s.across[1] == 3 && isnan(s.tolerance));
-    s = verify_subject_of(&plain, NULL, c);
-    CHECK(s.nets == 2 && s.along[1] == c->points[1] && s.across[1] == c->points[1]);
-    s.grade = 2;
-    s.more = "r = 1";
-    verify_subject_title(&s, title);
-    CHECK(!strcmp(title, "IGA, reduced, nonlinear, r = 1, 10x10x2, graded"));
-    verify_subject_settings(&s, 0, &all);
-    const char *points = settings_value(&all, "discretization.points");
-    const char *knots = settings_value(&all, "discretization.knots_u");
-    CHECK(points && !strcmp(points, "[6,6,2]"));
-    CHECK(knots && !strcmp(knots, "[0,0,0,0.0625,0.25,0.5625,1,1,1]"));
-    settings_clear(&all);
-    CHECK_NEAR(verify_subject_order(&s, (double[]){4e-2, 1e-2}, 0), 2, 1e-15);
-    CHECK(isnan(verify_subject_order(&s, (double[]){4e-2, 1e-2}, 0.01)));
-    verify_subject_last(&s, 1);
-    CHECK(s.nets == 1 && s.along[0] == 10);
-    CHECK(isnan(verify_subject_order(&s, (double[]){1e-2}, 0)));
-}
-
-/* What an entry says is the subject's, and what it leaves out the contestant's or the
- * field's. */
+/* What a table's row leaves out is the field's or the contestant's; title and settings. */
 static void check_subject(void)
 {
-    static const struct verify_entry full = {"shell_3", 0.25, "why",  {5, 9, 17},
-                                             {4, 0, 6}, 2,    "more", {"a=b"},
-                                             3,         4,    true,   true,
-                                             "before"},
-                                     bare = {"shell_3"};
-    static const struct verify_field three = {.along = {5, 7, 9}, .across = {0, 6, 8}};
-    const struct contestant *c = NULL;
+    static const struct verify_subject rows[] = {{"shell_3",
+                                                  0.25,
+                                                  "why",
+                                                  {5, 9, 17},
+                                                  {4, 0, 6},
+                                                  2,
+                                                  "more",
+                                                  {"a=b"},
+                                                  3,
+                                                  4,
+                                                  .second = 0.75},
+                                                 {"iga_reduced"},
+                                                 {NULL}};
+    static const struct verify_field three = {rows, 0, NULL, {5, 7, 9}, {0, 6, 8}},
+                                     none = {rows + 1};
+    struct verify_sheet sheet = {0};
+    struct verify_subject all[VERIFY_MOST], s;
+    struct settings set = {0};
+    char title[VERIFY_TEXT];
 
-    CHECK(contestant_find("shell_3", &c, NULL) == STATUS_OK);
-    struct verify_subject s = verify_subject_of(&three, &full, c);
-    CHECK(s.tolerance == 0.25 && !strcmp(s.reason, "why") && !strcmp(s.more, "more"));
+    REQUIRE(verify_sheet_subjects(&sheet, &three, all) == 2);
+    s = all[0];
+    CHECK(s.tolerance == 0.25 && s.second == 0.75 && s.layers == 3 && s.degree == 4);
     CHECK(s.nets == 3 && s.along[2] == 17 && s.across[0] == 4 && s.across[1] == 9 &&
           s.across[2] == 6);
-    CHECK(s.grade == 2 && s.layers == 3 && s.degree == 4 && s.dear && s.mark);
-    CHECK(!strcmp(s.settings[0], "a=b") && !strcmp(s.changed, "before"));
     verify_subject_claim(&s, 0.5, NULL);
     CHECK(s.tolerance == 0.5 && !s.reason);
     verify_subject_last(&s, 2);
     CHECK(s.nets == 2 && s.along[0] == 9 && s.across[0] == 9 && s.along[1] == 17 &&
           s.across[1] == 6);
-    verify_subject_square(&s, 3, 8);
-    CHECK(s.nets == 2 && s.along[0] == 3 && s.across[1] == 8);
-    s = verify_subject_of(&three, &bare, c);
-    CHECK(isnan(s.tolerance) && !s.reason && !s.changed && !s.more && !s.dear && !s.mark);
+    verify_subject_title(&s, title);
+    CHECK(!strcmp(title, "shell, p = 3, more, 17x6x3, graded"));
+    verify_subject_square(&s, 6, 8);
+    CHECK(s.nets == 2 && s.along[0] == 6 && s.across[1] == 8);
+    verify_subject_settings(&s, 0, &set);
+    const char *points = settings_value(&set, "discretization.points");
+    const char *knots = settings_value(&set, "discretization.knots_u");
+    CHECK(points && !strcmp(points, "[6,6,3]"));
+    CHECK(knots && !strcmp(knots, "[0,0,0,0,0,0.25,1,1,1,1,1]"));
+    CHECK(settings_value(&set, "a") && set.count == 3);
+    settings_clear(&set);
+
+    s = all[1];
+    const struct contestant *c = s.contestant;
+    CHECK(isnan(s.tolerance) && isnan(s.second) && s.sheet == &sheet);
     CHECK(s.nets == 3 && s.across[0] == contestant_least(c) && s.across[2] == 8);
     CHECK(s.layers == c->layers && s.degree == c->degree && s.grade == 0);
     verify_subject_claim(&s, 0.5, "one");
     CHECK(isnan(s.tolerance) && !s.reason); /* where nothing is claimed */
+    REQUIRE(verify_sheet_subjects(&sheet, &none, &s) == 1);
+    CHECK(s.nets == 2 && s.along[1] == c->points[1] && s.across[1] == c->points[1]);
 }
 
 /* Orders are of spans, points less the degree, on the last two nets. */
@@ -429,18 +388,20 @@ static void check_orders(void)
     CHECK(isnan(verify_subject_order(&s, (double[]){7, 0.27, 0}, 0)));
     CHECK(isnan(verify_subject_order(&s, (double[]){7, 0.27, NAN}, 0)));
     CHECK(verify_subject_order(&s, (double[]){7, 0.01, 0.27}, 0) < -2.9);
+    s.nets = 1;
+    CHECK(isnan(verify_subject_order(&s, error, 0)));
 }
 
 /* Fifty rows: more than fit without growing; with what a file could trip over. */
 static void check_file(void)
 {
     struct verify_sheet made = {0}, read;
-    struct verify_subject s = verify_subject_of(&of_pair, &pair[0], contestant_table);
+    struct verify_subject all[VERIFY_MOST];
     struct message why = {""};
 
-    s.sheet = &made;
+    REQUIRE(verify_sheet_subjects(&made, &of_pair, all));
     for (int n = 0; n < 50; n++) {
-        struct verify_row *row = verify_sheet_add(&s, "tip, Gamma = %d", n);
+        struct verify_row *row = verify_sheet_add(all, "tip, Gamma = %d", n);
         verify_row_judge(row, 1 + n / 3000.0, 1, 1e-10);
         row->seconds = n / 7.0;
         row->order = n % 3 ? NAN : n / 5.0;
@@ -511,7 +472,6 @@ int main(int argc, char **argv)
     check_worse();
     check_walk();
     check_failure();
-    check_nets();
     check_subject();
     check_orders();
     check_file();

@@ -8,7 +8,7 @@
 static const double MILLI = 1e-3, TINY = 1e-12;
 static const double middle[3] = {1, 0.5, 0.5};
 
-static const char *const none[VERIFY_SETTINGS] = {NULL};
+static const char *const none[] = {NULL};
 
 /* The scripted model, its states counted. */
 static struct model counted;
@@ -27,7 +27,6 @@ static struct verify_sheet sheet;
 static struct verify_subject subject_of(double tolerance)
 {
     return (struct verify_subject){.sheet = &sheet,
-                                   .settings = none,
                                    .contestant = &who,
                                    .tolerance = tolerance,
                                    .nets = 2,

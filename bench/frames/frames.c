@@ -131,6 +131,18 @@ void frames_folder_clear(struct frames_folder *folder)
     *folder = (struct frames_folder){0};
 }
 
+void frames_folder_keep(struct frames_folder *folder, bool (*keep)(const char *path))
+{
+    int kept = 0;
+
+    for (int n = 0; n < folder->count; n++)
+        if (keep(folder->path[n]))
+            folder->path[kept++] = folder->path[n];
+        else
+            free(folder->path[n]);
+    folder->count = kept;
+}
+
 /* Opens a folder; its files are a sequence. */
 static enum status open_folder(struct frames *f, const char *path, struct message *why)
 {
@@ -138,18 +150,13 @@ static enum status open_folder(struct frames *f, const char *path, struct messag
     enum status st;
 
     TRY(frames_folder_read(path, &folder, why));
-    int kept = 0;
-    for (int n = 0; n < folder.count; n++)
-        if (frames_is_name(folder.path[n]))
-            folder.path[kept++] = folder.path[n];
-        else
-            free(folder.path[n]);
-    folder.count = kept;
-    st = kept ? open_files(f, kept, (const char *const *)folder.path, why)
-              : status_fail(why, STATUS_INPUT,
-                            "%s: has no frames in it; files that end in .obj, .ply, .csv, "
-                            ".npz or .h5 would be right",
-                            path);
+    frames_folder_keep(&folder, frames_is_name);
+    st = folder.count
+             ? open_files(f, folder.count, (const char *const *)folder.path, why)
+             : status_fail(why, STATUS_INPUT,
+                           "%s: has no frames in it; files that end in .obj, .ply, .csv, "
+                           ".npz or .h5 would be right",
+                           path);
 out:
     frames_folder_clear(&folder);
     return st;

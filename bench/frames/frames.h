@@ -76,7 +76,10 @@ enum status frames_folder_read(const char *path, struct frames_folder *folder,
                                struct message *why);
 void frames_folder_clear(struct frames_folder *folder);
 
-/* Whether a name has the ending of one of the file types above. */
+/* Removes the files for which keep() is false from the list. */
+void frames_folder_keep(struct frames_folder *folder, bool (*keep)(const char *path));
+
+/* Returns whether a name has the ending of one of the file types above. */
 bool frames_is_name(const char *name);
 
 #endif

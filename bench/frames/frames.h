@@ -6,8 +6,7 @@
  *     do TRY(frames_next(f, &t, &xyz, why)); while (xyz);
  *     out: frames_close(f);
  *
- * One frame is in memory at a time; files are mapped, and let go of behind the reader. What
- * is read, by the end of the name:
+ * One frame is in memory at a time. What is read, by the end of the name:
  *
  *   .csv         lines t,u,v,x,y,z, or in the order of a line of these names (others are
  *                passed over), rows in any order; lines that begin with # are comments

@@ -57,6 +57,7 @@ code=0
 [ $code = 2 ] || fail "a folder with bad frames: exit $code"
 grep -q "sphere: Nothing wrong" "$scratch/out" || fail "bad frames end the sheet"
 grep -q "hanging.*refused" "$scratch/out" || fail "bad frames are no row"
+grep -q "^clothbench: .*hanging.csv: line 1" "$scratch/err" || fail "bad frames are not told at the end"
 
 echo "0,0,0,0,0,0" >"$scratch/one.csv"
 refuses "No such file" edge_drop "$scratch/absent.csv"

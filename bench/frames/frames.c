@@ -22,12 +22,6 @@ enum status frames_room(struct frames *f, long vertices, struct message *why)
     return f->xyz ? STATUS_OK : STATUS_MEMORY;
 }
 
-enum status frames_none(const struct frames *f, struct message *why)
-{
-    return status_fail(why, STATUS_INPUT,
-                       "%s: xyz has no frames; one or more would be right", f->path);
-}
-
 static bool ends(const char *name, const char *ending)
 {
     const size_t length = strlen(name), tail = strlen(ending);
@@ -39,8 +33,8 @@ static const struct {
     const char *ending;
     enum status (*open)(struct frames *f, const char *path, struct message *why);
 } kinds[] = {{".csv", frames_csv_open},
-             {".npz", frames_npz_open},
-             {".npy", frames_npz_open},
+             {".npz", frames_moving_open},
+             {".npy", frames_moving_open},
              {".h5", frames_hdf5_open},
              {".hdf5", frames_hdf5_open},
              {".mdd", frames_cache_open},
@@ -131,6 +125,18 @@ void frames_folder_clear(struct frames_folder *folder)
     *folder = (struct frames_folder){0};
 }
 
+void frames_folder_keep(struct frames_folder *folder, bool (*keep)(const char *path))
+{
+    int kept = 0;
+
+    for (int n = 0; n < folder->count; n++)
+        if (keep(folder->path[n]))
+            folder->path[kept++] = folder->path[n];
+        else
+            free(folder->path[n]);
+    folder->count = kept;
+}
+
 /* Opens a folder; its files are a sequence. */
 static enum status open_folder(struct frames *f, const char *path, struct message *why)
 {
@@ -138,18 +144,13 @@ static enum status open_folder(struct frames *f, const char *path, struct messag
     enum status st;
 
     TRY(frames_folder_read(path, &folder, why));
-    int kept = 0;
-    for (int n = 0; n < folder.count; n++)
-        if (frames_is_name(folder.path[n]))
-            folder.path[kept++] = folder.path[n];
-        else
-            free(folder.path[n]);
-    folder.count = kept;
-    st = kept ? open_files(f, kept, (const char *const *)folder.path, why)
-              : status_fail(why, STATUS_INPUT,
-                            "%s: has no frames in it; files that end in .obj, .ply, .csv, "
-                            ".npz or .h5 would be right",
-                            path);
+    frames_folder_keep(&folder, frames_is_name);
+    st = folder.count
+             ? open_files(f, folder.count, (const char *const *)folder.path, why)
+             : status_fail(why, STATUS_INPUT,
+                           "%s: has no frames in it; files that end in .obj, .ply, .csv, "
+                           ".npz or .h5 would be right",
+                           path);
 out:
     frames_folder_clear(&folder);
     return st;
@@ -261,14 +262,13 @@ static enum status check_frame(struct frames *f, double t, struct message *why)
 enum status frames_next(struct frames *f, double *t, const double **xyz,
                         struct message *why)
 {
-    enum status st;
-    bool more = true;
+    enum status st = STATUS_OK;
 
-    f->number++;
     *xyz = NULL;
-    TRY(f->reader->next(f, t, &more, why));
-    if (!more)
-        return STATUS_OK;
+    if (f->number == f->count)
+        return st;
+    *t = f->number++;
+    TRY(f->reader->next(f, t, why));
     if (f->look.dt > 0)
         *t = (f->number - 1) * f->look.dt;
     TRY(check_frame(f, *t, why));

@@ -6,8 +6,7 @@
  *     do TRY(frames_next(f, &t, &xyz, why)); while (xyz);
  *     out: frames_close(f);
  *
- * One frame is in memory at a time; files are mapped, and let go of behind the reader. What
- * is read, by the end of the name:
+ * One frame is in memory at a time. What is read, by the end of the name:
  *
  *   .csv         lines t,u,v,x,y,z, or in the order of a line of these names (others are
  *                passed over), rows in any order; lines that begin with # are comments
@@ -76,7 +75,10 @@ enum status frames_folder_read(const char *path, struct frames_folder *folder,
                                struct message *why);
 void frames_folder_clear(struct frames_folder *folder);
 
-/* Whether a name has the ending of one of the file types above. */
+/* Removes the files for which keep() is false from the list. */
+void frames_folder_keep(struct frames_folder *folder, bool (*keep)(const char *path));
+
+/* Returns whether a name has the ending of one of the file types above. */
 bool frames_is_name(const char *name);
 
 #endif

@@ -6,9 +6,9 @@
 #include <string.h>
 
 struct cache {
-    struct frames_bytes bytes;
-    long frames;
-    size_t times, positions; /* where they begin; times: 0: none */
+    struct frames_file file; /* read up to the next positions                             */
+    unsigned char *times;    /* [frames][4]; NULL: none                           owned   */
+    unsigned char *bytes;    /* [vertices][3][4] of a frame                       owned   */
     bool big;
 };
 
@@ -16,26 +16,24 @@ static void close_cache(void *state)
 {
     struct cache *c = state;
 
-    frames_bytes_close(&c->bytes);
+    frames_file_close(&c->file);
+    free(c->times);
+    free(c->bytes);
     free(c);
 }
 
-static enum status next_cache(struct frames *f, double *t, bool *more, struct message *why)
+static enum status next_cache(struct frames *f, double *t, struct message *why)
 {
     struct cache *c = f->state;
     const size_t count = 3 * (size_t)f->net.vertices;
-    const size_t at = c->positions + 4 * count * (size_t)(f->number - 1);
 
-    (void)why;
-    *more = f->number <= c->frames;
-    if (!*more)
-        return STATUS_OK;
-    *t = c->times ? frames_bytes_float(
-                        c->bytes.byte + c->times + 4 * (size_t)(f->number - 1), 4, c->big)
-                  : f->number - 1;
+    if (!frames_file_read(&c->file, c->bytes, 4 * count))
+        return status_fail(why, STATUS_INPUT, "%s: ends within frame %d", f->path,
+                           f->number);
+    if (c->times)
+        *t = frames_file_float(c->times + 4L * (f->number - 1), 4, c->big);
     for (size_t n = 0; n < count; n++)
-        f->xyz[n] = frames_bytes_float(c->bytes.byte + at + 4 * n, 4, c->big);
-    frames_bytes_forget(&c->bytes, at);
+        f->xyz[n] = frames_file_float(c->bytes + 4 * n, 4, c->big);
     return STATUS_OK;
 }
 
@@ -43,31 +41,38 @@ enum status frames_cache_open(struct frames *f, const char *path, struct message
 {
     static const struct frames_reader reader = {next_cache, close_cache};
     struct cache *c = calloc(1, sizeof *c);
-    unsigned long points;
+    unsigned char head[32];
     enum status st;
 
     if (!c)
         return STATUS_MEMORY;
     f->state = c;
     f->reader = &reader;
-    TRY(frames_bytes_open(path, &c->bytes, why));
-    const unsigned char *p = c->bytes.byte;
-    c->big = c->bytes.size < 12 || memcmp(p, "POINTCACHE2", 12) != 0;
-    if (c->bytes.size < (c->big ? 8 : 32))
+    TRY(frames_file_open(path, &c->file, why));
+    c->big = !frames_file_read(&c->file, head, 12) || memcmp(head, "POINTCACHE2", 12) != 0;
+    if (c->big)
+        frames_file_go(&c->file, 0, 1);
+    if (!(c->big ? frames_file_read(&c->file, head, 8)
+                 : frames_file_read(&c->file, head + 12, 20)))
         TRY(status_fail(why, STATUS_INPUT, "%s: ends within its header", path));
-    points = frames_bytes_whole(p + (c->big ? 4 : 16), 4, c->big);
-    c->frames = (long)frames_bytes_whole(p + (c->big ? 0 : 28), 4, c->big);
-    c->times = c->big ? 8 : 0;
-    c->positions = c->big ? 8 + 4 * (size_t)c->frames : 32;
-    if (points > FRAMES_MOST_VERTICES || c->frames < 1 || c->frames > FRAMES_MOST_TIMES ||
-        c->bytes.size < c->positions + 12 * (size_t)points * (size_t)c->frames)
-        TRY(status_fail(
-            why, STATUS_INPUT,
-            "%s: counts %ld frames of %lu points, and has %zu bytes; as many as "
-            "it counts would be right",
-            path, c->frames, points, c->bytes.size));
+    const unsigned long points = frames_file_whole(head + (c->big ? 4 : 16), 4, c->big),
+                        frames = frames_file_whole(head + (c->big ? 0 : 28), 4, c->big);
+    const unsigned long long whole =
+        (c->big ? 8 + 4 * (unsigned long long)frames : 32) + 12ULL * points * frames;
+    if (points > FRAMES_MOST_VERTICES || frames < 1 || frames > FRAMES_MOST_TIMES ||
+        (unsigned long long)c->file.size < whole)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: counts %lu frames of %lu points, and has %lld bytes; as many "
+                        "as it counts would be right",
+                        path, frames, points, c->file.size));
     f->timed = c->big;
+    f->count = (int)frames;
     TRY(frames_room(f, (long)points, why));
+    c->bytes = malloc(12 * (size_t)points);
+    c->times = c->big ? malloc(4 * (size_t)frames) : NULL;
+    TRY(c->bytes && (c->times || !c->big) ? STATUS_OK : STATUS_MEMORY);
+    if (c->big && !frames_file_read(&c->file, c->times, 4 * (size_t)frames))
+        st = status_fail(why, STATUS_INPUT, "%s: ends within its times", path);
 out:
     return st;
 }

@@ -1,22 +1,24 @@
-/* Reads lines t,u,v,x,y,z. A first pass over the times finds whether rows of one time stand
- * together and times grow: then lines are read as they come; else in the order of an index,
- * which alone is kept in memory. */
+/* Reads lines t,u,v,x,y,z. A first pass over the times finds runs of rows of one time,
+ * which alone are kept in memory; the runs of a frame are then read wherever they stand. */
+#define _DEFAULT_SOURCE /* strsep */
 #include "bench/frames/frames_parts.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { T, U, V, X, Y, Z, COLUMNS, COLUMNS_MOST = 64 };
+enum { T, U, V, X, Y, Z, COLUMNS };
 static const char names[] = "tuvxyz";
 
 /* uv within this are the same: texts of them may be rounded. */
 #define SAME_UV 1e-7
 
-struct place { /* of a row */
+struct run { /* rows of one time, one after another */
     double t;
-    const char *at;
-    long line;
+    long long at; /* where the first begins [bytes]                                      */
+    long line;    /* its number                                                          */
+    long rows;
 };
 
 struct key { /* a vertex by its uv, rounded */
@@ -25,204 +27,158 @@ struct key { /* a vertex by its uv, rounded */
 };
 
 struct csv {
-    struct frames_bytes bytes;
-    int column[COLUMNS_MOST]; /* meaning of each cell, -1: ignored                    */
-    int time_cell, width;     /* the time's cell; how many are read                   */
-    struct frames_text text;  /* begins at the first row                                */
-    struct place *place;      /* [rows] sorted; NULL: rows are in order          owned */
-    long rows, taken;         /* taken: of `place`                                       */
-    struct key *key;          /* [vertices] sorted                               owned */
-    char *seen;               /* [vertices] in this frame                        owned */
+    struct frames_file file;
+    int cell[COLUMNS]; /* which one of a line each is, from 0                            */
+    int runs, room;
+    struct run *run; /* [runs] by time, then place                              owned   */
+    int taken;       /* runs of the frames before                                       */
+    struct key *key; /* [vertices] sorted                                       owned   */
+    char *seen;      /* [vertices] in this frame                                owned   */
 };
 
 static void close_csv(void *state)
 {
     struct csv *c = state;
 
-    frames_bytes_close(&c->bytes);
-    free(c->place);
+    frames_file_close(&c->file);
+    free(c->run);
     free(c->key);
     free(c->seen);
     free(c);
 }
 
-/* Whether a line is blank or a comment. */
-static bool is_empty(const char *line, const char *end)
+/* Reads lines up to the next that is neither blank nor a comment (strchr finds the end of a
+ * text, too). */
+static enum status next_line(struct csv *c, bool *more, struct message *why)
 {
-    while (line < end && (*line == ' ' || *line == '\t'))
-        line++;
-    return line == end || *line == '#';
-}
+    enum status st;
 
-/* Finds the columns in a line of names; false: it is a line of numbers. */
-static bool take_names(struct csv *c, const char *line, const char *end)
-{
-    bool any = false;
-
-    for (int cell = 0; cell < COLUMNS_MOST; cell++)
-        c->column[cell] = -1;
-    for (int cell = 0; line <= end && cell < COLUMNS_MOST; cell++) {
-        const char *stop = memchr(line, ',', (size_t)(end - line)), *from = line;
-        line = stop ? stop : end;
-        const char *till = line;
-        while (from < till && (*from == ' ' || *from == '"'))
-            from++;
-        while (till > from && (till[-1] == ' ' || till[-1] == '"'))
-            till--;
-        any = any || (from < till && strchr("abcdefghijklmnopqrstuvwxyz", *from | 32));
-        const char *name = till == from + 1 ? strchr(names, *from | 32) : NULL;
-        if (name)
-            c->column[cell] = (int)(name - names);
-        line++;
-    }
-    for (int n = 0; !any && n < COLUMNS; n++)
-        c->column[n] = n;
-    return any;
-}
-
-static enum status take_header(struct frames *f, struct csv *c, struct message *why)
-{
-    struct frames_text text = frames_text_of(&c->bytes);
-    const char *line, *end;
-
-    for (c->text = text; frames_text_line(&text, &line, &end); c->text = text)
-        if (!is_empty(line, end)) {
-            if (take_names(c, line, end))
-                c->text = text;
+    do {
+        TRY(frames_file_line(&c->file, more, why));
+        if (!*more)
             break;
-        }
-    for (int n = 0; n < COLUMNS; n++) {
-        int cell = 0;
-        while (cell < COLUMNS_MOST && c->column[cell] != n)
-            cell++;
-        if (cell == COLUMNS_MOST)
-            return status_fail(why, STATUS_INPUT,
-                               "%s: line %ld: names no column %c; t,u,v,x,y,z would be "
-                               "right",
-                               f->path, c->text.line, names[n]);
-        c->time_cell = n == T ? cell : c->time_cell;
-        c->width = cell >= c->width ? cell + 1 : c->width;
-    }
-    return STATUS_OK;
+    } while (strchr("#", c->file.text[strspn(c->file.text, " \t")]));
+out:
+    return st;
 }
 
-/* Reads the first `cells` cells of a line as numbers. */
-static bool take_row(const struct csv *c, const char *line, const char *end, int cells,
-                     double row[COLUMNS])
+/* Reads one cell of the line as a number. */
+static bool take_number(const struct csv *c, int column, double *x)
 {
-    for (int cell = 0; cell < cells; cell++) {
-        if (line > end)
+    char *at = c->file.text;
+
+    for (int cell = 0; cell < c->cell[column]; cell++) {
+        at = strchr(at, ',');
+        if (!at)
             return false;
-        const char *comma = memchr(line, ',', (size_t)(end - line)),
-                   *stop = comma ? comma : end;
-        if (c->column[cell] >= 0) {
-            if (!frames_text_number(&line, stop, &row[c->column[cell]]))
-                return false;
-            while (line < stop && (*line == ' ' || *line == '\t'))
-                line++;
-            if (line < stop)
-                return false;
-        }
-        line = stop + 1;
+        at++;
     }
-    return true;
+    if (!frames_file_number(&at, x))
+        return false;
+    at += strspn(at, " \t");
+    return *at == ',' || *at == '\0';
 }
 
-static enum status bad_row(const struct frames *f, long line, struct message *why)
+static enum status bad_row(const struct csv *c, struct message *why)
 {
     return status_fail(why, STATUS_INPUT,
                        "%s: line %ld: is no row of numbers; t,u,v,x,y,z would be right",
-                       f->path, line);
+                       c->file.path, c->file.line);
 }
 
-static int compare_places(const void *a, const void *b)
+/* Returns whether a cell of a line begins with a letter: it is one of names. */
+static bool has_names(const char *line)
 {
-    const struct place *left = a, *right = b;
+    while (line && !isalpha((unsigned char)line[strspn(line, " \"")])) {
+        line = strchr(line, ',');
+        line += line != NULL;
+    }
+    return line;
+}
+
+/* Finds the columns in the first line; *named: it is one of names. */
+static enum status take_names(struct csv *c, bool *named, struct message *why)
+{
+    char *text = c->file.text, *word;
+
+    *named = has_names(text);
+    for (int n = 0; n < COLUMNS; n++)
+        c->cell[n] = *named ? -1 : n;
+    for (int cell = 0; *named && (word = strsep(&text, ",")); cell++) {
+        word += strspn(word, " \"");
+        const size_t size = strcspn(word, " \"");
+        const char *name = size == 1 ? strchr(names, *word | 32) : NULL;
+        if (name && c->cell[name - names] < 0 && !word[size + strspn(word + size, " \"")])
+            c->cell[name - names] = cell;
+    }
+    for (int n = 0; n < COLUMNS; n++)
+        if (c->cell[n] < 0)
+            return status_fail(why, STATUS_INPUT,
+                               "%s: line %ld: names no column %c; t,u,v,x,y,z would be "
+                               "right",
+                               c->file.path, c->file.line, names[n]);
+    return STATUS_OK;
+}
+
+static enum status take_time(struct csv *c, struct message *why)
+{
+    struct run *last = c->runs ? &c->run[c->runs - 1] : NULL;
+    double t;
+
+    if (!take_number(c, T, &t) || !isfinite(t))
+        return bad_row(c, why);
+    if (last && last->t == t) {
+        last->rows++;
+        return STATUS_OK;
+    }
+    struct run *more = frames_file_grow(c->run, &c->room, c->runs, sizeof *more);
+    if (!more)
+        return STATUS_MEMORY;
+    c->run = more;
+    c->run[c->runs++] = (struct run){t, c->file.at, c->file.line, 1};
+    return STATUS_OK;
+}
+
+static int compare_runs(const void *a, const void *b)
+{
+    const struct run *left = a, *right = b;
 
     if (left->t != right->t)
         return left->t > right->t ? 1 : -1;
     return (left->at > right->at) - (left->at < right->at);
 }
 
-/* Counts rows; *grow: the times never fall. */
-static enum status look_at_times(struct frames *f, struct csv *c, bool *grow,
-                                 struct message *why)
+/* Finds all runs, and counts the frames. */
+static enum status find_runs(struct frames *f, struct csv *c, struct message *why)
 {
-    struct frames_text text = c->text;
-    const char *line, *end;
-    double row[COLUMNS] = {0}, last = -INFINITY;
+    bool more, named = false;
+    enum status st;
 
-    *grow = true;
-    for (c->rows = 0; frames_text_line(&text, &line, &end);) {
-        if (is_empty(line, end))
-            continue;
-        if (!take_row(c, line, end, c->time_cell + 1, row) || !isfinite(row[T]))
-            return bad_row(f, text.line, why);
-        *grow = *grow && row[T] >= last;
-        last = row[T];
-        c->rows++;
-        frames_bytes_forget(&c->bytes, (size_t)(line - (const char *)c->bytes.byte));
+    TRY(next_line(c, &more, why));
+    if (more)
+        TRY(take_names(c, &named, why));
+    if (named)
+        TRY(next_line(c, &more, why));
+    while (more) {
+        TRY(take_time(c, why));
+        TRY(next_line(c, &more, why));
     }
-    c->bytes.forgotten = 0;
-    return c->rows
-               ? STATUS_OK
-               : status_fail(why, STATUS_INPUT,
-                             "%s: has no rows; lines t,u,v,x,y,z would be right", f->path);
+    if (!c->runs)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: has no rows; lines t,u,v,x,y,z would be right", f->path));
+    qsort(c->run, (size_t)c->runs, sizeof *c->run, compare_runs);
+    for (int n = 0; n < c->runs; n++)
+        f->count += n == 0 || c->run[n].t != c->run[n - 1].t;
+out:
+    return st;
 }
 
-static enum status make_index(struct csv *c)
-{
-    struct frames_text text = c->text;
-    const char *line, *end;
-    double row[COLUMNS] = {0};
-
-    c->place = malloc((size_t)c->rows * sizeof *c->place);
-    if (!c->place)
-        return STATUS_MEMORY;
-    for (long n = 0; n < c->rows && frames_text_line(&text, &line, &end);)
-        if (!is_empty(line, end)) {
-            take_row(c, line, end, c->time_cell + 1, row);
-            c->place[n++] = (struct place){row[T], line, text.line};
-        }
-    qsort(c->place, (size_t)c->rows, sizeof *c->place, compare_places);
-    return STATUS_OK;
-}
-
-/* Reads the next row, if it belongs to the frame's time (or begins one: NaN). */
-static enum status next_row(struct frames *f, struct csv *c, double t, double row[COLUMNS],
-                            bool *more, long *number, struct message *why)
-{
-    struct frames_text text = c->text;
-    const char *line = NULL, *end;
-
-    *more = false;
-    if (c->place) {
-        if (c->taken == c->rows)
-            return STATUS_OK;
-        text.at = c->place[c->taken].at;
-        text.line = c->place[c->taken].line - 1;
-    }
-    do
-        if (!frames_text_line(&text, &line, &end))
-            return STATUS_OK;
-    while (is_empty(line, end));
-    if (!take_row(c, line, end, c->width, row))
-        return bad_row(f, text.line, why);
-    if (!isnan(t) && row[T] != t)
-        return STATUS_OK;
-    c->taken++;
-    c->text = text;
-    *more = true;
-    *number = text.line;
-    return STATUS_OK;
-}
-
-static struct key key_of(const double row[COLUMNS], int vertex)
+static struct key key_of(double u, double v, int vertex)
 {
     const double most = 1e9; /* far out of 0 to 1, and llround's range */
 
-    return (struct key){llround(fmax(-most, fmin(most, row[U])) / SAME_UV),
-                        llround(fmax(-most, fmin(most, row[V])) / SAME_UV), vertex};
+    return (struct key){llround(fmax(-most, fmin(most, u)) / SAME_UV),
+                        llround(fmax(-most, fmin(most, v)) / SAME_UV), vertex};
 }
 
 static int compare_keys(const void *a, const void *b)
@@ -234,96 +190,107 @@ static int compare_keys(const void *a, const void *b)
     return (left->v > right->v) - (left->v < right->v);
 }
 
-/* Takes the vertices from the first frame, in its order. */
-static enum status take_net(struct frames *f, struct csv *c, struct message *why)
-{
-    const struct frames_text start = c->text;
-    int room = 0, rows = 0;
-    long count = 0, line;
-    double row[COLUMNS], t = NAN, *uv;
-    bool more;
-    enum status st;
-
-    for (;; count++, t = row[T]) {
-        TRY(next_row(f, c, t, row, &more, &line, why));
-        if (!more)
-            break;
-        if (count == FRAMES_MOST_VERTICES)
-            break;
-        uv = frames_bytes_grow(f->net.uv, &room, rows, 2 * sizeof *uv);
-        TRY(uv ? STATUS_OK : STATUS_MEMORY);
-        f->net.uv = uv;
-        uv[2 * rows] = row[U], uv[2 * rows + 1] = row[V];
-        rows++;
-    }
-    TRY(frames_room(f, count + (count == FRAMES_MOST_VERTICES), why));
-    c->key = malloc((size_t)count * sizeof *c->key);
-    c->seen = malloc((size_t)count);
-    TRY(c->key && c->seen ? STATUS_OK : STATUS_MEMORY);
-    for (int n = 0; n < rows; n++)
-        c->key[n] =
-            key_of((double[]){0, f->net.uv[2 * n], f->net.uv[2 * n + 1], 0, 0, 0}, n);
-    qsort(c->key, (size_t)rows, sizeof *c->key, compare_keys);
-    c->text = start;
-    c->taken = 0;
-out:
-    return st;
-}
-
 /* Returns the vertex that a row belongs to, mostly the next one; -1: none. */
 static int vertex_of(const struct frames *f, const struct csv *c, const double *row,
-                     int next)
+                     long next)
 {
-    const struct key key = key_of(row, 0), *found;
+    const struct key key = key_of(row[U], row[V], 0), *found;
 
     if (next < f->net.vertices && f->net.uv[2 * next] == row[U] &&
         f->net.uv[2 * next + 1] == row[V])
-        return next;
+        return (int)next;
     found = bsearch(&key, c->key, (size_t)f->net.vertices, sizeof key, compare_keys);
     return found ? found->vertex : -1;
 }
 
-static enum status next_csv(struct frames *f, double *t, bool *more, struct message *why)
+/* Takes the n-th row of the first frame as a vertex of the net, or of any as its place. */
+static enum status take_row(struct frames *f, bool net, long n, struct message *why)
 {
     struct csv *c = f->state;
-    double row[COLUMNS], time = NAN;
-    long line = 0;
-    int count = 0;
-    bool any;
+    double row[COLUMNS];
+
+    for (int k = 0; k < COLUMNS; k++)
+        if (!take_number(c, k, &row[k]))
+            return bad_row(c, why);
+    if (net) {
+        f->net.uv[2 * n] = row[U], f->net.uv[2 * n + 1] = row[V];
+        c->key[n] = key_of(row[U], row[V], (int)n);
+        return STATUS_OK;
+    }
+    const int vertex = vertex_of(f, c, row, n);
+    if (vertex < 0)
+        return status_fail(why, STATUS_INPUT,
+                           "%s: line %ld: frame %d (t = %g s) has a vertex at u = %.9g, "
+                           "v = %.9g that the first frame has not; its %d vertices would "
+                           "be right",
+                           f->path, c->file.line, f->number, row[T], row[U], row[V],
+                           f->net.vertices);
+    if (c->seen[vertex])
+        return status_fail(why, STATUS_INPUT,
+                           "%s: line %ld: frame %d (t = %g s) has the vertex u = %.9g, v = "
+                           "%.9g twice; once would be right",
+                           f->path, c->file.line, f->number, row[T], row[U], row[V]);
+    c->seen[vertex] = 1;
+    memcpy(f->xyz + 3L * vertex, row + X, 3 * sizeof *row);
+    return STATUS_OK;
+}
+
+/* Takes all rows of the frame whose first run is the first of `run`; *count: how many. */
+static enum status take_frame(struct frames *f, const struct run *run, bool net,
+                              long *count, struct message *why)
+{
+    struct csv *c = f->state;
+    const double t = run->t;
+    bool more;
+    enum status st = STATUS_OK;
+
+    *count = 0;
+    for (; run < c->run + c->runs && run->t == t; run++) {
+        frames_file_go(&c->file, run->at, run->line);
+        for (long n = 0; n < run->rows; n++) {
+            TRY(next_line(c, &more, why));
+            TRY(more ? take_row(f, net, (*count)++, why) : bad_row(c, why));
+        }
+    }
+out:
+    return st;
+}
+
+static enum status next_csv(struct frames *f, double *t, struct message *why)
+{
+    struct csv *c = f->state;
+    long count;
     enum status st;
 
+    *t = c->run[c->taken].t;
     memset(c->seen, 0, (size_t)f->net.vertices);
-    for (;; count++, time = row[T]) {
-        TRY(next_row(f, c, time, row, &any, &line, why));
-        if (!any)
-            break;
-        const int n = vertex_of(f, c, row, count);
-        if (n < 0)
-            TRY(status_fail(why, STATUS_INPUT,
-                            "%s: line %ld: frame %d (t = %g s) has a vertex at u = %.9g, "
-                            "v = %.9g that the first frame has not; its %d vertices would "
-                            "be right",
-                            f->path, line, f->number, row[T], row[U], row[V],
-                            f->net.vertices));
-        if (c->seen[n])
-            TRY(status_fail(
-                why, STATUS_INPUT,
-                "%s: line %ld: frame %d (t = %g s) has the vertex u = %.9g, v = "
-                "%.9g twice; once would be right",
-                f->path, line, f->number, row[T], row[U], row[V]));
-        c->seen[n] = 1;
-        memcpy(f->xyz + 3 * n, row + X, 3 * sizeof *row);
-    }
-    *more = count > 0;
-    *t = time;
-    if (count && count != f->net.vertices)
-        TRY(status_fail(
-            why, STATUS_INPUT,
-            "%s: line %ld: frame %d (t = %g s) has %d vertices, the first frame "
-            "%d; the same would be right",
-            f->path, line, f->number, time, count, f->net.vertices));
-    if (!c->place)
-        frames_bytes_forget(&c->bytes, (size_t)(c->text.at - (const char *)c->bytes.byte));
+    TRY(take_frame(f, &c->run[c->taken], false, &count, why));
+    if (count != f->net.vertices)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: line %ld: frame %d (t = %g s) has %ld vertices, the first "
+                        "frame %d; the same would be right",
+                        f->path, c->file.line, f->number, *t, count, f->net.vertices));
+    while (c->taken < c->runs && c->run[c->taken].t == *t)
+        c->taken++;
+out:
+    return st;
+}
+
+/* Takes the vertices from the first frame, in its order. */
+static enum status take_net(struct frames *f, struct csv *c, struct message *why)
+{
+    long count = 0;
+    enum status st;
+
+    for (int n = 0; n < c->runs && c->run[n].t == c->run->t; n++)
+        count += c->run[n].rows;
+    TRY(frames_room(f, count, why));
+    f->net.uv = malloc(2 * (size_t)count * sizeof *f->net.uv);
+    c->key = malloc((size_t)count * sizeof *c->key);
+    c->seen = malloc((size_t)count);
+    TRY(f->net.uv && c->key && c->seen ? STATUS_OK : STATUS_MEMORY);
+    TRY(take_frame(f, c->run, true, &count, why));
+    qsort(c->key, (size_t)count, sizeof *c->key, compare_keys);
 out:
     return st;
 }
@@ -332,7 +299,6 @@ enum status frames_csv_open(struct frames *f, const char *path, struct message *
 {
     static const struct frames_reader reader = {next_csv, close_csv};
     struct csv *c = calloc(1, sizeof *c);
-    bool grow;
     enum status st;
 
     if (!c)
@@ -340,11 +306,8 @@ enum status frames_csv_open(struct frames *f, const char *path, struct message *
     f->state = c;
     f->reader = &reader;
     f->timed = true;
-    TRY(frames_bytes_open(path, &c->bytes, why));
-    TRY(take_header(f, c, why));
-    TRY(look_at_times(f, c, &grow, why));
-    if (!grow)
-        TRY(make_index(c));
+    TRY(frames_file_open(path, &c->file, why));
+    TRY(find_runs(f, c, why));
     TRY(take_net(f, c, why));
 out:
     return st;

@@ -19,8 +19,8 @@ enum status frames_mesh_face(struct frames_mesh *mesh, int count, const long *ve
         mesh->corner =
             (mesh->corner ^ (unsigned long long)(vertex[n] + 1)) * 0x100000001b3ULL;
     for (int n = 2; n < count; n++) {
-        int(*more)[3] = frames_bytes_grow(mesh->triangle, &mesh->triangle_room,
-                                          mesh->triangles, sizeof *more);
+        int(*more)[3] = frames_file_grow(mesh->triangle, &mesh->triangle_room,
+                                         mesh->triangles, sizeof *more);
         if (!more)
             return STATUS_MEMORY;
         mesh->triangle = more;
@@ -35,30 +35,28 @@ enum status frames_mesh_face(struct frames_mesh *mesh, int count, const long *ve
 enum status frames_mesh_read(const char *path, struct frames_mesh *mesh,
                              struct message *why)
 {
-    struct frames_bytes bytes = {0};
-    const size_t length = strlen(path);
+    const char *ending = strrchr(path, '.');
+    const bool ply = ending && !strcmp(ending, ".ply");
+    struct frames_file file = {NULL};
     enum status st;
 
     *mesh = (struct frames_mesh){.corner = 0xcbf29ce484222325ULL};
-    TRY(frames_bytes_open(path, &bytes, why));
-    if (length > 4 && !strcmp(path + length - 4, ".ply"))
-        TRY(frames_mesh_ply(&bytes, mesh, why));
-    else if (length > 4 && !strcmp(path + length - 4, ".obj"))
-        TRY(frames_mesh_obj(&bytes, mesh, why));
-    else
+    TRY(frames_file_open(path, &file, why));
+    if (!ply && !(ending && !strcmp(ending, ".obj")))
         TRY(status_fail(why, STATUS_INPUT, "%s: is no mesh; an .obj or .ply would be right",
                         path));
+    TRY(ply ? frames_mesh_ply(&file, mesh, why) : frames_mesh_obj(&file, mesh, why));
     if (!mesh->vertices)
         TRY(status_fail(why, STATUS_INPUT, "%s: has no vertices", path));
 out:
-    frames_bytes_close(&bytes);
+    frames_file_close(&file);
     if (st != STATUS_OK)
         frames_mesh_clear(mesh);
     return st;
 }
 
 struct sequence {
-    int count, taken;
+    int count;
     char **path; /* [count] owned */
     unsigned long long corner;
     int triangles;
@@ -81,40 +79,37 @@ static int compare(const void *a, const void *b)
     return strverscmp(*left, *right);
 }
 
-static enum status check_same(const struct frames *f, const struct sequence *s,
-                              const struct frames_mesh *mesh, struct message *why)
+static enum status check_same(const struct frames *f, const struct frames_mesh *mesh,
+                              struct message *why)
 {
-    const char *path = s->path[s->taken];
+    const struct sequence *s = f->state;
+    const char *path = s->path[f->number - 1];
 
     if (mesh->vertices != f->net.vertices)
         return status_fail(why, STATUS_INPUT,
                            "%s: frame %d has %d vertices, the first frame %d; the same "
                            "would be right",
-                           path, s->taken + 1, mesh->vertices, f->net.vertices);
+                           path, f->number, mesh->vertices, f->net.vertices);
     if (mesh->triangles != s->triangles || mesh->corner != s->corner)
         return status_fail(why, STATUS_INPUT,
                            "%s: frame %d has other faces than the first frame: vertices "
                            "were renumbered or the net was remeshed; the same faces in "
                            "every frame would be right",
-                           path, s->taken + 1);
+                           path, f->number);
     return STATUS_OK;
 }
 
-static enum status next_mesh(struct frames *f, double *t, bool *more, struct message *why)
+static enum status next_mesh(struct frames *f, double *t, struct message *why)
 {
-    struct sequence *s = f->state;
+    const struct sequence *s = f->state;
     struct frames_mesh mesh;
     enum status st;
 
-    *more = s->taken < s->count;
-    if (!*more)
-        return STATUS_OK;
-    TRY(frames_mesh_read(s->path[s->taken], &mesh, why));
-    st = check_same(f, s, &mesh, why);
-    if (st == STATUS_OK) {
+    (void)t;
+    TRY(frames_mesh_read(s->path[f->number - 1], &mesh, why));
+    st = check_same(f, &mesh, why);
+    if (st == STATUS_OK)
         memcpy(f->xyz, mesh.xyz, (size_t)mesh.vertices * 3 * sizeof *f->xyz);
-        *t = s->taken++;
-    }
     frames_mesh_clear(&mesh);
 out:
     return st;
@@ -155,6 +150,7 @@ enum status frames_sequence_open(struct frames *f, int count, const char *const 
         TRY(s->path[s->count] ? STATUS_OK : STATUS_MEMORY);
     }
     qsort(s->path, (size_t)count, sizeof *s->path, compare);
+    f->count = count;
     TRY(take_first(f, s, why));
 out:
     return st;

@@ -6,61 +6,55 @@
 #include <string.h>
 
 enum { CORNERS = 64 };
+static const char BLANKS[] = " \t\r";
 
 struct obj {
-    const char *path;
+    struct frames_file *file;
     struct frames_mesh *mesh;
     int vt_count, vt_room;
     double *vt; /* [vt_count][2] owned */
 };
 
-static enum status bad(const struct obj *o, long line, const char *what,
-                       struct message *why)
+static enum status bad(const struct obj *o, const char *what, struct message *why)
 {
-    return status_fail(why, STATUS_INPUT, "%s: line %ld: %s", o->path, line, what);
+    return status_fail(why, STATUS_INPUT, "%s: line %ld: %s", o->file->path, o->file->line,
+                       what);
 }
 
-static enum status take_point(struct obj *o, const char *at, const char *end, int count,
-                              long line, struct message *why)
+/* Adds the `size` numbers of a line to an array of *count points. */
+static enum status take_point(struct obj *o, char *at, int size, double **array, int *room,
+                              int *count, struct message *why)
 {
-    struct frames_mesh *m = o->mesh;
-    double *more =
-        count == 3 ? frames_bytes_grow(m->xyz, &m->room, m->vertices, 3 * sizeof *more)
-                   : frames_bytes_grow(o->vt, &o->vt_room, o->vt_count, 2 * sizeof *more);
+    double *more = frames_file_grow(*array, room, *count, (size_t)size * sizeof *more);
 
     if (!more)
         return STATUS_MEMORY;
-    if (count == 3)
-        m->xyz = more, more += 3 * m->vertices;
-    else
-        o->vt = more, more += 2 * o->vt_count;
-    for (int n = 0; n < count; n++)
-        if (!frames_text_number(&at, end, &more[n]))
-            return bad(o, line,
-                       count == 3 ? "is no vertex; `v x y z` would be right"
-                                  : "is no texture point; `vt u v` would be right",
+    *array = more;
+    for (int n = 0; n < size; n++)
+        if (!frames_file_number(&at, &more[size * *count + n]))
+            return bad(o,
+                       size == 3 ? "is no vertex; `v x y z` would be right"
+                                 : "is no texture point; `vt u v` would be right",
                        why);
-    if (count == 3 && m->vertices == FRAMES_MOST_VERTICES)
-        return bad(o, line, "is one vertex too many", why);
-    if (count == 3)
-        m->vertices++;
-    else
-        o->vt_count++;
+    if (++*count > FRAMES_MOST_VERTICES)
+        return bad(o, "is one vertex too many", why);
     return STATUS_OK;
 }
 
-/* Turns a number of a face into an index: numbers count from 1, negative ones back from the
- * last. -1: there is none. */
-static long index_of(double number, int count)
+/* Reads a number of a face and turns it into an index: numbers count from 1, negative ones
+ * back from the last. -1: there is none. */
+static long take_index(char **at, int count)
 {
-    const double n = number < 0 ? count + number : number - 1;
+    double number;
 
+    if (!frames_file_number(at, &number))
+        return -1;
+    const double n = number < 0 ? count + number : number - 1;
     return n >= 0 && n < count && n == floor(n) ? (long)n : -1;
 }
 
 /* Takes uv of a vertex from its vt, and refuses a seam, which gives one vertex two. */
-static enum status take_uv(struct obj *o, long vertex, long vt, long line,
-                           struct message *why)
+static enum status take_uv(struct obj *o, long vertex, long vt, struct message *why)
 {
     struct frames_mesh *m = o->mesh;
 
@@ -74,7 +68,7 @@ static enum status take_uv(struct obj *o, long vertex, long vt, long line,
     for (int n = 0; n < 2; n++) {
         double *uv = &m->uv[2 * vertex + n];
         if (!isnan(*uv) && fabs(*uv - o->vt[2 * vt + n]) > 1e-6)
-            return bad(o, line,
+            return bad(o,
                        "gives a vertex a second vt; one material point a vertex, without "
                        "seams, would be right",
                        why);
@@ -83,64 +77,66 @@ static enum status take_uv(struct obj *o, long vertex, long vt, long line,
     return STATUS_OK;
 }
 
-static enum status take_face(struct obj *o, const char *at, const char *end, long line,
-                             struct message *why)
+static enum status take_face(struct obj *o, char *at, struct message *why)
 {
-    const int vertices = o->mesh->vertices;
-    const char *word;
     long vertex[CORNERS];
-    int count = 0, size;
-    double x;
+    int count = 0;
     enum status st;
 
-    for (; (size = frames_text_word(&at, end, &word)) > 0; count++) {
-        const char *p = word, *stop = word + size;
-        if (count == CORNERS || !frames_text_number(&p, stop, &x) ||
-            (vertex[count] = index_of(x, vertices)) < 0)
-            return bad(o, line, "is a face of vertices that are not there", why);
-        if (p + 1 >= stop || p[0] != '/' || p[1] == '/')
+    for (char *word; (word = strtok_r(NULL, BLANKS, &at)); count++) {
+        vertex[count % CORNERS] = take_index(&word, o->mesh->vertices);
+        if (count == CORNERS || vertex[count] < 0)
+            return bad(o, "is a face of vertices that are not there", why);
+        if (word[0] != '/' || word[1] == '/' || !word[1])
             continue;
-        p++;
-        const long vt = frames_text_number(&p, stop, &x) ? index_of(x, o->vt_count) : -1;
+        word++;
+        const long vt = take_index(&word, o->vt_count);
         if (vt < 0)
-            return bad(o, line, "is a face of texture points that are not there", why);
-        TRY(take_uv(o, vertex[count], vt, line, why));
+            return bad(o, "is a face of texture points that are not there", why);
+        TRY(take_uv(o, vertex[count], vt, why));
     }
     if (count < 3)
-        return bad(o, line, "is a face of fewer than three vertices", why);
+        return bad(o, "is a face of fewer than three vertices", why);
     st = frames_mesh_face(o->mesh, count, vertex);
 out:
     return st;
 }
 
-static enum status take_lines(struct obj *o, struct frames_text text, bool faces,
-                              struct message *why)
+/* Reads all points, or all faces. */
+static enum status take_lines(struct obj *o, bool faces, struct message *why)
 {
-    const char *at, *end, *word;
-    enum status st = STATUS_OK;
+    struct frames_mesh *m = o->mesh;
+    bool more;
+    enum status st;
 
-    while (st == STATUS_OK && frames_text_line(&text, &at, &end)) {
-        const int size = frames_text_word(&at, end, &word);
-        const char a = size ? word[0] : '\0', b = size > 1 ? word[1] : '\0';
-        if (!faces && size == 1 && a == 'v')
-            st = take_point(o, at, end, 3, text.line, why);
-        else if (!faces && size == 2 && a == 'v' && b == 't')
-            st = take_point(o, at, end, 2, text.line, why);
-        else if (faces && size == 1 && a == 'f')
-            st = take_face(o, at, end, text.line, why);
+    frames_file_go(o->file, 0, 1);
+    for (;;) {
+        TRY(frames_file_line(o->file, &more, why));
+        char *rest, *word = more ? strtok_r(o->file->text, BLANKS, &rest) : NULL;
+        if (!more)
+            break;
+        if (!word)
+            continue;
+        if (!faces && !strcmp(word, "v"))
+            TRY(take_point(o, rest, 3, &m->xyz, &m->room, &m->vertices, why));
+        else if (!faces && !strcmp(word, "vt"))
+            TRY(take_point(o, rest, 2, &o->vt, &o->vt_room, &o->vt_count, why));
+        else if (faces && !strcmp(word, "f"))
+            TRY(take_face(o, rest, why));
     }
+out:
     return st;
 }
 
 /* Reads the faces after all points, since they may come first. */
-enum status frames_mesh_obj(const struct frames_bytes *b, struct frames_mesh *mesh,
+enum status frames_mesh_obj(struct frames_file *f, struct frames_mesh *mesh,
                             struct message *why)
 {
-    struct obj o = {.path = b->path, .mesh = mesh};
+    struct obj o = {.file = f, .mesh = mesh};
     enum status st;
 
-    TRY(take_lines(&o, frames_text_of(b), false, why));
-    TRY(take_lines(&o, frames_text_of(b), true, why));
+    TRY(take_lines(&o, false, why));
+    TRY(take_lines(&o, true, why));
     /* If no faces pair them, and there are as many vt as v, they belong together in
      * order. */
     if (!mesh->triangles && o.vt_count == mesh->vertices)

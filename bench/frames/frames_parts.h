@@ -1,16 +1,17 @@
 /* frames_parts.h - shared by the readers of frames.h; private to them.
  *
- * A reader's `open` fills net.vertices, uv and faces as far as the file has them, `reader`
- * and `state`; its `next` fills xyz and *t, or says that there is no more. What all have in
- * common (times, finite numbers, --rest) frames.c sees to. */
+ * A reader's `open` fills count, net.vertices, uv and faces as far as the file has them,
+ * timed, `reader` and `state`; its `next` fills xyz of frame `number`, and *t where the
+ * file has times. What all have in common (counting, times, finite numbers, --rest)
+ * frames.c sees to. */
 #ifndef FRAMES_PARTS_H
 #define FRAMES_PARTS_H
 
 #include "bench/frames/frames.h"
-#include "bench/frames/frames_bytes.h"
+#include "bench/frames/frames_file.h"
 
 struct frames_reader {
-    enum status (*next)(struct frames *f, double *t, bool *more, struct message *why);
+    enum status (*next)(struct frames *f, double *t, struct message *why);
     void (*close)(void *state);
 };
 
@@ -19,6 +20,7 @@ struct frames {
     struct frames_look look;
     struct frames_net net;
     double *xyz; /* [vertices][3]                                                 owned */
+    int count;   /* of frames                                                           */
     int number;  /* number of the frame last read, from 1                               */
     double time; /* of it                                                               */
     bool timed;  /* the file has times                                                  */
@@ -29,11 +31,8 @@ struct frames {
 /* Allocates the vertices of the net. STATUS_INPUT: too many, none. */
 enum status frames_room(struct frames *f, long vertices, struct message *why);
 
-/* Fails with STATUS_INPUT: xyz is there, but empty. */
-enum status frames_none(const struct frames *f, struct message *why);
-
 enum status frames_csv_open(struct frames *f, const char *path, struct message *why);
-enum status frames_npz_open(struct frames *f, const char *path, struct message *why);
+enum status frames_moving_open(struct frames *f, const char *path, struct message *why);
 enum status frames_hdf5_open(struct frames *f, const char *path, struct message *why);
 enum status frames_cache_open(struct frames *f, const char *path, struct message *why);
 /* Opens files in the order given. */
@@ -52,9 +51,9 @@ struct frames_mesh {
 enum status frames_mesh_read(const char *path, struct frames_mesh *mesh,
                              struct message *why);
 void frames_mesh_clear(struct frames_mesh *mesh);
-enum status frames_mesh_obj(const struct frames_bytes *b, struct frames_mesh *mesh,
+enum status frames_mesh_obj(struct frames_file *f, struct frames_mesh *mesh,
                             struct message *why);
-enum status frames_mesh_ply(const struct frames_bytes *b, struct frames_mesh *mesh,
+enum status frames_mesh_ply(struct frames_file *f, struct frames_mesh *mesh,
                             struct message *why);
 
 /* Adds a polygon's vertices [count], counted from 0, as triangles. */

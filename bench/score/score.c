@@ -47,6 +47,15 @@ static void turn(const struct score_look *look, int vertices, const double *from
     }
 }
 
+void score_cubic(const double t[4], double time, double weight[4])
+{
+    for (int a = 0; a < 4; a++) {
+        weight[a] = 1;
+        for (int b = 0; b < 4; b++)
+            weight[a] *= a == b ? 1 : (time - t[b]) / (t[a] - t[b]);
+    }
+}
+
 /* Sets the weights of the window's frames at a time; returns how well they determine it. */
 static int weigh(const struct window *w, double time, double weight[WINDOW])
 {
@@ -61,50 +70,55 @@ static int weigh(const struct window *w, double time, double weight[WINDOW])
     for (int a = 1; a < WINDOW; a++)
         if (t[a] - t[a - 1] > MOST_GAP)
             return TELLS_NOT;
-    for (int a = 0; a < WINDOW; a++) {
-        weight[a] = 1;
-        for (int b = 0; b < WINDOW; b++)
-            weight[a] *= a == b ? 1 : (time - t[b]) / (t[a] - t[b]);
-    }
+    score_cubic(t, time, weight);
     return t[1] < time && time < t[2] ? TELLS_BETWEEN : TELLS_BESIDE;
 }
 
-static void look_at(const struct window *w, const double *weight,
-                    const struct score_map *map, double *part, double *field)
+static enum status view_init(struct score_view *v, int times, int nu, int nv)
 {
-    const int numbers = 3 * map->nu * map->nv;
+    const size_t count = (size_t)times + 1, numbers = 3 * (size_t)nu * (size_t)nv;
 
-    memset(field, 0, (size_t)numbers * sizeof *field);
-    for (int a = 0; a < WINDOW; a++) {
-        if (weight[a] == 0)
-            continue;
-        score_map_apply(map, w->xyz[a], part);
-        for (int n = 0; n < numbers; n++)
-            field[n] += weight[a] * part[n];
-    }
+    v->times = times;
+    v->time = calloc(count, sizeof *v->time);
+    v->tells = calloc(count, sizeof *v->tells);
+    v->field = malloc(count * numbers * sizeof *v->field);
+    return v->time && v->tells && v->field ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* Interpolates the positions at each time of the truth and of the ladder for which this
- * window is better than those before. */
-static void take_times(struct score *s, const struct window *w, double *part)
+static void view_clear(struct score_view *v)
 {
-    double weight[WINDOW];
+    score_map_clear(&v->map);
+    free(v->time);
+    free(v->tells);
+    free(v->field);
+}
 
-    for (int n = 0; n < s->truth.times; n++) {
-        const int tells = weigh(w, s->truth.time[n], weight);
-        if (tells <= s->tells[n])
+double *score_view_field(const struct score_view *v, int n)
+{
+    return v->field + 3L * v->map.nu * v->map.nv * n;
+}
+
+/* Interpolates the positions at each time for which this window is better than those
+ * before. */
+static void view_take(struct score_view *v, const struct window *w)
+{
+    const int numbers = 3 * v->map.nu * v->map.nv;
+    double weight[WINDOW], *part = score_view_field(v, v->times);
+
+    for (int n = 0; n < v->times; n++) {
+        double *field = score_view_field(v, n);
+        const int tells = weigh(w, v->time[n], weight);
+        if (tells <= v->tells[n])
             continue;
-        look_at(w, weight, &s->grid, part, s->field + 3L * SCORE_POINTS * n);
-        s->tells[n] = tells;
-        s->row[n].known = true;
-        s->row[n].between = tells < TELLS_ITSELF;
-    }
-    for (int n = 0; n < s->ladder.times; n++) {
-        const int tells = weigh(w, s->ladder.time[n], weight);
-        if (tells <= s->coarse_tells[n])
-            continue;
-        look_at(w, weight, &s->coarse, part, s->coarse_field + 3L * LADDER_POINTS * n);
-        s->coarse_tells[n] = tells;
+        v->tells[n] = tells;
+        memset(field, 0, (size_t)numbers * sizeof *field);
+        for (int a = 0; a < WINDOW; a++) {
+            if (weight[a] == 0)
+                continue;
+            score_map_apply(&v->map, w->xyz[a], part);
+            for (int k = 0; k < numbers; k++)
+                field[k] += weight[a] * part[k];
+        }
     }
 }
 
@@ -121,6 +135,28 @@ static void push(struct window *w, double t)
     w->count++;
 }
 
+void score_coarse_rest(const struct score *s, double *rest)
+{
+    for (int n = 0; n < LADDER_POINTS; n++) {
+        const double uv[2] = {n % LADDER_U / (LADDER_U - 1.),
+                              n / LADDER_U / (LADDER_V - 1.)};
+        score_net_sample(GRID_U, GRID_V, s->truth.rest, uv, rest + 3 * n);
+    }
+}
+
+/* Measures how far the first frame is from the sheet at rest. */
+static void take_start(struct score *s, const double *xyz)
+{
+    double rest[3 * LADDER_POINTS], *part = score_view_field(&s->coarse, s->coarse.times);
+
+    score_coarse_rest(s, rest);
+    score_map_apply(&s->coarse.map, xyz, part);
+    for (int n = 0; n < 3 * LADDER_POINTS; n++)
+        s->begin[n % 3] += (part[n] - rest[n]) / LADDER_POINTS;
+    s->start = fabs(s->first) <= SAME_TIME ? score_rms(LADDER_POINTS, part, rest) : NAN;
+}
+
+/* Makes the net and both views of it from the first frame. */
 static enum status make_net(struct score *s, const struct frames *frames,
                             const struct score_look *look, const double *xyz,
                             struct message *why)
@@ -136,32 +172,12 @@ static enum status make_net(struct score *s, const struct frames *frames,
         turn(look, net->vertices, net->rest, rest);
     }
     TRY(score_net_make(net, &s->truth.scene, name, rest, xyz, &s->net, why));
-    TRY(score_net_map(&s->net, name, GRID_U, GRID_V, &s->grid, why));
-    TRY(score_net_map(&s->net, name, LADDER_U, LADDER_V, &s->coarse, why));
+    TRY(score_net_map(&s->net, net, name, GRID_U, GRID_V, &s->grid.map, why));
+    TRY(score_net_map(&s->net, net, name, LADDER_U, LADDER_V, &s->coarse.map, why));
+    take_start(s, xyz);
 out:
     free(rest);
     return st;
-}
-
-void score_coarse_rest(const struct score *s, double *rest)
-{
-    for (int n = 0; n < LADDER_POINTS; n++) {
-        const double uv[2] = {n % LADDER_U / (LADDER_U - 1.),
-                              n / LADDER_U / (LADDER_V - 1.)};
-        score_net_sample(GRID_U, GRID_V, s->truth.rest, uv, rest + 3 * n);
-    }
-}
-
-/* Measures how far the first frame is from the sheet at rest. */
-static void take_start(struct score *s, const struct window *w, double *part)
-{
-    double rest[3 * LADDER_POINTS];
-
-    score_coarse_rest(s, rest);
-    score_map_apply(&s->coarse, w->xyz[WINDOW - 1], part);
-    for (int n = 0; n < 3 * LADDER_POINTS; n++)
-        s->begin[n % 3] += (part[n] - rest[n]) / LADDER_POINTS;
-    s->start = fabs(s->first) <= SAME_TIME ? score_rms(LADDER_POINTS, part, rest) : NAN;
 }
 
 static enum status read_frames(struct score *s, struct frames *frames,
@@ -169,37 +185,35 @@ static enum status read_frames(struct score *s, struct frames *frames,
                                struct message *why)
 {
     const int vertices = frames_net(frames)->vertices;
-    double *part = malloc(3 * SCORE_POINTS * sizeof *part), t;
+    const size_t bytes = 3 * (size_t)vertices * sizeof(double);
     const double *xyz;
-    enum status st = part ? STATUS_OK : STATUS_MEMORY;
+    double t;
+    enum status st = STATUS_OK;
 
-    for (int a = 0; a < WINDOW; a++)
-        w->xyz[a] = malloc((size_t)vertices * 3 * sizeof *w->xyz[a]);
-    for (int a = 0; a < WINDOW; a++)
-        st = w->xyz[a] ? st : STATUS_MEMORY;
-    TRY(st);
-    for (;; s->frames++) {
+    for (int a = 0; a < WINDOW; a++) {
+        w->xyz[a] = malloc(bytes);
+        TRY(w->xyz[a] ? STATUS_OK : STATUS_MEMORY);
+    }
+    for (;; s->frames++, s->last = t) {
         TRY(frames_next(frames, &t, &xyz, why));
         if (!xyz)
             break;
         push(w, t);
-        turn(look, vertices, xyz, w->xyz[WINDOW - 1]);
+        double *newest = w->xyz[WINDOW - 1];
+        turn(look, vertices, xyz, newest);
         if (!s->frames) {
             s->first = t;
-            TRY(make_net(s, frames, look, w->xyz[WINDOW - 1], why));
-            take_start(s, w, part);
+            TRY(make_net(s, frames, look, newest, why));
         } else {
             s->interval = fmin(s->interval, t - s->last);
+            s->repeats += !memcmp(w->xyz[WINDOW - 2], newest, bytes);
         }
-        s->last = t;
-        s->repeats += s->frames && !memcmp(w->xyz[WINDOW - 2], w->xyz[WINDOW - 1],
-                                           (size_t)vertices * 3 * sizeof *part);
-        take_times(s, w, part);
+        view_take(&s->grid, w);
+        view_take(&s->coarse, w);
     }
     if (!s->frames)
         st = status_fail(why, STATUS_INPUT, "%s: has no frames", frames_name(frames));
 out:
-    free(part);
     return st;
 }
 
@@ -220,26 +234,63 @@ void score_seen(const struct score *s, const struct score_map *map, const double
         }
 }
 
+/* Makes a row of each time that frames determine. */
 static enum status judge(struct score *s)
 {
+    const struct truth *known = &s->truth.known;
     const double length = s->truth.scene.length;
-    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen);
+    const size_t times = (size_t)s->truth.times;
 
-    for (int n = 0; seen && n < s->truth.times; n++) {
-        struct score_time *row = &s->row[n];
-        const double *truth = score_truth_field(&s->truth, n);
-        row->time = s->truth.time[n];
-        row->bar = s->truth.bar[n] / length;
-        if (!row->known)
+    s->row = calloc(times, sizeof *s->row);
+    s->seen = malloc(times * 3 * SCORE_POINTS * sizeof *s->seen);
+    if (!s->row || !s->seen)
+        return STATUS_MEMORY;
+    for (int n = 0; n < s->truth.times; n++) {
+        const int at = s->truth.at[n];
+        double *seen = s->seen + 3L * SCORE_POINTS * s->times;
+        if (!s->grid.tells[n])
             continue;
-        score_seen(s, &s->grid, truth, seen);
-        row->floor = score_rms(SCORE_POINTS, seen, truth) / length;
+        score_seen(s, &s->grid.map, known->xyz[at], seen);
+        struct score_time *row = &s->row[s->times++];
+        *row = (struct score_time){.time = known->time[at],
+                                   .between = s->grid.tells[n] < TELLS_ITSELF,
+                                   .bar = known->error[at] / length,
+                                   .truth = known->xyz[at],
+                                   .seen = seen,
+                                   .got = score_view_field(&s->grid, n)};
+        row->error = score_rms(SCORE_POINTS, row->got, row->truth) / length;
+        row->floor = score_rms(SCORE_POINTS, seen, row->truth) / length;
         row->floor = row->floor < ROUNDING ? 0 : row->floor;
-        row->error =
-            score_rms(SCORE_POINTS, s->field + 3L * SCORE_POINTS * n, truth) / length;
     }
-    free(seen);
-    return seen ? STATUS_OK : STATUS_MEMORY;
+    return STATUS_OK;
+}
+
+/* Sets the times at which frames are looked at. */
+static enum status begin(struct score *s)
+{
+    enum status st;
+
+    TRY(view_init(&s->grid, s->truth.times, GRID_U, GRID_V));
+    TRY(view_init(&s->coarse, s->ladder.times, LADDER_U, LADDER_V));
+    for (int n = 0; n < s->grid.times; n++)
+        s->grid.time[n] = s->truth.known.time[s->truth.at[n]];
+    for (int n = 0; n < s->coarse.times; n++)
+        s->coarse.time[n] = s->ladder.time[n];
+out:
+    return st;
+}
+
+/* Refuses frames that end before the truth begins or begin after its end. */
+static enum status check_times(const struct score *s, const char *path, struct message *why)
+{
+    const double from = s->grid.time[0], to = s->grid.time[s->grid.times - 1];
+
+    if (from <= s->last + SAME_TIME && to >= s->first - SAME_TIME)
+        return STATUS_OK;
+    return status_fail(why, STATUS_INPUT,
+                       "%s: its frames run from %g to %g s, the truth of %s from %g to %g "
+                       "s; frames at times of both would be right",
+                       path, s->first, s->last, s->truth.scene.name, from, to);
 }
 
 enum status score_read(const char *scene, int count, const char *const *paths,
@@ -253,24 +304,10 @@ enum status score_read(const char *scene, int count, const char *const *paths,
     s->interval = INFINITY;
     TRY(score_truth_read(scene, &s->truth, why));
     TRY(score_ladder_read(&s->truth.scene, &s->ladder, why));
-    const size_t times = (size_t)s->truth.times, steps = (size_t)s->ladder.times;
-    s->row = calloc(times, sizeof *s->row);
-    s->field = malloc(times * 3 * SCORE_POINTS * sizeof *s->field);
-    s->tells = calloc(times, sizeof *s->tells);
-    s->coarse_tells = calloc(steps + 1, sizeof *s->coarse_tells);
-    s->coarse_field = malloc((steps + 1) * 3 * LADDER_POINTS * sizeof *s->coarse_field);
-    if (!s->row || !s->field || !s->tells || !s->coarse_tells || !s->coarse_field)
-        TRY(STATUS_MEMORY);
+    TRY(begin(s));
     TRY(frames_open(count, paths, &look->frames, &frames, why));
     TRY(read_frames(s, frames, look, &window, why));
-    s->net.triangle = NULL; /* the frames' own */
-    if (s->truth.time[0] > s->last + SAME_TIME ||
-        s->truth.time[s->truth.times - 1] < s->first - SAME_TIME)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: its frames run from %g to %g s, the truth of %s from %g to %g "
-                        "s; frames at times of both would be right",
-                        paths[0], s->first, s->last, s->truth.scene.name, s->truth.time[0],
-                        s->truth.time[s->truth.times - 1]));
+    TRY(check_times(s, paths[0], why));
     TRY(judge(s));
 out:
     for (int a = 0; a < WINDOW; a++)
@@ -286,21 +323,9 @@ void score_clear(struct score *s)
     score_truth_clear(&s->truth);
     score_ladder_clear(&s->ladder);
     score_net_clear(&s->net);
-    score_map_clear(&s->grid);
-    score_map_clear(&s->coarse);
+    view_clear(&s->grid);
+    view_clear(&s->coarse);
     free(s->row);
-    free(s->field);
-    free(s->tells);
-    free(s->coarse_tells);
-    free(s->coarse_field);
+    free(s->seen);
     memset(s, 0, sizeof *s);
-}
-
-int score_last(const struct score *s)
-{
-    int last = -1;
-
-    for (int n = 0; n < s->truth.times; n++)
-        last = s->row[n].known ? n : last;
-    return last;
 }

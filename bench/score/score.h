@@ -15,28 +15,40 @@ struct score_look {
     double scale; /* times their positions [m]                                           */
 };
 
-/* What is known at one time of the truth; all but the time are divided by the length. */
+/* The frames at the points of a map, at given times. */
+struct score_view {
+    struct score_map map;
+    int times;
+    double *time;  /* [times] [s]                                               owned   */
+    int *tells;    /* [times] how well frames determine the positions; 0: not   owned   */
+    double *field; /* [times + 1][nu nv][3] [m], the last is room for sums      owned   */
+};
+
+/* A time of the truth at which frames determine the positions. Fields are mid-surfaces
+ * [SCORE_POINTS][3] [m], borrowed from the score; numbers are divided by the length. */
 struct score_time {
-    double time;         /* [s]                                                          */
-    bool known, between; /* frames determine it; between two of them                     */
-    double error;        /* rms over the material grid                                   */
-    double bar;          /* of the truth                                                 */
-    double floor;        /* of the truth itself, bilinear between the net's vertices     */
+    double time;         /* [s]                                                         */
+    bool between;        /* two frames                                                  */
+    double error;        /* rms over the material grid                                  */
+    double bar;          /* of the truth                                                */
+    double floor;        /* of the truth itself, bilinear between the net's vertices    */
+    const double *truth; /* the truth                                                   */
+    const double *seen;  /* the truth, bilinear between the net's vertices              */
+    const double *got;   /* the frames                                                  */
 };
 
 struct score {
     struct score_truth truth;
     struct score_ladder ladder;
     struct score_net net;
-    struct score_map grid, coarse; /* onto the material grid, and the ladder's           */
-    struct score_time *row;        /* [truth.times]                              owned   */
-    double *field;                 /* [truth.times][SCORE_POINTS][3], if known   owned   */
-    int *tells, *coarse_tells; /* [truth.times], [ladder.times]: 0: no frame   owned   */
-    double *coarse_field;      /* [ladder.times][LADDER_POINTS][3] [m]       owned   */
-    int frames, repeats; /* count; those equal to the one before                        */
+    struct score_view grid, coarse; /* on the material grid, and on the ladder's points  */
+    int times;
+    struct score_time *row; /* [times]                                          owned   */
+    double *seen;           /* of all rows                                      owned   */
+    int frames, repeats;    /* count; those equal to the one before                     */
     double first, last, interval; /* frames' times, shortest interval [s]                */
-    double start; /* rms displacement at t = 0 [m]; NaN: no such frame                   */
-    double begin[3]; /* the same on average over the sheet, with its direction [m]        */
+    double start;    /* rms displacement at t = 0 [m]; NaN: no such frame               */
+    double begin[3]; /* the same on average over the sheet, with its direction [m]      */
 };
 
 /* Reads all frames of paths[count]. STATUS_INPUT with a sentence. Free with score_clear. */
@@ -45,12 +57,15 @@ enum status score_read(const char *scene, int count, const char *const *paths,
                        struct message *why);
 void score_clear(struct score *score); /* all-zero is allowed, and left */
 
-/* Returns the index of the last known time of the truth that frames determine; -1: none. */
-int score_last(const struct score *score);
+/* Returns the field of the n-th time. */
+double *score_view_field(const struct score_view *view, int n);
 
 /* Samples a field at the map's points, bilinearly between the net's vertices. */
 void score_seen(const struct score *score, const struct score_map *map, const double *field,
                 double *seen);
+
+/* Sets the weights at a time of the cubic through values at four times t. */
+void score_cubic(const double t[4], double time, double weight[4]);
 
 /* Fills rest[LADDER_POINTS][3] with the sheet at rest on the ladder's points. */
 void score_coarse_rest(const struct score *score, double *rest);

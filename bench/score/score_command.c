@@ -11,9 +11,7 @@
 
 struct job {
     struct score_look look;
-    enum table_format format;
-    struct score_result *result; /* [count] owned */
-    int count;
+    struct score_print sheet;
 };
 
 static enum status prepare(struct job *j, const struct command_line *line,
@@ -25,7 +23,7 @@ static enum status prepare(struct job *j, const struct command_line *line,
     j->look = (struct score_look){
         .frames.rest = command_value(line, "--rest"), .up = 'z', .scale = 1};
     if (format)
-        TRY(table_format_parse(format, &j->format, why));
+        TRY(table_format_parse(format, &j->sheet.format, why));
     if (up && (strlen(up) != 1 || !strchr("xyz", *up)))
         TRY(status_fail(why, STATUS_INPUT, "--up %s: x, y or z would be right", up));
     j->look.up = up ? *up : 'z';
@@ -35,96 +33,82 @@ out:
     return st;
 }
 
-/* Keeps what is printed of a score. */
-static enum status keep(struct score *s, struct score_result *r)
-{
-    r->undamped = s->truth.undamped;
-    r->by_position = s->net.by_position;
-    r->frames = s->frames;
-    r->vertices = s->net.vertices;
-    r->first = s->first;
-    r->last = s->last;
-    r->times = s->truth.times;
-    r->row = s->row, s->row = NULL;
-    snprintf(r->source, sizeof r->source, "%s", s->truth.source);
-    return (r->scene = strdup(s->truth.scene.name)) ? STATUS_OK : STATUS_MEMORY;
-}
-
-static enum status score_one(const struct job *j, const char *scene, int count,
-                             const char *const *paths, struct score_result *r,
-                             struct message *why)
+/* Adds the score of a scene to the sheet. */
+static enum status score_one(struct job *j, const char *scene, int count,
+                             const char *const *paths, struct message *why)
 {
     struct score s = {.frames = 0};
+    struct score_diagnosis d;
     enum status st;
 
     TRY(score_read(scene, count, paths, &j->look, &s, why));
-    if (score_last(&s) < 0)
+    if (!s.times)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: no frame is at a time of the truth, or near enough to go "
                         "between (1/24 s); frames at the times of clothbench truth %s "
                         "--stored would be right",
                         paths[0], scene));
-    TRY(score_diagnosis_make(&s, &r->diagnosis));
-    TRY(keep(&s, r));
+    score_diagnosis_make(&s, &d);
+    score_print_add(&j->sheet, &s, &d);
 out:
     score_clear(&s);
     return st;
 }
 
-/* Finds the scene NAME that FOLDER/NAME.csv or the folder FOLDER/NAME is called after.
- * STATUS_INPUT: there is no such scene, or the path cannot hold frames. */
-static enum status scene_of(const char *path, size_t size, char *name)
+/* Writes the scene that FOLDER/NAME.csv or the folder FOLDER/NAME is named after. */
+static void name_of(const char *path, size_t size, char *name)
 {
     const char *base = strrchr(path, '/') + 1;
-    char *found = NULL;
-    struct stat about;
 
     snprintf(name, size, "%.*s", (int)strcspn(base, "."), base);
-    const bool may =
-        frames_is_name(path) || (!stat(path, &about) && S_ISDIR(about.st_mode));
-    const enum status st =
-        *name && may ? scene_file_find(name, &found, NULL) : STATUS_INPUT;
-    free(found);
-    return st;
 }
 
-/* Scores each file and folder of a folder. A scene that is refused is a row too, and its
- * sentence becomes the command's. */
-static enum status score_folder(struct job *j, const char *path, struct message *why)
+/* Returns whether a file or folder may hold frames and is named after a scene; names it on
+ * standard error where it is not. */
+static bool is_scene(const char *path)
+{
+    char name[128], *found = NULL;
+    struct stat about;
+
+    name_of(path, sizeof name, name);
+    const bool may =
+        *name && (frames_is_name(path) || (!stat(path, &about) && S_ISDIR(about.st_mode)));
+    const bool is = may && scene_file_find(name, &found, NULL) != STATUS_INPUT;
+    free(found);
+    if (!is)
+        fprintf(stderr, "%s: has no scene's name or no frames, left out\n", path);
+    return is;
+}
+
+/* Scores each file and folder of a folder. A scene that is refused is a row too; the last
+ * one's status and sentence become the command's. */
+static enum status score_folder(struct job *j, const char *path, enum status *refused,
+                                struct message *why)
 {
     struct frames_folder folder;
     struct message said = {""};
-    char name[128];
-    enum status st, refused = STATUS_OK;
+    enum status st;
 
     TRY(frames_folder_read(path, &folder, why));
-    j->result = calloc((size_t)folder.count + 1, sizeof *j->result);
-    TRY(j->result ? STATUS_OK : STATUS_MEMORY);
-    for (int n = 0; n < folder.count; n++) {
-        struct score_result *r = &j->result[j->count];
-        st = scene_of(folder.path[n], sizeof name, name);
-        if (st == STATUS_INPUT) {
-            fprintf(stderr, "%s: has no scene's name or no frames, left out\n",
-                    folder.path[n]);
-            continue;
-        }
-        TRY(st);
-        j->count++;
-        st = score_one(j, name, 1, (const char *const *)&folder.path[n], r, &said);
-        if (st == STATUS_INPUT) {
-            *why = r->refused = said;
-            refused = st;
-            st = (r->scene = strdup(name)) ? STATUS_OK : STATUS_MEMORY;
-        }
-        TRY(st);
-    }
-    if (!j->count)
+    frames_folder_keep(&folder, is_scene);
+    if (!folder.count)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: has no files or folders named like scenes (edge_drop.csv, "
                         "flag/); for frames of one scene: score SCENE %s",
                         path, path));
-    TRY(score_print(j->result, j->count, j->format, stdout));
-    st = refused;
+    j->sheet.named = folder.count > 1;
+    for (int n = 0; n < folder.count; n++) {
+        char name[128];
+        name_of(folder.path[n], sizeof name, name);
+        st = score_one(j, name, 1, (const char *const *)&folder.path[n], &said);
+        if (st == STATUS_INPUT) {
+            score_print_refusal(&j->sheet, name, &said);
+            *why = said;
+            *refused = st;
+            st = STATUS_OK;
+        }
+        TRY(st);
+    }
 out:
     frames_folder_clear(&folder);
     return st;
@@ -132,30 +116,25 @@ out:
 
 static enum status run(const struct command_line *line, struct message *why)
 {
-    struct job j = {.count = 0};
+    struct job j = {.sheet.file = stdout};
     struct stat about;
-    enum status st;
+    enum status st, refused = STATUS_OK;
 
     TRY(prepare(&j, line, why));
-    if (line->word_count == 1) {
+    if (line->word_count > 1) {
+        TRY(score_one(&j, line->words[0], line->word_count - 1, line->words + 1, why));
+    } else {
         if (stat(line->words[0], &about) || !S_ISDIR(about.st_mode))
             TRY(status_fail(why, STATUS_INPUT,
                             "score: %s is no folder of several scenes' frames; score SCENE "
                             "FRAMES would be right",
                             line->words[0]));
-        TRY(score_folder(&j, line->words[0], why));
-    } else {
-        j.result = calloc(1, sizeof *j.result);
-        TRY(j.result ? STATUS_OK : STATUS_MEMORY);
-        j.count = 1;
-        TRY(score_one(&j, line->words[0], line->word_count - 1, line->words + 1, j.result,
-                      why));
-        TRY(score_print(j.result, 1, j.format, stdout));
+        TRY(score_folder(&j, line->words[0], &refused, why));
     }
+    TRY(score_print_end(&j.sheet));
+    st = refused;
 out:
-    for (int n = 0; n < j.count; n++)
-        score_result_clear(&j.result[n]);
-    free(j.result);
+    score_print_clear(&j.sheet);
     return st;
 }
 

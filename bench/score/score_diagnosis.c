@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "bench/score/score_fit.h"
@@ -85,30 +84,22 @@ static int moved(int n, int order)
     return j * GRID_U + i;
 }
 
-/* Sums the squared error of all known times; stops early where it exceeds `least`. */
-static double squared(const struct score *s, const struct turned *t, double least,
-                      int *points)
+/* Returns the squared error, summed over all times and few points; stops early where it
+ * exceeds `least`. */
+static double squared(const struct score *s, const struct turned *t, double least)
 {
     double sum = 0;
 
-    *points = 0;
-    for (int n = 0; n < s->truth.times; n++) {
-        const double *truth = score_truth_field(&s->truth, n),
-                     *got = s->field + 3L * SCORE_POINTS * n;
-        if (!s->row[n].known)
-            continue;
+    for (int n = 0; n < s->times && sum <= least; n++)
         for (int k = 0; k < SCORE_FEW; k++) {
             const int p = score_truth_few(k);
-            const double *x = got + 3 * moved(p, t->order);
+            const double *x = s->row[n].got + 3 * moved(p, t->order),
+                         *truth = s->row[n].truth + 3 * p;
             for (int c = 0; c < 3; c++) {
-                const double d = t->sign[c] * t->scale * x[t->axis[c]] - truth[3 * p + c];
+                const double d = t->sign[c] * t->scale * x[t->axis[c]] - truth[c];
                 sum += d * d;
             }
         }
-        *points += SCORE_FEW;
-        if (sum > least)
-            return INFINITY;
-    }
     return sum;
 }
 
@@ -136,27 +127,27 @@ static struct turned candidate(int n)
 }
 
 /* Returns the rms distance, over the length, of a few of the frames' points from the
- * truth's nearest points at the n-th time, which must be known. */
-static double nearest(const struct score *s, int n)
+ * truth's nearest points. */
+static double nearest(const struct score_time *row, double length)
 {
-    const double *truth = score_truth_field(&s->truth, n),
-                 *got = s->field + 3L * SCORE_POINTS * n;
     double sum = 0;
 
     for (int k = 0; k < SCORE_FEW; k++) {
-        const double *a = got + 3 * score_truth_few(k);
+        const double *a = row->got + 3 * score_truth_few(k);
         double least = INFINITY;
-        for (const double *b = truth; b < truth + 3 * SCORE_POINTS; b += 3) {
+        for (int p = 0; p < SCORE_POINTS; p++) {
+            const double *b = row->truth + 3 * p;
             const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
             least = fmin(least, x * x + y * y + z * z);
         }
         sum += least;
     }
-    return sqrt(sum / SCORE_FEW) / s->truth.scene.length;
+    return sqrt(sum / SCORE_FEW) / length;
 }
 
-/* Whether an error is so much smaller than that of the frames as they are that something
- * else must be meant, and that one large enough to matter; both over the length. */
+/* Returns whether an error is so much smaller than that of the frames as they are that
+ * something else must be meant, and that one large enough to matter; both over the length.
+ */
 static bool is_better(double error, double as_is)
 {
     return as_is > WORTH_IT && error < MUCH_BETTER * as_is;
@@ -166,19 +157,17 @@ static bool is_better(double error, double as_is)
 static struct turned best_turn(const struct score *s)
 {
     const double length = s->truth.scene.length;
+    const int points = s->times * SCORE_FEW;
     struct turned as_is = candidate(0), best = as_is;
-    int points;
-    const double all = squared(s, &as_is, INFINITY, &points);
-    double least = all;
+    double least = squared(s, &as_is, INFINITY);
 
-    as_is.error = as_is.as_is = points ? sqrt(all / points) / length : 0;
-    if (!points || as_is.error < WORTH_IT)
+    as_is.error = as_is.as_is = sqrt(least / points) / length;
+    if (as_is.error < WORTH_IT)
         return as_is;
     for (int n = 1; n < ORDERS * SIGNS * PERMUTATIONS * SCALES; n++) {
         struct turned t = candidate(n);
         const double more = 1 + CHANGE_COSTS * changes(&t);
-        int counted;
-        const double sum = squared(s, &t, least / (more * more), &counted);
+        const double sum = squared(s, &t, least / (more * more));
         if (sum * more * more < least) {
             least = sum * more * more;
             t.error = sqrt(sum / points) / length;
@@ -209,20 +198,21 @@ enum { TIMES_LEAST = 2 };
  * through four frames, of which the first is the sheet at rest. */
 static void truth_at(const struct score_truth *t, double time, double (*xyz)[3])
 {
-    const double *at = t->motion_time;
-    int first = 0;
+    const struct truth *known = &t->known;
+    double at[4], weight[4];
+    int first = -1; /* of the stored frames; -1: at rest */
 
-    while (first + 4 < t->motions && at[first + 2] < time)
+    while (first + 4 < known->claimed && known->time[first + 2] < time)
         first++;
-    for (int p = 0; p < SCORE_FEW; p++)
-        xyz[p][0] = xyz[p][1] = xyz[p][2] = 0;
-    for (int a = first; a < first + 4; a++) {
-        double weight = 1;
-        for (int b = first; b < first + 4; b++)
-            weight *= a == b ? 1 : (time - at[b]) / (at[a] - at[b]);
+    for (int a = 0; a < 4; a++)
+        at[a] = first + a < 0 ? 0 : known->time[first + a];
+    score_cubic(at, time, weight);
+    memset(xyz, 0, SCORE_FEW * sizeof *xyz);
+    for (int a = 0; a < 4; a++) {
+        const double *field = first + a < 0 ? t->rest : known->xyz[first + a];
         for (int p = 0; p < SCORE_FEW; p++)
             for (int c = 0; c < 3; c++)
-                xyz[p][c] += weight * t->motion[a][p][c];
+                xyz[p][c] += weight[a] * field[3 * score_truth_few(p) + c];
     }
 }
 
@@ -230,30 +220,32 @@ static void truth_at(const struct score_truth *t, double time, double (*xyz)[3])
  * both rms errors stay NaN where these are too few. */
 static struct pace compare(const struct score *s, double speed)
 {
-    const struct score_truth *t = &s->truth;
+    const struct truth *known = &s->truth.known;
+    const double length = s->truth.scene.length;
     struct pace pace = {speed, NAN, NAN};
     double sum[2] = {0, 0}, there[SCORE_FEW][3];
     int times = 0;
 
-    for (int n = 0; n < t->times; n++) {
-        const double *got = s->field + 3L * SCORE_POINTS * n,
-                     *truth = score_truth_field(t, n);
-        const double time = speed * t->time[n];
-        if (!s->row[n].known || time > t->motion_time[t->motions - 1])
+    for (int n = 0; n < s->times; n++) {
+        const struct score_time *row = &s->row[n];
+        const double time = speed * row->time;
+        if (time > known->time[known->claimed - 1])
             continue;
         times++;
-        truth_at(t, time, there);
+        truth_at(&s->truth, time, there);
         for (int p = 0; p < SCORE_FEW; p++)
             for (int c = 0; c < 3; c++) {
                 const int at = 3 * score_truth_few(p) + c;
-                sum[0] += (got[at] - there[p][c]) * (got[at] - there[p][c]);
-                sum[1] += (got[at] - truth[at]) * (got[at] - truth[at]);
+                const double off[2] = {row->got[at] - there[p][c],
+                                       row->got[at] - row->truth[at]};
+                sum[0] += off[0] * off[0];
+                sum[1] += off[1] * off[1];
             }
     }
     if (times < TIMES_LEAST)
         return pace;
-    pace.error = sqrt(sum[0] / (times * SCORE_FEW)) / t->scene.length;
-    pace.as_is = sqrt(sum[1] / (times * SCORE_FEW)) / t->scene.length;
+    pace.error = sqrt(sum[0] / (times * SCORE_FEW)) / length;
+    pace.as_is = sqrt(sum[1] / (times * SCORE_FEW)) / length;
     return pace;
 }
 
@@ -268,7 +260,7 @@ static struct pace best_pace(const struct score *s)
     struct pace best = {1, 0, 0};
     double step = STEP;
 
-    if (s->truth.motions < 4)
+    if (!s->truth.moves || s->truth.known.claimed < 3)
         return best;
     for (int n = -STEPS; n <= STEPS; n++) {
         const struct pace p = compare(s, pow(STEP, n));
@@ -319,7 +311,8 @@ static double longer_by(const struct lines *l)
     return l->got / l->truth - 1;
 }
 
-/* Whether the truth itself stretches, so that the frames' stretch is compared with it. */
+/* Returns whether the truth itself stretches, so that the frames' stretch is compared with
+ * it. */
 static bool truth_stretches(const struct lines *l)
 {
     return l->truth / l->rest - 1 > STRAIN_LEAST && l->got > l->rest;
@@ -337,22 +330,20 @@ static double floor_of(const struct lines *l, double whole)
     return cut + (longer_by(l) > 0 ? STRETCH_LEAST : SHRINK_LEAST);
 }
 
-/* Measures the grid's lines; `truth` is the truth as the net sees it, `whole` the truth
- * itself: fields [SCORE_POINTS][3]. */
-static struct lines lines_of(const struct score *s, const double *whole,
-                             const double *truth, const double *got, bool along_v)
+/* Measures the grid's lines at a time against the truth as the net sees it. */
+static struct lines lines_of(const struct score *s, const struct score_time *row,
+                             bool along_v)
 {
-    double length = 0;
     struct lines l = {0};
-    double sum = 0, squares = 0;
+    double whole = 0, sum = 0, squares = 0;
     int pieces = 0;
 
     for (int j = 0; j < GRID_V - along_v; j++)
         for (int i = 0; i < GRID_U - !along_v; i++) {
             const int a = j * GRID_U + i, b = a + (along_v ? GRID_U : 1);
-            const double wanted = piece(truth, a, b), there = piece(got, a, b);
+            const double wanted = piece(row->seen, a, b), there = piece(row->got, a, b);
             l.rest += piece(s->truth.rest, a, b);
-            length += piece(whole, a, b);
+            whole += piece(row->truth, a, b);
             l.truth += wanted;
             l.got += there;
             sum += there / wanted;
@@ -360,34 +351,26 @@ static struct lines lines_of(const struct score *s, const double *whole,
             pieces++;
         }
     l.spread = sqrt(fmax(0, squares / pieces - sum / pieces * (sum / pieces)));
-    l.floor = floor_of(&l, length);
+    l.floor = floor_of(&l, whole);
     return l;
 }
 
 /* Finds, over both directions and all times, the lines that are farthest beyond their own
- * floor, and when [s]; 0: none are. */
-static enum status find_stretch(const struct score *s, struct lines *most, double *when)
+ * floor; returns when [s], 0: none are. */
+static double find_stretch(const struct score *s, struct lines *most)
 {
-    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), far = 1;
+    double far = 1, when = 0;
 
-    *when = 0;
-
-    for (int n = 0; seen && n < s->truth.times; n++) {
-        if (!s->row[n].known)
-            continue;
-        score_seen(s, &s->grid, score_truth_field(&s->truth, n), seen);
+    for (int n = 0; n < s->times; n++)
         for (int k = 0; k < 2; k++) {
-            const struct lines l = lines_of(s, score_truth_field(&s->truth, n), seen,
-                                            s->field + 3L * SCORE_POINTS * n, k);
+            const struct lines l = lines_of(s, &s->row[n], k);
             if (fabs(longer_by(&l)) > far * l.floor) {
                 far = fabs(longer_by(&l)) / l.floor;
                 *most = l;
-                *when = s->row[n].time;
+                when = s->row[n].time;
             }
         }
-    }
-    free(seen);
-    return seen ? STATUS_OK : STATUS_MEMORY;
+    return when;
 }
 
 /* --- supports --------------------------------------------------------------------------
@@ -417,8 +400,8 @@ struct sums {
     double off[3], square;
 };
 
-static void add_points(const struct scene_support *held, const double *seen,
-                       const double *got, struct sums *sums)
+static void add_points(const struct scene_support *held, const struct score_time *row,
+                       struct sums *sums)
 {
     const double NEAR = 1e-9;
 
@@ -430,7 +413,7 @@ static void add_points(const struct scene_support *held, const double *seen,
         sums->points++;
         for (int c = 0; c < 3; c++)
             if (held->fix & 1u << c) {
-                const double off = got[3 * p + c] - seen[3 * p + c];
+                const double off = row->got[3 * p + c] - row->seen[3 * p + c];
                 sums->off[c] += off;
                 sums->square += off * off;
             }
@@ -462,46 +445,38 @@ static void begins_off(const struct score *s, struct held_off *support)
 }
 
 /* Finds the support that is farthest from the truth as the net sees it. */
-static enum status find_support(const struct score *s, struct held_off *support)
+static struct held_off find_support(const struct score *s)
 {
     const struct scene *scene = &s->truth.scene;
-    double *seen = malloc(3 * SCORE_POINTS * sizeof *seen), square = 0;
+    struct held_off support = {0};
     struct sums all = {0};
+    double square = 0;
 
-    memset(support, 0, sizeof *support);
-    for (int n = 0; seen && n < s->truth.times; n++) {
-        const double *got = s->field + 3L * SCORE_POINTS * n;
-        if (!s->row[n].known)
-            continue;
-        score_seen(s, &s->grid, score_truth_field(&s->truth, n), seen);
+    for (int n = 0; n < s->times; n++)
         for (int k = 0; k < scene->support_count; k++) {
             struct sums one = {0};
-            add_points(&scene->supports[k], seen, got, &one);
-            add_points(&scene->supports[k], seen, got, &all);
+            add_points(&scene->supports[k], &s->row[n], &one);
+            add_points(&scene->supports[k], &s->row[n], &all);
             if (one.points && one.square / one.points > square) {
                 square = one.square / one.points;
-                support->which = k;
-                support->time = s->row[n].time;
-                mean(&one, support->by);
+                support.which = k;
+                support.time = s->row[n].time;
+                mean(&one, support.by);
             }
         }
-    }
-    free(seen);
-    if (!seen)
-        return STATUS_MEMORY;
-    support->most = sqrt(square) / scene->length;
-    const double shift = mean(&all, support->shift);
-    support->steady = shift > HELD_MOST * scene->length &&
-                      all.square / all.points - shift * shift < SAME * SAME * shift * shift;
+    support.most = sqrt(square) / scene->length;
+    const double shift = mean(&all, support.shift);
+    support.steady = shift > HELD_MOST * scene->length &&
+                     all.square / all.points - shift * shift < SAME * SAME * shift * shift;
     if (!scene->support_count)
-        begins_off(s, support);
-    if (!support->steady)
-        memset(support->shift, 0, sizeof support->shift);
-    if (support->most <= HELD_MOST)
-        support->most = 0;
+        begins_off(s, &support);
+    if (!support.steady)
+        memset(support.shift, 0, sizeof support.shift);
+    if (support.most <= HELD_MOST)
+        support.most = 0;
     for (int c = 0; c < 3; c++)
-        support->by[c] = round(support->by[c] / DIGIT) * DIGIT + 0.0;
-    return STATUS_OK;
+        support.by[c] = round(support.by[c] / DIGIT) * DIGIT + 0.0;
+    return support;
 }
 
 /* --- sentences -------------------------------------------------------------------------
@@ -536,18 +511,16 @@ say(struct score_diagnosis *d, enum score_kind kind, double value, const char *f
 
 static bool say_still(const struct score *s, struct score_diagnosis *d)
 {
-    const int last = score_last(s);
-    const double *truth = score_truth_field(&s->truth, last),
-                 *got = s->field + 3L * SCORE_POINTS * last, *rest = s->truth.rest;
-    const double moved = score_rms(SCORE_POINTS, truth, rest),
-                 theirs = score_rms(SCORE_POINTS, got, rest);
+    const struct score_time *last = &s->row[s->times - 1];
+    const double moved = score_rms(SCORE_POINTS, last->truth, s->truth.rest),
+                 theirs = score_rms(SCORE_POINTS, last->got, s->truth.rest);
 
     if (moved < STILL_MOST * s->truth.scene.length || theirs > STILL_MOST * moved)
         return false;
     say(d, SCORE_STILL, theirs / moved,
-        "Did not move: %.2g %% of the truth's way at %g s; are forces switched on, are all "
-        "vertices held, do the frames come from the start?",
-        100 * theirs / moved, s->row[last].time);
+        "Did not move: %.2g %% of the truth's way at %g s; are forces switched on, are "
+        "all vertices held, do the frames come from the start?",
+        100 * theirs / moved, last->time);
     return true;
 }
 
@@ -579,8 +552,8 @@ static bool say_turned(const struct score *s, struct score_diagnosis *d)
             then, now, t.scale);
     if (strcmp(axes, "x, y, z") != 0)
         say(d, SCORE_AXES, t.error,
-            "Axes are exchanged: frames fit to %.2g %% in place of %.2g %% if %s are taken "
-            "for x, y, z%s.",
+            "Axes are exchanged: frames fit to %.2g %% in place of %.2g %% if %s are "
+            "taken for x, y, z%s.",
             then, now, axes,
             !strcmp(axes, "x, -z, y")   ? " (--up y)"
             : !strcmp(axes, "-z, y, x") ? " (--up x)"
@@ -588,8 +561,7 @@ static bool say_turned(const struct score *s, struct score_diagnosis *d)
     if (t.order)
         say(d, SCORE_ORDER, t.error,
             "Vertices are in another order than their uv: frames fit to %.2g %% in place "
-            "of "
-            "%.2g %% with %s%s%s.",
+            "of %.2g %% with %s%s%s.",
             then, now, t.order & 1 ? "rows and columns exchanged" : "the same rows",
             t.order & 2 ? ", u reversed" : "", t.order & 4 ? ", v reversed" : "");
     return d->count > 0;
@@ -602,8 +574,7 @@ static void stretch_text(const struct lines *l, double when, struct score_diagno
     if (truth_stretches(l))
         say(d, SCORE_STRETCH, more,
             "Stretches %.2g times as much as the truth (its lines, on average, by %.2g %% "
-            "in "
-            "place of %.2g %% at %g s): %s",
+            "in place of %.2g %% at %g s): %s",
             (l->got / l->rest - 1) / strain, 100 * (l->got / l->rest - 1), 100 * strain,
             when,
             more > 0 ? "too soft in the plane, or too few iterations."
@@ -618,44 +589,36 @@ static void stretch_text(const struct lines *l, double when, struct score_diagno
                                 : "is the rest shape the sheet's?");
 }
 
-static enum status say_stretch(const struct score *s, struct score_diagnosis *d)
+static void say_stretch(const struct score *s, struct score_diagnosis *d)
 {
     struct lines most = {0};
-    double when;
-    enum status st;
+    const double when = find_stretch(s, &most);
 
-    TRY(find_stretch(s, &most, &when));
     if (when > 0)
         stretch_text(&most, when, d);
-out:
-    return st;
 }
 
 /* Reports vertices in a wrong order: neighbours on the net lie far apart, yet all points
  * lie on the truth's surface. */
 static bool say_scattered(const struct score *s, struct score_diagnosis *d)
 {
-    int n = 0;
+    const struct score_time *row = s->row;
+    double apart = 0;
 
-    while (!s->row[n].known)
-        n++;
-    const double *truth = score_truth_field(&s->truth, n),
-                 *got = s->field + 3L * SCORE_POINTS * n;
-    const struct lines u = lines_of(s, truth, truth, got, false),
-                       v = lines_of(s, truth, truth, got, true);
-    const double apart = fmax(u.got / u.truth, v.got / v.truth);
+    for (int k = 0; k < 2; k++) {
+        const struct lines l = lines_of(s, row, k);
+        apart = fmax(apart, l.got / l.truth);
+    }
     if (apart < SCATTERED_LEAST)
         return false;
-    const double off = nearest(s, n);
-    if (!is_better(off, s->row[n].error))
+    const double off = nearest(row, s->truth.scene.length);
+    if (!is_better(off, row->error))
         return false;
     say(d, SCORE_ORDER, off,
         "Vertices are in another order than their uv: neighbours lie %.2g times as far "
-        "apart "
-        "as the truth's at %g s, yet all of them on its surface, to %.2g %%; does each "
-        "vertex "
-        "have its own uv?",
-        apart, s->row[n].time, 100 * off);
+        "apart as the truth's at %g s, yet all of them on its surface, to %.2g %%; does "
+        "each vertex have its own uv?",
+        apart, row->time, 100 * off);
     return true;
 }
 
@@ -683,8 +646,8 @@ static void say_lead(const struct score *s, double lead, const double shift[3],
         say(d, SCORE_LAG, -lead, "%s the truth by %.3g ms: %s",
             lead > 0 ? "Is ahead of" : "Lags behind", 1e3 * fabs(lead),
             lead > 0 ? "does frame 0 show the start?"
-                     : "frames before the start, or a first-order step that begins at rest "
-                       "(explicit Euler).");
+                     : "frames before the start, or a first-order step that begins at "
+                       "rest (explicit Euler).");
 }
 
 static double left_by(const struct pace *pace)
@@ -710,8 +673,7 @@ static bool say_pace(const struct score *s, const struct pace *pace,
     say(d, SCORE_TIME, pace->speed,
         "Runs %.2f times as %s as the truth: at t frames show what happens at %.4g t, and "
         "fit to %.2g %% in place of %.2g %%; do frames stand twice%s, are some left out, "
-        "or "
-        "is the time from one to the next another%s?",
+        "or is the time from one to the next another%s?",
         slow ? 1 / pace->speed : pace->speed, slow ? "slow" : "fast", pace->speed,
         100 * pace->error, 100 * pace->as_is, repeats, gravity);
     return true;
@@ -722,7 +684,7 @@ static bool say_pace(const struct score *s, const struct pace *pace,
 static void say_gravity(const struct score *s, double g, const struct pace *pace,
                         const struct score_fit *fit, struct score_diagnosis *d)
 {
-    const double speed = !s->truth.motions ? sqrt(fmax(g, 0))
+    const double speed = !s->truth.moves ? sqrt(fmax(g, 0))
                          : left_by(pace) < PACE_BETTER * fit->left && fit->count == 1
                              ? pace->speed
                              : 1;
@@ -755,16 +717,14 @@ static void say_fit(const struct score *s, const struct score_fit *fit,
     if (fit->has[FIT_HINGE] && value[FIT_HINGE] < CLAMP_MOST)
         say(d, SCORE_CLAMP, value[FIT_HINGE],
             "The clamp gives way, by %.0f %% of what a hinge does: where bending is an "
-            "angle "
-            "between elements, that over the held row stands for half a cell and needs "
-            "twice the stiffness of the others.",
+            "angle between elements, that over the held row stands for half a cell and "
+            "needs twice the stiffness of the others.",
             100 * value[FIT_HINGE]);
     else if (fit->has[FIT_HINGE])
         say(d, SCORE_HINGE, value[FIT_HINGE],
             "The edge is held as a hinge, not a clamp (%.0f %% of the way to a hinge%s): "
             "where bending is an angle between elements, a second row outside the sheet "
-            "must "
-            "be held.",
+            "must be held.",
             100 * value[FIT_HINGE],
             value[FIT_HINGE] > NO_BENDING ? ": hardly anything resists bending" : "");
     if (fit->has[FIT_BENDING])
@@ -784,8 +744,8 @@ static void say_support(const struct score *s, const struct held_off *off,
         const struct scene_support *held = &scene->supports[off->which];
         snprintf(
             what, sizeof what,
-            "Is not held where the scene holds it: support %d (u %g to %g, v %g to %g) "
-            "is %.2g %% off at %g s",
+            "Is not held where the scene holds it: support %d (u %g to %g, v %g to %g) is "
+            "%.2g %% off at %g s",
             off->which, held->lo[0], held->hi[0], held->lo[1], held->hi[1], 100 * off->most,
             off->time);
     }
@@ -798,33 +758,19 @@ static void say_support(const struct score *s, const struct held_off *off,
 /* Fits the flaws to the frames as they are, or moved back where what is held is off by the
  * same at all times. A sheet that nothing holds may begin off because its frames are ahead:
  * there the fit that leaves less is taken. */
-static enum status fit_either(const struct score *s, struct held_off *off,
-                              struct score_fit *fit)
+static void fit_either(const struct score *s, struct held_off *off, struct score_fit *fit)
 {
     struct score_fit back;
-    enum status st;
 
-    TRY(score_fit_make(s, (double[3]){0}, fit));
+    score_fit_make(s, (double[3]){0}, fit);
     if (!off->steady)
-        goto out;
-    TRY(score_fit_make(s, off->shift, &back));
+        return;
+    score_fit_make(s, off->shift, &back);
     off->steady = s->truth.scene.support_count || back.rest < fit->rest;
     if (off->steady)
         *fit = back;
     else
         memset(off->shift, 0, sizeof off->shift);
-out:
-    return st;
-}
-
-static double largest(const struct score *s, bool floor)
-{
-    double most = 0;
-
-    for (int n = 0; n < s->truth.times; n++)
-        if (s->row[n].known)
-            most = fmax(most, floor ? s->row[n].floor : s->row[n].error);
-    return most;
 }
 
 /* Returns the error that sound frames may have, over the length. */
@@ -832,73 +778,59 @@ static double sound_most(const struct score *s)
 {
     double way = 0;
 
-    for (int n = 0; n < s->truth.times; n++)
-        if (s->row[n].known)
-            way = fmax(way, score_rms(SCORE_POINTS, score_truth_field(&s->truth, n),
-                                      s->truth.rest));
+    for (int n = 0; n < s->times; n++)
+        way = fmax(way, score_rms(SCORE_POINTS, s->row[n].truth, s->truth.rest));
     return fmin(SOUND_MOST, SOUND_SHARE * way / s->truth.scene.length);
-}
-
-static bool is_sound(const struct score *s)
-{
-    const double most = sound_most(s);
-
-    for (int n = 0; n < s->truth.times; n++)
-        if (s->row[n].known &&
-            s->row[n].error > most + TIMES_FLOOR * (s->row[n].bar + s->row[n].floor))
-            return false;
-    return true;
 }
 
 static void say_sound(const struct score *s, struct score_diagnosis *d)
 {
-    const struct score_time *last = &s->row[score_last(s)];
-    const double error = largest(s, false), floor = largest(s, true);
+    const struct score_time *last = &s->row[s->times - 1];
+    const double most = sound_most(s);
+    double error = 0, floor = 0;
+    bool sound = true;
 
+    for (const struct score_time *row = s->row; row <= last; row++) {
+        error = fmax(error, row->error);
+        floor = fmax(floor, row->floor);
+        sound = sound && row->error <= most + TIMES_FLOOR * (row->bar + row->floor);
+    }
     if (last->floor > last->bar && last->error < TIMES_FLOOR * last->floor)
         say(d, SCORE_FLOOR, last->floor,
-            "Is at its net's floor: the truth itself between these vertices is off by %.2g "
-            "%% at %g s; only a finer net can do better.",
+            "Is at its net's floor: the truth itself between these vertices is off by "
+            "%.2g %% at %g s; only a finer net can do better.",
             100 * last->floor, last->time);
-    if (!is_sound(s))
-        return;
-    if (last->bar > SOUND_MOST && error > SOUND_MOST)
+    if (sound && last->bar > SOUND_MOST && error > SOUND_MOST)
         say(d, SCORE_SOUND, error,
             "Nothing can be said against it: at most %.2g %% off, where the truth itself "
-            "has "
-            "an error bar of up to %.2g %%.",
+            "has an error bar of up to %.2g %%.",
             100 * error, 100 * last->bar);
-    else
+    else if (sound)
         say(d, SCORE_SOUND, error,
             "Nothing wrong was found: at most %.2g %% off, the net's floor at most %.2g "
             "%%.",
             100 * error, 100 * floor);
 }
 
-enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *d)
+void score_diagnosis_make(const struct score *s, struct score_diagnosis *d)
 {
-    struct held_off support;
-    struct pace pace;
     struct score_fit fit;
-    enum status st = STATUS_OK;
 
     memset(d, 0, sizeof *d);
-    if (score_last(s) < 0 || say_still(s, d) || say_turned(s, d) || say_scattered(s, d))
-        goto out;
-    TRY(find_support(s, &support));
-    TRY(fit_either(s, &support, &fit));
-    pace = best_pace(s);
+    if (!s->times || say_still(s, d) || say_turned(s, d) || say_scattered(s, d))
+        return;
+    struct held_off support = find_support(s);
+    fit_either(s, &support, &fit);
+    const struct pace pace = best_pace(s);
     if (say_pace(s, &pace, &fit, d))
-        goto out;
+        return;
     if (support.steady)
         say_support(s, &support, d);
-    TRY(say_stretch(s, d));
+    say_stretch(s, d);
     say_fit(s, &fit, &support, &pace, d);
     d->left = fit.left < 1 ? fit.left : 0;
     if (!d->count && support.most > 0)
         say_support(s, &support, d);
     if (!d->count)
         say_sound(s, d);
-out:
-    return st;
 }

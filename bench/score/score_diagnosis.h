@@ -45,8 +45,7 @@ struct score_diagnosis {
 /* Returns the name of a kind: "first_order_step", ... */
 const char *score_diagnosis_name(enum score_kind kind);
 
-/* Diagnoses a score; fails only with STATUS_MEMORY. */
-enum status score_diagnosis_make(const struct score *score,
-                                 struct score_diagnosis *diagnosis);
+/* Diagnoses a score; finds nothing where it has no times. */
+void score_diagnosis_make(const struct score *score, struct score_diagnosis *diagnosis);
 
 #endif

@@ -1,7 +1,6 @@
 #include "bench/score/score_fit.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Columns of the least squares: the frames' difference, then the effect of each flaw.
@@ -44,43 +43,32 @@ enum { TRIES = 121, SET_MOST = 3 };
 
 struct sums {
     double gram[COLUMNS][COLUMNS]; /* sums over all rows of products of two columns      */
-    double noise;                  /* the same of what is not known, squared              */
-    double shift[3]; /* of the frames [m]                                    */
+    double noise;                  /* the same of the uncertainty, squared                */
     bool ladder;
+    double column[COLUMNS][3 * LADDER_POINTS]; /* of the time that is added              */
 };
 
-/* One point at one time; each component is a row of the least squares. */
-struct point {
-    double column[COLUMNS][3];
-};
-
-static void add_point(struct sums *s, const struct point *p, double weight)
+/* Adds a time, of so many points, whose uncertainty is `noise` [m]. */
+static void add_time(struct sums *s, int points, double weight, double noise)
 {
-    for (int c = 0; c < 3; c++)
+    for (int n = 0; n < 3 * points; n++)
         for (int a = 0; a < COLUMNS; a++)
             for (int b = 0; b < COLUMNS; b++)
-                s->gram[a][b] += weight * weight * p->column[a][c] * p->column[b][c];
-}
-
-static void add_noise(struct sums *s, int points, double weight, double noise)
-{
+                s->gram[a][b] += weight * weight * s->column[a][n] * s->column[b][n];
     s->noise += points * weight * weight * noise * noise;
 }
 
 /* --- on the ladder ----------------------------------------------------------------------
  */
 
-/* Fills the columns with the fields of one time, and Y with the base itself. */
-static void fields_at(const struct score *s, int time, const double *rest,
-                      double (*field)[3 * LADDER_POINTS])
+/* Fills rate[LADDER_POINTS][3] with the velocity of the ladder's base [m/s]. */
+static void find_rate(const struct score_ladder *l, int time, const double *rest,
+                      double *rate)
 {
-    const struct score_ladder *l = &s->ladder;
-    static const int flaws[LADDER_FLAWS] = {DAMPING, GRAVITY, STRETCH, HINGE};
     const int last = time + 1 < l->times ? time + 1 : time;
     const double *before = time ? score_ladder_rung(l, LADDER_BASE, time - 1) : rest,
                  *after = score_ladder_rung(l, LADDER_BASE, last);
     const double step = l->time[0], span = last == time ? step : 2 * step;
-    double rate[3 * LADDER_POINTS];
 
     for (int n = 0; n < 3 * LADDER_POINTS; n++)
         rate[n] = (after[n] - before[n]) / span;
@@ -90,64 +78,56 @@ static void fields_at(const struct score *s, int time, const double *rest,
                        (after[n] - 2 * before[n] +
                         score_ladder_rung(l, LADDER_BASE, time - 2)[n]) /
                        step;
-    score_seen(s, &s->coarse, score_ladder_rung(l, LADDER_BASE, time), field[Y]);
-    score_seen(s, &s->coarse, rate, field[LEAD]);
-    for (int f = 0; f < LADDER_FLAWS; f++)
-        score_seen(s, &s->coarse, score_ladder_flaw(l, f, time), field[flaws[f]]);
-    for (int r = 0; r < LADDER_RUNGS; r++)
-        score_seen(s, &s->coarse, score_ladder_rung(l, r, time), field[RUNG + r]);
 }
 
-static void add_time(const struct score *s, int time, const double *rest,
-                     double (*field)[3 * LADDER_POINTS], struct sums *sums)
+/* Fills a column with the effect of something that turns the base into `field`. */
+static void fill_effect(const struct score *s, const double *field, const double *base,
+                        double size, double *column)
 {
+    score_seen(s, &s->coarse.map, field, column);
+    for (int n = 0; n < 3 * LADDER_POINTS; n++)
+        column[n] = (column[n] - base[n]) / size;
+}
+
+static void add_ladder_time(const struct score *s, int time, const double *rest,
+                            const double shift[3], struct sums *sums)
+{
+    static const int flaws[LADDER_FLAWS] = {DAMPING, GRAVITY, STRETCH, HINGE};
     const struct score_ladder *l = &s->ladder;
-    const double *base = field[Y], *got = s->coarse_field + 3L * LADDER_POINTS * time,
-                 *truth = score_ladder_rung(l, LADDER_BASE, time),
-                 length = s->truth.scene.length;
     const double size[LADDER_FLAWS] = {l->size[LADDER_DAMPING], l->size[LADDER_GRAVITY] - 1,
                                        1, 1};
-    const double weight = 1 / (score_rms(LADDER_POINTS, truth, rest) + SMALL * length);
+    const double *truth = score_ladder_rung(l, LADDER_BASE, time),
+                 *got = score_view_field(&s->coarse, time), length = s->truth.scene.length;
+    double base[3 * LADDER_POINTS], rate[3 * LADDER_POINTS];
 
-    for (int p = 0; p < LADDER_POINTS; p++) {
-        struct point point = {{{0}}};
-        const int edge = p / LADDER_U * LADDER_U;
-        for (int c = 0; c < 3; c++) {
-            const int n = 3 * p + c;
-            double(*column)[3] = point.column;
-            column[Y][c] = got[n] - sums->shift[c] - base[n];
-            column[LEAD][c] = field[LEAD][n];
-            column[DAMPING][c] = (field[DAMPING][n] - base[n]) / size[LADDER_DAMPING];
-            column[GRAVITY][c] = (field[GRAVITY][n] - base[n]) / size[LADDER_GRAVITY];
-            column[STRETCH][c] = field[STRETCH][n] - base[n];
-            column[HINGE][c] = field[HINGE][n] - base[n];
-            column[SCALE][c] = base[n] - base[3 * edge + c];
-            for (int r = 0; r < LADDER_RUNGS; r++)
-                column[RUNG + r][c] = field[RUNG + r][n] - base[n];
-        }
-        add_point(sums, &point, weight);
+    score_seen(s, &s->coarse.map, truth, base);
+    find_rate(l, time, rest, rate);
+    score_seen(s, &s->coarse.map, rate, sums->column[LEAD]);
+    for (int f = 0; f < LADDER_FLAWS; f++)
+        fill_effect(s, score_ladder_flaw(l, f, time), base, size[f],
+                    sums->column[flaws[f]]);
+    for (int r = 0; r < LADDER_RUNGS; r++)
+        fill_effect(s, score_ladder_rung(l, r, time), base, 1, sums->column[RUNG + r]);
+    for (int n = 0; n < 3 * LADDER_POINTS; n++) {
+        const int edge = n / (3 * LADDER_U) * 3 * LADDER_U + n % 3;
+        sums->column[Y][n] = got[n] - shift[n % 3] - base[n];
+        sums->column[SCALE][n] = base[n] - base[edge];
     }
-    add_noise(sums, LADDER_POINTS, weight,
-              (l->bar[LADDER_BASE * l->times + time] + ROUNDING) * length +
-                  score_rms(LADDER_POINTS, base, truth));
+    add_time(sums, LADDER_POINTS,
+             1 / (score_rms(LADDER_POINTS, truth, rest) + SMALL * length),
+             (l->bar[LADDER_BASE * l->times + time] + ROUNDING) * length +
+                 score_rms(LADDER_POINTS, base, truth));
 }
 
-static enum status sum_ladder(const struct score *s, struct sums *sums)
+static void add_ladder(const struct score *s, const double shift[3], struct sums *sums)
 {
     double rest[3 * LADDER_POINTS];
-    double(*field)[3 * LADDER_POINTS] = malloc(COLUMNS * sizeof *field);
 
-    if (!field)
-        return STATUS_MEMORY;
     score_coarse_rest(s, rest);
     sums->ladder = true;
     for (int time = 0; time < s->ladder.times; time++)
-        if (s->coarse_tells[time]) {
-            fields_at(s, time, rest, field);
-            add_time(s, time, rest, field, sums);
-        }
-    free(field);
-    return STATUS_OK;
+        if (s->coarse.tells[time])
+            add_ladder_time(s, time, rest, shift, sums);
 }
 
 /* --- in free fall -----------------------------------------------------------------------
@@ -166,32 +146,27 @@ static bool falls_free(const struct scene *scene)
            !scene->load_count && scene->drag == 0 && scene->damping.kind == DAMPING_NONE;
 }
 
-static void sum_fall(const struct score *s, struct sums *sums)
+static void add_fall(const struct score *s, const double shift[3], struct sums *sums)
 {
-    const double length = s->truth.scene.length;
+    const double length = s->truth.scene.length, *rest = s->truth.rest;
 
-    for (int time = 0; time < s->truth.times; time++) {
-        const double *truth = score_truth_field(&s->truth, time), t = s->truth.time[time],
-                     *got = s->field + 3L * SCORE_POINTS * time, *rest = s->truth.rest;
-        const double weight = 1 / (score_rms(SCORE_POINTS, truth, rest) + SMALL * length);
-        if (!s->row[time].known || t <= 0)
+    for (const struct score_time *row = s->row; row < s->row + s->times; row++) {
+        const double t = row->time;
+        if (t <= 0)
             continue;
-        for (int p = 0; p < SCORE_FEW; p++) {
-            const int at = 3 * score_truth_few(p);
-            struct point point = {{{0}}};
-            for (int c = 0; c < 3; c++) {
-                const double fall = truth[at + c] - rest[at + c];
-                point.column[Y][c] = got[at + c] - sums->shift[c] - truth[at + c];
-                point.column[LEAD][c] = 2 * fall / t;
-                point.column[GRAVITY][c] = fall;
-                point.column[DAMPING][c] = -fall * t / 3;
-                point.column[SCALE][c] =
-                    rest[at + c] - .5 * (rest[c] + rest[3 * (SCORE_POINTS - 1) + c]);
-            }
-            add_point(sums, &point, weight);
+        for (int n = 0; n < 3 * SCORE_FEW; n++) {
+            const int at = 3 * score_truth_few(n / 3) + n % 3;
+            const double fall = row->truth[at] - rest[at];
+            sums->column[Y][n] = row->got[at] - shift[n % 3] - row->truth[at];
+            sums->column[LEAD][n] = 2 * fall / t;
+            sums->column[GRAVITY][n] = fall;
+            sums->column[DAMPING][n] = -fall * t / 3;
+            sums->column[SCALE][n] =
+                rest[at] - .5 * (rest[n % 3] + rest[3 * (SCORE_POINTS - 1) + n % 3]);
         }
-        add_noise(sums, SCORE_FEW, weight,
-                  s->truth.bar[time] + ROUNDING * length + s->row[time].floor * length);
+        add_time(sums, SCORE_FEW,
+                 1 / (score_rms(SCORE_POINTS, row->truth, rest) + SMALL * length),
+                 row->bar * length + ROUNDING * length + row->floor * length);
     }
 }
 
@@ -223,14 +198,16 @@ static void solve(int count, double a[][COLUMNS], double *b)
     }
 }
 
-/* Fits a set of flaws with given bending, rung[]. */
-static struct trial try_set(const struct sums *s, unsigned set,
-                            const double rung[LADDER_RUNGS])
+/* Fits a set of flaws with a given bending stiffness, from 0 to 1 along the ladder. */
+static struct trial try_set(const struct sums *s, unsigned set, double stiffness)
 {
     int column[COLUMNS], kind[COLUMNS], count = 0;
     double a[COLUMNS][COLUMNS], b[COLUMNS], right[COLUMNS];
-    struct trial t = {.left = s->gram[Y][Y]};
+    double rung[LADDER_RUNGS] = {0}, four[4];
+    struct trial t = {.left = s->gram[Y][Y], .stiffness = stiffness};
 
+    if (set >> FIT_BENDING & 1)
+        memcpy(rung + score_net_cubic(LADDER_RUNGS, stiffness, four), four, sizeof four);
     for (int k = 0; k < FIT_BENDING; k++)
         for (int n = 0; (set >> k & 1) && n < (k == FIT_STRETCH ? 2 : 1); n++)
             if (s->gram[first_column[k] + n][first_column[k] + n] > 0)
@@ -259,37 +236,19 @@ static struct trial try_set(const struct sums *s, unsigned set,
 /* Fits a set of flaws and, if it contains bending, its stiffness. */
 static struct trial best_of(const struct sums *s, unsigned set)
 {
-    struct trial best = {.left = INFINITY};
     const bool bends = set >> FIT_BENDING & 1;
+    struct trial best = try_set(s, set, bends ? 0 : .5);
 
-    for (int n = 0; n < (bends ? TRIES : 1); n++) {
-        const double x = bends ? n / (TRIES - 1.) : .5;
-        double rung[LADDER_RUNGS] = {0};
-        const int first = score_net_cubic(LADDER_RUNGS, x, rung);
-        double four[4];
-        memcpy(four, rung, sizeof four);
-        memset(rung, 0, sizeof rung);
-        for (int k = 0; k < 4 && bends; k++)
-            rung[first + k] = four[k];
-        struct trial t = try_set(s, set, rung);
-        t.stiffness = x;
-        if (t.left < best.left)
-            best = t;
+    for (int n = 1; bends && n < TRIES; n++) {
+        const struct trial t = try_set(s, set, n / (TRIES - 1.));
+        best = t.left < best.left ? t : best;
     }
     best.left = fmax(best.left, 0);
     return best;
 }
 
-static int size_of(unsigned set)
-{
-    int size = 0;
-
-    for (; set; set &= set - 1)
-        size++;
-    return size;
-}
-
-/* Whether each flaw is needed to leave little, and a fitted hinge has a plausible size. */
+/* Checks that each flaw is needed to leave little and that a fitted hinge has a plausible
+ * size. */
 static bool all_matter(const struct sums *s, unsigned set, const struct trial *t)
 {
     const double hinge = t->value[FIT_HINGE], left = t->left;
@@ -317,7 +276,7 @@ static unsigned choose(const struct sums *s)
     for (int size = 1; size <= SET_MOST; size++) {
         const double before = least;
         for (unsigned set = 1; set < most; set++) {
-            if (size_of(set) != size)
+            if (__builtin_popcount(set) != size)
                 continue;
             const struct trial t = best_of(s, set);
             if (t.left < least && all_matter(s, set, &t)) {
@@ -331,20 +290,18 @@ static unsigned choose(const struct sums *s)
     return chosen;
 }
 
-enum status score_fit_make(const struct score *score, const double shift[3],
-                           struct score_fit *fit)
+void score_fit_make(const struct score *score, const double shift[3], struct score_fit *fit)
 {
-    struct sums sums = {.shift = {shift[0], shift[1], shift[2]}};
-    enum status st = STATUS_OK;
+    struct sums sums = {.noise = 0};
 
     memset(fit, 0, sizeof *fit);
     if (score->ladder.times > 2)
-        TRY(sum_ladder(score, &sums));
+        add_ladder(score, shift, &sums);
     else if (falls_free(&score->truth.scene))
-        sum_fall(score, &sums);
+        add_fall(score, shift, &sums);
     const unsigned set = choose(&sums);
     const struct trial t = best_of(&sums, set);
-    fit->count = size_of(set);
+    fit->count = __builtin_popcount(set);
     for (int k = 0; k < FIT_KINDS; k++) {
         fit->has[k] = set >> k & 1;
         fit->value[k] = t.value[k];
@@ -357,6 +314,4 @@ enum status score_fit_make(const struct score *score, const double shift[3],
     }
     fit->rest = sqrt(t.left);
     fit->left = set ? sqrt(t.left / sums.gram[Y][Y]) : 1;
-out:
-    return st;
 }

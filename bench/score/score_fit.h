@@ -1,5 +1,5 @@
 /* score_fit.h - finds the flaws, and their sizes, that turn the truth into the frames:
- * least squares over all times and points of the difference, of each flaw's effect.
+ * least squares, over all times and points, of the difference by each flaw's effect.
  *
  * On edge_drop what a flaw does is taken from the ladder (score_ladder.h): bending by
  * cubics in log D, the others in proportion. On a sheet that nothing holds it is known: a
@@ -32,8 +32,8 @@ struct score_fit {
 
 /* Fits flaws to the frames, moved back by `shift` [m]. *fit has none where nothing can be
  * fitted, the difference is within the bars and the net's floor, or no three flaws explain
- * most of it. STATUS_MEMORY. */
-enum status score_fit_make(const struct score *score, const double shift[3],
-                           struct score_fit *fit);
+ * most of it. */
+void score_fit_make(const struct score *score, const double shift[3],
+                    struct score_fit *fit);
 
 #endif

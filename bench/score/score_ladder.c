@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/frames/frames_npz.h"
+#include "bench/frames/frames_array.h"
 #include "bench/harness/settings.h"
 #include "bench/truth/truth.h"
 #include "models/reader/named_file.h"
@@ -42,33 +42,27 @@ out:
                                : STATUS_OK; /* without such a scene there is no ladder */
 }
 
-static enum status take(const struct npz *npz, const char *name, size_t count,
-                        double **values, struct message *why)
+static enum status read_all(struct frames_array *file, const char *path,
+                            struct score_ladder *l, struct message *why)
 {
-    struct npz_array a;
-    enum status st = npz_load(npz, name, count, &a, values, why);
-
-    if (st == STATUS_UNSUPPORTED || (st == STATUS_OK && npz_count(&a) != count))
-        st = status_fail(why, STATUS_INPUT,
-                         "%s: has no %s of %zu numbers; tools/ladder "
-                         "makes such a file",
-                         npz->bytes.path, name, count);
-    return st;
-}
-
-static enum status read_all(const struct npz *npz, struct score_ladder *l,
-                            struct message *why)
-{
-    struct npz_array a;
+    unsigned long long size[8];
     enum status st;
 
-    TRY(npz_load(npz, "t.npy", TIMES_MOST, &a, &l->time, why));
-    const size_t times = npz_count(&a), field = times * LADDER_POINTS * 3;
-    TRY(take(npz, "scale.npy", LADDER_RUNGS, &l->scale, why));
-    TRY(take(npz, "size.npy", LADDER_FLAWS, &l->size, why));
-    TRY(take(npz, "bending.npy", LADDER_RUNGS * field, &l->rung, why));
-    TRY(take(npz, "flaw.npy", LADDER_FLAWS * field, &l->flaw, why));
-    TRY(take(npz, "bending_bar.npy", LADDER_RUNGS * times, &l->bar, why));
+    TRY(frames_array_begin(file, "t", size, why));
+    if (size[0] < 1 || size[0] > TIMES_MOST)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: has %llu times; tools/ladder makes a file "
+                        "of 1 to %d",
+                        path, size[0], TIMES_MOST));
+    const size_t times = (size_t)size[0];
+    TRY(frames_array_load(file, "t", times, 1, &l->time, why));
+    TRY(frames_array_load(file, "scale", LADDER_RUNGS, 1, &l->scale, why));
+    TRY(frames_array_load(file, "size", LADDER_FLAWS, 1, &l->size, why));
+    TRY(frames_array_load(file, "bending", LADDER_RUNGS * times * LADDER_POINTS, 3,
+                          &l->rung, why));
+    TRY(frames_array_load(file, "flaw", LADDER_FLAWS * times * LADDER_POINTS, 3, &l->flaw,
+                          why));
+    TRY(frames_array_load(file, "bending_bar", LADDER_RUNGS * times, 1, &l->bar, why));
     l->times = (int)times;
 out:
     return st;
@@ -77,7 +71,7 @@ out:
 enum status score_ladder_read(const struct scene *scene, struct score_ladder *l,
                               struct message *why)
 {
-    struct npz npz = {0};
+    struct frames_array *file = NULL;
     char *path = NULL;
     bool does;
     enum status st;
@@ -90,11 +84,11 @@ enum status score_ladder_read(const struct scene *scene, struct score_ladder *l,
         st = st == STATUS_MEMORY ? st : STATUS_OK;
         goto out;
     }
-    TRY(npz_open(path, &npz, why));
-    st = read_all(&npz, l, why);
+    TRY(frames_array_open(path, &file, why));
+    TRY(read_all(file, path, l, why));
 out:
     free(path);
-    npz_close(&npz);
+    frames_array_close(file);
     if (st != STATUS_OK)
         score_ladder_clear(l);
     return st == STATUS_UNSUPPORTED ? STATUS_INPUT : st;

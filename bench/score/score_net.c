@@ -91,8 +91,6 @@ enum status score_net_make(const struct frames_net *frames, const struct scene *
     const size_t count = (size_t)frames->vertices;
 
     *net = (struct score_net){.vertices = frames->vertices,
-                              .triangles = frames->triangles,
-                              .triangle = (const int(*)[3])frames->triangle,
                               .uv = malloc(2 * count * sizeof *net->uv)};
     if (!net->uv)
         return STATUS_MEMORY;
@@ -112,108 +110,89 @@ void score_net_clear(struct score_net *net)
 /* --- rows and columns -------------------------------------------------------------------
  */
 
-static int compare(const void *a, const void *b)
-{
-    const double *left = a, *right = b;
+/* A vertex at its material coordinates. */
+struct point {
+    double uv[2];
+    int vertex;
+};
 
-    return (*left > *right) - (*left < *right);
+static int compare_u(const void *a, const void *b)
+{
+    const struct point *left = a, *right = b;
+
+    return (left->uv[0] > right->uv[0]) - (left->uv[0] < right->uv[0]);
 }
 
-/* Returns the distinct values of u or v, increasing; the caller frees them. */
-static double *lines_of(const struct score_net *net, int which, int *count)
+static int compare_v(const void *a, const void *b)
 {
-    double *line = malloc((size_t)net->vertices * sizeof *line);
+    const struct point *left = a, *right = b;
 
-    for (int n = 0; line && n < net->vertices; n++)
-        line[n] = net->uv[2 * n + which];
-    if (!line)
-        return NULL;
-    qsort(line, (size_t)net->vertices, sizeof *line, compare);
-    *count = 1;
-    for (int n = 1; n < net->vertices; n++)
-        if (line[n] - line[*count - 1] > SAME_LINE)
-            line[(*count)++] = line[n];
-    return line;
+    return (left->uv[1] > right->uv[1]) - (left->uv[1] < right->uv[1]);
 }
 
-/* Returns the index of the last line at or before x, at most the last but one. */
-static int cell_of(const double *line, int count, double x)
+/* Sorts points by u (d = 0) or v; returns how many distinct values they have. */
+static int count_lines(struct point *p, int count, int d)
+{
+    double line = -INFINITY;
+    int lines = 0;
+
+    qsort(p, (size_t)count, sizeof *p, d ? compare_v : compare_u);
+    for (int n = 0; n < count; n++)
+        if (p[n].uv[d] - line > SAME_LINE) {
+            line = p[n].uv[d];
+            lines++;
+        }
+    return lines;
+}
+
+/* Sorts points into rows along u, one after another; checks that every crossing of rows and
+ * columns has its vertex. */
+static bool sort_rows(struct point *p, int columns, int rows, int count)
+{
+    if (columns < 2 || rows < 2 || (long)columns * rows != count)
+        return false;
+    qsort(p, (size_t)count, sizeof *p, compare_v);
+    for (struct point *row = p; row < p + count; row += columns) {
+        const double v = row->uv[1];
+        for (int i = 0; i < columns; i++)
+            if (row[i].uv[1] - v > SAME_LINE)
+                return false;
+        qsort(row, (size_t)columns, sizeof *row, compare_u);
+        for (int i = 0; i < columns; i++)
+            if (fabs(row[i].uv[0] - p[i].uv[0]) > SAME_LINE)
+                return false;
+    }
+    return true;
+}
+
+/* Finds the cell, and the place within it from 0 to 1, of x among `count` lines u (d = 0)
+ * or v, of which each is `step` points after the one before; outside of them in the cell
+ * nearest to it. */
+static int cell_of(const struct point *p, int step, int count, int d, double x, double *s)
 {
     int low = 0, high = count - 1;
 
     while (high - low > 1) {
         const int middle = (low + high) / 2;
-        if (line[middle] <= x + SAME_LINE)
+        if (p[(long)middle * step].uv[d] <= x + SAME_LINE)
             low = middle;
         else
             high = middle;
     }
+    const double from = p[(long)low * step].uv[d], to = p[(long)(low + 1) * step].uv[d];
+    *s = (x - from) / (to - from);
     return low;
 }
 
-struct lattice {
-    int count[2];
-    double *line[2]; /* [count] owned */
-    int *vertex;     /* [count v][count u] owned */
-};
-
-static void lattice_clear(struct lattice *l)
-{
-    free(l->line[0]);
-    free(l->line[1]);
-    free(l->vertex);
-}
-
-/* Makes the lattice; *is: every crossing of a row and a column has its vertex. */
-static enum status lattice_make(const struct score_net *net, struct lattice *l, bool *is)
-{
-    *l = (struct lattice){0};
-    *is = false;
-    for (int d = 0; d < 2; d++) {
-        l->line[d] = lines_of(net, d, &l->count[d]);
-        if (!l->line[d])
-            return STATUS_MEMORY;
-    }
-    const long crossings = (long)l->count[0] * l->count[1];
-    if (crossings != net->vertices || l->count[0] < 2 || l->count[1] < 2)
-        return STATUS_OK;
-    l->vertex = malloc((size_t)crossings * sizeof *l->vertex);
-    if (!l->vertex)
-        return STATUS_MEMORY;
-    for (long n = 0; n < crossings; n++)
-        l->vertex[n] = -1;
-    for (int n = 0; n < net->vertices; n++) {
-        int at[2];
-        for (int d = 0; d < 2; d++) {
-            const double x = net->uv[2 * n + d];
-            at[d] = cell_of(l->line[d], l->count[d], x);
-            at[d] += x > l->line[d][at[d]] + 2 * SAME_LINE; /* the last line */
-        }
-        int *crossing = &l->vertex[(long)at[1] * l->count[0] + at[0]];
-        if (*crossing >= 0)
-            return STATUS_OK;
-        *crossing = n;
-    }
-    *is = true;
-    return STATUS_OK;
-}
-
-static void map_lattice(const struct lattice *l, struct score_map *map)
+static void map_rows(const struct point *p, int columns, int rows, struct score_map *map)
 {
     for (int n = 0; n < map->nu * map->nv; n++) {
-        const double x[2] = {(double)(n % map->nu) / (map->nu - 1),
-                             (double)(n / map->nu) / (map->nv - 1)};
-        int cell[2];
-        double s[2];
-        for (int d = 0; d < 2; d++) {
-            const double *line = l->line[d];
-            cell[d] = cell_of(line, l->count[d], x[d]);
-            s[d] = (x[d] - line[cell[d]]) / (line[cell[d] + 1] - line[cell[d]]);
-        }
+        double s, t;
+        const int i = cell_of(p, 1, columns, 0, (n % map->nu) / (map->nu - 1.), &s),
+                  j = cell_of(p, columns, rows, 1, (n / map->nu) / (map->nv - 1.), &t);
         for (int k = 0; k < 4; k++) {
-            map->vertex[n][k] =
-                l->vertex[(long)(cell[1] + k / 2) * l->count[0] + cell[0] + k % 2];
-            map->weight[n][k] = (k % 2 ? s[0] : 1 - s[0]) * (k / 2 ? s[1] : 1 - s[1]);
+            map->vertex[n][k] = p[(long)(j + k / 2) * columns + i + k % 2].vertex;
+            map->weight[n][k] = (k % 2 ? s : 1 - s) * (k / 2 ? t : 1 - t);
         }
     }
 }
@@ -270,7 +249,8 @@ static void map_triangle(const struct score_net *net, const int *vertex, double 
         }
 }
 
-static enum status map_triangles(const struct score_net *net, const char *name,
+static enum status map_triangles(const struct score_net *net,
+                                 const struct frames_net *frames, const char *name,
                                  struct score_map *map, struct message *why)
 {
     const int points = map->nu * map->nv;
@@ -281,8 +261,8 @@ static enum status map_triangles(const struct score_net *net, const char *name,
         return STATUS_MEMORY;
     for (int n = 0; n < points; n++)
         inside[n] = -EDGE; /* a point may lie so far out of a triangle */
-    for (int n = 0; n < net->triangles; n++)
-        map_triangle(net, net->triangle[n], inside, map);
+    for (int n = 0; n < frames->triangles; n++)
+        map_triangle(net, frames->triangle[n], inside, map);
     for (int n = 0; n < points && bare < 0; n++)
         bare = inside[n] > -EDGE ? -1 : n;
     free(inside);
@@ -295,11 +275,15 @@ static enum status map_triangles(const struct score_net *net, const char *name,
                        (double)(bare / map->nu) / (map->nv - 1));
 }
 
-static enum status check_span(const struct lattice *l, const char *name,
+static enum status check_span(const struct score_net *net, const char *name,
                               struct message *why)
 {
     for (int d = 0; d < 2; d++) {
-        const double first = l->line[d][0], last = l->line[d][l->count[d] - 1];
+        double first = INFINITY, last = -INFINITY;
+        for (int n = 0; n < net->vertices; n++) {
+            first = fmin(first, net->uv[2 * n + d]);
+            last = fmax(last, net->uv[2 * n + d]);
+        }
         if (first < -OUTSIDE || last > 1 + OUTSIDE)
             return status_fail(
                 why, STATUS_INPUT,
@@ -315,30 +299,33 @@ static enum status check_span(const struct lattice *l, const char *name,
     return STATUS_OK;
 }
 
-enum status score_net_map(const struct score_net *net, const char *name, int nu, int nv,
-                          struct score_map *map, struct message *why)
+enum status score_net_map(const struct score_net *net, const struct frames_net *frames,
+                          const char *name, int nu, int nv, struct score_map *map,
+                          struct message *why)
 {
     const size_t points = (size_t)nu * (size_t)nv;
-    struct lattice l = {0};
-    bool is;
+    struct point *p = malloc((size_t)net->vertices * sizeof *p);
     enum status st;
 
     *map = (struct score_map){nu, nv, malloc(points * sizeof *map->vertex),
                               malloc(points * sizeof *map->weight)};
-    TRY(map->vertex && map->weight ? STATUS_OK : STATUS_MEMORY);
-    TRY(lattice_make(net, &l, &is));
-    TRY(check_span(&l, name, why));
-    if (is)
-        map_lattice(&l, map);
-    else if (net->triangles)
-        TRY(map_triangles(net, name, map, why));
+    TRY(p && map->vertex && map->weight ? STATUS_OK : STATUS_MEMORY);
+    TRY(check_span(net, name, why));
+    for (int n = 0; n < net->vertices; n++)
+        p[n] = (struct point){{net->uv[2 * n], net->uv[2 * n + 1]}, n};
+    const int columns = count_lines(p, net->vertices, 0),
+              rows = count_lines(p, net->vertices, 1);
+    if (sort_rows(p, columns, rows, net->vertices))
+        map_rows(p, columns, rows, map);
+    else if (frames->triangles)
+        TRY(map_triangles(net, frames, name, map, why));
     else
         st = status_fail(why, STATUS_INPUT,
                          "%s: %d vertices are on %d lines u and %d lines v; one at each "
                          "crossing, or faces (OBJ, PLY, --rest), would be right",
-                         name, net->vertices, l.count[0], l.count[1]);
+                         name, net->vertices, columns, rows);
 out:
-    lattice_clear(&l);
+    free(p);
     return st;
 }
 

@@ -18,10 +18,8 @@ struct score_map {
 
 struct score_net {
     int vertices;
-    double *uv;               /* [vertices][2] owned */
-    bool by_position;         /* uv were found from rest positions                       */
-    int triangles;            /* of the frames */
-    const int (*triangle)[3]; /* borrowed      */
+    double *uv;       /* [vertices][2]                                          owned */
+    bool by_position; /* uv were found from rest positions                            */
 };
 
 /* Finds material coordinates: the net's own; else those of its rest mesh; else, where each
@@ -33,10 +31,11 @@ enum status score_net_make(const struct frames_net *frames, const struct scene *
                            struct score_net *net, struct message *why);
 void score_net_clear(struct score_net *net); /* all-zero is allowed */
 
-/* Makes the map. STATUS_INPUT: vertices do not cover the sheet, or neither stand in rows
- * and columns nor have faces. */
-enum status score_net_map(const struct score_net *net, const char *name, int nu, int nv,
-                          struct score_map *map, struct message *why);
+/* Makes the map of a net made of these frames. STATUS_INPUT: vertices do not cover the
+ * sheet, or neither stand in rows and columns nor have faces. */
+enum status score_net_map(const struct score_net *net, const struct frames_net *frames,
+                          const char *name, int nu, int nv, struct score_map *map,
+                          struct message *why);
 void score_map_clear(struct score_map *map); /* all-zero is allowed */
 
 /* Fills field[nu nv][3] from xyz[vertices][3]. */

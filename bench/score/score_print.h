@@ -5,23 +5,25 @@
 #include "bench/score/score_diagnosis.h"
 #include "bench/ui/table.h"
 
-/* The part of a score that outlives its fields. */
-struct score_result {
-    char *scene;            /* its name                                        owned */
-    char source[640];       /* of the truth                                          */
-    struct message refused; /* why there is no score; empty: there is one            */
-    int times, frames, vertices;
-    struct score_time *row; /* [times]                                         owned */
-    bool undamped, by_position;
-    double first, last; /* times of frames [s]                                   */
-    struct score_diagnosis diagnosis;
+struct score_print {
+    enum table_format format;
+    bool named; /* sentences begin with the scene's name, as there are several          */
+    FILE *file;
+    struct table *table; /* NULL before the first score, and for JSON           owned   */
 };
 
-void score_result_clear(struct score_result *result); /* all-zero is allowed */
+/* Adds a score: CSV has scene,time,error,bar,floor, over the length; JSON an object a
+ * scene, printed at once. */
+void score_print_add(struct score_print *p, const struct score *score,
+                     const struct score_diagnosis *diagnosis);
 
-/* Prints scores: CSV has scene,time,error,bar,floor, over the length; JSON an object a
- * scene. */
-enum status score_print(const struct score_result *results, int count,
-                        enum table_format format, FILE *file);
+/* Adds a scene that has no score, and why. */
+void score_print_refusal(struct score_print *p, const char *scene,
+                         const struct message *refused);
+
+/* Prints the sheet. STATUS_MEMORY, or STATUS_FILE if the file fails. */
+enum status score_print_end(struct score_print *p);
+
+void score_print_clear(struct score_print *p); /* all-zero is allowed */
 
 #endif

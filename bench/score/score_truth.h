@@ -3,8 +3,8 @@
 #ifndef SCORE_TRUTH_H
 #define SCORE_TRUTH_H
 
+#include "bench/truth/truth.h"
 #include "models/grid.h"
-#include "models/scene.h"
 
 enum { SCORE_POINTS = GRID_U * GRID_V };
 
@@ -14,16 +14,13 @@ enum { SCORE_FEW = SCORE_SIDE * SCORE_SIDE };
 
 struct score_truth {
     struct scene scene; /* as the truth moves: undamped where damping is no rate        */
-    int times;
-    double *time;        /* [times] [s]                                       owned      */
-    double *bar;         /* [times] rms error bar [m]                         owned      */
-    double *xyz;         /* [times][SCORE_POINTS][3] [m]                      owned      */
-    double *rest;        /* [SCORE_POINTS][3]                                 owned      */
-    int motions;         /* 0: no frames are stored between these times                  */
-    double *motion_time; /* [motions] from 0 on [s]            owned      */
-    double (*motion)[SCORE_FEW][3]; /* [motions] [m]                      owned      */
-    char source[640]; /* a sentence                                                   */
-    bool undamped;    /* the scene is damped, and its truth is not                    */
+    bool undamped;      /* the scene is damped, and its truth is not                    */
+    int times;          /* at which frames are judged                                   */
+    int *at;            /* [times] their indices in `known`                   owned     */
+    bool moves;         /* the motion between those times is known, too                 */
+    struct truth known; /* the first layer of each field is the middle surface,
+                           [SCORE_POINTS][3] [m]                                        */
+    double *rest;       /* the same of the sheet at rest                      owned     */
 };
 
 /* Finds the truth of a scene by name or path: a closed form or a stored truth; runs
@@ -35,8 +32,5 @@ void score_truth_clear(struct score_truth *truth); /* all-zero is allowed, and l
 
 /* Returns the grid's index of the n-th of the few points. */
 int score_truth_few(int n);
-
-/* Returns the n-th field. */
-const double *score_truth_field(const struct score_truth *truth, int n);
 
 #endif

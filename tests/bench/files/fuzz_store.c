@@ -23,7 +23,7 @@
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
 #include "bench/frames/frames.h"
-#include "bench/frames/frames_bytes.h"
+#include "bench/frames/frames_file.h"
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth.h"
 #include "tests/fuzz.h"
@@ -171,18 +171,15 @@ PLAYED(enum status, seal_check, (const char *path, long *size, struct message *w
 }
 
 /* Only its beginning is looked at: HDF5's own mark. */
-PLAYED(enum status, frames_bytes_open,
-       (const char *path, struct frames_bytes *b, struct message *why))
+PLAYED(enum status, frames_file_open,
+       (const char *path, struct frames_file *f, struct message *why))
 {
-    (void)path, (void)why;
-    *b = (struct frames_bytes){.byte = (const unsigned char *)"\x89HDF\r\n\x1a\n",
-                               .size = 9};
-    return STATUS_OK;
-}
+    static char signature[] = "\x89HDF\r\n\x1a\n";
 
-PLAYED(void, frames_bytes_close, (struct frames_bytes * b))
-{
-    *b = (struct frames_bytes){0};
+    (void)path, (void)why;
+    *f = (struct frames_file){.file = fmemopen(signature, 8, "r")};
+    MUST(f->file);
+    return STATUS_OK;
 }
 
 /* --- the target ------------------------------------------------------------------------

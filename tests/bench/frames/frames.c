@@ -1,12 +1,11 @@
 /* Readers of other people's frames: the samples come back in each format (tests/samples,
  * see its README); what is wrong is refused in a sentence that says where, what, and what
- * would be right; numbers are strtod's.
+ * would be right.
  */
 #include "bench/frames/frames.h"
 
 #include <sys/stat.h>
 
-#include "bench/frames/frames_bytes.h"
 #include "tests/scratch.h"
 
 #define SAMPLES SOURCE_DIR "/tests/samples/"
@@ -247,31 +246,10 @@ static void bad_binaries(void)
     check_refused(SAMPLES "rows.h5", 0, "rows.h5: uv", "has 38 numbers; 40");
 }
 
-/* To the bit as strtod has it. */
-static void numbers(void)
-{
-    const char *p = "x1";
-    char *stop, text[] = "0 -0.5 1e-3 +2.5E+4 .5 5. 123456789012345678901234567890 0.1 "
-                         "-9.81000000000000049960e-02 1e-310 1e400 0x1p-3 1e 3.14,2 "
-                         "0.00000000000000000000000000000123 179769313486231570000e288 "
-                         "9007199254740993";
-    double got = NAN;
-
-    CHECK(!frames_text_number(&p, p + 2, &got));
-    for (char *word = strtok(text, " "); word; word = strtok(NULL, " ")) {
-        const double want = strtod(word, &stop);
-        p = word;
-        if (!CHECK(frames_text_number(&p, p + strlen(p), &got) && p == stop &&
-                   !memcmp(&got, &want, sizeof got)))
-            printf("  %s: %.17g, not %.17g\n", word, got, want);
-    }
-}
-
 int main(void)
 {
     scratch_open();
     REQUIRE(chdir(scratch) == 0);
-    numbers();
     come_back();
     bad_texts();
     bad_sequences();

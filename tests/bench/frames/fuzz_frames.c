@@ -7,25 +7,24 @@
  * leaks and undefined behaviour it stops at: a refusal without a printable sentence that
  * names the file; frames with fewer numbers than they say, numbers that are none, times
  * that do not grow. */
-#define _GNU_SOURCE /* memmem */
+#define _GNU_SOURCE /* memfd_create, memmem */
 #include <hdf5.h>
 #include <math.h>
+#include <sys/mman.h>
 
 #include "bench/frames/frames.h"
-#include "bench/frames/frames_bytes.h"
+#include "bench/frames/frames_file.h"
 #include "tests/fuzz.h"
 
 static const uint8_t *file_bytes;
 static size_t file_size;
 
-enum status __wrap_frames_bytes_open(const char *path, struct frames_bytes *b,
-                                     struct message *why);
-void __wrap_frames_bytes_close(struct frames_bytes *b);
-void __wrap_frames_bytes_forget(struct frames_bytes *b, size_t until);
+enum status __wrap_frames_file_open(const char *path, struct frames_file *f,
+                                    struct message *why);
 
 /* fuzz1.obj is the first part. */
-enum status __wrap_frames_bytes_open(const char *path, struct frames_bytes *b,
-                                     struct message *why)
+enum status __wrap_frames_file_open(const char *path, struct frames_file *f,
+                                    struct message *why)
 {
     const uint8_t *at = file_bytes, *end = at + file_size, *stop;
 
@@ -35,31 +34,15 @@ enum status __wrap_frames_bytes_open(const char *path, struct frames_bytes *b,
     }
     stop = at ? memmem(at, (size_t)(end - at), "---\n", 4) : NULL;
     const size_t size = at ? (size_t)((stop ? stop : end) - at) : 0;
-    *b = (struct frames_bytes){.path = strdup(path)};
-    MUST(b->path);
-    if (!size) {
-        free(b->path);
-        *b = (struct frames_bytes){0};
+    *f = (struct frames_file){NULL};
+    if (!size)
         return status_fail(why, STATUS_INPUT, "%s: is empty", path);
-    }
-    unsigned char *copy = malloc(size); /* exact, so that a byte too far is seen */
-    MUST(copy);
-    memcpy(copy, at, size);
-    b->byte = copy;
-    b->size = size;
+    *f = (struct frames_file){.path = strdup(path),
+                              .file = fdopen(memfd_create("fuzz", 0), "w+"),
+                              .size = (long long)size};
+    MUST(f->path && f->file && fwrite(at, 1, size, f->file) == size);
+    rewind(f->file);
     return STATUS_OK;
-}
-
-void __wrap_frames_bytes_close(struct frames_bytes *b)
-{
-    free((void *)(uintptr_t)b->byte);
-    free(b->path);
-    *b = (struct frames_bytes){0};
-}
-
-void __wrap_frames_bytes_forget(struct frames_bytes *b, size_t until)
-{
-    MUST(until <= b->size);
 }
 
 hid_t __real_H5Fopen(const char *path, unsigned flags, hid_t access);

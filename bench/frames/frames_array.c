@@ -1,0 +1,303 @@
+#include "bench/frames/frames_array.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <zip.h>
+
+#include "bench/files/hdf5_file.h"
+#include "bench/frames/frames_file.h"
+
+enum { RANK = 8 };
+
+struct frames_array {
+    char *path; /*                                               owned     */
+    int rank;   /* of the array                                            */
+    unsigned long long size[RANK];
+    struct frames_file file; /* NumPy's: the array itself                               */
+    zip_t *archive;          /* or NULL                                       owned     */
+    zip_file_t *member;      /* the array in it, or NULL                      owned     */
+    int bytes;               /* 4 or 8 a number                                         */
+    hid_t hdf5, set;         /* HDF5: the file, the array; negative: none     owned     */
+    hsize_t row;             /* that is read next                                       */
+};
+
+/* Returns the product of the sizes; 1e15 where it is larger. */
+static unsigned long long count_of(const struct frames_array *a)
+{
+    const unsigned long long most = 1000000000000000;
+    unsigned long long count = 1;
+
+    for (int n = 0; n < a->rank; n++)
+        count = a->size[n] && count > most / a->size[n] ? most : count * a->size[n];
+    return count;
+}
+
+static void end_array(struct frames_array *a)
+{
+    if (a->member)
+        zip_fclose(a->member);
+    if (a->set >= 0)
+        H5Idec_ref(a->set);
+    a->member = NULL;
+    a->set = H5I_INVALID_HID;
+    a->row = 0;
+}
+
+/* --- NumPy's: arrays of floats in a ZIP file, as numpy.savez writes them, or one bare
+ * array (NPY, versions 1 to 3) --- */
+
+static enum status open_zip(struct frames_array *a, struct message *why)
+{
+    zip_source_t *source;
+    zip_error_t error;
+    enum status st;
+
+    zip_error_init(&error);
+    source = zip_source_filep_create(a->file.file, 0, -1, &error);
+    TRY(source ? STATUS_OK : STATUS_MEMORY);
+    a->file.file = NULL; /* the source's */
+    a->archive = zip_open_from_source(source, ZIP_RDONLY, &error);
+    if (!a->archive) {
+        zip_source_free(source);
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: is cut off or no ZIP file (%s): a whole one, as numpy.savez "
+                        "writes it, would be right",
+                        a->path, zip_error_strerror(&error)));
+    }
+out:
+    zip_error_fini(&error);
+    return st;
+}
+
+/* Reads `size` bytes; false: the array ends before, or is damaged. */
+static bool read_bytes(struct frames_array *a, void *bytes, size_t size)
+{
+    return a->member ? zip_fread(a->member, bytes, size) == (zip_int64_t)size
+                     : frames_file_read(&a->file, bytes, size);
+}
+
+/* Finds an array, and how many bytes it has. */
+static enum status find_member(struct frames_array *a, const char *name,
+                               unsigned long long *size, struct message *why)
+{
+    struct zip_stat about;
+    char member[64];
+
+    *size = (unsigned long long)a->file.size;
+    if (!a->archive) {
+        frames_file_go(&a->file, 0, 1);
+        return strcmp(name, "xyz") ? STATUS_UNSUPPORTED : STATUS_OK;
+    }
+    snprintf(member, sizeof member, "%s.npy", name);
+    if (zip_stat(a->archive, member, 0, &about))
+        return STATUS_UNSUPPORTED;
+    *size = about.size;
+    a->member = zip_fopen(a->archive, member, 0);
+    if (!a->member)
+        return status_fail(why, STATUS_INPUT, "%s: %s: cannot be unpacked: %s", a->path,
+                           member, zip_strerror(a->archive));
+    if (about.size / 1040 > about.comp_size) /* deflate packs a thousandfold at most */
+        return status_fail(why, STATUS_INPUT, "%s: %s: announces an impossible size",
+                           a->path, member);
+    return STATUS_OK;
+}
+
+/* Reads the text of 'shape', such as (3, 4, 5). */
+static bool take_shape(const char *text, struct frames_array *a)
+{
+    char *p = strstr(text, "'shape':");
+    double x;
+
+    p = p ? strchr(p, '(') : NULL;
+    if (!p)
+        return false;
+    for (p++, a->rank = 0; *p != ')'; a->rank++) {
+        if (a->rank == 5 || !frames_file_number(&p, &x) || !(x >= 0 && x <= 1e15))
+            return false;
+        a->size[a->rank] = (unsigned long long)x;
+        p += strspn(p, " ,");
+    }
+    return true;
+}
+
+static int take_type(const char *text)
+{
+    const char *p = strstr(text, "'descr':");
+
+    p = p ? strchr(p + 8, '\'') : NULL;
+    return p && !strncmp(p, "'<f4'", 5) ? 4 : p && !strncmp(p, "'<f8'", 5) ? 8 : 0;
+}
+
+/* Reads the header of an array: little-endian floats in C order, of which there are as many
+ * as its shape says. */
+static enum status begin_numpy(struct frames_array *a, const char *name,
+                               struct message *why)
+{
+    unsigned char start[12];
+    char text[4097];
+    unsigned long long size;
+    enum status st;
+
+    TRY(find_member(a, name, &size, why));
+    if (!read_bytes(a, start, 10) || memcmp(start, "\x93NUMPY", 6) != 0 ||
+        (start[6] > 1 && !read_bytes(a, start + 10, 2)))
+        return status_fail(why, STATUS_INPUT, "%s: %s.npy: is no array of NumPy's", a->path,
+                           name);
+    const size_t head = frames_file_whole(start + 8, start[6] > 1 ? 4 : 2, false);
+    if (head >= sizeof text || !read_bytes(a, text, head))
+        return status_fail(why, STATUS_INPUT, "%s: %s.npy: its header is damaged", a->path,
+                           name);
+    text[head] = '\0';
+    a->bytes = take_type(text);
+    if (!a->bytes || strstr(text, "'fortran_order': True") || !take_shape(text, a))
+        return status_fail(why, STATUS_INPUT,
+                           "%s: %s.npy: is %.100s; 32 or 64-bit floats, little-endian and "
+                           "in C order (numpy.ascontiguousarray(x, '<f8')), would be right",
+                           a->path, name, text);
+    if (size < 10 + head || count_of(a) > (size - 10 - head) / (unsigned)a->bytes)
+        return status_fail(
+            why, STATUS_INPUT,
+            "%s: %s.npy: is cut off: its shape needs more numbers than there are", a->path,
+            name);
+out:
+    return st;
+}
+
+static bool read_numpy(struct frames_array *a, size_t count, double *values)
+{
+    const size_t bytes = (size_t)a->bytes;
+    /* The bytes go to the array's end, so that widening from its front does not
+     * overtake. */
+    unsigned char *at = (unsigned char *)values + count * (8 - bytes);
+
+    if (!read_bytes(a, at, count * bytes))
+        return false;
+    for (size_t n = 0; n < count; n++)
+        values[n] = frames_file_float(at + n * bytes, a->bytes, false);
+    return true;
+}
+
+/* --- HDF5 --- */
+
+static enum status begin_hdf5(struct frames_array *a, const char *name)
+{
+    hsize_t size[RANK] = {0};
+
+    if (H5Lexists(a->hdf5, name, H5P_DEFAULT) <= 0)
+        return STATUS_UNSUPPORTED;
+    a->set = H5Dopen2(a->hdf5, name, H5P_DEFAULT);
+    if (a->set < 0)
+        return STATUS_UNSUPPORTED;
+    const hid_t space = H5Dget_space(a->set);
+    a->rank = space < 0 ? 0 : H5Sget_simple_extent_ndims(space);
+    if (a->rank < 1 || a->rank > RANK || H5Sget_simple_extent_dims(space, size, NULL) < 0)
+        a->rank = 1, size[0] = 0; /* what is no array has no numbers */
+    for (int n = 0; n < RANK; n++)
+        a->size[n] = size[n];
+    if (space >= 0)
+        H5Idec_ref(space);
+    return STATUS_OK;
+}
+
+static bool read_hdf5(struct frames_array *a, size_t count, double *values)
+{
+    hsize_t start[RANK] = {a->row}, size[RANK], all = count, row = 1;
+
+    for (int n = 1; n < a->rank; n++) {
+        size[n] = a->size[n];
+        row *= a->size[n];
+    }
+    size[0] = count / row;
+    a->row += size[0];
+    const hid_t memory = H5Screate_simple(1, &all, NULL), space = H5Dget_space(a->set);
+    const bool good =
+        H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, size, NULL) >= 0 &&
+        H5Dread(a->set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values) >= 0;
+    if (space >= 0)
+        H5Idec_ref(space);
+    if (memory >= 0)
+        H5Idec_ref(memory);
+    return good;
+}
+
+/* --- either --- */
+
+enum status frames_array_open(const char *path, struct frames_array **file,
+                              struct message *why)
+{
+    const char *ending = strrchr(path, '.');
+    const bool zip = ending && !strcmp(ending, ".npz"),
+               bare = ending && !strcmp(ending, ".npy");
+    struct frames_array *a = calloc(1, sizeof *a);
+    enum status st;
+
+    if (!a)
+        return STATUS_MEMORY;
+    a->hdf5 = a->set = H5I_INVALID_HID;
+    a->path = strdup(path);
+    TRY(a->path ? STATUS_OK : STATUS_MEMORY);
+    if (zip || bare) {
+        TRY(frames_file_open(path, &a->file, why));
+        TRY(zip ? open_zip(a, why) : STATUS_OK);
+    } else {
+        hdf5_file_start();
+        a->hdf5 = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+        TRY(a->hdf5 < 0 ? hdf5_file_fail(path, "cannot be read", why) : STATUS_OK);
+    }
+    *file = a, a = NULL;
+out:
+    frames_array_close(a);
+    return st;
+}
+
+void frames_array_close(struct frames_array *a)
+{
+    if (!a)
+        return;
+    end_array(a);
+    if (a->archive)
+        zip_discard(a->archive);
+    if (a->hdf5 >= 0)
+        H5Fclose(a->hdf5);
+    frames_file_close(&a->file);
+    free(a->path);
+    free(a);
+}
+
+enum status frames_array_begin(struct frames_array *a, const char *name,
+                               unsigned long long size[8], struct message *why)
+{
+    end_array(a);
+    memset(a->size, 0, sizeof a->size);
+    const enum status st = a->hdf5 < 0 ? begin_numpy(a, name, why) : begin_hdf5(a, name);
+    memcpy(size, a->size, sizeof a->size);
+    return st;
+}
+
+bool frames_array_read(struct frames_array *a, size_t count, double *values)
+{
+    return a->hdf5 < 0 ? read_numpy(a, count, values) : read_hdf5(a, count, values);
+}
+
+enum status frames_array_load(struct frames_array *a, const char *name, size_t rows,
+                              size_t columns, double **values, struct message *why)
+{
+    const size_t count = rows * columns;
+    unsigned long long size[RANK];
+    double *numbers = NULL;
+    enum status st;
+
+    TRY(frames_array_begin(a, name, size, why));
+    if (count_of(a) != count || (columns > 1 && size[a->rank - 1] != columns))
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: %s: has %llu numbers; %zu, %zu rows of %zu, would be right",
+                        a->path, name, count_of(a), count, rows, columns));
+    numbers = malloc(count * sizeof *numbers);
+    TRY(numbers ? STATUS_OK : STATUS_MEMORY);
+    if (!frames_array_read(a, count, numbers))
+        TRY(status_fail(why, STATUS_INPUT, "%s: %s: is cut off or damaged", a->path, name));
+    *values = numbers, numbers = NULL;
+out:
+    free(numbers);
+    return st;
+}

@@ -1,0 +1,125 @@
+#include "bench/frames/frames_file.h"
+
+#include <errno.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static enum status fail(const char *path, struct message *why)
+{
+    return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
+}
+
+enum status frames_file_open(const char *path, struct frames_file *f, struct message *why)
+{
+    struct stat about;
+    enum status st = STATUS_OK;
+
+    *f = (struct frames_file){.path = strdup(path)};
+    TRY(f->path ? STATUS_OK : STATUS_MEMORY);
+    if (stat(path, &about))
+        TRY(fail(path, why));
+    if (!S_ISREG(about.st_mode)) /* a pipe would wait, and is read but once */
+        TRY(status_fail(why, STATUS_FILE, "%s: is no regular file", path));
+    if (about.st_size == 0)
+        TRY(status_fail(why, STATUS_INPUT, "%s: is empty", path));
+    f->size = about.st_size;
+    f->file = fopen(path, "rbe");
+    if (!f->file)
+        TRY(fail(path, why));
+out:
+    if (st != STATUS_OK)
+        frames_file_close(f);
+    return st;
+}
+
+void frames_file_close(struct frames_file *f)
+{
+    if (f->file)
+        fclose(f->file);
+    free(f->path);
+    free(f->text);
+    *f = (struct frames_file){0};
+}
+
+enum status frames_file_line(struct frames_file *f, bool *more, struct message *why)
+{
+    f->at = f->next;
+    errno = 0;
+    ssize_t length = getline(&f->text, &f->room, f->file);
+    *more = length >= 0;
+    if (!*more)
+        return errno == 0        ? STATUS_OK
+               : errno == ENOMEM ? STATUS_MEMORY
+                                 : fail(f->path, why);
+    f->line++;
+    f->next += length;
+    length -= f->text[length - 1] == '\n';
+    length -= length > 0 && f->text[length - 1] == '\r';
+    f->text[length] = '\0';
+    for (char *zero = f->text;
+         (zero = memchr(zero, '\0', (size_t)(f->text + length - zero)));)
+        *zero = '?';
+    return STATUS_OK;
+}
+
+void frames_file_go(struct frames_file *f, long long at, long line)
+{
+    if (f->next != at)
+        fseeko(f->file, at, SEEK_SET);
+    f->next = at;
+    f->line = line - 1;
+}
+
+bool frames_file_read(struct frames_file *f, void *bytes, size_t size)
+{
+    const size_t read = fread(bytes, 1, size, f->file);
+
+    f->next += (long long)read;
+    return read == size;
+}
+
+bool frames_file_number(char **p, double *x)
+{
+    char *end;
+
+    *x = strtod(*p, &end);
+    const bool is = end != *p;
+    *p = end;
+    return is;
+}
+
+void *frames_file_grow(void *array, int *room, int count, size_t size)
+{
+    const int next = *room < 1024 ? 1024 : *room + *room / 2;
+    void *more;
+
+    if (count < *room)
+        return array;
+    more = realloc(array, (size_t)next * size);
+    if (more)
+        *room = next;
+    return more;
+}
+
+unsigned long frames_file_whole(const unsigned char *p, int size, bool big)
+{
+    unsigned long x = 0;
+
+    for (int n = 0; n < size; n++)
+        x = x << 8 | p[big ? n : size - 1 - n];
+    return x;
+}
+
+double frames_file_float(const unsigned char *p, int size, bool big)
+{
+    const uint64_t bits = frames_file_whole(p, size, big);
+    const uint32_t half = (uint32_t)bits;
+    float single;
+    double x;
+
+    memcpy(&x, &bits, sizeof x);
+    memcpy(&single, &half, sizeof single);
+    return size == 8 ? x : (double)single;
+}

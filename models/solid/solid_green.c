@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "models/room.h"
-#include "models/solid/solid_green_stiffness.h"
 
 static size_t row_of(const struct solid_space *space)
 {
@@ -166,18 +165,30 @@ static void add_tangent(const void *self, int thread, int element,
     const int *place = s->place + (size_t)element * (size_t)(local * runs);
     double stress_share = path->s1 + path->lag;
 
-    solid_green_stiffness_compute(e, &s->material, &rest, stress_share, path->g1);
+    solid_green_element_stiffness(e, &s->material, &rest, stress_share, path->g1);
     for (int a = 0; a < local; a++)
         for (int r = a / run; r < runs; r++) {
             int first = r * run > a ? r * run : a;
-            solid_green_stiffness_blocks(e, &s->material, stress_share, a, first,
-                                         (r + 1) * run, K + place[a * runs + r]);
+            solid_green_element_blocks(e, &s->material, stress_share, a, first,
+                                       (r + 1) * run, K + place[a * runs + r]);
         }
 }
 
-static enum status energy_of(const void *self, const double *x, double *energy)
+enum status solid_green_energy(const void *self, const double *x, double *energy)
 {
-    return solid_green_energy(self, x, energy);
+    const struct solid_green *s = self;
+    const struct solid_assembly *a = s->assembly;
+    struct solid_green_element *e = &s->work[0];
+
+    *energy = 0;
+    for (int n = 0; n < a->space->elements; n++) {
+        const struct solid_green_rest rest = rest_of(s, n);
+        gather(a->space, n, x, a->space->rest, e->U[0]);
+        if (!solid_green_element_strain(e, &a->material, &rest, false))
+            return STATUS_INVERTED;
+        *energy += solid_green_element_energy(e, &a->material, &rest);
+    }
+    return STATUS_OK;
 }
 
 static struct large_body body_of(const struct solid_green *s)
@@ -199,7 +210,7 @@ static struct large_body body_of(const struct solid_green *s)
                                .geometry = set_geometry,
                                .force = add_force,
                                .tangent = add_tangent,
-                               .energy = energy_of};
+                               .energy = solid_green_energy};
 }
 
 void solid_green_clear(struct solid_green *s)
@@ -233,20 +244,4 @@ enum status solid_green_init(struct solid_green *s, const struct solid_assembly 
 out:
     solid_green_clear(&new);
     return st;
-}
-
-enum status solid_green_energy(const struct solid_green *s, const double *x, double *energy)
-{
-    const struct solid_assembly *a = s->assembly;
-    struct solid_green_element *e = &s->work[0];
-
-    *energy = 0;
-    for (int n = 0; n < a->space->elements; n++) {
-        const struct solid_green_rest rest = rest_of(s, n);
-        gather(a->space, n, x, a->space->rest, e->U[0]);
-        if (!solid_green_element_strain(e, &a->material, &rest, false))
-            return STATUS_INVERTED;
-        *energy += solid_green_element_energy(e, &a->material, &rest);
-    }
-    return STATUS_OK;
 }

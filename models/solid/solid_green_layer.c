@@ -2,7 +2,9 @@
 
 #include <string.h>
 
-#include "models/solid/solid_green_point.h"
+#include "models/solid/solid_outer.h"
+
+typedef solid_lanes lanes;
 
 enum { VECTORS = SOLID_LAYER_VECTORS };
 

@@ -2,7 +2,7 @@
  * momentum in every energy-momentum scheme: shells, solids, triangles and springs. */
 #include "mass_spring/spring_motion.h"
 #include "shell_ref/shell_motion.h"
-#include "models/solid/solid_state.h"
+#include "models/solid/solid_motion.h"
 #include "tests/opened_run.h"
 #include "triangles/tri_motion.h"
 

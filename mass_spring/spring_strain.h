@@ -10,7 +10,7 @@
 #ifndef SPRING_STRAIN_H
 #define SPRING_STRAIN_H
 
-#include "mass_spring/spring_net.h"
+#include "models/net/spring_net.h"
 #include "models/mechanics/supports.h"
 
 /* Moves free points of x[nodes][3]; limit > 0. */

@@ -374,8 +374,10 @@ static void substep(struct pb_motion *m, bool asked)
     pb_sweep_finish(m->sweep);
 }
 
-enum status pb_motion_frame(struct pb_motion *m, struct counters *counters)
+enum status pb_motion_frame(void *motion, struct counters *counters)
 {
+    struct pb_motion *m = motion;
+
     memset(m->push, 0, sizeof m->push);
     for (int n = 1; n <= m->substeps; n++)
         substep(m, n == m->substeps && m->frame % MEASURED == 0);
@@ -399,14 +401,18 @@ enum status pb_motion_frame(struct pb_motion *m, struct counters *counters)
 /* --- what came of it ---------------------------------------------------------------------
  */
 
-void pb_motion_energy(const struct pb_motion *m, struct energy *energy)
+void pb_motion_energy(const void *motion, struct energy *energy)
 {
+    const struct pb_motion *m = motion;
+
     spring_load_energy(&m->points, m->x, m->v, energy);
     energy->elastic = fmax(elastic(m) - m->rest_energy, 0);
 }
 
-void pb_motion_contact(const struct pb_motion *m, struct model_contact *contact)
+void pb_motion_contact(const void *motion, struct model_contact *contact)
 {
+    const struct pb_motion *m = motion;
+
     *contact = (struct model_contact){
         .nodes = m->pushed, .least_gap = contact_push_gap(m->scene, m->net.nodes, m->x)};
     memcpy(contact->force, m->push, sizeof contact->force);

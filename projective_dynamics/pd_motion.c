@@ -379,9 +379,10 @@ static bool finish_frame(struct pd_motion *m)
     return isfinite(sum);
 }
 
-enum status pd_motion_frame(struct pd_motion *m, struct counters *counters)
+enum status pd_motion_frame(void *motion, struct counters *counters)
 {
     enum status st = STATUS_OK;
+    struct pd_motion *m = motion;
 
     memset(m->push, 0, sizeof m->push);
     for (int n = 0; n < m->options.substeps; n++)
@@ -415,8 +416,9 @@ double pd_motion_objective(const struct pd_motion *m)
     return sum * inert / (2 * span * span) + pd_energy_value(&m->energy, m->x);
 }
 
-void pd_motion_energy(const struct pd_motion *m, struct energy *energy)
+void pd_motion_energy(const void *motion, struct energy *energy)
 {
+    const struct pd_motion *m = motion;
     const struct pd_net *net = &m->energy.net;
     double kinetic = 0, potential = 0;
 
@@ -430,8 +432,10 @@ void pd_motion_energy(const struct pd_motion *m, struct energy *energy)
     *energy = (struct energy){kinetic, pd_energy_value(&m->energy, m->x), potential};
 }
 
-void pd_motion_size(const struct pd_motion *m, struct model_size *size)
+void pd_motion_size(const void *motion, struct model_size *size)
 {
+    const struct pd_motion *m = motion;
+
     *size = (struct model_size){.nodes = m->energy.net.nodes,
                                 .unknowns = m->supports.free_count,
                                 .unknown_basis = "nodes"};
@@ -443,8 +447,10 @@ void pd_motion_size(const struct pd_motion *m, struct model_size *size)
     }
 }
 
-void pd_motion_contact(const struct pd_motion *m, struct model_contact *contact)
+void pd_motion_contact(const void *motion, struct model_contact *contact)
 {
+    const struct pd_motion *m = motion;
+
     *contact = (struct model_contact){.nodes = m->contact.pressed,
                                       .least_gap = pd_contact_gap(&m->contact, m->x)};
     memcpy(contact->force, m->push, sizeof contact->force);

@@ -66,8 +66,11 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                            const struct pd_options *options, struct message *why);
 void pd_motion_clear(struct pd_motion *m);
 
-/* Moves one frame of scene->step. STATUS_NAN if a position is no longer a number. */
-enum status pd_motion_frame(struct pd_motion *m, struct counters *counters);
+/* Implement model.h's entries for a struct pd_motion: frame that of advance. STATUS_NAN. */
+enum status pd_motion_frame(void *motion, struct counters *counters);
+void pd_motion_energy(const void *motion, struct energy *energy);
+void pd_motion_size(const void *motion, struct model_size *size);
+void pd_motion_contact(const void *motion, struct model_contact *contact);
 
 /* The parts of a step, for tests and measurements. begin computes its constants (base, and
  * the free flight as first guess in m->x, the old positions in m->start); iterate does one
@@ -79,9 +82,6 @@ enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved);
 /* Returns what a step minimises, in J: 1/2 |x - free flight|^2_M (1 + alpha s)/s^2 + E(x),
  * s the span, at m->x, between pd_motion_begin and the end of the step. */
 double pd_motion_objective(const struct pd_motion *m);
-
-void pd_motion_energy(const struct pd_motion *m, struct energy *energy);
-void pd_motion_size(const struct pd_motion *m, struct model_size *size);
 
 /* pd_motion_accelerate.c, the acceleration: finds m->radius, once the system is factored;
  * overshoots m->next of iteration `number` = 0, 1, ... since the last plain start; whether
@@ -107,7 +107,5 @@ bool pd_motion_take_back(struct pd_motion *m, int *number, double *value);
 double pd_motion_fall(const struct pd_motion *m, int c, ptrdiff_t at);
 enum status pd_motion_remember(struct pd_motion *m);
 void pd_motion_touch(struct pd_motion *m);
-
-void pd_motion_contact(const struct pd_motion *m, struct model_contact *contact);
 
 #endif

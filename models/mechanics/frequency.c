@@ -133,3 +133,22 @@ enum status frequency_largest(const struct blocks *graph, const struct supports 
     free(room);
     return STATUS_OK;
 }
+
+double frequency_limit(double omega, double beta)
+{
+    return omega > 0 ? sqrt(beta * beta + 4 / (omega * omega)) - beta : INFINITY;
+}
+
+enum status frequency_steps(double frame, double limit, double share, int asked, int *steps,
+                            struct message *why)
+{
+    const double n = asked ? asked : fmax(1, ceil(frame / (share * limit)));
+
+    if (!(n <= FREQUENCY_MOST_STEPS))
+        return status_fail(why, STATUS_INPUT,
+                           "explicit steps: %g substeps a frame are needed here (greatest "
+                           "stable step %g s); use integrator=implicit",
+                           n, limit);
+    *steps = (int)n;
+    return STATUS_OK;
+}

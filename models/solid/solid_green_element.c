@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "models/room.h"
-#include "models/solid/solid_green_layer.h"
 #include "models/solid/solid_outer.h"
 
 /* This file is compiled with -ffp-contract=fast, as solid_element.c is and for its reason.
@@ -218,8 +217,6 @@ bool solid_green_element_strain(struct solid_green_element *e,
                                 const struct solid_material *material,
                                 const struct solid_green_rest *rest, bool change)
 {
-    if (e->layer)
-        return solid_green_layer_strain(e, &rest->layer, change);
     for (int q = 0; q < rest->points; q++) {
         const double *g = gradients_at(e, rest, q);
         double D[3][3], W[3][3], *E = e->strain + 6 * q;
@@ -249,8 +246,6 @@ double solid_green_element_energy(const struct solid_green_element *e,
 {
     double energy = 0, S[6];
 
-    if (e->layer)
-        return solid_green_layer_energy(e, material, &rest->layer);
     for (int q = 0; q < rest->points; q++) {
         const double *E = e->strain + 6 * q;
         stress_of(E, material, normal_at(rest, q), S);
@@ -266,10 +261,6 @@ void solid_green_element_force(struct solid_green_element *e,
 {
     lanes *f = (lanes *)e->f;
 
-    if (e->layer) {
-        solid_green_layer_force(e, material, &rest->layer);
-        return;
-    }
     memset(e->f, 0, SOLID_LANES * (size_t)e->row * sizeof *e->f);
     for (int q = 0; q < rest->points; q++) {
         const double *g = gradients_at(e, rest, q);
@@ -393,10 +384,6 @@ void solid_green_element_stiffness(struct solid_green_element *e,
 {
     size_t row = (size_t)e->row;
 
-    if (e->layer) {
-        solid_green_layer_stiffness(e, material, &rest->layer, geometry_share);
-        return;
-    }
     memset(e->C, 0, row * 6 * row * sizeof *e->C);
     for (int q = 0; q < rest->points; q++) {
         const double *g = gradients_at(e, rest, q);
@@ -437,10 +424,6 @@ void solid_green_element_blocks(const struct solid_green_element *e,
     const double *G = e->plane ? e->L + (H - e->H) : H;
     int n = 3 * e->row;
 
-    if (e->layer) {
-        solid_green_layer_blocks(e, stress_share, a, first, last, K);
-        return;
-    }
     for (int b = first; b < last; b++)
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++) {

@@ -11,7 +11,7 @@
  * alpha is a linear function of E, so that nothing has to be iterated or remembered
  * (Klinkel, Wagner 1997); at small displacements it is the incompatible element.
  *
- * In a space with a layer (solid_layer.h) strains, energy and forces are the layer's.
+ * In a space with a layer (solid_layer.h) all but the room is solid_green_layer.h's.
  */
 #ifndef SOLID_GREEN_ELEMENT_H
 #define SOLID_GREEN_ELEMENT_H

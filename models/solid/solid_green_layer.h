@@ -1,6 +1,6 @@
 /* solid_green_layer.h - one layer of linear functions (solid_layer.h) at large
- * displacements: implements solid_green_element.h where the
- * space has a layer. */
+ * displacements: strains, energy, forces and tangent where
+ * the space has a layer, as solid_green_element.h has them elsewhere. */
 #ifndef SOLID_GREEN_LAYER_H
 #define SOLID_GREEN_LAYER_H
 

@@ -1,7 +1,7 @@
 /* Springs in explicit steps, leapfrog's above all: stability limit, scaled
  * velocities, moved edges, precision. (Falls: fall.c; order: time_order.c; the clamp:
  * nets_bend.c.) */
-#include "mass_spring/spring_stencil.h"
+#include "models/net/spring_stencil.h"
 #include "mass_spring/spring_strain.h"
 #include "tests/mass_spring.h"
 
@@ -36,8 +36,8 @@ static double growth(enum integrator integrator, double part, double beta,
     scene.velocity[2] = 0.1;
     d.integrator = integrator, d.precision = precision;
     start(&m, &scene, &d);
-    CHECK(m.dt < spring_motion_limit(&m)); /* steps that it takes by itself */
-    scene.step = part * spring_motion_limit(&m);
+    CHECK(m.dt < m.limit); /* steps that it takes by itself */
+    scene.step = part * m.limit;
     spring_motion_clear(&m);
     d.substeps = 1;
     start(&m, &scene, &d);

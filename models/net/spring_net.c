@@ -1,4 +1,4 @@
-#include "mass_spring/spring_net.h"
+#include "models/net/spring_net.h"
 
 #include <assert.h>
 #include <math.h>
@@ -16,15 +16,18 @@ static const struct line {
 
 enum { LINE_COUNT = sizeof LINES / sizeof *LINES };
 
+int spring_net_node(const struct spring_net *net, int i, int j)
+{
+    return i < 0 || j < 0 || i >= net->points[0] || j >= net->points[1]
+               ? -1
+               : i * net->points[1] + j;
+}
+
 /* Returns the node `count` steps along the line from (i, j), -1 beyond the rim. */
 static int along(const struct spring_net *net, int i, int j, const struct line *line,
                  int count)
 {
-    i += count * line->di;
-    j += count * line->dj;
-    return i < 0 || j < 0 || i >= net->points[0] || j >= net->points[1]
-               ? -1
-               : i * net->points[1] + j;
+    return spring_net_node(net, i + count * line->di, j + count * line->dj);
 }
 
 /* Whether the line is on the rim, where it belongs to one row of cells only. */

@@ -1,29 +1,23 @@
-#include "mass_spring/spring_stencil.h"
+#include "models/net/spring_stencil.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_plate.h"
+#include "models/net/spring_plate.h"
 #include "models/room.h"
 
 const int spring_stencil_step[SPRING_STENCIL_STRUTS][2] = {
     {-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1},   {1, -1}, {1, 0},  {1, 1},
     {-2, 0},  {0, -2}, {0, 2},  {2, 0},  {-2, -2}, {-2, 2}, {2, -2}, {2, 2}};
 
-static int node_at(const struct spring_net *net, int i, int j)
-{
-    return i < 0 || j < 0 || i >= net->points[0] || j >= net->points[1]
-               ? -1
-               : i * net->points[1] + j;
-}
-
 int spring_stencil_node(const struct spring_net *net, int node, int neighbour)
 {
     const int *step = spring_stencil_step[neighbour];
 
-    return node_at(net, node / net->points[1] + step[0], node % net->points[1] + step[1]);
+    return spring_net_node(net, node / net->points[1] + step[0],
+                           node % net->points[1] + step[1]);
 }
 
 /* Returns which neighbour of a is b. */

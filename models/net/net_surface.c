@@ -1,15 +1,15 @@
-#include "models/net.h"
+#include "models/net/net_surface.h"
 
 #include <math.h>
 
 #include "models/grid.h"
 
-static const double *point(const struct net *net, int i, int j)
+static const double *point(const struct net_surface *net, int i, int j)
 {
     return net->x + (ptrdiff_t)(i * net->m + j) * net->node;
 }
 
-static void normal_at(const struct net *net, int i, int j, double normal[3])
+static void normal_at(const struct net_surface *net, int i, int j, double normal[3])
 {
     const double *before_u = point(net, i ? i - 1 : 0, j);
     const double *behind_u = point(net, i < net->n - 1 ? i + 1 : i, j);
@@ -31,8 +31,9 @@ static void normal_at(const struct net *net, int i, int j, double normal[3])
         normal[c] = length > 0 ? normal[c] / length : 0;
 }
 
-void net_surface(const struct net *net, double u, double v, double middle[3],
-                 double normal[3])
+/* Evaluates the surface and its normal, not of length one, at (u, v). */
+static void evaluate(const struct net_surface *net, double u, double v, double middle[3],
+                     double normal[3])
 {
     double weight[2][2];
     int i = grid_cell(net->n, u, weight[0]), j = grid_cell(net->m, v, weight[1]);
@@ -52,12 +53,12 @@ void net_surface(const struct net *net, double u, double v, double middle[3],
     }
 }
 
-void net_points(const struct net *net, double thickness, int n, const double *uvw,
-                double *xyz)
+void net_surface_points(const struct net_surface *net, double thickness, int n,
+                        const double *uvw, double *xyz)
 {
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         double off[3];
-        net_surface(net, uvw[0], uvw[1], xyz, off);
+        evaluate(net, uvw[0], uvw[1], xyz, off);
         double length = sqrt(off[0] * off[0] + off[1] * off[1] + off[2] * off[2]);
         for (int c = 0; c < 3 && length > 0; c++)
             xyz[c] += (uvw[2] - 0.5) * thickness * (off[c] / length);

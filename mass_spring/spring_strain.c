@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "models/vector.h"
+
 enum { MOST_SWEEPS = 1000 };
 
 /* A spring is still too long if it exceeds the limit by more than this share of it. */
@@ -10,13 +12,8 @@ static const double SLACK = 1e-3;
 
 static double length_of(const struct spring *s, const double *x, double e[3])
 {
-    double sum = 0;
-
-    for (int i = 0; i < 3; i++) {
-        e[i] = x[3 * (size_t)s->b + i] - x[3 * (size_t)s->a + i];
-        sum += e[i] * e[i];
-    }
-    return sqrt(sum);
+    vector_between(x + 3 * (size_t)s->a, x + 3 * (size_t)s->b, e);
+    return vector_length(e);
 }
 
 /* Shortens a spring; returns whether it was too long and could be moved. */

@@ -6,6 +6,7 @@
 
 #include "models/mechanics/contact_push.h"
 #include "models/room.h"
+#include "models/vector.h"
 
 /* The softening that the choice of substeps tolerates, without and with obstacles, and a
  * bending mode's phase in the substeps from one bending to the next (pb_motion.h). */
@@ -221,10 +222,10 @@ static enum status set_steps(struct pb_motion *m, const struct discretization *d
 /* Returns the elongation of a spring at x [m]. */
 static double longer(const struct spring *s, const double *x)
 {
-    const double *a = x + 3 * (ptrdiff_t)s->a, *b = x + 3 * (ptrdiff_t)s->b;
-    double e[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    double e[3];
 
-    return sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) - s->length;
+    vector_between(x + 3 * (size_t)s->a, x + 3 * (size_t)s->b, e);
+    return vector_length(e) - s->length;
 }
 
 static double elastic(const struct pb_motion *m)

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "models/mechanics/large_newton.h"
+#include "models/vector.h"
 
 /* Rest: the unbalanced share of the loads and the supports' reactions is below this. */
 static const double RESIDUAL = 1e-6;
@@ -27,11 +28,6 @@ static const double LONGEST = 1e-8;
 
 enum { MOST_STEPS = 600 };
 
-static double length_of(const double f[3])
-{
-    return sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
-}
-
 /* Computes the unbalanced share of the loads and the supports' reactions at m->x. */
 static enum status unbalanced(struct large_motion *m, double *share)
 {
@@ -50,8 +46,8 @@ static enum status unbalanced(struct large_motion *m, double *share)
     if (m->contact)
         contact_set_balance(&m->contact->set, m->x, TOUCHING * m->scene->length, f);
     for (int a = 0; a < m->graph->nodes; a++) {
-        left += length_of(f + 3 * (size_t)a);
-        borne += length_of(m->load + 3 * (size_t)a);
+        left += vector_length(f + 3 * (size_t)a);
+        borne += vector_length(m->load + 3 * (size_t)a);
     }
     *share = left > 0 ? left / borne : 0;
 out:

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/room.h"
+#include "models/vector.h"
 
 /* The lines of a net, with the step (in i, in j) to the next node. */
 static const struct line {
@@ -52,16 +53,10 @@ static void set_nodes(struct spring_net *net, const struct scene *scene)
     }
 }
 
-static double distance(const double *a, const double *b)
-{
-    double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-
-    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-}
-
 static void add_springs(struct spring_net *net, int i, int j)
 {
     int a = i * net->points[1] + j;
+    double e[3];
 
     for (int n = 0; n < LINE_COUNT; n++) {
         const struct line *line = &LINES[n];
@@ -70,11 +65,9 @@ static void add_springs(struct spring_net *net, int i, int j)
                    (on_rim(net, i, j, line) ? net->law.rim : 1);
         if (b < 0 || k == 0)
             continue;
-        net->springs[net->spring_count++] = (struct spring){
-            .a = a,
-            .b = b,
-            .stiffness = k,
-            .length = distance(net->rest + 3 * (size_t)a, net->rest + 3 * (size_t)b)};
+        vector_between(net->rest + 3 * (size_t)a, net->rest + 3 * (size_t)b, e);
+        net->springs[net->spring_count++] =
+            (struct spring){.a = a, .b = b, .stiffness = k, .length = vector_length(e)};
     }
 }
 
@@ -84,8 +77,7 @@ static void add_clamp(struct spring_net *net, int a, int b, double strut)
 
     if (b < 0 || net->clamped[b] || strut == 0)
         return;
-    for (int i = 0; i < 3; i++)
-        clamp.edge[i] = net->rest[3 * b + i] - net->rest[3 * a + i];
+    vector_between(net->rest + 3 * a, net->rest + 3 * b, clamp.edge);
     net->clamps[net->clamp_count++] = clamp;
 }
 

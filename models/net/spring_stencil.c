@@ -7,6 +7,7 @@
 
 #include "models/net/spring_plate.h"
 #include "models/room.h"
+#include "models/vector.h"
 
 const int spring_stencil_step[SPRING_STENCIL_STRUTS][2] = {
     {-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1},   {1, -1}, {1, 0},  {1, 1},
@@ -127,13 +128,8 @@ void spring_stencil_replace(struct spring_stencil *s, int count,
 
 static double square_of_edge(const double *x, int a, int b, double edge[3])
 {
-    double sum = 0;
-
-    for (int c = 0; c < 3; c++) {
-        edge[c] = x[3 * b + c] - x[3 * a + c];
-        sum += edge[c] * edge[c];
-    }
-    return sum;
+    vector_between(x + 3 * (size_t)a, x + 3 * (size_t)b, edge);
+    return vector_dot(edge, edge);
 }
 
 /* A spring's energy, its force along the edge over the edge's length, and the derivative of

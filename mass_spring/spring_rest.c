@@ -201,7 +201,7 @@ enum status spring_rest_equilibrium(void *motion, struct counters *counters,
     }
     spring_motion_place(m, end);
 out:
-    system_forget(&m->newton.system); /* its matrix is not that of steps */
+    iterative_forget(m->newton.system.iterative); /* its matrix is not that of steps */
     free(s.from);
     return st;
 }

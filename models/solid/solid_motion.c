@@ -97,8 +97,8 @@ static enum status follow(struct solid_motion *m)
 
     if (m->kinematics == KINEMATICS_LINEAR)
         return STATUS_OK;
-    system_tolerate(&m->system, rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE, 0);
-    return system_follow(&m->system, frames, m, rebuilt);
+    iterative_tolerate(m->system.iterative, rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE, 0);
+    return iterative_follow(m->system.iterative, frames, m, rebuilt);
 }
 
 /* Makes what nonlinear kinematics need, when the rest of *m is complete and in its place.

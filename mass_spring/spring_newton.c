@@ -170,7 +170,7 @@ out:
     return st;
 }
 
-/* Whether d from x would take a point beyond an obstacle's plane. */
+/* Tells whether d from x would take a point beyond an obstacle's plane. */
 static bool meets(const struct spring_newton *s, const double *start, const double *x,
                   const double *d)
 {

@@ -59,7 +59,7 @@
 #include "models/mechanics/supports.h"
 #include "position_based/pb_sweep.h"
 
-/* How points are moved back to constraints. */
+/* The ways to move points back to constraints. */
 enum projection {
     PROJECTION_XPBD, /* by compliance (Macklin et al. 2016)                            */
     PROJECTION_PBD,  /* by a share of the way an iteration (Mueller et al. 2007)       */

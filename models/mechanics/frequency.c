@@ -56,7 +56,8 @@ static void start_vector(const struct operator* o, double *q)
         q[t] /= length;
 }
 
-/* Whether no eigenvalue of the tridiagonal matrix of n steps exceeds x (Sturm sequence). */
+/* Tells whether no eigenvalue of the tridiagonal matrix of n steps exceeds x (Sturm
+ * sequence). */
 static bool above_all(int n, const double *alpha, const double *beta, double x)
 {
     double d = alpha[0] - x;

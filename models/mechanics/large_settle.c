@@ -18,9 +18,8 @@ static const double TOUCHING = 1e-8;
  * moved too far, and by GOOD where it went well. */
 static const double FAILED = 8, SHORTER = 2, GOOD = 0.5;
 
-/* Where a node moves farther than this share of the length in a step, the next is shorter;
- * where it moves less than half as far, the next is longer: the way down is followed, not
- * leapt. */
+/* The share of the length beyond which a node's move in a step makes the next one shorter;
+ * less than half of it makes the next longer: the way down is followed, not leapt. */
 static const double FARTHEST = 0.02;
 
 /* The mass of the longest step, relative to that of the scene's step. */

@@ -31,7 +31,7 @@ static int along(const struct spring_net *net, int i, int j, const struct line *
     return spring_net_node(net, i + count * line->di, j + count * line->dj);
 }
 
-/* Whether the line is on the rim, where it belongs to one row of cells only. */
+/* Tells whether the line is on the rim, where it belongs to one row of cells only. */
 static bool on_rim(const struct spring_net *net, int i, int j, const struct line *line)
 {
     return (line->direction == SPRING_U && (j == 0 || j == net->points[1] - 1)) ||

@@ -221,7 +221,7 @@ static enum status check_snapshots(const struct yaml_tree *root, struct scene *s
     return STATUS_OK;
 }
 
-/* Whether closed boxes have a point in common. */
+/* Tells whether closed boxes have a point in common. */
 static bool overlap(const struct scene_support *a, const struct scene_support *b)
 {
     for (int i = 0; i < 3; i++)
@@ -230,7 +230,7 @@ static bool overlap(const struct scene_support *a, const struct scene_support *b
     return true;
 }
 
-/* Whether paths agree at every row of `a`, in the components held by both. */
+/* Tells whether paths agree at every row of `a`, in the components held by both. */
 static bool agrees_at_rows(const struct scene_support *a, const struct scene_support *b)
 {
     for (int k = 0; k < a->path_count; k++) {

@@ -354,7 +354,8 @@ static const struct schema_key SCENE[] = {
     {"discretization", NULL, SCHEMA_SPECIAL, .read = refuse_numerics}, /* not listed */
     {NULL}};
 
-/* What changes another model's choice: whether it does is for the model to refuse. */
+/* Reads a choice of another model's; notes it if it is not its default, which the model then
+ * refuses. */
 static enum status read_foreign(const struct schema_key *key, const struct yaml_tree *node,
                                 void *target, struct message *why)
 {

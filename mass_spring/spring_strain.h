@@ -17,7 +17,4 @@
 void spring_strain_limit(const struct spring_net *net, const struct supports *supports,
                          double limit, double *x);
 
-/* Returns the largest elongation of any spring, (l - r) / r [1]. */
-double spring_strain_largest(const struct spring_net *net, const double *x);
-
 #endif

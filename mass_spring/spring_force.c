@@ -3,17 +3,13 @@
 #include <math.h>
 #include <string.h>
 
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+#include "models/vector.h"
 
 /* Computes e = x_b - x_a; returns its length. */
 static double edge(const double *x, int a, int b, double e[3])
 {
-    for (int i = 0; i < 3; i++)
-        e[i] = x[3 * (size_t)b + i] - x[3 * (size_t)a + i];
-    return sqrt(dot(e, e));
+    vector_between(x + 3 * (size_t)a, x + 3 * (size_t)b, e);
+    return vector_length(e);
 }
 
 /* A shorter edge has no usable direction: no force, no transverse stiffness. */
@@ -34,14 +30,13 @@ static double inverse(double length)
 static double excess(const double e1[3], const double e2[3])
 {
     double sum[3] = {e1[0] + e2[0], e1[1] + e2[1], e1[2] + e2[2]};
-    double l1 = sqrt(dot(e1, e1)), l2 = sqrt(dot(e2, e2)), l = sqrt(dot(sum, sum));
-    double along = dot(e1, e2);
-    double cross[3] = {e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2],
-                       e1[0] * e2[1] - e1[1] * e2[0]};
+    double l1 = vector_length(e1), l2 = vector_length(e2), l = vector_length(sum);
+    double along = vector_dot(e1, e2), cross[3];
 
+    vector_cross(e1, e2, cross);
     if (along <= 0)
         return l1 + l2 - l;
-    return 2 * dot(cross, cross) / ((l1 * l2 + along) * (l1 + l2 + l));
+    return 2 * vector_dot(cross, cross) / ((l1 * l2 + along) * (l1 + l2 + l));
 }
 
 double spring_force_energy(const struct spring_net *net, const double *x)
@@ -72,9 +67,9 @@ static void directions(double e1[3], double e2[3], double sum[3], double over[3]
 {
     for (int i = 0; i < 3; i++)
         sum[i] = e1[i] + e2[i];
-    over[0] = inverse(sqrt(dot(e1, e1)));
-    over[1] = inverse(sqrt(dot(e2, e2)));
-    over[2] = inverse(sqrt(dot(sum, sum)));
+    over[0] = inverse(vector_length(e1));
+    over[1] = inverse(vector_length(e2));
+    over[2] = inverse(vector_length(sum));
     scale(over[0], e1);
     scale(over[1], e2);
     scale(over[2], sum);
@@ -319,7 +314,7 @@ void spring_force_hinges(const struct spring_net *net, double *hinges)
     }
     for (int n = 0; n < net->clamp_count; n++) {
         const struct clamp *c = &net->clamps[n];
-        double k = c->strut * inverse(sqrt(dot(c->edge, c->edge))) / 2;
+        double k = c->strut * inverse(vector_length(c->edge)) / 2;
         hinges[c->bb] += k;
     }
 }

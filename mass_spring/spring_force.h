@@ -7,7 +7,7 @@
 #ifndef SPRING_FORCE_H
 #define SPRING_FORCE_H
 
-#include "mass_spring/spring_net.h"
+#include "models/net/spring_net.h"
 
 /* Returns elastic energy [J]; zero at rest up to round-off. */
 double spring_force_energy(const struct spring_net *net, const double *x);

@@ -6,7 +6,7 @@
 
 #include "mass_spring/spring_rest.h"
 #include "models/grid.h"
-#include "models/net.h"
+#include "models/net/net_surface.h"
 
 /* clang-format off */
 static const struct schema_key options[] = {
@@ -79,17 +79,12 @@ out:
     return st;
 }
 
-static enum status advance(void *state, struct counters *counters)
-{
-    return spring_motion_step(state, counters);
-}
-
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct spring_motion *m = state;
-    const struct net net = {m->net.points[0], m->net.points[1], m->x, 3, 1};
+    const struct net_surface net = {m->net.points[0], m->net.points[1], m->x, 3, 1};
 
-    net_points(&net, m->scene->thickness, n, uvw, xyz);
+    net_surface_points(&net, m->scene->thickness, n, uvw, xyz);
 }
 
 static void sample(const void *state, double *xyz)
@@ -119,23 +114,7 @@ static void describe(const void *state, struct message *line)
     if (m->leapfrog || m->integrator == INTEGRATOR_EXPLICIT)
         snprintf(line->text + end, sizeof line->text - end,
                  "; explicit steps of %.3g s, stable below %.3g s about rest",
-                 m->leapfrog ? spring_leapfrog_step(m->leapfrog) : m->dt,
-                 spring_motion_limit(m));
-}
-
-static void energy(const void *state, struct energy *energy)
-{
-    spring_motion_energy(state, energy);
-}
-
-static void contact(const void *state, struct model_contact *contact)
-{
-    spring_motion_contact(state, contact);
-}
-
-static enum status equilibrium(void *state, struct counters *counters, struct message *why)
-{
-    return spring_rest_equilibrium(state, counters, why);
+                 m->leapfrog ? spring_leapfrog_step(m->leapfrog) : m->dt, m->limit);
 }
 
 const struct model spring_model = {
@@ -151,13 +130,13 @@ const struct model spring_model = {
                  .degree = {1, 1, 1},
                  .kinematics = KINEMATICS_NONLINEAR},
     .create = create,
-    .advance = advance,
+    .advance = spring_motion_step,
     .sample = sample,
     .probe = probe,
     .size = size,
     .describe = describe,
-    .energy = energy,
-    .contact = contact,
-    .equilibrium = equilibrium,
+    .energy = spring_motion_energy,
+    .contact = spring_motion_contact,
+    .equilibrium = spring_rest_equilibrium,
     .destroy = destroy,
 };

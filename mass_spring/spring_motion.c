@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "mass_spring/spring_strain.h"
 #include "models/mechanics/contact_push.h"
 #include "models/mechanics/frequency.h"
-#include "mass_spring/spring_strain.h"
 #include "models/room.h"
 
 /* The share of the explicit method's greatest step that it chooses: springs that turn and
@@ -28,39 +28,31 @@ static enum status allocate(struct spring_motion *m)
         ROOM(m->V, m->points.beta > 0 ? pairs : 0));
 }
 
-double spring_motion_limit(const struct spring_motion *m)
+/* Finds the largest angular frequency about rest; newton.K is work. */
+static enum status rest_frequency(struct spring_motion *m, double *omega)
 {
-    return m->leapfrog ? spring_leapfrog_limit(m->leapfrog) : m->limit;
-}
-
-static double limit_of(double omega, double beta)
-{
-    return omega > 0 ? sqrt(beta * beta + 4 / (omega * omega)) - beta : INFINITY;
+    if (spring_motion_stencil(m))
+        spring_stencil_jacobian(&m->stencil, m->net.rest, true, m->newton.K);
+    else
+        spring_force_jacobian(&m->net, m->net.rest, m->newton.K);
+    return frequency_largest(&m->net.graph, &m->newton.supports, m->points.mass,
+                             (const double(*)[9])m->newton.K, omega);
 }
 
 static enum status set_steps(struct spring_motion *m, const struct discretization *d,
                              struct message *why)
 {
     enum status st = STATUS_OK;
-    double omega = 0, step = m->scene->step;
-    static const double MOST_SUBSTEPS = 1e6;
+    double omega;
 
     m->substeps = d->substeps > 0 ? d->substeps : 1;
     if (m->integrator == INTEGRATOR_EXPLICIT) {
-        spring_force_jacobian(&m->net, m->net.rest, m->newton.K);
-        TRY(frequency_largest(&m->net.graph, &m->newton.supports, m->points.mass,
-                              (const double(*)[9])m->newton.K, &omega));
-        m->limit = limit_of(omega, m->points.beta);
-        double needed = ceil(step / (LIMIT_SHARE * m->limit));
-        if (!d->substeps && !(needed <= MOST_SUBSTEPS))
-            return status_fail(why, STATUS_INPUT,
-                               "the explicit method needs %g substeps a frame here "
-                               "(greatest stable step %g s); use integrator=implicit",
-                               needed, m->limit);
-        if (!d->substeps && needed > 1)
-            m->substeps = (int)needed;
+        TRY(rest_frequency(m, &omega));
+        m->limit = frequency_limit(omega, m->points.beta);
+        TRY(frequency_steps(m->scene->step, m->limit, LIMIT_SHARE, d->substeps,
+                            &m->substeps, why));
     }
-    m->dt = step / m->substeps;
+    m->dt = m->scene->step / m->substeps;
     for (int a = 0; a < m->net.nodes; a++)
         m->weight[a] = m->points.mass[a] / (m->dt * m->dt) + m->points.drag[a] / m->dt;
 out:
@@ -75,28 +67,26 @@ static double shortest_spring(const struct spring_net *net)
 static enum status make_leapfrog(struct spring_motion *m, const struct discretization *d,
                                  struct message *why)
 {
-    const struct spring_body body = {.scene = m->scene,
-                                     .net = &m->net,
-                                     .supports = &m->newton.supports,
-                                     .mass = m->points.mass,
-                                     .drag = m->points.drag,
-                                     .load = m->points.load,
-                                     .beta = m->points.beta,
-                                     .springs = OWN(spring_own, d)->springs,
-                                     .bending = d->bending};
+    enum status st;
+    struct spring_body body = {
+        .load = &m->points, .supports = &m->newton.supports, .stencil = &m->stencil};
 
-    return spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, m->newton.K,
-                                &m->leapfrog, why);
+    TRY(spring_stencil_init(&m->stencil, m->scene, &m->net, OWN(spring_own, d)->springs,
+                            d->bending));
+    TRY(rest_frequency(m, &body.omega));
+    TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,
+                             why));
+    m->limit = spring_leapfrog_limit(m->leapfrog);
+out:
+    return st;
 }
 
 static enum status make_large(struct spring_motion *m, const struct discretization *d)
 {
     enum status st;
-    const struct spring_large_plan plan = {.scene = m->scene,
-                                           .net = &m->net,
+    const struct spring_large_plan plan = {.load = &m->points,
                                            .graph = &m->net.graph,
                                            .body = &m->strips.body,
-                                           .load = &m->points,
                                            .supports = &m->newton.supports,
                                            .d = d,
                                            .x = m->x};
@@ -135,8 +125,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
 
     *m = (struct spring_motion){.scene = scene,
                                 .integrator = d->integrator,
-                                .strain_limit = OWN(spring_own, d)->strain_limit,
-                                .struts = d->bending == BENDING_STRUT};
+                                .strain_limit = OWN(spring_own, d)->strain_limit};
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters, squares));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
     TRY(spring_newton_init(&m->newton, scene, &m->net, d, why));
@@ -312,15 +301,15 @@ static void scale_velocity(struct spring_motion *m, double factor)
     }
 }
 
-enum status spring_motion_step(struct spring_motion *m, struct counters *counters)
+enum status spring_motion_step(void *motion, struct counters *counters)
 {
     enum status st = STATUS_OK;
+    struct spring_motion *m = motion;
 
     memset(m->push, 0, sizeof m->push);
     if (m->leapfrog) {
         counters->steps++;
-        return spring_leapfrog_frame(m->leapfrog, m->points.keep, m->x, m->push, &m->pushed,
-                                     counters);
+        return spring_leapfrog_frame(m->leapfrog, m->x, m->push, &m->pushed, counters);
     }
     if (m->integrator == INTEGRATOR_MOMENTUM) {
         counters->steps++;
@@ -335,8 +324,10 @@ out:
     return st;
 }
 
-void spring_motion_contact(const struct spring_motion *m, struct model_contact *contact)
+void spring_motion_contact(const void *motion, struct model_contact *contact)
 {
+    const struct spring_motion *m = motion;
+
     if (m->integrator == INTEGRATOR_MOMENTUM) {
         large_motion_contact(&m->large.motion, contact);
         return;
@@ -348,9 +339,7 @@ void spring_motion_contact(const struct spring_motion *m, struct model_contact *
 
 const struct spring_stencil *spring_motion_stencil(const struct spring_motion *m)
 {
-    return m->leapfrog && !m->struts              ? spring_leapfrog_stencil(m->leapfrog)
-           : m->integrator == INTEGRATOR_MOMENTUM ? &m->stencil
-                                                  : NULL;
+    return m->stencil.net && !m->stencil.strut ? &m->stencil : NULL;
 }
 
 double spring_motion_elastic(const struct spring_motion *m)
@@ -371,8 +360,9 @@ void spring_motion_place(struct spring_motion *m, double t)
         spring_large_still(&m->large);
 }
 
-void spring_motion_energy(const struct spring_motion *m, struct energy *energy)
+void spring_motion_energy(const void *motion, struct energy *energy)
 {
+    const struct spring_motion *m = motion;
     const double *v = m->integrator == INTEGRATOR_MOMENTUM ? m->large.newmark.v : m->v;
 
     if (m->leapfrog)

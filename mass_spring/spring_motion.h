@@ -3,7 +3,7 @@
  * implicit   Euler's implicit method, in its variational form (spring_newton.h):
  *            m (x - x0 - dt v0) / dt^2 + c (x - x0) / dt = load + F(x),  v = (x - x0) / dt.
  * explicit   symplectic Euler: v from the forces at x0 (c implicit, for free), x from v.
- *            Stable up to a greatest step: spring_motion_limit. Without a number of sub-
+ *            Stable up to a greatest step, `limit`. Without a number of sub-
  *            steps it takes as many as keep LIMIT_SHARE of it; with one, it may blow up.
  *            Leapfrog with springs=lengths and bending=strut does the same, faster, but
  *            for strain limits, which it lacks, and damping implicit in v.
@@ -28,8 +28,8 @@
 #ifndef SPRING_MOTION_H
 #define SPRING_MOTION_H
 
-#include "mass_spring/spring_large.h"
-#include "mass_spring/spring_leapfrog.h"
+#include "models/net/spring_large.h"
+#include "models/net/spring_leapfrog.h"
 #include "mass_spring/spring_newton.h"
 #include "mass_spring/spring_strips.h"
 
@@ -43,12 +43,11 @@ struct spring_motion {
     struct spring_net net;
     struct spring_newton newton;
     enum integrator integrator;
-    bool struts; /* leapfrog uses the net's own law                                    */
     struct spring_limits limits;
     int substeps;
     double dt;           /* of a substep                                        [s]   */
     double strain_limit; /* 0: none                                                   */
-    double limit;        /* greatest stable step of the explicit method at rest [s]   */
+    double limit;        /* greatest stable step of explicit methods about rest [s]   */
     double rest_energy;  /* round-off of the energy at rest                     [J]   */
     struct spring_load points; /* their masses, drag, loads and damping               */
     void *room;                /* of the arrays                                owned   */
@@ -59,9 +58,9 @@ struct spring_motion {
     int gains;       /* of those known                                                 */
     double *shift;   /* [held_count] work                                       */
     double (*V)[9];  /* [pairs] with beta, else NULL                            */
+    struct spring_stencil stencil;    /* leapfrog and momentum                         */
     struct spring_leapfrog *leapfrog; /* of that integrator, else NULL         owned   */
-    struct spring_stencil stencil;    /* momentum only, as what follows                */
-    struct spring_strips strips;
+    struct spring_strips strips;      /* momentum only, as what follows                */
     struct spring_large large;
     long substep;   /* taken so far; momentum: frames                            */
     double push[3]; /* of obstacles, mean over the last frame              [N]   */
@@ -73,8 +72,10 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
                                const struct discretization *d, struct message *why);
 void spring_motion_clear(struct spring_motion *m);
 
-/* Takes one step of scene->step. */
-enum status spring_motion_step(struct spring_motion *m, struct counters *counters);
+/* Implement model.h's entries for a struct spring_motion: step that of advance. */
+enum status spring_motion_step(void *motion, struct counters *counters);
+void spring_motion_contact(const void *motion, struct model_contact *contact);
+void spring_motion_energy(const void *motion, struct energy *energy);
 
 /* Returns leapfrog's and momentum's net; NULL: the net's own springs in lengths and
  * struts. */
@@ -88,14 +89,5 @@ void spring_motion_place(struct spring_motion *m, double t);
 
 /* Moves held points to where they are at time t. */
 void spring_motion_hold(struct spring_motion *m, double t);
-
-void spring_motion_contact(const struct spring_motion *m, struct model_contact *contact);
-
-void spring_motion_energy(const struct spring_motion *m, struct energy *energy);
-
-/* Returns the greatest stable step of the explicit method about the rest shape [s],
- * INFINITY if nothing can move: 2 / omega_max, and with stiffness damping sqrt(beta^2 + 4 /
- * omega^2) - beta. */
-double spring_motion_limit(const struct spring_motion *m);
 
 #endif

@@ -66,7 +66,7 @@ enum status spring_newton_system(struct spring_newton *s)
     TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
     if (!contact_set_used(&s->contact)) /* contact needs exact solutions */
         system_single(&s->system);
-    st = system_follow(&s->system, frames, s, false);
+    st = iterative_follow(s->system.iterative, frames, s, false);
 out:
     free(order);
     return st;
@@ -150,7 +150,7 @@ static double product(size_t count, const double *a, const double *b)
     return sum;
 }
 
-/* Solves d = K^-1 r; near: see system_tolerate. made: K is new. */
+/* Solves d = K^-1 r; near: see iterative_tolerate. made: K is new. */
 static enum status solve(struct spring_newton *s, double tolerance, double near, bool made,
                          const double *x, const double *r, double *d,
                          struct counters *counters)
@@ -159,7 +159,7 @@ static enum status solve(struct spring_newton *s, double tolerance, double near,
     size_t count = 3 * (size_t)s->net->nodes;
 
     s->at = x;
-    system_tolerate(&s->system, tolerance, near);
+    iterative_tolerate(s->system.iterative, tolerance, near);
     if (made)
         TRY(system_update(&s->system, 1, (const double(*)[9])s->K, 0, NULL));
     memcpy(d, r, count * sizeof *d);
@@ -170,7 +170,7 @@ out:
     return st;
 }
 
-/* Whether d from x would take a point beyond an obstacle's plane. */
+/* Tells whether d from x would take a point beyond an obstacle's plane. */
 static bool meets(const struct spring_newton *s, const double *start, const double *x,
                   const double *d)
 {
@@ -208,7 +208,7 @@ static enum status solve_contact(struct spring_newton *s, const struct spring_pr
     s->at = x;
     contact_set_forget(&s->contact);
     enum status st = contact_solve(&s->contact, &s->system, &problem, d, counters);
-    system_forget(&s->system);
+    iterative_forget(s->system.iterative);
     return st;
 }
 

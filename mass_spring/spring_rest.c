@@ -179,10 +179,11 @@ out:
     return st;
 }
 
-enum status spring_rest_equilibrium(struct spring_motion *m, struct counters *counters,
+enum status spring_rest_equilibrium(void *motion, struct counters *counters,
                                     struct message *why)
 {
     enum status st = STATUS_OK;
+    struct spring_motion *m = motion;
     size_t count = 3 * (size_t)m->net.nodes;
     double end = supports_rest_time(&m->newton.supports, m->scene);
     struct search s = {.m = m};
@@ -200,7 +201,7 @@ enum status spring_rest_equilibrium(struct spring_motion *m, struct counters *co
     }
     spring_motion_place(m, end);
 out:
-    system_forget(&m->newton.system); /* its matrix is not that of steps */
+    iterative_forget(m->newton.system.iterative); /* its matrix is not that of steps */
     free(s.from);
     return st;
 }

@@ -1,33 +1,24 @@
 #include "mass_spring/spring_strain.h"
 
-#include <math.h>
 #include <stddef.h>
+
+#include "models/vector.h"
 
 enum { MOST_SWEEPS = 1000 };
 
 /* A spring is still too long if it exceeds the limit by more than this share of it. */
 static const double SLACK = 1e-3;
 
-static double length_of(const struct spring *s, const double *x, double e[3])
-{
-    double sum = 0;
-
-    for (int i = 0; i < 3; i++) {
-        e[i] = x[3 * (size_t)s->b + i] - x[3 * (size_t)s->a + i];
-        sum += e[i] * e[i];
-    }
-    return sqrt(sum);
-}
-
 /* Shortens a spring; returns whether it was too long and could be moved. */
 static bool shorten(const struct spring *s, const struct supports *supports, double limit,
                     double *x)
 {
-    double e[3], length = length_of(s, x, e);
-    double excess = length - (1 + limit) * s->length;
+    double e[3];
     const int *place = supports->free_index;
     bool moved = false;
 
+    vector_between(x + 3 * (size_t)s->a, x + 3 * (size_t)s->b, e);
+    double length = vector_length(e), excess = length - (1 + limit) * s->length;
     if (!(excess > SLACK * limit * s->length))
         return false;
     for (int i = 0; i < 3; i++) {
@@ -55,15 +46,4 @@ void spring_strain_limit(const struct spring_net *net, const struct supports *su
             moved |= shorten(&net->springs[at], supports, limit, x);
         }
     }
-}
-
-double spring_strain_largest(const struct spring_net *net, const double *x)
-{
-    double most = -1, e[3];
-
-    for (int n = 0; n < net->spring_count; n++) {
-        const struct spring *s = &net->springs[n];
-        most = fmax(most, length_of(s, x, e) / s->length - 1);
-    }
-    return most;
 }

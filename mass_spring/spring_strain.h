@@ -10,14 +10,11 @@
 #ifndef SPRING_STRAIN_H
 #define SPRING_STRAIN_H
 
-#include "mass_spring/spring_net.h"
+#include "models/net/spring_net.h"
 #include "models/mechanics/supports.h"
 
 /* Moves free points of x[nodes][3]; limit > 0. */
 void spring_strain_limit(const struct spring_net *net, const struct supports *supports,
                          double limit, double *x);
-
-/* Returns the largest elongation of any spring, (l - r) / r [1]. */
-double spring_strain_largest(const struct spring_net *net, const double *x);
 
 #endif

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/vector.h"
+
 /* The springs ahead of a point; the rows that they reach, and that bending reaches. */
 enum { SPRINGS = SPRING_STENCIL_NEAR / 2, ROWS = 2, REACH = 2 };
 
@@ -34,13 +36,8 @@ static double *strains_of(const struct spring_strips *s, int thread)
 /* Computes the edge of x, from `first` on, from a to b; returns its square. */
 static double edge(const double *x, int first, int a, int b, double e[3])
 {
-    double sum = 0;
-
-    for (int c = 0; c < 3; c++) {
-        e[c] = x[3 * (b - first) + c] - x[3 * (a - first) + c];
-        sum += e[c] * e[c];
-    }
-    return sum;
+    vector_between(x + 3 * (a - first), x + 3 * (b - first), e);
+    return vector_dot(e, e);
 }
 
 /* Returns the other end of the k-th spring ahead of a, -1: there is none. */

@@ -7,7 +7,7 @@
 #ifndef SPRING_STRIPS_H
 #define SPRING_STRIPS_H
 
-#include "mass_spring/spring_stencil.h"
+#include "models/net/spring_stencil.h"
 #include "models/mechanics/large_body.h"
 
 enum { SPRING_STRIPS_AHEAD = SPRING_STENCIL_ALL / 2 };

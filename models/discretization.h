@@ -62,10 +62,11 @@ enum integrator {
     INTEGRATOR_MIDPOINT, /* implicit, second order, damps nothing                      */
 };
 
-/* Of positions in leapfrog steps and in position_based. */
+/* The precision of positions in leapfrog steps and in position_based. */
 enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };
 
-/* What bends a net: of triangles quadratic or hinges, of springs quadratic or struts. */
+/* The bending of a net: of triangles quadratic or hinges, of springs quadratic or struts.
+ */
 enum bending { BENDING_QUADRATIC, BENDING_HINGE, BENDING_STRUT };
 
 /* Tangents of Newton's method: kept while they serve, or new in each iteration. */

@@ -20,12 +20,12 @@
 #define OPTION(word) (1u << (word))
 #define OPTION_WORDS(...) SCHEMA_WORD, .words = (const char *const[]){__VA_ARGS__, NULL}
 
-/* Where a choice lies whose struct, of this type, lies in `own`; it must fit. */
+/* Place a choice whose struct, of this type, lies in `own`; it must fit. */
 #define OPTION_OWN(type, member)                                                           \
     .offset = offsetof(struct discretization, own) + offsetof(struct type, member) +       \
               0 * sizeof(char[sizeof(struct type) <= DISCRETIZATION_ROOM ? 1 : -1])
 
-/* What nets of points over the mid-surface have in common, which turn with the sheet. */
+/* The options that nets of points over the mid-surface share, which turn with the sheet. */
 #define OPTIONS_NET                                                                        \
     {"points"}, {"degree"}, {"substeps"}, {"iterations"},                                  \
     {"kinematics", .only = OPTION(KINEMATICS_NONLINEAR)},                                  \
@@ -38,10 +38,10 @@ extern const struct schema_key option_shared[];
 extern const char *const option_kinematics[], *const option_remedy[], *const option_solver[];
 /* clang-format on */
 
-/* NULL: the table has no such key; a table may be NULL. */
+/* Returns the key of that name; NULL if the table, which may be NULL, has none. */
 const struct schema_key *option_find(const struct schema_key *table, const char *key);
 
-/* Not zero. */
+/* Tells whether the option's value in *d is not zero. */
 bool option_is_set(const struct schema_key *option, const struct discretization *d);
 
 #endif

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/vector.h"
+
 void scene_clear(struct scene *scene)
 {
     for (int i = 0; i < scene->support_count; i++)
@@ -146,12 +148,7 @@ const char *const scene_shape_words[] = {
 
 void scene_normal(const struct scene *scene, double e_w[3])
 {
-    const double *e_u = scene->axis_u, *e_v = scene->axis_v;
-
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        e_w[i] = e_u[j] * e_v[k] - e_u[k] * e_v[j];
-    }
+    vector_cross(scene->axis_u, scene->axis_v, e_w);
 }
 
 void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3])
@@ -240,9 +237,8 @@ double scene_bending_stiffness(const struct scene *scene)
 
 double scene_gamma(const struct scene *scene)
 {
-    const double *g = scene->gravity, L = scene->length;
-    const double weight = scene->density * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) *
-                          scene->thickness; /* [N/m^2] */
+    const double L = scene->length; /* weight [N/m^2] */
+    const double weight = scene->density * vector_length(scene->gravity) * scene->thickness;
 
     return weight * L * L * L / scene_bending_stiffness(scene);
 }

@@ -192,11 +192,12 @@ void scene_initial_velocity(const struct scene *scene, const double xyz[3], doub
 /* Returns the shift of a support at time t [m]. */
 void scene_support_shift(const struct scene_support *support, double t, double shift[3]);
 
-/* Whether there is one support alone, which holds the edge u = 0 in x, y, z and rests. */
+/* Tells whether there is one support alone, which holds the edge u = 0 in x, y, z and
+ * rests. */
 bool scene_is_cantilever(const struct scene *scene);
 
-/* Whether one of the supports holds all of the edge where u (i = 0) or v begins, or ends,
- * in x, y, z; it may move. */
+/* Tells whether one of the supports holds all of the edge where u (i = 0) or v begins, or
+ * ends, in x, y, z; it may move. */
 bool scene_edge_clamped(const struct scene *scene, int i, bool end);
 
 /* Returns the bending stiffness D = E h^3 / 12 (1 - nu^2) [N m]. */

@@ -51,7 +51,7 @@ struct message {
 /* Returns the sentence of a code. Static storage. */
 const char *status_text(enum status st);
 
-/* Whether the code ends a simulation as a result. */
+/* Tells whether the code ends a simulation as a result. */
 bool status_is_death(enum status st);
 
 /* Writes the sentence into *why (if not NULL), '?' for control characters; returns st:

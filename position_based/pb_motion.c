@@ -6,6 +6,7 @@
 
 #include "models/mechanics/contact_push.h"
 #include "models/room.h"
+#include "models/vector.h"
 
 /* The softening that the choice of substeps tolerates, without and with obstacles, and a
  * bending mode's phase in the substeps from one bending to the next (pb_motion.h). */
@@ -221,10 +222,10 @@ static enum status set_steps(struct pb_motion *m, const struct discretization *d
 /* Returns the elongation of a spring at x [m]. */
 static double longer(const struct spring *s, const double *x)
 {
-    const double *a = x + 3 * (ptrdiff_t)s->a, *b = x + 3 * (ptrdiff_t)s->b;
-    double e[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    double e[3];
 
-    return sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) - s->length;
+    vector_between(x + 3 * (size_t)s->a, x + 3 * (size_t)s->b, e);
+    return vector_length(e) - s->length;
 }
 
 static double elastic(const struct pb_motion *m)
@@ -374,8 +375,10 @@ static void substep(struct pb_motion *m, bool asked)
     pb_sweep_finish(m->sweep);
 }
 
-enum status pb_motion_frame(struct pb_motion *m, struct counters *counters)
+enum status pb_motion_frame(void *motion, struct counters *counters)
 {
+    struct pb_motion *m = motion;
+
     memset(m->push, 0, sizeof m->push);
     for (int n = 1; n <= m->substeps; n++)
         substep(m, n == m->substeps && m->frame % MEASURED == 0);
@@ -399,14 +402,18 @@ enum status pb_motion_frame(struct pb_motion *m, struct counters *counters)
 /* --- what came of it ---------------------------------------------------------------------
  */
 
-void pb_motion_energy(const struct pb_motion *m, struct energy *energy)
+void pb_motion_energy(const void *motion, struct energy *energy)
 {
+    const struct pb_motion *m = motion;
+
     spring_load_energy(&m->points, m->x, m->v, energy);
     energy->elastic = fmax(elastic(m) - m->rest_energy, 0);
 }
 
-void pb_motion_contact(const struct pb_motion *m, struct model_contact *contact)
+void pb_motion_contact(const void *motion, struct model_contact *contact)
 {
+    const struct pb_motion *m = motion;
+
     *contact = (struct model_contact){
         .nodes = m->pushed, .least_gap = contact_push_gap(m->scene, m->net.nodes, m->x)};
     memcpy(contact->force, m->push, sizeof contact->force);

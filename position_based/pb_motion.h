@@ -54,12 +54,12 @@
 #ifndef PB_MOTION_H
 #define PB_MOTION_H
 
-#include "mass_spring/spring_load.h"
-#include "mass_spring/spring_plate.h"
+#include "models/net/spring_load.h"
+#include "models/net/spring_plate.h"
 #include "models/mechanics/supports.h"
 #include "position_based/pb_sweep.h"
 
-/* How points are moved back to constraints. */
+/* The ways to move points back to constraints. */
 enum projection {
     PROJECTION_XPBD, /* by compliance (Macklin et al. 2016)                            */
     PROJECTION_PBD,  /* by a share of the way an iteration (Mueller et al. 2007)       */
@@ -101,10 +101,9 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
                            const struct discretization *d, struct message *why);
 void pb_motion_clear(struct pb_motion *m);
 
-/* Moves one frame of scene->step. STATUS_NAN. */
-enum status pb_motion_frame(struct pb_motion *m, struct counters *counters);
-
-void pb_motion_energy(const struct pb_motion *m, struct energy *energy);
-void pb_motion_contact(const struct pb_motion *m, struct model_contact *contact);
+/* Implement model.h's entries for a struct pb_motion: frame that of advance. STATUS_NAN. */
+enum status pb_motion_frame(void *motion, struct counters *counters);
+void pb_motion_energy(const void *motion, struct energy *energy);
+void pb_motion_contact(const void *motion, struct model_contact *contact);
 
 #endif

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "models/grid.h"
-#include "models/net.h"
+#include "models/net/net_surface.h"
 #include "position_based/pb_motion.h"
 
 /* clang-format off */
@@ -50,17 +50,12 @@ out:
     return st;
 }
 
-static enum status advance(void *state, struct counters *counters)
-{
-    return pb_motion_frame(state, counters);
-}
-
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct pb_motion *m = state;
-    const struct net net = {m->net.points[0], m->net.points[1], m->x, 3, 1};
+    const struct net_surface net = {m->net.points[0], m->net.points[1], m->x, 3, 1};
 
-    net_points(&net, m->scene->thickness, n, uvw, xyz);
+    net_surface_points(&net, m->scene->thickness, n, uvw, xyz);
 }
 
 static void sample(const void *state, double *xyz)
@@ -105,16 +100,6 @@ static void doubt(const void *state, struct message *line)
                     m->left_time, 100 * m->left);
 }
 
-static void energy(const void *state, struct energy *energy)
-{
-    pb_motion_energy(state, energy);
-}
-
-static void contact(const void *state, struct model_contact *contact)
-{
-    pb_motion_contact(state, contact);
-}
-
 const struct model position_based_model = {
     .name = "position_based",
     .title = "position-based constraints",
@@ -129,13 +114,13 @@ const struct model position_based_model = {
                  .kinematics = KINEMATICS_NONLINEAR,
                  .iterations = 1},
     .create = create,
-    .advance = advance,
+    .advance = pb_motion_frame,
     .sample = sample,
     .probe = probe,
     .size = size,
     .describe = describe,
     .doubt = doubt,
-    .energy = energy,
-    .contact = contact,
+    .energy = pb_motion_energy,
+    .contact = pb_motion_contact,
     .destroy = destroy,
 };

@@ -39,7 +39,7 @@ static void add_twist(struct pd_bending *b, int k, double weight)
     add_term(row, k + net->m + 1, c);
 }
 
-/* Whether a node has neighbours before and behind on its lines along u and v. */
+/* The lines of a node, along u and v, on which it has neighbours before and behind. */
 struct lines {
     bool u, v;
 };

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/vector.h"
+
 const char *const pd_energy_constraints[] = {
     [CONSTRAINT_TRIANGLES] = "triangles", [CONSTRAINT_EDGES] = "edges", NULL};
 
@@ -179,11 +181,6 @@ static void difference(const struct pd_energy *e, const double *x, int from, int
         d[c] = (x[to] - x[from]) * scale;
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static double edge_energy(const struct pd_energy *e, const double *x)
 {
     double sum = 0;
@@ -196,7 +193,7 @@ static double edge_energy(const struct pd_energy *e, const double *x)
                 continue;
             pd_net_ends(&e->net, (enum pd_edge)c, to);
             difference(e, x, k + to[0], k + to[1], 1, d);
-            off = sqrt(dot(d, d)) - pd_net_length(&e->net, (enum pd_edge)c);
+            off = sqrt(vector_dot(d, d)) - pd_net_length(&e->net, (enum pd_edge)c);
             sum += e->edge[c][k] * off * off / 2;
         }
     return sum;
@@ -214,7 +211,7 @@ static double triangle_energy(const struct pd_energy *e, const double *x)
             continue;
         difference(e, x, k + second, k + net->m + second, 1 / net->du, u);
         difference(e, x, k + second * net->m, k + 1 + second * net->m, 1 / net->dv, v);
-        double a = dot(u, u), b = dot(v, v), c = dot(u, v);
+        double a = vector_dot(u, u), b = vector_dot(v, v), c = vector_dot(u, v);
         double area = sqrt(fmax(a * b - c * c, 0));
         double trace = sqrt(a + b + 2 * area) - 2, deviator2 = fmax(a + b - 2 * area, 0);
         sum += (e->deviator * deviator2 + e->trace * trace * trace) / 4;

@@ -33,7 +33,7 @@
 #include "models/discretization.h"
 #include "projective_dynamics/pd_bending.h"
 
-/* What resists stretching. */
+/* The constraints that resist stretching. */
 enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 extern const char *const pd_energy_constraints[]; /* NULL ends */
 

@@ -66,8 +66,11 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                            const struct pd_options *options, struct message *why);
 void pd_motion_clear(struct pd_motion *m);
 
-/* Moves one frame of scene->step. STATUS_NAN if a position is no longer a number. */
-enum status pd_motion_frame(struct pd_motion *m, struct counters *counters);
+/* Implement model.h's entries for a struct pd_motion: frame that of advance. STATUS_NAN. */
+enum status pd_motion_frame(void *motion, struct counters *counters);
+void pd_motion_energy(const void *motion, struct energy *energy);
+void pd_motion_size(const void *motion, struct model_size *size);
+void pd_motion_contact(const void *motion, struct model_contact *contact);
 
 /* The parts of a step, for tests and measurements. begin computes its constants (base, and
  * the free flight as first guess in m->x, the old positions in m->start); iterate does one
@@ -80,34 +83,14 @@ enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved);
  * s the span, at m->x, between pd_motion_begin and the end of the step. */
 double pd_motion_objective(const struct pd_motion *m);
 
-void pd_motion_energy(const struct pd_motion *m, struct energy *energy);
-void pd_motion_size(const struct pd_motion *m, struct model_size *size);
-
-/* pd_motion_accelerate.c, the acceleration: finds m->radius, once the system is factored;
- * overshoots m->next of iteration `number` = 0, 1, ... since the last plain start; whether
- * it is time to look back, after `number` of them (`last`: of the step); whether that took
- * them back: m->x is again what it was at the look before, and *number is 0. *value is the
- * least objective so far, INFINITY at first. */
+/* pd_motion_accelerate.c. Find m->radius, once the system is factored; overshoot m->next of
+ * iteration `number` = 0, 1, ... since the last plain start; tell whether it is time to
+ * look back, after `number` of them (`last`: of the step), and whether that took them back:
+ * m->x is then what it was at the look before, and *number 0. *value is the least objective
+ * so far, INFINITY at first. */
 enum status pd_motion_find_radius(struct pd_motion *m);
-
-/* Returns for ADMM the weight of the split over that of stretching, once span and energy
- * are known: the geometric mean of a net's shortest wave's resistance by inertia, and by
- * both. Less does better still where a sheet swings as one; where it folds it loses the
- * motion (corners_patch at 5 ms, a tenth of it: by 2 to 4 % at 10 to 50 iterations). */
-double pd_motion_find_share(const struct pd_motion *m);
 void pd_motion_overshoot(struct pd_motion *m, int number);
 bool pd_motion_is_due(int number, bool last);
 bool pd_motion_take_back(struct pd_motion *m, int *number, double *value);
-
-/* pd_motion_history.c, as BDF2 needs it. Returns the acceleration of a free node on which
- * no neighbour pulls, component c, its place `at` in three fields, less damping [m/s^2];
- * makes the history before the start, where nothing pulls (work in m->next); and corrects
- * it after a step: what touches an obstacle, which comes without notice, has Euler's
- * velocity along the normal, and had it a step ago. */
-double pd_motion_fall(const struct pd_motion *m, int c, ptrdiff_t at);
-enum status pd_motion_remember(struct pd_motion *m);
-void pd_motion_touch(struct pd_motion *m);
-
-void pd_motion_contact(const struct pd_motion *m, struct model_contact *contact);
 
 #endif

@@ -1,4 +1,4 @@
-/* The weight of ADMM's split, and Chebyshev's acceleration (Wang 2015), held back where the
+/* Chebyshev's acceleration (Wang 2015), held back where the
  * sheet folds: it waits for some iterations, and what does not descend is taken back. */
 #include "projective_dynamics/pd_motion.h"
 
@@ -6,16 +6,6 @@
 #include <string.h>
 
 enum { DELAY = 10, GUARD = 5 };
-
-double pd_motion_find_share(const struct pd_motion *m)
-{
-    const struct pd_energy *e = &m->energy;
-    const double du = e->net.du, dv = e->net.dv, mass = 4 * e->mass[0], s = m->span,
-                 stretch =
-                     8 * fmax(e->deviator, e->trace) * (1 / (du * du) + 1 / (dv * dv));
-
-    return 1 / sqrt(1 + s * s * stretch / mass);
-}
 
 /* Finds the factor by which the slowest error shrinks: the largest eigenvalue of A^-1
  * K_stretch about the rest shape, across the sheet, where edges resist nothing. Power

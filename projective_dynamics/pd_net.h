@@ -36,7 +36,7 @@ void pd_net_free_fields(const struct pd_net *net, double *fields); /* NULL is al
 /* Returns the ends k + to[0] -> k + to[1] of the edge at k. */
 void pd_net_ends(const struct pd_net *net, enum pd_edge edge, int to[2]);
 
-/* Whether there is such an edge at k; for a diagonal: whether there is a cell at k. */
+/* Tells whether there is such an edge at k; for a diagonal: a cell at k. */
 bool pd_net_has(const struct pd_net *net, enum pd_edge edge, int k);
 
 /* Returns its rest length [m]. */

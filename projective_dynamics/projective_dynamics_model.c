@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "models/grid.h"
-#include "models/net.h"
+#include "models/net/net_surface.h"
 #include "projective_dynamics/pd_motion.h"
 
 enum { DEFAULT_ITERATIONS = 10, MOST_ITERATIONS = 1000000 };
@@ -92,38 +92,18 @@ out:
     return st;
 }
 
-static enum status advance(void *state, struct counters *counters)
-{
-    return pd_motion_frame(state, counters);
-}
-
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct pd_motion *m = state;
     const struct pd_net *net = &m->energy.net;
-    const struct net surface = {net->n, net->m, m->x, 1, pd_net_stride(net)};
+    const struct net_surface surface = {net->n, net->m, m->x, 1, pd_net_stride(net)};
 
-    net_points(&surface, m->scene->thickness, n, uvw, xyz);
+    net_surface_points(&surface, m->scene->thickness, n, uvw, xyz);
 }
 
 static void sample(const void *state, double *xyz)
 {
     grid_sample(probe, state, xyz);
-}
-
-static void size(const void *state, struct model_size *size)
-{
-    pd_motion_size(state, size);
-}
-
-static void energy(const void *state, struct energy *energy)
-{
-    pd_motion_energy(state, energy);
-}
-
-static void contact(const void *state, struct model_contact *contact)
-{
-    pd_motion_contact(state, contact);
 }
 
 static void doubt(const void *state, struct message *line)
@@ -153,12 +133,12 @@ const struct model projective_dynamics_model = {
                  .kinematics = KINEMATICS_NONLINEAR,
                  .iterations = DEFAULT_ITERATIONS},
     .create = create,
-    .advance = advance,
+    .advance = pd_motion_frame,
     .sample = sample,
     .probe = probe,
-    .size = size,
+    .size = pd_motion_size,
     .doubt = doubt,
-    .energy = energy,
-    .contact = contact,
+    .energy = pd_motion_energy,
+    .contact = pd_motion_contact,
     .destroy = destroy,
 };

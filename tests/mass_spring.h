@@ -6,6 +6,7 @@
 
 #include "bench/harness/contestant.h"
 #include "mass_spring/spring_motion.h"
+#include "models/vector.h"
 #include "tests/check.h"
 
 /* A sheet in SI numbers of cloth, held along u = 0 unless `free`. */
@@ -52,6 +53,19 @@ static inline void steps(struct spring_motion *m, int count)
 
     for (int n = 0; n < count; n++)
         CHECK(spring_motion_step(m, &counters) == STATUS_OK);
+}
+
+/* Returns the largest elongation of any spring, (l - r) / r. */
+static inline double largest_strain(const struct spring_motion *m)
+{
+    double most = -1, e[3];
+
+    for (int n = 0; n < m->net.spring_count; n++) {
+        const struct spring *s = &m->net.springs[n];
+        vector_between(m->x + 3 * s->a, m->x + 3 * s->b, e);
+        most = fmax(most, vector_length(e) / s->length - 1);
+    }
+    return most;
 }
 
 /* Numbers in (-1, 1), the same on every run. */

@@ -5,7 +5,7 @@
 
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
-#include "models/net.h"
+#include "models/net/net_surface.h"
 #include "triangles/tri_motion.h"
 
 /* clang-format off */
@@ -67,9 +67,10 @@ out:
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct tri_motion *m = state;
-    const struct net net = {m->net.points.points[0], m->net.points.points[1], m->x, 3, 1};
+    const struct net_surface net = {m->net.points.points[0], m->net.points.points[1], m->x,
+                                    3, 1};
 
-    net_points(&net, m->scene->thickness, n, uvw, xyz);
+    net_surface_points(&net, m->scene->thickness, n, uvw, xyz);
 }
 
 static void sample(const void *state, double *xyz)

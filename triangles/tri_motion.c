@@ -33,11 +33,9 @@ static enum status make_arrays(struct tri_motion *m)
 /* Makes, once, what implicit steps, equilibrium and modes need. */
 static enum status make_large(struct tri_motion *m)
 {
-    const struct spring_large_plan plan = {.scene = m->scene,
-                                           .net = &m->net.points,
+    const struct spring_large_plan plan = {.load = &m->load,
                                            .graph = &m->net.graph,
                                            .body = &m->body.body,
-                                           .load = &m->load,
                                            .supports = &m->supports,
                                            .d = &m->asked,
                                            .x = m->x};
@@ -71,24 +69,21 @@ static enum status make_leapfrog(struct tri_motion *m, const struct discretizati
 {
     enum status st;
     const struct spring_net *points = &m->net.points;
-    struct spring_body body = {.scene = m->scene,
-                               .net = points,
+    struct spring_body body = {.load = &m->load,
                                .supports = &m->supports,
-                               .mass = m->load.mass,
-                               .drag = m->load.drag,
-                               .load = m->load.load,
-                               .beta = m->load.beta,
-                               .cells = &m->cells,
-                               .form_count = m->net.form_count,
-                               .forms = m->net.forms};
+                               .stencil = &m->stencil,
+                               .cells = &m->cells};
 
     m->cells.membrane = OWN(tri_own, d)->membrane;
     memcpy(m->cells.D, m->body.D, sizeof m->cells.D);
     memcpy(m->cells.cell, points->cell, sizeof m->cells.cell);
+    TRY(spring_stencil_init(&m->stencil, m->scene, points, SPRINGS_SQUARES,
+                            BENDING_QUADRATIC));
+    spring_stencil_replace(&m->stencil, m->net.form_count, m->net.forms);
     TRY(rest_frequency(m, &body.omega));
     supports_initial_velocity(&m->supports, m->scene, points->rest, NULL, m->v);
-    TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, NULL,
-                             &m->leapfrog, why));
+    TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,
+                             why));
 out:
     return st;
 }
@@ -120,6 +115,7 @@ out:
 void tri_motion_clear(struct tri_motion *m)
 {
     spring_leapfrog_free(m->leapfrog);
+    spring_stencil_clear(&m->stencil);
     spring_large_clear(&m->large);
     supports_clear(&m->supports);
     spring_load_clear(&m->load);
@@ -151,8 +147,7 @@ enum status tri_motion_step(void *state, struct counters *counters)
     if (m->leapfrog) {
         memset(m->push, 0, sizeof m->push);
         m->large.motion.rested = false;
-        TRY(spring_leapfrog_frame(m->leapfrog, m->load.keep, m->x, m->push, &m->pushed,
-                                  counters));
+        TRY(spring_leapfrog_frame(m->leapfrog, m->x, m->push, &m->pushed, counters));
     } else {
         TRY(spring_large_frame(&m->large, (double)m->frame * m->scene->step, counters));
     }

@@ -13,8 +13,8 @@
 #ifndef TRI_MOTION_H
 #define TRI_MOTION_H
 
-#include "mass_spring/spring_large.h"
-#include "mass_spring/spring_leapfrog.h"
+#include "models/net/spring_large.h"
+#include "models/net/spring_leapfrog.h"
 #include "triangles/tri_body.h"
 
 struct tri_own { /* choices of its own (models/option.h) */
@@ -33,6 +33,7 @@ struct tri_motion {
     void *room;                /* of the arrays                                owned   */
     double *x;                 /* [nodes][3] present points                    [m]     */
     struct spring_cells cells; /* swept only, as what follows                        */
+    struct spring_stencil stencil;
     struct spring_leapfrog *leapfrog; /*                                       owned   */
     double push[3];                   /* of obstacles, mean over the last frame  [N]   */
     int pushed;                       /* points carried at its end                     */

@@ -28,7 +28,7 @@
 #ifndef TRI_NET_H
 #define TRI_NET_H
 
-#include "mass_spring/spring_plate.h"
+#include "models/net/spring_plate.h"
 
 /* Node 0 has the right angle; 1 lies beside it along u, 2 along v. */
 struct tri_triangle {

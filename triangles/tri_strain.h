@@ -15,7 +15,7 @@
 #ifndef TRI_STRAIN_H
 #define TRI_STRAIN_H
 
-#include "mass_spring/spring_sweep.h"
+#include "models/net/spring_sweep.h"
 #include "models/scene.h"
 
 struct tri_strain {

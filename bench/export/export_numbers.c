@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_net.h"
+#include "models/net/spring_net.h"
 #include "models/mechanics/dead_load.h"
 
 /* A stiffness over E h below this is round-off: long cells do not need that spring. */
@@ -102,7 +102,7 @@ out:
  * vertex a; on a flat sheet the stiffness of a hinge between two triangles over an inner
  * edge along u, along v and along a diagonal, D |e|^2 / (A1 + A2) (theta^2 / 2 times it is
  * the energy; Grinspun et al. 2003), and twice that where one of the two is held; and each
- * matched spring from a to b (mass_spring/spring_net.h). *misfit says what those springs
+ * matched spring from a to b (models/net/spring_net.h). *misfit says what those springs
  * cannot represent; empty: nothing. */
 static enum status each(const struct export_sheet *s, const struct taker *t,
                         struct message *misfit)

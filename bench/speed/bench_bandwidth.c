@@ -19,7 +19,7 @@ static const struct {
 
 /* Numbers per node that a step must read or write: positions, velocities, both ways; and
  * that a net holds: positions before and after, velocities. Coefficients belong to a strip,
- * and strips share them (mass_spring/spring_sweep.h). */
+ * and strips share them (models/net/spring_sweep.h). */
 enum { MOVED = 12, HELD = 9 };
 
 /* Numbers per element that a triad, a = b + s c, must read or write. */

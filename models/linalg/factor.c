@@ -46,8 +46,8 @@ static void swap_parts(struct factor_part *a, struct factor_part *b)
 }
 
 /* SOLVER_AUTO: the band, unless supernodes save enough arithmetic: its tiles run faster.
- * Measured by test_speed_factor: the least of two runs of 9 to 201 turns, one thread of a
- * Zen 4 EPYC (57 Gflop/s) with others at work beside it; supernodes in order_nested's
+ * Measured: the least of two runs of 9 to 201 turns, one thread of a Zen 4 EPYC (57
+ * Gflop/s) with others at work beside it; supernodes in order_nested's
  * order; p: reach of the couplings.
  *
  *                          Mflop            factor [ms]        solve [ms]

@@ -3,20 +3,11 @@
 #include <math.h>
 #include <string.h>
 
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double c[3])
-{
-    for (int i = 0; i < 3; i++)
-        c[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
+#include "models/vector.h"
 
 static bool normalise(double a[3])
 {
-    double length = sqrt(dot(a, a));
+    double length = vector_length(a);
 
     for (int i = 0; i < 3; i++)
         a[i] /= length;
@@ -42,17 +33,17 @@ static bool frame(const int points[3], bool legendre, const double *x, int i, in
 
     along(x, a, i, points[0], points[1] * l, u);
     along(x, a, j, points[1], l, v);
-    cross(u, v, w);
+    vector_cross(u, v, w);
     for (int c = 0; l > 1 && c < 3; c++)
         w[c] = x[3 * (a + (legendre ? 1 : l - 1)) + c] - (legendre ? 0 : x[3 * a + c]);
     if (!normalise(w))
         return false;
-    double out = dot(u, w);
+    double out = vector_dot(u, w);
     for (int c = 0; c < 3; c++)
         u[c] -= out * w[c];
     if (!normalise(u))
         return false;
-    cross(w, u, side);
+    vector_cross(w, u, side);
     for (int c = 0; c < 3; c++)
         Q[3 * c] = u[c], Q[3 * c + 1] = side[c], Q[3 * c + 2] = w[c];
     return true;

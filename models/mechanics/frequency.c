@@ -56,7 +56,8 @@ static void start_vector(const struct operator* o, double *q)
         q[t] /= length;
 }
 
-/* Whether no eigenvalue of the tridiagonal matrix of n steps exceeds x (Sturm sequence). */
+/* Tells whether no eigenvalue of the tridiagonal matrix of n steps exceeds x (Sturm
+ * sequence). */
 static bool above_all(int n, const double *alpha, const double *beta, double x)
 {
     double d = alpha[0] - x;
@@ -131,5 +132,24 @@ enum status frequency_largest(const struct blocks *graph, const struct supports 
     if (supports->free_count)
         *omega = iterate(&o, room);
     free(room);
+    return STATUS_OK;
+}
+
+double frequency_limit(double omega, double beta)
+{
+    return omega > 0 ? sqrt(beta * beta + 4 / (omega * omega)) - beta : INFINITY;
+}
+
+enum status frequency_steps(double frame, double limit, double share, int asked, int *steps,
+                            struct message *why)
+{
+    const double n = asked ? asked : fmax(1, ceil(frame / (share * limit)));
+
+    if (!(n <= FREQUENCY_MOST_STEPS))
+        return status_fail(why, STATUS_INPUT,
+                           "explicit steps: %g substeps a frame are needed here (greatest "
+                           "stable step %g s); use integrator=implicit",
+                           n, limit);
+    *steps = (int)n;
     return STATUS_OK;
 }

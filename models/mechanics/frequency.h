@@ -7,8 +7,20 @@
 #include "models/linalg/blocks.h"
 #include "models/mechanics/supports.h"
 
+/* The most explicit steps of a frame. */
+enum { FREQUENCY_MOST_STEPS = 1000000 };
+
 /* Finds it with lumped mass[nodes]; K[pairs of graph][9]. 0 if nothing can move. */
 enum status frequency_largest(const struct blocks *graph, const struct supports *supports,
                               const double *mass, const double (*K)[9], double *omega);
+
+/* Returns the greatest stable step of explicit steps (leapfrog, symplectic Euler) with this
+ * frequency [rad/s] and stiffness damping beta [s]: INFINITY if nothing can move. */
+double frequency_limit(double omega, double beta);
+
+/* Chooses the number of steps of a frame [s], `asked` or, if 0, as many as keep a share of
+ * the limit. STATUS_INPUT with a sentence if they are more than a million. */
+enum status frequency_steps(double frame, double limit, double share, int asked, int *steps,
+                            struct message *why);
 
 #endif

@@ -196,26 +196,10 @@ out:
 /* --- life --------------------------------------------------------------------------------
  */
 
-/* Finds ichol's entries in the order in which system.c makes the pattern's columns. */
-static void find_entries(struct iterative *it)
-{
-    const struct blocks *g = it->owner.graph;
-    long count = 0;
-
-    for (int a = 0; a < g->nodes; a++)
-        for (int i = 0; i < 3; i++)
-            for (long n = g->start[a]; n < g->start[a + 1]; n++)
-                for (int j = 0; j < 3; j++)
-                    it->entry[9 * n + 3 * i + j] =
-                        coupled(&it->owner, 3 * a + i, 3 * g->node[n] + j) &&
-                                (g->node[n] != a || j >= i)
-                            ? count++
-                            : -1;
-}
-
 enum status iterative_create(const struct iterative_owner *owner,
-                             const struct factor_pattern *pattern, enum solver solver,
-                             enum preconditioner preconditioner, struct iterative **out)
+                             const struct factor_pattern *pattern, const long *entry,
+                             enum solver solver, enum preconditioner preconditioner,
+                             struct iterative **out)
 {
     enum status st = STATUS_MEMORY;
     size_t nodes = (size_t)owner->graph->nodes, pairs = (size_t)owner->graph->start[nodes];
@@ -237,7 +221,7 @@ enum status iterative_create(const struct iterative_owner *owner,
                  ROOM(it->entry, ichol ? 9 * pairs : 0)));
     if (ichol) {
         TRY(ichol_create(pattern, &it->ichol));
-        find_entries(it);
+        memcpy(it->entry, entry, 9 * pairs * sizeof *entry);
     }
     *out = it, it = NULL;
 out:
@@ -265,8 +249,10 @@ enum status iterative_follow(struct iterative *it,
                              const void *body, bool guess)
 {
     enum status st;
-    size_t nodes = (size_t)it->owner.graph->nodes, count = guess ? 3 * nodes : 0;
 
+    if (!it)
+        return STATUS_OK;
+    size_t nodes = (size_t)it->owner.graph->nodes, count = guess ? 3 * nodes : 0;
     TRY(room_cut(&it->follow, ROOM(it->now, nodes), ROOM(it->then, nodes),
                  ROOM(it->turned, 3 * nodes), ROOM(it->past[0], count),
                  ROOM(it->past[1], count), ROOM(it->past[2], count)));
@@ -278,6 +264,8 @@ out:
 
 void iterative_tolerate(struct iterative *it, double tolerance, double near)
 {
+    if (!it)
+        return;
     it->tolerance = it->krylov.tolerance = tolerance;
     it->near = it->krylov.near = near;
 }
@@ -289,7 +277,8 @@ void iterative_single(struct iterative *it)
 
 void iterative_forget(struct iterative *it)
 {
-    it->factored = false;
+    if (it)
+        it->factored = false;
 }
 
 enum solver iterative_method(const struct iterative *it)

@@ -29,10 +29,12 @@ struct iterative_owner {
     int patience; /* iterations that cost as much as a factorisation                   */
 };
 
-/* Creates; `pattern` (free unknowns) is for incomplete Cholesky. Owned by the caller. */
+/* Creates; for incomplete Cholesky: `pattern` (free unknowns), and entry[pairs][9], the
+ * places in it of A's entries, -1: none. Owned by the caller. */
 enum status iterative_create(const struct iterative_owner *owner,
-                             const struct factor_pattern *pattern, enum solver solver,
-                             enum preconditioner preconditioner, struct iterative **it);
+                             const struct factor_pattern *pattern, const long *entry,
+                             enum solver solver, enum preconditioner preconditioner,
+                             struct iterative **it);
 void iterative_destroy(struct iterative *it); /* NULL is allowed */
 
 /* Returns A[pairs][9] to fill before iterative_update, which clears entries that belong to
@@ -45,7 +47,7 @@ enum status iterative_update(struct iterative *it, bool keep);
 
 /* Follows the nodes' frames, three orthonormal columns each, of the present A: Q[nodes][9],
  * filled by `frames` at each iterative_update. guess: right-hand sides follow one another
- * smoothly, so that solutions are extrapolated. */
+ * smoothly, so that solutions are extrapolated. Does nothing for NULL, as the next two. */
 enum status iterative_follow(struct iterative *it,
                              void (*frames)(const void *body, double (*Q)[9]),
                              const void *body, bool guess);
@@ -55,12 +57,12 @@ enum status iterative_follow(struct iterative *it,
  * and 0 unless set. A system that stands alone gets it from its iterative_update on. */
 void iterative_tolerate(struct iterative *it, double tolerance, double near);
 
+/* Notes that the factor is of another matrix: iterative_update makes a new one. */
+void iterative_forget(struct iterative *it);
+
 /* Makes factors in single precision as long as that works: until one cannot be made so, or
  * takes more than a few iterations on its own A. */
 void iterative_single(struct iterative *it);
-
-/* Notes that the factor is of another matrix: iterative_update makes a new one. */
-void iterative_forget(struct iterative *it);
 
 /* Solves in place, x[nodes][3], zero at held unknowns. STATUS_UNSOLVED if that takes too
  * many iterations, STATUS_INDEFINITE, STATUS_NAN. */

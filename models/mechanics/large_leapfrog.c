@@ -13,8 +13,6 @@
 /* The chosen step, as a share of the greatest stable one about rest. */
 static const double CHOSEN = 0.95;
 
-static const double MOST_SUBSTEPS = 1e6;
-
 /* The most times that the steps of a frame are doubled. */
 enum { DOUBLINGS = 8 };
 
@@ -84,31 +82,18 @@ static void make_mass(struct large_leapfrog *l)
     }
 }
 
-/* Finds omega of m->K. l->a is work. */
-static enum status largest_frequency(struct large_leapfrog *l, double *omega)
-{
-    struct large_motion *m = l->m;
-    const double(*K)[9] = (const double(*)[9])m->K;
-
-    for (int a = 0; a < m->graph->nodes; a++)
-        l->a[a] = m->M[m->graph->start[a]];
-    return frequency_largest(m->graph, m->supports, l->a, K, omega);
-}
-
+/* Chooses the step with the tangent m->K about rest; l->a is work. */
 static enum status choose_step(struct large_leapfrog *l, struct message *why)
 {
     enum status st;
-    double omega, beta = l->m->newmark->beta;
+    const struct large_motion *m = l->m;
+    double omega;
 
-    TRY(largest_frequency(l, &omega));
-    l->limit = omega > 0 ? sqrt(beta * beta + 4 / (omega * omega)) - beta : INFINITY;
-    double n = l->asked ? l->asked : fmax(1, ceil(l->m->newmark->dt / (CHOSEN * l->limit)));
-    if (!(n <= MOST_SUBSTEPS))
-        return status_fail(why, STATUS_INPUT,
-                           "explicit steps: %g substeps a frame are needed here (greatest "
-                           "stable step %g s); use integrator=implicit",
-                           n, l->limit);
-    l->substeps = (int)n;
+    for (int a = 0; a < m->graph->nodes; a++)
+        l->a[a] = m->M[m->graph->start[a]];
+    TRY(frequency_largest(m->graph, m->supports, l->a, (const double(*)[9])m->K, &omega));
+    l->limit = frequency_limit(omega, m->newmark->beta);
+    TRY(frequency_steps(m->newmark->dt, l->limit, CHOSEN, l->asked, &l->substeps, why));
 out:
     return st;
 }

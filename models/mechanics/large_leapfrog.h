@@ -7,8 +7,7 @@
  * Stiffness damping takes the rate of strain of half a step ago: first order in beta. No
  * tangent is made in a step.
  *
- * Mass. Row sums: M is diagonal, and a step costs its forces. Consistent: one solve with a
- * factor of M; obstacles and supports that move are refused.
+ * Mass. Row sums (lumped_mass.h): M is diagonal, and a step costs its forces.
  *
  * Steps. A frame has as many as keep 0.95 of the greatest stable step about rest,
  * sqrt(beta^2 + 4 / omega^2) - beta, omega the largest frequency by Lanczos' method. A
@@ -24,8 +23,8 @@
 
 #include "models/mechanics/large_body.h"
 
-/* model_refuse_options of shell and solids, and for an integrator, kinematics and number of
- * substeps that do not go together. */
+/* Refuses for shell and solids what model_refuse_options does, and an integrator,
+ * kinematics and number of substeps that do not go together. */
 enum status large_leapfrog_refuse(const struct discretization *d, struct message *why);
 
 /* Makes steps of *m, initialised and at rest, explicit if d says so: m->leapfrog, which

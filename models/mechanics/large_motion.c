@@ -13,9 +13,10 @@ static const double CHORD = 0.4;
 
 const double large_motion_lag = 0.1;
 
-/* Where nothing damps, substeps with more iterations than this would fail if they were
- * longer, and longer ones are not tried (edge_drop, undamped, no viscosity, to 2 s, shell
- * 10x10, p = 3: .72 of the assemblies of trying each time; 6 and 10 do as well). */
+/* The most iterations of an easy substep: where nothing damps, harder ones would fail if
+ * they were longer, and longer ones are not tried (edge_drop, undamped, no viscosity, to 2
+ * s, shell 10x10, p = 3: .72 of the assemblies of trying each time; 6 and 10 do as well).
+ */
 enum { EASY = 8 };
 
 /* Substeps are step / 2^0 ... step / 2^HALVINGS. */

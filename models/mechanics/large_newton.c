@@ -78,7 +78,7 @@ static enum status factor(struct large_motion *m, double mass, struct counters *
     return st;
 }
 
-/* Whether obstacles matter; statics do not see them. */
+/* Tells whether obstacles matter; statics do not see them. */
 static bool in_contact(const struct large_motion *m, const struct large_equation *q)
 {
     return m->contact && q->mass > 0;
@@ -239,7 +239,7 @@ out:
     return st;
 }
 
-/* Whether a step below the tolerance means convergence. */
+/* Tells whether a step below the tolerance means convergence. */
 static bool settled(const struct large_motion *m, double size, double before)
 {
     const double shrink = 0.1, round_off = 1e-14;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "models/mechanics/large_newton.h"
+#include "models/vector.h"
 
 /* Rest: the unbalanced share of the loads and the supports' reactions is below this. */
 static const double RESIDUAL = 1e-6;
@@ -17,20 +18,14 @@ static const double TOUCHING = 1e-8;
  * moved too far, and by GOOD where it went well. */
 static const double FAILED = 8, SHORTER = 2, GOOD = 0.5;
 
-/* Where a node moves farther than this share of the length in a step, the next is shorter;
- * where it moves less than half as far, the next is longer: the way down is followed, not
- * leapt. */
+/* The share of the length beyond which a node's move in a step makes the next one shorter;
+ * less than half of it makes the next longer: the way down is followed, not leapt. */
 static const double FARTHEST = 0.02;
 
 /* The mass of the longest step, relative to that of the scene's step. */
 static const double LONGEST = 1e-8;
 
 enum { MOST_STEPS = 600 };
-
-static double length_of(const double f[3])
-{
-    return sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
-}
 
 /* Computes the unbalanced share of the loads and the supports' reactions at m->x. */
 static enum status unbalanced(struct large_motion *m, double *share)
@@ -50,8 +45,8 @@ static enum status unbalanced(struct large_motion *m, double *share)
     if (m->contact)
         contact_set_balance(&m->contact->set, m->x, TOUCHING * m->scene->length, f);
     for (int a = 0; a < m->graph->nodes; a++) {
-        left += length_of(f + 3 * (size_t)a);
-        borne += length_of(m->load + 3 * (size_t)a);
+        left += vector_length(f + 3 * (size_t)a);
+        borne += vector_length(m->load + 3 * (size_t)a);
     }
     *share = left > 0 ? left / borne : 0;
 out:

@@ -6,7 +6,7 @@
 #include "models/discretization.h"
 #include "models/linalg/blocks.h"
 
-/* Whether d needs row sums: leapfrog steps do. */
+/* Tells whether d needs row sums: leapfrog steps do. */
 bool lumped_mass_wanted(const struct discretization *d);
 
 /* Replaces M[pairs] by row sums if d needs them, on the diagonal, zero elsewhere.

@@ -74,9 +74,9 @@ static void subtract_held(struct newmark *n, struct system *s, const double (*K)
         rhs[t] -= y[t];
 }
 
-enum status newmark_start(struct newmark *n, struct system *s, const double (*K)[9],
+enum status newmark_begin(struct newmark *n, struct system *s, const double (*K)[9],
                           const double *M, const double *load,
-                          const struct newmark_held *held)
+                          const struct newmark_held *held, struct counters *counters)
 {
     enum status st;
     const int *unknown = s->held->held;
@@ -104,17 +104,6 @@ enum status newmark_start(struct newmark *n, struct system *s, const double (*K)
     TRY(system_solve(s, n->a));
     for (int h = 0; h < held_count; h++)
         n->a[unknown[h]] = held->a[h];
-out:
-    return st;
-}
-
-enum status newmark_begin(struct newmark *n, struct system *s, const double (*K)[9],
-                          const double *M, const double *load,
-                          const struct newmark_held *held, struct counters *counters)
-{
-    enum status st;
-
-    TRY(newmark_start(n, s, K, M, load, held));
     TRY(system_factor(s, newmark_k(n), K, newmark_m(n), M));
     counters->factorisations += 2;
     counters->solves++;

@@ -40,12 +40,8 @@ struct newmark_held newmark_follow(const struct supports *s, const struct scene 
 
 /* Computes the acceleration of the present d and v (rest, static equilibrium, any start):
  *   M a = load - M alpha v - K (d + beta v),
- * held unknowns taking the motion given (NULL: at rest). Leaves the factor of M in `s`. */
-enum status newmark_start(struct newmark *n, struct system *s, const double (*K)[9],
-                          const double *M, const double *load,
-                          const struct newmark_held *held);
-
-/* Calls newmark_start, then factors the steps' system in `s`. Counts both. */
+ * held unknowns taking the motion given (NULL: at rest); then factors the steps' system in
+ * `s`. Counts both factorisations. */
 enum status newmark_begin(struct newmark *n, struct system *s, const double (*K)[9],
                           const double *M, const double *load,
                           const struct newmark_held *held, struct counters *counters);

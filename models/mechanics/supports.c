@@ -18,7 +18,7 @@ static bool full_thickness(const struct scene_support *s)
     return s->lo[2] <= 0 && s->hi[2] >= 1;
 }
 
-/* Whether the support holds the mid-surface and neither face: a hinge. */
+/* Tells whether the support holds the mid-surface and neither face: a hinge. */
 static bool middle_only(const struct scene_support *s)
 {
     return s->lo[2] > 0 && s->hi[2] < 1 && inside(0.5, s->lo[2], s->hi[2]);

@@ -5,65 +5,72 @@
 
 #include "models/room.h"
 
-/* Finds one entry of the lower triangle among free unknowns: block pair n, component i of
- * node a (column) and j of node b (row). */
-static bool entry(const struct blocks *graph, const struct supports *held,
-                  const unsigned char *parity, int a, long n, int i, int j, int *column,
-                  int *row)
+/* Tells whether component i of node a (column) and j of node b >= a (row) have an entry in
+ * the lower triangle among free unknowns. */
+static bool has_entry(const struct supports *held, const unsigned char *parity, int a,
+                      int b, int i, int j)
 {
-    int b = graph->node[n];
-
-    *column = held->free_index[3 * a + i];
-    *row = held->free_index[3 * b + j];
-    if (*column < 0 || *row < 0 || (a == b && j < i))
+    if (held->free_index[3 * a + i] < 0 || held->free_index[3 * b + j] < 0 ||
+        (a == b && j < i))
         return false;
     return !parity || parity[3 * a + i] == parity[3 * b + j];
 }
 
-static enum status pattern(const struct blocks *graph, const struct supports *held,
-                           const unsigned char *parity, long **start, int **row)
+/* The lower triangle by columns of the free unknowns; arrays owned. */
+struct pattern {
+    long *start; /* [free_count + 1]                                                   */
+    int *row;    /* [start[free_count]]                                                */
+    long *entry; /* [pairs][9] where a block's entry lies in row; -1: nowhere          */
+};
+
+static void pattern_clear(struct pattern *p)
 {
-    int n_free = held->free_count;
-    long *s = malloc(((size_t)n_free + 1) * sizeof *s);
-    int *r = malloc((size_t)(9 * graph->start[graph->nodes] + 1) * sizeof *r), c, t;
+    free(p->start);
+    free(p->row);
+    free(p->entry);
+}
+
+static enum status pattern_init(struct pattern *p, const struct blocks *graph,
+                                const struct supports *held, const unsigned char *parity)
+{
+    const size_t entries = 9 * (size_t)graph->start[graph->nodes];
     long count = 0;
 
-    if (!s || !r) {
-        free(s);
-        free(r);
+    p->start = malloc(((size_t)held->free_count + 1) * sizeof *p->start);
+    p->row = malloc((entries + 1) * sizeof *p->row);
+    p->entry = malloc((entries + 1) * sizeof *p->entry);
+    if (!p->start || !p->row || !p->entry) {
+        pattern_clear(p);
         return STATUS_MEMORY;
     }
     for (int a = 0; a < graph->nodes; a++)
         for (int i = 0; i < 3; i++) {
-            if (held->free_index[3 * a + i] < 0)
-                continue;
-            s[held->free_index[3 * a + i]] = count;
+            if (held->free_index[3 * a + i] >= 0)
+                p->start[held->free_index[3 * a + i]] = count;
             for (long n = graph->start[a]; n < graph->start[a + 1]; n++)
-                for (int j = 0; j < 3; j++)
-                    if (entry(graph, held, parity, a, n, i, j, &c, &t))
-                        r[count++] = t;
+                for (int j = 0, b = graph->node[n]; j < 3; j++) {
+                    const bool has = has_entry(held, parity, a, b, i, j);
+                    p->entry[9 * n + 3 * i + j] = has ? count : -1;
+                    if (has)
+                        p->row[count++] = held->free_index[3 * b + j];
+                }
         }
-    s[n_free] = count;
-    *start = s;
-    *row = r;
+    p->start[held->free_count] = count;
     return STATUS_OK;
 }
 
 /* Finds each block entry's slot; those above the diagonal, held or uncoupled get the
  * dump. */
-static void find_slots(struct system *s, const unsigned char *parity)
+static void find_slots(struct system *s, const struct pattern *p)
 {
     const struct blocks *g = s->graph;
-    int dump = (int)factor_dump(s->factor), column, row;
+    const int dump = (int)factor_dump(s->factor), *place = s->held->free_index;
 
     for (int a = 0; a < g->nodes; a++)
-        for (long n = g->start[a]; n < g->start[a + 1]; n++)
-            for (int i = 0; i < 3; i++)
-                for (int j = 0; j < 3; j++)
-                    s->slot[9 * n + 3 * i + j] =
-                        entry(g, s->held, parity, a, n, i, j, &column, &row)
-                            ? (int)factor_slot(s->factor, row, column)
-                            : dump;
+        for (long t = 9 * g->start[a]; t < 9 * g->start[a + 1]; t++)
+            s->slot[t] = p->entry[t] < 0 ? dump
+                                         : (int)factor_slot(s->factor, p->row[p->entry[t]],
+                                                            place[3 * a + t % 9 / 3]);
 }
 
 /* Turns a node order into an order of free unknowns. */
@@ -133,7 +140,7 @@ static int patience(const struct factor *f)
 }
 
 static enum status make_iterative(struct system *s, const struct factor_pattern *pattern,
-                                  const struct discretization *d)
+                                  const long *entry, const struct discretization *d)
 {
     const struct iterative_owner owner = {.self = s,
                                           .graph = s->graph,
@@ -144,7 +151,8 @@ static enum status make_iterative(struct system *s, const struct factor_pattern 
                                           .single = set_single,
                                           .patience = s->factor ? patience(s->factor) : 0};
 
-    return iterative_create(&owner, pattern, d->solver, d->preconditioner, &s->iterative);
+    return iterative_create(&owner, pattern, entry, d->solver, d->preconditioner,
+                            &s->iterative);
 }
 
 enum status system_init(struct system *s, const struct blocks *graph,
@@ -155,26 +163,25 @@ enum status system_init(struct system *s, const struct blocks *graph,
     const bool iterates = d && solver_iterates(d->solver);
     const enum solver solver = iterates || !d ? SOLVER_AUTO : d->solver;
     struct system new = {.graph = graph, .held = held, .parity = parity};
-    long *start = NULL;
-    int *row = NULL, *unknowns = NULL;
+    struct pattern pattern = {NULL};
+    int *unknowns = NULL;
 
     if (order && !(unknowns = order_unknowns(held, order)))
         goto out;
-    TRY(pattern(graph, held, parity, &start, &row));
-    struct factor_pattern p = {held->free_count, start, row, unknowns};
+    TRY(pattern_init(&pattern, graph, held, parity));
+    struct factor_pattern p = {held->free_count, pattern.start, pattern.row, unknowns};
     TRY(room_cut(&new.room, ROOM(new.slot, 9 * graph->start[graph->nodes]),
                  ROOM(new.packed, held->free_count)));
     if (!iterates || d->preconditioner == PRECONDITIONER_FACTOR) {
         TRY(factor_create(&p, solver, &new.factor));
-        find_slots(&new, parity);
+        find_slots(&new, &pattern);
     }
     HAND_OVER(s, new);
-    if (iterates && (st = make_iterative(s, &p, d)) != STATUS_OK)
+    if (iterates && (st = make_iterative(s, &p, pattern.entry, d)) != STATUS_OK)
         system_clear(s);
 out:
     system_clear(&new);
-    free(start);
-    free(row);
+    pattern_clear(&pattern);
     free(unknowns);
     return st;
 }
@@ -216,25 +223,6 @@ enum status system_update(struct system *s, double k, const double (*K)[9], doub
         return update(s, true, k, K, m, M);
     s->factorisations++;
     return system_factor(s, k, K, m, M);
-}
-
-enum status system_follow(struct system *s,
-                          void (*frames)(const void *body, double (*Q)[9]),
-                          const void *body, bool guess)
-{
-    return s->iterative ? iterative_follow(s->iterative, frames, body, guess) : STATUS_OK;
-}
-
-void system_tolerate(struct system *s, double tolerance, double near)
-{
-    if (s->iterative)
-        iterative_tolerate(s->iterative, tolerance, near);
-}
-
-void system_forget(struct system *s)
-{
-    if (s->iterative)
-        iterative_forget(s->iterative);
 }
 
 void system_single(struct system *s)
@@ -348,27 +336,19 @@ enum status system_columns(const struct blocks *graph, const struct supports *he
                            double **value)
 {
     enum status st;
+    struct pattern p = {NULL};
     double *v = NULL;
-    long count = 0;
-    int c, t;
 
-    TRY(pattern(graph, held, parity, start, row));
-    v = malloc(((size_t)(*start)[held->free_count] + 1) * sizeof *v);
-    if (!v) {
-        free(*start);
-        free(*row);
-        *start = NULL;
-        *row = NULL;
-        st = STATUS_MEMORY;
-        goto out;
-    }
-    for (int a = 0; a < graph->nodes; a++)
-        for (int i = 0; i < 3; i++)
-            for (long n = graph->start[a]; n < graph->start[a + 1]; n++)
-                for (int j = 0; j < 3; j++)
-                    if (entry(graph, held, parity, a, n, i, j, &c, &t))
-                        v[count++] = k * K[n][3 * i + j] + (i == j && M ? m * M[n] : 0);
-    *value = v;
+    TRY(pattern_init(&p, graph, held, parity));
+    v = malloc(((size_t)p.start[held->free_count] + 1) * sizeof *v);
+    if (!v)
+        TRY(STATUS_MEMORY);
+    for (long t = 0; t < 9 * graph->start[graph->nodes]; t++)
+        if (p.entry[t] >= 0)
+            v[p.entry[t]] = k * K[t / 9][t % 9] + (t % 9 % 4 == 0 && M ? m * M[t / 9] : 0);
+    *start = p.start, *row = p.row, *value = v;
+    p.start = NULL, p.row = NULL;
 out:
+    pattern_clear(&p);
     return st;
 }

@@ -45,13 +45,8 @@ enum status system_factor(struct system *s, double k, const double (*K)[9], doub
 enum status system_update(struct system *s, double k, const double (*K)[9], double m,
                           const double *M);
 
-/* Call iterative_follow, _tolerate, _forget and, with a factor, unless it is small,
- * _single, where systems are iterated; do nothing else. */
-enum status system_follow(struct system *s,
-                          void (*frames)(const void *body, double (*Q)[9]),
-                          const void *body, bool guess);
-void system_tolerate(struct system *s, double tolerance, double near);
-void system_forget(struct system *s);
+/* Makes factors of a system that is iterated in single precision (iterative_single), unless
+ * they are small. */
 void system_single(struct system *s);
 
 /* Adds to *counters the factorisations of system_update and system_solve since the last

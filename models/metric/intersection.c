@@ -250,7 +250,7 @@ static int children(const struct intersection *s, int l, int n, int child[4])
     return count;
 }
 
-/* Whether boxes meet; touching counts. */
+/* Tells whether boxes meet; touching counts. */
 static bool boxes_meet(const double p[6], const double q[6])
 {
     for (int c = 0; c < 3; c++)

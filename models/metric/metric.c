@@ -9,13 +9,9 @@
 #include "models/grid.h"
 #include "models/metric/intersection.h"
 #include "models/metric/metric_rest.h"
+#include "models/vector.h"
 
 enum { LAYER = GRID_U * GRID_V, ROW = GRID_U * 3 };
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static void middle(const double *xyz, int i, int j, double x[3])
 {
@@ -26,7 +22,7 @@ static void middle(const double *xyz, int i, int j, double x[3])
 
 static void down(const struct scene *scene, double direction[3])
 {
-    double size = sqrt(dot(scene->gravity, scene->gravity));
+    double size = vector_length(scene->gravity);
     for (int c = 0; c < 3; c++)
         direction[c] = size > 0 ? scene->gravity[c] / size : -(double)(c == 2);
 }
@@ -66,7 +62,7 @@ static double largest_stretch(const struct metric_rest *rest, const double *xyz,
         fb[c] /= s.b;
     }
     /* the square is an eigenvalue of the right Cauchy-Green tensor */
-    double aa = dot(fa, fa), bb = dot(fb, fb), ab = dot(fa, fb);
+    double aa = vector_dot(fa, fa), bb = vector_dot(fb, fb), ab = vector_dot(fa, fb);
     return sqrt(0.5 * (aa + bb + hypot(aa - bb, 2 * ab)));
 }
 
@@ -108,7 +104,7 @@ double metric_drop(const struct scene *scene, const double *xyz)
         for (int i = 0; i < GRID_U; i++) {
             double x[3];
             middle(xyz, i, j, x);
-            double height = -dot(x, direction);
+            double height = -vector_dot(x, direction);
             if (isnan(height))
                 return NAN;
             bottom = fmin(bottom, height);
@@ -127,7 +123,7 @@ double metric_mean_drop(const struct scene *scene, const double *xyz)
     for (int row = 0; row < GRID_V * GRID_W; row++) {
         double part = 0;
         for (int n = row * ROW; n < (row + 1) * ROW; n += 3)
-            part += dot(xyz + n, direction) - dot(rest + n, direction);
+            part += vector_dot(xyz + n, direction) - vector_dot(rest + n, direction);
         sum += part;
     }
     free(rest);
@@ -158,7 +154,7 @@ static void second(const double *xyz, int i, int j, double da, double db, double
 /* Returns |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2. */
 static double squared(double d[3][3])
 {
-    return dot(d[0], d[0]) + 2 * dot(d[1], d[1]) + dot(d[2], d[2]);
+    return vector_dot(d[0], d[0]) + 2 * vector_dot(d[1], d[1]) + vector_dot(d[2], d[2]);
 }
 
 static double squared_bending(const struct metric_rest *rest, const double *xyz, int i,
@@ -257,11 +253,6 @@ static bool escaped(const struct scene *scene, double t, int n, const double car
     return !(nearest <= limit * limit);
 }
 
-static double norm(const double x[3])
-{
-    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-}
-
 /* Limits a shift to what a rigid sheet can reach by time t: with its initial speed (and the
  * wind's) and what gravity and loads add; and against these no higher than that speed lifts
  * it. */
@@ -276,13 +267,14 @@ static void clip_to_flight(const struct scene *scene, double t, double shift[3])
     for (int n = 0; n < scene->load_count; n++)
         for (int c = 0; c < 3; c++)
             a[c] += scene->loads[n].force[c] / mass;
-    const double pull = norm(a), speed = norm(v) + (scene->drag > 0) * norm(scene->wind);
+    const double pull = vector_length(a),
+                 speed = vector_length(v) + (scene->drag > 0) * vector_length(scene->wind);
     for (int c = 0; c < 3 && pull > 0; c++)
         along += shift[c] * a[c] / pull;
     const double high = pull > 0 ? -along - speed * speed / (2 * pull) : 0;
     for (int c = 0; c < 3 && high > 0; c++)
         shift[c] += high * a[c] / pull;
-    const double far = norm(shift), reach = speed * t + pull * t * t / 2;
+    const double far = vector_length(shift), reach = speed * t + pull * t * t / 2;
     for (int c = 0; c < 3 && far > reach; c++)
         shift[c] *= reach / far;
 }
@@ -356,12 +348,12 @@ double metric_angle(const struct scene *scene, const double *xyz)
     middle_line(xyz, GRID_U - 1, end);
     for (int c = 0; c < 3; c++)
         line[c] = end[c] - start[c];
-    double fall = dot(line, direction);
+    double fall = vector_dot(line, direction);
     for (int c = 0; c < 3; c++)
         level[c] = line[c] - fall * direction[c];
-    double reach = sqrt(dot(level, level));
+    double reach = vector_length(level);
     rest_direction(scene, rest);
-    if (dot(level, rest) < 0)
+    if (vector_dot(level, rest) < 0)
         reach = -reach;
     return atan2(fall, reach) * (45 / atan(1));
 }

@@ -5,11 +5,7 @@
 #include <string.h>
 
 #include "models/grid.h"
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+#include "models/vector.h"
 
 void metric_rest_clear(struct metric_rest *rest)
 {
@@ -54,9 +50,9 @@ struct metric_rest_step metric_rest_step(const struct metric_rest *rest, int i, 
         along[c] = at(rest, i1, j)[c] - at(rest, i0, j)[c];
         across[c] = at(rest, i, j1)[c] - at(rest, i, j0)[c];
     }
-    s.a = sqrt(dot(along, along));
-    s.shear = dot(along, across) / s.a;
-    s.b = sqrt(dot(across, across) - s.shear * s.shear);
+    s.a = vector_length(along);
+    s.shear = vector_dot(along, across) / s.a;
+    s.b = sqrt(vector_dot(across, across) - s.shear * s.shear);
     return s;
 }
 
@@ -88,12 +84,12 @@ double metric_rest_bending(const struct metric_rest *rest, int i, int j, double 
             memcpy(X[q][p], at(rest, i + p - 1, j + q - 1), sizeof X[q][p]);
     struct differences now = difference(x), then = difference(X);
     const double *s = then.first[0], *t = then.first[1];
-    double g[3] = {dot(s, s), dot(s, t), dot(t, t)};
+    double g[3] = {vector_dot(s, s), vector_dot(s, t), vector_dot(t, t)};
     double area = g[0] * g[2] - g[1] * g[1];
     double along = sqrt(g[0]), shear = g[1] / along, across = sqrt(area / g[0]);
 
     for (int k = 0; k < 3; k++) { /* less the Christoffel symbols times the tangents */
-        double on_s = dot(then.second[k], s), on_t = dot(then.second[k], t);
+        double on_s = vector_dot(then.second[k], s), on_t = vector_dot(then.second[k], t);
         double by_s = (g[2] * on_s - g[1] * on_t) / area;
         double by_t = (g[0] * on_t - g[1] * on_s) / area;
         for (int c = 0; c < 3; c++)
@@ -123,7 +119,7 @@ double metric_rest_highest(const struct scene *scene, const double lo[3],
             double x[3];
 
             scene_rest_point(scene, uvw, x);
-            top = fmax(top, -dot(x, down));
+            top = fmax(top, -vector_dot(x, down));
         }
     return top;
 }
@@ -137,9 +133,9 @@ static double distance_flat(const struct scene *scene, const double lo[3],
     scene_normal(scene, w);
     for (int c = 0; c < 3; c++)
         d[c] = x[c] - scene->origin[c];
-    local[0] = dot(d, scene->axis_u);
-    local[1] = dot(d, scene->axis_v);
-    local[2] = dot(d, w) + 0.5 * scene->thickness;
+    local[0] = vector_dot(d, scene->axis_u);
+    local[1] = vector_dot(d, scene->axis_v);
+    local[2] = vector_dot(d, w) + 0.5 * scene->thickness;
     for (int c = 0; c < 3; c++) {
         double nearest = fmin(fmax(local[c], lo[c] * size[c]), hi[c] * size[c]);
         sum += (local[c] - nearest) * (local[c] - nearest);
@@ -162,7 +158,7 @@ double metric_rest_distance(const struct scene *scene, const double lo[3],
         scene_rest_point(scene, uvw, d);
         for (int c = 0; c < 3; c++)
             d[c] -= x[c];
-        nearest = fmin(nearest, dot(d, d));
+        nearest = fmin(nearest, vector_dot(d, d));
     }
     return nearest;
 }

@@ -46,7 +46,7 @@ static void project(const double m[3], const double o[3], const double x[3], dou
     *high = (a + b + c) + error;
 }
 
-/* Whether a plane across the line of centroids certainly separates the two. */
+/* Tells whether a plane across the line of centroids certainly separates the two. */
 static bool centroids_part(const double *const p[3], const double *const q[3])
 {
     double m[3], p_high = -INFINITY, q_low = INFINITY;
@@ -78,7 +78,8 @@ static void add_bisector(double factor, const double o[3], const double x[3],
         m[c] += size * d[c];
 }
 
-/* Whether a plane through the shared vertex, which alone lies on it, separates the two. */
+/* Tells whether a plane through the shared vertex, which alone lies on it, separates the
+ * two. */
 static bool bisectors_part(const double *const p[3], const double *const q[3])
 {
     double m[3] = {0, 0, 0}, low, high;
@@ -105,7 +106,8 @@ static bool segment_boxes_meet(const double a[3], const double b[3], const doubl
     return true;
 }
 
-/* Whether segments a b, c d of one plane meet, seen along `axis`; -1 if all collinear. */
+/* Tells whether segments a b, c d of one plane meet, seen along `axis`; -1 if all
+ * collinear. */
 static int projected_segments_meet(int axis, const double a[3], const double b[3],
                                    const double c[3], const double d[3])
 {
@@ -136,7 +138,7 @@ static bool all_of_one_sign(int a, int b, int c)
     return !((a > 0 || b > 0 || c > 0) && (a < 0 || b < 0 || c < 0));
 }
 
-/* Whether segment s t meets p in its plane; p is no segment seen along `axis`. */
+/* Tells whether segment s t meets p in its plane; p is no segment seen along `axis`. */
 static bool flat_segment_meets(int axis, const double s[3], const double t[3],
                                const double *const p[3])
 {
@@ -153,7 +155,7 @@ static bool flat_segment_meets(int axis, const double s[3], const double t[3],
     return false;
 }
 
-/* Whether segment s t meets p; side_s, side_t: the sides of p on which they lie. */
+/* Tells whether segment s t meets p; side_s, side_t: the sides of p on which they lie. */
 static bool segment_meets(const double s[3], const double t[3], const double *const p[3],
                           int side_s, int side_t)
 {
@@ -200,7 +202,7 @@ bool triangle_meets(const double *const p[3], const double *const q[3])
     return false;
 }
 
-/* Whether segments a c and a d run along each other. */
+/* Tells whether segments a c and a d run along each other. */
 static bool same_direction(const double a[3], const double c[3], const double d[3])
 {
     if (same(a, c) || same(a, d) || !predicate_collinear(a, c, d))
@@ -211,7 +213,8 @@ static bool same_direction(const double a[3], const double c[3], const double d[
     return true;
 }
 
-/* Whether they meet off the shared corner; `flat` is a segment through it, p is none. */
+/* Tells whether they meet off the shared corner; `flat` is a segment through it, p is none.
+ */
 static bool flat_meets_beyond_vertex(const double *const flat[3], const double *const p[3])
 {
     /* p[1] p[2] does not pass through p[0], so any point counts */
@@ -248,7 +251,7 @@ bool triangle_meets_beyond_vertex(const double *const p[3], const double *const 
     return segment_meets(q[1], q[2], p, q1, q2) || segment_meets(p[1], p[2], q, p1, p2);
 }
 
-/* Whether a b c and a b d meet off a b, where all lie on a line, or a = b. */
+/* Tells whether a b c and a b d meet off a b, where all lie on a line, or a = b. */
 static bool flat_meet_beyond_edge(const double a[3], const double b[3], const double c[3],
                                   const double d[3])
 {

@@ -15,13 +15,14 @@
 
 #include <stdbool.h>
 
-/* Whether p and q, which share no corner, meet. */
+/* Tells whether p and q, which share no corner, meet. */
 bool triangle_meets(const double *const p[3], const double *const q[3]);
 
-/* Whether p and q, with the corner p[0] = q[0], have any other common point. */
+/* Tells whether p and q, with the corner p[0] = q[0], have any other common point. */
 bool triangle_meets_beyond_vertex(const double *const p[3], const double *const q[3]);
 
-/* Whether p and q, with corners p[0], p[1] = q[0], q[1], share a point off the edge. */
+/* Tells whether p and q, with corners p[0], p[1] = q[0], q[1], share a point off the edge.
+ */
 bool triangle_meets_beyond_edge(const double *const p[3], const double *const q[3]);
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "models/contact.h"
 #include "models/discretization.h"
+#include "models/vector.h"
 
 /* Axes written with four digits or more are meant as orthonormal, and the reader makes them
  * so; what is farther off is a mistake. */
@@ -20,16 +21,11 @@ static bool is_setting(const struct yaml_tree *node)
     return node->line == 0;
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* Makes an axis that is nearly of length one exactly so. */
 static enum status check_axis(const struct yaml_tree *node, const char *name,
                               double axis[3], struct message *why)
 {
-    const double length = sqrt(dot(axis, axis));
+    const double length = vector_length(axis);
 
     if (length == 0)
         return yaml_tree_refuse(node, why, "pose axis %s is zero, but must have length 1",
@@ -119,7 +115,7 @@ static void turn_upright(const double u[3], double cosine, double v[3])
 {
     for (int i = 0; i < 3; i++)
         v[i] -= cosine * u[i];
-    const double length = sqrt(dot(v, v));
+    const double length = vector_length(v);
     for (int i = 0; i < 3; i++)
         v[i] /= length;
 }
@@ -137,7 +133,7 @@ static enum status check_pose(const struct yaml_tree *root, struct scene *scene,
         TRY(check_axis(u, "u", axis_u, why));
     if (v)
         TRY(check_axis(v, "v", axis_v, why));
-    const double cosine = dot(axis_u, axis_v);
+    const double cosine = vector_dot(axis_u, axis_v);
     if (fabs(cosine) > TOL_AXES)
         return yaml_tree_refuse(v ? v : u, why,
                                 "pose axes u and v have the product %.10g, but must be at "
@@ -225,7 +221,7 @@ static enum status check_snapshots(const struct yaml_tree *root, struct scene *s
     return STATUS_OK;
 }
 
-/* Whether closed boxes have a point in common. */
+/* Tells whether closed boxes have a point in common. */
 static bool overlap(const struct scene_support *a, const struct scene_support *b)
 {
     for (int i = 0; i < 3; i++)
@@ -234,7 +230,7 @@ static bool overlap(const struct scene_support *a, const struct scene_support *b
     return true;
 }
 
-/* Whether paths agree at every row of `a`, in the components held by both. */
+/* Tells whether paths agree at every row of `a`, in the components held by both. */
 static bool agrees_at_rows(const struct scene_support *a, const struct scene_support *b)
 {
     for (int k = 0; k < a->path_count; k++) {

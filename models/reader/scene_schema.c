@@ -9,9 +9,11 @@
 #include "models/damping.h"
 #include "models/model.h"
 #include "models/reader/scene_check.h"
-#include "models/reader/scene_place.h"
 
 enum {
+    SCENE_MAX_SUPPORTS = 100,
+    SCENE_MAX_PATH = 1000, /* rows of one support */
+    SCENE_MAX_LOADS = 100,
     SCENE_MAX_OBSTACLES = 100,
     SCENE_MAX_SNAPSHOTS = 10000,
     SCENE_MAX_POINTS = 20000000, /* control points or nodes */
@@ -43,6 +45,165 @@ static enum status read_name(const struct schema_key *key, const struct yaml_tre
     free(scene->name);
     scene->name = copy;
     return STATUS_OK;
+}
+
+/* A load while it is read: it begins with its place, like a support with its `at`. */
+struct placed {
+    struct scene_support at;
+    double force[3];
+};
+
+/* Reads `u: 0` or `u: [0, 0.1]` of a support's `at`. */
+static enum status read_interval(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct scene_support *s = target;
+    const int i = key->key[0] - 'u';
+    const struct yaml_tree *lo = node, *hi = node;
+
+    if (node->kind == YAML_TREE_LIST) {
+        if (node->count != 2)
+            return schema_refuse(key, node, why);
+        lo = node->first, hi = lo->next;
+    }
+    TRY(schema_number(key, lo, &s->lo[i], why));
+    TRY(schema_number(key, hi, &s->hi[i], why));
+    if (s->lo[i] > s->hi[i])
+        return yaml_tree_refuse(node, why, "%s runs from %g down to %g, but must be %s",
+                                key->key, s->lo[i], s->hi[i], key->want);
+out:
+    return st;
+}
+
+static enum status check_at(const struct schema_key *key, const struct yaml_tree *node,
+                            void *target, struct message *why)
+{
+    (void)target;
+    return node->count > 0 ? STATUS_OK : schema_refuse(key, node, why);
+}
+
+static enum status read_fix(const struct schema_key *key, const struct yaml_tree *node,
+                            void *target, struct message *why)
+{
+    struct scene_support *s = target;
+
+    if (node->kind != YAML_TREE_SCALAR || !*node->text)
+        return schema_refuse(key, node, why);
+    s->fix = 0;
+    for (const char *c = node->text; *c; c++) {
+        const char *letters = "xyz", *letter = strchr(letters, *c);
+        const unsigned bit = letter ? 1u << (letter - letters) : 0;
+
+        if (!bit || s->fix & bit)
+            return schema_refuse(key, node, why);
+        s->fix |= bit;
+    }
+    return STATUS_OK;
+}
+
+static enum status read_path_row(const struct schema_key *key, const struct yaml_tree *row,
+                                 double out[4], struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *number = row->first;
+
+    if (row->kind != YAML_TREE_LIST || row->count != 4)
+        return schema_refuse(key, row, why);
+    for (int i = 0; i < 4; i++, number = number->next)
+        TRY(schema_number(key, number, &out[i], why));
+out:
+    return st;
+}
+
+static enum status read_path(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct scene_support *s = target;
+    const struct yaml_tree *row = node->first;
+
+    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > SCENE_MAX_PATH)
+        return schema_refuse(key, node, why);
+    s->path = calloc((size_t)node->count, sizeof *s->path);
+    if (!s->path)
+        return STATUS_MEMORY;
+    s->path_count = node->count;
+    for (int i = 0; i < node->count; i++, row = row->next) {
+        TRY(read_path_row(key, row, s->path[i], why));
+        if (i > 0 && s->path[i][0] <= s->path[i - 1][0])
+            return yaml_tree_refuse(row, why,
+                                    "path has time %g after %g, but times must "
+                                    "increase",
+                                    s->path[i][0], s->path[i - 1][0]);
+    }
+out:
+    return st;
+}
+
+/* clang-format off */
+static const struct schema_key AT[] = {
+    {"u", "along the length", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
+     .want = "a number or [low, high] within 0 and 1"},
+    {"v", "along the width", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
+     .want = "a number or [low, high] within 0 and 1"},
+    {"w", "through the thickness", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
+     .want = "a number or [low, high] within 0 and 1"},
+    {NULL}};
+
+static const struct schema_key SUPPORT[] = {
+    {"at", "where", SCHEMA_SECTION, .required = true, .keys = AT, .read = check_at},
+    {"fix", "components held", SCHEMA_SPECIAL, .required = true, .read = read_fix,
+     .want = "some of the letters x, y, z, each once, as in xyz"},
+    {"path", "shift in time [s, m, m, m]", SCHEMA_SPECIAL, PLACE, .read = read_path,
+     .want = "1 to 1000 rows [t, x, y, z] of numbers within -1e+06 and 1e+06"},
+    {NULL}};
+
+static const struct schema_key LOAD[] = {
+    {"at", "where", SCHEMA_SECTION, .required = true, .keys = AT, .read = check_at},
+    {"force", "in all, spread evenly [N]", SCHEMA_VECTOR, .required = true, .low = -1e15,
+     .high = 1e15, .offset = offsetof(struct placed, force)},
+    {NULL}};
+/* clang-format on */
+
+static enum status read_supports(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct scene_support s = {.fix = 0};
+
+    if (node->kind != YAML_TREE_LIST || node->count > SCENE_MAX_SUPPORTS)
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *child = node->first; child; child = child->next) {
+        s = (struct scene_support){.hi = {1, 1, 1}, .line = child->line};
+        TRY(schema_read(SUPPORT, child, "a support", &s, why));
+        TRY(scene_add_support(target, &s));
+        free(s.path), s.path = NULL;
+    }
+out:
+    free(s.path);
+    return st;
+}
+
+static enum status read_loads(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_LIST || node->count > SCENE_MAX_LOADS)
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *child = node->first; child; child = child->next) {
+        struct placed p = {.at = {.hi = {1, 1, 1}}};
+        struct scene_load load;
+
+        TRY(schema_read(LOAD, child, "a load", &p, why));
+        memcpy(load.lo, p.at.lo, sizeof load.lo);
+        memcpy(load.hi, p.at.hi, sizeof load.hi);
+        memcpy(load.force, p.force, sizeof load.force);
+        TRY(scene_add_load(target, &load));
+    }
+out:
+    return st;
 }
 
 /* clang-format off */
@@ -177,11 +338,11 @@ static const struct schema_key SCENE[] = {
     {"drag", "body drag", SCHEMA_SECTION, .keys = DRAG},
     {"damping", "damping", SCHEMA_SECTION, .keys = DAMPING},
     {"motion", "at the start, where nothing holds", SCHEMA_SECTION, .keys = MOTION},
-    {"supports", "what is held", SCHEMA_SPECIAL, .keys = scene_place_support,
-     .read = scene_place_supports,
+    {"supports", "what is held", SCHEMA_SPECIAL, .keys = SUPPORT,
+     .read = read_supports,
      .want = "a list of at most 100 supports {at: {...}, fix: xyz}"},
-    {"loads", "forces that keep their direction", SCHEMA_SPECIAL, .keys = scene_place_load,
-     .read = scene_place_loads,
+    {"loads", "forces that keep their direction", SCHEMA_SPECIAL, .keys = LOAD,
+     .read = read_loads,
      .want = "a list of at most 100 loads {at: {...}, force: [x, y, z]}"},
     {"obstacles", "what is in the way", SCHEMA_SPECIAL, .keys = OBSTACLE,
      .read = read_obstacles,
@@ -193,7 +354,8 @@ static const struct schema_key SCENE[] = {
     {"discretization", NULL, SCHEMA_SPECIAL, .read = refuse_numerics}, /* not listed */
     {NULL}};
 
-/* What changes another model's choice: whether it does is for the model to refuse. */
+/* Reads a choice of another model's; notes it if it is not its default, which the model then
+ * refuses. */
 static enum status read_foreign(const struct schema_key *key, const struct yaml_tree *node,
                                 void *target, struct message *why)
 {

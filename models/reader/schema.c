@@ -23,7 +23,7 @@ static int write_range(char *text, size_t size, const struct schema_key *key)
     return snprintf(text, size, " from %g to %g", key->low, key->high);
 }
 
-/* NULL past the last. */
+/* Returns a word by its value; NULL past the last. */
 static const char *word_of(const struct schema_key *key, int value)
 {
     const char *word = key->words ? key->words[value] : key->word(value);
@@ -229,7 +229,8 @@ static enum status read_word(const struct schema_key *key, const struct yaml_tre
     return schema_refuse(key, node, why);
 }
 
-/* Whether the text has control characters, of ASCII or U+0080 to U+009F: terminals obey. */
+/* Tells whether the text has control characters, of ASCII or U+0080 to U+009F: terminals
+ * obey. */
 static bool has_control(const char *text)
 {
     for (const unsigned char *c = (const unsigned char *)text; *c; c++)

@@ -138,7 +138,7 @@ static int line_of(const char *text, size_t offset)
     return line;
 }
 
-/* Whether the text's line (from 1) begins with white space that has a tab in it. */
+/* Tells whether the text's line (from 1) begins with white space that has a tab in it. */
 static bool indented_by_tab(const struct parse *p, int line)
 {
     const char *c = p->text, *end = p->text + p->size;
@@ -290,7 +290,8 @@ out:
     return st;
 }
 
-/* Whether a text begins with U+0085, U+2028 or U+2029: YAML's line ends, not editors'. */
+/* Tells whether a text begins with U+0085, U+2028 or U+2029: YAML's line ends, not
+ * editors'. */
 static bool is_odd_break(const char *text, size_t left)
 {
     return (left >= 2 && !memcmp(text, "\xc2\x85", 2)) ||

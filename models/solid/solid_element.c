@@ -9,6 +9,7 @@
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_layer.h"
 #include "models/solid/solid_outer.h"
+#include "models/vector.h"
 
 /* This file is compiled with -ffp-contract=fast (see CMakeLists.txt): its loops are nothing
  * but multiply-adds, and fused ones are twice as fast. */
@@ -67,13 +68,6 @@ out:
     return st;
 }
 
-static void cross(const double a[4], const double b[4], double out[3])
-{
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /* Computes J[j] = sum_a X_a N_a,j, its cofactors and det J; G's rows are `row` apart. */
 static double jacobian(int local, int row, const double *X, const double *G,
                        double cofactor[3][3])
@@ -89,7 +83,7 @@ static double jacobian(int local, int row, const double *X, const double *G,
     }
     memcpy(J, column, sizeof J);
     for (int j = 0; j < 3; j++)
-        cross(J[(j + 1) % 3], J[(j + 2) % 3], cofactor[j]);
+        vector_cross(J[(j + 1) % 3], J[(j + 2) % 3], cofactor[j]);
     return J[0][0] * cofactor[0][0] + J[0][1] * cofactor[0][1] + J[0][2] * cofactor[0][2];
 }
 

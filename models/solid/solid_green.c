@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "models/room.h"
-#include "models/solid/solid_green_stiffness.h"
+#include "models/solid/solid_green_layer.h"
 
 static size_t row_of(const struct solid_space *space)
 {
@@ -110,6 +110,13 @@ static void gather(const struct solid_space *space, int element, const double *x
         }
 }
 
+static bool fill_strains(const struct solid_green *s, struct solid_green_element *e,
+                         const struct solid_green_rest *rest, bool change)
+{
+    return e->layer ? solid_green_layer_strain(e, &rest->layer, change)
+                    : solid_green_element_strain(e, &s->assembly->material, rest, change);
+}
+
 static double *strain_of(const void *self, int thread, int element, const double *x,
                          const struct large_foresight *foresight)
 {
@@ -123,9 +130,7 @@ static double *strain_of(const void *self, int thread, int element, const double
         gather(space, element, foresight->beside, NULL, e->U[1]); /* no geometry yet */
         gather(space, element, foresight->change, NULL, e->U[2]);
     }
-    return solid_green_element_strain(e, &s->assembly->material, &rest, foresight)
-               ? e->strain
-               : NULL;
+    return fill_strains(s, e, &rest, foresight) ? e->strain : NULL;
 }
 
 static void set_geometry(const void *self, int thread, int element, const double *x_old,
@@ -150,7 +155,10 @@ static void add_force(const void *self, int thread, int element, double *force)
     const int *node = nodes_of(s->assembly->space, element);
     const struct solid_green_rest rest = rest_of(s, element);
 
-    solid_green_element_force(e, &s->assembly->material, &rest);
+    if (e->layer)
+        solid_green_layer_force(e, &s->assembly->material, &rest.layer);
+    else
+        solid_green_element_force(e, &s->assembly->material, &rest);
     for (int a = 0; a < e->local; a++)
         for (int i = 0; i < 3; i++)
             force[3 * (size_t)node[a] + (size_t)i] += e->f[SOLID_LANES * a + i];
@@ -166,18 +174,38 @@ static void add_tangent(const void *self, int thread, int element,
     const int *place = s->place + (size_t)element * (size_t)(local * runs);
     double stress_share = path->s1 + path->lag;
 
-    solid_green_stiffness_compute(e, &s->material, &rest, stress_share, path->g1);
+    if (e->layer)
+        solid_green_layer_stiffness(e, &s->material, &rest.layer, path->g1);
+    else
+        solid_green_element_stiffness(e, &s->material, &rest, stress_share, path->g1);
     for (int a = 0; a < local; a++)
         for (int r = a / run; r < runs; r++) {
             int first = r * run > a ? r * run : a;
-            solid_green_stiffness_blocks(e, &s->material, stress_share, a, first,
-                                         (r + 1) * run, K + place[a * runs + r]);
+            double(*to)[9] = K + place[a * runs + r];
+            if (e->layer)
+                solid_green_layer_blocks(e, stress_share, a, first, (r + 1) * run, to);
+            else
+                solid_green_element_blocks(e, &s->material, stress_share, a, first,
+                                           (r + 1) * run, to);
         }
 }
 
-static enum status energy_of(const void *self, const double *x, double *energy)
+enum status solid_green_energy(const void *self, const double *x, double *energy)
 {
-    return solid_green_energy(self, x, energy);
+    const struct solid_green *s = self;
+    const struct solid_assembly *a = s->assembly;
+    struct solid_green_element *e = &s->work[0];
+
+    *energy = 0;
+    for (int n = 0; n < a->space->elements; n++) {
+        const struct solid_green_rest rest = rest_of(s, n);
+        gather(a->space, n, x, a->space->rest, e->U[0]);
+        if (!fill_strains(s, e, &rest, false))
+            return STATUS_INVERTED;
+        *energy += e->layer ? solid_green_layer_energy(e, &a->material, &rest.layer)
+                            : solid_green_element_energy(e, &a->material, &rest);
+    }
+    return STATUS_OK;
 }
 
 static struct large_body body_of(const struct solid_green *s)
@@ -199,7 +227,7 @@ static struct large_body body_of(const struct solid_green *s)
                                .geometry = set_geometry,
                                .force = add_force,
                                .tangent = add_tangent,
-                               .energy = energy_of};
+                               .energy = solid_green_energy};
 }
 
 void solid_green_clear(struct solid_green *s)
@@ -233,20 +261,4 @@ enum status solid_green_init(struct solid_green *s, const struct solid_assembly 
 out:
     solid_green_clear(&new);
     return st;
-}
-
-enum status solid_green_energy(const struct solid_green *s, const double *x, double *energy)
-{
-    const struct solid_assembly *a = s->assembly;
-    struct solid_green_element *e = &s->work[0];
-
-    *energy = 0;
-    for (int n = 0; n < a->space->elements; n++) {
-        const struct solid_green_rest rest = rest_of(s, n);
-        gather(a->space, n, x, a->space->rest, e->U[0]);
-        if (!solid_green_element_strain(e, &a->material, &rest, false))
-            return STATUS_INVERTED;
-        *energy += solid_green_element_energy(e, &a->material, &rest);
-    }
-    return STATUS_OK;
 }

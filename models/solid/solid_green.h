@@ -33,8 +33,8 @@ struct solid_green {
 enum status solid_green_init(struct solid_green *s, const struct solid_assembly *assembly);
 void solid_green_clear(struct solid_green *s);
 
-/* Returns elastic energy at x[nodes][3] [J]. STATUS_INVERTED where x is no valid shape. */
-enum status solid_green_energy(const struct solid_green *s, const double *x,
-                               double *energy);
+/* Finds the elastic energy of a struct solid_green at x[nodes][3] [J]. STATUS_INVERTED
+ * where x is no valid shape. */
+enum status solid_green_energy(const void *self, const double *x, double *energy);
 
 #endif

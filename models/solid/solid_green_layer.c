@@ -2,7 +2,10 @@
 
 #include <string.h>
 
-#include "models/solid/solid_green_point.h"
+#include "models/solid/solid_outer.h"
+#include "models/vector.h"
+
+typedef solid_lanes lanes;
 
 enum { VECTORS = SOLID_LAYER_VECTORS };
 
@@ -45,11 +48,6 @@ static void moved(const struct solid_green_element *e, const struct solid_layer_
             c[k][i] += t[3 * k + i];
 }
 
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static double volume(const double *t, double d[VECTORS][3])
 {
     double c[3][3];
@@ -84,9 +82,11 @@ bool solid_green_layer_strain(struct solid_green_element *e,
         memset(strain, 0, (size_t)form->strains * sizeof *strain);
         for (int m = 0; m < form->terms; m++) {
             int k = term[m].k, l = term[m].l;
-            double part = dot(t + 3 * k, d[l]) + dot(t + 3 * l, d[k]) + dot(d[k], d[l]);
+            double part = vector_dot(t + 3 * k, d[l]) + vector_dot(t + 3 * l, d[k]) +
+                          vector_dot(d[k], d[l]);
             if (change)
-                part -= (dot(beside[k], last[l]) + dot(last[k], beside[l])) / 2;
+                part -=
+                    (vector_dot(beside[k], last[l]) + vector_dot(last[k], beside[l])) / 2;
             strain[term[m].strain] += term[m].factor * part;
         }
         strain += form->strains;

@@ -1,10 +1,10 @@
 /* solid_green_layer.h - one layer of linear functions (solid_layer.h) at large
- * displacements: implements solid_green_element.h and solid_green_stiffness.h where the
- * space has a layer. */
+ * displacements: strains, energy, forces and tangent where
+ * the space has a layer, as solid_green_element.h has them elsewhere. */
 #ifndef SOLID_GREEN_LAYER_H
 #define SOLID_GREEN_LAYER_H
 
-#include "models/solid/solid_green_room.h"
+#include "models/solid/solid_green_element.h"
 
 /* Checks for det F <= 0 only at the points of SOLID_OTHER, which see the director's length;
  * between them a fold within a span may shorten it to nothing, which does no harm. */

@@ -7,6 +7,7 @@
 #include "models/room.h"
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_outer.h"
+#include "models/vector.h"
 
 enum { VECTORS = SOLID_LAYER_VECTORS };
 
@@ -97,21 +98,9 @@ void solid_layer_stress(const struct solid_material *m, enum solid_strains kind,
     stress[5] = dV * (m->across + 2 * m->mu) * strain[5];
 }
 
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static void normalise(const double a[3], double out[3])
 {
-    double length = sqrt(dot(a, a));
+    double length = vector_length(a);
     for (int i = 0; i < 3; i++)
         out[i] = a[i] / length;
 }
@@ -152,14 +141,14 @@ static double frame(double J[6][3], double t[3][3], double m[3][3])
     double cofactor[3][3], det;
 
     for (int j = 0; j < 3; j++)
-        cross(J[(j + 1) % 3], J[(j + 2) % 3], cofactor[j]);
-    det = dot(J[0], cofactor[0]);
+        vector_cross(J[(j + 1) % 3], J[(j + 2) % 3], cofactor[j]);
+    det = vector_dot(J[0], cofactor[0]);
     normalise(J[0], t[0]);
     normalise(cofactor[2], t[2]);
-    cross(t[2], t[0], t[1]);
+    vector_cross(t[2], t[0], t[1]);
     for (int k = 0; k < 3; k++)
         for (int j = 0; j < 3; j++)
-            m[k][j] = dot(cofactor[j], t[k]) / det;
+            m[k][j] = vector_dot(cofactor[j], t[k]) / det;
     return det;
 }
 
@@ -171,7 +160,8 @@ static void slopes(const struct solid_layer *s, double J[6][3], double t[3][3],
     double share[3];
 
     for (int n = 0; n < 3; n++)
-        share[n] = m[0] * dot(J[3], t[n]) + m[1] * dot(J[4], t[n]) + m[2] * dot(J[5], t[n]);
+        share[n] = m[0] * vector_dot(J[3], t[n]) + m[1] * vector_dot(J[4], t[n]) +
+                   m[2] * vector_dot(J[5], t[n]);
     combine(s->row, m, G + 3 * s->row, out);
     for (int a = 0; a < s->row; a += SOLID_LANES)
         *(solid_lanes *)(out + a) -=

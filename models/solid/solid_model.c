@@ -1,5 +1,6 @@
 #include "models/solid/solid_model.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,9 +8,11 @@
 
 #include "models/grid.h"
 #include "models/linalg/order.h"
+#include "models/mechanics/large_leapfrog.h"
+#include "models/mechanics/large_rest.h"
 #include "models/mechanics/lumped_mass.h"
+#include "models/mechanics/pencil.h"
 #include "models/solid/solid_hinge.h"
-#include "models/solid/solid_large.h"
 
 enum status solid_model_advance(void *state, struct counters *counters)
 {
@@ -18,12 +21,20 @@ enum status solid_model_advance(void *state, struct counters *counters)
 
 void solid_model_size(const void *state, struct model_size *size)
 {
-    solid_motion_size(state, size);
+    const struct solid_motion *m = state;
+
+    *size =
+        system_size(&m->system, m->space->thickness_basis ? "thickness" : "control points");
 }
 
 void solid_model_contact(const void *state, struct model_contact *contact)
 {
-    solid_motion_contact(state, contact);
+    const struct solid_motion *m = state;
+
+    if (m->large.contact)
+        large_motion_contact(&m->large, contact);
+    else
+        contact_set_report(&m->contact.set, m->x, m->force_unit, contact);
 }
 
 void solid_model_net(const void *state, double *xyz)
@@ -39,24 +50,98 @@ void solid_model_energy(const void *state, struct energy *energy)
     solid_motion_energy(state, energy);
 }
 
+/* Computes r = load - K d, zero at held unknowns. */
+static void residual(const struct solid_motion *m, const double *d, double *r)
+{
+    size_t count = 3 * (size_t)m->space->nodes;
+
+    blocks_multiply(&m->assembly.graph, (const double(*)[9])m->assembly.K, d, r);
+    for (size_t t = 0; t < count; t++)
+        r[t] = m->supports.free_index[t] < 0 ? 0 : m->load[t] - r[t];
+}
+
+static double largest(size_t count, const double *x)
+{
+    double most = 0;
+
+    for (size_t t = 0; t < count; t++)
+        if (!(fabs(x[t]) <= most))
+            most = fabs(x[t]);
+    return most;
+}
+
+/* A correction above this part of the solution means a numerically singular system. */
+static const double LARGEST_CORRECTION = 1e-2;
+
 enum status solid_model_equilibrium(void *state, struct counters *counters,
                                     struct message *why)
 {
-    return solid_rest_equilibrium(state, counters, why);
+    enum status st;
+    struct solid_motion *m = state;
+    struct newmark *n = &m->newmark;
+    size_t count = 3 * (size_t)m->space->nodes;
+    double *r = n->work, change = 0;
+    const bool nonlinear = m->kinematics == KINEMATICS_NONLINEAR;
+
+    TRY(supports_allow_rest(&m->supports, m->scene, nonlinear, why));
+    m->time = supports_rest_time(&m->supports, m->scene);
+    if (nonlinear)
+        return large_rest_equilibrium(&m->large, counters, why);
+    memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
+    supports_shift(&m->supports, m->scene, m->time, m->held);
+    for (int h = 0; h < m->supports.held_count; h++)
+        n->d[m->supports.held[h]] = m->held[h];
+    m->started = false;
+    st = system_factor(&m->system, 1, (const double(*)[9])m->assembly.K, 0, NULL);
+    counters->factorisations++;
+    for (int pass = 0; st == STATUS_OK && pass < 2; pass++) {
+        residual(m, n->d, r);
+        TRY(system_solve(&m->system, r));
+        counters->solves++;
+        for (size_t t = 0; t < count; t++)
+            n->d[t] += r[t];
+        change = largest(count, r) / largest(count, n->d);
+    }
+    if (st == STATUS_OK && change > LARGEST_CORRECTION)
+        st = STATUS_INDEFINITE;
+    if (st == STATUS_INDEFINITE)
+        status_fail(why, st,
+                    "the stiffness is singular to working accuracy: the supports leave the "
+                    "sheet free to move, or it is too thin for control points as unknowns "
+                    "(discretization.unknowns=thickness is made for that)");
+    for (size_t t = 0; t < count; t++)
+        m->x[t] = m->space->rest[t] + n->d[t];
+    if (m->kinematics != KINEMATICS_LINEAR) /* there d is the last step's increment */
+        memset(n->d, 0, count * sizeof *n->d);
+out:
+    return st;
+}
+
+static struct pencil pencil_of(const struct solid_motion *m)
+{
+    return (struct pencil){&m->assembly.graph, (const double(*)[9])m->assembly.K,
+                           m->assembly.M};
 }
 
 enum status solid_model_modes(void *state, int count, double *omega, struct message *why)
 {
-    return solid_rest_modes(state, count, omega, why);
+    struct solid_motion *m = state;
+    const struct pencil p = pencil_of(m);
+
+    if (m->large.rested)
+        return large_rest_modes(&m->large, count, omega, why);
+    return pencil_modes(&p, &m->supports, m->system.parity, count, omega, why);
 }
 
 enum status solid_model_matrices(const void *state, struct matrix *K, struct matrix *M)
 {
     const struct solid_motion *m = state;
+    const struct pencil p = pencil_of(m);
 
     if (m->space->thickness_basis || m->space->hinge.column)
         return STATUS_UNSUPPORTED;
-    return solid_rest_matrices(m, K, M);
+    assert(!m->time);
+    return pencil_matrices(&p, K, M);
 }
 
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
@@ -75,7 +160,7 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
     if (d->unknowns == UNKNOWNS_THICKNESS && lumped)
         return status_fail(why, STATUS_INPUT,
                            "unknowns=thickness has no row sums, its functions don't sum to "
-                           "1; use points, or mass=consistent");
+                           "1; use points");
     if (d->unknowns == UNKNOWNS_THICKNESS && !can)
         return status_fail(why, STATUS_INPUT,
                            "unknowns=thickness needs one element through the thickness, no "
@@ -157,9 +242,7 @@ void solid_model_describe(const void *state, struct message *line)
     const struct solid_sheet *s = state;
     const double misfit = s->misfit, round_off = 1e-12; /* [m] */
 
-    *line->text = '\0';
-    if (s->motion.large)
-        solid_large_describe(&s->motion, line);
+    large_leapfrog_describe(&s->motion.large, line);
     if (misfit > round_off)
         snprintf(line->text, sizeof line->text,
                  "the curved rest shape is met to %.2g m: straight pieces stand for arcs",

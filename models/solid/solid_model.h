@@ -4,7 +4,7 @@
 #ifndef SOLID_MODEL_H
 #define SOLID_MODEL_H
 
-#include "models/solid/solid_rest.h"
+#include "models/solid/solid_motion.h"
 
 struct solid_sheet {
     struct solid_motion motion; /* first: tests and benchmarks reach it                */
@@ -24,6 +24,10 @@ void solid_model_size(const void *state, struct model_size *size);
 void solid_model_contact(const void *state, struct model_contact *contact);
 void solid_model_net(const void *state, double *xyz);
 void solid_model_energy(const void *state, struct energy *energy);
+
+/* Moves to static equilibrium under the loads, supports where the scene ends. In linear
+ * kinematics one step of iterative refinement measures the digits left: STATUS_INDEFINITE,
+ * with a sentence, if fewer than two. */
 enum status solid_model_equilibrium(void *state, struct counters *counters,
                                     struct message *why);
 enum status solid_model_modes(void *state, int count, double *omega, struct message *why);

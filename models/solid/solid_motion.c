@@ -7,11 +7,10 @@
 
 #include "models/damping.h"
 #include "models/mechanics/frames.h"
+#include "models/mechanics/large_leapfrog.h"
 #include "models/mechanics/lumped_mass.h"
 #include "models/room.h"
-#include "models/solid/solid_contact.h"
 #include "models/solid/solid_hinge.h"
-#include "models/solid/solid_large.h"
 
 /* Returns alpha. Body drag is C = (c / rho) M, but not under `printed`, whose v is not the
  * sheet's velocity: there d / dt is, see drag_on_d. */
@@ -71,7 +70,8 @@ static void start_moving(struct solid_motion *m)
 
 void solid_motion_clear(struct solid_motion *m)
 {
-    solid_large_destroy(m->large);
+    large_motion_clear(&m->large);
+    solid_green_clear(&m->green);
     system_clear(&m->system);
     contact_step_clear(&m->contact);
     newmark_clear(&m->newmark);
@@ -97,8 +97,39 @@ static enum status follow(struct solid_motion *m)
 
     if (m->kinematics == KINEMATICS_LINEAR)
         return STATUS_OK;
-    system_tolerate(&m->system, rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE, 0);
-    return system_follow(&m->system, frames, m, rebuilt);
+    iterative_tolerate(m->system.iterative, rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE, 0);
+    return iterative_follow(m->system.iterative, frames, m, rebuilt);
+}
+
+/* Makes what nonlinear kinematics need, when the rest of *m is complete and in its place.
+ */
+static enum status make_large(struct solid_motion *m, const struct discretization *d,
+                              struct message *why)
+{
+    enum status st;
+
+    TRY(solid_green_init(&m->green, &m->assembly));
+    m->large = (struct large_motion){
+        .body = m->green.body,
+        .scene = m->scene,
+        .graph = &m->assembly.graph,
+        .M = m->assembly.M,
+        .rest = m->space->rest,
+        .load = m->load,
+        .supports = &m->supports,
+        .system = &m->system,
+        .newmark = &m->newmark,
+        .K = m->tangent,
+        .x = m->x,
+        .held = m->held,
+        .relief = d->viscosity == VISCOSITY_MEMBRANE,
+        .full = d->newton == NEWTON_FULL,
+        .contact = m->scene->obstacle_count ? &m->contact : NULL,
+    };
+    TRY(large_motion_init(&m->large));
+    TRY(large_leapfrog_make(&m->large, d, why));
+out:
+    return st;
 }
 
 enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
@@ -107,27 +138,30 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                               struct message *why)
 {
     enum status st;
-    size_t bytes = 3 * (size_t)space->nodes * sizeof(double);
+    const size_t count = 3 * (size_t)space->nodes;
+    const bool nonlinear = d->kinematics == KINEMATICS_NONLINEAR;
     struct solid_motion new = {.scene = scene, .space = space, .kinematics = d->kinematics};
     memcpy(new.points, d->points, sizeof new.points);
     struct solid_material material =
         solid_element_material(scene->young, scene->poisson, scene->density);
 
     TRY(solid_assembly_init(&new.assembly, space, &material));
+    const struct blocks *graph = &new.assembly.graph;
+    const size_t pairs = (size_t)graph->start[graph->nodes];
     TRY(supports_init(&new.supports, scene, space->nodes, space->uvw, why));
     TRY(newmark_init(&new.newmark, space->nodes, scene->step,
                      mass_damping(scene, d->kinematics), damping_stiffness(scene)));
     new.newmark.gamma = drag_on_d(scene, d->kinematics);
-    TRY(room_cut(&new.room, ROOM(new.x, 3 * (size_t)space->nodes),
-                 ROOM(new.load, 3 * (size_t)space->nodes),
-                 ROOM(new.held, 4 * (size_t) new.supports.held_count)));
-    memcpy(new.x, space->rest, bytes);
+    TRY(room_cut(&new.room, ROOM(new.x, count), ROOM(new.load, count),
+                 ROOM(new.held, 4 * (size_t) new.supports.held_count),
+                 ROOM(new.tangent, nonlinear ? pairs : 0)));
+    memcpy(new.x, space->rest, count * sizeof *new.x);
     st = solid_assembly_compute(&new.assembly, new.x);
     if (st != STATUS_OK) {
         status_fail(why, st, "the rest shape is folded: %s", status_text(st));
         goto out;
     }
-    TRY(lumped_mass_make(d, &new.assembly.graph, new.assembly.M, why));
+    TRY(lumped_mass_make(d, graph, new.assembly.M, why));
     compute_load(&new);
     if (scene_needs(scene) & SCENE_NEED_INITIAL_MOTION)
         start_moving(&new);
@@ -140,8 +174,8 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     if (st == STATUS_OK)
         st = contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, 0,
                                order, d);
-    if (st == STATUS_OK && d->kinematics == KINEMATICS_NONLINEAR)
-        st = solid_large_create(m, d, &m->large, why);
+    if (st == STATUS_OK && nonlinear)
+        st = make_large(m, d, why);
     if (st != STATUS_OK)
         solid_motion_clear(m);
 out:
@@ -224,6 +258,23 @@ static void damp_velocity(struct solid_motion *m)
         m->newmark.v[t] *= factor;
 }
 
+/* Takes a step among obstacles, but for the velocity's damping; held: the motion of the
+ * held unknowns at its end, NULL at rest. */
+static enum status contact_linear(struct solid_motion *m, const struct newmark_held *held,
+                                  struct counters *counters)
+{
+    enum status st;
+    size_t count = 3 * (size_t)m->space->nodes;
+
+    TRY(contact_step_linear(&m->contact, &m->newmark, &m->system, stiffness(m),
+                            m->assembly.M, m->load, held, m->x, counters));
+    m->force_unit = 1 / m->newmark.dt;
+    for (size_t t = 0; t < count; t++)
+        m->x[t] = m->space->rest[t] + m->newmark.d[t];
+out:
+    return st;
+}
+
 static enum status step_linear(struct solid_motion *m, struct counters *counters)
 {
     enum status st;
@@ -237,12 +288,60 @@ static enum status step_linear(struct solid_motion *m, struct counters *counters
     if (m->supports.moving)
         held = path_motion(m, m->time + m->newmark.dt);
     if (contact_set_used(&m->contact.set))
-        return solid_contact_linear(m, m->supports.moving ? &held : NULL, counters);
+        return contact_linear(m, m->supports.moving ? &held : NULL, counters);
     TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
                      m->supports.moving ? &held : NULL));
     counters->solves++;
     for (size_t t = 0; t < count; t++)
         m->x[t] = m->space->rest[t] + m->newmark.d[t];
+out:
+    return st;
+}
+
+/* Fills what newmark.h's w is without motion: d1 = 0, v1 = 2 (d1 - d0) / dt - v0. */
+static void still_values(const struct newmark *n, size_t count, double *still)
+{
+    for (size_t t = 0; t < count; t++)
+        still[t] = -n->beta * (2 * n->d[t] / n->dt + n->v[t]) / newmark_k(n);
+}
+
+/* Does so on the present matrices of kinematics that rebuild. */
+static enum status contact_rebuilt(struct solid_motion *m, const struct newmark_held *held,
+                                   struct counters *counters)
+{
+    enum status st;
+    struct newmark *n = &m->newmark;
+    struct contact_set *c = &m->contact.set;
+    size_t count = 3 * (size_t)m->space->nodes;
+    double *w = n->work + count, *still = n->work + 2 * count, k = newmark_k(n);
+    const struct contact_problem problem = {.k = k,
+                                            .K = stiffness(m),
+                                            .m = newmark_m(n),
+                                            .M = m->assembly.M,
+                                            .b = n->work,
+                                            .scale = (1 + 2 * n->beta / n->dt) / k,
+                                            .still = still};
+
+    contact_set_detect(c, m->x);
+    contact_set_forget(c);
+    newmark_predict(n, &m->system, stiffness(m), m->assembly.M, m->load, held);
+    still_values(n, count, still);
+    memset(w, 0, count * sizeof *w);
+    for (int h = 0; held && h < m->supports.held_count; h++)
+        w[m->supports.held[h]] = (held->d[h] + n->beta * held->v[h]) / k;
+    TRY(contact_solve(c, &m->system, &problem, w, counters));
+    m->force_unit = 1;
+    newmark_correct(n, &m->system, w, held);
+    if (m->kinematics == KINEMATICS_INCREMENTAL && contact_set_any(c)) {
+        contact_set_arrest(c, n->v, w, m->contact.arrest);
+        for (size_t t = 0; t < count; t++)
+            n->v[t] += w[t];
+        contact_set_arrest(c, n->a, w, m->contact.arrest);
+        for (size_t t = 0; t < count; t++)
+            n->a[t] += w[t];
+    }
+    for (size_t t = 0; t < count; t++)
+        m->x[t] += n->d[t];
 out:
     return st;
 }
@@ -262,7 +361,7 @@ static enum status step_rebuilt(struct solid_motion *m, struct counters *counter
     if (m->supports.moving)
         held = step_motion(m, m->time + n->dt);
     if (contact_set_used(&m->contact.set))
-        return solid_contact_rebuilt(m, m->supports.moving ? &held : NULL, counters);
+        return contact_rebuilt(m, m->supports.moving ? &held : NULL, counters);
     TRY(system_update(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
     TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load,
                      m->supports.moving ? &held : NULL));
@@ -276,8 +375,9 @@ out:
 enum status solid_motion_step(struct solid_motion *m, struct counters *counters)
 {
     enum status st = m->kinematics == KINEMATICS_LINEAR ? step_linear(m, counters)
-                     : m->large                         ? solid_large_step(m, counters)
-                                                        : step_rebuilt(m, counters);
+                     : m->kinematics == KINEMATICS_NONLINEAR
+                         ? large_motion_step(&m->large, m->time, counters)
+                         : step_rebuilt(m, counters);
     system_work(&m->system, counters);
     if (st != STATUS_OK)
         return st;
@@ -293,7 +393,7 @@ void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
     const struct blocks *graph = &m->assembly.graph;
     size_t count = 3 * (size_t)m->space->nodes;
     double *y = n->work, kinetic = 0, elastic = 0, potential = 0;
-    bool linear = m->kinematics == KINEMATICS_LINEAR, rebuilt = !linear && !m->large;
+    const bool rebuilt = kinematics_rebuilds(m->kinematics);
     const double *v = rebuilt ? n->d : n->v; /* there d is the last step's increment */
 
     blocks_multiply_mass(graph, m->assembly.M, v, y);
@@ -308,20 +408,9 @@ void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
         potential -= weight * (m->x[t] - m->space->rest[t]);
     }
     energy->kinetic = rebuilt ? kinetic / (n->dt * n->dt) : kinetic;
-    energy->elastic = linear ? elastic : m->large ? solid_large_energy(m) : NAN;
+    energy->elastic = m->kinematics == KINEMATICS_LINEAR ? elastic : NAN;
+    if (m->kinematics == KINEMATICS_NONLINEAR &&
+        solid_green_energy(&m->green, m->x, &elastic) == STATUS_OK)
+        energy->elastic = elastic;
     energy->potential = potential;
-}
-
-void solid_motion_contact(const struct solid_motion *m, struct model_contact *contact)
-{
-    if (m->large && contact_set_used(&m->contact.set))
-        solid_large_contact(m, contact);
-    else
-        contact_set_report(&m->contact.set, m->x, m->force_unit, contact);
-}
-
-void solid_motion_size(const struct solid_motion *m, struct model_size *size)
-{
-    *size =
-        system_size(&m->system, m->space->thickness_basis ? "thickness" : "control points");
 }

@@ -4,20 +4,56 @@
  *   printed      Ren et al. 2024, eq. 18-22 to the letter: K, M, b rebuilt on the present
  *                control points each step, d += dt v + dt^2/4 (a + a_new), P += d.
  *   incremental  the same with d = 0 after each step.
- *   nonlinear    total Lagrangian, Newton's method (solid_large.h).
+ *   nonlinear    total Lagrangian, Green strain, St. Venant and Kirchhoff's law
+ *                (solid_green.h), energy-momentum or explicit steps (large_motion.h).
  *
  * `printed` and `incremental` start at d = v = a = 0 in a scene at rest, `linear` with the
  * acceleration that the loads give. A free sheet under `printed` falls with
  * g (1 + mu) / (2 (1 - mu)): d is never reset, so it acts as velocity times dt, and K d as
  * a viscosity E dt. Body drag, of which the paper has none, therefore acts on d / dt there,
  * and on v elsewhere; and an initial velocity, which it has not either, begins as d / dt.
+ *
+ * Obstacles meet control points (the paper's detection on the control net; the sheet lies
+ * in its points' convex hull, so that the net touches first): `linear` as in
+ * contact_step.h, `nonlinear` as in large_motion.h. Under `printed` points in contact are
+ * prescribed as the paper prescribes moving supports (eq. 20-22), the rate of d included;
+ * under `incremental` the same, then such a point's normal velocity and acceleration are
+ * those of the obstacle, zero. Neither of the two has an energy, and no bound.
  */
 #ifndef SOLID_MOTION_H
 #define SOLID_MOTION_H
 
 #include "models/mechanics/dead_load.h"
-#include "models/model.h"
-#include "models/solid/solid_state.h"
+#include "models/mechanics/large_motion.h"
+#include "models/mechanics/newmark.h"
+#include "models/solid/solid_green.h"
+
+struct solid_motion {
+    const struct scene *scene;       /* borrowed                                       */
+    const struct solid_space *space; /* borrowed                                       */
+    enum kinematics kinematics;
+    int points[3];
+    struct solid_assembly assembly;
+    struct supports supports;
+    struct system system;
+    struct newmark newmark;
+    void *room;   /* of the arrays but dead                                   owned   */
+    double *x;    /* [nodes][3] present coefficients                   [m]            */
+    double *load; /* [nodes][3] gravity, wind and loads                [N]            */
+    double *dead; /* [nodes][3] of which the scene's loads; NULL: none        owned   */
+    double *held; /* [4][held_count] target d, v, a; work                             */
+    double time;  /* [s]                                                              */
+    bool started; /* the constant system is factored                                  */
+
+    /* These are used with obstacles only. */
+    struct contact_step contact;
+    double force_unit; /* of the set's forces                                 [N]     */
+
+    /* These are used in nonlinear kinematics only. */
+    struct solid_green green;
+    struct large_motion large;
+    double (*tangent)[9]; /* [pairs] assembly.K stays the stiffness at rest             */
+};
 
 /* Initialises, including the assembled matrices of the rest shape. `order`: node order for
  * the factorisation or NULL. *m must stay where it is: it holds pointers into itself. */
@@ -36,8 +72,5 @@ enum status solid_motion_step(struct solid_motion *m, struct counters *counters)
 
 /* Returns energies; the elastic one is NaN under `printed` and `incremental`. */
 void solid_motion_energy(const struct solid_motion *m, struct energy *energy);
-
-void solid_motion_contact(const struct solid_motion *m, struct model_contact *contact);
-void solid_motion_size(const struct solid_motion *m, struct model_size *size);
 
 #endif

@@ -1,8 +1,7 @@
 /* Springs in explicit steps, leapfrog's above all: stability limit, scaled
  * velocities, moved edges, precision. (Falls: fall.c; order: time_order.c; the clamp:
  * nets_bend.c.) */
-#include "mass_spring/spring_stencil.h"
-#include "mass_spring/spring_strain.h"
+#include "models/net/spring_stencil.h"
 #include "tests/mass_spring.h"
 
 static struct discretization leapfrog(int n, int m)
@@ -36,8 +35,8 @@ static double growth(enum integrator integrator, double part, double beta,
     scene.velocity[2] = 0.1;
     d.integrator = integrator, d.precision = precision;
     start(&m, &scene, &d);
-    CHECK(m.dt < spring_motion_limit(&m)); /* steps that it takes by itself */
-    scene.step = part * spring_motion_limit(&m);
+    CHECK(m.dt < m.limit); /* steps that it takes by itself */
+    scene.step = part * m.limit;
     spring_motion_clear(&m);
     d.substeps = 1;
     start(&m, &scene, &d);
@@ -131,7 +130,7 @@ static void check_scaled(void)
         steps(&m[k], 400);
         spring_motion_energy(&m[k], &e);
         CHECK(e.kinetic < 0.01 * -e.potential);
-        CHECK(spring_strain_largest(&m[k].net, m[k].x) < 0.01);
+        CHECK(largest_strain(&m[k]) < 0.01);
     }
     for (int t = 0; t < 3 * m[1].net.nodes; t++)
         off = fmax(off, fabs(m[1].x[t] - m[2].x[t]));

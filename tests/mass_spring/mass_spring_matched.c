@@ -33,26 +33,37 @@ static double quadratic(struct spring_motion *m, const double *d)
     return sum;
 }
 
-/* Energy per area of the small homogeneous strain e = (e_u, e_v, g). */
-static double membrane_energy(const struct scene *scene, int n, int m, const double e[3])
+/* Energy of the small homogeneous strain e = (e_u, e_v, g), or of w = (a s^2 + b t^2) / 2 +
+ * c s t with the curvatures (a, b, c). */
+static double energy(const struct scene *scene, int n, int m, bool bends, const double e[3])
 {
     struct spring_motion motion;
     struct discretization d = net_of(n, m);
+    const double *u = scene->axis_u, *v = scene->axis_v;
+    double normal[3];
 
+    scene_normal(scene, normal);
     REQUIRE(spring_motion_init(&motion, scene, &d, NULL) == STATUS_OK);
     double *field = malloc(3 * (size_t)motion.net.nodes * sizeof *field);
     REQUIRE(field);
     for (int a = 0; a < motion.net.nodes; a++) {
-        double s = motion.net.uvw[a][0] * scene->length;
-        double t = motion.net.uvw[a][1] * scene->width;
+        const double s = motion.net.uvw[a][0] * scene->length;
+        const double t = motion.net.uvw[a][1] * scene->width;
+        const double w = e[0] * s * s / 2 + e[1] * t * t / 2 + e[2] * s * t;
         for (int i = 0; i < 3; i++)
-            field[3 * a + i] = (e[0] * s + e[2] / 2 * t) * scene->axis_u[i] +
-                               (e[2] / 2 * s + e[1] * t) * scene->axis_v[i];
+            field[3 * a + i] =
+                bends ? w * normal[i]
+                      : (e[0] * s + e[2] / 2 * t) * u[i] + (e[2] / 2 * s + e[1] * t) * v[i];
     }
-    double energy = quadratic(&motion, field) / (scene->length * scene->width);
+    double sum = quadratic(&motion, field);
     free(field);
     spring_motion_clear(&motion);
-    return energy;
+    return sum;
+}
+
+static double membrane_energy(const struct scene *scene, int n, int m, const double e[3])
+{
+    return energy(scene, n, m, false, e) / (scene->length * scene->width);
 }
 
 static double plane_stress_energy(const struct spring_law_stiffness *c, const double e[3])
@@ -141,35 +152,9 @@ static void check_oblong(void)
     scene_clear(&scene);
 }
 
-/* w = (a s^2 + b t^2) / 2 + c s t: Kirchhoff's energy per area. A hinge stands for the area
- * around its centre; those on the rim parallel to it for half of it. */
-static double bending_energy(const struct scene *scene, int n, int m, const double k[3])
-{
-    struct spring_motion motion;
-    struct discretization d = net_of(n, m);
-    double normal[3];
-    const double *u = scene->axis_u, *v = scene->axis_v;
-
-    for (int i = 0; i < 3; i++)
-        normal[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
-    REQUIRE(spring_motion_init(&motion, scene, &d, NULL) == STATUS_OK);
-    double *field = malloc(3 * (size_t)motion.net.nodes * sizeof *field);
-    REQUIRE(field);
-    for (int a = 0; a < motion.net.nodes; a++) {
-        double s = motion.net.uvw[a][0] * scene->length;
-        double t = motion.net.uvw[a][1] * scene->width;
-        for (int i = 0; i < 3; i++)
-            field[3 * a + i] =
-                (k[0] * s * s / 2 + k[1] * t * t / 2 + k[2] * s * t) * normal[i];
-    }
-    double energy = quadratic(&motion, field);
-    free(field);
-    spring_motion_clear(&motion);
-    return energy;
-}
-
-/* Cylindrical bending: exact for every nu over the part that hinges cover. Any bending at
- * nu = 1/3: exact per hinge, so first order for the strip they leave out. */
+/* Kirchhoff's energy. Cylindrical bending: exact for every nu over the part that hinges
+ * cover (one stands for the area around its centre, one on the rim for half of it). Any
+ * bending at nu = 1/3: exact per hinge, so first order for the strip they leave out. */
 static void check_bending(void)
 {
     /* P / a against k: springs' own transverse stiffness is k times a rounded 1 - r/l */
@@ -180,9 +165,9 @@ static void check_bending(void)
     for (int step = 0; step < 4; step++) {
         fill_askew(&scene, step / 9.);
         double D = scene_bending_stiffness(&scene), L = scene.length, W = scene.width;
-        CHECK_RELATIVE(bending_energy(&scene, n, m, (double[]){1, 0, 0}),
+        CHECK_RELATIVE(energy(&scene, n, m, true, (double[]){1, 0, 0}),
                        D / 2 * W * L * (n - 2) / (n - 1), spring_rounding);
-        CHECK_RELATIVE(bending_energy(&scene, n, m, (double[]){0, 1, 0}),
+        CHECK_RELATIVE(energy(&scene, n, m, true, (double[]){0, 1, 0}),
                        D / 2 * L * W * (m - 2) / (m - 1), spring_rounding);
         scene_clear(&scene);
     }
@@ -196,7 +181,7 @@ static void check_bending(void)
             double want = D / 2 * scene.length * scene.width *
                           (c[0] * c[0] + c[1] * c[1] + 2 * nu * c[0] * c[1] +
                            2 * (1 - nu) * c[2] * c[2]);
-            error[level][k] = bending_energy(&scene, cells + 1, cells + 1, c) / want - 1;
+            error[level][k] = energy(&scene, cells + 1, cells + 1, true, c) / want - 1;
         }
     for (int k = 0; k < 3; k++)
         for (int level = 1; level < 3; level++) {

@@ -2,7 +2,7 @@
  * give, the stable step and what watches it, what row sums take from frequencies. (Falls:
  * fall.c; order: time_order.c; rest: settle.c.) */
 #include "models/mechanics/lumped_mass.h"
-#include "models/solid/solid_state.h"
+#include "models/solid/solid_motion.h"
 #include "shell_ref/shell_motion.h"
 #include "tests/opened_run.h"
 

@@ -4,7 +4,7 @@
 
 #include "mass_spring/spring_motion.h"
 #include "shell_ref/shell_motion.h"
-#include "models/solid/solid_state.h"
+#include "models/solid/solid_motion.h"
 #include "tests/opened_run.h"
 #include "triangles/tri_motion.h"
 

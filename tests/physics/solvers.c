@@ -137,7 +137,7 @@ static void check_death(enum solver solver, enum preconditioner preconditioner)
     REQUIRE(contestant_find("iga", &c, NULL) == STATUS_OK);
     REQUIRE(c->model->create(&scene, &d, &state, NULL) == STATUS_OK);
     struct solid_motion *m = state; /* solid_model.h: a state begins with it */
-    system_tolerate(&m->system, 1e-30, 0);
+    iterative_tolerate(m->system.iterative, 1e-30, 0);
     CHECK(c->model->advance(state, &work) == STATUS_UNSOLVED);
     CHECK(status_is_death(STATUS_UNSOLVED) && work.solves > 1);
     c->model->destroy(state);

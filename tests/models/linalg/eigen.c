@@ -4,6 +4,7 @@
 
 #include "models/linalg/eigen.h"
 #include "tests/check.h"
+#include "tests/net_matrix.h"
 
 /* LAPACK and shift-invert leave an error of some eps times the largest lambda (8 for a
  * chain's 4 with consistent mass: 12), however small the wanted one is; measured 7 eps. */
@@ -91,16 +92,9 @@ static double *closed_form(const struct net *net)
     return lambda;
 }
 
-static void multiply(const struct system *s, const double *value, const double *x,
-                     double *y)
+static void multiply(const struct system *s, double *value, const double *x, double *y)
 {
-    memset(y, 0, s->n * sizeof *y);
-    for (int j = 0; j < s->n; j++)
-        for (long e = s->start[j]; e < s->start[j + 1]; e++) {
-            y[s->row[e]] += value[e] * x[j];
-            if (s->row[e] != j)
-                y[j] += value[e] * x[s->row[e]];
-        }
+    net_matrix_multiply(&(struct net_matrix){s->n, s->start, s->row, value}, x, y);
 }
 
 static void check_pairs(const struct system *s, int count, const double *lambda,

@@ -14,18 +14,37 @@
 #define TOL_RESIDUAL (512 * DBL_EPSILON)
 #define TOL_SINGLE   (512 * FLT_EPSILON)
 
-static void fill(const struct net_matrix *a, struct factor *f)
+/* A matrix and its factor, as a test case works on them. */
+struct factored {
+    struct net_matrix a;
+    struct factor *f;
+    struct factor_info info;
+};
+
+static void open(struct factored *c, const struct net_shape *shape, enum solver method,
+                 const int *order)
 {
-    factor_clear_values(f);
-    for (int j = 0; j < a->n; j++)
-        for (long s = a->start[j]; s < a->start[j + 1]; s++)
-            factor_values(f)[factor_slot(f, a->row[s], j)] += a->value[s];
+    REQUIRE(net_matrix_create(shape, &c->a) == STATUS_OK);
+    const struct factor_pattern pattern = {
+        .n = c->a.n, .start = c->a.start, .row = c->a.row, .order = order};
+    REQUIRE(factor_create(&pattern, method, &c->f) == STATUS_OK);
+    factor_describe(c->f, &c->info);
 }
 
-static struct factor_pattern pattern_of(const struct net_matrix *a, const int *order)
+static void close(struct factored *c)
 {
-    return (struct factor_pattern){
-        .n = a->n, .start = a->start, .row = a->row, .order = order};
+    factor_destroy(c->f);
+    net_matrix_clear(&c->a);
+}
+
+static void fill(const struct factored *c)
+{
+    const struct net_matrix *a = &c->a;
+
+    factor_clear_values(c->f);
+    for (int j = 0; j < a->n; j++)
+        for (long s = a->start[j]; s < a->start[j + 1]; s++)
+            factor_values(c->f)[factor_slot(c->f, a->row[s], j)] += a->value[s];
 }
 
 /* b - A x over a_ii |x|, largest. */
@@ -41,52 +60,41 @@ static double residual(const struct net_matrix *a, const double *x, const double
     return size > 0.0 ? worst : NAN;
 }
 
-static void right_hand_side(int n, double *b)
-{
-    for (int i = 0; i < n; i++)
-        b[i] = 1.0 + sin(1.0 + i * i);
-}
-
 static void check_shape(const struct net_shape *shape, enum solver method, const int *order,
                         bool single)
 {
-    struct net_matrix a;
-    struct factor *f = NULL;
-    struct factor_info info;
-    REQUIRE(net_matrix_create(shape, &a) == STATUS_OK);
-    double *b = malloc(a.n * sizeof *b), *x = malloc(a.n * sizeof *x);
-    double *again = malloc(a.n * sizeof *again);
-    struct factor_pattern pattern = pattern_of(&a, order);
+    struct factored c;
+    open(&c, shape, method, order);
+    const int n = c.a.n;
+    double *b = malloc(3 * n * sizeof *b), *x = b + n, *again = x + n;
 
-    REQUIRE(factor_create(&pattern, method, &f) == STATUS_OK);
-    factor_single(f, single);
+    REQUIRE(b);
+    for (int i = 0; i < n; i++)
+        b[i] = 1.0 + sin(1.0 + i * i);
+    factor_single(c.f, single);
     for (int turn = 0; turn < 2; turn++) { /* the second refactor must not see the first */
-        fill(&a, f);
-        factor_values(f)[factor_dump(f)] += NAN;
-        REQUIRE(factor_refactor(f) == STATUS_OK);
-        right_hand_side(a.n, b);
-        memcpy(x, b, a.n * sizeof *x);
-        CHECK(factor_solve(f, x) == STATUS_OK);
-        CHECK_NEAR(residual(&a, x, b), 0.0, single ? TOL_SINGLE : TOL_RESIDUAL);
-        CHECK(turn == 0 || !memcmp(x, again, a.n * sizeof *x));
-        memcpy(again, x, a.n * sizeof *x);
+        fill(&c);
+        factor_values(c.f)[factor_dump(c.f)] += NAN;
+        REQUIRE(factor_refactor(c.f) == STATUS_OK);
+        memcpy(x, b, n * sizeof *x);
+        CHECK(factor_solve(c.f, x) == STATUS_OK);
+        CHECK_NEAR(residual(&c.a, x, b), 0.0, single ? TOL_SINGLE : TOL_RESIDUAL);
+        CHECK(turn == 0 || !memcmp(x, again, n * sizeof *x));
+        memcpy(again, x, n * sizeof *x);
     }
-    factor_single(f, false); /* leaves nothing behind */
-    fill(&a, f);
-    memcpy(x, b, a.n * sizeof *x);
-    CHECK(factor_refactor(f) == STATUS_OK && factor_solve(f, x) == STATUS_OK);
-    CHECK_NEAR(residual(&a, x, b), 0.0, TOL_RESIDUAL);
-    CHECK(a.n < 100 || method == SOLVER_CHOLMOD ||
-          !single == !memcmp(x, again, a.n * sizeof *x));
-    factor_describe(f, &info);
-    CHECK(method == SOLVER_AUTO || !strcmp(info.method, option_solver[method]));
-    CHECK(info.parts == (shape->split ? 2 : 1));
-    CHECK(info.entries > a.n && info.flops > 0 && info.bytes >= 8 * info.entries);
-    factor_destroy(f);
+    factor_single(c.f, false); /* leaves nothing behind */
+    fill(&c);
+    memcpy(x, b, n * sizeof *x);
+    CHECK(factor_refactor(c.f) == STATUS_OK && factor_solve(c.f, x) == STATUS_OK);
+    CHECK_NEAR(residual(&c.a, x, b), 0.0, TOL_RESIDUAL);
+    CHECK(n < 100 || method == SOLVER_CHOLMOD ||
+          !single == !memcmp(x, again, n * sizeof *x));
+    factor_describe(c.f, &c.info);
+    CHECK(method == SOLVER_AUTO || !strcmp(c.info.method, option_solver[method]));
+    CHECK(c.info.parts == (shape->split ? 2 : 1));
+    CHECK(c.info.entries > n && c.info.flops > 0 && c.info.bytes >= 8 * c.info.entries);
     free(b);
-    free(x);
-    free(again);
-    net_matrix_clear(&a);
+    close(&c);
 }
 
 /* Three sides at once, one more by itself: each as good as alone, and none of the others'.
@@ -94,37 +102,32 @@ static void check_shape(const struct net_shape *shape, enum solver method, const
 static void check_many(const struct net_shape *shape, enum solver method)
 {
     enum { COUNT = 4 };
-    struct net_matrix a;
-    struct factor *f = NULL;
-    REQUIRE(net_matrix_create(shape, &a) == STATUS_OK);
-    int stride = a.n + 3;
-    double *b = malloc(COUNT * stride * sizeof *b), *x = malloc(COUNT * stride * sizeof *x);
-    double *again = malloc(COUNT * stride * sizeof *again);
-    struct factor_pattern pattern = pattern_of(&a, NULL);
+    struct factored c;
+    open(&c, shape, method, NULL);
+    const int stride = c.a.n + 3;
+    const size_t size = COUNT * stride * sizeof(double);
+    double *b = malloc(3 * size), *x = b + COUNT * stride, *again = x + COUNT * stride;
 
-    REQUIRE(factor_create(&pattern, method, &f) == STATUS_OK);
+    REQUIRE(b);
     for (int i = 0; i < COUNT * stride; i++)
         b[i] = cos(i + 0.1 * (i % 7));
     for (int turn = 0; turn < 2; turn++) { /* the second refactor must not see the first */
-        for (long s = 0; s < a.start[a.n]; s++)
-            a.value[s] *= 1 + turn;
-        fill(&a, f);
-        REQUIRE(factor_refactor(f) == STATUS_OK);
-        memcpy(x, b, COUNT * stride * sizeof *x);
-        CHECK(factor_solve_many(f, COUNT, x, stride) == STATUS_OK);
-        for (int c = 0; c < COUNT; c++)
-            CHECK_NEAR(residual(&a, x + c * stride, b + c * stride), 0.0, TOL_RESIDUAL);
-        for (int i = a.n; i < stride; i++)
+        for (long s = 0; s < c.a.start[c.a.n]; s++)
+            c.a.value[s] *= 1 + turn;
+        fill(&c);
+        REQUIRE(factor_refactor(c.f) == STATUS_OK);
+        memcpy(x, b, size);
+        CHECK(factor_solve_many(c.f, COUNT, x, stride) == STATUS_OK);
+        for (int k = 0; k < COUNT; k++)
+            CHECK_NEAR(residual(&c.a, x + k * stride, b + k * stride), 0.0, TOL_RESIDUAL);
+        for (int i = c.a.n; i < stride; i++)
             CHECK(x[i] == b[i]); /* nothing behind a side is touched */
-        memcpy(again, b, COUNT * stride * sizeof *x);
-        CHECK(factor_solve_many(f, COUNT, again, stride) == STATUS_OK);
-        CHECK(!memcmp(x, again, COUNT * stride * sizeof *x));
+        memcpy(again, b, size);
+        CHECK(factor_solve_many(c.f, COUNT, again, stride) == STATUS_OK);
+        CHECK(!memcmp(x, again, size));
     }
-    factor_destroy(f);
     free(b);
-    free(x);
-    free(again);
-    net_matrix_clear(&a);
+    close(&c);
 }
 
 static void check_shapes(void)
@@ -162,33 +165,26 @@ static void check_order(void)
 }
 
 /* Every unknown once; cuts leave no coupling between the halves they part, so supernodes in
- * this order hold less than a band. */
+ * this order hold less than a band, and SOLVER_AUTO sees that. */
 static void check_nested(const struct net_shape *shape)
 {
-    struct net_matrix a;
-    struct factor *f = NULL;
-    struct factor_info band, nested;
-    REQUIRE(net_matrix_create(shape, &a) == STATUS_OK);
-    int *order = malloc(a.n * sizeof *order), *seen = calloc(a.n, sizeof *seen);
+    struct factored c[3];
+    const int n = shape->points_u * shape->points_v * 6;
+    int *order = malloc(n * sizeof *order), *seen = calloc(n, sizeof *seen);
+
+    REQUIRE(order && seen);
     order_nested(shape->points_u, shape->points_v, 6, shape->reach, order);
-    for (int k = 0; k < a.n; k++)
-        CHECK(0 <= order[k] && order[k] < a.n && !seen[order[k]]++);
-    struct factor_pattern pattern = pattern_of(&a, order);
-    REQUIRE(factor_create(&pattern, SOLVER_SUPERNODAL, &f) == STATUS_OK);
-    factor_describe(f, &nested);
-    factor_destroy(f);
-    REQUIRE(factor_create(&pattern, SOLVER_BANDED, &f) == STATUS_OK);
-    factor_describe(f, &band);
-    factor_destroy(f);
-    CHECK(nested.flops < 0.6 * band.flops && nested.half_bandwidth == 0);
-    /* SOLVER_AUTO must have seen that. */
-    REQUIRE(factor_create(&pattern, SOLVER_AUTO, &f) == STATUS_OK);
-    factor_describe(f, &nested);
-    CHECK(!strcmp(nested.method, "supernodal"));
-    factor_destroy(f);
+    for (int k = 0; k < n; k++)
+        CHECK(0 <= order[k] && order[k] < n && !seen[order[k]]++);
+    open(&c[0], shape, SOLVER_SUPERNODAL, order);
+    open(&c[1], shape, SOLVER_BANDED, order);
+    open(&c[2], shape, SOLVER_AUTO, order);
+    CHECK(c[0].info.flops < 0.6 * c[1].info.flops && c[0].info.half_bandwidth == 0);
+    CHECK(!strcmp(c[2].info.method, "supernodal"));
+    for (int k = 0; k < 3; k++)
+        close(&c[k]);
     free(order);
     free(seen);
-    net_matrix_clear(&a);
     check_shape(shape, SOLVER_AUTO, NULL, false);
 }
 
@@ -196,47 +192,38 @@ static void check_nested(const struct net_shape *shape)
 static void check_band_order(void)
 {
     const struct net_shape wide = {.points_u = 3, .points_v = 20, .reach = 1};
-    struct net_matrix a;
-    struct factor *f = NULL;
-    struct factor_info info;
-    REQUIRE(net_matrix_create(&wide, &a) == STATUS_OK);
-    int *order = malloc(a.n * sizeof *order);
+    struct factored c;
+    int order[3 * 20 * 6], *next = order;
+
     for (int j = 0; j < 20; j++)
         for (int i = 0; i < 3; i++)
-            for (int c = 0; c < 6; c++)
-                order[(j * 3 + i) * 6 + c] = (i * 20 + j) * 6 + c;
-    struct factor_pattern pattern = pattern_of(&a, order);
-    REQUIRE(factor_create(&pattern, SOLVER_BANDED, &f) == STATUS_OK);
-    factor_describe(f, &info);
-    CHECK(info.half_bandwidth == (3 + 1) * 6 + 5);
-    factor_destroy(f);
-    free(order);
-    net_matrix_clear(&a);
+            for (int k = 0; k < 6; k++)
+                *next++ = (i * 20 + j) * 6 + k;
+    open(&c, &wide, SOLVER_BANDED, order);
+    CHECK(c.info.half_bandwidth == (3 + 1) * 6 + 5);
+    close(&c);
 }
 
 static void check_refusals(enum solver method)
 {
     const struct net_shape shape = {.points_u = 7, .points_v = 6, .reach = 2};
     const double bad[] = {-1e3, 0.0, NAN, INFINITY, -INFINITY};
-    struct net_matrix a;
-    struct factor *f = NULL;
-    REQUIRE(net_matrix_create(&shape, &a) == STATUS_OK);
-    struct factor_pattern pattern = pattern_of(&a, NULL);
-    REQUIRE(factor_create(&pattern, method, &f) == STATUS_OK);
-    const int where[] = {0, 17, a.n - 1};
+    struct factored c;
+
+    open(&c, &shape, method, NULL);
+    const int where[] = {0, 17, c.a.n - 1};
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
         for (size_t w = 0; w < sizeof where / sizeof *where; w++) {
-            fill(&a, f);
-            factor_values(f)[factor_slot(f, where[w], where[w])] = bad[k];
-            CHECK(factor_refactor(f) == STATUS_INDEFINITE);
+            fill(&c);
+            factor_values(c.f)[factor_slot(c.f, where[w], where[w])] = bad[k];
+            CHECK(factor_refactor(c.f) == STATUS_INDEFINITE);
         }
-    fill(&a, f); /* off the diagonal */
-    factor_values(f)[factor_slot(f, 15, 3)] = NAN;
-    CHECK(factor_refactor(f) == STATUS_INDEFINITE);
-    fill(&a, f); /* and sound again */
-    CHECK(factor_refactor(f) == STATUS_OK);
-    factor_destroy(f);
-    net_matrix_clear(&a);
+    fill(&c); /* off the diagonal */
+    factor_values(c.f)[factor_slot(c.f, 15, 3)] = NAN;
+    CHECK(factor_refactor(c.f) == STATUS_INDEFINITE);
+    fill(&c); /* and sound again */
+    CHECK(factor_refactor(c.f) == STATUS_OK);
+    close(&c);
 }
 
 /* Unknowns that meet nobody are parts of their own. */

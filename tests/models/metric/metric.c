@@ -323,41 +323,6 @@ static void test_angle(void)
     free(xyz);
 }
 
-/* A flat sheet, then two neighbours pulled to either side of a cell far off. */
-static void test_intersections(void)
-{
-    double *xyz = new_field();
-    struct scene scene;
-
-    init_tilted(&scene);
-    fill_rest(&scene, xyz);
-    CHECK(metric_intersections(xyz) == 0);
-    /* a lower layer that is through the upper does not count: the middle stays flat */
-    for (int n = 0; n < COUNT / 2; n++) {
-        double below = xyz[n];
-        xyz[n] = xyz[COUNT / 2 + n], xyz[COUNT / 2 + n] = below;
-    }
-    CHECK(metric_intersections(xyz) == 0);
-    for (int k = 0; k < GRID_W; k++) {
-        double *moved = xyz + 3 * ((k * GRID_V + 21) * GRID_U + 30);
-        const double *cell = xyz + 3 * ((k * GRID_V + 60) * GRID_U + 70);
-        for (int c = 0; c < 3; c++)
-            moved[c] = moved[3 + c] = moved[9 + c] =
-                (cell[c] + cell[3 + c] + cell[3 * GRID_U + c]) / 3;
-        moved[2] -= 0.01;
-        moved[5] += 0.01;
-        moved[11] += 0.01;
-    }
-    CHECK(metric_intersections(xyz) >= 1);
-    CHECK(metric_intersections_every(xyz, 1) == metric_intersections(xyz));
-    CHECK(metric_intersections_every(xyz, 11) == 0); /* none of these is on that net */
-    CHECK(metric_intersections_every(xyz, 3) >= 1);  /* (30,21), (33,21) are on this */
-    xyz[COUNT - 1] = NAN;
-    CHECK(isnan(metric_intersections(xyz)));
-    scene_clear(&scene);
-    free(xyz);
-}
-
 int main(void)
 {
     test_grid();
@@ -369,6 +334,5 @@ int main(void)
     test_penetration();
     test_blowup();
     test_angle();
-    test_intersections();
     return check_result();
 }

@@ -12,7 +12,7 @@
 #ifndef SPRING_NET_H
 #define SPRING_NET_H
 
-#include "mass_spring/spring_law.h"
+#include "models/net/spring_law.h"
 #include "models/linalg/blocks.h"
 
 struct spring {
@@ -56,6 +56,9 @@ struct spring_net {
 enum status spring_net_init(struct spring_net *net, const struct scene *scene,
                             const int points[2], enum parameters parameters, bool whole);
 void spring_net_clear(struct spring_net *net);
+
+/* Returns the node (i, j), or -1 beyond the rim. */
+int spring_net_node(const struct spring_net *net, int i, int j);
 
 /* Returns how far a hinge reaches, in nodes: 2, or 1 without hinges. */
 int spring_net_reach(const struct spring_net *net);

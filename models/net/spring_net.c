@@ -1,4 +1,4 @@
-#include "mass_spring/spring_net.h"
+#include "models/net/spring_net.h"
 
 #include <assert.h>
 #include <math.h>
@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/room.h"
+#include "models/vector.h"
 
 /* The lines of a net, with the step (in i, in j) to the next node. */
 static const struct line {
@@ -16,18 +17,21 @@ static const struct line {
 
 enum { LINE_COUNT = sizeof LINES / sizeof *LINES };
 
-/* Returns the node `count` steps along the line from (i, j), -1 beyond the rim. */
-static int along(const struct spring_net *net, int i, int j, const struct line *line,
-                 int count)
+int spring_net_node(const struct spring_net *net, int i, int j)
 {
-    i += count * line->di;
-    j += count * line->dj;
     return i < 0 || j < 0 || i >= net->points[0] || j >= net->points[1]
                ? -1
                : i * net->points[1] + j;
 }
 
-/* Whether the line is on the rim, where it belongs to one row of cells only. */
+/* Returns the node `count` steps along the line from (i, j), -1 beyond the rim. */
+static int along(const struct spring_net *net, int i, int j, const struct line *line,
+                 int count)
+{
+    return spring_net_node(net, i + count * line->di, j + count * line->dj);
+}
+
+/* Tells whether the line is on the rim, where it belongs to one row of cells only. */
 static bool on_rim(const struct spring_net *net, int i, int j, const struct line *line)
 {
     return (line->direction == SPRING_U && (j == 0 || j == net->points[1] - 1)) ||
@@ -49,16 +53,10 @@ static void set_nodes(struct spring_net *net, const struct scene *scene)
     }
 }
 
-static double distance(const double *a, const double *b)
-{
-    double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-
-    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-}
-
 static void add_springs(struct spring_net *net, int i, int j)
 {
     int a = i * net->points[1] + j;
+    double e[3];
 
     for (int n = 0; n < LINE_COUNT; n++) {
         const struct line *line = &LINES[n];
@@ -67,11 +65,9 @@ static void add_springs(struct spring_net *net, int i, int j)
                    (on_rim(net, i, j, line) ? net->law.rim : 1);
         if (b < 0 || k == 0)
             continue;
-        net->springs[net->spring_count++] = (struct spring){
-            .a = a,
-            .b = b,
-            .stiffness = k,
-            .length = distance(net->rest + 3 * (size_t)a, net->rest + 3 * (size_t)b)};
+        vector_between(net->rest + 3 * (size_t)a, net->rest + 3 * (size_t)b, e);
+        net->springs[net->spring_count++] =
+            (struct spring){.a = a, .b = b, .stiffness = k, .length = vector_length(e)};
     }
 }
 
@@ -81,8 +77,7 @@ static void add_clamp(struct spring_net *net, int a, int b, double strut)
 
     if (b < 0 || net->clamped[b] || strut == 0)
         return;
-    for (int i = 0; i < 3; i++)
-        clamp.edge[i] = net->rest[3 * b + i] - net->rest[3 * a + i];
+    vector_between(net->rest + 3 * a, net->rest + 3 * b, clamp.edge);
     net->clamps[net->clamp_count++] = clamp;
 }
 

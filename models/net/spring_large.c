@@ -1,4 +1,4 @@
-#include "mass_spring/spring_large.h"
+#include "models/net/spring_large.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,15 +26,16 @@ static enum status make_systems(struct spring_large *l,
                                 const struct spring_large_plan *plan)
 {
     enum status st = STATUS_OK;
-    const int *points = plan->net->points;
-    int *order = malloc((size_t)plan->net->nodes * sizeof *order);
+    const struct scene *scene = plan->load->scene;
+    const int *points = plan->load->net->points;
+    int *order = malloc((size_t)plan->load->net->nodes * sizeof *order);
 
     if (!order)
         TRY(STATUS_MEMORY);
     order_nested(points[0], points[1], 1, REACH, order);
     TRY(system_init(&l->system, plan->graph, plan->supports, NULL, order, plan->d));
-    TRY(contact_step_init(&l->contact, plan->scene, plan->graph, plan->supports,
-                          plan->scene->thickness / 2, order, plan->d));
+    TRY(contact_step_init(&l->contact, scene, plan->graph, plan->supports,
+                          scene->thickness / 2, order, plan->d));
 out:
     free(order);
     return st;
@@ -53,7 +54,7 @@ void spring_large_clear(struct spring_large *l)
 enum status spring_large_init(struct spring_large *l, const struct spring_large_plan *plan)
 {
     enum status st;
-    const struct scene *scene = plan->scene;
+    const struct scene *scene = plan->load->scene;
     bool euler = plan->d->integrator == INTEGRATOR_IMPLICIT;
     bool explicit = plan->d->integrator == INTEGRATOR_LEAPFROG; /* divides by itself */
 
@@ -61,7 +62,7 @@ enum status spring_large_init(struct spring_large *l, const struct spring_large_
                                .substeps =
                                    plan->d->substeps && !explicit ? plan->d->substeps : 1};
     TRY(make_arrays(l, plan));
-    TRY(newmark_init(&l->newmark, plan->net->nodes, scene->step / l->substeps,
+    TRY(newmark_init(&l->newmark, plan->load->net->nodes, scene->step / l->substeps,
                      damping_mass(scene) + damping_drag(scene), plan->load->beta));
     TRY(make_systems(l, plan));
     l->motion = (struct large_motion){
@@ -69,7 +70,7 @@ enum status spring_large_init(struct spring_large *l, const struct spring_large_
         .scene = scene,
         .graph = plan->graph,
         .M = l->M,
-        .rest = plan->net->rest,
+        .rest = plan->load->net->rest,
         .load = plan->load->load,
         .supports = plan->supports,
         .system = &l->system,

@@ -32,7 +32,8 @@ enum spring_sweep_place {
     SWEEP_COUNT = 32
 };
 
-/* What pulls: cells; springs in squares of lengths; in lengths; in lengths with struts. */
+/* The kinds of pull: cells; springs in squares of lengths; in lengths; in lengths with
+ * struts. */
 enum spring_sweep_law { SWEEP_CELLS, SWEEP_SQUARES, SWEEP_LENGTHS, SWEEP_STRUTS };
 
 /* A strut between a point and the mirror image of the point before it, by a clamp's held
@@ -43,7 +44,7 @@ struct spring_sweep_clamp {
     double strut;    /* [N]                                                             */
 };
 
-/* What strain of a triangle is (triangles/tri_strain.h). */
+/* The strain measure of triangles (triangles/tri_strain.h). */
 enum membrane { MEMBRANE_GREEN, MEMBRANE_COROTATIONAL, MEMBRANE_BARAFF_WITKIN };
 
 /* A membrane of triangles in place of springs: each cell cut along one diagonal, in turns

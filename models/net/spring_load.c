@@ -1,4 +1,4 @@
-#include "mass_spring/spring_load.h"
+#include "models/net/spring_load.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,38 +1,37 @@
-#include "models/net.h"
+#include "models/net/net_surface.h"
 
 #include <math.h>
 
 #include "models/grid.h"
+#include "models/vector.h"
 
-static const double *point(const struct net *net, int i, int j)
+static const double *point(const struct net_surface *net, int i, int j)
 {
     return net->x + (ptrdiff_t)(i * net->m + j) * net->node;
 }
 
-static void normal_at(const struct net *net, int i, int j, double normal[3])
+static void normal_at(const struct net_surface *net, int i, int j, double normal[3])
 {
     const double *before_u = point(net, i ? i - 1 : 0, j);
     const double *behind_u = point(net, i < net->n - 1 ? i + 1 : i, j);
     const double *before_v = point(net, i, j ? j - 1 : 0);
     const double *behind_v = point(net, i, j < net->m - 1 ? j + 1 : j);
-    double u[3], v[3], length = 0;
+    double u[3], v[3];
 
     for (int c = 0; c < 3; c++) {
         ptrdiff_t at = c * net->component;
         u[c] = behind_u[at] - before_u[at];
         v[c] = behind_v[at] - before_v[at];
     }
-    for (int c = 0; c < 3; c++) {
-        normal[c] = u[(c + 1) % 3] * v[(c + 2) % 3] - u[(c + 2) % 3] * v[(c + 1) % 3];
-        length += normal[c] * normal[c];
-    }
-    length = sqrt(length);
+    vector_cross(u, v, normal);
+    double length = vector_length(normal);
     for (int c = 0; c < 3; c++)
         normal[c] = length > 0 ? normal[c] / length : 0;
 }
 
-void net_surface(const struct net *net, double u, double v, double middle[3],
-                 double normal[3])
+/* Evaluates the surface and its normal, not of length one, at (u, v). */
+static void evaluate(const struct net_surface *net, double u, double v, double middle[3],
+                     double normal[3])
 {
     double weight[2][2];
     int i = grid_cell(net->n, u, weight[0]), j = grid_cell(net->m, v, weight[1]);
@@ -52,13 +51,13 @@ void net_surface(const struct net *net, double u, double v, double middle[3],
     }
 }
 
-void net_points(const struct net *net, double thickness, int n, const double *uvw,
-                double *xyz)
+void net_surface_points(const struct net_surface *net, double thickness, int n,
+                        const double *uvw, double *xyz)
 {
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         double off[3];
-        net_surface(net, uvw[0], uvw[1], xyz, off);
-        double length = sqrt(off[0] * off[0] + off[1] * off[1] + off[2] * off[2]);
+        evaluate(net, uvw[0], uvw[1], xyz, off);
+        double length = vector_length(off);
         for (int c = 0; c < 3 && length > 0; c++)
             xyz[c] += (uvw[2] - 0.5) * thickness * (off[c] / length);
     }

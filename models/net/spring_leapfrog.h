@@ -12,50 +12,40 @@
 #ifndef SPRING_LEAPFROG_H
 #define SPRING_LEAPFROG_H
 
-#include "mass_spring/spring_stencil.h"
-#include "mass_spring/spring_sweep.h"
 #include "models/mechanics/supports.h"
-#include "models/model.h"
+#include "models/net/spring_load.h"
+#include "models/net/spring_stencil.h"
+#include "models/net/spring_sweep.h"
 
 /* The net to be moved; all borrowed, and must outlive it. */
 struct spring_body {
-    const struct scene *scene;
-    const struct spring_net *net;
+    const struct spring_load *load; /* its scene, net, masses and forces                */
     const struct supports *supports;
-    const double *mass, *drag, *load; /* [nodes] kg, N s/m; [nodes][3] N                */
-    double beta;                      /* stiffness damping                      [s]   */
-    enum springs springs;
-    enum bending bending;             /* quadratic, or with lengths strut             */
-    const struct spring_cells *cells; /* NULL: springs; else these and what follows   */
-    int form_count;                   /* bending                                      */
-    const struct spring_plate_form *forms;
+    const struct spring_stencil *stencil;
+    const struct spring_cells *cells; /* NULL: the stencil's springs; else in their place */
     double omega; /* largest angular frequency about rest                     [rad/s] */
 };
 
 struct spring_leapfrog; /* opaque */
 
 /* Starts from x and v [nodes][3] at time 0. substeps: of a frame, 0: as many as are needed.
- * K[pairs][9] is work. STATUS_INPUT with a sentence if they are more than a million. */
+ * STATUS_INPUT with a sentence if they are more than a million. */
 enum status spring_leapfrog_make(const struct spring_body *body, enum precision precision,
                                  int substeps, const double *x, const double *v,
-                                 double (*K)[9], struct spring_leapfrog **leapfrog,
-                                 struct message *why);
+                                 struct spring_leapfrog **leapfrog, struct message *why);
 void spring_leapfrog_free(struct spring_leapfrog *l);
 
-/* Moves one frame, scene->step; then multiplies the velocity by `factor`. Positions go to
+/* Moves one frame, scene->step; then damps the velocity (spring_load.h). Positions go to
  * x[nodes][3]. *push += mean force of obstacles [N]; *pushed: points that they carry at its
  * end. STATUS_NAN. */
-enum status spring_leapfrog_frame(struct spring_leapfrog *l, double factor, double *x,
-                                  double push[3], int *pushed, struct counters *counters);
+enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x, double push[3],
+                                  int *pushed, struct counters *counters);
 
 /* Places the net at x[nodes][3] at time t [s], a whole number of frames, at rest. */
 void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x);
 
 /* Computes the present velocities v[nodes][3]. */
 void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v);
-
-/* Returns the stencil; borrowed. */
-const struct spring_stencil *spring_leapfrog_stencil(const struct spring_leapfrog *l);
 
 /* Return the step [s], and the greatest stable one about rest. */
 double spring_leapfrog_step(const struct spring_leapfrog *l);

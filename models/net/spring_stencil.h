@@ -14,7 +14,7 @@
 #ifndef SPRING_STENCIL_H
 #define SPRING_STENCIL_H
 
-#include "mass_spring/spring_plate.h"
+#include "models/net/spring_plate.h"
 
 enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12, SPRING_STENCIL_STRUTS = 16 };
 

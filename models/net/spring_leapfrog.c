@@ -1,10 +1,9 @@
-#include "mass_spring/spring_leapfrog.h"
+#include "models/net/spring_leapfrog.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_force.h"
 #include "models/mechanics/contact_push.h"
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
@@ -15,11 +14,10 @@ static const double CHOSEN = 0.95, BORNE = 0.98;
 /* The steps of a frame become fewer only by more than a tenth. */
 static const double FEWER = 0.9;
 
-static const double MOST_SUBSTEPS = 1e6;
-
 struct spring_leapfrog {
     struct spring_body body;
-    struct spring_stencil stencil;
+    const struct scene *scene; /* the load's, as what follows                        */
+    const struct spring_net *net;
     struct spring_sweep *sweep;
     int asked, substeps;
     double limit, dt; /* [s] */
@@ -39,20 +37,19 @@ void spring_leapfrog_free(struct spring_leapfrog *l)
     if (!l)
         return;
     spring_sweep_free(l->sweep);
-    spring_stencil_clear(&l->stencil);
     free(l->room);
     free(l);
 }
 
 static size_t count(const struct spring_leapfrog *l)
 {
-    return 3 * (size_t)l->body.net->nodes;
+    return 3 * (size_t)l->net->nodes;
 }
 
 /* Returns the factor on a velocity in a step without forces. */
 static double kept(const struct spring_leapfrog *l, int node)
 {
-    double half = l->body.drag[node] / l->body.mass[node] * l->dt / 2;
+    double half = l->body.load->drag[node] / l->body.load->mass[node] * l->dt / 2;
 
     return (1 - half) / (1 + half);
 }
@@ -75,19 +72,20 @@ static void set_neighbour(const struct spring_stencil *s, int a, int n, double p
 
 static void set_point(struct spring_leapfrog *l, int a)
 {
-    const struct spring_body *b = &l->body;
-    double push = l->dt / (b->mass[a] + b->drag[a] * l->dt / 2), *c = l->c[a];
+    const struct spring_load *load = l->body.load;
+    const struct spring_stencil *s = l->body.stencil;
+    double push = l->dt / (load->mass[a] + load->drag[a] * l->dt / 2), *c = l->c[a];
 
     for (int n = 0; n < SPRING_STENCIL_ALL; n++)
-        set_neighbour(&l->stencil, a, n, push, c);
-    for (int n = SPRING_STENCIL_ALL; l->stencil.strut && n < SPRING_STENCIL_STRUTS; n++)
-        c[SWEEP_CORNER + n - SPRING_STENCIL_ALL] = push * l->stencil.strut[a][n];
+        set_neighbour(s, a, n, push, c);
+    for (int n = SPRING_STENCIL_ALL; s->strut && n < SPRING_STENCIL_STRUTS; n++)
+        c[SWEEP_CORNER + n - SPRING_STENCIL_ALL] = push * s->strut[a][n];
     c[SWEEP_KEEP] = kept(l, a);
     c[SWEEP_PUSH] = push;
     for (int i = 0; i < 3; i++) {
-        bool free = b->supports->free_index[3 * a + i] >= 0;
+        bool free = l->body.supports->free_index[3 * a + i] >= 0;
         c[SWEEP_FREE + i] = free;
-        c[SWEEP_KICK + i] = free ? push * (b->load[3 * a + i] + l->stencil.clamp[a][i]) : 0;
+        c[SWEEP_KICK + i] = free ? push * (load->load[3 * a + i] + s->clamp[a][i]) : 0;
     }
     l->weight[a] = 1 / (push * l->dt);
 }
@@ -95,8 +93,8 @@ static void set_point(struct spring_leapfrog *l, int a)
 static void set_step(struct spring_leapfrog *l, int substeps)
 {
     l->substeps = substeps;
-    l->dt = l->body.scene->step / substeps;
-    for (int a = 0; a < l->body.net->nodes; a++)
+    l->dt = l->scene->step / substeps;
+    for (int a = 0; a < l->net->nodes; a++)
         set_point(l, a);
     spring_sweep_set(l->sweep, (const double(*)[SWEEP_COUNT])l->c);
 }
@@ -106,21 +104,15 @@ static void put(struct spring_leapfrog *l, const double *x, const double *moves,
                 const double *v)
 {
     for (size_t n = 0; n < count(l); n++)
-        l->ahead[n] = x[n] + l->body.beta * moves[n];
+        l->ahead[n] = x[n] + l->body.load->beta * moves[n];
     spring_sweep_put(l->sweep, l->ahead, v);
 }
 
 static void get(const struct spring_leapfrog *l, double *x, double *v)
 {
     spring_sweep_get(l->sweep, x, v);
-    for (size_t n = 0; l->body.beta > 0 && n < count(l); n++)
-        x[n] -= l->body.beta * v[n];
-}
-
-/* Whether a kick without a drift changes what the sweep keeps: x + beta v, if not x. */
-static bool moved_by_kick(const struct spring_leapfrog *l)
-{
-    return l->body.beta > 0;
+    for (size_t n = 0; l->body.load->beta > 0 && n < count(l); n++)
+        x[n] -= l->body.load->beta * v[n];
 }
 
 /* Starts from the present x and v: v becomes that of half a step ago. */
@@ -135,7 +127,7 @@ static void start(struct spring_leapfrog *l, const double *x, const double *now)
         l->v[n] =
             held ? now[n] : (2 * now[n] - l->kicked[n]) / (1 + l->c[n / 3][SWEEP_KEEP]);
     }
-    if (moved_by_kick(l))
+    if (l->body.load->beta > 0) /* the kick has moved x + beta v */
         put(l, x, l->v, l->v);
     else
         spring_sweep_put(l->sweep, NULL, l->v);
@@ -145,19 +137,14 @@ static void start(struct spring_leapfrog *l, const double *x, const double *now)
  * that of the step. Leaves the sweep as it is. */
 void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
 {
-    double *x = l->x, *old = l->v;
+    double *x = l->body.load->beta > 0 ? l->x : NULL, *old = l->v; /* what a kick changes */
 
-    spring_sweep_get(l->sweep, moved_by_kick(l) ? x : NULL, old);
+    spring_sweep_get(l->sweep, x, old);
     spring_sweep_run(l->sweep, 0, 1);
     spring_sweep_get(l->sweep, NULL, v);
-    spring_sweep_put(l->sweep, moved_by_kick(l) ? x : NULL, old);
+    spring_sweep_put(l->sweep, x, old);
     for (size_t n = 0; n < count(l); n++)
         v[n] = l->body.supports->free_index[n] < 0 ? old[n] : (old[n] + v[n]) / 2;
-}
-
-const struct spring_stencil *spring_leapfrog_stencil(const struct spring_leapfrog *l)
-{
-    return &l->stencil;
 }
 
 double spring_leapfrog_step(const struct spring_leapfrog *l)
@@ -175,73 +162,41 @@ double spring_leapfrog_limit(const struct spring_leapfrog *l)
  * stiffness along. */
 static double stiffer(const struct spring_leapfrog *l, double stretch2)
 {
-    return l->body.springs == SPRINGS_LENGTHS ? 2 - 1 / sqrt(stretch2)
-                                              : (3 * stretch2 - 1) / 2;
+    return l->body.stencil->springs == SPRINGS_LENGTHS ? 2 - 1 / sqrt(stretch2)
+                                                       : (3 * stretch2 - 1) / 2;
 }
 
 /* Returns the substeps that keep a share of the limit where springs are so long. */
 static double needed(const struct spring_leapfrog *l, double share, double stretch2)
 {
-    return fmax(
-        1, ceil(l->body.scene->step * sqrt(stiffer(l, stretch2)) / (share * l->limit)));
-}
-
-static enum status choose_step(struct spring_leapfrog *l, double (*K)[9],
-                               struct message *why)
-{
-    enum status st = STATUS_OK;
-    double omega = l->body.omega, beta = l->body.beta;
-
-    if (!l->body.cells) {
-        if (l->stencil.strut)
-            spring_force_jacobian(l->body.net, l->body.net->rest, K);
-        else
-            spring_stencil_jacobian(&l->stencil, l->body.net->rest, true, K);
-        TRY(frequency_largest(&l->body.net->graph, l->body.supports, l->body.mass,
-                              (const double(*)[9])K, &omega));
-    }
-    l->limit = omega > 0 ? sqrt(beta * beta + 4 / (omega * omega)) - beta : INFINITY;
-    double n = l->asked ? l->asked : needed(l, CHOSEN, 1);
-    if (!(n <= MOST_SUBSTEPS))
-        return status_fail(why, STATUS_INPUT,
-                           "explicit steps: %g substeps a frame are needed here (greatest "
-                           "stable step %g s); use integrator=implicit",
-                           n, l->limit);
-    set_step(l, (int)n);
-out:
-    return st;
+    return fmax(1, ceil(l->scene->step * sqrt(stiffer(l, stretch2)) / (share * l->limit)));
 }
 
 static enum status make_sweep(struct spring_leapfrog *l, enum precision precision)
 {
     enum status st;
-    const struct spring_body *b = &l->body;
-    const struct spring_net *net = b->net;
+    const struct spring_net *net = l->net;
+    const struct spring_stencil *s = l->body.stencil;
     struct spring_sweep_plan plan = {.n = net->points[0],
                                      .m = net->points[1],
                                      .precision = precision,
-                                     .lag = b->beta,
-                                     .law = b->cells                        ? SWEEP_CELLS
-                                            : l->stencil.strut              ? SWEEP_STRUTS
-                                            : b->springs == SPRINGS_LENGTHS ? SWEEP_LENGTHS
+                                     .lag = l->body.load->beta,
+                                     .law = l->body.cells                   ? SWEEP_CELLS
+                                            : s->strut                      ? SWEEP_STRUTS
+                                            : s->springs == SPRINGS_LENGTHS ? SWEEP_LENGTHS
                                                                             : SWEEP_SQUARES,
-                                     .cells = b->cells};
-    struct spring_sweep_clamp *clamp = NULL;
+                                     .cells = l->body.cells,
+                                     .clamps = s->strut ? net->clamp_count : 0};
+    struct spring_sweep_clamp *clamp = malloc(((size_t)plan.clamps + 1) * sizeof *clamp);
 
-    if (l->stencil.strut && net->clamp_count) {
-        clamp = malloc((size_t)net->clamp_count * sizeof *clamp);
-        if (!clamp)
-            return STATUS_MEMORY;
-        for (int n = 0; n < net->clamp_count; n++) {
-            const struct clamp *from = &net->clamps[n];
-            clamp[n] =
-                (struct spring_sweep_clamp){from->b,
-                                            from->a,
-                                            {from->edge[0], from->edge[1], from->edge[2]},
-                                            from->strut};
-        }
-        plan.clamps = net->clamp_count, plan.clamp = clamp;
+    if (!clamp)
+        return STATUS_MEMORY;
+    for (int n = 0; n < plan.clamps; n++) {
+        const struct clamp *from = &net->clamps[n];
+        clamp[n] = (struct spring_sweep_clamp){
+            from->b, from->a, {from->edge[0], from->edge[1], from->edge[2]}, from->strut};
     }
+    plan.clamp = clamp;
     st = spring_sweep_make(&plan, &l->sweep);
     free(clamp);
     return st;
@@ -249,28 +204,26 @@ static enum status make_sweep(struct spring_leapfrog *l, enum precision precisio
 
 enum status spring_leapfrog_make(const struct spring_body *body, enum precision precision,
                                  int substeps, const double *x, const double *v,
-                                 double (*K)[9], struct spring_leapfrog **leapfrog,
-                                 struct message *why)
+                                 struct spring_leapfrog **leapfrog, struct message *why)
 {
     enum status st;
-    size_t nodes = (size_t)body->net->nodes;
+    size_t nodes = (size_t)body->load->net->nodes;
     struct spring_leapfrog *l = calloc(1, sizeof *l);
 
     if (!l)
         return STATUS_MEMORY;
-    l->body = *body, l->asked = substeps;
+    l->body = *body, l->scene = body->load->scene, l->net = body->load->net;
+    l->asked = substeps;
     TRY(room_cut(&l->room, ROOM(l->c, nodes), ROOM(l->weight, nodes), ROOM(l->x, 3 * nodes),
                  ROOM(l->v, 3 * nodes), ROOM(l->before, 3 * nodes), ROOM(l->now, 3 * nodes),
                  ROOM(l->kicked, 3 * nodes), ROOM(l->ahead, 3 * nodes),
                  ROOM(l->shift, body->supports->held_count),
                  ROOM(l->next, body->supports->held_count)));
-    supports_shift(body->supports, body->scene, 0, l->shift);
-    TRY(spring_stencil_init(&l->stencil, body->scene, body->net, body->springs,
-                            body->bending));
-    if (body->cells)
-        spring_stencil_replace(&l->stencil, body->form_count, body->forms);
+    supports_shift(body->supports, l->scene, 0, l->shift);
     TRY(make_sweep(l, precision));
-    TRY(choose_step(l, K, why));
+    l->limit = frequency_limit(body->omega, body->load->beta);
+    TRY(frequency_steps(l->scene->step, l->limit, CHOSEN, substeps, &substeps, why));
+    set_step(l, substeps);
     start(l, x, v);
     *leapfrog = l, l = NULL;
 out:
@@ -284,20 +237,20 @@ static void hold(struct spring_leapfrog *l, double t)
     const struct supports *s = l->body.supports;
     double *was = l->shift;
 
-    supports_shift(s, l->body.scene, t, l->next);
+    supports_shift(s, l->scene, t, l->next);
     for (int h = 0; h < s->held_count; h++) {
         double v = (l->next[h] - was[h]) / l->dt;
-        double x = l->body.net->rest[s->held[h]] + l->next[h];
-        spring_sweep_hold(l->sweep, s->held[h] / 3, s->held[h] % 3, x + l->body.beta * v,
-                          v);
+        double x = l->net->rest[s->held[h]] + l->next[h];
+        spring_sweep_hold(l->sweep, s->held[h] / 3, s->held[h] % 3,
+                          x + l->body.load->beta * v, v);
     }
     l->shift = l->next, l->next = was;
 }
 
 void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x)
 {
-    l->frame = lround(t / l->body.scene->step);
-    supports_shift(l->body.supports, l->body.scene, t, l->shift);
+    l->frame = lround(t / l->scene->step);
+    supports_shift(l->body.supports, l->scene, t, l->shift);
     memset(l->now, 0, count(l) * sizeof *l->now);
     start(l, x, l->now);
 }
@@ -308,9 +261,8 @@ static int leave_obstacles(struct spring_leapfrog *l, double push[3])
     double force[3] = {0, 0, 0};
 
     get(l, l->x, l->v);
-    int pushed =
-        contact_push_out(l->body.scene, l->body.supports, l->body.scene->thickness / 2,
-                         l->weight, l->before, l->x, force);
+    int pushed = contact_push_out(l->scene, l->body.supports, l->scene->thickness / 2,
+                                  l->weight, l->before, l->x, force);
     for (size_t n = 0; pushed && n < count(l); n++)
         if (l->body.supports->free_index[n] >= 0)
             l->v[n] = (l->x[n] - l->before[n]) / l->dt;
@@ -325,13 +277,13 @@ static int leave_obstacles(struct spring_leapfrog *l, double push[3])
 static void careful(struct spring_leapfrog *l, double push[3], int *pushed)
 {
     for (int n = 1; n <= l->substeps; n++) {
-        double t = ((double)l->frame + (double)n / l->substeps) * l->body.scene->step;
-        if (l->body.scene->obstacle_count)
+        double t = ((double)l->frame + (double)n / l->substeps) * l->scene->step;
+        if (l->scene->obstacle_count)
             get(l, l->before, l->v);
         spring_sweep_run(l->sweep, l->dt, 1);
         if (l->body.supports->moving)
             hold(l, t);
-        if (l->body.scene->obstacle_count)
+        if (l->scene->obstacle_count)
             *pushed = leave_obstacles(l, push);
     }
 }
@@ -340,10 +292,10 @@ static void careful(struct spring_leapfrog *l, double push[3], int *pushed)
  * longer is. */
 static void watch(struct spring_leapfrog *l, const double *x)
 {
-    double stretch2 = spring_stencil_stretch2(&l->stencil, x);
+    double stretch2 = spring_stencil_stretch2(l->body.stencil, x);
     double borne = needed(l, BORNE, stretch2), chosen = needed(l, CHOSEN, stretch2);
 
-    if (l->asked || !isfinite(stretch2) || chosen > MOST_SUBSTEPS)
+    if (l->asked || !isfinite(stretch2) || chosen > FREQUENCY_MOST_STEPS)
         return;
     if (borne <= l->substeps && chosen >= FEWER * l->substeps)
         return;
@@ -360,10 +312,10 @@ static void scale(struct spring_leapfrog *l, double factor, const double *x)
     start(l, x, l->now);
 }
 
-enum status spring_leapfrog_frame(struct spring_leapfrog *l, double factor, double *x,
-                                  double push[3], int *pushed, struct counters *counters)
+enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x, double push[3],
+                                  int *pushed, struct counters *counters)
 {
-    if (l->body.scene->obstacle_count || l->body.supports->moving)
+    if (l->scene->obstacle_count || l->body.supports->moving)
         careful(l, push, pushed);
     else
         spring_sweep_run(l->sweep, l->dt, l->substeps);
@@ -374,8 +326,8 @@ enum status spring_leapfrog_frame(struct spring_leapfrog *l, double factor, doub
     for (size_t n = 0; n < count(l); n++)
         if (!isfinite(x[n]))
             return STATUS_NAN;
-    if (factor != 1)
-        scale(l, factor, x);
+    if (l->body.load->keep != 1)
+        scale(l, l->body.load->keep, x);
     watch(l, x);
     return STATUS_OK;
 }

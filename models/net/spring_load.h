@@ -4,7 +4,7 @@
 #ifndef SPRING_LOAD_H
 #define SPRING_LOAD_H
 
-#include "mass_spring/spring_net.h"
+#include "models/net/spring_net.h"
 #include "models/model.h"
 
 struct spring_load {

@@ -1,4 +1,4 @@
-#include "mass_spring/spring_sweep.h"
+#include "models/net/spring_sweep.h"
 
 #include <omp.h>
 #include <math.h>
@@ -93,16 +93,16 @@ static ptrdiff_t place_of(const struct spring_sweep *s, int node)
 #define REAL    float
 #define ROOT    sqrtf
 #define NAME(x) single_##x
-#include "mass_spring/spring_sweep_cell.h"
-#include "mass_spring/spring_sweep_row.h"
+#include "models/net/spring_sweep_cell.h"
+#include "models/net/spring_sweep_row.h"
 #undef REAL
 #undef ROOT
 #undef NAME
 #define REAL    double
 #define ROOT    sqrt
 #define NAME(x) double_##x
-#include "mass_spring/spring_sweep_cell.h"
-#include "mass_spring/spring_sweep_row.h"
+#include "models/net/spring_sweep_cell.h"
+#include "models/net/spring_sweep_row.h"
 
 /* Calls the function of the sweep's precision. */
 #define BY_PRECISION(s, name, ...)                                                         \

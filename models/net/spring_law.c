@@ -1,4 +1,4 @@
-#include "mass_spring/spring_law.h"
+#include "models/net/spring_law.h"
 
 #include <math.h>
 

@@ -1,4 +1,4 @@
-#include "mass_spring/spring_plate.h"
+#include "models/net/spring_plate.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,13 +17,6 @@ struct plate {
     int count;
 };
 
-static int node_at(const struct spring_net *net, int i, int j)
-{
-    return i < 0 || j < 0 || i >= net->points[0] || j >= net->points[1]
-               ? -1
-               : i * net->points[1] + j;
-}
-
 static void add(struct plate *p, const struct spring_plate_form *form)
 {
     if (form->stiffness > 0)
@@ -40,8 +33,8 @@ double spring_plate_beside(const struct spring_net *net, int before, int behind)
 static void add_clamp(struct plate *p, int i, int j, int di, int dj, double stiffness)
 {
     const struct spring_net *net = p->net;
-    int root = node_at(net, i, j), next = node_at(net, i + di, j + dj);
-    int second = node_at(net, i + 2 * di, j + 2 * dj);
+    int root = spring_net_node(net, i, j), next = spring_net_node(net, i + di, j + dj);
+    int second = spring_net_node(net, i + 2 * di, j + 2 * dj);
 
     if (next < 0 || net->clamped[next])
         return;
@@ -65,7 +58,8 @@ static bool between(const struct spring_net *net, int i, int j, int along, int n
 {
     int di = along == 0, dj = along == 1;
 
-    node[0] = node_at(net, i - di, j - dj), node[1] = node_at(net, i + di, j + dj);
+    node[0] = spring_net_node(net, i - di, j - dj),
+    node[1] = spring_net_node(net, i + di, j + dj);
     return node[0] >= 0 && node[1] >= 0;
 }
 
@@ -73,7 +67,7 @@ static bool between(const struct spring_net *net, int i, int j, int along, int n
 static void add_line(struct plate *p, int i, int j, int along, bool both)
 {
     const struct spring_net *net = p->net;
-    int across = along == 0 ? j : i, at = node_at(net, i, j), node[2];
+    int across = along == 0 ? j : i, at = spring_net_node(net, i, j), node[2];
     bool rim = across == 0 || across == net->points[1 - along] - 1;
     double a = net->cell[along], strip = net->cell[1 - along] * (rim ? 0.5 : 1);
     double nu = p->poisson, B = p->stiffness * (rim ? 1 - nu * nu : 1) * strip;
@@ -126,10 +120,10 @@ static void add_twist(struct plate *p, int i, int j)
     const struct spring_net *net = p->net;
     const struct spring_plate_form form = {
         .kind = SPRING_PLATE_TWIST,
-        .at = node_at(net, i, j),
+        .at = spring_net_node(net, i, j),
         .count = 4,
-        .node = {node_at(net, i, j), node_at(net, i, j + 1), node_at(net, i + 1, j),
-                 node_at(net, i + 1, j + 1)},
+        .node = {spring_net_node(net, i, j), spring_net_node(net, i, j + 1),
+                 spring_net_node(net, i + 1, j), spring_net_node(net, i + 1, j + 1)},
         .weight = {1, -1, -1, 1},
         .stiffness = 2 * (1 - p->poisson) * p->stiffness / (net->cell[0] * net->cell[1])};
 

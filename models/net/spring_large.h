@@ -5,16 +5,14 @@
 #ifndef SPRING_LARGE_H
 #define SPRING_LARGE_H
 
-#include "mass_spring/spring_load.h"
+#include "models/net/spring_load.h"
 #include "models/mechanics/large_motion.h"
 
 /* The parts of the moving net; all borrowed, and must outlive it. */
 struct spring_large_plan {
-    const struct scene *scene;
-    const struct spring_net *net;
+    const struct spring_load *load;
     const struct blocks *graph; /* of the nodes that elements reach, 2 rows at most    */
     const struct large_body *body;
-    const struct spring_load *load;
     const struct supports *supports;
     const struct discretization *d; /* integrator, substeps, iterations, solver        */
     double *x;                      /* [nodes][3] present points                 [m]   */

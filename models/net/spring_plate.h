@@ -23,7 +23,7 @@
 #ifndef SPRING_PLATE_H
 #define SPRING_PLATE_H
 
-#include "mass_spring/spring_net.h"
+#include "models/net/spring_net.h"
 
 enum spring_plate_kind {
     SPRING_PLATE_U,     /* x_uu a_u^2: points before, at, after                        */

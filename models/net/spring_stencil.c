@@ -1,29 +1,24 @@
-#include "mass_spring/spring_stencil.h"
+#include "models/net/spring_stencil.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_plate.h"
+#include "models/net/spring_plate.h"
 #include "models/room.h"
+#include "models/vector.h"
 
 const int spring_stencil_step[SPRING_STENCIL_STRUTS][2] = {
     {-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1},   {1, -1}, {1, 0},  {1, 1},
     {-2, 0},  {0, -2}, {0, 2},  {2, 0},  {-2, -2}, {-2, 2}, {2, -2}, {2, 2}};
 
-static int node_at(const struct spring_net *net, int i, int j)
-{
-    return i < 0 || j < 0 || i >= net->points[0] || j >= net->points[1]
-               ? -1
-               : i * net->points[1] + j;
-}
-
 int spring_stencil_node(const struct spring_net *net, int node, int neighbour)
 {
     const int *step = spring_stencil_step[neighbour];
 
-    return node_at(net, node / net->points[1] + step[0], node % net->points[1] + step[1]);
+    return spring_net_node(net, node / net->points[1] + step[0],
+                           node % net->points[1] + step[1]);
 }
 
 /* Returns which neighbour of a is b. */
@@ -133,13 +128,8 @@ void spring_stencil_replace(struct spring_stencil *s, int count,
 
 static double square_of_edge(const double *x, int a, int b, double edge[3])
 {
-    double sum = 0;
-
-    for (int c = 0; c < 3; c++) {
-        edge[c] = x[3 * b + c] - x[3 * a + c];
-        sum += edge[c] * edge[c];
-    }
-    return sum;
+    vector_between(x + 3 * (size_t)a, x + 3 * (size_t)b, edge);
+    return vector_dot(edge, edge);
 }
 
 /* A spring's energy, its force along the edge over the edge's length, and the derivative of

@@ -1,0 +1,22 @@
+/* net_surface.h - a net of points on the mid-surface as a surface: bilinear in each cell,
+ * with bilinear normals too, so that a thick sheet has no gaps between cells. */
+#ifndef NET_SURFACE_H
+#define NET_SURFACE_H
+
+#include <stddef.h>
+
+/* Component c of point (i, j) at x[(i m + j) node + c component]; x is borrowed. */
+struct net_surface {
+    int n, m; /* points along u, v; >= 2                                               */
+    const double *x;
+    ptrdiff_t node, component;
+};
+
+/* Evaluates material points uvw[n][3] of a sheet of this thickness, xyz[n][3]: the surface
+ * and (w - 1/2) thickness along its unit normal, the mean of the cell's four points'
+ * normals: of tangents by central differences, one-sided on the rim. No normal where they
+ * are parallel. */
+void net_surface_points(const struct net_surface *net, double thickness, int n,
+                        const double *uvw, double *xyz);
+
+#endif

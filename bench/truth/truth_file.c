@@ -396,54 +396,6 @@ enum status truth_file_third(const char *path, char *third, size_t size,
     return status_fail(why, STATUS_INPUT, "%s: the name is too long", path);
 }
 
-enum { LAYER = GRID_U * GRID_V };
-static const double SAME_TIME = 1e-6; /* [s] */
-
-/* Rms between the middle surfaces. */
-static double apart(const double *a, const double *b)
-{
-    double sum = 0;
-
-    for (int n = 0; n < 3 * LAYER; n++) {
-        const double d = (a[n] + a[n + 3 * LAYER] - b[n] - b[n + 3 * LAYER]) / 2;
-        sum += d * d;
-    }
-    return sqrt(sum / LAYER);
-}
-
-/* Index of a time that the third claims, -1. */
-static int index_of(const struct truth *third, double time)
-{
-    for (int n = 0; n < third->claimed; n++)
-        if (fabs(third->time[n] - time) < SAME_TIME)
-            return n;
-    return -1;
-}
-
-/* Distances and bars at the times that both claim, and the sentence. */
-static void judge(const struct truth *third, struct truth *made)
-{
-    int end = made->claimed;
-
-    for (int n = 0; n < end; n++) {
-        const int k = index_of(third, made->time[n]);
-        double *v = made->value[n];
-        if (k < 0)
-            continue;
-        v[TRUTH_THIRD] = apart(made->xyz[n], third->xyz[k]);
-        v[TRUTH_THIRD_BAR] = third->error[k];
-        if (v[TRUTH_THIRD] > made->error[n] + v[TRUTH_THIRD_BAR])
-            end = n;
-    }
-    const bool contradicts = end < made->claimed;
-    snprintf(made->third, sizeof made->third, "%.511s%s", third->source,
-             contradicts ? "; it contradicts the truth, which is not claimed from then on"
-                         : "");
-    for (int n = end; n < made->claimed; n++)
-        made->xyz[n] = NULL;
-    made->claimed = end;
-}
-
 /* One of other physics than the truth's says nothing of it. */
 static enum status judge_by_third(const char *path, const char *physics, struct truth *made,
                                   struct message *why)
@@ -458,7 +410,7 @@ static enum status judge_by_third(const char *path, const char *physics, struct 
         goto out;
     TRY(read_alone(file, &third, &text, why));
     if (strcmp(text, physics) == 0)
-        judge(&third, made);
+        truth_third_judge(&third, made);
     else
         snprintf(made->third, sizeof made->third,
                  "not compared, as it is of other physics");

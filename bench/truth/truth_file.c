@@ -187,7 +187,8 @@ static uint64_t add(uint64_t sum, const void *bytes, size_t size)
     return sum;
 }
 
-/* As the file has it: fields as float. Orders that do not exist are one NaN, not many. */
+/* Computes it of what the file has: fields as 32-bit floats; a number that does not exist
+ * is left out, as one NaN is not another. */
 static void checksum(const char *physics, const struct truth *m, char text[17])
 {
     uint64_t sum = add(UINT64_C(0xcbf29ce484222325), physics, strlen(physics));
@@ -201,6 +202,28 @@ static void checksum(const char *physics, const struct truth *m, char text[17])
             sum = add(sum, &(float){(float)m->xyz[n][k]}, sizeof(float));
     }
     snprintf(text, 17, "%016" PRIx64, sum);
+}
+
+void truth_pack(struct truth *t, double length)
+{
+    for (int n = 0; n < t->claimed; n++) {
+        /* no point moves by more than sqrt(3) / 2 of a step */
+        const double most = fmin(t->error[n] / 10 * 2 / sqrt(3), length / 65536);
+        const double step = most > 0 ? ldexp(1, ilogb(most)) : 0;
+        for (int k = 0; step > 0 && k < 3 * GRID_POINTS; k++)
+            t->xyz[n][k] = step * nearbyint(t->xyz[n][k] / step);
+        t->value[n][TRUTH_PACKING] = step * sqrt(3) / 2;
+    }
+}
+
+/* Whether 32-bit floats hold all positions as they are. */
+static bool is_single(const struct truth *t)
+{
+    for (int n = 0; n < t->claimed; n++)
+        for (int k = 0; k < 3 * GRID_POINTS; k++)
+            if ((double)(float)t->xyz[n][k] != t->xyz[n][k])
+                return false;
+    return true;
 }
 
 static enum status put_columns(struct store *store, const struct truth *made,
@@ -282,7 +305,7 @@ enum status truth_file_write(const char *path, const struct truth_runs *runs,
                                                                   : run.model,
                                          .discretization = &run.discretization,
                                          .provenance = &provenance,
-                                         .single = true,
+                                         .single = is_single(made),
                                          .packed = true},
                      &store, why));
     TRY(put_all(store, &run.scene, made, why));
@@ -303,6 +326,8 @@ static enum status read_columns(const struct store_read *file, struct truth *mad
     for (int c = 0; c < COLUMNS; c++) {
         char name[64];
         snprintf(name, sizeof name, "metrics/%s", columns[c].name);
+        if (c == TRUTH_PACKING && !store_read_has(file, name))
+            continue; /* of before truths were packed */
         TRY(store_read_array(file, name, &column, &rows, &width, NULL));
         if (rows != made->times || width != 1)
             TRY(STATUS_INPUT);

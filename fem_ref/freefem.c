@@ -4,7 +4,6 @@
 #include "models/grid.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 enum { POINTS = FREEFEM_SIDE * FREEFEM_SIDE, STRIDE = 9 };
@@ -17,18 +16,12 @@ _Static_assert((FREEFEM_SIDE - 1) * STRIDE == GRID_U - 1 && GRID_U == GRID_V,
 /* Held unknowns have pivots of 1e30 and move by less than any displacement's rounding. */
 #define HELD 1e-20
 
-static double plus_weight(const struct scene *scene)
-{
-    const double *u = scene->axis_u, *v = scene->axis_v, *g = scene->gravity;
-    return g[0] * (u[1] * v[2] - u[2] * v[1]) + g[1] * (u[2] * v[0] - u[0] * v[2]) +
-           g[2] * (u[0] * v[1] - u[1] * v[0]);
-}
-
 enum status freefem_job_of(const struct scene *scene, struct freefem_job *job,
                            struct message *why)
 {
     enum status st;
     struct kirchhoff_plate plate;
+    double e_w[3];
 
     TRY(kirchhoff_field_plate(scene, &plate, why));
     if (plate.length != 1 || plate.width != 1 || scene->damping.kind != DAMPING_NONE)
@@ -38,12 +31,15 @@ enum status freefem_job_of(const struct scene *scene, struct freefem_job *job,
     job->young = plate.young;
     job->poisson = plate.poisson;
     job->density = plate.density;
-    job->gravity = -plus_weight(scene);
+    job->gravity = 0;
+    scene_normal(scene, e_w);
+    for (int c = 0; c < 3; c++)
+        job->gravity -= scene->gravity[c] * e_w[c];
 out:
     return st;
 }
 
-/* ------------------------------------------------------------------ reading --------- */
+/* --- Reading --- */
 
 static const char *row_fault(const struct reference *table, int row,
                              struct freefem_field *f)
@@ -110,21 +106,6 @@ static enum status take_table(const struct reference *table, const char *path,
     return reference_fault(table, why);
 }
 
-enum status freefem_read(const char *path, struct freefem_field *field, struct message *why)
-{
-    enum status st;
-    struct freefem_field f = {0};
-    struct reference *table = NULL;
-
-    TRY(reference_open(path, &table, why));
-    TRY(take_table(table, path, &f, why));
-    snprintf(f.origin, sizeof f.origin, "FreeFEM");
-    *field = f;
-out:
-    reference_close(table);
-    return st;
-}
-
 static enum status same_job(const struct reference *table, const char *path,
                             const struct freefem_job *job, struct message *why)
 {
@@ -150,27 +131,24 @@ static enum status same_job(const struct reference *table, const char *path,
     return STATUS_OK;
 }
 
-enum status freefem_stored(const struct freefem_job *job, const char *path,
-                           struct freefem_field *field, struct message *why)
+enum status freefem_read(const char *path, const struct freefem_job *job,
+                         struct freefem_field *field, struct message *why)
 {
     enum status st;
     struct freefem_field f = {0};
     struct reference *table = NULL;
-    const char *date;
 
     TRY(reference_open(path, &table, why));
-    TRY(same_job(table, path, job, why));
+    if (job)
+        TRY(same_job(table, path, job, why));
     TRY(take_table(table, path, &f, why));
-    date = reference_note(table, "date");
-    snprintf(f.origin, sizeof f.origin, "stored FreeFEM field of %s (%.160s)",
-             date ? date : "unknown date", path);
     *field = f;
 out:
     reference_close(table);
     return st;
 }
 
-/* ------------------------------------------------------------------ comparing ------- */
+/* --- Comparing --- */
 
 double freefem_difference(const struct freefem_field *a, const struct freefem_field *b,
                           int t)
@@ -187,10 +165,9 @@ double freefem_rmse(const struct freefem_field *field, int t, const struct scene
 {
     const double(*x)[GRID_V][GRID_U][3] = (const double(*)[GRID_V][GRID_U][3])xyz;
     const double *u = scene->axis_u, *v = scene->axis_v;
-    const double w[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                         u[0] * v[1] - u[1] * v[0]};
-    double sum = 0;
+    double w[3], sum = 0;
 
+    scene_normal(scene, w);
     for (int n = 0; n < POINTS; n++) {
         int i = n % FREEFEM_SIDE, j = n / FREEFEM_SIDE;
         const double *low = x[0][STRIDE * j][STRIDE * i],

@@ -27,7 +27,6 @@ struct freefem_field {
     double time[FREEFEM_TIMES]; /* 0.1 .. 0.4 [s]; INFINITY: static                  */
     double shift[FREEFEM_TIMES][FREEFEM_SIDE][FREEFEM_SIDE][3]; /* [t][j][i] [m]     */
     double error[FREEFEM_TIMES]; /* error bar (rms) [m]; NaN: not known              */
-    char origin[256];            /* for people: what computed this, when             */
 };
 
 /* Finds the job of a scene: what kirchhoff_field_plate accepts, 1 m x 1 m, undamped; the
@@ -35,15 +34,12 @@ struct freefem_field {
 enum status freefem_job_of(const struct scene *scene, struct freefem_job *job,
                            struct message *why);
 
-/* Reads a field and refuses (STATUS_INPUT, with file and line or row) missing or surplus
- * rows, other points or times, anything not finite, a clamped edge that moves, nothing that
- * moves. Without the notes of a stored file the error bar is NaN. */
-enum status freefem_read(const char *path, struct freefem_field *field,
-                         struct message *why);
-
-/* Reads the stored field of `job`, whose physics must equal the file's notes. */
-enum status freefem_stored(const struct freefem_job *job, const char *path,
-                           struct freefem_field *field, struct message *why);
+/* Reads the stored field of `job`, whose physics must equal the file's notes
+ * (STATUS_UNSUPPORTED); NULL: of any. Refuses (STATUS_INPUT, with file and line or row)
+ * missing or surplus rows, other points or times, anything not finite, a clamped edge that
+ * moves, nothing that moves. Without notes of the error its bar is NaN. */
+enum status freefem_read(const char *path, const struct freefem_job *job,
+                         struct freefem_field *field, struct message *why);
 
 /* Returns the rms over the points, at time number t, of |a - b| [m]. */
 double freefem_difference(const struct freefem_field *a, const struct freefem_field *b,

@@ -1,11 +1,11 @@
-/* kirchhoff.h - linear Kirchhoff plate, one edge clamped, three free (CFFF): frequencies,
- * static deflection and the motion from rest under a suddenly applied uniform load, exact
- * in time. A truth that no cloth model shares.
+/* kirchhoff.h - linear Kirchhoff plate, one edge clamped, three free (CFFF): static
+ * deflection and the motion from rest under a suddenly applied uniform load, exact in time.
+ * A truth that no cloth model shares.
  *
  * Plate 0 <= x <= L, 0 <= y <= W, clamped along x = 0; deflection w along the normal,
  *   D lap lap w + rho h (w_tt + alpha w_t) = q,   D = E h^3 / 12 (1 - nu^2),
  * by Ritz's method on products of ritz.h functions: the eigenproblem M c = mu K c,
- * mu = 1 / omega^2, solved dense (LAPACK dsygvd) apart for modes even and odd in y - W/2.
+ * mu = 1 / omega^2, solved dense (LAPACK dsygvd) for modes even in y - W/2.
  * With K-orthonormal modes c_i the static answer is sum (c_i . f) c_i and the motion only
  * multiplies its terms by 1 - cos(omega_i t): nothing is divided by a small omega.
  *
@@ -16,7 +16,7 @@
 #ifndef KIRCHHOFF_H
 #define KIRCHHOFF_H
 
-#include "models/model.h"
+#include "models/status.h"
 
 /* Functions per direction that give, on the square plate with nu = 0.3, the static
  * deflection to KIRCHHOFF_ERROR and the motion of scene cantilever_transient at 0.1 .. 0.4
@@ -34,19 +34,12 @@ struct kirchhoff_plate {
 
 struct kirchhoff; /* immutable once made: may be read by any thread */
 
-/* Solves with `terms` functions in each direction, 4 <= terms <= RITZ_MAX: two
- * eigenproblems with terms^2 / 2 unknowns, about 2 s at 48. Freed with kirchhoff_destroy
- * (NULL is allowed). */
+/* Solves with `terms` functions in each direction, 4 <= terms <= RITZ_MAX: an eigenproblem
+ * with terms^2 / 2 unknowns, about 1 s at 48. Freed with kirchhoff_destroy (NULL is
+ * allowed). */
 enum status kirchhoff_create(const struct kirchhoff_plate *plate, int terms,
                              struct kirchhoff **k);
 void kirchhoff_destroy(struct kirchhoff *k);
-
-/* Returns the angular frequency of mode i = 0, 1, ... ascending [rad/s]. About the lowest
- * third is converged. */
-double kirchhoff_frequency(const struct kirchhoff *k, int i);
-
-/* Returns mode i at (x, y): mean square over the plate 1, sign free. */
-double kirchhoff_mode(const struct kirchhoff *k, int i, double x, double y);
 
 /* Returns the deflection [m] at (x, y) under load q [N/m^2]. */
 double kirchhoff_static(const struct kirchhoff *k, double q, double x, double y);
@@ -61,10 +54,5 @@ double kirchhoff_transient(const struct kirchhoff *k, double q, double alpha, do
 enum status kirchhoff_grid(const struct kirchhoff *k, double q, double alpha, double t,
                            int nx, const double *x, int ny, const double *y, double *w,
                            double *w_x, double *w_y);
-
-/* Computes kinetic and elastic energy from the mass and stiffness matrices, potential =
- * -(work of q) [J], of that motion. Undamped, their sum is 0 at all t. */
-enum status kirchhoff_energy(const struct kirchhoff *k, double q, double alpha, double t,
-                             struct energy *energy);
 
 #endif

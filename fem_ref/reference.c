@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The file is kept whole; cells and comments point into it. */
+/* Cells and comments point into the text of the whole file. */
 struct reference {
     char *path, *text;
     char **comment; /* [comments] without the #          */
@@ -20,36 +20,22 @@ struct reference {
 
 static const char NO_MEMORY[] = "out of memory";
 
-enum { REFERENCE_BYTES = 64 << 20 }; /* far beyond any table: a wrong file, not a table */
-
-static enum status slurp(const char *path, char **text, size_t *size, struct message *why)
+/* Reads up to the first byte 0, which no table has. */
+static enum status slurp(const char *path, char **text, struct message *why)
 {
-    enum status st = STATUS_OK;
-    char *buffer = NULL;
-    size_t room = 0, used = 0, got = 1;
     FILE *file = fopen(path, "rb");
+    size_t room = 0;
+    enum status st = STATUS_OK;
 
     if (!file)
         return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
-    while (got) {
-        if (used + 1 >= room) {
-            room = room ? 2 * room : 1 << 14;
-            if (room > REFERENCE_BYTES)
-                TRY(status_fail(why, STATUS_INPUT, "%s: too large for a table", path));
-            char *more = realloc(buffer, room);
-            TRY(more ? STATUS_OK : STATUS_MEMORY);
-            buffer = more;
-        }
-        got = fread(buffer + used, 1, room - used - 1, file);
-        used += got;
-    }
-    if (ferror(file))
-        TRY(status_fail(why, STATUS_FILE, "%s: cannot be read", path));
-    buffer[used] = 0;
-    *text = buffer, buffer = NULL;
-    *size = used;
-out:
-    free(buffer);
+    const ssize_t size = getdelim(text, &room, '\0', file);
+    if (size < 0 && !feof(file))
+        st = status_fail(why, STATUS_FILE, "%s: cannot be read", path);
+    else if (size < 0)
+        st = status_fail(why, STATUS_INPUT, "%s: no rows", path);
+    else if (strlen(*text) != (size_t)size)
+        st = status_fail(why, STATUS_INPUT, "%s: not a text file", path);
     fclose(file);
     return st;
 }
@@ -138,14 +124,11 @@ static const char *take_line(struct reference *t, char *line, int number)
     return fault || cell != t->name ? fault : names_fault(t->name, t->columns);
 }
 
-static enum status parse(struct reference *t, size_t size, const char *path,
-                         struct message *why)
+static enum status parse(struct reference *t, const char *path, struct message *why)
 {
     char *next = t->text;
     int line = 1;
 
-    if (strlen(t->text) != size)
-        return status_fail(why, STATUS_INPUT, "%s: not a text file", path);
     for (const char *at = t->text; (at = strchr(at, '\n')); at++)
         t->comments++;
     t->comment = calloc(t->comments + 1, sizeof *t->comment);
@@ -188,7 +171,6 @@ void reference_close(struct reference *t)
 enum status reference_open(const char *path, struct reference **table, struct message *why)
 {
     enum status st;
-    size_t size = 0;
     struct reference *t = calloc(1, sizeof *t);
 
     if (!t)
@@ -196,8 +178,8 @@ enum status reference_open(const char *path, struct reference **table, struct me
     t->path = strdup(path);
     t->fault = calloc(1, sizeof *t->fault);
     TRY(t->path && t->fault ? STATUS_OK : STATUS_MEMORY);
-    TRY(slurp(path, &t->text, &size, why));
-    TRY(parse(t, size, path, why));
+    TRY(slurp(path, &t->text, why));
+    TRY(parse(t, path, why));
     *table = t, t = NULL;
 out:
     reference_close(t);
@@ -209,11 +191,6 @@ int reference_rows(const struct reference *t)
     return t->rows;
 }
 
-int reference_columns(const struct reference *t)
-{
-    return t->columns;
-}
-
 int reference_column(const struct reference *t, const char *name)
 {
     for (int i = 0; i < t->columns; i++)
@@ -222,7 +199,7 @@ int reference_column(const struct reference *t, const char *name)
     return -1;
 }
 
-/* Keeps the first wrong question: the others mostly follow from it. */
+/* Notes the first wrong query: the others mostly follow from it. */
 __attribute__((format(printf, 3, 4))) static void blame(const struct reference *t, int line,
                                                         const char *format, ...)
 {

@@ -20,7 +20,6 @@ enum status reference_open(const char *path, struct reference **table, struct me
 void reference_close(struct reference *table);
 
 int reference_rows(const struct reference *table);
-int reference_columns(const struct reference *table);
 
 /* Returns the index of a column, -1 if there is none of that name. */
 int reference_column(const struct reference *table, const char *name);

@@ -102,7 +102,8 @@ def truths():
     if h5py:
         run("truth", "hanging", "--out", "hanging.h5")
         a, b = clothbench.truth.read("hanging.h5"), clothbench.truth.read("hanging")
-        check("h5 and csv", abs(a.xyz - b.xyz).max() < 1e-7 and abs(a.uv - b.uv).max() < 1e-15)
+        check("h5 and csv", abs(a.xyz - b.xyz).max() < b.bar.min() / 10)  # packed
+        check("uv of h5 and csv", abs(a.uv - b.uv).max() < 1e-15)
         check("h5's bar", (a.bar == b.bar).all() and a.source == b.source)
         stored = clothbench.truth.read(os.path.join(folder, "../truths/edge_drop.h5"))
         check("a bar a time", len(stored.bar) == len(stored.t) == 74)

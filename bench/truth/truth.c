@@ -111,7 +111,8 @@ enum status truth_init(struct truth *t, int times, int claimed, const double *ti
         t->xyz[n] = (double *)(t->value + count) + (size_t)n * field;
     memcpy(t->time, time, count * sizeof *time);
     for (int n = 0; n < times; n++)
-        t->value[n][TRUTH_THIRD] = t->value[n][TRUTH_THIRD_BAR] = NAN;
+        for (int c = TRUTH_PACKING; c < TRUTH_COLUMNS; c++)
+            t->value[n][c] = NAN;
     return STATUS_OK;
 }
 

@@ -121,7 +121,8 @@ enum status truth_physics_check(const char *text, const struct scene *scene,
     X(SHELL_TIME, "shell_time_order", "1")                                                 \
     X(SHELL_BAR, "shell_bar", "m")                                                         \
     X(DIFFERENCE, "difference", "m")                                                       \
-    X(GROWTH, "growth", "1") /* of the change of gravity: rms / (1e-6 L) */
+    X(GROWTH, "growth", "1")   /* of the change of gravity: rms / (1e-6 L) */              \
+    X(PACKING, "packing", "m") /* truth_pack; NaN: it is not packed */
 
 enum truth_column {
 #define TRUTH_COLUMN_CODE(code, name, unit) TRUTH_##code,
@@ -268,10 +269,10 @@ enum status truth_plate_coefficient(double nu, int terms, double *coefficient);
  *   attributes    note       where the field comes from, and its error bar, as a sentence
  *                 horizon    until when the motion is predictable, a sentence
  *                 physics    truth_physics: what it holds for
- *                 checksum   of physics, times, numbers and fields: a file that was changed
- *                            is refused
+ *                 checksum   of physics, times, numbers and fields (as 32-bit floats): a
+ *                            file that was changed is refused
  *   metrics/NAME  [F]        the columns, at all times
- *   xyz           [K]        float; only at the K times before the horizon
+ *   xyz           [K]        packed (truth_pack); only at the K times before the horizon
  *
  * third/NAME.h5 beside it, in the same layout, is what a third mechanics has instead: the
  * same motion by a program that shares neither code nor elements with ours, on three nets,
@@ -285,7 +286,12 @@ enum status truth_plate_coefficient(double nu, int terms, double *coefficient);
 /* Where stored truths are: $CLOTHBENCH_TRUTHS first. */
 extern const struct named_file_kind truth_file_kind;
 
-/* Writes what was made. */
+/* Rounds each field to multiples of a power of two, so that the file deflates well: no
+ * point moves by more than a tenth of the error bar at that time, nor by the length / 65536
+ * (what the field's slopes bear). Fills TRUTH_PACKING: how far one may have moved. */
+void truth_pack(struct truth *made, double length);
+
+/* Writes what was made; positions as 32-bit floats, if these hold them as they are. */
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
                              const struct truth *made, struct message *why);
 

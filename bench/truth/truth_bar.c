@@ -9,16 +9,22 @@
 
 static const double SAFETY = 1.25, UNSAFE = 3, LEAST = 0.5;
 
-/* Two runs show no order: their difference counts so many times. */
+/* The factor on the difference of two runs, which show no order. */
 static const double UNSEEN = 3;
 
-/* first / second, if errors were c h^p. */
+/* The order that theory promises: splines of degree 2 and more bend with errors of that
+ * order in the mean square, and steps that shrink alike have it. */
+static const double PROMISED = 2;
+
+/* --- Three runs --- */
+
+/* Returns first / second for errors c h^p. */
 static double ratio(const double h[3], double p)
 {
     return (pow(h[0], p) - pow(h[1], p)) / (pow(h[1], p) - pow(h[2], p));
 }
 
-/* The ratio grows with p: halving. */
+/* Solves ratio(h, p) = wanted for p by halving, as the ratio grows with p. */
 static double solve(const double h[3], double wanted)
 {
     double low = 1e-3, high = 20;
@@ -35,7 +41,7 @@ static double solve(const double h[3], double wanted)
     return low;
 }
 
-/* Of the second difference, by order p: the finest run's error. */
+/* Returns the finest run's error by order p, as a part of the second difference. */
 static double left_by(const double h[3], double p)
 {
     return pow(h[2], p) / (pow(h[1], p) - pow(h[2], p));
@@ -49,10 +55,12 @@ struct truth_order truth_order(const double h[3], double first, double second,
     if (!(second > 0))
         return o;
     o.order = solve(h, first / second);
-    double p = o.order >= LEAST ? fmin(o.order, promised) : LEAST;
+    const double p = o.order >= LEAST ? fmin(o.order, promised) : LEAST;
     o.bar = (o.order >= LEAST ? SAFETY : UNSAFE) * second * left_by(h, p);
     return o;
 }
+
+/* --- A family --- */
 
 void truth_family_clear(struct truth_family *f)
 {
@@ -60,60 +68,63 @@ void truth_family_clear(struct truth_family *f)
         run_result_clear(&f->run[n]);
 }
 
-/* What theory promises: splines of degree 2 and more bend with errors of that order in the
- * mean square, and steps that shrink alike are of it. */
-static const double PROMISED = 2;
+const struct run_result *truth_bar_finest(const struct truth_family *f)
+{
+    return &f->run[f->count - 1];
+}
 
 static double between(const struct truth_family *f, int a, int b, int time)
 {
     return metric_rmse(f->run[a].xyz[time], f->run[b].xyz[time]);
 }
 
-/* Sums of squares of both differences of three runs, from time to time. */
-struct chain {
-    double first, second;
-};
-
-/* Sizes of the last three of the first `count` runs. */
-static void sizes(const struct truth_family *f, int count, double h[3])
+/* Fills the sizes of three successive runs, the last of them number `last`. */
+static void sizes(const struct truth_family *f, int last, double h[3])
 {
     for (int k = 0; k < 3; k++) {
-        const struct truth_level *l = &f->level[count - 3 + k];
+        const struct truth_level *l = &f->level[last - 2 + k];
         h[k] = 1.0 / (l->side - l->degree - l->repeats);
     }
 }
 
-/* Judges these up to a time. Differences that cross zero would show any order, and none of
- * an error: the order is that of their rms up to now, and no difference counts for less
- * than that. */
-static struct truth_order judge(const struct truth_family *f, int count, int time,
-                                struct chain *up_to_now, double h[3])
-{
-    const double first = between(f, count - 3, count - 2, time);
-    const double second = between(f, count - 2, count - 1, time);
+/* Three successive runs: sizes, and sums of squares of both differences from time to time.
+ */
+struct three {
+    double h[3];
+    double first, second;
+};
 
-    sizes(f, count, h);
-    up_to_now->first += first * first;
-    up_to_now->second += second * second;
-    const double rms = sqrt(up_to_now->second / (time + 1));
-    struct truth_order o =
-        truth_order(h, sqrt(up_to_now->first), sqrt(up_to_now->second), PROMISED);
-    o.bar *= rms > 0 ? fmax(second, rms) / sqrt(up_to_now->second) : 1;
+/* Judges three runs, the last of them number `last`, at a time. Differences that cross zero
+ * would show any order, and none of an error: the order is that of their rms up to now, and
+ * no difference counts for less than that. */
+static struct truth_order judge_three(const struct truth_family *f, int last, int time,
+                                      struct three *t)
+{
+    const double first = between(f, last - 2, last - 1, time);
+    const double second = between(f, last - 1, last, time);
+
+    sizes(f, last, t->h);
+    t->first += first * first;
+    t->second += second * second;
+    const double rms = sqrt(t->second / (time + 1));
+    struct truth_order o = truth_order(t->h, sqrt(t->first), sqrt(t->second), PROMISED);
+    o.bar *= rms > 0 ? fmax(second, rms) / sqrt(t->second) : 1;
     return o;
 }
 
-/* A field: of two runs, fine + left (fine - middle). */
+/* A field at one time: fine + left (fine - middle). */
 struct field {
     const double *fine, *middle;
     double left;
 };
 
-static struct field limit_of(const struct truth_family *f, int count, const double h[3],
+/* Returns where three runs are going, if their order is believed, else the finest. */
+static struct field limit_of(const struct truth_family *f, int last, const double h[3],
                              double order, int time)
 {
     const double left = order >= LEAST ? left_by(h, fmin(order, PROMISED)) : 0;
 
-    return (struct field){f->run[count - 1].xyz[time], f->run[count - 2].xyz[time], left};
+    return (struct field){f->run[last].xyz[time], f->run[last - 1].xyz[time], left};
 }
 
 static double at(const struct field *f, int n)
@@ -121,7 +132,13 @@ static double at(const struct field *f, int n)
     return f->fine[n] + f->left * (f->fine[n] - f->middle[n]);
 }
 
-/* As metric_rmse. */
+static void evaluate(const struct field *f, double *xyz)
+{
+    for (int n = 0; n < 3 * GRID_POINTS; n++)
+        xyz[n] = at(f, n);
+}
+
+/* Returns metric_rmse of two fields. */
 static double apart(const struct field *a, const struct field *b)
 {
     double sum = 0;
@@ -135,18 +152,20 @@ static double apart(const struct field *a, const struct field *b)
     return sqrt(sum / GRID_POINTS);
 }
 
-/* What is carried from time to time: of three runs, of the three before, of their limits.
- */
-struct judged {
-    struct chain now, before;
-    double moved;
-};
-
-/* From here on a family shows whether its limits have settled. */
+/* From this many runs on a family shows whether its limits have settled. */
 enum { SETTLED = 4 };
 
-/* An order that the three runs before did not show may be luck: as of two runs, the last
- * difference counts three times. One that they showed lower is believed no higher. */
+/* What a family shows at a time, and what it carries on to the next. */
+struct judged {
+    double moved;             /* sum of squares of how far the limit moved            */
+    struct three now, before; /* the last three runs, and the three before them       */
+    double order, bar;        /* NaN: none is seen; bar [m], INFINITY: no two runs    */
+    struct field field;
+};
+
+/* Returns the bar by an order that the three runs before did or did not show. One that they
+ * did not show may be luck: as of two runs, the last difference counts three times. One
+ * that they showed lower is believed no higher. */
 static double confirm(const double h[3], const struct truth_order *o,
                       const struct truth_order *before)
 {
@@ -160,65 +179,45 @@ static double confirm(const double h[3], const struct truth_order *o,
 }
 
 /* Where the last three runs show an order, and the three before one that goes the same way,
- * the limit hardly moved: how far it did bars it, and where that is the sharper bar, the
+ * the limit hardly moved: how far it did bars it, and where that is the smaller bar, the
  * limit is the family's field. Errors that are not yet of an order move it by more than
  * they are (wrinkles, contact). */
-static void settle(const struct truth_family *f, int time, struct truth_order *o,
-                   const double h[3], struct judged *so_far, struct field *field)
+static void settle(const struct truth_family *f, int time, struct judged *j)
 {
-    double coarser[3];
-    const struct truth_order before =
-        judge(f, f->count - 1, time, &so_far->before, coarser);
-    const struct field limit = limit_of(f, f->count, h, o->order, time),
-                       last = limit_of(f, f->count - 1, coarser, before.order, time);
-    const double moved = apart(&limit, &last), three = o->bar;
+    const int last = f->count - 1;
+    const struct truth_order o = {j->order, j->bar},
+                             before = judge_three(f, last - 1, time, &j->before);
+    const struct field limit = limit_of(f, last, j->now.h, o.order, time),
+                       coarse = limit_of(f, last - 1, j->before.h, before.order, time);
+    const double moved = apart(&limit, &coarse);
 
-    so_far->moved += moved * moved;
-    const double bar = SAFETY * fmax(moved, sqrt(so_far->moved / (time + 1)));
-    o->bar = confirm(h, o, &before);
-    if (!(o->order >= LEAST) || !(bar < three))
+    j->moved += moved * moved;
+    const double bar = SAFETY * fmax(moved, sqrt(j->moved / (time + 1)));
+    j->bar = confirm(j->now.h, &o, &before);
+    if (!(o.order >= LEAST) || !(bar < o.bar))
         return;
-    o->bar = bar;
-    *field = limit;
+    j->bar = bar;
+    j->field = limit;
 }
 
-static struct field judge_family(const struct truth_family *f, int time,
-                                 struct judged *so_far, double *value)
+static void judge_family(const struct truth_family *f, int time, struct judged *j)
 {
-    const int n = f->count;
-    struct field field = {0};
-    double h[3];
+    const int last = f->count - 1;
 
-    value[0] = value[1] = NAN;
-    value[2] = INFINITY;
-    if (n)
-        field.fine = field.middle = f->run[n - 1].xyz[time];
-    if (n == 2)
-        value[2] = UNSEEN * between(f, 0, 1, time);
-    if (n < 3)
-        return field;
-    struct truth_order both = judge(f, n, time, &so_far->now, h);
-    if (n >= SETTLED)
-        settle(f, time, &both, h, so_far, &field);
-    value[0] = value[1] = both.order;
-    value[2] = both.bar;
-    return field;
+    j->order = NAN;
+    j->bar = f->count == 2 ? UNSEEN * between(f, 0, 1, time) : INFINITY;
+    if (f->count)
+        j->field = (struct field){f->run[last].xyz[time], f->run[last].xyz[time], 0};
+    if (f->count < 3)
+        return;
+    const struct truth_order o = judge_three(f, last, time, &j->now);
+    j->order = o.order;
+    j->bar = o.bar;
+    if (f->count >= SETTLED)
+        settle(f, time, j);
 }
 
-void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz)
-{
-    double h[3];
-
-    sizes(f, f->count, h);
-    const struct field limit = limit_of(f, f->count, h, order, time);
-    for (int n = 0; n < 3 * GRID_POINTS; n++)
-        xyz[n] = at(&limit, n);
-}
-
-const struct run_result *truth_bar_finest(const struct truth_family *f)
-{
-    return &f->run[f->count - 1];
-}
+/* --- A truth --- */
 
 static double growth(const struct truth_push *p, int time, double length)
 {
@@ -226,81 +225,15 @@ static double growth(const struct truth_push *p, int time, double length)
            (TRUTH_PERTURBATION * length);
 }
 
-void truth_bar_compare(const struct truth_family family[TRUTH_MODELS],
-                       const struct truth_push *push, double length, struct truth *made)
-{
-    const struct truth_family *solid = &family[TRUTH_SOLID], *shell = &family[TRUTH_SHELL];
-    struct judged so_far[TRUTH_MODELS] = {{{0}}};
-
-    for (int n = 0; n < made->times; n++) {
-        double *v = made->value[n];
-        const struct field a =
-            judge_family(solid, n, &so_far[TRUTH_SOLID], v + TRUTH_SOLID_SPACE);
-        const struct field b =
-            judge_family(shell, n, &so_far[TRUTH_SHELL], v + TRUTH_SHELL_SPACE);
-        v[TRUTH_DIFFERENCE] = solid->count && shell->count ? apart(&a, &b) : 0;
-        v[TRUTH_GROWTH] = growth(push, n, length);
-    }
-}
-
-void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL])
-{
-    static const char *const first[] = {"selective solid, cured of locking",
-                                        "Kirchhoff-Love shell, cured of locking"},
-                             *const other[] = {"selective solid",
-                                               "cured Kirchhoff-Love shell"};
-
-    snprintf(text, TRUTH_BAR_LEVEL, "%s, p = %d, %dx%d, %s%.4g ms",
-             (own ? first : other)[l->model], l->degree, l->side, l->side,
-             own ? "step " : "", 1e3 * l->step);
-}
-
-void truth_bar_claim(struct truth *made, double length)
-{
-    int n = 0;
-
-    for (int t = 0; t < made->times; t++) {
-        const double *v = made->value[t];
-        made->error[t] =
-            fmax(fmin(v[TRUTH_SOLID_BAR], v[TRUTH_SHELL_BAR]), v[TRUTH_DIFFERENCE]);
-    }
-    while (n < made->times && made->error[n] <= TRUTH_MOST_ERROR * length &&
-           made->value[n][TRUTH_GROWTH] <= TRUTH_MOST_GROWTH)
-        n++;
-    made->claimed = n;
-}
-
-/* At how many times that are claimed (of all, if none is) a model's field is the truth, and
- * at how many of these its limit is. */
+/* The numbers of times at which a model's field is the truth, and its limit is. */
 struct share {
     int times, limits;
 };
 
-static void fill(const struct truth_family family[TRUTH_MODELS], struct truth *made,
-                 struct share share[TRUTH_MODELS])
-{
-    struct judged so_far[TRUTH_MODELS] = {{{0}}};
-    struct field field[TRUTH_MODELS];
-    double value[3];
-
-    for (int t = 0; t < made->times; t++) {
-        const double *v = made->value[t];
-        const enum truth_model whose =
-            v[TRUTH_SOLID_BAR] <= v[TRUTH_SHELL_BAR] ? TRUTH_SOLID : TRUTH_SHELL;
-        for (int m = 0; m < TRUTH_MODELS; m++)
-            field[m] = judge_family(&family[m], t, &so_far[m], value);
-        for (int n = 0; n < 3 * GRID_POINTS; n++)
-            made->xyz[t][n] = at(&field[whose], n);
-        if (t < made->claimed || !made->claimed) {
-            share[whose].times++;
-            share[whose].limits += field[whose].left > 0;
-        }
-    }
-}
-
 enum { SHARE = 256 };
 
-/* A model's finest run and, if the truth is somewhere its limit, what that is made of. */
+/* Describes a model's finest run and, if the truth is somewhere its limit, what that is
+ * made of. */
 static void tell_share(const struct truth_family *f, int limits, bool own, char text[SHARE])
 {
     const struct truth_level *l = &f->level[f->count - (limits ? SETTLED : 1)];
@@ -340,18 +273,66 @@ static void tell(const struct truth_family family[TRUTH_MODELS],
     assert(length < (int)sizeof made->source); /* nets have at most four digits a side */
 }
 
-void truth_bar_choose(const struct truth_family family[TRUTH_MODELS], double length,
-                      struct truth *made)
+void truth_bar_judge(const struct truth_family family[TRUTH_MODELS],
+                     const struct truth_push *push, double length, struct truth *made)
 {
-    struct share share[TRUTH_MODELS] = {{0}};
+    struct judged judged[TRUTH_MODELS] = {{0}}, *solid = &judged[TRUTH_SOLID],
+                  *shell = &judged[TRUTH_SHELL];
+    struct share all[TRUTH_MODELS] = {{0}}, claimed[TRUTH_MODELS] = {{0}};
+    bool claims = true;
 
-    truth_bar_claim(made, length);
-    fill(family, made, share);
+    made->claimed = 0;
+    for (int t = 0; t < made->times; t++) {
+        double *v = made->value[t];
+        for (int m = 0; m < TRUTH_MODELS; m++)
+            judge_family(&family[m], t, &judged[m]);
+        v[TRUTH_SOLID_SPACE] = v[TRUTH_SOLID_TIME] = solid->order;
+        v[TRUTH_SHELL_SPACE] = v[TRUTH_SHELL_TIME] = shell->order;
+        v[TRUTH_SOLID_BAR] = solid->bar;
+        v[TRUTH_SHELL_BAR] = shell->bar;
+        v[TRUTH_DIFFERENCE] = family[TRUTH_SOLID].count && family[TRUTH_SHELL].count
+                                  ? apart(&solid->field, &shell->field)
+                                  : 0;
+        v[TRUTH_GROWTH] = growth(push, t, length);
+        made->error[t] = fmax(fmin(solid->bar, shell->bar), v[TRUTH_DIFFERENCE]);
+        claims = claims && made->error[t] <= TRUTH_MOST_ERROR * length &&
+                 v[TRUTH_GROWTH] <= TRUTH_MOST_GROWTH;
+        made->claimed += claims;
+        const enum truth_model whose = solid->bar <= shell->bar ? TRUTH_SOLID : TRUTH_SHELL;
+        evaluate(&judged[whose].field, made->xyz[t]);
+        all[whose].times++;
+        all[whose].limits += judged[whose].field.left > 0;
+        if (claims)
+            claimed[whose] = all[whose];
+    }
+    const struct share *share = made->claimed ? claimed : all;
     const enum truth_model most =
         share[TRUTH_SOLID].times >= share[TRUTH_SHELL].times ? TRUTH_SOLID : TRUTH_SHELL;
-    const struct truth_family *f = &family[most];
-    made->level = f->level[truth_bar_finest(f) - f->run];
+    made->level = family[most].level[family[most].count - 1];
     tell(family, share, most, made);
+}
+
+void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz)
+{
+    double h[3];
+
+    sizes(f, f->count - 1, h);
+    const struct field limit = limit_of(f, f->count - 1, h, order, time);
+    evaluate(&limit, xyz);
+}
+
+/* --- Words --- */
+
+void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL])
+{
+    static const char *const first[] = {"selective solid, cured of locking",
+                                        "Kirchhoff-Love shell, cured of locking"},
+                             *const other[] = {"selective solid",
+                                               "cured Kirchhoff-Love shell"};
+
+    snprintf(text, TRUTH_BAR_LEVEL, "%s, p = %d, %dx%d, %s%.4g ms",
+             (own ? first : other)[l->model], l->degree, l->side, l->side,
+             own ? "step " : "", 1e3 * l->step);
 }
 
 void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,

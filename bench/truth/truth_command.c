@@ -10,27 +10,68 @@
 #include "models/grid.h"
 #include "models/reader/scene_file.h"
 
-static void add_row(struct table *t, const struct truth *made, int n, double length)
-{
-    const double *v = made->value[n];
+/* --- One truth --- */
 
-    table_row(t);
-    table_number(t, made->time[n], 3);
-    for (int c = 0; c < TRUTH_GROWTH; c++)
-        if (c < TRUTH_DIFFERENCE && c % 3 != TRUTH_SOLID_BAR)
-            table_fixed(t, v[c], 1);
-        else
-            table_number(t, v[c] / length, 2);
-    table_number(t, v[TRUTH_GROWTH], 2);
-    if (n < made->claimed)
-        table_number(t, made->error[n] / length, 2);
-    else
-        table_missing(t, "no claim");
-    table_number(t, v[TRUTH_THIRD] / length, 2);
-    table_number(t, v[TRUTH_THIRD_BAR] / length, 2);
+/* The columns of the table; `value` is one of TRUTH_COLUMNS, or one of these two. */
+enum { TIME = -1, ERROR_BAR = -2 };
+#define LENGTH(head, name)                                                                 \
+    {                                                                                      \
+        head, "% L", .key = name "_over_length", .scale = 100, .key_unit = "L"             \
+    }
+static const struct {
+    struct table_column head;
+    int value;
+    int digits; /* 0: one decimal                                                       */
+} columns[] = {
+    {{"time", "s"}, TIME, 3},
+    {{"solid: in space", .key = "solid_order_in_space"}, TRUTH_SOLID_SPACE},
+    {{"in time", .key = "solid_order_in_time"}, TRUTH_SOLID_TIME},
+    {LENGTH("bar", "solid_bar"), TRUTH_SOLID_BAR, 2},
+    {{"shell: in space", .key = "shell_order_in_space"}, TRUTH_SHELL_SPACE},
+    {{"in time", .key = "shell_order_in_time"}, TRUTH_SHELL_TIME},
+    {LENGTH("bar", "shell_bar"), TRUTH_SHELL_BAR, 2},
+    {LENGTH("difference", "difference"), TRUTH_DIFFERENCE, 2},
+    {{"growth", "1"}, TRUTH_GROWTH, 2},
+    {LENGTH("error bar", "error_bar"), ERROR_BAR, 2},
+    {LENGTH("packing", "packing"), TRUTH_PACKING, 2},
+    {LENGTH("third", "third"), TRUTH_THIRD, 2},
+    {LENGTH("its bar", "third_bar"), TRUTH_THIRD_BAR, 2},
+};
+enum { COLUMNS = sizeof columns / sizeof *columns };
+
+/* Whether a truth has such numbers at all: nobody ran a closed form, and of somebody else's
+ * runs an order and a bar are known. */
+static bool has_column(const struct truth *made, int value)
+{
+    if (value < 0)
+        return true;
+    if (value < TRUTH_PACKING)
+        return !made->closed && (!made->foreign || value == TRUTH_SHELL_SPACE);
+    for (int n = 0; n < made->times; n++)
+        if (!isnan(made->value[n][value]))
+            return true;
+    return false;
 }
 
-/* Until when it is claimed, and what ends it. */
+static void add_row(struct table *t, const struct truth *made, int n, double length)
+{
+    table_row(t);
+    for (int c = 0; c < COLUMNS; c++) {
+        const int value = columns[c].value;
+        const double number = value == TIME        ? made->time[n]
+                              : value == ERROR_BAR ? made->error[n]
+                                                   : made->value[n][value];
+        if (value == ERROR_BAR && n >= made->claimed)
+            table_missing(t, "no claim");
+        else if (!columns[c].digits)
+            table_fixed(t, number, 1);
+        else
+            table_number(t, columns[c].head.scale > 0 ? number / length : number,
+                         columns[c].digits);
+    }
+}
+
+/* Says until when it is claimed, and what ends the claim. */
 static void note_horizon(struct table *t, const struct truth *made, double length)
 {
     const int n = made->claimed;
@@ -54,10 +95,12 @@ static void note_horizon(struct table *t, const struct truth *made, double lengt
     table_note(t, "Horizon: %s.", made->horizon);
 }
 
-/* What there is to say of truths that were made, and of all. */
 static void add_notes(struct table *t, const struct truth *made, double length)
 {
     table_note(t, "The truth: %s.", made->source);
+    if (has_column(made, TRUTH_PACKING))
+        table_note(t, "Packing: how far a point may have moved as positions were rounded "
+                      "to be stored.");
     if (made->foreign)
         return;
     if (made->closed) {
@@ -82,52 +125,26 @@ static void add_notes(struct table *t, const struct truth *made, double length)
                    made->changed);
 }
 
-static bool has_third(const struct truth *made)
-{
-    for (int n = 0; n < made->times; n++)
-        if (!isnan(made->value[n][TRUTH_THIRD]))
-            return true;
-    return false;
-}
-
-/* Of a truth with many frames the times at which tables judge, and the last claimed one. */
+/* Prints the times at which tables judge, of many frames, and the last claimed one. */
 static enum status print(const struct truth *made, const struct scene *scene,
                          enum table_format format, FILE *file)
 {
-    const double length = scene->length;
-    struct table_column columns[] = {
-        {"time", "s"},
-        {"solid: in space", .key = "solid_order_in_space"},
-        {"in time", .key = "solid_order_in_time"},
-        {"bar", "% L", .key = "solid_bar_over_length", .scale = 100, .key_unit = "L"},
-        {"shell: in space", .key = "shell_order_in_space"},
-        {"in time", .key = "shell_order_in_time"},
-        {"bar", "% L", .key = "shell_bar_over_length", .scale = 100, .key_unit = "L"},
-        {"difference", "% L", .key = "difference_over_length", .scale = 100,
-         .key_unit = "L"},
-        {"growth", "1"},
-        {"error bar", "% L", .key = "error_bar_over_length", .scale = 100, .key_unit = "L"},
-        {"third", "% L", .key = "third_over_length", .scale = 100, .key_unit = "L"},
-        {"its bar", "% L", .key = "third_bar_over_length", .scale = 100, .key_unit = "L"},
-    };
+    struct table_column heads[COLUMNS];
     char caption[128];
 
     snprintf(caption, sizeof caption, "%s of %s: %serror bars",
              made->foreign ? "The third mechanics" : "Truth", scene->name,
              made->closed ? "" : "observed orders and ");
-    for (int n = 0; made->closed && n < TRUTH_STORED; n++)
-        columns[1 + n].readers = TABLE_NOBODY; /* nobody's run */
-    for (int n = 0; made->foreign && n < TRUTH_STORED; n++)
-        if (n != TRUTH_SHELL_SPACE)
-            columns[1 + n].readers = TABLE_NOBODY;
-    for (int n = TRUTH_THIRD; !has_third(made) && n < TRUTH_COLUMNS; n++)
-        columns[2 + n].readers = TABLE_NOBODY; /* behind time and error bar */
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    for (int c = 0; c < COLUMNS; c++) {
+        heads[c] = columns[c].head;
+        heads[c].readers = has_column(made, columns[c].value) ? TABLE_ALL : TABLE_NOBODY;
+    }
+    struct table *t = table_create(COLUMNS, heads, caption);
     for (int n = 0; n < made->times; n++)
         if (made->closed || n == made->claimed - 1 ||
             truth_plan_judges(scene, made->time[n]))
-            add_row(t, made, n, length);
-    add_notes(t, made, length);
+            add_row(t, made, n, scene->length);
+    add_notes(t, made, scene->length);
     const enum status st = table_print(t, format, file);
     table_destroy(t);
     return st;
@@ -135,7 +152,7 @@ static enum status print(const struct truth *made, const struct scene *scene,
 
 /* --- Positions --- */
 
-/* Mean of the two layers at (u, v). */
+/* Interpolates the mean of the two layers at (u, v). */
 static void mid_surface(const double *field, double u, double v, double at[3])
 {
     double across[2], along[2];
@@ -212,14 +229,14 @@ out:
 
 enum status truth_print_all(enum table_format format, FILE *file, struct message *why)
 {
-    static const struct table_column columns[] = {{"scene", NULL, TABLE_LEFT},
-                                                  {"truth", NULL, TABLE_LEFT},
-                                                  {"known to", "s", .key = "known_to_s"},
-                                                  {"error bar there", "% L",
-                                                   .key = "error_bar_over_length",
-                                                   .scale = 100, .key_unit = "L"}};
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
-                                   "What is known of each scene");
+    static const struct table_column heads[] = {{"scene", NULL, TABLE_LEFT},
+                                                {"truth", NULL, TABLE_LEFT},
+                                                {"known to", "s", .key = "known_to_s"},
+                                                {"error bar there", "% L",
+                                                 .key = "error_bar_over_length",
+                                                 .scale = 100, .key_unit = "L"}};
+    struct table *t =
+        table_create(sizeof heads / sizeof *heads, heads, "What is known of each scene");
     struct named_file_entry *scenes = NULL;
     int count = 0;
     enum status st;
@@ -238,10 +255,11 @@ out:
 
 enum { PATH = 4000, FRAMES_MOST = 1000 /* points a direction */ };
 
-/* Without --error: what is requested, and how long all runs may take [s]. */
+/* The error over the length that is requested without --error; the seconds that all runs
+ * may take. */
 static const double ERROR = 0.01, BUDGET = 3600;
 
-/* With --quick: the least that is claimed, in so many seconds of the motion. */
+/* With --quick: until when the motion is known, and what its runs may take [s]. */
 static const double QUICK_UNTIL = 0.2, QUICK_BUDGET = 60;
 
 struct job {
@@ -297,7 +315,7 @@ out:
     return st;
 }
 
-/* By runs, which are kept in a folder of their own. */
+/* Makes a truth by runs, which are kept in a folder of their own. */
 static enum status make_by_runs(struct job *j, const char *own, struct truth_runs *runs,
                                 struct truth *made, struct message *why)
 {
@@ -326,7 +344,7 @@ out:
     return st;
 }
 
-/* Where it goes: FILE, where those are that come with the program, or the results. */
+/* Chooses FILE, the folder of those that come with the program, or the results. */
 static enum status choose_file(const struct job *j, const struct command_line *line,
                                char file[PATH], struct message *why)
 {
@@ -351,7 +369,7 @@ out:
     return st;
 }
 
-/* The truth, by closed forms or runs; or beside it, in third/, what --third has. */
+/* Makes the truth, by closed forms or runs; or beside it, in third/, what --third has. */
 static enum status make(struct job *j, const struct command_line *line, struct message *why)
 {
     struct truth_runs runs = {
@@ -378,6 +396,7 @@ static enum status make(struct job *j, const struct command_line *line, struct m
                 ? make_by_runs(j, command_value(line, "--runs"), &runs, &made, why)
                 : st);
     }
+    truth_pack(&made, j->scene.length);
     TRY(truth_file_write(file, &runs, &made, why));
     TRY(print(&made, &j->scene, j->format, stdout));
     fprintf(stderr, "%s in %s\n", third ? "third mechanics" : "truth", file);
@@ -390,7 +409,7 @@ out:
     return st;
 }
 
-/* What is known without a run. */
+/* Prints what is known without a run. */
 static enum status print_known(const struct job *j, const int points[2],
                                struct message *why)
 {
@@ -404,7 +423,7 @@ static enum status print_known(const struct job *j, const int points[2],
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
 }
 
-/* Of every scene that comes with the program. */
+/* Prints what is known of every scene that comes with the program. */
 static enum status print_all(const struct command_line *line, struct message *why)
 {
     const char *word = command_value(line, "--format");

@@ -187,7 +187,8 @@ static uint64_t add(uint64_t sum, const void *bytes, size_t size)
     return sum;
 }
 
-/* As the file has it: fields as float. Orders that do not exist are one NaN, not many. */
+/* Computes it of what the file has: fields as 32-bit floats; a number that does not exist
+ * is left out, as one NaN is not another. */
 static void checksum(const char *physics, const struct truth *m, char text[17])
 {
     uint64_t sum = add(UINT64_C(0xcbf29ce484222325), physics, strlen(physics));
@@ -201,6 +202,28 @@ static void checksum(const char *physics, const struct truth *m, char text[17])
             sum = add(sum, &(float){(float)m->xyz[n][k]}, sizeof(float));
     }
     snprintf(text, 17, "%016" PRIx64, sum);
+}
+
+void truth_pack(struct truth *t, double length)
+{
+    for (int n = 0; n < t->claimed; n++) {
+        /* no point moves by more than sqrt(3) / 2 of a step */
+        const double most = fmin(t->error[n] / 10 * 2 / sqrt(3), length / 65536);
+        const double step = most > 0 ? ldexp(1, ilogb(most)) : 0;
+        for (int k = 0; step > 0 && k < 3 * GRID_POINTS; k++)
+            t->xyz[n][k] = step * nearbyint(t->xyz[n][k] / step);
+        t->value[n][TRUTH_PACKING] = step * sqrt(3) / 2;
+    }
+}
+
+/* Whether 32-bit floats hold all positions as they are. */
+static bool is_single(const struct truth *t)
+{
+    for (int n = 0; n < t->claimed; n++)
+        for (int k = 0; k < 3 * GRID_POINTS; k++)
+            if ((double)(float)t->xyz[n][k] != t->xyz[n][k])
+                return false;
+    return true;
 }
 
 static enum status put_columns(struct store *store, const struct truth *made,
@@ -282,7 +305,7 @@ enum status truth_file_write(const char *path, const struct truth_runs *runs,
                                                                   : run.model,
                                          .discretization = &run.discretization,
                                          .provenance = &provenance,
-                                         .single = true,
+                                         .single = is_single(made),
                                          .packed = true},
                      &store, why));
     TRY(put_all(store, &run.scene, made, why));
@@ -303,6 +326,8 @@ static enum status read_columns(const struct store_read *file, struct truth *mad
     for (int c = 0; c < COLUMNS; c++) {
         char name[64];
         snprintf(name, sizeof name, "metrics/%s", columns[c].name);
+        if (c == TRUTH_PACKING && !store_read_has(file, name))
+            continue; /* of before truths were packed */
         TRY(store_read_array(file, name, &column, &rows, &width, NULL));
         if (rows != made->times || width != 1)
             TRY(STATUS_INPUT);
@@ -396,54 +421,6 @@ enum status truth_file_third(const char *path, char *third, size_t size,
     return status_fail(why, STATUS_INPUT, "%s: the name is too long", path);
 }
 
-enum { LAYER = GRID_U * GRID_V };
-static const double SAME_TIME = 1e-6; /* [s] */
-
-/* Rms between the middle surfaces. */
-static double apart(const double *a, const double *b)
-{
-    double sum = 0;
-
-    for (int n = 0; n < 3 * LAYER; n++) {
-        const double d = (a[n] + a[n + 3 * LAYER] - b[n] - b[n + 3 * LAYER]) / 2;
-        sum += d * d;
-    }
-    return sqrt(sum / LAYER);
-}
-
-/* Index of a time that the third claims, -1. */
-static int index_of(const struct truth *third, double time)
-{
-    for (int n = 0; n < third->claimed; n++)
-        if (fabs(third->time[n] - time) < SAME_TIME)
-            return n;
-    return -1;
-}
-
-/* Distances and bars at the times that both claim, and the sentence. */
-static void judge(const struct truth *third, struct truth *made)
-{
-    int end = made->claimed;
-
-    for (int n = 0; n < end; n++) {
-        const int k = index_of(third, made->time[n]);
-        double *v = made->value[n];
-        if (k < 0)
-            continue;
-        v[TRUTH_THIRD] = apart(made->xyz[n], third->xyz[k]);
-        v[TRUTH_THIRD_BAR] = third->error[k];
-        if (v[TRUTH_THIRD] > made->error[n] + v[TRUTH_THIRD_BAR])
-            end = n;
-    }
-    const bool contradicts = end < made->claimed;
-    snprintf(made->third, sizeof made->third, "%.511s%s", third->source,
-             contradicts ? "; it contradicts the truth, which is not claimed from then on"
-                         : "");
-    for (int n = end; n < made->claimed; n++)
-        made->xyz[n] = NULL;
-    made->claimed = end;
-}
-
 /* One of other physics than the truth's says nothing of it. */
 static enum status judge_by_third(const char *path, const char *physics, struct truth *made,
                                   struct message *why)
@@ -458,7 +435,7 @@ static enum status judge_by_third(const char *path, const char *physics, struct 
         goto out;
     TRY(read_alone(file, &third, &text, why));
     if (strcmp(text, physics) == 0)
-        judge(&third, made);
+        truth_third_judge(&third, made);
     else
         snprintf(made->third, sizeof made->third,
                  "not compared, as it is of other physics");

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/frames/frames.h"
 #include "bench/harness/deadline.h"
 #include "bench/truth/truth_parts.h"
 #include "iga/support_knots.h"
@@ -375,8 +374,7 @@ static struct truth_outlook look(struct maker *k, struct truth *made)
 {
     struct truth_outlook o;
 
-    truth_bar_compare(k->family, &k->push, k->scene->length, made);
-    truth_bar_claim(made, k->scene->length);
+    truth_bar_judge(k->family, &k->push, k->scene->length, made);
     o = truth_make_look(k->family, &k->push, k->scene, k->runs->frame, made,
                         k->wish->error);
     o.spent = k->spent;
@@ -467,7 +465,6 @@ enum status truth_make(const struct truth_runs *runs, const struct scene *scene,
     const struct truth_family *f = pushed_family(&k);
     TRY(push(&k, f, f->count - 1, why));
     TRY(work(&k, made, &o, end, why));
-    truth_bar_choose(k.family, scene->length, made);
     truth_bar_horizon(&k.push, o.blunt, made->times, made->time, scene->length,
                       made->horizon);
 out:
@@ -476,148 +473,5 @@ out:
     run_result_clear(&k.pushed);
     if (st != STATUS_OK)
         truth_clear(made);
-    return st;
-}
-
-/* --- The third mechanics --- */
-
-enum { LAYER = GRID_U * GRID_V, NETS = 3, DEGREE = 2, PATH = 4096 };
-static const double SAME_TIME = 1e-6, SAME_PLACE = 1e-6; /* [s]; of u and v */
-
-/* Vertices are the material grid's, u fastest. */
-static enum status check_net(const struct frames *f, struct message *why)
-{
-    const struct frames_net *net = frames_net(f);
-    double uvw[3], off = 0;
-
-    for (int n = 0; net->uv && net->vertices == LAYER && n < LAYER; n++) {
-        grid_point(n, uvw);
-        off = fmax(off,
-                   fmax(fabs(net->uv[2 * n] - uvw[0]), fabs(net->uv[2 * n + 1] - uvw[1])));
-    }
-    if (net->uv && net->vertices == LAYER && off < SAME_PLACE)
-        return STATUS_OK;
-    return status_fail(
-        why, STATUS_INPUT,
-        "%s: the %d x %d points u = i/%d, v = j/%d, u fastest, would be right",
-        frames_name(f), GRID_U, GRID_V, GRID_U - 1, GRID_V - 1);
-}
-
-/* Both layers of the field are the middle surface. */
-static enum status add_frame(struct run_result *r, double t, const double *xyz)
-{
-    const size_t count = (size_t)r->frames + 1, numbers = 3 * LAYER;
-    double *time = realloc(r->time, count * sizeof *time);
-    double **all = time ? realloc(r->xyz, count * sizeof *all) : NULL;
-
-    r->time = time ? time : r->time;
-    r->xyz = all ? all : r->xyz;
-    if (!all || !(all[r->frames] = malloc(GRID_W * numbers * sizeof *xyz)))
-        return STATUS_MEMORY;
-    for (size_t n = 0; n < GRID_W * numbers; n++)
-        all[r->frames][n] = xyz[n % numbers];
-    time[r->frames++] = t;
-    return STATUS_OK;
-}
-
-static enum status read_net(const char *path, struct run_result *r, struct message *why)
-{
-    struct frames *f = NULL;
-    const double *xyz;
-    double t;
-    enum status st;
-
-    TRY(frames_open(1, &path, &(struct frames_look){0}, &f, why));
-    TRY(check_net(f, why));
-    for (;;) {
-        TRY(frames_next(f, &t, &xyz, why));
-        if (!xyz)
-            break;
-        TRY(add_frame(r, t, xyz));
-    }
-out:
-    frames_close(f);
-    return st;
-}
-
-/* FOLDER/N.csv of N elements, from coarse to fine, as the folder's numbers are. */
-static enum status read_nets(const char *folder, struct truth_family *f,
-                             struct message *why)
-{
-    struct frames_folder files = {0};
-    enum status st;
-
-    TRY(frames_folder_read(folder, &files, why));
-    for (int n = 0; n < files.count && f->count < NETS; n++) {
-        char *end;
-        const long elements = strtol(files.path[n] + strlen(folder) + 1, &end, 10);
-        if (elements < 1 || elements > 9999 || strcmp(end, ".csv") != 0)
-            continue;
-        f->level[f->count] =
-            (struct truth_level){.degree = DEGREE, .side = (int)elements + DEGREE};
-        TRY(read_net(files.path[n], &f->run[f->count++], why));
-    }
-    if (f->count < NETS)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: has %d of three nets of frames, N.csv of N elements", folder,
-                        f->count));
-out:
-    frames_folder_clear(&files);
-    return st;
-}
-
-/* Times that all nets begin with: one may have died, or not have come further. */
-static int common_times(const struct truth_family *f)
-{
-    int n = 0;
-
-    for (;; n++)
-        for (int k = 0; k < NETS; k++)
-            if (n >= f->run[k].frames ||
-                fabs(f->run[k].time[n] - f->run[0].time[n]) > SAME_TIME)
-                return n;
-}
-
-/* The first line of FOLDER/note.txt. */
-static enum status read_note(const char *folder, struct truth *third, struct message *why)
-{
-    char path[PATH];
-
-    snprintf(path, sizeof path, "%s/note.txt", folder);
-    FILE *file = fopen(path, "r");
-    if (!file)
-        return status_fail(why, STATUS_INPUT, "%s: cannot be read", path);
-    third->source[fread(third->source, 1, sizeof third->source - 1, file)] = '\0';
-    fclose(file);
-    third->source[strcspn(third->source, "\n")] = '\0';
-    return STATUS_OK;
-}
-
-enum status truth_third_make(const char *folder, double length, struct truth *third,
-                             struct message *why)
-{
-    struct truth_family family[TRUTH_MODELS] = {{0}};
-    struct truth_family *f = &family[TRUTH_SHELL];
-    enum status st;
-
-    memset(third, 0, sizeof *third);
-    TRY(read_nets(folder, f, why));
-    const int times = common_times(f);
-    if (!times)
-        TRY(status_fail(why, STATUS_INPUT, "%s: its nets have no time in common", folder));
-    TRY(truth_init(third, times, times, f->run[0].time));
-    third->foreign = true;
-    /* Nobody pushed it: nothing is known of the growth. */
-    truth_bar_compare(family, &(struct truth_push){.plain = f->run, .pushed = f->run},
-                      length, third);
-    truth_bar_claim(third, length);
-    for (int n = 0; n < times; n++)
-        truth_bar_limit(f, third->value[n][TRUTH_SHELL_SPACE], n, third->xyz[n]);
-    TRY(read_note(folder, third, why));
-    snprintf(third->horizon, sizeof third->horizon, "not watched");
-out:
-    truth_family_clear(f);
-    if (st != STATUS_OK)
-        truth_clear(third);
     return st;
 }

@@ -82,7 +82,7 @@ static void check_bad(const char *word)
 {
     struct message why = {""};
     field.times = -1;
-    CHECK(freefem_read(bad, &field, &why) == STATUS_INPUT);
+    CHECK(freefem_read(bad, NULL, &field, &why) == STATUS_INPUT);
     CHECK(field.times == -1); /* untouched */
     if (!CHECK(strstr(why.text, word) && strstr(why.text, bad)))
         printf("  said: %s\n", why.text);
@@ -106,7 +106,7 @@ static void check_fields(void)
         {144, "1,1,0,0,-0.6", "cut short"}};
     struct message why;
 
-    CHECK(freefem_read("/no/such/file", &field, &why) == STATUS_FILE);
+    CHECK(freefem_read("/no/such/file", NULL, &field, &why) == STATUS_FILE);
     for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
         put_row(want[n].row, want[n].text);
         check_bad(want[n].word);
@@ -127,17 +127,17 @@ static void check_jobs(void)
     struct freefem_job job = job_of(THIN);
     struct scene s;
 
-    REQUIRE(!freefem_stored(&job, stored[THIN].path, &field, &why));
-    CHECK(field.times == 4 && field.time[3] == 0.4 && strstr(field.origin, "stored"));
+    REQUIRE(!freefem_read(stored[THIN].path, &job, &field, &why));
+    CHECK(field.times == 4 && field.time[3] == 0.4);
     for (int t = 0; t < 4; t++)
         CHECK(field.error[t] > 0 && field.error[t] < 1e-3);
     job.young = 2e5;
-    CHECK(freefem_stored(&job, stored[THIN].path, &field, &why) == STATUS_UNSUPPORTED);
+    CHECK(freefem_read(stored[THIN].path, &job, &field, &why) == STATUS_UNSUPPORTED);
     CHECK(strstr(why.text, "young"));
     job = job_of(STATIC);
-    REQUIRE(!freefem_stored(&job, stored[STATIC].path, &field, &why));
+    REQUIRE(!freefem_read(stored[STATIC].path, &job, &field, &why));
     CHECK(field.times == 1 && isinf(field.time[0]));
-    CHECK(freefem_stored(&job, stored[THICK].path, &field, &why) == STATUS_UNSUPPORTED);
+    CHECK(freefem_read(stored[THICK].path, &job, &field, &why) == STATUS_UNSUPPORTED);
     make_scene(&s, 0.01, 0.3);
     CHECK(!freefem_job_of(&s, &job, &why));
     CHECK(job.thickness == 0.01 && job.young == 1e5 && job.poisson == 0.3);
@@ -212,7 +212,7 @@ static void check_stored(void)
 {
     for (int n = 0; n < FIELDS; n++) {
         const struct freefem_job job = job_of(n);
-        REQUIRE(!freefem_stored(&job, stored[n].path, &field, NULL));
+        REQUIRE(!freefem_read(stored[n].path, &job, &field, NULL));
         against_kirchhoff(&field, &job, field.error);
         if (n == BEAM)
             against_beam(&field);

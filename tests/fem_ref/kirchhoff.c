@@ -1,10 +1,12 @@
-/* Kirchhoff plate, one edge clamped: closed forms at nu = 0, frequencies computed
- * elsewhere, convergence of the series, energy and orthogonality. */
+/* Kirchhoff plate, one edge clamped: closed forms at nu = 0, lowest frequencies computed
+ * elsewhere, convergence of the series. (freefem.c: the motion of a solid at nu = 0.3.) */
 #include "fem_ref/kirchhoff.h"
 #include "fem_ref/reference.h"
 #include "fem_ref/ritz.h"
 #include "models/linalg/gauss.h"
 #include "tests/check.h"
+
+#include <complex.h>
 
 /* Sums of a few thousand terms of order 1, conditioned like terms^2. */
 #define TOL_CLOSED 1e-10
@@ -100,46 +102,58 @@ static double beam_mode(int n, double x, double *load)
            s * sin(b * x);
 }
 
-static double beam_transient(const struct kirchhoff_plate *p, double t, double x)
+/* 1 - (r e^(p t) - p e^(r t)) / (r - p) with the roots p and r of x^2 + alpha x + omega^2.
+ */
+static double step_response(double omega, double alpha, double t)
+{
+    const double complex root = csqrt(alpha * alpha / 4 - omega * omega);
+    const double complex r = -alpha / 2 + root, p = -alpha / 2 - root;
+
+    return creal(1 - (r * cexp(p * t) - p * cexp(r * t)) / (r - p));
+}
+
+static double beam_transient(const struct kirchhoff_plate *p, double alpha, double t,
+                             double x)
 {
     const double D = stiffness(p), m = p->density * p->thickness;
     double sum = 0, load;
 
     for (int n = 400; n >= 1; n--) { /* the tail goes as n^-5 */
         double b = beam_root(n), omega = b * b * sqrt(D / m);
-        double mode = beam_mode(n, x, &load), half = sin(omega * t / 2);
-        sum += 2 * half * half * load * mode * weight(p) / (m * omega * omega);
+        double mode = beam_mode(n, x, &load);
+        sum +=
+            step_response(omega, alpha, t) * load * mode * weight(p) / (m * omega * omega);
     }
     return sum;
 }
 
+/* Undamped; and damped so that all modes swing, the first creeps, or the first four do. */
 static void check_beam(void)
 {
-    static const int uniform[] = {0, 2, 6}; /* modes that do not vary across (leissa) */
+    static const double alphas[] = {0, 0.5, 2, 60};
+    enum { POINTS = 33 };
     struct kirchhoff_plate p = sheet;
     p.poisson = 0;
     struct kirchhoff *k = make(&p, KIRCHHOFF_TERMS);
-    const double D = stiffness(&p), unit = sqrt(D / (p.density * p.thickness));
+    const double D = stiffness(&p), q = weight(&p);
 
     CHECK_NEAR(kirchhoff_static(k, D, 1, 0), 0.125, TOL_CLOSED);
     for (double x = 0; x <= 1; x += 0.125)
         CHECK_NEAR(kirchhoff_static(k, D, x, 0.3), x * x * (x * x - 4 * x + 6) / 24,
                    TOL_CLOSED);
-    for (int i = 0; i < 3; i++) {
-        double b = beam_root(i + 1);
-        CHECK_RELATIVE(kirchhoff_frequency(k, uniform[i]), b * b * unit, TOL_CLOSED);
-    }
-    for (int i = 0; i < TIMES; i++) {
-        enum { POINTS = 33 };
-        double sum = 0, most = fabs(beam_transient(&p, times[i], 1));
-        for (int n = 0; n < POINTS; n++) {
-            double x = n / (POINTS - 1.0);
-            double error = kirchhoff_transient(k, weight(&p), 0, times[i], x, 0.8) -
-                           beam_transient(&p, times[i], x);
+    for (int n = 0; n < 4 * TIMES; n++) {
+        const double alpha = alphas[n / TIMES], t = times[n % TIMES];
+        double sum = 0, most = fabs(beam_transient(&p, alpha, t, 1));
+        for (int i = 0; i < POINTS; i++) {
+            double x = i / (POINTS - 1.0);
+            double error = kirchhoff_transient(k, q, alpha, t, x, 0.8) -
+                           beam_transient(&p, alpha, t, x);
             sum += error * error;
         }
         CHECK_NEAR(sqrt(sum / POINTS) / most, 0, KIRCHHOFF_TRANSIENT_ERROR);
     }
+    CHECK_RELATIVE(kirchhoff_transient(k, q, 60, 1e5, 1, 0), kirchhoff_static(k, q, 1, 0),
+                   TOL_CLOSED);
     kirchhoff_destroy(k);
 }
 
@@ -153,32 +167,39 @@ static double allowed(double step, double lambda)
     return 4 * step + 1e-7 * lambda;
 }
 
+/* The lowest frequency, in units of 1 / s of the plate: under this much damping the first
+ * mode creeps, and from t = 3 on the others have ended (e^-30). */
+static double lowest(const struct kirchhoff *k, double unit)
+{
+    const double alpha = 20 * unit, still = kirchhoff_static(k, 1, 2, 0);
+    const double rate = log((still - kirchhoff_transient(k, 1, alpha, 3 / unit, 2, 0)) /
+                            (still - kirchhoff_transient(k, 1, alpha, 4 / unit, 2, 0))) *
+                        unit;
+
+    return sqrt(alpha * rate - rate * rate) / unit;
+}
+
 static void check_frequencies(void)
 {
     struct reference *t = NULL;
-    struct kirchhoff *k = NULL;
-    double nu = NAN, width = NAN;
     int found = 0;
 
     REQUIRE(!reference_open(REFERENCE_DIR "/leissa_plate_frequencies.csv", &t, NULL));
     for (int row = reference_find(t, 0, "bc", "CFFF"); row >= 0;
-         row = reference_find(t, row + 1, "bc", "CFFF"), found++) {
-        if (nu != reference_number(t, row, "nu") ||
-            width != reference_number(t, row, "Ly")) {
-            nu = reference_number(t, row, "nu"), width = reference_number(t, row, "Ly");
-            kirchhoff_destroy(k); /* in other units than the table's */
-            struct kirchhoff_plate p = {2, 2 * width, 0.01, 3, nu, 7};
-            k = make(&p, 28);
-        }
-        struct kirchhoff_plate p = {2, 2 * width, 0.01, 3, nu, 7};
-        double unit = sqrt(stiffness(&p) / (p.density * p.thickness)) / 4;
-        double lambda = reference_number(t, row, "lambda");
+         row = reference_find(t, row + 1, "bc", "CFFF")) {
+        if (reference_number(t, row, "mode") != 1)
+            continue;
+        const struct kirchhoff_plate p = {2, 2 * reference_number(t, row, "Ly"), 0.01,
+                                          3, reference_number(t, row, "nu"),     7};
+        struct kirchhoff *k = make(&p, 28);
+        const double lambda = reference_number(t, row, "lambda");
         const double TOL_TABLE = allowed(reference_number(t, row, "est_err"), lambda);
-        int mode = (int)reference_number(t, row, "mode") - 1;
-        CHECK_NEAR(kirchhoff_frequency(k, mode) / unit, lambda, TOL_TABLE);
+        const double unit = sqrt(stiffness(&p) / (p.density * p.thickness)) / 4;
+        CHECK_NEAR(lowest(k, unit), lambda, TOL_TABLE);
+        kirchhoff_destroy(k);
+        found++;
     }
-    CHECK(found >= 24);
-    kirchhoff_destroy(k);
+    CHECK(found == 9);
     reference_close(t);
 }
 
@@ -229,64 +250,6 @@ static void check_convergence(const struct kirchhoff *k)
     kirchhoff_destroy(fine);
 }
 
-/* Undamped: kinetic + elastic + potential = 0. Damped: its rate is -2 alpha kinetic, also
- * where the lowest modes creep (alpha / 2 > omega) while the others swing. */
-static void check_energy(const struct kirchhoff *k)
-{
-    static const double alphas[] = {0.5, 2, 60};
-    const double q = weight(&sheet), t = 0.3;
-    struct energy e, before, after;
-
-    for (int i = 0; i < TIMES; i++) {
-        REQUIRE(!kirchhoff_energy(k, q, 0, times[i], &e));
-        const double TOL_ENERGY = TOL_CLOSED * fabs(e.potential);
-        CHECK(e.kinetic > 0 && e.elastic > 0 && e.potential < 0);
-        CHECK_NEAR(e.kinetic + e.elastic, -e.potential, TOL_ENERGY);
-    }
-    for (int i = 0; i < 3; i++) {
-        const double step =
-            1e-5; /* the energy's rate is smooth: error (omega step)^2 / 6 */
-        const double TOL_RATE = 1e-4;
-        double rate = 0;
-        REQUIRE(!kirchhoff_energy(k, q, alphas[i], t - step, &before));
-        REQUIRE(!kirchhoff_energy(k, q, alphas[i], t + step, &after));
-        REQUIRE(!kirchhoff_energy(k, q, alphas[i], t, &e));
-        rate += (after.kinetic - before.kinetic) / (2 * step);
-        rate += (after.elastic - before.elastic) / (2 * step);
-        rate += (after.potential - before.potential) / (2 * step);
-        CHECK_RELATIVE(rate, -2 * alphas[i] * e.kinetic, TOL_RATE);
-    }
-    const double still = kirchhoff_static(k, q, 1, 0);
-    CHECK_RELATIVE(kirchhoff_transient(k, q, 2, 400, 1, 0), still, TOL_CLOSED);
-    CHECK_RELATIVE(kirchhoff_transient(k, q, 60, 1e5, 1, 0), still, TOL_CLOSED);
-}
-
-static void check_modes(const struct kirchhoff *k)
-{
-    enum { MODES = 6, PANELS = 3, POINTS = 16 * PANELS };
-    double x[POINTS], w[POINTS], product[MODES][MODES] = {0};
-
-    gauss_rule(16, x, w);
-    for (int i = POINTS - 1; i >= 0; i--) {
-        x[i] = (x[i % 16] + i / 16) / PANELS;
-        w[i] = w[i % 16] / PANELS;
-    }
-    for (int n = 0; n < POINTS * POINTS; n++) {
-        double f[MODES], weight_here = w[n % POINTS] * w[n / POINTS];
-        for (int i = 0; i < MODES; i++)
-            f[i] = kirchhoff_mode(k, i, x[n % POINTS], x[n / POINTS]);
-        for (int i = 0; i < MODES; i++)
-            for (int j = 0; j < MODES; j++)
-                product[i][j] += weight_here * f[i] * f[j];
-    }
-    /* K-orthonormal vectors have the M-products of modes i, j to round-off of the largest
-     * mu, scaled here by 1 / sqrt(mu_i mu_j): (27.2 / 3.47)^2 times worse. */
-    const double TOL_MODES = 100 * TOL_CLOSED;
-    for (int i = 0; i < MODES; i++)
-        for (int j = 0; j < MODES; j++)
-            CHECK_NEAR(product[i][j], i == j, TOL_MODES);
-}
-
 int main(void)
 {
     check_ritz(RITZ_CLAMPED_FREE);
@@ -295,8 +258,6 @@ int main(void)
     check_frequencies();
     struct kirchhoff *k = make(&sheet, KIRCHHOFF_TERMS);
     check_convergence(k);
-    check_energy(k);
-    check_modes(k);
     kirchhoff_destroy(k);
     return check_result();
 }

@@ -14,21 +14,13 @@ static enum status open_text(const char *text, size_t size, struct reference **t
     return reference_open(path, t, why);
 }
 
-static void check_refused(const char *text, size_t size, int line, const char *what)
+/* The sentence begins with the file. */
+static void check_said(const struct message *why, const char *said)
 {
-    struct reference *t = NULL;
-    struct message why;
-    char want[256];
+    const size_t length = strlen(path);
 
-    CHECK(open_text(text, size, &t, &why) == STATUS_INPUT);
-    CHECK(t == NULL);
-    if (line)
-        snprintf(want, sizeof want, "%s:%d: %s", path, line, what);
-    else
-        snprintf(want, sizeof want, "%s: %s", path, what);
-    if (!CHECK(!strcmp(why.text, want)))
-        printf("  got  %s\n  want %s\n", why.text, want);
-    reference_close(t);
+    if (!CHECK(!strncmp(why->text, path, length) && !strcmp(why->text + length, said)))
+        printf("  got  %s\n  want %s%s\n", why->text, path, said);
 }
 
 static void check_reads(void)
@@ -39,7 +31,7 @@ static void check_reads(void)
     struct message why;
 
     REQUIRE(open_text(text, sizeof text - 1, &t, &why) == STATUS_OK);
-    CHECK(reference_rows(t) == 4 && reference_columns(t) == 3);
+    CHECK(reference_rows(t) == 4);
     CHECK(reference_column(t, "y") == 2 && reference_column(t, "z") == -1);
     CHECK(!strcmp(reference_text(t, 0, "name"), "first"));
     CHECK(reference_number(t, 0, "x") == 1.5 && reference_number(t, 1, "x") == -2e-3);
@@ -61,21 +53,32 @@ static void check_reads(void)
 
 static void check_refusals(void)
 {
+#define TEXT(text) text, sizeof text - 1
+    static const struct {
+        const char *text;
+        size_t size;
+        const char *said;
+    } cases[] = {
+        {TEXT(""), ": no rows"},
+        {TEXT("# only words\n"), ": no rows"},
+        {TEXT("a,b\n"), ": no rows"},
+        {TEXT("a,b\n1,2\n3\n"), ":3: too few cells"},
+        {TEXT("a,b\n1,2,3\n"), ":2: too many cells"},
+        {TEXT("a,b\n\n1,2\n"), ":2: a blank line"},
+        {TEXT("a,a\n1,2\n"), ":1: two columns of one name"},
+        {TEXT("a,\n1,2\n"), ":1: a column without a name"},
+        {TEXT("a,b\n\"1\",2\n"), ":2: quotes are not part of the format"},
+        {TEXT("a,b\n1, 2\n"), ":2: blanks around a cell"},
+        {TEXT("a,b\n1,2"), ":2: the last line has no end: cut short?"},
+        {TEXT("a,b\n1,\0002\n"), ": not a text file"},
+    };
     struct reference *t = NULL;
     struct message why;
-#define REFUSED(text, line, what) check_refused(text, sizeof text - 1, line, what)
-    REFUSED("", 0, "no rows");
-    REFUSED("# only words\n", 0, "no rows");
-    REFUSED("a,b\n", 0, "no rows");
-    REFUSED("a,b\n1,2\n3\n", 3, "too few cells");
-    REFUSED("a,b\n1,2,3\n", 2, "too many cells");
-    REFUSED("a,b\n\n1,2\n", 2, "a blank line");
-    REFUSED("a,a\n1,2\n", 1, "two columns of one name");
-    REFUSED("a,\n1,2\n", 1, "a column without a name");
-    REFUSED("a,b\n\"1\",2\n", 2, "quotes are not part of the format");
-    REFUSED("a,b\n1, 2\n", 2, "blanks around a cell");
-    REFUSED("a,b\n1,2", 2, "the last line has no end: cut short?");
-    REFUSED("a,b\n1,\0002\n", 0, "not a text file");
+
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        CHECK(open_text(cases[n].text, cases[n].size, &t, &why) == STATUS_INPUT && !t);
+        check_said(&why, cases[n].said);
+    }
     unlink(path);
     CHECK(reference_open(path, &t, &why) == STATUS_FILE && strstr(why.text, path));
     CHECK(reference_open("/", &t, NULL) == STATUS_FILE); /* a folder */
@@ -99,7 +102,6 @@ static void check_faults(void)
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         struct reference *t = NULL;
         struct message why;
-        char want[256];
 
         REQUIRE(open_text(text, sizeof text - 1, &t, &why) == STATUS_OK);
         CHECK(reference_number(t, 0, "x") == 1.5);
@@ -107,9 +109,7 @@ static void check_faults(void)
         CHECK(isnan(reference_number(t, cases[n].row, cases[n].column)));
         CHECK(!*reference_text(t, 7, "no such column either"));
         CHECK(reference_fault(t, &why) == STATUS_INPUT);
-        snprintf(want, sizeof want, "%s%s", path, cases[n].said);
-        if (!CHECK(!strcmp(why.text, want)))
-            printf("  got  %s\n  want %s\n", why.text, want);
+        check_said(&why, cases[n].said);
         reference_close(t);
     }
 }

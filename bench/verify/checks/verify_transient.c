@@ -86,7 +86,7 @@ static enum status transient_init(struct transient *t, struct message *why)
     TRY(freefem_job_of(&t->scene, &job, why));
     job.moving = true;
     TRY(truth_table_path("freefem_transient_h1177um", &solid, why));
-    TRY(freefem_stored(&job, solid, &t->solid, why));
+    TRY(freefem_read(solid, &job, &t->solid, why));
     for (int n = 0; n < GRID_POINTS; n++)
         grid_point(n, t->uvw + 3 * n);
     for (int n = 0; n < TIMES; n++) {

@@ -14,6 +14,9 @@
 
 static const char *folder;
 
+/* The rounding of a point in 32-bit floats, whose coordinates are below 2 m [m]. */
+static const double FLOAT = 1.04e-7;
+
 enum { TIMES = 2 };
 static const double times[TIMES] = {0.1, 0.2};
 
@@ -55,7 +58,8 @@ static void mid_size(const char *scene, enum truth_model model, int degree)
     asked_close(&a);
 }
 
-/* A truth that comes with the program was made by a commit with no file changed. */
+/* A truth that comes with the program was made by a commit with no file changed, and packed
+ * below a tenth of its bars, or as sharply as 32-bit floats of a metre are. */
 static void check_origin(const char *name, const struct scene *s)
 {
     struct truth made;
@@ -63,6 +67,10 @@ static void check_origin(const char *name, const struct scene *s)
     REQUIRE(truth_file_find(name, s, &made, NULL) == STATUS_OK);
     if (!CHECK(truth_file_clean(made.commit, made.changed)))
         printf("%s: commit %s, %s changed files\n", name, made.commit, made.changed);
+    for (int n = 0; n < made.claimed; n++)
+        if (!CHECK(made.value[n][TRUTH_PACKING] <= fmax(made.error[n] / 10, FLOAT)))
+            printf("%s at %g s: packing %g m, bar %g m\n", name, made.time[n],
+                   made.value[n][TRUTH_PACKING], made.error[n]);
     truth_clear(&made);
 }
 

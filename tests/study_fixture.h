@@ -5,7 +5,6 @@
 #ifndef STUDY_FIXTURE_H
 #define STUDY_FIXTURE_H
 
-#include "bench/experiment/experiment.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/plan.h"
 #include "bench/experiment/study.h"

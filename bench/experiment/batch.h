@@ -13,7 +13,6 @@
 #ifndef BATCH_H
 #define BATCH_H
 
-#include "bench/experiment/experiment.h"
 #include "bench/experiment/measurement.h"
 
 struct batch {

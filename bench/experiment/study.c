@@ -166,9 +166,13 @@ out:
     return st;
 }
 
+/* Measures a sheet; NULL: nothing is known. */
 static void measure_frame(const struct scene *scene, const double *xyz,
                           struct study_frame *f)
 {
+    *f = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    if (!xyz)
+        return;
     f->xyz = xyz;
     f->roughness = metric_roughness(scene, xyz);
     f->inner = metric_inner_roughness(scene, xyz);
@@ -218,10 +222,7 @@ static void fill_row(const struct study *s, struct study_row *row)
     const double frame = timed && r->step.count ? r->step.median : NAN;
 
     for (int t = 0; t < PLAN_STUDY_TIMES; t++)
-        row->frame[t] =
-            (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    for (int t = 0; t < frames; t++)
-        measure_frame(&row->run.scene, r->xyz[t], &row->frame[t]);
+        measure_frame(&row->run.scene, t < frames ? r->xyz[t] : NULL, &row->frame[t]);
     row->theory = row->left_out ? NAN : theory_of(s, row);
     row->milliseconds = 1e3 * frame;
     row->seconds = !s->time       ? frame
@@ -269,6 +270,8 @@ static void compare(struct study *s, int t)
     }
 }
 
+static const struct plan_level of_truth = {.label = "truth"};
+
 static enum status read_one(const struct plan *plan, const struct plan_study *study,
                             const char *folder, bool quick, struct study *s,
                             struct message *why)
@@ -284,6 +287,7 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
         s->row[n].level = &study->levels[n];
         s->row[n].left_out = quick && study->levels[n].slow;
     }
+    s->row[study->level_count] = (struct study_row){.level = &of_truth, .left_out = true};
     TRY(plan_case_level(plan, study, NULL, false, &all, why));
     TRY(plan_case_scene(&all, &scene, why));
     s->gamma = scene_gamma(&scene);
@@ -301,8 +305,9 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
         st = STATUS_OK;
     }
     for (int t = 0; t < s->frames; t++) {
-        if (s->truth)
-            measure_frame(&scene, s->truth->xyz[t], &s->true_frame[t]);
+        struct study_frame *f = &s->row[study->level_count].frame[t];
+        measure_frame(&scene, s->truth ? s->truth->xyz[t] : NULL, f);
+        f->error = 0;
         compare(s, t);
     }
 out:
@@ -342,14 +347,6 @@ void study_clear(struct study_results *r)
     }
     free(r->study);
     *r = (struct study_results){0};
-}
-
-const struct study *study_find(const struct study_results *r, const char *name)
-{
-    for (int n = 0; n < r->count; n++)
-        if (!strcmp(r->study[n].plan->name, name))
-            return &r->study[n];
-    return NULL;
 }
 
 double study_distance(const struct place *a, const struct place *b)

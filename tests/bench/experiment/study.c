@@ -57,6 +57,15 @@ static double rmse(const char *a, const char *b, int frame)
     return value;
 }
 
+/* A study by its name; NULL: there is none. */
+static const struct study *study_of(const struct study_results *r, const char *name)
+{
+    for (int n = 0; n < r->count; n++)
+        if (!strcmp(r->study[n].plan->name, name))
+            return &r->study[n];
+    return NULL;
+}
+
 static void measure(const struct plan *plan)
 {
     const struct measurement_options options = {.quick = true};
@@ -89,8 +98,8 @@ static void against_truth(void)
 
     measure(&plan);
     REQUIRE(study_read(&plan, folder, &all, &why) == STATUS_OK);
-    const struct study *s = study_find(&all, "light");
-    REQUIRE(s && all.count == 1 && !study_find(&all, "heavy"));
+    const struct study *s = study_of(&all, "light");
+    REQUIRE(s && all.count == 1 && !study_of(&all, "heavy"));
     CHECK(s->length == 1 && s->gamma < TRUTH_GAMMA);
     REQUIRE(s->truth && strstr(s->truth->source, "Kirchhoff"));
     for (int t = 0; t < 2; t++) {
@@ -102,8 +111,8 @@ static void against_truth(void)
         CHECK(b->finest == b->next && isnan(c->finest) && isnan(c->next));
         CHECK(c->error < b->error && b->error < a->error);
         CHECK(study_order(s, t) > 1); /* p = 2: two, once waves are resolved */
-        CHECK(s->true_frame[t].drop > 0 && s->true_frame[t].roughness > 0);
-        CHECK_RELATIVE(c->drop, s->true_frame[t].drop, 0.05); /* as the errors above */
+        CHECK(s->row[3].frame[t].drop > 0 && s->row[3].frame[t].roughness > 0);
+        CHECK_RELATIVE(c->drop, s->row[3].frame[t].drop, 0.05); /* as the errors above */
     }
     CHECK(s->row[0].result.unknowns == 3 * (36 - 12)); /* two rows of six are held */
     CHECK(s->row[1].milliseconds > 0);
@@ -140,9 +149,9 @@ static void deaths_and_refusals(void)
 
     measure(&plan);
     REQUIRE(file && study_read(&plan, folder, &all, NULL) == STATUS_OK);
-    REQUIRE(study_print_all(&all, folder, TABLE_TEXT, file, NULL) == STATUS_OK);
+    REQUIRE(dataset_print(&all, folder, TABLE_TEXT, file, NULL) == STATUS_OK);
     fclose(file);
-    const struct study *s = study_find(&all, "rough"), *late = study_find(&all, "late");
+    const struct study *s = study_of(&all, "rough"), *late = study_of(&all, "late");
     const struct study_row *row = s->row;
     CHECK(!s->truth && isnan(row[0].frame[0].error));
     CHECK(row[1].frame[0].xyz && !row[1].frame[1].xyz && row[1].milliseconds > 0);
@@ -151,10 +160,10 @@ static void deaths_and_refusals(void)
     CHECK(isnan(row[0].frame[1].next)); /* nobody else lives */
     CHECK(isnan(study_order(s, 0)));
     CHECK(strstr(text, "died at t = 0.265 s") && strstr(text, "remedy=incompatible: "));
-    CHECK(!late->truth && strstr(text, "Truth: none; no truth is claimed"));
+    CHECK(!late->truth && strstr(text, "Truth of late: none; no truth is claimed"));
     CHECK(!strcmp(late->plan->levels[0].name, "flat_sheet"));
     /* A factor a step has no limit: the shell's own steps would be damped otherwise. */
-    CHECK(!study_find(&all, "scaled")->truth && strstr(text, "scaled by a factor each"));
+    CHECK(!study_of(&all, "scaled")->truth && strstr(text, "scaled by a factor each"));
     free(text);
     study_clear(&all);
     CHECK(study_read(&plan, "/proc/nowhere", &all, NULL) == STATUS_FILE);
@@ -252,8 +261,7 @@ static void rest_and_quick(void)
     judge_mark(folder, true);
     measure(&plan);
     REQUIRE(study_read(&plan, folder, &all, NULL) == STATUS_OK);
-    const struct study *rest = study_find(&all, "rest"),
-                       *moved = study_find(&all, "motion");
+    const struct study *rest = study_of(&all, "rest"), *moved = study_of(&all, "motion");
     CHECK(all.quick && rest->frames == 1 && !rest->time &&
           isnan(rest->row[0].milliseconds));
     REQUIRE(rest->row[0].frame[0].xyz && rest->row[1].frame[0].xyz);

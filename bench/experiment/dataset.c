@@ -16,7 +16,7 @@ const char *dataset_label(const struct study *s, int level, const char *axis)
         return s->plan->caption;
     for (int n = 0; n < s->plan->axis_count; n++)
         if (!strcmp(axis, s->plan->axis[n].name))
-            return s->row[level].level->word[n];
+            return s->row[level].level->part[n]->label;
     return s->plan->axis_count || strcmp(axis, "level") ? NULL : s->row[level].level->label;
 }
 

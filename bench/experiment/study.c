@@ -366,8 +366,8 @@ int study_reference(const struct study_results *d, const struct study *s, int le
         for (int a = 0; a < s->plan->axis_count; a++) {
             const struct plan_setting *given =
                 plan_settings_find(reference, s->plan->axis[a].name);
-            const char *want = given ? given->value : s->row[level].level->word[a];
-            same = same && !strcmp(s->row[n].level->word[a], want);
+            const char *want = given ? given->value : s->row[level].level->part[a]->label;
+            same = same && !strcmp(s->row[n].level->part[a]->label, want);
         }
         if (same)
             return n;

@@ -20,7 +20,7 @@ const char *dataset_label(const struct study *s, int level, const char *axis)
     return s->plan->axis_count || strcmp(axis, "level") ? NULL : s->row[level].level->label;
 }
 
-/* Whether a row has all of these labels; without a time, whether it is the last. */
+/* Whether a row has all of these labels and, if they name no time, is at the last. */
 static bool is_named(const struct place *p, const struct where *where)
 {
     const double *time = p->s->time;
@@ -43,7 +43,7 @@ static bool is_named(const struct place *p, const struct where *where)
     return timed || p->time == p->s->frames - 1;
 }
 
-/* Before the first row. */
+/* Returns the place before the first row. */
 static struct place begin(const struct study_results *d)
 {
     return (struct place){d, d->study, 0, -1};
@@ -61,7 +61,7 @@ static bool next_row(const struct where *where, struct place *p)
     return false;
 }
 
-/* The only row that the labels name. */
+/* Finds the only row that the labels name. */
 static bool find(const struct study_results *d, const struct where *where, struct place *p)
 {
     *p = begin(d);
@@ -456,7 +456,7 @@ static void note_study(struct table *t, const struct view *v, const struct study
         table_note(t, "Truth of %s: none; %s.", s->plan->name, s->no_truth.text);
 }
 
-/* Adds what the columns and the verdicts mean, and notes on each study. */
+/* Adds notes on columns, on verdicts and on each study. */
 static void add_notes(struct table *t, const struct view *v)
 {
     const struct verdict_rules *rules = &v->d->plan->verdicts;
@@ -484,11 +484,26 @@ static void add_notes(struct table *t, const struct view *v)
         note_study(t, v, &v->d->study[k]);
 }
 
+/* A level at its last time, as it stands in a chart. */
 struct dot {
-    struct place at; /* the last time of a level */
-    const struct quantity_row *of;
     double x, y;
+    char panel[128], line[128]; /* the labels that its panel and its line have          */
 };
+
+/* Writes "poisson 0.3, thickness 1 mm" behind `first`; of a single axis its label alone. */
+static void write_labels(const struct study *s, int level, const struct plan_settings *axes,
+                         const char *first, char text[128])
+{
+    snprintf(text, 128, "%s", first);
+    for (int n = 0; n < axes->count; n++) {
+        const char *axis = axes->list[n].key, *label = dataset_label(s, level, axis);
+        const bool bare = axes->count == 1 || !strcmp(axis, "study");
+        const size_t used = strlen(text);
+        if (label)
+            snprintf(text + used, 128 - used, "%s%s%s%s", used ? ", " : "",
+                     bare ? "" : axis, bare ? "" : " ", label);
+    }
+}
 
 /* Returns the quantity that x of the chart is; NULL: the size of levels. */
 static const struct quantity_row *x_of(const struct plan_chart *plan)
@@ -502,6 +517,7 @@ static const struct quantity_row *x_of(const struct plan_chart *plan)
 static struct dot *find_dots(const struct study_results *d, const struct plan_chart *plan,
                              int *count)
 {
+    const struct quantity_row *x = x_of(plan);
     struct dot *dots = NULL;
     size_t most = 1;
 
@@ -513,57 +529,31 @@ static struct dot *find_dots(const struct study_results *d, const struct plan_ch
             for (int n = 0; n < d->study[k].plan->level_count; n++) {
                 const struct study *s = &d->study[k];
                 const struct place at = {d, s, n, s->frames - 1};
-                const struct quantity_row *x = x_of(plan), *of = quantity_of(&plan->y, i);
-                const double y = of->at(&at);
-                const struct dot dot = {at, of, x ? x->at(&at) : s->row[n].level->size,
-                                        isnan(plan->from) ? y : fabs(y - plan->from)};
-                if (dot.x > 0 && dot.y > 0 && isfinite(dot.y))
-                    dots[(*count)++] = dot;
+                const struct quantity_row *of = quantity_of(&plan->y, i);
+                struct dot *dot = &dots[*count];
+                dot->x = x ? x->at(&at) : s->row[n].level->size;
+                dot->y = of->at(&at);
+                if (!isnan(plan->from))
+                    dot->y = fabs(dot->y - plan->from);
+                write_labels(s, n, &plan->panel, "", dot->panel);
+                write_labels(s, n, &plan->line, plan->y.count > 1 ? of->head : "",
+                             dot->line);
+                *count += dot->x > 0 && dot->y > 0 && isfinite(dot->y);
             }
     return dots;
 }
 
-/* Whether both have the same labels on the axes of panels and, if `line`, of lines, and are
- * of one quantity then. */
-static bool alike(const struct plan_chart *plan, bool line, const struct dot *a,
-                  const struct dot *b)
+static bool are_alike(const struct dot *a, const struct dot *b, bool line)
 {
-    for (int n = 0; n < plan->panel.count + (line ? plan->line.count : 0); n++) {
-        const struct plan_setting *axis = n < plan->panel.count
-                                              ? &plan->panel.list[n]
-                                              : &plan->line.list[n - plan->panel.count];
-        const char *one = dataset_label(a->at.s, a->at.level, axis->key);
-        const char *other = dataset_label(b->at.s, b->at.level, axis->key);
-        if (strcmp(one ? one : "", other ? other : ""))
-            return false;
-    }
-    return !line || a->of == b->of;
+    return !strcmp(a->panel, b->panel) && (!line || !strcmp(a->line, b->line));
 }
 
-/* Whether no dot before it is alike. */
-static bool is_first(const struct plan_chart *plan, bool line, const struct dot *dots,
-                     const struct dot *dot)
+/* Whether no dot before it is of the same panel or line. */
+static bool is_first(const struct dot *dots, const struct dot *dot, bool line)
 {
-    while (!alike(plan, line, dots, dot))
+    while (!are_alike(dots, dot, line))
         dots++;
     return dots == dot;
-}
-
-/* "poisson 0.3, thickness 1 mm"; of a single axis its label alone. */
-static const char *name_of(const struct dot *dot, const struct plan_settings *axes,
-                           const char *first, char text[128])
-{
-    snprintf(text, 128, "%s", first);
-    for (int n = 0; n < axes->count; n++) {
-        const char *axis = axes->list[n].key;
-        const char *label = dataset_label(dot->at.s, dot->at.level, axis);
-        const bool bare = axes->count == 1 || !strcmp(axis, "study");
-        const size_t used = strlen(text);
-        if (label)
-            snprintf(text + used, 128 - used, "%s%s%s%s", used ? ", " : "",
-                     bare ? "" : axis, bare ? "" : " ", label);
-    }
-    return text;
 }
 
 static struct chart *chart_of(const struct study_results *d, const struct plan_chart *plan,
@@ -571,27 +561,26 @@ static struct chart *chart_of(const struct study_results *d, const struct plan_c
 {
     const struct quantity_row *q = quantity_of(&plan->y, 0), *x = x_of(plan);
     struct chart *c = chart_create(title);
-    char text[128], y[128];
+    char y[128];
     int count = 0;
-    struct dot *dots = find_dots(d, plan, &count);
+    struct dot *const dots = find_dots(d, plan, &count), *const end = dots + count;
 
     snprintf(y, sizeof y, isnan(plan->from) ? "%s" : "|%s - %g|", q->head, plan->from);
     chart_axes(c,
                &(struct chart_axis){x ? x->head : plan->x, x ? x->unit : NULL, .log = true},
                &(struct chart_axis){y, isnan(plan->from) ? q->unit : NULL, .log = true});
-    for (const struct dot *p = dots; p < dots + count; p++) {
-        if (!is_first(plan, false, dots, p))
+    for (const struct dot *p = dots; p < end; p++) {
+        if (!is_first(dots, p, false))
             continue;
         if (plan->panel.count)
-            chart_panel(c, name_of(p, &plan->panel, "", text));
-        for (const struct dot *l = p; l < dots + count; l++) {
-            if (!alike(plan, false, p, l) || !is_first(plan, true, dots, l))
+            chart_panel(c, p->panel);
+        for (const struct dot *l = p; l < end; l++) {
+            if (!are_alike(p, l, false) || !is_first(dots, l, true))
                 continue;
-            name_of(l, &plan->line, plan->y.count > 1 ? l->of->head : "", text);
             chart_series(
-                c, &(struct chart_series){text, x ? CHART_POINTS : CHART_LINESPOINTS});
-            for (const struct dot *at = l; at < dots + count; at++)
-                if (alike(plan, true, l, at))
+                c, &(struct chart_series){l->line, x ? CHART_POINTS : CHART_LINESPOINTS});
+            for (const struct dot *at = l; at < end; at++)
+                if (are_alike(l, at, true))
                     chart_point(c, at->x, at->y);
         }
     }
@@ -599,8 +588,8 @@ static struct chart *chart_of(const struct study_results *d, const struct plan_c
     return c;
 }
 
-/* Charts what a study without a table has at its last time: error, or the difference from
- * the finest level, over the seconds of stepping. */
+/* Charts a study without a table at its last time: error, or the difference from the
+ * finest level, over the seconds of stepping. */
 static struct chart *chart_alone(const struct view *v)
 {
     struct plan_setting y = {"error", "", 0}, line = {"study", "", 0};

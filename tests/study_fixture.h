@@ -5,7 +5,6 @@
 #ifndef STUDY_FIXTURE_H
 #define STUDY_FIXTURE_H
 
-#include "bench/experiment/experiment.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/plan.h"
 #include "bench/experiment/study.h"
@@ -122,7 +121,7 @@ static inline void study_fill(struct study_made *m)
         }
         for (int t = 0; t < s->frames; t++)
             for (int i = 0; i < STUDY_MEMBERS; i++)
-                (&s->true_frame[t].next)[i] = 50 + 10 * i + t;
+                (&s->row[s->plan->level_count].frame[t].next)[i] = 50 + 10 * i + t;
     }
     for (int t = 0; t < PLAN_STUDY_TIMES; t++)
         m->error[t] = 0.02 * (t + 1);
@@ -148,7 +147,7 @@ static inline void study_make(struct study_made *m, const char *name,
     for (int k = 0; k < m->r.count; k++) {
         struct study *s = &m->r.study[k];
         s->plan = &m->plan.studies[k];
-        s->row = calloc((size_t)s->plan->level_count, sizeof *s->row);
+        s->row = calloc((size_t)s->plan->level_count + 1, sizeof *s->row);
         REQUIRE(s->row);
         s->frames = s->plan->time_count ? s->plan->time_count : 1;
         s->time = s->plan->time_count ? s->plan->times : NULL;

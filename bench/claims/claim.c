@@ -41,11 +41,15 @@ enum status claim_print(const struct study_results *d, FILE *file)
 enum status claim_tell(const struct study_results *d, const char *folder,
                        enum table_format format, FILE *file, struct message *why)
 {
-    enum status st = dataset_print(d, folder, format, file, why);
+    enum status st;
 
-    if (st == STATUS_OK && table_format_is_prose(format)) {
-        st = claim_print(d, file);
+    TRY(dataset_print(d, folder, format, file, why));
+    if (claim_find(d->plan->name) == claim_table4)
+        TRY(claim_table4_print(d, format, file));
+    if (table_format_is_prose(format)) {
+        TRY(claim_print(d, file));
         measurement_machine(d->machine, file);
     }
+out:
     return st;
 }

@@ -31,14 +31,13 @@ const struct claim *claim_find(const char *plan);
 /* Prints a line on each claim of the plan; a report gets them, too (judge_keep). */
 enum status claim_print(const struct study_results *d, FILE *file);
 
-/* Prints what an experiment with a plan tells: its tables (dataset_print), the claims and
- * the machine. */
+/* Prints the plan's tables (dataset_print) and, for people, the claims and the machine. */
 enum status claim_tell(const struct study_results *d, const char *folder,
                        enum table_format format, FILE *file, struct message *why);
 
-/* The same of the paper's Table 4, whose words stand beside those of the rules. */
-enum status claim_table4_tell(const struct study_results *d, const char *folder,
-                              enum table_format format, FILE *file, struct message *why);
+/* Prints what the paper's Table 4 has besides: its words beside those of the rules. */
+enum status claim_table4_print(const struct study_results *d, enum table_format format,
+                               FILE *file);
 
 /* The plans with claims: name and list. */
 #define CLAIM_PLANS(X)                                                                     \

@@ -254,21 +254,16 @@ static struct table *lessons_table(const struct study_results *d)
     return t;
 }
 
-enum status claim_table4_tell(const struct study_results *d, const char *folder,
-                              enum table_format format, FILE *file, struct message *why)
+enum status claim_table4_print(const struct study_results *d, enum table_format format,
+                               FILE *file)
 {
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(dataset_print(d, folder, format, file, why));
-    if (!d->quick) { /* whose runs are given no verdicts */
-        TRY(table_finish(words_table(d), format, file));
-        TRY(table_finish(counts_table(d), format, file));
-        TRY(table_finish(lessons_table(d), format, file));
-    }
-    if (table_format_is_prose(format)) {
-        TRY(claim_print(d, file));
-        measurement_machine(d->machine, file);
-    }
+    if (d->quick) /* whose runs are given no verdicts */
+        return STATUS_OK;
+    TRY(table_finish(words_table(d), format, file));
+    TRY(table_finish(counts_table(d), format, file));
+    TRY(table_finish(lessons_table(d), format, file));
 out:
     return st;
 }

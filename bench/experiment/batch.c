@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <omp.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bench/files/folder.h"
 #include "bench/harness/pool.h"
@@ -16,7 +17,8 @@ enum status batch_init(struct batch *b, const char *folder, int most)
     b->cases = calloc(room, sizeof *b->cases);
     b->settings = calloc(room, sizeof *b->settings);
     b->files = calloc(room, sizeof *b->files);
-    return b->cases && b->settings && b->files ? STATUS_OK : STATUS_MEMORY;
+    b->paths = calloc(room, sizeof *b->paths);
+    return b->cases && b->settings && b->files && b->paths ? STATUS_OK : STATUS_MEMORY;
 }
 
 void batch_clear(struct batch *b)
@@ -24,10 +26,12 @@ void batch_clear(struct batch *b)
     for (int n = 0; n < b->count; n++) {
         settings_clear(&b->settings[n]);
         free(b->files[n]);
+        free(b->paths[n]);
     }
     free(b->cases);
     free(b->settings);
     free(b->files);
+    free(b->paths);
     *b = (struct batch){0};
 }
 
@@ -40,7 +44,8 @@ struct measurement_case *batch_add(struct batch *b, const char *path,
     assert(n < b->room);
     if (asprintf(&b->files[n], "%s/%s.h5", b->folder, name) < 0)
         b->files[n] = NULL;
-    new->plan = (struct run_plan){path, c, &b->settings[n], 0};
+    b->paths[n] = strdup(path);
+    new->plan = (struct run_plan){b->paths[n], c, &b->settings[n], 0};
     new->keep.file = b->files[n];
     new->keep.fields = RUN_FIELDS_NONE;
     new->timed = MEASUREMENT_UNTIMED;
@@ -52,11 +57,11 @@ struct settings *batch_settings(struct batch *b)
     return &b->settings[b->count - 1];
 }
 
-/* Makes the folder; STATUS_MEMORY: a file among the first `count` has no name. */
+/* Makes the folder; STATUS_MEMORY: one of the first `count` lacks its path or its name. */
 static enum status prepare(const struct batch *b, int count, struct message *why)
 {
     for (int n = 0; n < count; n++)
-        if (!b->files[n])
+        if (!b->files[n] || !b->paths[n])
             return STATUS_MEMORY;
     return folder_make(b->folder, why);
 }
@@ -83,7 +88,7 @@ static enum status run_one(void *context, long n, struct message *why)
     return measurement_run(&options, 1, &all->b->cases[n], why);
 }
 
-/* What a case came to is in its file; that it came to no file ends all. */
+/* The end of a case is in its file; a case without a file ends all. */
 static enum status settle(void *context, long n, const struct child_end *end,
                           struct message *why)
 {

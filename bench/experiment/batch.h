@@ -1,5 +1,5 @@
-/* batch.h - cases that are measured together (measurement.h), put together one by one, each
- * with its result file FOLDER/NAME.h5.
+/* batch.h - collects cases that are measured together (measurement.h), each with its result
+ * file FOLDER/NAME.h5.
  *
  *     struct batch b;
  *     TRY(batch_init(&b, folder, 2));
@@ -13,7 +13,6 @@
 #ifndef BATCH_H
 #define BATCH_H
 
-#include "bench/experiment/experiment.h"
 #include "bench/experiment/measurement.h"
 
 struct batch {
@@ -21,32 +20,33 @@ struct batch {
     int count, room;
     struct measurement_case *cases; /* [room]                                     owned */
     struct settings *settings;      /* [room]                                     owned */
-    char **files;                   /* [room]                                     owned */
+    char **files, **paths; /* [room] of results and scenes; NULL: no memory       owned */
 };
 
-/* Room for `most` cases. *b is overwritten. */
+/* Makes room for `most` cases. *b is overwritten. */
 enum status batch_init(struct batch *b, const char *folder, int most);
 void batch_clear(struct batch *b); /* all-zero is allowed */
 
-/* One more, to be filled: it keeps no fields and is not timed unless told so. `path` and
- * `c` are borrowed until the end, the name is copied. */
+/* Adds a case, to be filled: it keeps no fields and is not timed unless told so. `c` is
+ * borrowed until the end, path and name are copied. */
 struct measurement_case *batch_add(struct batch *b, const char *path,
                                    const struct contestant *c, const char *name);
 
-/* Settings of the case added last, on top of the contestant's. */
+/* Returns the settings of the case added last, on top of the contestant's. */
 struct settings *batch_settings(struct batch *b);
 
-/* Makes the folder and measures all of them. Errors as measurement_run. */
+/* Makes the folder and measures all cases. Errors as measurement_run. */
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why);
 
-/* The first `count` of them, untimed, each in a process of its own for an hour at most, as
- * many at a time as there are processors. A signal that asks to stop ends the program after
- * a sentence. STATUS_FAILED: one came to no result. */
+/* Runs the first `count` cases untimed, each in a process of its own for an hour at most,
+ * as many at a time as there are processors. A signal that asks to stop ends the program
+ * after a sentence. STATUS_FAILED: one came to no result. */
 enum status batch_run_apart(struct batch *b, int count,
                             const struct measurement_options *options, struct message *why);
 
-/* run_result_read of the n-th. STATUS_MEMORY: there was none for its file's name. */
+/* Reads the result of the n-th case (run_result_read). STATUS_MEMORY: its file had no name.
+ */
 enum status batch_read(const struct batch *b, int n, bool fields, struct run_result *r,
                        struct message *why);
 

@@ -6,6 +6,7 @@
 
 #include "bench/harness/fit.h"
 #include "bench/ui/chart.h"
+#include "bench/ui/picture.h"
 
 const char *dataset_label(const struct study *s, int level, const char *axis)
 {
@@ -15,11 +16,11 @@ const char *dataset_label(const struct study *s, int level, const char *axis)
         return s->plan->caption;
     for (int n = 0; n < s->plan->axis_count; n++)
         if (!strcmp(axis, s->plan->axis[n].name))
-            return s->row[level].level->word[n];
+            return s->row[level].level->part[n]->label;
     return s->plan->axis_count || strcmp(axis, "level") ? NULL : s->row[level].level->label;
 }
 
-/* Whether a row has all of these labels; without a time, whether it is the last. */
+/* Whether a row has all of these labels and, if they name no time, is at the last. */
 static bool is_named(const struct place *p, const struct where *where)
 {
     const double *time = p->s->time;
@@ -42,7 +43,7 @@ static bool is_named(const struct place *p, const struct where *where)
     return timed || p->time == p->s->frames - 1;
 }
 
-/* Before the first row. */
+/* Returns the place before the first row. */
 static struct place begin(const struct study_results *d)
 {
     return (struct place){d, d->study, 0, -1};
@@ -60,7 +61,7 @@ static bool next_row(const struct where *where, struct place *p)
     return false;
 }
 
-/* The only row that the labels name. */
+/* Finds the only row that the labels name. */
 static bool find(const struct study_results *d, const struct where *where, struct place *p)
 {
     *p = begin(d);
@@ -197,7 +198,7 @@ double dataset_exponent(const struct study_results *d, enum quantity x, enum qua
     return count < 2 ? NAN : fit_exponent(count, xs, ys);
 }
 
-/* --- the plan's table and chart ----------------------------------------------------------
+/* --- what is printed ---------------------------------------------------------------------
  */
 
 static enum status check_quantity(const struct plan *plan, const char *name, int line,
@@ -235,7 +236,7 @@ out:
     return st;
 }
 
-/* One of a list of quantities. */
+/* Returns one of a list of quantities. */
 static const struct quantity_row *quantity_of(const struct plan_settings *list, int n)
 {
     return &quantity_table[quantity_find(list->list[n].key)];
@@ -243,16 +244,8 @@ static const struct quantity_row *quantity_of(const struct plan_settings *list, 
 
 enum { AXES = 12 }; /* most label columns */
 
-/* Whether some study has several times. */
-static bool has_times(const struct study_results *d)
-{
-    for (int n = 0; n < d->count; n++)
-        if (d->study[n].frames > 1)
-            return true;
-    return false;
-}
-
-/* Which columns and rows: those of a run, those of its times, or, for machines, all. */
+/* The columns and rows of a table: what a run has once, what it has at each time, or, for
+ * machines, all. */
 enum part { PART_RUN, PART_TIMES, PART_ALL };
 
 static bool is_in(enum part part, const struct quantity_row *q)
@@ -260,57 +253,111 @@ static bool is_in(enum part part, const struct quantity_row *q)
     return part == PART_ALL || q->moves == (part == PART_TIMES);
 }
 
-/* The axes that some study has, each once; people see captions, machines the names. */
-static int find_axes(const struct study_results *d, const char *axis[AXES])
-{
-    int count = 0;
+/* What is printed together: all studies in the plan's table, or one of them alone where the
+ * plan has none. */
+struct view {
+    const struct study_results *d; /* borrowed                                          */
+    bool alone, timed;             /* timed: with a column of the time                  */
+    const char *name, *caption;    /* of files and table; borrowed                      */
+    int axes, columns;
+    const char *axis[AXES];
+    const struct quantity_row *column[PLAN_TABLE_COLUMNS];
+};
 
-    if (d->count > 1)
-        axis[count++] = "caption", axis[count++] = "study";
-    for (int k = 0; k < d->count; k++) {
-        const struct plan_study *plan = d->study[k].plan;
+/* Adds the axes that some study has, each once; people see captions, machines the names. */
+static void find_axes(struct view *v)
+{
+    if (v->d->count > 1)
+        v->axis[v->axes++] = "caption", v->axis[v->axes++] = "study";
+    for (int k = 0; k < v->d->count; k++) {
+        const struct plan_study *plan = v->d->study[k].plan;
         for (int n = 0; n < plan->axis_count || n == 0; n++) {
             const char *name = plan->axis_count ? plan->axis[n].name : "level";
             int at = 0;
-            while (at < count && strcmp(axis[at], name))
+            while (at < v->axes && strcmp(v->axis[at], name))
                 at++;
-            if (at == count && count < AXES)
-                axis[count++] = name;
+            if (at == v->axes && v->axes < AXES)
+                v->axis[v->axes++] = name;
         }
     }
-    return count;
 }
 
-static void add_row(struct table *t, enum part part, const struct place *p)
+static struct view view_of(const struct study_results *d)
 {
-    const struct study_results *d = p->d;
-    const struct plan_table *plan = &d->plan->table;
-    const struct verdict_rules *rules = &d->plan->verdicts;
-    const char *axis[AXES];
+    static const enum quantity usual[] = {
+        QUANTITY_SIZE,    QUANTITY_UNKNOWNS, QUANTITY_FACTOR_ENTRIES, QUANTITY_FRAME,
+        QUANTITY_PAPER,   QUANTITY_SECONDS,  QUANTITY_NEXT,           QUANTITY_FINEST,
+        QUANTITY_ERROR,   QUANTITY_BAR,      QUANTITY_ROUGHNESS,      QUANTITY_INNER,
+        QUANTITY_STRETCH, QUANTITY_DROP,     QUANTITY_UNEVENNESS};
+    enum { USUAL = sizeof usual / sizeof *usual };
+    const struct plan *plan = d->plan;
+    const struct plan_settings *asked = &plan->table.columns;
+    struct view v = {.d = d,
+                     .alone = !asked->count,
+                     .name = plan->table.file ? plan->table.file : plan->name,
+                     .caption = plan->what ? plan->what : plan->source};
+
+    if (v.alone)
+        v.name = d->study->plan->name, v.caption = d->study->plan->caption;
+    for (int n = 0; n < d->count; n++)
+        v.timed |= d->study[n].frames > 1 || v.alone;
+    find_axes(&v);
+    v.columns = v.alone ? USUAL : asked->count;
+    for (int n = 0; n < v.columns; n++)
+        v.column[n] = v.alone ? &quantity_table[usual[n]] : quantity_of(asked, n);
+    return v;
+}
+
+static bool has_part(const struct view *v, enum part part)
+{
+    bool any = part == PART_RUN && v->d->plan->verdicts.count;
+
+    for (int n = 0; n < v->columns; n++)
+        any |= is_in(part, v->column[n]);
+    return any;
+}
+
+/* Whether people see a quantity: a study alone without a truth has no errors. */
+static bool is_seen(const struct view *v, const struct quantity_row *q)
+{
+    const bool error =
+        q == &quantity_table[QUANTITY_ERROR] || q == &quantity_table[QUANTITY_BAR];
+
+    return *q->head && !(v->alone && error && !v->d->study->truth);
+}
+
+/* Adds a level at a time; behind the levels of a study stands its truth. */
+static void add_row(struct table *t, const struct view *v, enum part part,
+                    const struct place *p)
+{
+    const struct verdict_rules *rules = &v->d->plan->verdicts;
+    const struct study_row *row = &p->s->row[p->level];
+    const bool truth = p->level == p->s->plan->level_count;
     char words[256];
-    const int axes = find_axes(d, axis);
 
     table_row(t);
-    for (int n = 0; n < axes; n++) {
-        const char *label = dataset_label(p->s, p->level, axis[n]);
+    for (int n = 0; n < v->axes; n++) {
+        const char *label = !truth ? dataset_label(p->s, p->level, v->axis[n])
+                            : n    ? NULL
+                                   : "truth";
         if (label)
             table_text(t, "%s", label);
         else
             table_dash(t);
     }
-    if (part != PART_RUN && has_times(d))
+    if (part != PART_RUN && v->timed)
         table_number(t, p->s->time ? p->s->time[p->time] : NAN, 4);
-    for (int n = 0; n < plan->columns.count; n++) {
-        const struct quantity_row *q = quantity_of(&plan->columns, n);
+    for (int n = 0; n < v->columns; n++) {
+        const struct quantity_row *q = v->column[n];
         if (is_in(part, q) && q->digits)
             table_number(t, q->at(p), q->digits);
         else if (is_in(part, q))
             table_fixed(t, q->at(p), 0);
     }
     if (rules->count && part != PART_TIMES)
-        table_text(t, "%s",
-                   verdict_text(rules, verdict_of(rules, &p->s->row[p->level].result),
-                                words, sizeof words));
+        table_text(
+            t, "%s",
+            verdict_text(rules, verdict_of(rules, &row->result), words, sizeof words));
 }
 
 /* Whether people see a level. */
@@ -326,65 +373,105 @@ static bool is_shown(const struct study_results *d, const struct study *s, int l
     return true;
 }
 
-/* For people, what the plan has them see. */
-static struct table *fill(const struct study_results *d, enum part part, bool people,
+/* Adds the rows of a study: its levels one by one or, alone, time by time, with its truth.
+ */
+static void add_study(struct table *t, const struct view *v, enum part part, bool people,
+                      const struct study *s)
+{
+    const bool last = part == PART_RUN || (people && v->d->plan->table.last);
+    const int first = last ? s->frames - 1 : 0, times = s->frames - first;
+    const int levels = s->plan->level_count + (v->alone && s->truth && part != PART_RUN);
+
+    for (int k = 0; k < levels * times; k++) {
+        const int level = v->alone ? k % levels : k / times;
+        const int time = first + (v->alone ? k / levels : k % times);
+        if (v->alone && k && !level)
+            table_rule(t);
+        if (level == s->plan->level_count ||
+            (!s->row[level].left_out && (!people || is_shown(v->d, s, level))))
+            add_row(t, v, part, &(struct place){v->d, s, level, time});
+    }
+}
+
+static struct table *fill(const struct view *v, enum part part, bool people,
                           const char *caption)
 {
-    const struct plan_table *plan = &d->plan->table;
-    const bool last = part == PART_RUN || (people && plan->last);
+    const struct study_results *d = v->d;
     struct table_column columns[AXES + 2 + PLAN_TABLE_COLUMNS];
-    const char *axis[AXES];
-    int count = find_axes(d, axis);
+    int count = 0;
 
-    for (int n = 0; n < count; n++)
-        columns[n] = (struct table_column){axis[n], NULL, TABLE_LEFT};
+    for (; count < v->axes; count++)
+        columns[count] = (struct table_column){v->axis[count], NULL, TABLE_LEFT};
     if (d->count > 1) {
         columns[0] =
             (struct table_column){"study", NULL, TABLE_LEFT, "caption", TABLE_PEOPLE};
         columns[1].readers = TABLE_MACHINES;
     }
-    if (part != PART_RUN && has_times(d))
-        columns[count++] = (struct table_column){"time", "s"};
-    for (int n = 0; n < plan->columns.count; n++) {
-        const struct quantity_row *q = quantity_of(&plan->columns, n);
+    if (part != PART_RUN && v->timed)
+        columns[count++] = (struct table_column){
+            "time", "s",
+            .readers = v->alone && !d->study->time ? TABLE_MACHINES : TABLE_ALL};
+    for (int n = 0; n < v->columns; n++) {
+        const struct quantity_row *q = v->column[n];
+        const bool length = v->alone && q->unit && !strcmp(q->unit, "L");
         if (is_in(part, q))
-            columns[count++] =
-                (struct table_column){q->head, q->unit, .key = q->name,
-                                      .readers = *q->head ? TABLE_ALL : TABLE_MACHINES};
+            columns[count++] = (struct table_column){
+                q->head, q->unit, .key = length ? NULL : q->name, /* error_over_length */
+                .readers = is_seen(v, q) ? TABLE_ALL : TABLE_MACHINES};
     }
     if (d->plan->verdicts.count && part != PART_TIMES)
         columns[count++] = (struct table_column){"by the rules", NULL, TABLE_LEFT};
     struct table *t = table_create(count, columns, caption);
     for (int k = 0; k < d->count; k++) {
-        const struct study *s = &d->study[k];
         const int rows = table_rows(t);
-        for (int n = 0; n < s->plan->level_count; n++)
-            for (int time = last ? s->frames - 1 : 0; time < s->frames; time++)
-                if (!s->row[n].left_out && (!people || is_shown(d, s, n)))
-                    add_row(t, part, &(struct place){d, s, n, time});
+        add_study(t, v, part, people, &d->study[k]);
         if (k + 1 < d->count && table_rows(t) > rows)
             table_rule(t);
     }
     return t;
 }
 
-/* What the columns mean, how runs ended that did not come to their end, and the truths. */
-static void add_notes(struct table *t, const struct study_results *d)
+/* Adds notes on how runs ended that did not come to their end, on orders and on the truth.
+ */
+static void note_study(struct table *t, const struct view *v, const struct study *s)
 {
-    const struct plan_table *plan = &d->plan->table;
-    const struct verdict_rules *rules = &d->plan->verdicts;
+    for (int n = 0; n < s->plan->level_count; n++)
+        if (!s->row[n].left_out && s->row[n].result.outcome)
+            table_note(t, "%s, %s: %s.", s->plan->name, s->row[n].level->label,
+                       s->row[n].result.sentence.text);
+    for (int time = 0; v->alone && time < s->frames; time++) {
+        const char *what = s->truth ? "error" : "difference from the finest";
+        const double order = study_order(s, time);
+        if (!isnan(order) && s->time)
+            table_note(t, "Observed order at %g s: %.2g, of the %s.", s->time[time], order,
+                       what);
+        else if (!isnan(order))
+            table_note(t, "Observed order: %.2g, of the %s.", order, what);
+    }
+    if (v->alone)
+        table_note(t, "Gamma = %.4g.", s->gamma);
+    if (s->truth)
+        table_note(t, "Truth of %s: %s.", s->plan->name, s->truth->source);
+    else if (s->plan->truth)
+        table_note(t, "Truth of %s: none; %s.", s->plan->name, s->no_truth.text);
+}
+
+/* Adds notes on columns, on verdicts and on each study. */
+static void add_notes(struct table *t, const struct view *v)
+{
+    const struct verdict_rules *rules = &v->d->plan->verdicts;
     char text[2048] = "";
 
-    for (int n = 0; n < plan->columns.count; n++) {
-        const struct quantity_row *q = quantity_of(&plan->columns, n);
+    for (int n = 0; n < v->columns; n++) {
+        const struct quantity_row *q = v->column[n];
         const size_t used = strlen(text);
-        if (*q->head)
+        if (is_seen(v, q))
             snprintf(text + used, sizeof text - used, "%s%s: %s", n ? "; " : "", q->head,
                      q->help);
     }
     table_note(t, "%s.", text);
-    if (plan->note)
-        table_note(t, "%s", plan->note);
+    if (v->d->plan->table.note)
+        table_note(t, "%s", v->d->plan->table.note);
     for (int n = 0; n < rules->count; n++) {
         const struct verdict_rule *r = &rules->rule[n];
         const char *unit = measure_unit(r->measure);
@@ -393,29 +480,32 @@ static void add_notes(struct table *t, const struct study_results *d)
                    r->above ? "above" : "below", r->bound, pure ? "" : " ",
                    pure ? "" : unit, r->why);
     }
-    for (int k = 0; k < d->count; k++) {
-        const struct study *s = &d->study[k];
-        for (int n = 0; n < s->plan->level_count; n++)
-            if (!s->row[n].left_out && s->row[n].result.outcome)
-                table_note(t, "%s, %s: %s.", s->plan->name, s->row[n].level->label,
-                           s->row[n].result.sentence.text);
-        if (s->truth)
-            table_note(t, "Truth of %s: %s.", s->plan->name, s->truth->source);
-        else if (s->plan->truth)
-            table_note(t, "Truth of %s: none; %s.", s->plan->name, s->no_truth.text);
+    for (int k = 0; k < v->d->count; k++)
+        note_study(t, v, &v->d->study[k]);
+}
+
+/* A level at its last time, as it stands in a chart. */
+struct dot {
+    double x, y;
+    char panel[128], line[128]; /* the labels that its panel and its line have          */
+};
+
+/* Writes "poisson 0.3, thickness 1 mm" behind `first`; of a single axis its label alone. */
+static void write_labels(const struct study *s, int level, const struct plan_settings *axes,
+                         const char *first, char text[128])
+{
+    snprintf(text, 128, "%s", first);
+    for (int n = 0; n < axes->count; n++) {
+        const char *axis = axes->list[n].key, *label = dataset_label(s, level, axis);
+        const bool bare = axes->count == 1 || !strcmp(axis, "study");
+        const size_t used = strlen(text);
+        if (label)
+            snprintf(text + used, 128 - used, "%s%s%s%s", used ? ", " : "",
+                     bare ? "" : axis, bare ? "" : " ", label);
     }
 }
 
-/* --- the plan's chart --------------------------------------------------------------------
- */
-
-struct dot {
-    struct place at; /* the last time of a level */
-    const struct quantity_row *of;
-    double x, y;
-};
-
-/* What x of the chart is; NULL: the size of levels. */
+/* Returns the quantity that x of the chart is; NULL: the size of levels. */
 static const struct quantity_row *x_of(const struct plan_chart *plan)
 {
     const int n = quantity_find(plan->x);
@@ -423,10 +513,11 @@ static const struct quantity_row *x_of(const struct plan_chart *plan)
     return n < 0 ? NULL : &quantity_table[n];
 }
 
-/* Every level that has a place in the chart; freed by the receiver. */
-static struct dot *find_dots(const struct study_results *d, int *count)
+/* Finds every level that has a place in the chart; freed by the receiver. */
+static struct dot *find_dots(const struct study_results *d, const struct plan_chart *plan,
+                             int *count)
 {
-    const struct plan_chart *plan = &d->plan->chart;
+    const struct quantity_row *x = x_of(plan);
     struct dot *dots = NULL;
     size_t most = 1;
 
@@ -438,85 +529,58 @@ static struct dot *find_dots(const struct study_results *d, int *count)
             for (int n = 0; n < d->study[k].plan->level_count; n++) {
                 const struct study *s = &d->study[k];
                 const struct place at = {d, s, n, s->frames - 1};
-                const struct quantity_row *x = x_of(plan), *of = quantity_of(&plan->y, i);
-                const double y = of->at(&at);
-                const struct dot dot = {at, of, x ? x->at(&at) : s->row[n].level->size,
-                                        isnan(plan->from) ? y : fabs(y - plan->from)};
-                if (dot.x > 0 && dot.y > 0 && isfinite(dot.y))
-                    dots[(*count)++] = dot;
+                const struct quantity_row *of = quantity_of(&plan->y, i);
+                struct dot *dot = &dots[*count];
+                dot->x = x ? x->at(&at) : s->row[n].level->size;
+                dot->y = of->at(&at);
+                if (!isnan(plan->from))
+                    dot->y = fabs(dot->y - plan->from);
+                write_labels(s, n, &plan->panel, "", dot->panel);
+                write_labels(s, n, &plan->line, plan->y.count > 1 ? of->head : "",
+                             dot->line);
+                *count += dot->x > 0 && dot->y > 0 && isfinite(dot->y);
             }
     return dots;
 }
 
-/* Whether both have the same labels on the axes of panels and, if `line`, of lines, and are
- * of one quantity then. */
-static bool alike(const struct plan_chart *plan, bool line, const struct dot *a,
-                  const struct dot *b)
+static bool are_alike(const struct dot *a, const struct dot *b, bool line)
 {
-    for (int n = 0; n < plan->panel.count + (line ? plan->line.count : 0); n++) {
-        const struct plan_setting *axis = n < plan->panel.count
-                                              ? &plan->panel.list[n]
-                                              : &plan->line.list[n - plan->panel.count];
-        const char *one = dataset_label(a->at.s, a->at.level, axis->key);
-        const char *other = dataset_label(b->at.s, b->at.level, axis->key);
-        if (strcmp(one ? one : "", other ? other : ""))
-            return false;
-    }
-    return !line || a->of == b->of;
+    return !strcmp(a->panel, b->panel) && (!line || !strcmp(a->line, b->line));
 }
 
-/* Whether no dot before it is alike. */
-static bool is_first(const struct plan_chart *plan, bool line, const struct dot *dots,
-                     const struct dot *dot)
+/* Whether no dot before it is of the same panel or line. */
+static bool is_first(const struct dot *dots, const struct dot *dot, bool line)
 {
-    while (!alike(plan, line, dots, dot))
+    while (!are_alike(dots, dot, line))
         dots++;
     return dots == dot;
 }
 
-/* "poisson 0.3, thickness 1 mm"; of a single axis its label alone. */
-static const char *name_of(const struct dot *dot, const struct plan_settings *axes,
-                           const char *first, char text[128])
+static struct chart *chart_of(const struct study_results *d, const struct plan_chart *plan,
+                              const char *title)
 {
-    snprintf(text, 128, "%s", first);
-    for (int n = 0; n < axes->count; n++) {
-        const char *axis = axes->list[n].key;
-        const char *label = dataset_label(dot->at.s, dot->at.level, axis);
-        const bool bare = axes->count == 1 || !strcmp(axis, "study");
-        const size_t used = strlen(text);
-        if (label)
-            snprintf(text + used, 128 - used, "%s%s%s%s", used ? ", " : "",
-                     bare ? "" : axis, bare ? "" : " ", label);
-    }
-    return text;
-}
-
-static struct chart *chart_of(const struct study_results *d)
-{
-    const struct plan_chart *plan = &d->plan->chart;
     const struct quantity_row *q = quantity_of(&plan->y, 0), *x = x_of(plan);
-    struct chart *c = chart_create(d->plan->what ? d->plan->what : d->plan->source);
-    char text[128], y[128];
+    struct chart *c = chart_create(title);
+    char y[128];
     int count = 0;
-    struct dot *dots = find_dots(d, &count);
+    struct dot *const dots = find_dots(d, plan, &count), *const end = dots + count;
 
     snprintf(y, sizeof y, isnan(plan->from) ? "%s" : "|%s - %g|", q->head, plan->from);
     chart_axes(c,
                &(struct chart_axis){x ? x->head : plan->x, x ? x->unit : NULL, .log = true},
                &(struct chart_axis){y, isnan(plan->from) ? q->unit : NULL, .log = true});
-    for (const struct dot *p = dots; p < dots + count; p++) {
-        if (!is_first(plan, false, dots, p))
+    for (const struct dot *p = dots; p < end; p++) {
+        if (!is_first(dots, p, false))
             continue;
         if (plan->panel.count)
-            chart_panel(c, name_of(p, &plan->panel, "", text));
-        for (const struct dot *l = p; l < dots + count; l++) {
-            if (!alike(plan, false, p, l) || !is_first(plan, true, dots, l))
+            chart_panel(c, p->panel);
+        for (const struct dot *l = p; l < end; l++) {
+            if (!are_alike(p, l, false) || !is_first(dots, l, true))
                 continue;
-            name_of(l, &plan->line, plan->y.count > 1 ? l->of->head : "", text);
             chart_series(
-                c, &(struct chart_series){text, x ? CHART_POINTS : CHART_LINESPOINTS});
-            for (const struct dot *at = l; at < dots + count; at++)
-                if (alike(plan, true, l, at))
+                c, &(struct chart_series){l->line, x ? CHART_POINTS : CHART_LINESPOINTS});
+            for (const struct dot *at = l; at < end; at++)
+                if (are_alike(l, at, true))
                     chart_point(c, at->x, at->y);
         }
     }
@@ -524,60 +588,117 @@ static struct chart *chart_of(const struct study_results *d)
     return c;
 }
 
-/* Whether the plan's table has columns of a kind. */
-static bool has_part(const struct study_results *d, enum part part)
+/* Charts a study without a table at its last time: error, or the difference from the
+ * finest level, over the seconds of stepping. */
+static struct chart *chart_alone(const struct view *v)
 {
-    bool any = part == PART_RUN && d->plan->verdicts.count;
+    struct plan_setting y = {"error", "", 0}, line = {"study", "", 0};
+    const struct plan_chart plan = {
+        .x = "stepping_s", .from = NAN, .y = {1, &y}, .line = {1, &line}};
+    const struct study *s = v->d->study;
+    const int last = s->frames - 1;
 
-    for (int n = 0; n < d->plan->table.columns.count; n++)
-        any |= is_in(part, quantity_of(&d->plan->table.columns, n));
-    return any;
+    if (!s->truth)
+        y.key = "to_finest";
+    struct chart *c = chart_of(v->d, &plan, v->caption);
+    for (int n = 0; n < s->plan->level_count; n++) {
+        const struct study_row *row = &s->row[n];
+        chart_mark(c, row->seconds,
+                   s->truth ? row->frame[last].error : row->frame[last].finest,
+                   row->level->label);
+    }
+    if (s->truth)
+        chart_band(c, "truth's error bar", 0, s->truth->error[last] / s->length);
+    return c;
 }
 
-/* Sheets of the studies that the plan names; it names none: of those without axes. */
-static enum status draw_sheets(const struct study_results *d, const char *folder,
+/* Draws the sheets of a study, a row for each time, a column for each level and one for the
+ * truth, as NAME_sheets.png. */
+static enum status draw_sheets(const struct study *s, const char *folder,
                                struct message *why)
 {
-    const struct plan_settings *named = &d->plan->table.pictures;
+    enum { MOST = PLAN_STUDY_TIMES * (PLAN_STUDY_LEVELS + 1) };
+    struct picture_panel panels[MOST];
+    char titles[MOST][96], name[128], when[32] = "at rest";
+    const int columns = s->plan->level_count + (s->truth != NULL);
+    int count = 0;
+
+    for (int time = 0; time < s->frames; time++)
+        for (int n = 0; n < columns; n++, count++) {
+            const double *xyz = s->row[n].frame[time].xyz;
+            if (s->time)
+                snprintf(when, sizeof when, "t = %g s", s->time[time]);
+            snprintf(titles[count], sizeof titles[count], "%.50s\n%s%s",
+                     s->row[n].level->label, xyz ? "" : "none left at ", when);
+            panels[count] = (struct picture_panel){titles[count], xyz};
+        }
+    snprintf(name, sizeof name, "%s_sheets", s->plan->name);
+    return picture_save(folder, name, columns, count, panels, why);
+}
+
+/* Draws the studies that the plan names; it names none: those without axes. */
+static enum status draw_some(const struct view *v, const char *folder, struct message *why)
+{
+    const struct plan_settings *named = &v->d->plan->table.pictures;
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < d->count && st == STATUS_OK; n++) {
-        const struct study *s = &d->study[n];
-        if (named->count ? plan_settings_find(named, s->plan->name) != NULL
-                         : !s->plan->axis_count && s->time)
-            st = study_print_sheets(s, folder, why);
+    for (int n = 0; n < v->d->count && st == STATUS_OK; n++) {
+        const struct study *s = &v->d->study[n];
+        if (v->alone || (named->count ? plan_settings_find(named, s->plan->name) != NULL
+                                      : !s->plan->axis_count && s->time))
+            st = draw_sheets(s, folder, why);
     }
+    return st;
+}
+
+static enum status print_view(const struct view *v, const char *folder,
+                              enum table_format format, FILE *file, struct message *why)
+{
+    const bool people = !table_format_is_data(format);
+    const bool apart =
+        people && v->timed && has_part(v, PART_RUN) && has_part(v, PART_TIMES);
+    struct table *all = fill(v, PART_ALL, false, v->caption), *t;
+    char cost[256];
+    enum status st;
+
+    snprintf(cost, sizeof cost, "%s%s", v->caption, v->alone ? ": cost" : "");
+    TRY(table_save(all, folder, v->name, why));
+    if (apart)
+        TRY(table_finish(fill(v, PART_RUN, people, cost), format, file));
+    t = !apart || v->alone ? fill(v, apart ? PART_TIMES : PART_ALL, people, v->caption)
+                           : fill(v, PART_TIMES, people,
+                                  v->d->plan->table.last ? "The same at the last time"
+                                                         : "The same at the times");
+    add_notes(t, v);
+    TRY(table_finish(t, format, file));
+    if (v->alone)
+        TRY(chart_save(chart_alone(v), folder, v->name, why));
+    TRY(draw_some(v, folder, why));
+out:
+    table_destroy(all);
     return st;
 }
 
 enum status dataset_print(const struct study_results *d, const char *folder,
                           enum table_format format, FILE *file, struct message *why)
 {
-    const struct plan_table *plan = &d->plan->table;
-    const char *caption = d->plan->what ? d->plan->what : d->plan->source;
-    const bool people = !table_format_is_data(format);
-    const bool apart =
-        people && has_times(d) && has_part(d, PART_RUN) && has_part(d, PART_TIMES);
-    const bool last = people && d->plan->table.last;
-    const char *name = plan->file ? plan->file : d->plan->name;
-    struct table *all = NULL, *t;
+    const struct plan *plan = d->plan;
+    const char *what = plan->what ? plan->what : plan->source;
+    const char *name = plan->table.file ? plan->table.file : plan->name;
+    struct view v = view_of(d);
     enum status st = STATUS_OK;
 
-    if (d->plan->chart.x)
-        TRY(chart_save(chart_of(d), folder, name, why));
-    if (!plan->columns.count)
-        return study_print_all(d, folder, format, file, why);
-    all = fill(d, PART_ALL, false, caption);
-    TRY(table_save(all, folder, name, why));
-    if (apart)
-        TRY(table_finish(fill(d, PART_RUN, people, caption), format, file));
-    t = apart ? fill(d, PART_TIMES, people,
-                     last ? "The same at the last time" : "The same at the times")
-              : fill(d, PART_ALL, people, caption);
-    add_notes(t, d);
-    TRY(table_finish(t, format, file));
-    TRY(draw_sheets(d, folder, why));
+    if (plan->chart.x)
+        TRY(chart_save(chart_of(d, &plan->chart, what), folder, name, why));
+    if (!v.alone)
+        return print_view(&v, folder, format, file, why);
+    for (int n = 0; n < d->count; n++) {
+        struct study_results one = *d;
+        one.study += n;
+        one.count = 1;
+        v = view_of(&one);
+        TRY(print_view(&v, folder, format, file, why));
+    }
 out:
-    table_destroy(all);
     return st;
 }

@@ -1,5 +1,5 @@
-/* dataset.h - the results of a plan's studies as rows that labels name: what tables print
- * and claims ask.
+/* dataset.h - reads the results of a plan's studies as rows that labels name, for tables
+ * and claims.
  *
  * The labels of a level are its study's name on the axis "study", and its label on each
  * axis of the study, or on the axis "level" where levels are listed. A row is a level at
@@ -13,9 +13,9 @@
 #include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 
-/* --- Quantities (quantity.c): every number that can be read off the levels of a study,
- * each defined once: a plan names it as a column, claims ask for it, CSV and JSON have it
- * under its name. A new quantity is one function and one row.
+/* --- Quantities (quantity.c): every number that can be read off the levels of a study is
+ * defined once: a plan names it as a column, claims ask for it, CSV and JSON have it under
+ * its name. A new quantity is one function and one row.
  */
 /* Code, function, and the members of struct quantity_row. */
 /* clang-format off */
@@ -117,7 +117,7 @@ struct quantity_row {
 
 extern const struct quantity_row quantity_table[QUANTITIES];
 
-/* By its name; -1: there is none. */
+/* Finds a quantity by its name; -1: there is none. */
 int quantity_find(const char *name);
 
 /* --- Rows. */
@@ -127,24 +127,24 @@ struct where {
 };
 #define WHERE(...) ((const struct where[]){__VA_ARGS__, {NULL, NULL}})
 
-/* Label of a level on an axis; NULL: its study has no such axis. */
+/* Returns the label of a level on an axis; NULL: its study has no such axis. */
 const char *dataset_label(const struct study *s, int level, const char *axis);
 
-/* The labels of an axis, each once, in the plan's order: those of at most `most`. */
+/* Lists at most `most` labels of an axis, each once, in the plan's order; returns how many. */
 int dataset_labels(const struct study_results *d, const char *axis, int most,
                    const char **label);
 
-/* The value in the row that all labels name; NaN if no row or more than one is named. */
+/* Returns the value in the row that all labels name; NaN if none or several are named. */
 double dataset_at(const struct study_results *d, enum quantity q,
                   const struct where *where);
 
-/* Whether the plan's rules give that row's run a label (verdict.h); NULL: call it feasible.
- * Open: no such row, or nothing to judge by. */
+/* Judges whether the plan's rules give that row's run a label (verdict.h); NULL: whether
+ * they call it feasible. Open: no such row, or nothing to judge by. */
 enum judge dataset_verdict(const struct study_results *d, const char *label,
                            const struct where *where);
 
-/* The largest and the smallest of all rows that the labels name and that have one; NaN if
- * there is none. The third is the largest, and NaN if a row has none. */
+/* Return the largest and the smallest value of all rows that the labels name and that have
+ * one; NaN if there is none. The third returns the largest, and NaN if a row has none. */
 double dataset_most(const struct study_results *d, enum quantity q,
                     const struct where *where);
 double dataset_least(const struct study_results *d, enum quantity q,
@@ -152,33 +152,35 @@ double dataset_least(const struct study_results *d, enum quantity q,
 double dataset_all_most(const struct study_results *d, enum quantity q,
                         const struct where *where);
 
-/* The values of the first `most` rows that the labels name, in the plan's order; returns
- * how many there are. The second writes them as "2.1, died, 5.6". */
+/* Lists the values of the first `most` rows that the labels name, in the plan's order, and
+ * returns how many. The second writes all of them as "2.1, died, 5.6". */
 int dataset_values(const struct study_results *d, enum quantity q,
                    const struct where *where, int most, double *values);
 void dataset_write(const struct study_results *d, enum quantity q,
                    const struct where *where, FILE *file);
 
-/* The value of one row over that of another; NaN unless both are one. */
+/* Returns the value of one row over that of another; NaN unless each names one row. */
 double dataset_ratio(const struct study_results *d, enum quantity q, const struct where *a,
                      const struct where *b);
 
-/* rms distance of two rows at the first one's time, over the length; NaN unless both are
- * one. */
+/* Returns the rms distance of two rows at the first one's time over the length; NaN unless
+ * each names one row. */
 double dataset_apart(const struct study_results *d, const struct where *a,
                      const struct where *b);
 
-/* Slope of log y over log x in the rows that the labels name; NaN with fewer than two. */
+/* Returns the slope of log y over log x in the rows that the labels name; NaN with fewer
+ * than two. */
 double dataset_exponent(const struct study_results *d, enum quantity x, enum quantity y,
                         const struct where *where);
 
-/* STATUS_INPUT with a sentence `plan:line: ...`: the plan's table or chart asks for what is
- * no quantity. */
+/* Checks that the plan's table and chart name quantities. STATUS_INPUT with a sentence
+ * `plan:line: ...`. */
 enum status dataset_check(const struct plan *plan, struct message *why);
 
-/* The table that the plan asks for, also as FOLDER/PLAN.csv; of a plan that asks for none,
- * study_print_all. The chart that it asks for is drawn as FOLDER/PLAN.png; or under
- * the name that the plan gives them. */
+/* Prints the table that the plan asks for, also as FOLDER/NAME.csv, and draws its chart as
+ * FOLDER/NAME.png and its sheets; NAME is the plan's or what the plan says. Studies of a
+ * plan without a table are printed one by one, under their names: cost and differences of
+ * the levels, with observed orders, and error over seconds as the chart. */
 enum status dataset_print(const struct study_results *d, const char *folder,
                           enum table_format format, FILE *file, struct message *why);
 

@@ -110,10 +110,8 @@ static void plan_frames(const struct measurement_options *options, const struct 
     const int wanted = options->quick ? QUICK_FRAMES : FRAMES;
     const int lived = j->motion.frames;
 
-    *t = (struct timing_case){.run = &j->run,
-                              .rest = j->asked->rest,
-                              .repeats =
-                                  options->repeats ? options->repeats : j->asked->repeats};
+    *t = (struct timing_case){
+        .run = &j->run, .rest = j->asked->rest, .repeats = j->asked->repeats};
     t->warmup = some ? WARMUP : 0;
     t->frames = some ? (int)fmin(wanted, lived - t->warmup) : lived;
 }
@@ -190,7 +188,7 @@ static enum status key_of(const struct measurement_options *o,
     const double numbers[] = {c->plan.end,     c->keep.every,  c->keep.fields,
                               c->keep.doubles, c->keep.packed, c->keep.intersections,
                               c->rest,         c->timed,       c->repeats,
-                              c->phases,       o->quick,       o->repeats};
+                              c->phases,       o->quick};
     char *path = NULL, *text = NULL;
     size_t size;
     enum status st;

@@ -23,7 +23,7 @@ struct measurement_case {
     struct run_keep keep; /* its file is needed                                        */
     bool rest;            /* static equilibrium instead of motion                      */
     enum measurement_frames timed;
-    int repeats; /* 0: as the options have it                                          */
+    int repeats; /* 0: as timing.h has it                                              */
     bool phases; /* a solid that is rebuilt: also its phases, apart                    */
     bool done;   /* out: its file is there                                             */
 };
@@ -36,7 +36,6 @@ struct measurement_taken {
 struct measurement_options {
     const char *what; /* for the progress bar                                          */
     bool quick;       /* fewer repeats and frames                                      */
-    int repeats;      /* 0: as the cases or timing.h have them                         */
     void (*progress)(void *context, const char *what, int done, int total); /* or NULL */
     void *context;
     bool again; /* nothing that is there is taken                                      */

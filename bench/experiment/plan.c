@@ -1,4 +1,6 @@
-/* plan.c - a plan from YAML: one schema reads, refuses and documents. */
+/* plan.c - a plan from YAML: one schema reads, refuses and documents; then what the studies
+ * have of the plan and the products of their axes; then checks of all that a run needs. */
+#define _GNU_SOURCE /* open_memstream */
 #include "bench/experiment/plan.h"
 
 #include <ctype.h>
@@ -9,9 +11,186 @@
 
 #include "bench/files/output.h"
 #include "bench/harness/derived_key.h"
+#include "bench/harness/measures.h"
 
 #define IN(type, member) .offset = offsetof(struct type, member)
 #define ANY              .low = -1e30, .high = 1e30
+
+/* --- settings ----------------------------------------------------------------------------
+ */
+
+static void write_scalar(const char *scalar, bool quoted, FILE *text)
+{
+    if (quoted)
+        fputc('\'', text);
+    for (const char *c = scalar; *c; c++)
+        fprintf(text, quoted && *c == '\'' ? "''" : "%c", *c);
+    if (quoted)
+        fputc('\'', text);
+}
+
+/* Writes a node in one line, as it could stand in a plan. */
+static void write_flow(const struct yaml_tree *node, FILE *text)
+{
+    const bool list = node->kind == YAML_TREE_LIST;
+
+    if (node->kind == YAML_TREE_SCALAR) {
+        write_scalar(node->text, node->quoted, text);
+        return;
+    }
+    fputc(list ? '[' : '{', text);
+    for (const struct yaml_tree *child = node->first; child; child = child->next) {
+        if (!list)
+            fprintf(text, "%s: ", child->key);
+        write_flow(child, text);
+        if (child->next)
+            fputs(list ? "," : ", ", text);
+    }
+    fputc(list ? ']' : '}', text);
+}
+
+static enum status add_text(struct plan_settings *settings, const char *key,
+                            const char *value, int line)
+{
+    struct plan_setting *grown =
+        realloc(settings->list, ((size_t)settings->count + 1) * sizeof *grown);
+
+    if (!grown)
+        return STATUS_MEMORY;
+    settings->list = grown;
+    grown += settings->count;
+    *grown = (struct plan_setting){strdup(key), strdup(value), line};
+    if (!grown->key || !grown->value) {
+        free(grown->key);
+        free(grown->value);
+        return STATUS_MEMORY;
+    }
+    settings->count++;
+    return STATUS_OK;
+}
+
+/* Refuses a key that --set KEY=VALUE would read otherwise. */
+static enum status check_key(const char *key, const struct yaml_tree *node,
+                             struct message *why)
+{
+    return *key && !key[strcspn(key, "=\r\n")]
+               ? STATUS_OK
+               : yaml_tree_refuse(node, why, "%s is no key that --set could take",
+                                  yaml_tree_quote(key).text);
+}
+
+/* Whether the value of a key is looked up as it is; others are YAML, as --set takes it. */
+static bool is_name(const char *key)
+{
+    return !strcmp(key, "scene") || !strcmp(key, "model");
+}
+
+/* Adds a key with the value that `node` has. */
+static enum status add_value(struct plan_settings *settings, const char *key,
+                             const struct yaml_tree *node, struct message *why)
+{
+    enum status st;
+    char *value = NULL;
+    size_t size;
+    FILE *text;
+
+    TRY(check_key(key, node, why));
+    text = open_memstream(&value, &size);
+    if (!text)
+        return STATUS_MEMORY;
+    if (node->kind == YAML_TREE_SCALAR && is_name(key))
+        write_scalar(node->text, false, text);
+    else
+        write_flow(node, text);
+    if (fclose(text) != 0)
+        TRY(STATUS_MEMORY);
+    if (!size || strpbrk(value, "\r\n"))
+        TRY(yaml_tree_refuse(node, why, "%s is %s, but must be a value in one line",
+                             yaml_tree_quote(key).text, yaml_tree_describe(node).text));
+    TRY(add_text(settings, key, value, node->line));
+out:
+    free(value);
+    return st;
+}
+
+/* Reads a map {KEY: VALUE, ...} or a list of such maps. */
+static enum status read_settings(const struct yaml_tree *node, const char *what,
+                                 struct plan_settings *settings, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (node->kind == YAML_TREE_SCALAR)
+        return yaml_tree_refuse(node, why, "%s is %s, but must be a map {KEY: VALUE, ...}",
+                                what, yaml_tree_describe(node).text);
+    for (const struct yaml_tree *child = node->first; child; child = child->next) {
+        if (node->kind == YAML_TREE_LIST) {
+            TRY(read_settings(child, what, settings, why));
+            continue;
+        }
+        const struct plan_setting *old = plan_settings_find(settings, child->key);
+        if (old)
+            TRY(yaml_tree_refuse(child, why, "%s has %s already in line %d", what,
+                                 yaml_tree_quote(child->key).text, old->line));
+        TRY(add_value(settings, child->key, child, why));
+    }
+out:
+    return st;
+}
+
+/* Reads such a map into the struct plan_settings at key->offset. */
+static enum status read_map(const struct schema_key *key, const struct yaml_tree *node,
+                            void *target, struct message *why)
+{
+    return read_settings(node, key->key, (void *)((char *)target + key->offset), why);
+}
+
+/* Adds the key itself with its value, a word. */
+static enum status read_name(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    if (node->kind != YAML_TREE_SCALAR || !*node->text)
+        return schema_refuse(key, node, why);
+    return add_value((void *)((char *)target + key->offset), key->key, node, why);
+}
+
+/* Reads a list of key->low to key->most things of so many bytes, all-zero before; *count
+ * has what was begun, on failure, too. The list is freed by the receiver; *st says why it
+ * is not whole. */
+static void *read_list(const struct schema_key *key, const struct yaml_tree *node,
+                       size_t size, int *count,
+                       enum status read(const struct yaml_tree *node, void *element,
+                                        struct message *why),
+                       enum status *st, struct message *why)
+{
+    char *list = NULL;
+
+    if (node->kind != YAML_TREE_LIST || node->count < key->low || node->count > key->most)
+        *st = schema_refuse(key, node, why);
+    else
+        *st = (list = calloc((size_t)node->count + 1, size)) ? STATUS_OK : STATUS_MEMORY;
+    for (const struct yaml_tree *n = node->first; n && *st == STATUS_OK; n = n->next)
+        *st = read(n, list + size * (size_t)(*count)++, why);
+    return list;
+}
+
+const struct plan_setting *plan_settings_find(const struct plan_settings *settings,
+                                              const char *key)
+{
+    for (int n = 0; n < settings->count; n++)
+        if (!strcmp(settings->list[n].key, key))
+            return &settings->list[n];
+    return NULL;
+}
+
+void plan_settings_clear(struct plan_settings *settings)
+{
+    for (int n = 0; n < settings->count; n++) {
+        free(settings->list[n].key);
+        free(settings->list[n].value);
+    }
+    free(settings->list);
+    *settings = (struct plan_settings){0};
+}
 
 /* Defines the reader of a list into the members `list` and `count` of a `type` at
  * key->offset, whose elements `one` reads. */
@@ -21,144 +200,123 @@
     {                                                                                      \
         struct type *to = (void *)((char *)target + key->offset);                          \
         enum status st;                                                                    \
-        to->list =                                                                         \
-            plan_settings_list(key, node, sizeof *to->list, &to->count, one, &st, why);    \
+        to->list = read_list(key, node, sizeof *to->list, &to->count, one, &st, why);      \
         return st;                                                                         \
     }
+#define WITH_MAP   SCHEMA_SPECIAL, .read = read_map, .want = "a map {KEY: VALUE, ...}"
+#define WITH_MODEL SCHEMA_SPECIAL, .read = read_name, .want = "the name of a model"
+#define WITH_SCENE                                                                         \
+    SCHEMA_SPECIAL, .read = read_name, .want = "the name or the path of a scene"
 
-/* --- Axes. */
+static const char *const NO_OR_YES[] = {"false", "true", NULL};
+
+/* --- axes of sweeps ----------------------------------------------------------------------
+ */
 
 static const char *const SCALES[] = {"linear", "log", NULL};
 
-/* An axis as it is read. */
-struct axis_reading {
-    struct plan_axis axis;
-    const struct yaml_tree *values; /* NULL: from ... to */
-    double from, to;                /* NaN: not given */
-    int count;
-};
-
-static enum status read_values(const struct schema_key *key, const struct yaml_tree *node,
-                               void *target, struct message *why)
+/* Checks a list of values, which read_axis takes over when it has the key. */
+static enum status check_values(const struct schema_key *key, const struct yaml_tree *node,
+                                void *target, struct message *why)
 {
-    struct axis_reading *r = target;
-
-    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > PLAN_AXIS_MOST)
-        return schema_refuse(key, node, why);
-    r->values = node;
-    return STATUS_OK;
+    (void)target;
+    return node->kind != YAML_TREE_LIST || node->count < 1 || node->count > key->most
+               ? schema_refuse(key, node, why)
+               : STATUS_OK;
 }
 
 /* clang-format off */
 static const struct schema_key AXIS[] = {
-    {"key", "key that changes", SCHEMA_TEXT, .required = true, IN(axis_reading, axis.key)},
-    {"by", "key that is set so that `key` takes the value", SCHEMA_TEXT, IN(axis_reading, axis.by)},
-    {"values", "values of the key", SCHEMA_SPECIAL, .read = read_values,
+    {"key", "what changes", SCHEMA_TEXT, .required = true, IN(plan_axis, key)},
+    {"by", "the key that a stand-in sets", SCHEMA_TEXT, IN(plan_axis, by)},
+    {"values", "its values", SCHEMA_SPECIAL, .read = check_values, .most = PLAN_AXIS_MOST,
      .want = "a list of 1 to 10000 values"},
-    {"from", "first value", SCHEMA_NUMBER, ANY, IN(axis_reading, from)},
-    {"to", "last value", SCHEMA_NUMBER, ANY, IN(axis_reading, to)},
-    {"count", "number of values", SCHEMA_COUNT, .low = 2, .high = PLAN_AXIS_MOST,
-     IN(axis_reading, count)},
-    {"scale", "spacing of the values", SCHEMA_WORD, .words = SCALES,
-     IN(axis_reading, axis.scale)},
+    {"from", "first value", SCHEMA_NUMBER, ANY, IN(plan_axis, from)},
+    {"to", "last value", SCHEMA_NUMBER, ANY, IN(plan_axis, to)},
+    {"count", "values from first to last", SCHEMA_COUNT, .low = 2, .high = PLAN_AXIS_MOST,
+     IN(plan_axis, count)},
+    {"scale", "steps between them", SCHEMA_WORD, .words = SCALES, IN(plan_axis, scale)},
     {NULL}};
 /* clang-format on */
 
-static enum status fill_range(struct axis_reading *r)
+/* Adds the values from ... to. */
+static enum status fill_range(struct plan_axis *axis)
 {
     enum status st = STATUS_OK;
-    const bool log = r->axis.scale == PLAN_AXIS_LOG;
 
-    for (int n = 0; n < r->count; n++) {
-        const double share = (double)n / (r->count - 1);
-        double value = log ? r->from * pow(r->to / r->from, share)
-                           : r->from + (r->to - r->from) * share;
+    for (int n = 0; n < axis->count; n++) {
+        const double share = (double)n / (axis->count - 1);
+        double value = axis->scale == PLAN_AXIS_LOG
+                           ? axis->from * pow(axis->to / axis->from, share)
+                           : axis->from + (axis->to - axis->from) * share;
         char text[32];
 
-        value = n == r->count - 1 ? r->to : value;
+        value = n == axis->count - 1 ? axis->to : value;
         snprintf(text, sizeof text, "%.*g", output_digits(value), value);
-        TRY(plan_settings_add_text(&r->axis.values, r->axis.key, text, r->axis.line));
+        TRY(add_text(&axis->values, axis->key, text, axis->line));
     }
 out:
     return st;
 }
 
-/* The values of an axis that was read, from its list or its range. */
-static enum status fill_axis(struct axis_reading *r, const struct yaml_tree *node,
+static enum status read_axis(const struct yaml_tree *node, void *target,
                              struct message *why)
 {
-    enum status st = STATUS_OK;
-    const bool range = !isnan(r->from) && !isnan(r->to) && r->count;
-    const bool some = !isnan(r->from) || !isnan(r->to) || r->count;
+    struct plan_axis *axis = target;
+    enum status st;
 
-    TRY(plan_settings_check_key(r->axis.key, node, why));
-    if (r->values ? some : !range)
+    *axis = (struct plan_axis){.line = node->line, .from = NAN, .to = NAN};
+    TRY(schema_read(AXIS, node, "an axis", axis, why));
+    TRY(check_key(axis->key, node, why));
+    const struct yaml_tree_words quoted = yaml_tree_quote(axis->key);
+    const struct yaml_tree *values = yaml_tree_find(node, "values");
+    const int range = !isnan(axis->from) + !isnan(axis->to) + !!axis->count;
+    if (range != (values ? 0 : 3))
         return yaml_tree_refuse(node, why,
                                 "the axis %s needs either values or all of from, to, count",
-                                yaml_tree_quote(r->axis.key).text);
-    if (r->axis.by && !derived_key_is(r->axis.key))
+                                quoted.text);
+    if (axis->by && !derived_key_is(axis->key))
         return yaml_tree_refuse(node, why,
                                 "the axis %s has 'by', but only gamma and "
                                 "young_over_density are set by another key",
-                                yaml_tree_quote(r->axis.key).text);
-    if (!r->values && r->axis.scale == PLAN_AXIS_LOG && !(r->from > 0 && r->to > 0))
+                                quoted.text);
+    if (!values && axis->scale == PLAN_AXIS_LOG && !(axis->from > 0 && axis->to > 0))
         return yaml_tree_refuse(node, why,
                                 "the axis %s goes from %g to %g on a log scale, but both "
                                 "must be above 0",
-                                yaml_tree_quote(r->axis.key).text, r->from, r->to);
-    if (!r->values)
-        return fill_range(r);
-    for (const struct yaml_tree *v = r->values->first; v; v = v->next)
-        TRY(plan_settings_add(&r->axis.values, r->axis.key, v, why));
+                                quoted.text, axis->from, axis->to);
+    if (!values)
+        return fill_range(axis);
+    for (const struct yaml_tree *v = values->first; v; v = v->next)
+        TRY(add_value(&axis->values, axis->key, v, why));
 out:
     return st;
 }
 
-static enum status read_axis(const struct yaml_tree *node, void *axis, struct message *why)
-{
-    struct axis_reading r = {.axis.line = node->line, .from = NAN, .to = NAN};
-    enum status st = schema_read(AXIS, node, "an axis", &r, why);
-
-    if (st == STATUS_OK)
-        st = fill_axis(&r, node, why);
-    *(struct plan_axis *)axis = r.axis;
-    return st;
-}
-
-static void clear_axis(struct plan_axis *axis)
-{
-    free(axis->key);
-    free(axis->by);
-    plan_settings_clear(&axis->values);
-    *axis = (struct plan_axis){0};
-}
-
-/* --- Studies. */
+/* --- levels and studies ------------------------------------------------------------------
+ */
 
 static const char *const TRUTHS[] = {"false", "true", "plate", NULL};
 
 /* clang-format off */
 static const struct schema_key LEVEL[] = {
-    {"label", "label in tables and pictures", SCHEMA_TEXT, .required = true, IN(plan_level, label)},
-    {"name", "name of its file (made from the label)", SCHEMA_TEXT, IN(plan_level, name)},
-    {"size", "mesh width, step, ..., for observed orders", SCHEMA_NUMBER, .low = 0,
+    {"label", "in tables and pictures", SCHEMA_TEXT, .required = true, IN(plan_level, label)},
+    {"name", "of its file (made of the label)", SCHEMA_TEXT, IN(plan_level, name)},
+    {"size", "mesh width, step, ...: for observed orders", SCHEMA_NUMBER, .low = 0,
      .high = 1e30, .open = true, IN(plan_level, size)},
-    {"model", "model or contestant", SCHEMA_SPECIAL, .read = plan_settings_read_word,
-     IN(plan_level, settings), .want = "the name of a model"},
-    {"settings", "settings of the level", SCHEMA_SPECIAL, .read = plan_settings_read_key,
-     IN(plan_level, settings), .want = "a map {KEY: VALUE, ...}"},
-    {"quick", "further settings in a quick run", SCHEMA_SPECIAL, .read = plan_settings_read_key,
-     IN(plan_level, quick), .want = "a map {KEY: VALUE, ...}"},
-    {"phases", "also time assembly, factorisation and solve of a frame", SCHEMA_WORD,
-     .words = plan_settings_truth, IN(plan_level, phases)},
-    {"paper_ms", "time of a frame in the paper [ms]", SCHEMA_NUMBER, .low = 0,
+    {"model", "model or contestant", WITH_MODEL, IN(plan_level, settings)},
+    {"settings", "what makes the level", WITH_MAP, IN(plan_level, settings)},
+    {"quick", "on top of them in a quick run", WITH_MAP, IN(plan_level, quick)},
+    {"phases", "time assembly, factorisation and solve of a frame, too", SCHEMA_WORD,
+     .words = NO_OR_YES, IN(plan_level, phases)},
+    {"paper_ms", "what somebody else's frame costs [ms]", SCHEMA_NUMBER, .low = 0,
      .high = 1e9, .open = true, IN(plan_level, paper_ms)},
-    {"timed", "repeats of the timing of a frame (the study's)", SCHEMA_COUNT,
+    {"timed", "repeats of its milliseconds a frame (as the study has it)", SCHEMA_COUNT,
      .low = 0, .high = 1000, IN(plan_level, timed)},
     {NULL}};
 /* clang-format on */
 
-/* "10x10x2, p = 2": "10x10x2_p_2". */
+/* Makes a name of a label: "10x10x2, p = 2" becomes "10x10x2_p_2". */
 static char *make_name(const char *label)
 {
     char *name = strdup(label);
@@ -192,7 +350,7 @@ out:
     return st;
 }
 
-/* A map of axes. */
+/* Reads a map of axes. */
 static enum status read_level_axes(const struct schema_key *key,
                                    const struct yaml_tree *node, struct plan_study *study,
                                    struct message *why)
@@ -205,8 +363,8 @@ static enum status read_level_axes(const struct schema_key *key,
         struct plan_study_axis *axis = &study->axis[study->axis_count++];
         axis->name = strdup(n->key);
         TRY(axis->name ? STATUS_OK : STATUS_MEMORY);
-        axis->levels = plan_settings_list(key, n, sizeof *axis->levels, &axis->count,
-                                          read_level, &st, why);
+        axis->levels =
+            read_list(key, n, sizeof *axis->levels, &axis->count, read_level, &st, why);
         TRY(st);
     }
 out:
@@ -223,68 +381,336 @@ static enum status read_levels(const struct schema_key *key, const struct yaml_t
                : read_level_list(key, node, target, why);
 }
 
-/* What plan and study may have, read into the struct plan_study that begins `at` bytes into
- * the target. */
+/* The keys that both plan and study may have, read into the struct plan_study that begins
+ * `at` bytes into the target. */
 /* clang-format off */
-#define PLAN_STUDY_TIMES_AT(at, values, count)                                             \
+#define TIMES_AT(at, values, count)                                                        \
     SCHEMA_NUMBERS, .low = 0, .high = 1e9, .open = true, .order = SCHEMA_INCREASING,       \
     .most = PLAN_STUDY_TIMES, .offset = (at) + offsetof(struct plan_study, values),        \
     .count_offset = (at) + offsetof(struct plan_study, count)
-#define PLAN_STUDY_KEYS(at)                                                                \
+#define SHARED_KEYS(at)                                                                    \
     {"levels", "from coarse to fine; {AXIS: [...], AXIS: [...]}: all products",            \
-     SCHEMA_SPECIAL, .keys = LEVEL, .read = read_levels,        \
+     SCHEMA_SPECIAL, .keys = LEVEL, .read = read_levels,                                   \
      .low = 1, .most = PLAN_STUDY_LEVELS, .offset = (at),                                  \
      .want = "a list of 1 to 128 levels {label: ..., settings: {KEY: VALUE, ...}}, or a "  \
              "map of up to 4 axes with such a list each"},                                 \
-    {"times", "times at which sheets are compared [s]",                                          \
-     PLAN_STUDY_TIMES_AT(at, times, time_count)},                                          \
-    {"quick_times", "times in a quick run [s]",                                  \
-     PLAN_STUDY_TIMES_AT(at, quick_times, quick_count)},                                   \
-    {"truth", "errors against the scene's truth; plate: against linear Kirchhoff plate theory",    \
-     SCHEMA_WORD, .words = TRUTHS,                                                \
-     .offset = (at) + offsetof(struct plan_study, truth)},                                 \
-    {"timed", "repeats of the timing of a frame", SCHEMA_COUNT, .low = 0, .high = 1000, \
+    {"times", "at which sheets are compared [s]", TIMES_AT(at, times, time_count)},        \
+    {"quick_times", "instead of them in a quick run [s]",                                  \
+     TIMES_AT(at, quick_times, quick_count)},                                              \
+    {"truth", "errors against the scene's truth; plate: Kirchhoff's, of linear theory",    \
+     SCHEMA_WORD, .words = TRUTHS, .offset = (at) + offsetof(struct plan_study, truth)},   \
+    {"timed", "repeats of the milliseconds a frame", SCHEMA_COUNT, .low = 0, .high = 1000, \
      .offset = (at) + offsetof(struct plan_study, timed)}
+static const struct schema_key SHARED[] = {SHARED_KEYS(0), {NULL}};
 static const struct schema_key STUDY[] = {
-    {"name", "name of its files", SCHEMA_TEXT, .required = true, IN(plan_study, name)},
-    {"caption", "caption of its tables (the name)", SCHEMA_TEXT, IN(plan_study, caption)},
-    {"scene", "scene (the plan's)", SCHEMA_SPECIAL, .read = plan_settings_read_word,
-     IN(plan_study, settings), .want = "the name or the path of a scene"},
-    {"model", "model (the plan's)", SCHEMA_SPECIAL, .read = plan_settings_read_word,
-     IN(plan_study, settings), .want = "the name of a model"},
-    {"settings", "settings of its levels; physics also apply to the truth", SCHEMA_SPECIAL,
-     .read = plan_settings_read_key, IN(plan_study, settings),
-     .want = "a map {KEY: VALUE, ...}"},
-    PLAN_STUDY_KEYS(0),
+    {"name", "of its files", SCHEMA_TEXT, .required = true, IN(plan_study, name)},
+    {"caption", "of its tables (the name)", SCHEMA_TEXT, IN(plan_study, caption)},
+    {"scene", "instead of the plan's", WITH_SCENE, IN(plan_study, settings)},
+    {"model", "instead of the plan's", WITH_MODEL, IN(plan_study, settings)},
+    {"settings", "of its levels; the physics are the truth's, too", WITH_MAP,
+     IN(plan_study, settings)},
+    SHARED_KEYS(0),
     {NULL}};
 /* clang-format on */
-
-/* The line of a key of a map; `otherwise`: it is not there. */
-static int line_of(const struct yaml_tree *map, const char *key, int otherwise)
-{
-    const struct yaml_tree *node = yaml_tree_find(map, key);
-
-    return node ? node->line : otherwise;
-}
-
-/* Nothing given yet. */
-static struct plan_study no_study(void)
-{
-    return (struct plan_study){.time_count = -1, .truth = -1, .timed = -1};
-}
 
 static enum status read_study(const struct yaml_tree *node, void *target,
                               struct message *why)
 {
     struct plan_study *study = target;
-    enum status st;
 
-    *study = no_study();
     study->line = node->line;
-    TRY(schema_read(STUDY, node, "a study", study, why));
-    study->times_line = line_of(node, "times", 0);
+    return schema_read(STUDY, node, "a study", study, why);
+}
+
+/* --- the plan ----------------------------------------------------------------------------
+ */
+
+/* A plan as it is read, and what its studies have unless they say otherwise. */
+struct reading {
+    struct plan plan; /* first: readers take the one for the other */
+    struct plan_study base;
+};
+
+static const char *const KEEPS[] = {"none", "snapshots", NULL};
+
+LIST_READER(read_axes, plan, axes, axis_count, read_axis)
+
+static const struct schema_key CASE_NAME = {"name", .type = SCHEMA_TEXT};
+
+/* Reads a map of settings, one of whose keys may be the name. */
+static enum status read_listed(const struct yaml_tree *node, void *target,
+                               struct message *why)
+{
+    struct plan_listed *listed = target;
+    enum status st = STATUS_OK;
+
+    listed->line = node->line;
+    if (node->kind != YAML_TREE_MAP)
+        return yaml_tree_refuse(node, why, "a case is %s, but must be a map {KEY: VALUE}",
+                                yaml_tree_describe(node).text);
+    for (const struct yaml_tree *child = node->first; child; child = child->next)
+        TRY(strcmp(child->key, CASE_NAME.key)
+                ? add_value(&listed->settings, child->key, child, why)
+                : schema_text(&CASE_NAME, child, &listed->name, why));
 out:
     return st;
+}
+
+LIST_READER(read_cases, plan, listed, listed_count, read_listed)
+LIST_READER(read_studies, plan, studies, study_count, read_study)
+
+/* Reads a label, or a list of them, on each axis of a map; of a product also what is no
+ * axis. */
+static enum status read_labels(const struct yaml_tree *node, struct plan_settings *labels,
+                               struct plan_product *product, struct message *why)
+{
+    static const struct schema_key ms = {"paper_ms", .high = 1e9, .open = true};
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_MAP)
+        return yaml_tree_refuse(node, why, "%s, but a map {AXIS: LABEL} is wanted",
+                                yaml_tree_describe(node).text);
+    for (const struct yaml_tree *axis = node->first; axis; axis = axis->next) {
+        const bool list = axis->kind == YAML_TREE_LIST;
+        if (product && !strcmp(axis->key, "quick") && axis->text) {
+            product->quick = !strcmp(axis->text, "true");
+            if (!product->quick && strcmp(axis->text, "false"))
+                return yaml_tree_refuse(axis, why, "quick is %s, but must be true or false",
+                                        yaml_tree_describe(axis).text);
+            continue;
+        }
+        if (product && !strcmp(axis->key, ms.key)) {
+            TRY(schema_number(&ms, axis, &product->paper_ms, why));
+            continue;
+        }
+        for (const struct yaml_tree *n = list ? axis->first : axis; n;
+             n = list ? n->next : NULL) {
+            if (!n->text)
+                return yaml_tree_refuse(n, why, "%s is %s, but must be a label of the axis",
+                                        axis->key, yaml_tree_describe(n).text);
+            TRY(add_text(labels, axis->key, n->text, n->line));
+        }
+    }
+out:
+    return st;
+}
+
+static enum status read_product(const struct yaml_tree *node, void *target,
+                                struct message *why)
+{
+    struct plan_product *product = target;
+
+    return read_labels(node, &product->labels, product, why);
+}
+
+LIST_READER(read_products, plan_products, list, count, read_product)
+
+static enum status read_chosen(const struct schema_key *key, const struct yaml_tree *node,
+                               void *target, struct message *why)
+{
+    return read_labels(node, (void *)((char *)target + key->offset), NULL, why);
+}
+
+static enum status read_words(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
+{
+    struct plan_settings *words = (void *)((char *)target + key->offset);
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > key->most)
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
+        st =
+            n->text ? add_text(words, n->text, "", n->line) : schema_refuse(key, node, why);
+    return st;
+}
+
+/* Reads a plan file as text and tree, both freed by the receiver. */
+static enum status load(const char *path, char **text, struct yaml_tree **root,
+                        struct message *why)
+{
+    enum status st;
+    size_t size = 0;
+
+    TRY(named_file_read(&plan_kind, path, text, &size, why));
+    TRY(yaml_tree_parse(path, false, *text, size, root, why));
+    (*text)[size] = '\0'; /* there is room: it was not too long to parse */
+out:
+    return st;
+}
+
+/* Reads the rules that another plan has under the key. */
+static enum status read_others(const char *name, const char *key,
+                               struct verdict_rules *rules, struct message *why)
+{
+    enum status st;
+    char *path = NULL, *text = NULL;
+    struct yaml_tree *root = NULL, *list = NULL;
+
+    TRY(named_file_find(&plan_kind, name, &path, why));
+    TRY(load(path, &text, &root, why));
+    if (root->kind == YAML_TREE_MAP)
+        list = yaml_tree_find(root, key);
+    if (!list)
+        TRY(yaml_tree_refuse(root, why, "this plan has no %s", key));
+    TRY(verdict_read(list, rules, why));
+out:
+    yaml_tree_free(root);
+    free(text);
+    free(path);
+    return st;
+}
+
+/* Reads a list of rules, or the plan that has it. */
+static enum status read_verdicts(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why)
+{
+    struct verdict_rules *rules = (void *)((char *)target + key->offset);
+    struct message reason = {""};
+
+    if (node->kind != YAML_TREE_SCALAR)
+        return verdict_read(node, rules, why);
+    const enum status st = read_others(node->text, key->key, rules, &reason);
+    if (st == STATUS_OK || st == STATUS_MEMORY)
+        return st;
+    return yaml_tree_refuse(node, why, "%s: %s", key->key, reason.text);
+}
+
+static enum status read_measure(const struct schema_key *key, const struct yaml_tree *node,
+                                void *target, struct message *why)
+{
+    int *measure = (void *)((char *)target + key->offset);
+
+    for (int n = 0; n < MEASURES && node->kind == YAML_TREE_SCALAR; n++)
+        if (!strcmp(node->text, measure_name(n))) {
+            *measure = n;
+            return STATUS_OK;
+        }
+    return schema_refuse(key, node, why);
+}
+
+/* clang-format off */
+#define ONE_MEASURE SCHEMA_SPECIAL, .read = read_measure, .want = "the name of a measure"
+static const struct schema_key FALLS[] = {
+    {"measure", "what is to fall", ONE_MEASURE, .required = true, IN(plan, falls.measure)},
+    {"along", "key of an axis, its values from coarse to fine", SCHEMA_TEXT,
+     .required = true, IN(plan, falls.along)},
+    {"by", "by which it may grow (not at all)", ONE_MEASURE, IN(plan, falls.by)},
+    {NULL}};
+
+static const struct schema_key MARK[] = {
+    {"text", "on the point", SCHEMA_TEXT, .required = true, IN(plan_mark, text)},
+    {"label", "in the legend", SCHEMA_TEXT, .required = true, IN(plan_mark, label)},
+    {"at", "settings of its case", WITH_MAP, .required = true,
+     IN(plan_mark, settings)},
+    {NULL}};
+
+static enum status read_mark(const struct yaml_tree *node, void *target,
+                             struct message *why)
+{
+    struct plan_mark *mark = target;
+
+    mark->line = node->line;
+    return schema_read(MARK, node, "a mark", mark, why);
+}
+
+LIST_READER(read_marks, plan_map, marks, mark_count, read_mark)
+
+static const struct schema_key MAP[] = {
+    {"x", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.x)},
+    {"y", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
+    {"panel", "key of a panel each, or name (of cases)", SCHEMA_TEXT, IN(plan, map.panel)},
+    {"marks", "points that are no cases", SCHEMA_SPECIAL, .most = PLAN_MAX_LISTED,
+     .read = read_marks, IN(plan, map),
+     .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
+    {NULL}};
+
+static const struct schema_key TABLE[] = {
+    {"columns", "quantities, a column each", SCHEMA_SPECIAL, .required = true,
+     .read = read_words, .most = PLAN_TABLE_COLUMNS, IN(plan, table.columns),
+     .want = "a list of 1 to 16 quantities"},
+    {"last", "people see the last time of each study alone", SCHEMA_WORD,
+     .words = NO_OR_YES, IN(plan, table.last)},
+    {"shown", "people see the levels with these labels alone", SCHEMA_SPECIAL,
+     .read = read_chosen, IN(plan, table.shown), .want = "a map {AXIS: LABEL}"},
+    {"pictures", "studies whose sheets are drawn", SCHEMA_SPECIAL, .read = read_words,
+     .most = PLAN_TABLE_COLUMNS, IN(plan, table.pictures),
+     .want = "a list of 1 to 16 names of studies"},
+    {"note", "below the table", SCHEMA_TEXT, IN(plan, table.note)},
+    {"file", "of its CSV and the chart (the plan's name)", SCHEMA_TEXT, IN(plan, table.file)},
+    {NULL}};
+
+#define AXES SCHEMA_SPECIAL, .read = read_words, .most = PLAN_STUDY_AXES, \
+    .want = "a list of 1 to 4 axes"
+static const struct schema_key CHART[] = {
+    {"x", "a quantity, or what the size of the levels is", SCHEMA_TEXT, .required = true,
+     IN(plan, chart.x)},
+    {"y", "quantities, a line each", SCHEMA_SPECIAL, .required = true, IN(plan, chart.y),
+     .read = read_words, .most = PLAN_TABLE_COLUMNS, .want = "a list of 1 to 16 quantities"},
+    {"from", "how far the quantity is from this (itself)", SCHEMA_NUMBER, .low = -1e30,
+     .high = 1e30, IN(plan, chart.from)},
+    {"panel", "axes whose labels have a panel each", AXES, IN(plan, chart.panel)},
+    {"line", "axes whose labels have a line each", AXES, .required = true,
+     IN(plan, chart.line)},
+    {NULL}};
+
+#define WITH_RULES SCHEMA_SPECIAL, .read = read_verdicts, \
+    .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan " \
+            "that has them"
+static const struct schema_key PLAN[] = {
+    {"name", "key in lists and of the results' folder", SCHEMA_TEXT, .required = true,
+     IN(plan, name)},
+    {"source", "what it is about", SCHEMA_TEXT, .required = true, IN(plan, source)},
+    {"what", "a line for lists (the source)", SCHEMA_TEXT, IN(plan, what)},
+    {"scene", "of all cases", WITH_SCENE, IN(plan, settings)},
+    {"model", "of all cases: a model or a contestant", WITH_MODEL, IN(plan, settings)},
+    {"settings", "of all cases", SCHEMA_SPECIAL, .read = read_map, IN(plan, settings),
+     .want = "a map {KEY: VALUE, ...} of keys that --set takes"},
+    {"axes", "every combination", SCHEMA_SPECIAL, .low = 1, .most = PLAN_MAX_AXES,
+     .read = read_axes, .keys = AXIS,
+     .want = "a list of 1 to 16 axes {key: ..., values: [...]}"},
+    {"cases", "each with all combinations of the axes", SCHEMA_SPECIAL, .low = 1,
+     .most = PLAN_MAX_LISTED, .read = read_cases,
+     .want = "a list of 1 to 10000 maps {name: ..., KEY: VALUE, ...}"},
+    {"look", "frames from one reading of the metrics to the next", SCHEMA_COUNT, .low = 1,
+     .high = 1e6, IN(plan, look)},
+    {"intersections", "count self-intersections", SCHEMA_WORD, .words = NO_OR_YES,
+     IN(plan, intersections)},
+    {"keep", "fields in the result files", SCHEMA_WORD, .words = KEEPS, IN(plan, keep)},
+    {"time_limit", "of a case on the clock [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
+     IN(plan, time_limit)},
+    {"verdicts", "when a case gets a label", WITH_RULES, IN(plan, verdicts)},
+    {"learnt", "a second opinion: bounds learnt from the paper's words", WITH_RULES,
+     IN(plan, learnt)},
+    {"falls", "what is to fall along an axis; exit 1 where it grows", SCHEMA_SECTION,
+     .keys = FALLS},
+    {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
+    SHARED_KEYS(offsetof(struct reading, base)),
+    {"studies", "each of these levels, times, ... unless it has its own", SCHEMA_SPECIAL,
+     .read = read_studies, .low = 1, .most = PLAN_STUDY_MOST, .keys = STUDY,
+     .want = "a list of 1 to 100 studies {name: ..., scene: ..., settings: {KEY: VALUE}}"},
+    {"skip", "products of a study's axes that are not run; quick: true, by a quick run",
+     SCHEMA_SPECIAL, .read = read_products, .low = 1, .most = PLAN_STUDY_MOST,
+     IN(plan, skip), .want = "a list of maps {AXIS: LABEL, AXIS: [LABEL, LABEL]}"},
+    {"paper", "milliseconds of somebody else's frame, of such products", SCHEMA_SPECIAL,
+     .read = read_products, .low = 1, .most = PLAN_STUDY_MOST, IN(plan, paper),
+     .want = "a list of maps {AXIS: LABEL, paper_ms: NUMBER}"},
+    {"reference", "axis and label of what levels are compared with", SCHEMA_SPECIAL,
+     .read = read_chosen, IN(plan, reference), .want = "a map {AXIS: LABEL}"},
+    {"table", "one table of all studies", SCHEMA_SECTION, .keys = TABLE},
+    {"chart", "a point for each level", SCHEMA_SECTION, .keys = CHART},
+    {NULL}};
+/* clang-format on */
+
+/* --- what the studies have of the plan ---------------------------------------------------
+ */
+
+/* Returns the line of a key of a map; `otherwise`: it is not there. */
+static int line_of(const struct yaml_tree *map, const char *key, int otherwise)
+{
+    const struct yaml_tree *node = yaml_tree_find(map, key);
+
+    return node ? node->line : otherwise;
 }
 
 static void clear_level(struct plan_level *level)
@@ -302,7 +728,7 @@ static bool is_among(const struct plan_product *product, const struct plan_study
 {
     for (int axis = -1; axis < study->axis_count; axis++) {
         const char *name = axis < 0 ? "study" : study->axis[axis].name;
-        const char *word = axis < 0 ? study->name : level->word[axis];
+        const char *word = axis < 0 ? study->name : level->part[axis]->label;
         bool named = false, met = false;
         for (int n = 0; n < product->labels.count; n++)
             if (!strcmp(product->labels.list[n].key, name)) {
@@ -315,58 +741,42 @@ static bool is_among(const struct plan_product *product, const struct plan_study
     return true;
 }
 
-/* More of a text behind a comma, a blank, ...; false without memory. */
-static bool append(char **text, const char *between, const char *more)
+/* Joins the labels of a product's parts, or their names. */
+static char *join(const struct plan_level *product, bool names)
 {
-    const size_t used = *text ? strlen(*text) : 0;
-    char *grown = realloc(*text, used + strlen(between) + strlen(more) + 1);
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
 
-    if (!grown)
-        return false;
-    *text = grown;
-    sprintf(grown + used, "%s%s", used ? between : "", more);
-    return true;
+    for (int n = 0; file && n < PLAN_STUDY_AXES && product->part[n]; n++)
+        fprintf(file, "%s%s",
+                !n      ? ""
+                : names ? "_"
+                        : ", ",
+                names ? product->part[n]->name : product->part[n]->label);
+    return file && fclose(file) == 0 ? text : NULL;
 }
 
-static enum status add_settings(struct plan_settings *to, const struct plan_settings *from)
-{
-    enum status st = STATUS_OK;
-
-    for (int n = 0; n < from->count && st == STATUS_OK; n++)
-        st = plan_settings_add_text(to, from->list[n].key, from->list[n].value,
-                                    from->list[n].line);
-    return st;
-}
-
-/* The product of one level of each axis. */
+/* Makes the product of one level of each axis, the last axis changing fastest. */
 static enum status multiply(const struct plan_study *study, int number,
                             struct plan_level *product)
 {
-    int stride = 1;
-    enum status st = STATUS_OK;
-
     *product = (struct plan_level){.paper_ms = NAN, .timed = -1};
-    for (int n = 0; n < study->axis_count; n++)
-        stride *= study->axis[n].count;
+    for (int n = study->axis_count - 1; n >= 0; n--) {
+        product->part[n] = &study->axis[n].levels[number % study->axis[n].count];
+        number /= study->axis[n].count;
+    }
     for (int n = 0; n < study->axis_count; n++) {
-        const struct plan_study_axis *axis = &study->axis[n];
-        stride /= axis->count;
-        const struct plan_level *level = &axis->levels[number / stride % axis->count];
-        TRY(append(&product->label, ", ", level->label) &&
-                    append(&product->name, "_", level->name)
-                ? STATUS_OK
-                : STATUS_MEMORY);
-        TRY(add_settings(&product->settings, &level->settings));
-        TRY(add_settings(&product->quick, &level->quick));
-        product->word[n] = level->label;
+        const struct plan_level *level = product->part[n];
         product->line = level->line;
         product->size = level->size > 0 ? level->size : product->size;
         product->timed = level->timed >= 0 ? level->timed : product->timed;
         product->paper_ms = isnan(level->paper_ms) ? product->paper_ms : level->paper_ms;
         product->phases |= level->phases;
     }
-out:
-    return st;
+    product->label = join(product, false);
+    product->name = join(product, true);
+    return product->label && product->name ? STATUS_OK : STATUS_MEMORY;
 }
 
 /* Makes the levels of a study with axes. */
@@ -405,33 +815,26 @@ out:
     return st;
 }
 
-static enum status inherit(struct plan_study *study, const struct plan *plan,
-                           struct message *why)
+/* Completes a study: what its own map, `node`, does not say is read from the plan's. A
+ * study with times of its own has no others in a quick run unless it says so. */
+static enum status complete(struct plan_study *study, const struct yaml_tree *root,
+                            const struct yaml_tree *node, const struct plan *plan,
+                            struct message *why)
 {
-    const struct plan_study *base = &plan->base;
     enum status st = STATUS_OK;
+    const bool own_times = node && yaml_tree_find(node, "times");
 
-    if (!study->level_count && !study->axis_count) {
-        study->level_count = base->level_count;
-        study->levels = base->levels;
-        study->axis_count = base->axis_count;
-        memcpy(study->axis, base->axis, sizeof study->axis);
+    for (const struct schema_key *key = SHARED; key->key; key++) {
+        const struct yaml_tree *plans = yaml_tree_find(root, key->key);
+        const bool own = node && yaml_tree_find(node, key->key);
+        if (plans && !own && !(own_times && !strcmp(key->key, "quick_times")))
+            TRY(schema_value(key, plans, study, why));
     }
+    study->times_line = line_of(own_times ? node : root, "times", 0);
+    for (int n = 0; n < study->level_count; n++)
+        study->levels[n].part[0] = &study->levels[n];
     if (study->axis_count)
         TRY(multiply_all(study, plan, why));
-    if (study->time_count < 0) {
-        study->time_count = base->time_count < 0 ? 0 : base->time_count;
-        study->times = base->times;
-        study->times_line = base->times_line;
-        if (!study->quick_count) {
-            study->quick_count = base->quick_count;
-            study->quick_times = base->quick_times;
-        }
-    }
-    if (study->truth < 0)
-        study->truth = base->truth < 0 ? PLAN_TRUTH_NONE : base->truth;
-    if (study->timed < 0)
-        study->timed = base->timed < 0 ? 0 : base->timed;
     if (!study->caption)
         study->caption = strdup(study->name);
     st = study->caption ? STATUS_OK : STATUS_MEMORY;
@@ -439,345 +842,68 @@ out:
     return st;
 }
 
-static void clear_study(struct plan_study *study, const struct plan_study *base)
+/* Completes all studies; a plan with levels alone is one, of its own name. */
+static enum status complete_studies(struct plan *plan, const struct yaml_tree *root,
+                                    struct message *why)
 {
-    const bool own = study == base;
+    static const char *const keys[] = {"times",     "truth", "timed", "skip",
+                                       "reference", "paper", "table", "chart"};
+    const struct yaml_tree *given = NULL, *node = yaml_tree_find(root, "studies");
+    enum status st = STATUS_OK;
 
-    for (int n = 0; (own || study->levels != base->levels) && n < study->level_count; n++)
+    for (size_t n = 0; n < sizeof keys / sizeof *keys && !given; n++)
+        given = yaml_tree_find(root, keys[n]);
+    if (!node && !yaml_tree_find(root, "levels"))
+        return given ? yaml_tree_refuse(given, why,
+                                        "%s is for studies, but the plan has no levels",
+                                        given->key)
+                     : STATUS_OK;
+    if (!node) {
+        plan->studies = calloc(1, sizeof *plan->studies);
+        TRY(plan->studies ? STATUS_OK : STATUS_MEMORY);
+        *plan->studies = (struct plan_study){.name = strdup(plan->name),
+                                             .caption = strdup(plan->source),
+                                             .line = root->line};
+        plan->study_count = 1;
+        TRY(plan->studies->name && plan->studies->caption ? STATUS_OK : STATUS_MEMORY);
+    }
+    node = node ? node->first : NULL;
+    for (int n = 0; n < plan->study_count; n++, node = node ? node->next : NULL)
+        TRY(complete(&plan->studies[n], root, node, plan, why));
+out:
+    return st;
+}
+
+static void clear_study(struct plan_study *study)
+{
+    for (int n = 0; n < study->level_count; n++)
         clear_level(&study->levels[n]);
-    if (own || study->levels != base->levels)
-        free(study->levels);
-    if (own || study->times != base->times)
-        free(study->times);
-    if (own || study->quick_times != base->quick_times)
-        free(study->quick_times);
-    for (int n = 0; (own || study->axis->name != base->axis->name) && n < study->axis_count;
-         n++) {
+    for (int n = 0; n < study->axis_count; n++) {
         for (int k = 0; k < study->axis[n].count; k++)
             clear_level(&study->axis[n].levels[k]);
         free(study->axis[n].levels);
         free(study->axis[n].name);
     }
     plan_settings_clear(&study->settings);
+    free(study->levels);
+    free(study->times);
+    free(study->quick_times);
     free(study->name);
     free(study->caption);
-    *study = (struct plan_study){0};
 }
 
-/* --- The plan. */
-
-static const char *const KEEPS[] = {"none", "snapshots", NULL};
-
-LIST_READER(read_axes, plan, axes, axis_count, read_axis)
-
-static const struct schema_key CASE_NAME = {"name", .type = SCHEMA_TEXT};
-
-/* A map of settings, one of whose keys may be the name. */
-static enum status read_listed(const struct yaml_tree *node, void *target,
-                               struct message *why)
-{
-    struct plan_listed *listed = target;
-    enum status st = STATUS_OK;
-
-    listed->line = node->line;
-    if (node->kind != YAML_TREE_MAP)
-        return yaml_tree_refuse(node, why, "a case is %s, but must be a map {KEY: VALUE}",
-                                yaml_tree_describe(node).text);
-    for (const struct yaml_tree *child = node->first; child; child = child->next)
-        TRY(strcmp(child->key, CASE_NAME.key)
-                ? plan_settings_add(&listed->settings, child->key, child, why)
-                : schema_text(&CASE_NAME, child, &listed->name, why));
-out:
-    return st;
-}
-
-LIST_READER(read_cases, plan, listed, listed_count, read_listed)
-LIST_READER(read_studies, plan, studies, study_count, read_study)
-
-/* A label, or a list of them, on each axis of a map; of a product what is no axis, too. */
-static enum status read_labels(const struct yaml_tree *node, struct plan_settings *labels,
-                               struct plan_product *product, struct message *why)
-{
-    static const struct schema_key ms = {"paper_ms", .high = 1e9, .open = true};
-    enum status st = STATUS_OK;
-
-    if (node->kind != YAML_TREE_MAP)
-        return yaml_tree_refuse(node, why, "%s, but a map {AXIS: LABEL} is wanted",
-                                yaml_tree_describe(node).text);
-    for (const struct yaml_tree *axis = node->first; axis; axis = axis->next) {
-        const bool list = axis->kind == YAML_TREE_LIST;
-        if (product && !strcmp(axis->key, "quick") && axis->text) {
-            product->quick = !strcmp(axis->text, "true");
-            if (!product->quick && strcmp(axis->text, "false"))
-                return yaml_tree_refuse(axis, why, "quick is %s, but must be true or false",
-                                        yaml_tree_describe(axis).text);
-            continue;
-        }
-        if (product && !strcmp(axis->key, ms.key)) {
-            TRY(schema_number(&ms, axis, &product->paper_ms, why));
-            continue;
-        }
-        for (const struct yaml_tree *n = list ? axis->first : axis; n;
-             n = list ? n->next : NULL) {
-            if (!n->text)
-                return yaml_tree_refuse(n, why, "%s is %s, but must be a label of the axis",
-                                        axis->key, yaml_tree_describe(n).text);
-            TRY(plan_settings_add_text(labels, axis->key, n->text, n->line));
-        }
-    }
-out:
-    return st;
-}
-
-static enum status read_product(const struct yaml_tree *node, void *target,
-                                struct message *why)
-{
-    struct plan_product *product = target;
-
-    return read_labels(node, &product->labels, product, why);
-}
-
-LIST_READER(read_products, plan_products, list, count, read_product)
-
-static enum status read_chosen(const struct schema_key *key, const struct yaml_tree *node,
-                               void *target, struct message *why)
-{
-    return read_labels(node, (void *)((char *)target + key->offset), NULL, why);
-}
-
-static enum status read_words(const struct schema_key *key, const struct yaml_tree *node,
-                              void *target, struct message *why)
-{
-    struct plan_settings *words = (void *)((char *)target + key->offset);
-    enum status st = STATUS_OK;
-
-    if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > key->most)
-        return schema_refuse(key, node, why);
-    for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
-        st = n->text ? plan_settings_add_text(words, n->text, "", n->line)
-                     : schema_refuse(key, node, why);
-    return st;
-}
-
-/* The text of a plan file as a tree; both are freed by the receiver. */
-static enum status load(const char *path, char **text, struct yaml_tree **root,
-                        struct message *why)
-{
-    enum status st;
-    size_t size = 0;
-
-    TRY(named_file_read(&plan_kind, path, text, &size, why));
-    TRY(yaml_tree_parse(path, false, *text, size, root, why));
-    (*text)[size] = '\0'; /* there is room: it was not too long to parse */
-out:
-    return st;
-}
-
-/* The rules that another plan has under the key. */
-static enum status read_others(const char *name, const char *key,
-                               struct verdict_rules *rules, struct message *why)
-{
-    enum status st;
-    char *path = NULL, *text = NULL;
-    struct yaml_tree *root = NULL, *list = NULL;
-
-    TRY(named_file_find(&plan_kind, name, &path, why));
-    TRY(load(path, &text, &root, why));
-    if (root->kind == YAML_TREE_MAP)
-        list = yaml_tree_find(root, key);
-    if (!list)
-        TRY(yaml_tree_refuse(root, why, "this plan has no %s", key));
-    TRY(verdict_read(list, rules, why));
-out:
-    yaml_tree_free(root);
-    free(text);
-    free(path);
-    return st;
-}
-
-/* A list of rules, or the plan that has it. */
-static enum status read_verdicts(const struct schema_key *key, const struct yaml_tree *node,
-                                 void *target, struct message *why)
-{
-    struct verdict_rules *rules = (void *)((char *)target + key->offset);
-    struct message reason = {""};
-
-    if (node->kind != YAML_TREE_SCALAR)
-        return verdict_read(node, rules, why);
-    const enum status st = read_others(node->text, key->key, rules, &reason);
-    if (st == STATUS_OK || st == STATUS_MEMORY)
-        return st;
-    return yaml_tree_refuse(node, why, "%s: %s", key->key, reason.text);
-}
-
-static enum status read_measure(const struct schema_key *key, const struct yaml_tree *node,
-                                void *target, struct message *why)
-{
-    int *measure = (void *)((char *)target + key->offset);
-
-    for (int n = 0; n < MEASURES && node->kind == YAML_TREE_SCALAR; n++)
-        if (!strcmp(node->text, measure_name(n))) {
-            *measure = n;
-            return STATUS_OK;
-        }
-    return schema_refuse(key, node, why);
-}
-
-/* clang-format off */
-#define ONE_MEASURE SCHEMA_SPECIAL, .read = read_measure, .want = "the name of a measure"
-static const struct schema_key FALLS[] = {
-    {"measure", "measure that has to fall", ONE_MEASURE, .required = true, IN(plan, falls.measure)},
-    {"along", "key of the axis, with values from coarse to fine", SCHEMA_TEXT,
-     .required = true, IN(plan, falls.along)},
-    {"by", "measure by which it may grow (not at all)", ONE_MEASURE, IN(plan, falls.by)},
-    {NULL}};
-
-static const struct schema_key MARK[] = {
-    {"text", "on the point", SCHEMA_TEXT, .required = true, IN(plan_mark, text)},
-    {"label", "in the legend", SCHEMA_TEXT, .required = true, IN(plan_mark, label)},
-    {"at", "settings of its case", SCHEMA_SPECIAL, .required = true,
-     .read = plan_settings_read_key, IN(plan_mark, settings), .want = "a map {KEY: VALUE, ...}"},
-    {NULL}};
-
-static enum status read_mark(const struct yaml_tree *node, void *target,
-                             struct message *why)
-{
-    struct plan_mark *mark = target;
-
-    mark->line = node->line;
-    return schema_read(MARK, node, "a mark", mark, why);
-}
-
-LIST_READER(read_marks, plan_map, marks, mark_count, read_mark)
-
-static const struct schema_key MAP[] = {
-    {"x", "key or measure along x", SCHEMA_TEXT, .required = true, IN(plan, map.x)},
-    {"y", "key or measure along y", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
-    {"panel", "key whose values have a panel each, or name (of cases)", SCHEMA_TEXT, IN(plan, map.panel)},
-    {"marks", "points on the map that are no cases", SCHEMA_SPECIAL, .most = PLAN_MAX_LISTED,
-     .read = read_marks, IN(plan, map),
-     .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
-    {NULL}};
-
-static const struct schema_key TABLE[] = {
-    {"columns", "quantities, a column each", SCHEMA_SPECIAL, .required = true,
-     .read = read_words, .most = PLAN_TABLE_COLUMNS, IN(plan, table.columns),
-     .want = "a list of 1 to 16 quantities"},
-    {"last", "show only the last time of each study", SCHEMA_WORD,
-     .words = plan_settings_truth, IN(plan, table.last)},
-    {"shown", "show only the levels with these labels", SCHEMA_SPECIAL,
-     .read = read_chosen, IN(plan, table.shown), .want = "a map {AXIS: LABEL}"},
-    {"pictures", "studies whose sheets are drawn", SCHEMA_SPECIAL, .read = read_words,
-     .most = PLAN_TABLE_COLUMNS, IN(plan, table.pictures),
-     .want = "a list of 1 to 16 names of studies"},
-    {"note", "note below the table", SCHEMA_TEXT, IN(plan, table.note)},
-    {"file", "name of its CSV and chart (the plan's)", SCHEMA_TEXT, IN(plan, table.file)},
-    {NULL}};
-
-#define AXES SCHEMA_SPECIAL, .read = read_words, .most = PLAN_STUDY_AXES, \
-    .want = "a list of 1 to 4 axes"
-static const struct schema_key CHART[] = {
-    {"x", "quantity along x, or a name for the size of the levels", SCHEMA_TEXT, .required = true,
-     IN(plan, chart.x)},
-    {"y", "quantities along y, a line each", SCHEMA_SPECIAL, .required = true, IN(plan, chart.y),
-     .read = read_words, .most = PLAN_TABLE_COLUMNS, .want = "a list of 1 to 16 quantities"},
-    {"from", "value from which the quantity's distance is drawn (none)", SCHEMA_NUMBER, .low = -1e30,
-     .high = 1e30, IN(plan, chart.from)},
-    {"panel", "axes whose labels have a panel each", AXES, IN(plan, chart.panel)},
-    {"line", "axes whose labels have a line each", AXES, .required = true,
-     IN(plan, chart.line)},
-    {NULL}};
-
-static const struct schema_key PLAN[] = {
-    {"name", "name in lists, and of the results' folder", SCHEMA_TEXT, .required = true,
-     IN(plan, name)},
-    {"source", "subject of the plan", SCHEMA_TEXT, .required = true, IN(plan, source)},
-    {"what", "description for lists (the source)", SCHEMA_TEXT, IN(plan, what)},
-    {"scene", "scene of all cases", SCHEMA_SPECIAL, .read = plan_settings_read_word,
-     IN(plan, settings), .want = "the name or the path of a scene"},
-    {"model", "of all cases: a model or a contestant", SCHEMA_SPECIAL,
-     .read = plan_settings_read_word, IN(plan, settings), .want = "the name of a model"},
-    {"settings", "settings of all cases", SCHEMA_SPECIAL, .read = plan_settings_read_key,
-     IN(plan, settings), .want = "a map {KEY: VALUE, ...} of keys that --set takes"},
-    {"axes", "every combination", SCHEMA_SPECIAL, .low = 1, .most = PLAN_MAX_AXES,
-     .read = read_axes, .keys = AXIS,
-     .want = "a list of 1 to 16 axes {key: ..., values: [...]}"},
-    {"cases", "cases, each with all combinations of the axes", SCHEMA_SPECIAL, .low = 1,
-     .most = PLAN_MAX_LISTED, .read = read_cases,
-     .want = "a list of 1 to 10000 maps {name: ..., KEY: VALUE, ...}"},
-    {"look", "frames between two readings of the metrics", SCHEMA_COUNT, .low = 1,
-     .high = 1e6, IN(plan, look)},
-    {"intersections", "count self-intersections", SCHEMA_WORD, .words = plan_settings_truth,
-     IN(plan, intersections)},
-    {"keep", "fields that result files keep", SCHEMA_WORD, .words = KEEPS, IN(plan, keep)},
-    {"time_limit", "time limit of a case [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
-     IN(plan, time_limit)},
-    {"verdicts", "rules that label a case", SCHEMA_SPECIAL, .read = read_verdicts,
-     IN(plan, verdicts),
-     .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan "
-             "that has them"},
-    {"learnt", "second opinion: bounds learnt from the paper's words",
-     SCHEMA_SPECIAL, .read = read_verdicts, IN(plan, learnt),
-     .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan "
-             "that has them"},
-    {"falls", "what is to fall along an axis; exit 1 where it grows", SCHEMA_SECTION,
-     .keys = FALLS},
-    {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
-    PLAN_STUDY_KEYS(offsetof(struct plan, base)),
-    {"studies", "each of these levels, times, ... unless it has its own", SCHEMA_SPECIAL,
-     .read = read_studies, .low = 1, .most = PLAN_STUDY_MOST, .keys = STUDY,
-     .want = "a list of 1 to 100 studies {name: ..., scene: ..., settings: {KEY: VALUE}}"},
-    {"skip", "products of the axes that are not run; with quick: true, not in a quick run",
-     SCHEMA_SPECIAL, .read = read_products, .low = 1, .most = PLAN_STUDY_MOST,
-     IN(plan, skip), .want = "a list of maps {AXIS: LABEL, AXIS: [LABEL, LABEL]}"},
-    {"paper", "milliseconds of a frame in the paper, for products of the axes", SCHEMA_SPECIAL,
-     .read = read_products, .low = 1, .most = PLAN_STUDY_MOST, IN(plan, paper),
-     .want = "a list of maps {AXIS: LABEL, paper_ms: NUMBER}"},
-    {"reference", "axis and label of the level that others are compared with", SCHEMA_SPECIAL,
-     .read = read_chosen, IN(plan, reference), .want = "a map {AXIS: LABEL}"},
-    {"table", "one table of all studies", SCHEMA_SECTION, .keys = TABLE},
-    {"chart", "a point for each level", SCHEMA_SECTION, .keys = CHART},
-    {NULL}};
-/* clang-format on */
-
-/* What the studies do not say themselves; a plan with levels alone is one study. */
-static enum status settle_studies(struct plan *plan, const struct yaml_tree *root,
-                                  struct message *why)
-{
-    enum status st = STATUS_OK;
-    const struct yaml_tree *given = NULL;
-    const bool alone =
-        (plan->base.level_count || plan->base.axis_count) && !plan->study_count;
-
-    for (const char *const *key =
-             (const char *const[]){"times", "truth", "timed", "skip", "reference", "paper",
-                                   "table", "chart", NULL};
-         *key && !given; key++)
-        given = yaml_tree_find(root, *key);
-    if (given && !alone && !plan->study_count)
-        return yaml_tree_refuse(given, why, "%s is for studies, but the plan has no levels",
-                                given->key);
-    if (alone) {
-        plan->studies = calloc(1, sizeof *plan->studies);
-        TRY(plan->studies ? STATUS_OK : STATUS_MEMORY);
-        plan->studies[plan->study_count++] = no_study();
-        plan->studies->line = root->line;
-        plan->studies->name = strdup(plan->name);
-        plan->studies->caption = strdup(plan->source);
-        TRY(plan->studies->name && plan->studies->caption ? STATUS_OK : STATUS_MEMORY);
-    }
-    for (int n = 0; n < plan->study_count; n++)
-        TRY(inherit(&plan->studies[n], plan, why));
-out:
-    return st;
-}
+/* --- the whole ---------------------------------------------------------------------------
+ */
 
 static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
                              struct message *why)
 {
-    enum status st = STATUS_OK;
+    struct reading r = {.plan = *plan};
+    enum status st = schema_read(PLAN, root, "the plan", &r, why);
 
-    TRY(schema_read(PLAN, root, "the plan", plan, why));
+    *plan = r.plan;
+    clear_study(&r.base); /* each study reads its own */
+    TRY(st);
     if (strlen(plan->name) > 64 ||
         plan->name[strspn(plan->name, "abcdefghijklmnopqrstuvwxyz0123456789_-")])
         return yaml_tree_refuse(yaml_tree_find(root, "name"), why,
@@ -786,8 +912,7 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
                                 yaml_tree_describe(yaml_tree_find(root, "name")).text);
     plan->map.line = line_of(root, "map", root->line);
     plan->falls.line = line_of(root, "falls", root->line);
-    plan->base.times_line = line_of(root, "times", 0);
-    TRY(settle_studies(plan, root, why));
+    TRY(complete_studies(plan, root, why));
 out:
     return st;
 }
@@ -797,11 +922,8 @@ enum status plan_parse(const char *path, struct plan *plan, struct message *why)
     enum status st = STATUS_OK;
     struct yaml_tree *root = NULL;
 
-    *plan = (struct plan){.look = 10,
-                          .time_limit = 600,
-                          .falls = {.by = -1},
-                          .chart.from = NAN,
-                          .base = no_study()};
+    *plan = (struct plan){
+        .look = 10, .time_limit = 600, .falls = {.by = -1}, .chart.from = NAN};
     if (why)
         why->text[0] = '\0';
     plan->path = strdup(path);
@@ -821,7 +943,7 @@ void plan_keys(void (*line)(void *context, const char *key, const char *text),
     schema_list(PLAN, "", line, context);
 }
 
-/* What it is about; of `studies`, nothing if it is no study. */
+/* Returns what a plan is about; with `studies`, nothing if it is none. */
 static char *describe_of(const char *path, bool studies)
 {
     struct plan plan;
@@ -863,8 +985,11 @@ static void clear_products(struct plan_products *products)
 
 void plan_clear(struct plan *plan)
 {
-    for (int n = 0; n < plan->axis_count; n++)
-        clear_axis(&plan->axes[n]);
+    for (int n = 0; n < plan->axis_count; n++) {
+        free(plan->axes[n].key);
+        free(plan->axes[n].by);
+        plan_settings_clear(&plan->axes[n].values);
+    }
     for (int n = 0; n < plan->listed_count; n++) {
         free(plan->listed[n].name);
         plan_settings_clear(&plan->listed[n].settings);
@@ -875,8 +1000,7 @@ void plan_clear(struct plan *plan)
         plan_settings_clear(&plan->map.marks[n].settings);
     }
     for (int n = 0; n < plan->study_count; n++)
-        clear_study(&plan->studies[n], &plan->base);
-    clear_study(&plan->base, &plan->base);
+        clear_study(&plan->studies[n]);
     clear_products(&plan->skip);
     clear_products(&plan->paper);
     struct plan_settings *const settings[] = {
@@ -894,4 +1018,387 @@ void plan_clear(struct plan *plan)
     verdict_clear(&plan->verdicts);
     verdict_clear(&plan->learnt);
     *plan = (struct plan){0};
+}
+
+/* --- checks ------------------------------------------------------------------------------
+ */
+
+static bool add_key(struct plan *plan, const char *key)
+{
+    const char **grown;
+
+    for (int k = 0; k < plan->key_count; k++)
+        if (!strcmp(plan->keys[k], key))
+            return true;
+    grown = realloc(plan->keys, ((size_t)plan->key_count + 1) * sizeof *grown);
+    if (!grown)
+        return false;
+    plan->keys = grown;
+    plan->keys[plan->key_count++] = key;
+    return true;
+}
+
+static enum status add_keys_of(struct plan *plan, const struct plan_settings *settings)
+{
+    for (int n = 0; n < settings->count; n++)
+        if (!add_key(plan, settings->list[n].key))
+            return STATUS_MEMORY;
+    return STATUS_OK;
+}
+
+static enum status add_keys(struct plan *plan)
+{
+    enum status st;
+
+    TRY(add_keys_of(plan, &plan->settings));
+    for (int n = 0; n < plan->listed_count; n++)
+        TRY(add_keys_of(plan, &plan->listed[n].settings));
+    for (int n = 0; n < plan->axis_count; n++)
+        TRY(add_key(plan, plan->axes[n].key) ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < plan->study_count; n++) {
+        const struct plan_study *study = &plan->studies[n];
+        TRY(add_keys_of(plan, &study->settings));
+        for (int k = 0; k < study->level_count; k++)
+            for (int i = 0; i < PLAN_STUDY_AXES && study->levels[k].part[i]; i++) {
+                TRY(add_keys_of(plan, &study->levels[k].part[i]->settings));
+                TRY(add_keys_of(plan, &study->levels[k].part[i]->quick));
+            }
+    }
+out:
+    return st;
+}
+
+/* Returns the line that gives a key in the settings, a case, or an axis before number
+ * `axes`; 0 if none does. */
+static int given_in(const struct plan *plan, const char *key, int axes)
+{
+    const struct plan_setting *s = plan_settings_find(&plan->settings, key);
+
+    for (int n = 0; !s && n < plan->listed_count; n++)
+        s = plan_settings_find(&plan->listed[n].settings, key);
+    for (int n = 0; !s && n < axes; n++)
+        if (!strcmp(plan->axes[n].key, key))
+            s = plan->axes[n].values.list;
+    return s ? s->line : 0;
+}
+
+/* Refuses the key of an axis that stands elsewhere, too, and the key that a stand-in sets.
+ */
+static enum status check_twice(const struct plan *plan, struct message *why)
+{
+    for (int n = 0; n < plan->axis_count; n++) {
+        const char *key = plan->axes[n].key;
+        const int line = given_in(plan, key, n);
+        if (line)
+            return plan_case_refuse(plan, plan->axes[n].line, why,
+                                    "the key %s is given in line %d, too; give it once",
+                                    yaml_tree_quote(key).text, line);
+    }
+    for (int k = 0; k < plan->key_count; k++) {
+        const char *key = plan->keys[k];
+        if (!derived_key_is(key))
+            continue;
+        const char *by = plan_case_set_by(plan, key);
+        const int line = given_in(plan, by, plan->axis_count);
+        if (line)
+            return plan_case_refuse(
+                plan, line, why,
+                "%s is given here and also set by %s in line %d; leave one out, or let "
+                "another key be set with 'by'",
+                yaml_tree_quote(by).text, key, given_in(plan, key, plan->axis_count));
+    }
+    return STATUS_OK;
+}
+
+static bool is_measure(const char *name)
+{
+    for (int n = 0; n < MEASURES; n++)
+        if (!strcmp(measure_name(n), name))
+            return true;
+    return false;
+}
+
+static enum status check_map(const struct plan *plan, struct message *why)
+{
+    const char *const names[] = {plan->map.x, plan->map.y, plan->map.panel};
+
+    for (int n = 0; n < 3; n++)
+        if (n == 2 && names[n] && !strcmp(names[n], "name"))
+            continue; /* of the listed cases */
+        else if (names[n] && !given_in(plan, names[n], plan->axis_count) &&
+                 !is_measure(names[n]))
+            return plan_case_refuse(
+                plan, plan->map.line, why,
+                "the map shows %s, which is neither a key of the plan nor a measure",
+                yaml_tree_quote(names[n]).text);
+    return STATUS_OK;
+}
+
+/* Refuses a measure that is to fall along what is no axis of two values and more. */
+static enum status check_falls(const struct plan *plan, struct message *why)
+{
+    const char *along = plan->falls.along;
+
+    for (int n = 0; along && n < plan->axis_count; n++)
+        if (!strcmp(plan->axes[n].key, along) && plan->axes[n].values.count > 1)
+            return STATUS_OK;
+    return along ? plan_case_refuse(plan, plan->falls.line, why,
+                                    "falls is along %s, but must be along the key of an "
+                                    "axis of two values at least",
+                                    yaml_tree_quote(along).text)
+                 : STATUS_OK;
+}
+
+/* Checks that the scene of a mark can be read, and that it says where on the map it lies.
+ */
+static enum status check_mark(const struct plan *plan, const struct plan_mark *mark,
+                              struct message *why)
+{
+    const char *const names[] = {plan->map.x, plan->map.y};
+    struct message text;
+    struct scene scene = {0};
+
+    for (int n = 0; n < 2; n++)
+        if (!derived_key_is(names[n]) && !plan_settings_find(&mark->settings, names[n]))
+            return plan_case_refuse(plan, mark->line, why,
+                                    "the mark %s lacks the key %s, which the map shows",
+                                    yaml_tree_quote(mark->text).text, names[n]);
+    const enum status st = plan_case_mark(plan, &mark->settings, &scene, &text);
+    scene_clear(&scene);
+    return plan_case_pass(plan, mark->line, st, &text, why);
+}
+
+/* Checks that there is a frame at every time. */
+static enum status check_times(const struct plan *plan, const struct plan_study *study,
+                               const struct plan_level *level, const struct scene *scene,
+                               struct message *why)
+{
+    for (int n = 0; n < study->time_count + study->quick_count; n++) {
+        const double t = n < study->time_count ? study->times[n]
+                                               : study->quick_times[n - study->time_count];
+        const double frames = t / scene->step;
+        if (fabs(frames - round(frames)) > 1e-6 * frames || frames < 0.5)
+            return plan_case_refuse(
+                plan, study->times_line, why,
+                "the time %g s is no multiple of the step, %g s, of the level "
+                "%s",
+                t, scene->step, yaml_tree_quote(level->label).text);
+    }
+    return STATUS_OK;
+}
+
+/* Checks that a case's scene can be read, and has a frame at a study's times; clears the
+ * case. */
+static enum status try_scene(const struct plan *plan, const struct plan_study *study,
+                             const struct plan_level *level, struct plan_case *c,
+                             struct message *why)
+{
+    struct scene scene = {0};
+    enum status st = plan_case_blame(plan, c, plan_case_scene(c, &scene, why), why);
+
+    if (st == STATUS_OK && study)
+        st = check_times(plan, study, level, &scene, why);
+    scene_clear(&scene);
+    plan_case_clear(c);
+    return st;
+}
+
+static enum status try_case(const struct plan *plan, long number, struct message *why)
+{
+    struct plan_case c;
+    const enum status st = plan_case_open(plan, number, &c, why);
+
+    return st ? st : try_scene(plan, NULL, NULL, &c, why);
+}
+
+/* Tries every listed case with the axes at their first, every value of an axis in the first
+ * case. */
+static enum status try_values(const struct plan *plan, struct message *why)
+{
+    enum status st = STATUS_OK;
+    long block = 1;
+
+    for (int n = plan->axis_count - 1; n >= 0; n--) {
+        for (int i = 1; i < plan->axes[n].values.count; i++)
+            TRY(try_case(plan, i * block, why));
+        block *= plan->axes[n].values.count;
+    }
+    for (int n = 0; n == 0 || n < plan->listed_count; n++)
+        TRY(try_case(plan, n * block, why));
+out:
+    return st;
+}
+
+/* Checks a name, which becomes that of a file and which no other may have. */
+static enum status check_name(const struct plan *plan, const char *what, const char *name,
+                              const char *before, int line, struct message *why)
+{
+    const size_t good = strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_");
+
+    if (!*name || name[good] || strlen(name) > 64)
+        return plan_case_refuse(
+            plan, line, why,
+            "%s has the name %s, but must have 1 to 64 of the characters a-z, "
+            "0-9 and _",
+            what, yaml_tree_quote(name).text);
+    if (before && !strcmp(before, name))
+        return plan_case_refuse(plan, line, why,
+                                "%s has the name %s as another has; its files "
+                                "need a name of their own",
+                                what, yaml_tree_quote(name).text);
+    return STATUS_OK;
+}
+
+static enum status try_level(const struct plan *plan, const struct plan_study *study,
+                             const struct plan_level *level, bool quick,
+                             struct message *why)
+{
+    struct plan_case c;
+    const enum status st = plan_case_level(plan, study, level, quick, &c, why);
+
+    return st ? st : try_scene(plan, study, level, &c, why);
+}
+
+static enum status check_study(const struct plan *plan, int n, struct message *why)
+{
+    const struct plan_study *study = &plan->studies[n];
+    enum status st = STATUS_OK;
+
+    for (int k = 0; k < n || k == 0; k++)
+        TRY(check_name(plan, "a study", study->name, k < n ? plan->studies[k].name : NULL,
+                       study->line, why));
+    if (!study->level_count)
+        return plan_case_refuse(plan, study->line, why,
+                                "the study %s has no levels, and the plan has none for it",
+                                yaml_tree_quote(study->name).text);
+    if (study->truth == PLAN_TRUTH_SCENE && !study->time_count)
+        return plan_case_refuse(
+            plan, study->line, why,
+            "the study %s has truth, but no times; a truth is of a motion",
+            yaml_tree_quote(study->name).text);
+    for (int k = 0; k < study->level_count; k++) {
+        const struct plan_level *level = &study->levels[k];
+        for (int i = 0; i < k || i == 0; i++)
+            TRY(check_name(plan, "a level", level->name,
+                           i < k ? study->levels[i].name : NULL, level->line, why));
+        TRY(try_level(plan, study, level, false, why));
+        for (int i = 0; i < PLAN_STUDY_AXES && level->part[i]; i++)
+            if (level->part[i]->quick.count)
+                TRY(try_level(plan, study, level, true, why));
+    }
+out:
+    return st;
+}
+
+/* Whether some study has an axis of this name, and this label on it. */
+static bool has_label(const struct plan *plan, const char *axis, const char *label,
+                      bool *known)
+{
+    bool found = false;
+
+    *known = false;
+    for (int n = 0; n < plan->study_count; n++) {
+        const struct plan_study *study = &plan->studies[n];
+        *known |= !strcmp(axis, "study");
+        found |= !strcmp(axis, "study") && !strcmp(label, study->name);
+        for (int a = 0; a < study->axis_count; a++) {
+            if (strcmp(study->axis[a].name, axis))
+                continue;
+            *known = true;
+            for (int k = 0; k < study->axis[a].count; k++)
+                found |= !strcmp(study->axis[a].levels[k].label, label);
+        }
+    }
+    return found;
+}
+
+static enum status check_labels(const struct plan *plan, const struct plan_settings *labels,
+                                struct message *why)
+{
+    bool known;
+
+    for (int n = 0; n < labels->count; n++) {
+        const struct plan_setting *s = &labels->list[n];
+        if (has_label(plan, s->key, s->value, &known))
+            continue;
+        return plan_case_refuse(
+            plan, s->line, why, "%s %s%s%.60s'",
+            known ? "the axis" : "no study has an axis", yaml_tree_quote(s->key).text,
+            known ? ", which has no label '" : ", nor a label '", s->value);
+    }
+    return STATUS_OK;
+}
+
+static enum status check_studies(const struct plan *plan, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < plan->skip.count; n++)
+        TRY(check_labels(plan, &plan->skip.list[n].labels, why));
+    for (int n = 0; n < plan->paper.count; n++) {
+        const struct plan_product *paper = &plan->paper.list[n];
+        TRY(check_labels(plan, &paper->labels, why));
+        if (!(paper->paper_ms > 0))
+            return plan_case_refuse(plan,
+                                    paper->labels.count ? paper->labels.list->line : 1, why,
+                                    "an entry of paper lacks the key paper_ms");
+    }
+    TRY(check_labels(plan, &plan->reference, why));
+    TRY(check_labels(plan, &plan->table.shown, why));
+
+    if (plan->axis_count || plan->listed_count || plan->map.x)
+        return plan_case_refuse(
+            plan,
+            plan->axis_count     ? plan->axes->line
+            : plan->listed_count ? plan->listed->line
+                                 : plan->map.line,
+            why,
+            "a plan with levels has no axes, cases and map; a study for each "
+            "of them is the same");
+    for (int n = 0; n < plan->study_count; n++)
+        TRY(check_study(plan, n, why));
+out:
+    return st;
+}
+
+/* Chooses the program's first model unless somebody says otherwise. */
+static enum status choose_model(struct plan *plan)
+{
+    for (int n = 0; n < plan->axis_count; n++)
+        if (!strcmp(plan->axes[n].key, "model"))
+            return STATUS_OK;
+    return plan_settings_find(&plan->settings, "model")
+               ? STATUS_OK
+               : add_text(&plan->settings, "model", contestant_model(0)->name, 1);
+}
+
+static enum status check(struct plan *plan, struct message *why)
+{
+    enum status st;
+
+    TRY(choose_model(plan));
+    TRY(add_keys(plan));
+    TRY(check_twice(plan, why));
+    TRY(check_map(plan, why));
+    TRY(check_falls(plan, why));
+    if (plan_case_count(plan) > PLAN_MAX_CASES)
+        return plan_case_refuse(plan, 1, why,
+                                "the plan has more than %d cases, the most there may be",
+                                PLAN_MAX_CASES);
+    TRY(plan->study_count ? check_studies(plan, why) : try_values(plan, why));
+    for (int n = 0; n < plan->map.mark_count; n++)
+        TRY(check_mark(plan, &plan->map.marks[n], why));
+out:
+    return st;
+}
+
+enum status plan_read(const char *path, struct plan *plan, struct message *why)
+{
+    enum status st = plan_parse(path, plan, why);
+
+    if (st == STATUS_OK)
+        st = check(plan, why);
+    if (st != STATUS_OK)
+        plan_clear(plan);
+    return st;
 }

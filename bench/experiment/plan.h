@@ -30,8 +30,7 @@ enum {
     PLAN_TABLE_COLUMNS = 16,
 };
 
-/* --- Settings (plan_settings.c): keys and values as a plan gives them, with their lines.
- */
+/* --- Settings: keys and values as a plan gives them, with their lines. */
 
 struct plan_setting {
     char *key, *value; /* as --set takes them: KEY=VALUE                         owned */
@@ -43,41 +42,7 @@ struct plan_settings {
     struct plan_setting *list; /* owned                                                */
 };
 
-/* Adds a key with the value that `node` has, or with the text `value`. STATUS_INPUT: a text
- * that does not fit a line. */
-enum status plan_settings_add(struct plan_settings *settings, const char *key,
-                              const struct yaml_tree *node, struct message *why);
-enum status plan_settings_add_text(struct plan_settings *settings, const char *key,
-                                   const char *value, int line);
-
-/* STATUS_INPUT with a sentence at `node`: a key that --set KEY=VALUE would read otherwise.
- */
-enum status plan_settings_check_key(const char *key, const struct yaml_tree *node,
-                                    struct message *why);
-
-/* Readers of schema.h, into the struct plan_settings at key->offset: the children of a map
- * {KEY: VALUE, ...} or of a list of such maps; the key itself with its value, a word.
- * STATUS_INPUT with one sentence: not such a thing, a key given twice; STATUS_MEMORY. */
-enum status plan_settings_read_key(const struct schema_key *key,
-                                   const struct yaml_tree *node, void *target,
-                                   struct message *why);
-enum status plan_settings_read_word(const struct schema_key *key,
-                                    const struct yaml_tree *node, void *target,
-                                    struct message *why);
-
-/* For readers of a list of key->low to key->most things of so many bytes: room for all of
- * them, all-zero, freed by the receiver, and each read into it. *count has what was begun,
- * on failure, too. NULL: *st says why. */
-void *plan_settings_list(const struct schema_key *key, const struct yaml_tree *node,
-                         size_t size, int *count,
-                         enum status read(const struct yaml_tree *node, void *element,
-                                          struct message *why),
-                         enum status *st, struct message *why);
-
-/* The words of schema.h for 0 and 1. */
-extern const char *const plan_settings_truth[];
-
-/* The setting of a key; NULL if there is none. */
+/* Returns the setting of a key; NULL if there is none. */
 const struct plan_setting *plan_settings_find(const struct plan_settings *settings,
                                               const char *key);
 
@@ -94,6 +59,8 @@ struct plan_axis {
     char *by;  /* the key that a stand-in sets; NULL: material.young             owned */
     int line;  /* in the plan                                                          */
     enum plan_axis_scale scale;  /* of from ... to, and of the map                     */
+    double from, to;             /* NaN: its values are listed                         */
+    int count;                   /* of values from ... to; 0: likewise                 */
     struct plan_settings values; /* each with the axis's key                           */
 };
 
@@ -116,7 +83,9 @@ struct plan_level {
     struct plan_settings quick; /* on top of them in a quick run                       */
     int timed; /* repeats; 0: not timed; -1: as the study has it                       */
     bool slow; /* a quick run leaves it out                                            */
-    const char *word[PLAN_STUDY_AXES]; /* its label on each axis of its study; borrowed */
+    /* The levels that it is the product of, one on each axis of its study, or itself,
+       where levels are listed; borrowed. Their settings are its settings. */
+    const struct plan_level *part[PLAN_STUDY_AXES];
     int line;
 };
 
@@ -148,15 +117,15 @@ struct plan_study {
     char *caption; /* of its tables                                             owned  */
     struct plan_settings settings;
     int level_count;
-    struct plan_level *levels; /* [level_count]; as times owned, unless the plan's */
-    int axis_count;            /* 0: its levels are listed; else products of these       */
-    struct plan_study_axis axis[PLAN_STUDY_AXES]; /* owned by the one that was given them */
-    int time_count;  /* 0: static equilibrium, as the only frame; -1: not given */
-    double *times;   /* [time_count] [s]                                       */
-    int quick_count; /* 0: a quick run has the same times                     */
-    double *quick_times;
-    int truth;            /* enum plan_truth; -1: not given                        */
-    int timed;            /* repeats; 0: not timed; -1: not given                  */
+    struct plan_level *levels; /* [level_count]                                 owned  */
+    int axis_count;            /* 0: its levels are listed; else products of these     */
+    struct plan_study_axis axis[PLAN_STUDY_AXES];
+    int time_count;  /* 0: static equilibrium, as the only frame                   */
+    double *times;   /* [time_count] [s]                                        owned  */
+    int quick_count; /* 0: a quick run has the same times                          */
+    double *quick_times;  /* [quick_count] [s]                                  owned  */
+    int truth;            /* enum plan_truth                                       */
+    int timed;            /* repeats; 0: not timed                                 */
     int line, times_line; /* in the plan                                           */
 };
 
@@ -233,8 +202,7 @@ struct plan {
                                     words; the map hatches what they pass              */
     struct plan_falls falls;
     struct plan_map map;
-    struct plan_study base; /* what its studies have unless they say otherwise         */
-    int study_count;        /* 0: it is for sweeps                                     */
+    int study_count; /* 0: it is for sweeps                                     */
     struct plan_study *studies; /* owned                                               */
     struct plan_products skip, paper;
     struct plan_settings reference; /* axis and label: levels are compared with the one
@@ -258,9 +226,9 @@ void plan_clear(struct plan *plan);
 void plan_keys(void (*line)(void *context, const char *key, const char *text),
                void *context);
 
-/* Likewise of a plan that can be run (plan_read.c): plan->keys, no key from two places, no
- * more cases than anybody can want, and every value good in a case with all else at its
- * first. */
+/* Reads a plan that can be run: plan->keys, no key from two places, no more cases than
+ * PLAN_MAX_CASES, and every value good in a case with all else at its first. Errors as
+ * plan_parse. */
 enum status plan_read(const char *path, struct plan *plan, struct message *why);
 
 /* --- Cases, and levels of studies, one by one, as what a run needs (plan_case.c). */

@@ -270,10 +270,9 @@ enum status plan_case_level(const struct plan *plan, const struct plan_study *st
 
     if (st == STATUS_OK)
         give(plan, &study->settings, c);
-    if (st == STATUS_OK && level)
-        give(plan, &level->settings, c);
-    if (st == STATUS_OK && level && quick)
-        give(plan, &level->quick, c);
+    for (int k = 0; st == STATUS_OK && level && k < (quick ? 2 : 1); k++)
+        for (int n = 0; n < PLAN_STUDY_AXES && level->part[n]; n++)
+            give(plan, k ? &level->part[n]->quick : &level->part[n]->settings, c);
     return finish(plan, st, c, why);
 }
 

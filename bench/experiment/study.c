@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/batch.h"
 #include "bench/experiment/judge.h"
 #include "bench/files/folder.h"
 #include "bench/harness/fit.h"
@@ -12,8 +13,9 @@
 #include "bench/truth/truth.h"
 #include "models/metric/metric.h"
 
-enum { PATH = 4096 };
+enum { PATH = 4096, NAME = 512 };
 
+/* Writes the path of a level's result file. */
 static void file_of(const struct plan_study *study, const struct plan_level *level,
                     const char *folder, char path[PATH])
 {
@@ -25,13 +27,12 @@ static bool begins(const char *text, const char *with)
     return !strncmp(text, with, strlen(with));
 }
 
-/* What is requested of a study's truth that is not stored yet, over the length, and how
- * long its runs may take [s]. */
+/* The requests for a study's truth that is not stored yet. */
 static const struct truth_wish wish = {.error = 0.005, .seconds = 240, .alone = true},
                                quick_wish = {.error = TRUTH_MOST_ERROR, .alone = true};
 
-/* The physics of a study and no more: its truth is not of its nets and steps. With a wish
- * it is made where nothing is known. */
+/* Finds the truth of a study, which depends on its physics and not on its nets and steps.
+ * With a wish it is made where nothing is known. */
 static enum status find_truth(const struct plan *plan, const struct plan_study *study,
                               int times, const double *time, const char *folder,
                               const struct truth_wish *made_by, struct truth **truth,
@@ -66,46 +67,44 @@ out:
 }
 
 /* Whether a scene has no truth, which is told with the numbers and ends nothing: none is
- * claimed, or what was to be it died. */
+ * claimed, or the run that was to be it died. */
 static bool has_none(enum status st)
 {
     return st == STATUS_UNSUPPORTED || status_is_death(st);
 }
 
-/* What one level is measured by; `c` and `file` live as long as it. */
-struct job {
-    struct plan_case c;
-    char file[PATH];
-};
-
-static enum status set_up(const struct plan *plan, const struct plan_study *study,
-                          const struct plan_level *level, const char *folder,
-                          bool quick_run, const struct provenance *provenance,
-                          struct job *job, struct measurement_case *m, struct message *why)
+/* Adds a level to what is measured together. */
+static enum status add_level(const struct plan *plan, const struct plan_study *study,
+                             const struct plan_level *level, bool quick_run,
+                             const struct provenance *provenance, struct batch *batch,
+                             struct message *why)
 {
     const bool quick = quick_run && study->quick_count;
     const int times = quick ? study->quick_count : study->time_count;
     const double *time = quick ? study->quick_times : study->times;
     const int timed = level->timed < 0 ? study->timed : level->timed;
     const int most = quick_run ? TIMING_REPEATS_QUICK : timed;
+    struct plan_case c;
+    char name[NAME];
     enum status st;
 
-    TRY(plan_case_level(plan, study, level, quick_run, &job->c, why));
-    file_of(study, level, folder, job->file);
-    *m = (struct measurement_case){
-        .plan = plan_case_run(&job->c),
-        .keep = {.file = job->file,
-                 .every = plan->look,
-                 .intersections = plan->intersections,
-                 .times = times,
-                 .time = time,
-                 .doubles = plan->reference.count > 0, /* differences may be small */
-                 .provenance = provenance},
-        .rest = times == 0,
-        .timed = timed ? MEASUREMENT_FAIR : MEASUREMENT_UNTIMED,
-        .repeats = most < timed ? most : timed,
-        .phases = level->phases};
+    TRY(plan_case_level(plan, study, level, quick_run, &c, why));
+    snprintf(name, sizeof name, "%s_%s", study->name, level->name);
+    struct measurement_case *m = batch_add(batch, c.path, c.contestant, name);
+    settings_append(batch_settings(batch), &c.settings);
     m->plan.end = times ? time[times - 1] : 0;
+    m->keep.every = plan->look;
+    m->keep.intersections = plan->intersections;
+    m->keep.times = times;
+    m->keep.time = time;
+    m->keep.fields = RUN_FIELDS_TIMES;
+    m->keep.doubles = plan->reference.count > 0; /* differences may be small */
+    m->keep.provenance = provenance;
+    m->rest = times == 0;
+    m->timed = timed ? MEASUREMENT_FAIR : MEASUREMENT_UNTIMED;
+    m->repeats = most < timed ? most : timed;
+    m->phases = level->phases;
+    plan_case_clear(&c);
 out:
     return st;
 }
@@ -133,42 +132,35 @@ enum status study_measure(const struct plan *plan, const char *folder,
                           const struct measurement_options *options, struct message *why)
 {
     struct measurement_options how = *options;
-    struct job *jobs = NULL;
-    struct measurement_case *cases = NULL;
     struct provenance provenance;
-    size_t most = 1;
+    struct batch batch;
+    int most = 0;
     enum status st;
-    int count = 0;
 
     for (int n = 0; n < plan->study_count; n++)
-        most += (size_t)plan->studies[n].level_count;
-    jobs = calloc(most, sizeof *jobs);
-    cases = calloc(most, sizeof *cases);
-    TRY(jobs && cases ? STATUS_OK : STATUS_MEMORY);
+        most += plan->studies[n].level_count;
     how.what = plan->name;
     provenance_collect(&provenance);
+    TRY(batch_init(&batch, folder, most));
     for (int n = 0; n < plan->study_count; n++)
-        for (int k = 0; k < plan->studies[n].level_count; k++) {
-            const struct plan_level *level = &plan->studies[n].levels[k];
-            if (options->quick && level->slow)
-                continue;
-            TRY(set_up(plan, &plan->studies[n], level, folder, options->quick, &provenance,
-                       &jobs[count], &cases[count], why));
-            count++;
-        }
-    TRY(measurement_run(&how, count, cases, why));
+        for (int k = 0; k < plan->studies[n].level_count; k++)
+            if (!options->quick || !plan->studies[n].levels[k].slow)
+                TRY(add_level(plan, &plan->studies[n], &plan->studies[n].levels[k],
+                              options->quick, &provenance, &batch, why));
+    TRY(batch_run(&batch, &how, why));
     TRY(measure_truths(plan, folder, options->quick, why));
 out:
-    for (int n = 0; jobs && n < count; n++)
-        plan_case_clear(&jobs[n].c);
-    free(jobs);
-    free(cases);
+    batch_clear(&batch);
     return st;
 }
 
+/* Measures a sheet; NULL: nothing is known. */
 static void measure_frame(const struct scene *scene, const double *xyz,
                           struct study_frame *f)
 {
+    *f = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+    if (!xyz)
+        return;
     f->xyz = xyz;
     f->roughness = metric_roughness(scene, xyz);
     f->inner = metric_inner_roughness(scene, xyz);
@@ -178,7 +170,7 @@ static void measure_frame(const struct scene *scene, const double *xyz,
     f->angle = metric_angle(scene, xyz);
 }
 
-/* Files of a quick run end earlier if the plan has times for it. */
+/* Chooses the times: files of a quick run end earlier if the plan has times for it. */
 static void choose_times(const struct plan_study *plan, struct study *s)
 {
     double last = 0;
@@ -195,7 +187,8 @@ static void choose_times(const struct plan_study *plan, struct study *s)
         s->frames = 1;
 }
 
-/* Rows share it where nothing that it depends on differs. */
+/* Returns the drop that theory has for a tip at rest. Rows share it where nothing that it
+ * depends on differs. */
 static double theory_of(const struct study *s, const struct study_row *row)
 {
     const struct scene *scene = &row->run.scene;
@@ -218,10 +211,7 @@ static void fill_row(const struct study *s, struct study_row *row)
     const double frame = timed && r->step.count ? r->step.median : NAN;
 
     for (int t = 0; t < PLAN_STUDY_TIMES; t++)
-        row->frame[t] =
-            (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    for (int t = 0; t < frames; t++)
-        measure_frame(&row->run.scene, r->xyz[t], &row->frame[t]);
+        measure_frame(&row->run.scene, t < frames ? r->xyz[t] : NULL, &row->frame[t]);
     row->theory = row->left_out ? NAN : theory_of(s, row);
     row->milliseconds = 1e3 * frame;
     row->seconds = !s->time       ? frame
@@ -269,6 +259,8 @@ static void compare(struct study *s, int t)
     }
 }
 
+static const struct plan_level of_truth = {.label = "truth"};
+
 static enum status read_one(const struct plan *plan, const struct plan_study *study,
                             const char *folder, bool quick, struct study *s,
                             struct message *why)
@@ -284,6 +276,7 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
         s->row[n].level = &study->levels[n];
         s->row[n].left_out = quick && study->levels[n].slow;
     }
+    s->row[study->level_count] = (struct study_row){.level = &of_truth, .left_out = true};
     TRY(plan_case_level(plan, study, NULL, false, &all, why));
     TRY(plan_case_scene(&all, &scene, why));
     s->gamma = scene_gamma(&scene);
@@ -301,8 +294,9 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
         st = STATUS_OK;
     }
     for (int t = 0; t < s->frames; t++) {
-        if (s->truth)
-            measure_frame(&scene, s->truth->xyz[t], &s->true_frame[t]);
+        struct study_frame *f = &s->row[study->level_count].frame[t];
+        measure_frame(&scene, s->truth ? s->truth->xyz[t] : NULL, f);
+        f->error = 0;
         compare(s, t);
     }
 out:
@@ -344,14 +338,6 @@ void study_clear(struct study_results *r)
     *r = (struct study_results){0};
 }
 
-const struct study *study_find(const struct study_results *r, const char *name)
-{
-    for (int n = 0; n < r->count; n++)
-        if (!strcmp(r->study[n].plan->name, name))
-            return &r->study[n];
-    return NULL;
-}
-
 double study_distance(const struct place *a, const struct place *b)
 {
     const double *one = a->s->row[a->level].frame[a->time].xyz;
@@ -369,8 +355,8 @@ int study_reference(const struct study_results *d, const struct study *s, int le
         for (int a = 0; a < s->plan->axis_count; a++) {
             const struct plan_setting *given =
                 plan_settings_find(reference, s->plan->axis[a].name);
-            const char *want = given ? given->value : s->row[level].level->word[a];
-            same = same && !strcmp(s->row[n].level->word[a], want);
+            const char *want = given ? given->value : s->row[level].level->part[a]->label;
+            same = same && !strcmp(s->row[n].level->part[a]->label, want);
         }
         if (same)
             return n;

@@ -43,8 +43,8 @@ struct study {
     double gamma, length;    /* of its scene: [1], [m]                            */
     struct truth *truth;     /* owned; NULL: none was asked for, or there is none */
     struct message no_truth; /* why not                                           */
-    struct study_frame true_frame[PLAN_STUDY_TIMES]; /* its own numbers                 */
-    struct study_row *row; /* [plan->level_count]                                  owned  */
+    struct study_row *row;   /* [plan->level_count]; one more for the truth, whose
+                                label is "truth" and which has frames alone      owned */
 };
 
 struct study_results {
@@ -73,9 +73,6 @@ enum status study_read(const struct plan *plan, const char *folder, struct study
                        struct message *why);
 void study_clear(struct study_results *r);
 
-/* By its name; NULL: the plan has no such study. */
-const struct study *study_find(const struct study_results *r, const char *name);
-
 /* Observed order in the levels' size of the error against truth at a time; without a
  * truth, of the difference from the finest. NaN with fewer than three levels. */
 double study_order(const struct study *s, int time);
@@ -86,20 +83,5 @@ int study_reference(const struct study_results *r, const struct study *s, int le
 /* rms distance of two levels at the first one's time, over its length; NaN: one did not
  * live to see it. */
 double study_distance(const struct place *a, const struct place *b);
-
-/* --- What is printed of one (study_print.c). */
-
-/* Cost of the levels; differences, error and metrics at every time, with observed orders
- * and the truth's source below; NAME.csv, a row for each level and time; NAME.png, error
- * (without truth: the difference from the finest) against seconds; the sheets. */
-enum status study_print(const struct study *s, const char *folder, enum table_format format,
-                        FILE *file, struct message *why);
-enum status study_print_all(const struct study_results *r, const char *folder,
-                            enum table_format format, FILE *file, struct message *why);
-
-/* NAME_sheets.png (picture.h), a row for each time, a column for each level and one for the
- * truth. */
-enum status study_print_sheets(const struct study *s, const char *folder,
-                               struct message *why);
 
 #endif

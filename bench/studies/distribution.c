@@ -6,7 +6,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Of all comparisons together, found by chance. */
+/* Share of cases in which some comparison of all is passed by chance. */
 static const double BY_CHANCE = 0.05;
 
 double distribution_mean(int n, const double *value, double *error)

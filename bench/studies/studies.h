@@ -2,7 +2,8 @@
 #ifndef STUDIES_H
 #define STUDIES_H
 
-#include "bench/experiment/experiment.h"
+#include "bench/ui/command.h"
+#include "bench/ui/table.h"
 
 extern const struct command studies_command, studies_table_command;
 
@@ -10,6 +11,25 @@ enum { STUDIES_SCENES = 8 }; /* most that study ensemble takes */
 
 /* --- Ensembles (study_ensemble.c): beyond the horizon, where a change of 1e-6 has grown a
  * thousandfold, points cannot be compared, but distributions can (doc/truths.md). */
+
+struct study_ensemble_options {
+    const char *folder; /* of the result files; exists                                  */
+    bool quick;         /* fewer runs on coarser nets                                   */
+    int scene_count;    /* 0: the usual ones                                            */
+    const char *const *scene; /* [scene_count] names or paths of scene files            */
+    const char *models;       /* "a,b", names of contestants; NULL: the usual ones      */
+    int runs;                 /* of a scene and a model; 0: as many as usual            */
+    double until;             /* [s]; 0: to the scene's end                             */
+};
+
+/* Runs all ensembles, each run in a process of its own, on all processors. STATUS_INPUT,
+ * STATUS_FILE, STATUS_MEMORY with a sentence; deaths of runs are results. */
+enum status study_ensemble_measure(const struct study_ensemble_options *options,
+                                   struct message *why);
+
+/* Prints what study_ensemble_measure left in a folder. */
+enum status study_ensemble_print(const char *folder, enum table_format format, FILE *file,
+                                 struct message *why);
 
 /* The first two ensembles are the truth's, contestants follow. */
 enum { STUDY_ENSEMBLE_TRUTHS = 2, STUDY_ENSEMBLE_MOST = STUDY_ENSEMBLE_TRUTHS + 16 };
@@ -31,34 +51,32 @@ struct study_ensemble {
     } one[STUDY_ENSEMBLE_MOST];
 };
 
-/* Judges the contestants and prints tables, sentences and a chart. */
+/* Judges the contestants and prints table and sentences, as data also their growth. */
 enum status study_ensemble_tell(const struct study_ensemble *e, const char *folder,
                                 enum table_format format, FILE *file, struct message *why);
 
-extern const struct experiment study_ensemble_experiment;
-
-/* --- What an ensemble of runs says of a number, and whether two ensembles say the same:
- * the runs are independent, nothing is taken to be normal but means of them
- * (distribution.c). */
+/* --- What runs say of a number, and whether two ensembles say the same (distribution.c).
+ * Runs are independent, and nothing but means of them is taken to be normal. */
 
 enum { DISTRIBUTION_RUNS = 256 };
 
-/* The mean of value[n], and its standard error, sd / sqrt(n); NaN of too few. */
+/* Returns the mean of value[n]; *error becomes its standard error, sd / sqrt(n). NaN of too
+ * few. */
 double distribution_mean(int n, const double *value, double *error);
 
-/* How far the means of a[n] and b[m] are apart in standard errors, (mean a - mean b) /
- * sqrt(se^2 + se^2 + bar^2): Welch (1938), and `bar`, what b's mean may be off by besides.
- * Equal means are 0 apart, others without any error infinitely. */
+/* Returns how far the means of a[n] and b[m] are apart in standard errors, (mean a - mean
+ * b) / sqrt(se^2 + se^2 + bar^2) (Welch 1938); b's mean may be off by `bar` besides. Equal
+ * means are 0 apart, others without any error infinitely. */
 double distribution_apart(int n, const double *a, int m, const double *b, double bar);
 
-/* |value - median| of each: their means tell spreads apart, whatever the shape of the
- * distribution (Brown, Forsythe 1974). n <= DISTRIBUTION_RUNS. */
+/* Fills deviation[n] with |value - median|: their means tell spreads apart, whatever the
+ * shape of the distribution (Brown, Forsythe 1974). n <= DISTRIBUTION_RUNS. */
 void distribution_deviations(int n, const double *value, double *deviation);
 
-/* How far apart means of n runs each may be in standard errors before they are not of one
- * distribution: of so many comparisons none passes it by chance in all but 5 of 100 cases
- * (Bonferroni; Student's t of n - 1 degrees of freedom, the fewest that Welch's may have).
- * INFINITY for fewer than two runs. */
+/* Returns how far apart means of n runs each may be in standard errors before they are not
+ * of one distribution: none of so many comparisons passes it by chance in all but 5 of 100
+ * cases (Bonferroni; Student's t of n - 1 degrees of freedom, the fewest that Welch's may
+ * have). INFINITY for fewer than two runs. */
 double distribution_bound(int comparisons, int n);
 
 #endif

@@ -1,7 +1,8 @@
+/* Study ensemble: runs of many models, each pushed another way, and whether their
+ * distributions are the truth's where their points can no longer be compared. */
 #include "bench/studies/studies.h"
 
 #include <math.h>
-#include <omp.h>
 #include <stdlib.h>
 
 #include "bench/experiment/batch.h"
@@ -18,10 +19,11 @@
 
 enum { COARSE, FINE, TRUTHS, NUMBERS = STUDY_ENSEMBLE_NUMBERS };
 enum { FIELD = 3 * GRID_POINTS, FIELDS = STUDY_ENSEMBLE_FIELDS };
-enum { RUNS = 32, FEW = 4 }; /* of each; enough to see a change grow                    */
+enum { RUNS = 32, FEW = 4 }; /* runs of each; enough of them to see a change grow       */
 enum { WINDOWS = 3 };        /* of time, beyond the horizon                             */
+enum { BY_NAME = 1 << 30 };  /* no command's: models are chosen by their names alone    */
 
-/* What is compared: where a run's file has it, and the table's column. */
+/* The numbers that are compared: their place in a run's file, and the table's column. */
 static const struct {
     const char *path, *header, *key;
 } numbers[NUMBERS] = {{"metrics/mean_drop", "drop", NULL},
@@ -54,6 +56,9 @@ static enum status look(void *context, const struct motion *m, const double *xyz
     return STATUS_OK;
 }
 
+/* --- the runs ----------------------------------------------------------------------------
+ */
+
 struct job {
     struct study_ensemble e;
     char *path; /* of the scene                                                   owned */
@@ -62,7 +67,7 @@ struct job {
     struct batch batch; /* all first runs, one of each ensemble, all second ones, ...   */
 };
 
-static enum status choose(const struct experiment_options *o, const char *scene,
+static enum status choose(const struct study_ensemble_options *o, const char *scene,
                           struct job *job, struct message *why)
 {
     struct study_ensemble *e = &job->e;
@@ -70,13 +75,13 @@ static enum status choose(const struct experiment_options *o, const char *scene,
 
     *e = (struct study_ensemble){.quick = o->quick, .count = TRUTHS};
     job->model[COARSE] = job->model[FINE] = truth_level_contestant(TRUTH_SHELL);
-    for (const char *at = o->models; *at; at += strcspn(at, ","), at += *at == ',') {
-        char name[64];
-        snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ","), at);
-        TRY(e->count < STUDY_ENSEMBLE_MOST
-                ? contestant_find(name, &job->model[e->count++], why)
-                : status_fail(why, STATUS_INPUT, "--models: too many contestants"));
-    }
+    TRY(contestant_check(o->models, why));
+    for (const struct contestant *c = contestant_table; c->name; c++)
+        if (contestant_chosen(c, o->models, BY_NAME)) {
+            if (e->count == STUDY_ENSEMBLE_MOST)
+                return status_fail(why, STATUS_INPUT, "--models: too many contestants");
+            job->model[e->count++] = c;
+        }
     TRY(scene_file_find(scene, &job->path, why));
     TRY(contestant_read_scene(&(struct settings){0}, job->path, &job->scene, why));
     snprintf(e->scene, sizeof e->scene, "%s", job->scene.name);
@@ -93,8 +98,9 @@ out:
     return st;
 }
 
-/* Points along u (0) or v (1): of the truth by its spans and what knots at supports' ends
- * take; of others the finest net, of solids the one before, whose frames cost as much. */
+/* Returns the points along u (0) or v (1): of the truth by its spans and the knots that
+ * supports' ends take; of others the finest net, of solids the one before, whose frames
+ * cost as much. */
 static int side_of(const struct job *job, int ensemble, int along)
 {
     static const int spans[2][TRUTHS] = {{14, 20}, {5, 7}};
@@ -122,9 +128,6 @@ static enum status add_run(struct job *job, int ensemble, int member, struct mes
 
     snprintf(name, sizeof name, "%s_%.99s_%03d", job->e.scene,
              ensemble < TRUTHS ? truth[ensemble] : c->name, member);
-    for (int k = TRUTHS; k < ensemble; k++)
-        if (job->model[k] == c)
-            return status_fail(why, STATUS_INPUT, "--models: %s is given twice", c->name);
     struct measurement_case *run = batch_add(&job->batch, job->path, c, name);
     struct settings *s = batch_settings(&job->batch);
     run->plan.end = job->e.field_time[job->e.fields - 1];
@@ -144,6 +147,7 @@ static enum status add_run(struct job *job, int ensemble, int member, struct mes
     return truth_level_push(job->path, &(struct settings){0}, member, s, why);
 }
 
+/* Reads the numbers of a run that lived, as the last of its ensemble so far. */
 static enum status read_numbers(const char *path, struct study_ensemble *e,
                                 struct study_ensemble_one *one, struct message *why)
 {
@@ -161,28 +165,27 @@ static enum status read_numbers(const char *path, struct study_ensemble *e,
     for (int n = 0; n < NUMBERS; n++) {
         TRY(store_read_array(file, numbers[n].path, &value, &rows, &columns, why));
         for (int t = 0; t < rows && t < e->looks; t++)
-            one->value[(n * e->looks + t) * e->runs + one->lived] = value[t];
+            one->value[(n * e->looks + t) * e->runs + one->lived - 1] = value[t];
         free(value), value = NULL;
     }
-    one->lived++;
 out:
     store_read_close(file);
     return st;
 }
 
-/* An ensemble and its mean fields; `truth` has those of the truth, NULL: this is the truth.
- * Sums are less the first run's fields, `from`, for the sake of rounding. */
+/* Reads an ensemble, and its mean fields into mean[FIELDS][FIELD]; `truth` has those of the
+ * truth's finer net, NULL: this is it. Sums of squares after Welford (1962), since runs
+ * differ by little. */
 static enum status read_one(struct job *job, int ensemble, double *mean,
                             const double *truth, struct message *why)
 {
     struct study_ensemble *e = &job->e;
     struct study_ensemble_one *one = &e->one[ensemble];
-    double *from = calloc(FIELDS * FIELD, sizeof *from), squares[FIELDS] = {0};
     const double length = job->scene.length;
+    double squares[FIELDS] = {0};
     struct run_result r = {0};
-    enum status st = from ? STATUS_OK : STATUS_MEMORY;
+    enum status st = STATUS_OK;
 
-    TRY(st);
     free(one->value);
     *one = (struct study_ensemble_one){0};
     memset(mean, 0, FIELDS * FIELD * sizeof *mean);
@@ -201,31 +204,27 @@ static enum status read_one(struct job *job, int ensemble, double *mean,
         if (r.frames != e->fields)
             TRY(status_fail(why, STATUS_INPUT, "%s: it is of another study",
                             job->batch.files[n]));
+        one->lived++;
         for (int k = 0; k < e->fields * FIELD; k++) {
-            const double x = r.xyz[k / FIELD][k % FIELD];
-            from[k] = one->lived ? from[k] : x;
-            mean[k] += x - from[k];
-            squares[k / FIELD] += (x - from[k]) * (x - from[k]);
+            const double x = r.xyz[k / FIELD][k % FIELD], off = x - mean[k];
+            mean[k] += off / one->lived;
+            squares[k / FIELD] += off * (x - mean[k]);
         }
         TRY(read_numbers(job->batch.files[n], e, one, why));
     }
     for (int t = 0; t < e->fields; t++) {
-        double *sum = mean + t * FIELD;
-        for (int n = 0; n < FIELD; n++) {
-            squares[t] -= sum[n] * sum[n] / one->lived;
-            sum[n] = from[t * FIELD + n] + sum[n] / one->lived;
-        }
-        const double spread = sqrt(fmax(squares[t], 0) / (one->lived - 1) / GRID_POINTS);
+        const double spread = sqrt(squares[t] / (one->lived - 1) / GRID_POINTS);
         one->growth[t] = one->lived > 1 ? spread / (TRUTH_PERTURBATION * length) : NAN;
-        one->points[t] = truth ? metric_rmse(sum, truth + t * FIELD) / length : NAN;
+        one->points[t] = truth && one->lived
+                             ? metric_rmse(mean + t * FIELD, truth + t * FIELD) / length
+                             : NAN;
     }
 out:
     run_result_clear(&r);
-    free(from);
     return st;
 }
 
-/* The first `count` ensembles, the finer truth before all that is held against it. */
+/* Reads the first `count` ensembles, the finer truth before all that is held against it. */
 static enum status read_runs(struct job *job, int count, struct message *why)
 {
     double *mean = malloc(2 * FIELDS * FIELD * sizeof *mean);
@@ -238,7 +237,11 @@ static enum status read_runs(struct job *job, int count, struct message *why)
     return st;
 }
 
-/* Where a change has grown a thousandfold, as an index of field_time; -1: nowhere. */
+/* --- how they are judged -----------------------------------------------------------------
+ */
+
+/* Returns where a change has grown a thousandfold, as an index of field_time; -1: nowhere.
+ */
 static int find_horizon(const struct study_ensemble *e, int ensemble)
 {
     for (int t = 0; t < e->fields; t++)
@@ -247,11 +250,13 @@ static int find_horizon(const struct study_ensemble *e, int ensemble)
     return -1;
 }
 
-/* What is judged: windows of time from the horizon on; count 0: nothing. */
+/* The windows of time that are judged, from the horizon on. */
 struct windows {
-    int horizon, count; /* horizon -1: there is none                                    */
-    double begin, end;  /* [s]                                                          */
-    double bound;       /* standard errors                                              */
+    const char *words; /* on what is judged, or why nothing is                          */
+    int horizon;       /* index of field_time; -1: there is none                        */
+    int count;         /* 0: nothing is judged                                          */
+    double begin, end; /* [s]                                                           */
+    double bound;      /* standard errors                                               */
 };
 
 static struct windows find_windows(const struct study_ensemble *e)
@@ -259,18 +264,32 @@ static struct windows find_windows(const struct study_ensemble *e)
     const int coarse = find_horizon(e, COARSE), fine = find_horizon(e, FINE);
     struct windows w = {.horizon = -1};
 
-    if (coarse < 0 || fine < 0 || e->one[COARSE].died || e->one[FINE].died || e->runs < 2)
-        return w;
-    w.horizon = coarse > fine ? coarse : fine;
-    w.begin = e->field_time[w.horizon];
-    w.end = e->time[e->looks - 1];
-    for (int t = 0; t < e->looks && w.count < WINDOWS; t++)
-        w.count += e->time[t] > w.begin;
-    w.bound = distribution_bound(2 * NUMBERS * w.count, e->runs);
+    if (e->one[COARSE].died || e->one[FINE].died)
+        w.words = "nothing can be judged: the truth died";
+    else if (e->runs < 2)
+        w.words = "nothing can be judged: one run has no spread";
+    else if ((coarse < 0) != (fine < 0))
+        w.words = "the truth is not known in distribution: its nets differ about whether "
+                  "the motion can be predicted";
+    else if (fine < 0)
+        w.words = "nothing to judge in distribution: the motion is still predictable, and "
+                  "its points can be compared";
+    else {
+        w.horizon = coarse > fine ? coarse : fine;
+        w.begin = e->field_time[w.horizon];
+        w.end = e->time[e->looks - 1];
+        for (int t = 0; t < e->looks && w.count < WINDOWS; t++)
+            w.count += e->time[t] > w.begin;
+        w.bound = distribution_bound(2 * NUMBERS * w.count, e->runs);
+        w.words = w.count ? "distributions are compared beyond the horizon"
+                          : "nothing can be judged: the motion ends at its horizon";
+    }
+    if (e->quick)
+        w.words = "distributions are not judged: quick";
     return w;
 }
 
-/* Of each run a number's mean over a window, and how far it is from all runs' median. */
+/* Each run's mean of a number over a window, and its distance from all runs' median. */
 struct sample {
     int count;
     double value[2][DISTRIBUTION_RUNS];
@@ -297,7 +316,8 @@ static void take(const struct study_ensemble *e, const struct windows *w, int en
     distribution_deviations(s->count, s->value[0], s->value[1]);
 }
 
-/* Means and spreads apart in standard errors, z[0] and z[1]: holds if both are in bound. */
+/* Writes how far means and spreads are apart in standard errors into z[0] and z[1]; holds
+ * if both are in bound. */
 static enum judge apart(const struct sample *a, const struct sample *b, const double bar[2],
                         double bound, double z[2])
 {
@@ -311,9 +331,10 @@ static double farther(double a, double b)
     return !isnan(b) && !(fabs(b) <= fabs(a)) ? b : a;
 }
 
-/* Into worst[] the means that are farthest off, and behind them the spread. What the
- * truth's nets differ by beyond chance is an error of its own, and near a truth that is not
- * known is not right yet. A number that a model does not have is not held against it. */
+/* Writes each number's farthest mean into worst[], and behind them the farthest spread.
+ * The difference of the truth's nets beyond chance is an error of its own, and near a truth
+ * that is not known is not right yet. A number that a model does not have is not held
+ * against it. */
 static enum judge judge_one(const struct study_ensemble *e, const struct windows *w,
                             int ensemble, double worst[NUMBERS + 1])
 {
@@ -341,28 +362,19 @@ static enum judge judge_one(const struct study_ensemble *e, const struct windows
     return all;
 }
 
+/* --- what is printed ---------------------------------------------------------------------
+ */
+
 static void tell_case(const struct study_ensemble *e, const struct windows *w, FILE *file)
 {
     const struct study_ensemble_one *coarse = &e->one[COARSE], *fine = &e->one[FINE];
-    const bool grown = find_horizon(e, FINE) >= 0;
     const int last = e->fields - 1;
 
     table_say(file,
               "%s: %s. By %.3g s a change of %g has grown %.2g-fold on the truth's %s net "
               "and %.2g-fold on the %s one.",
-              e->scene,
-              e->quick                     ? "distributions are not judged: quick"
-              : coarse->died || fine->died ? "nothing can be judged: the truth died"
-              : e->runs < 2                ? "nothing can be judged: one run has no spread"
-              : grown != (find_horizon(e, COARSE) >= 0)
-                  ? "the truth is not known in distribution: its nets differ about whether "
-                    "the motion can be predicted"
-              : !grown    ? "nothing to judge in distribution: the motion is still "
-                            "predictable, and its points can be compared"
-              : !w->count ? "nothing can be judged: the motion ends at its horizon"
-                          : "distributions are compared beyond the horizon",
-              e->field_time[last], TRUTH_PERTURBATION, coarse->growth[last], coarse->net,
-              fine->growth[last], fine->net);
+              e->scene, w->words, e->field_time[last], TRUTH_PERTURBATION,
+              coarse->growth[last], coarse->net, fine->growth[last], fine->net);
 }
 
 /* A row of the table, and for people a claim. */
@@ -478,9 +490,12 @@ enum status study_ensemble_tell(const struct study_ensemble *e, const char *fold
                : st;
 }
 
-/* A few runs of each first: a scene without a horizon has nothing to judge, and no more.
- * `file` NULL: they are made, else told. */
-static enum status do_scene(const struct experiment_options *o, const char *scene,
+/* --- the command -------------------------------------------------------------------------
+ */
+
+/* Runs a scene's ensembles or, with a file, reads and tells them. A few runs of each come
+ * first: a scene without a horizon has nothing to judge, and no more. */
+static enum status do_scene(const struct study_ensemble_options *o, const char *scene,
                             enum table_format format, FILE *file, struct message *why)
 {
     const struct measurement_options options = {.quick = o->quick};
@@ -513,11 +528,12 @@ out:
     return st;
 }
 
-/* FOLDER/ensemble.txt has what was chosen for --from. */
-static enum status measure(const struct experiment_options *given, struct message *why)
+/* FOLDER/ensemble.txt has what was chosen, for --from. */
+enum status study_ensemble_measure(const struct study_ensemble_options *given,
+                                   struct message *why)
 {
     static const char *const usual[] = {"corners_patch", "flag"};
-    struct experiment_options o = *given;
+    struct study_ensemble_options o = *given;
     char path[4096], text[8192];
     enum status st;
 
@@ -538,11 +554,11 @@ out:
     return st;
 }
 
-static enum status print(const char *folder, enum table_format format, FILE *file,
-                         struct message *why)
+enum status study_ensemble_print(const char *folder, enum table_format format, FILE *file,
+                                 struct message *why)
 {
     char path[4096], scene[512], models[1024], *text = NULL;
-    struct experiment_options o = {.folder = folder, .models = models};
+    struct study_ensemble_options o = {.folder = folder, .models = models};
     int quick, size = 0;
     enum status st;
 
@@ -558,12 +574,3 @@ out:
     free(text);
     return st;
 }
-
-const struct experiment study_ensemble_experiment = {
-    .item = {"ensemble",
-             "beyond the horizon: motions that cannot be predicted, compared as "
-             "distributions"},
-    .chooses = true,
-    .measure = measure,
-    .print = print,
-};

@@ -109,8 +109,8 @@ static void add_first(struct cells *c)
     for (int n = 0; n < plan.studies[0].level_count; n++) {
         const struct plan_level *level = &plan.studies[0].levels[n];
         for (int m = 0; m < 3; m++)
-            if (!strcmp(level->word[0], method[m][0]) && level->paper_ms > 0) {
-                ADD(c, 1, method[m][1], "net", "%s", level->word[1]);
+            if (!strcmp(level->part[0]->label, method[m][0]) && level->paper_ms > 0) {
+                ADD(c, 1, method[m][1], "net", "%s", level->part[1]->label);
                 ADD(c, 1, method[m][1], "seconds", "%.17g", level->paper_ms / 1000);
             }
     }
@@ -213,7 +213,7 @@ static void add_third(struct cells *c)
         int points;
         if (!(level->paper_ms > 0)) /* of another scheme */
             continue;
-        snprintf(text, sizeof text, "%s %s", level->word[0], level->word[1]);
+        snprintf(text, sizeof text, "%s %s", level->part[0]->label, level->part[1]->label);
         net_of(&plan, plan.studies, level, text, degree, net, &points);
         ADD(c, 3, degree, net, "%.17g", level->paper_ms);
     }

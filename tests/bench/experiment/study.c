@@ -1,7 +1,7 @@
 /* The engine of studies: plans with levels, differences, errors, orders and metrics from
  * result files, levels that die or are refused, truth found again. */
 #include "bench/experiment/dataset.h"
-#include "bench/experiment/experiment.h"
+#include "bench/experiment/batch.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/experiment/plan.h"
@@ -57,9 +57,18 @@ static double rmse(const char *a, const char *b, int frame)
     return value;
 }
 
+/* A study by its name; NULL: there is none. */
+static const struct study *study_of(const struct study_results *r, const char *name)
+{
+    for (int n = 0; n < r->count; n++)
+        if (!strcmp(r->study[n].plan->name, name))
+            return &r->study[n];
+    return NULL;
+}
+
 static void measure(const struct plan *plan)
 {
-    const struct measurement_options options = {.quick = true, .repeats = 1};
+    const struct measurement_options options = {.quick = true};
     struct message why = {""};
 
     if (!CHECK(study_measure(plan, folder, &options, &why) == STATUS_OK)) {
@@ -89,8 +98,8 @@ static void against_truth(void)
 
     measure(&plan);
     REQUIRE(study_read(&plan, folder, &all, &why) == STATUS_OK);
-    const struct study *s = study_find(&all, "light");
-    REQUIRE(s && all.count == 1 && !study_find(&all, "heavy"));
+    const struct study *s = study_of(&all, "light");
+    REQUIRE(s && all.count == 1 && !study_of(&all, "heavy"));
     CHECK(s->length == 1 && s->gamma < TRUTH_GAMMA);
     REQUIRE(s->truth && strstr(s->truth->source, "Kirchhoff"));
     for (int t = 0; t < 2; t++) {
@@ -102,8 +111,8 @@ static void against_truth(void)
         CHECK(b->finest == b->next && isnan(c->finest) && isnan(c->next));
         CHECK(c->error < b->error && b->error < a->error);
         CHECK(study_order(s, t) > 1); /* p = 2: two, once waves are resolved */
-        CHECK(s->true_frame[t].drop > 0 && s->true_frame[t].roughness > 0);
-        CHECK_RELATIVE(c->drop, s->true_frame[t].drop, 0.05); /* as the errors above */
+        CHECK(s->row[3].frame[t].drop > 0 && s->row[3].frame[t].roughness > 0);
+        CHECK_RELATIVE(c->drop, s->row[3].frame[t].drop, 0.05); /* as the errors above */
     }
     CHECK(s->row[0].result.unknowns == 3 * (36 - 12)); /* two rows of six are held */
     CHECK(s->row[1].milliseconds > 0);
@@ -140,9 +149,9 @@ static void deaths_and_refusals(void)
 
     measure(&plan);
     REQUIRE(file && study_read(&plan, folder, &all, NULL) == STATUS_OK);
-    REQUIRE(study_print_all(&all, folder, TABLE_TEXT, file, NULL) == STATUS_OK);
+    REQUIRE(dataset_print(&all, folder, TABLE_TEXT, file, NULL) == STATUS_OK);
     fclose(file);
-    const struct study *s = study_find(&all, "rough"), *late = study_find(&all, "late");
+    const struct study *s = study_of(&all, "rough"), *late = study_of(&all, "late");
     const struct study_row *row = s->row;
     CHECK(!s->truth && isnan(row[0].frame[0].error));
     CHECK(row[1].frame[0].xyz && !row[1].frame[1].xyz && row[1].milliseconds > 0);
@@ -151,10 +160,10 @@ static void deaths_and_refusals(void)
     CHECK(isnan(row[0].frame[1].next)); /* nobody else lives */
     CHECK(isnan(study_order(s, 0)));
     CHECK(strstr(text, "died at t = 0.265 s") && strstr(text, "remedy=incompatible: "));
-    CHECK(!late->truth && strstr(text, "Truth: none; no truth is claimed"));
+    CHECK(!late->truth && strstr(text, "Truth of late: none; no truth is claimed"));
     CHECK(!strcmp(late->plan->levels[0].name, "flat_sheet"));
     /* A factor a step has no limit: the shell's own steps would be damped otherwise. */
-    CHECK(!study_find(&all, "scaled")->truth && strstr(text, "scaled by a factor each"));
+    CHECK(!study_of(&all, "scaled")->truth && strstr(text, "scaled by a factor each"));
     free(text);
     study_clear(&all);
     CHECK(study_read(&plan, "/proc/nowhere", &all, NULL) == STATUS_FILE);
@@ -231,31 +240,6 @@ static void words(void)
     plan_clear(&plan);
 }
 
-static enum status fails(const struct experiment_options *options, struct message *why)
-{
-    (void)options;
-    return status_fail(why, STATUS_FILE, "a full disk");
-}
-
-/* Results are of a quick run from before its first to after the last of a full one. */
-static void marked_quick(const struct plan *plan)
-{
-    struct experiment_options options = {.folder = folder, .quick = true, .repeats = 1};
-    struct experiment e = {.plan = plan->path};
-    struct study_results all;
-
-    for (int n = 0; n < 3; n++) {
-        options.quick = n == 0;
-        e.measure = n == 1 ? fails : NULL;
-        CHECK(experiment_measure(&e, &options, NULL) == (n == 1 ? STATUS_FILE : STATUS_OK));
-        REQUIRE(study_read(plan, folder, &all, NULL) == STATUS_OK);
-        CHECK(all.quick == (n < 2) && judge_marked(folder) == all.quick);
-        study_clear(&all);
-    }
-    options.quick = true;
-    CHECK(experiment_measure(&e, &options, NULL) == STATUS_OK);
-}
-
 /* At rest: a flat plate only bends, as 1/h^2 under its own weight. A quick run of a plan
  * with times for it is read as such, also where a level is refused. */
 static void rest_and_quick(void)
@@ -274,11 +258,12 @@ static void rest_and_quick(void)
                 "  - {name: motion, times: [0.01, 0.02], quick_times: [0.005]}\n");
     struct study_results all;
 
-    marked_quick(&plan);
+    judge_mark(folder, true);
+    measure(&plan);
     REQUIRE(study_read(&plan, folder, &all, NULL) == STATUS_OK);
-    const struct study *rest = study_find(&all, "rest"),
-                       *moved = study_find(&all, "motion");
-    CHECK(rest->frames == 1 && !rest->time && isnan(rest->row[0].milliseconds));
+    const struct study *rest = study_of(&all, "rest"), *moved = study_of(&all, "motion");
+    CHECK(all.quick && rest->frames == 1 && !rest->time &&
+          isnan(rest->row[0].milliseconds));
     REQUIRE(rest->row[0].frame[0].xyz && rest->row[1].frame[0].xyz);
     CHECK(!rest->row[0].frame[1].xyz && run_result_refused(&moved->row[2].result));
     CHECK_RELATIVE(rest->row[0].frame[0].drop / rest->row[1].frame[0].drop, 16.0, 1e-4);
@@ -287,11 +272,54 @@ static void rest_and_quick(void)
     plan_clear(&plan);
 }
 
+/* Cases put together one by one: each its own file, settings and result. */
+static void batches(void)
+{
+    static const char *const name[] = {"small", "large"};
+    static const char *const net[] = {"discretization.points=[3,3,2]",
+                                      "discretization.points=[4,4,2]"};
+    static const double unknowns[] = {3 * (18 - 6), 3 * (32 - 8)}; /* less the held row */
+    const struct measurement_options options = {.quick = true};
+    const struct contestant *who;
+    struct batch b;
+    struct message why;
+    char files[4096];
+
+    snprintf(files, sizeof files, "%s/batch/of/two", folder);
+    REQUIRE(contestant_find("iga_linear", &who, &why) == STATUS_OK);
+    REQUIRE(batch_init(&b, files, 2) == STATUS_OK);
+    for (int n = 0; n < 2; n++) {
+        struct measurement_case *c =
+            batch_add(&b, SOURCE_DIR "/models/scenes/edge_drop.yaml", who, name[n]);
+        CHECK(c == &b.cases[n] && c->timed == MEASUREMENT_UNTIMED && !c->repeats);
+        CHECK(c->plan.contestant == who && c->plan.settings == batch_settings(&b));
+        CHECK(c->keep.fields == RUN_FIELDS_NONE && !strcmp(c->keep.file, b.files[n]));
+        settings_set(batch_settings(&b), net[n]);
+        c->plan.end = 0.005;
+    }
+    CHECK(b.count == 2 && batch_run(&b, &options, &why) == STATUS_OK);
+    for (int n = 0; n < 2; n++) {
+        struct run_result r;
+        char path[8192];
+        snprintf(path, sizeof path, "%s/%s.h5", files, name[n]);
+        CHECK(!strcmp(b.files[n], path));
+        REQUIRE(batch_read(&b, n, true, &r, &why) == STATUS_OK);
+        CHECK(r.unknowns == unknowns[n] && r.frames == 0 && r.quick);
+        run_result_clear(&r);
+    }
+    free(b.files[0]); /* memory did not last for its name */
+    b.files[0] = NULL;
+    CHECK(batch_run(&b, &options, &why) == STATUS_MEMORY);
+    batch_clear(&b);
+    CHECK(!b.count && !b.cases);
+}
+
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     folder = argv[1];
     fresh_folder(folder);
+    batches();
     orders();
     words();
     rest_and_quick();

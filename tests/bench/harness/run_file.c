@@ -243,9 +243,11 @@ static void test_times(void)
 /* At rest: one look, at 0 s, and nothing that moved. */
 static void test_rest(void)
 {
-    const struct measurement_options options = {.repeats = 2, .again = true};
-    struct measurement_case c = {
-        .plan = {DROP, &scripted, NULL, 0}, .keep = {.file = file}, .rest = true};
+    const struct measurement_options options = {.again = true};
+    struct measurement_case c = {.plan = {DROP, &scripted, NULL, 0},
+                                 .keep = {.file = file},
+                                 .rest = true,
+                                 .repeats = 2};
     struct run_result r;
 
     script_reset();
@@ -376,8 +378,9 @@ static void check_death(const struct run_plan *plan, enum status death, int fram
     }
     keep.file = file;
     for (int n = 0; n < LENGTH(timed); n++) {
-        struct measurement_case c = {.plan = *plan, .keep = keep, .timed = timed[n]};
-        const struct measurement_options quick = {.quick = true, .repeats = 1};
+        struct measurement_case c = {
+            .plan = *plan, .keep = keep, .timed = timed[n], .repeats = 1};
+        const struct measurement_options quick = {.quick = true};
         REQUIRE(measurement_run(&quick, 1, &c, NULL) == STATUS_OK);
         REQUIRE(run_result_read(file, false, &r, NULL) == STATUS_OK);
         check_told(&r, death, frame, sentence);

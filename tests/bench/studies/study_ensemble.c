@@ -188,15 +188,14 @@ static void test_directions(void)
 static enum status study(const char *scene, const char *models, double until,
                          struct message *why)
 {
-    return experiment_measure(&study_ensemble_experiment,
-                              &(struct experiment_options){.folder = study_folder,
-                                                           .quick = true,
-                                                           .scene_count = 1,
-                                                           .scene = &scene,
-                                                           .models = models,
-                                                           .runs = 5,
-                                                           .until = until},
-                              why);
+    return study_ensemble_measure(&(struct study_ensemble_options){.folder = study_folder,
+                                                                   .quick = true,
+                                                                   .scene_count = 1,
+                                                                   .scene = &scene,
+                                                                   .models = models,
+                                                                   .runs = 5,
+                                                                   .until = until},
+                                  why);
 }
 
 static ino_t file_of(const char *name)
@@ -225,8 +224,8 @@ static void test_runs(void)
     CHECK(file_of("edge_drop_truth_fine_003.h5") == kept);
     CHECK(file_of("edge_drop_triangles_000.h5"));
     for (enum table_format f = TABLE_TEXT; f <= TABLE_CSV; f++) {
-        REQUIRE(experiment_print(&study_ensemble_experiment, study_folder, f,
-                                 study_print_to(&p), &why) == STATUS_OK);
+        REQUIRE(study_ensemble_print(study_folder, f, study_print_to(&p), &why) ==
+                STATUS_OK);
         study_printed_wants(&p, f == TABLE_CSV
                                     ? "scene,model,time_s,growth,points_over_length"
                                     : "edge_drop: distributions are not judged: quick.");

@@ -1,10 +1,9 @@
-/* What is printed of a study, from made-up numbers: each in its cell, with truth, without,
- * at rest; levels that died or were refused; below it only what holds. */
-#include "bench/experiment/study.h"
+/* What is printed of a plan without a table, from made-up numbers: each in its cell, with
+ * truth, without, at rest; levels that died or were refused; below it only what holds. */
+#include "bench/experiment/dataset.h"
 
 #include <unistd.h>
 
-#include "bench/experiment/plan.h"
 #include "tests/fresh.h"
 
 static const char *folder;
@@ -33,7 +32,8 @@ static struct plan plan_of(const char *text)
  * differences from the finest with size^3. */
 static struct study study_of(const struct plan *plan, const double *time, int frames)
 {
-    static struct study_row rows[3];
+    static struct study_row rows[4];
+    static const struct plan_level of_truth = {.label = "truth"};
     struct study s = {.plan = &plan->studies[0],
                       .row = rows,
                       .frames = frames,
@@ -61,17 +61,19 @@ static struct study study_of(const struct plan *plan, const double *time, int fr
                                                  .drop = 0.5 + n,
                                                  .unevenness = 40 + n};
     }
+    rows[3] = (struct study_row){.level = &of_truth, .left_out = true};
     return s;
 }
 
-static char *print(const struct study *s, enum table_format format)
+static char *print(const struct plan *plan, struct study *s, enum table_format format)
 {
+    const struct study_results d = {.plan = plan, .count = 1, .study = s};
     char *text = NULL;
     size_t size;
     FILE *file = open_memstream(&text, &size);
 
     REQUIRE(file);
-    CHECK(study_print(s, folder, format, file, NULL) == STATUS_OK);
+    CHECK(dataset_print(&d, folder, format, file, NULL) == STATUS_OK);
     REQUIRE(fclose(file) == 0);
     return text;
 }
@@ -83,33 +85,18 @@ static void holds(const char *text, const char *part, bool wanted)
 }
 
 static const char with_truth[] =
-    "# numbers made up: cost\n"
-    "level,unknowns,factor_entries,a_frame_ms,paper_ms,stepping_s,outcome\n"
-    "5x5x2,100,1000,1.25,,0.5,done\n"
-    "7x7x2,200,2000,2.5,,1,done\n"
-    "9x9x2,300,3000,3.75,,1.5,done\n"
-    "# A frame: median over repeats, one thread; factor: numbers stored in it; stepping: "
-    "all "
-    "frames to 0.25 s at that price.\n"
-    "\n"
     "# numbers made up\n"
-    "level,size,time_s,unknowns,factor_entries,frame_ms,paper_ms,stepping_s,"
+    "level,time_s,size,unknowns,factor_entries,frame_ms,paper_ms,stepping_s,"
     "to_next_over_length,to_finest_over_length,error_over_length,error_bar_over_length,"
     "roughness,inner_roughness,stretch,drop_over_length,unevenness\n"
-    "5x5x2,0.5,0.125,100,1000,1.25,,0.5,0.25,0.125,0.125,0.0625,10,20,1.5,0.5,40\n"
-    "7x7x2,0.25,0.125,200,2000,2.5,,1,0.5,0.015625,0.03125,0.0625,11,21,2.5,1.5,41\n"
+    "5x5x2,0.125,0.5,100,1000,1.25,,0.5,0.25,0.125,0.125,0.0625,10,20,1.5,0.5,40\n"
+    "7x7x2,0.125,0.25,200,2000,2.5,,1,0.5,0.015625,0.03125,0.0625,11,21,2.5,1.5,41\n"
     "9x9x2,0.125,0.125,300,3000,3.75,,1.5,,,0.0078125,0.0625,12,22,3.5,2.5,42\n"
-    "truth,,0.125,,,,,,,,0,0.0625,1,2,3,4,5\n"
-    "5x5x2,0.5,0.25,100,1000,1.25,,0.5,0.25,0.125,0.25,0.1875,10,20,1.5,0.5,40\n"
+    "truth,0.125,,,,,,,,,0,0.0625,1,2,3,4,5\n"
+    "5x5x2,0.25,0.5,100,1000,1.25,,0.5,0.25,0.125,0.25,0.1875,10,20,1.5,0.5,40\n"
     "7x7x2,0.25,0.25,200,2000,2.5,,1,0.5,0.015625,0.0625,0.1875,11,21,2.5,1.5,41\n"
-    "9x9x2,0.125,0.25,300,3000,3.75,,1.5,,,0.015625,0.1875,12,22,3.5,2.5,42\n"
-    "truth,,0.25,,,,,,,,0,0.1875,6,7,8,9,10\n"
-    "# Observed order at 0.125 s: 2, of the error.\n"
-    "# Observed order at 0.25 s: 2, of the error.\n"
-    "# To next, to finest: RMSE on the material grid to the next level and to the last. "
-    "Roughness: L times the rms curvature; unevenness: its rms change over it, per length "
-    "(metric.h). Gamma = 123.4.\n"
-    "# Truth: somebody else's.\n\n";
+    "9x9x2,0.25,0.125,300,3000,3.75,,1.5,,,0.015625,0.1875,12,22,3.5,2.5,42\n"
+    "truth,0.25,,,,,,,,,0,0.1875,6,7,8,9,10\n";
 
 static void check_truth(void)
 {
@@ -119,22 +106,27 @@ static void check_truth(void)
     struct truth truth = {2, plan.studies[0].times, none, bars, "somebody else's"};
 
     s.truth = &truth;
-    s.true_frame[0] = (struct study_frame){
-        .roughness = 1, .inner = 2, .stretch = 3, .drop = 4, .unevenness = 5};
-    s.true_frame[1] = (struct study_frame){
-        .roughness = 6, .inner = 7, .stretch = 8, .drop = 9, .unevenness = 10};
-    char *text = print(&s, TABLE_CSV);
-    if (!CHECK(!strcmp(text, with_truth)))
-        printf("is:\n%swant:\n%s", text, with_truth);
+    for (int t = 0; t < 2; t++)
+        s.row[3].frame[t] = (struct study_frame){.next = NAN,
+                                                 .finest = NAN,
+                                                 .roughness = 1 + 5 * t,
+                                                 .inner = 2 + 5 * t,
+                                                 .stretch = 3 + 5 * t,
+                                                 .drop = 4 + 5 * t,
+                                                 .unevenness = 5 + 5 * t};
+    char *text = print(&plan, &s, TABLE_CSV);
+    holds(text, with_truth, true);
+    holds(text, "# Observed order at 0.125 s: 2, of the error.\n", true);
+    holds(text, "# Gamma = 123.4.\n# Truth of told: somebody else's.\n", true);
     free(text);
-    text = print(&s, TABLE_TEXT);
-    holds(text, "\n0.125  7x7x2    0.500     0.0156   0.0312", true);
+    text = print(&plan, &s, TABLE_TEXT);
+    holds(text, "\n7x7x2  0.1250    0.500     0.0156   0.0312", true);
     holds(text, "error bar", true);
     free(text);
     s.truth = NULL; /* asked for, but there is none */
     snprintf(s.no_truth.text, sizeof s.no_truth.text, "nobody knows");
-    text = print(&s, TABLE_TEXT);
-    holds(text, "Truth: none; nobody knows.\n", true);
+    text = print(&plan, &s, TABLE_TEXT);
+    holds(text, "Truth of told: none; nobody knows.\n", true);
     holds(text, "Observed order at 0.25 s: 3, of the difference from the finest.\n", true);
     holds(text, "error bar", false);
     holds(text, "truth  ", false);
@@ -154,14 +146,11 @@ static void check_without(void)
     s.row[1].milliseconds = NAN;
     s.row[2].result.outcome = STATUS_NAN;
     snprintf(s.row[2].result.sentence.text, 64, "died at t = 0.2 s");
-    char *text = print(&s, TABLE_CSV);
-    holds(text, "\n5x5x2,100,1000,1.25,12.5,0.5,done\n", true);
-    holds(text, "\n7x7x2,,,,,,refused\n", true);
-    holds(text, "\n# 7x7x2: no such net.\n", true);
-    holds(text, "\n9x9x2,300,3000,3.75,,1.5,died at t = 0.2 s\n", true);
-    holds(text, "\n7x7x2,0.25,0.125,,,,,1,", true);
-    holds(text, "\n9x9x2,0.125,0.25,300,3000,3.75,,1.5,", true);
-    holds(text, "\n5x5x2,0.5,0.25,100,1000,1.25,12.5,0.5,", true);
+    char *text = print(&plan, &s, TABLE_CSV);
+    holds(text, "\n# told, 7x7x2: no such net.\n# told, 9x9x2: died at t = 0.2 s.\n", true);
+    holds(text, "\n7x7x2,0.125,,,,,,,", true);
+    holds(text, "\n9x9x2,0.25,0.125,300,3000,3.75,,1.5,", true);
+    holds(text, "\n5x5x2,0.25,0.5,100,1000,1.25,12.5,0.5,", true);
     holds(text, "Truth", false);
     free(text);
     plan_clear(&plan);
@@ -171,14 +160,12 @@ static void check_rest(void)
 {
     struct plan plan = plan_of(PLAN);
     struct study s = study_of(&plan, NULL, 1);
-    char *text = print(&s, TABLE_TEXT);
+    char *text = print(&plan, &s, TABLE_TEXT);
 
-    holds(text, "A frame: the static equilibrium, median over repeats, one thread;", true);
     holds(text, "Observed order: 3, of the difference from the finest.\n", true);
     holds(text,
           "\n5x5x2    0.250      0.125       10.0   20.0    1.500  0.5000        40.0\n",
           true);
-    holds(text, "stepping: all", false);
     holds(text, " s:", false);
     free(text);
     plan_clear(&plan);

@@ -1,0 +1,187 @@
+/* The commands `table` and `study`: which plan a word means, into which folder results go,
+ * what is printed from where, and what is refused with which sentence.
+ *
+ *   studies FOLDER
+ */
+#define _GNU_SOURCE /* CPU_COUNT */
+#include "bench/studies/studies.h"
+
+#include <sched.h>
+#include <unistd.h>
+
+#include "bench/experiment/judge.h"
+#include "bench/experiment/kept.h"
+#include "bench/files/folder.h"
+#include "bench/harness/run_result.h"
+#include "tests/fresh.h"
+#include "tests/scratch.h"
+
+/* A study, which also lies at the end of a path, a sweep, and one that has another's name.
+ */
+static void write_plans(void)
+{
+    static const struct {
+        const char *file, *text;
+    } all[] = {
+        {"tiny.yaml", "name: tiny\nsource: a test\nlevels: [{label: a, settings: "
+                      "{discretization.points: [3,3,2]}}]\ntimes: [0.015]\ntimed: 7\n"},
+        {"plans/sweeps.yaml", "name: sweeps\nsource: a test\n"},
+        {"plans/ensemble.yaml", "name: ensemble\nsource: a test\nlevels: [{label: a}]\n"},
+    };
+
+    for (int n = 0; n < 3; n++) {
+        FILE *file = fopen(all[n].file, "w");
+        REQUIRE(file);
+        fprintf(file, "%sscene: edge_drop\nmodel: iga\n", all[n].text);
+        REQUIRE(fclose(file) == 0);
+    }
+    REQUIRE(symlink("../tiny.yaml", "plans/tiny.yaml") == 0);
+}
+
+/* Runs a command line, its words apart by blanks; what it prints goes to the file "out". */
+static enum status call(const char *text, struct message *why)
+{
+    struct command_line line;
+    char words[256], *argv[16], *rest = words;
+    int argc = 0;
+
+    snprintf(words, sizeof words, "%s", text);
+    const struct command *command = strcmp(strtok_r(words, " ", &rest), "table")
+                                        ? &studies_command
+                                        : &studies_table_command;
+    for (char *word; (word = strtok_r(NULL, " ", &rest));)
+        argv[argc++] = word;
+    *why = (struct message){""};
+    REQUIRE(command_parse(command, argc, argv, &line, why) == STATUS_OK);
+    fflush(stdout);
+    const int was = dup(STDOUT_FILENO);
+    REQUIRE(was >= 0 && freopen("out", "w", stdout));
+    const enum status st = command->run(&line, why);
+    table_json_close();
+    fflush(stdout);
+    REQUIRE(dup2(was, STDOUT_FILENO) >= 0);
+    close(was);
+    command_line_clear(&line);
+    return st;
+}
+
+/* Each row runs, or prints again, into a folder. */
+static const struct {
+    const char *line, *folder;
+    bool quick;
+    int repeats;
+    const char *words; /* among what is printed                                          */
+} done[] = {
+    {"study tiny", "results/study_tiny", false, 7, "\nMeasured: commit "},
+    {"study ./tiny.yaml --out o/p", "o/p", false, 7, "stepping"},
+    {"study ./tiny.yaml --out o/p --quick --format csv", "o/p", true, 3, "\nlevel,"},
+    {"study tiny --from o/p --format json", "o/p", true, 3, "\"caption\""},
+    {"study tiny --out o/p", "o/p", false, 7, "0.015"},
+};
+
+static int repeats_of(const char *folder)
+{
+    struct run_result r;
+    char path[128];
+
+    snprintf(path, sizeof path, "%s/tiny_a.h5", folder);
+    REQUIRE(run_result_read(path, false, &r, NULL) == STATUS_OK);
+    const int count = r.step.count;
+    run_result_clear(&r);
+    return count;
+}
+
+/* A report gets tables and sentences whatever is printed; a quick run is marked. */
+static void check_done(size_t n)
+{
+    const char *folder = done[n].folder;
+    struct message why;
+    cpu_set_t set;
+
+    if (!CHECK(call(done[n].line, &why) == STATUS_OK)) {
+        printf("  %s: %s\n", done[n].line, why.text);
+        return;
+    }
+    char *kept = fresh_text(folder, KEPT_NAME), *out = fresh_text(".", "out");
+    bool fine = strstr(kept, "# clothbench study") && strstr(kept, "a test");
+    fine = fine && strstr(out, done[n].words);
+    fine = fine && repeats_of(folder) == done[n].repeats;
+    fine = fine && judge_marked(folder) == done[n].quick;
+    fine = fine && sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) == 1;
+    if (!CHECK(fine))
+        printf("  %s\n%s", done[n].line, out);
+    free(kept);
+    free(out);
+}
+
+static const struct {
+    const char *line, *sentence;
+    enum status status;
+} refused[] = {
+    {"table 5", "table: there is no '5'; there are 1, 2, 3, 4", STATUS_INPUT},
+    {"table tiny", "table: there is no 'tiny'; there are 1, 2, 3, 4", STATUS_INPUT},
+    {"study sweeps",
+     "plans/sweeps.yaml: the plan has no levels, so it is no study; clothbench sweep runs "
+     "it",
+     STATUS_INPUT},
+    {"study ./none.yaml",
+     "./none.yaml: cannot be read as a plan: No such file or directory", STATUS_INPUT},
+    {"study tiny --from a --out b",
+     "--from reads result files and --out writes them; give one of the two", STATUS_INPUT},
+    {"study tiny --format words",
+     "--format words: a format is text, csv, markdown, latex or json", STATUS_INPUT},
+    {"study tiny --from nowhere",
+     "nowhere/tiny_a.h5: cannot be read: No such file or directory", STATUS_FILE},
+    {"study tiny --out tiny.yaml/o", "tiny.yaml", STATUS_FILE},
+    {"study tiny flag",
+     "tiny takes no scenes, --models, --runs and --until; study ensemble does",
+     STATUS_INPUT},
+    {"study ensemble --runs 3 --from a",
+     "scenes, --models, --runs and --until are for a new run, not for --from",
+     STATUS_INPUT},
+    {"study ensemble --models nobody --out c", "no model or contestant 'nobody'",
+     STATUS_INPUT},
+    {"study ensemble --from nowhere", "nowhere/ensemble.txt", STATUS_FILE},
+};
+
+static void check_refused(void)
+{
+    struct message why;
+
+    for (size_t n = 0; n < sizeof refused / sizeof *refused; n++)
+        if (!CHECK(call(refused[n].line, &why) == refused[n].status &&
+                   strstr(why.text, refused[n].sentence)))
+            printf("  %s: %s\n", refused[n].line, why.text);
+    CHECK(access("a", F_OK) && access("b", F_OK)); /* and leaves no folder */
+}
+
+/* A wrong name is answered with the studies, each once, and no plans that are none. */
+static void check_known(void)
+{
+    static const char begins[] = "study: there is no '2'; there are ensemble, artefacts, ";
+    static const char ends[] = ", tiny, or give the path of a plan with levels";
+    struct message why;
+
+    CHECK(call("study 2", &why) == STATUS_INPUT && strlen(why.text) > sizeof ends);
+    CHECK(!strncmp(why.text, begins, sizeof begins - 1));
+    CHECK(!strcmp(why.text + strlen(why.text) + 1 - sizeof ends, ends));
+    CHECK(strstr(why.text, ", mesh, ") && !strstr(why.text, "sweeps"));
+    CHECK(fresh_count(why.text, "ensemble") == 1);
+}
+
+int main(int argc, char **argv)
+{
+    REQUIRE(argc == 2);
+    scratch_remove(argv[1]);
+    REQUIRE(folder_make(argv[1], NULL) == STATUS_OK && chdir(argv[1]) == 0);
+    REQUIRE(folder_make("plans", NULL) == STATUS_OK);
+    REQUIRE(!setenv("CLOTHBENCH_PLANS", "plans", 1));
+    REQUIRE(!setenv("CLOTHBENCH_SCENES", SOURCE_DIR "/models/scenes", 1));
+    REQUIRE(!setenv("PATH", "/proc/nowhere", 1)); /* no pictures */
+    write_plans();
+    check_known();
+    check_refused();
+    for (size_t n = 0; n < sizeof done / sizeof *done; n++)
+        check_done(n);
+    return check_result();
+}

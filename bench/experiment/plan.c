@@ -227,15 +227,15 @@ static enum status check_values(const struct schema_key *key, const struct yaml_
 
 /* clang-format off */
 static const struct schema_key AXIS[] = {
-    {"key", "what changes", SCHEMA_TEXT, .required = true, IN(plan_axis, key)},
-    {"by", "the key that a stand-in sets", SCHEMA_TEXT, IN(plan_axis, by)},
-    {"values", "its values", SCHEMA_SPECIAL, .read = check_values, .most = PLAN_AXIS_MOST,
+    {"key", "key that changes", SCHEMA_TEXT, .required = true, IN(plan_axis, key)},
+    {"by", "key that is set so that `key` takes the value", SCHEMA_TEXT, IN(plan_axis, by)},
+    {"values", "values of the key", SCHEMA_SPECIAL, .read = check_values, .most = PLAN_AXIS_MOST,
      .want = "a list of 1 to 10000 values"},
     {"from", "first value", SCHEMA_NUMBER, ANY, IN(plan_axis, from)},
     {"to", "last value", SCHEMA_NUMBER, ANY, IN(plan_axis, to)},
-    {"count", "values from first to last", SCHEMA_COUNT, .low = 2, .high = PLAN_AXIS_MOST,
+    {"count", "number of values", SCHEMA_COUNT, .low = 2, .high = PLAN_AXIS_MOST,
      IN(plan_axis, count)},
-    {"scale", "steps between them", SCHEMA_WORD, .words = SCALES, IN(plan_axis, scale)},
+    {"scale", "spacing of the values", SCHEMA_WORD, .words = SCALES, IN(plan_axis, scale)},
     {NULL}};
 /* clang-format on */
 
@@ -300,18 +300,18 @@ static const char *const TRUTHS[] = {"false", "true", "plate", NULL};
 
 /* clang-format off */
 static const struct schema_key LEVEL[] = {
-    {"label", "in tables and pictures", SCHEMA_TEXT, .required = true, IN(plan_level, label)},
-    {"name", "of its file (made of the label)", SCHEMA_TEXT, IN(plan_level, name)},
-    {"size", "mesh width, step, ...: for observed orders", SCHEMA_NUMBER, .low = 0,
+    {"label", "label in tables and pictures", SCHEMA_TEXT, .required = true, IN(plan_level, label)},
+    {"name", "name of its file (made from the label)", SCHEMA_TEXT, IN(plan_level, name)},
+    {"size", "mesh width, step, ..., for observed orders", SCHEMA_NUMBER, .low = 0,
      .high = 1e30, .open = true, IN(plan_level, size)},
     {"model", "model or contestant", WITH_MODEL, IN(plan_level, settings)},
-    {"settings", "what makes the level", WITH_MAP, IN(plan_level, settings)},
-    {"quick", "on top of them in a quick run", WITH_MAP, IN(plan_level, quick)},
-    {"phases", "time assembly, factorisation and solve of a frame, too", SCHEMA_WORD,
+    {"settings", "settings of the level", WITH_MAP, IN(plan_level, settings)},
+    {"quick", "further settings in a quick run", WITH_MAP, IN(plan_level, quick)},
+    {"phases", "also time assembly, factorisation and solve of a frame", SCHEMA_WORD,
      .words = NO_OR_YES, IN(plan_level, phases)},
-    {"paper_ms", "what somebody else's frame costs [ms]", SCHEMA_NUMBER, .low = 0,
+    {"paper_ms", "time of a frame in the paper [ms]", SCHEMA_NUMBER, .low = 0,
      .high = 1e9, .open = true, IN(plan_level, paper_ms)},
-    {"timed", "repeats of its milliseconds a frame (as the study has it)", SCHEMA_COUNT,
+    {"timed", "repeats of the timing of a frame (the study's)", SCHEMA_COUNT,
      .low = 0, .high = 1000, IN(plan_level, timed)},
     {NULL}};
 /* clang-format on */
@@ -394,20 +394,20 @@ static enum status read_levels(const struct schema_key *key, const struct yaml_t
      .low = 1, .most = PLAN_STUDY_LEVELS, .offset = (at),                                  \
      .want = "a list of 1 to 128 levels {label: ..., settings: {KEY: VALUE, ...}}, or a "  \
              "map of up to 4 axes with such a list each"},                                 \
-    {"times", "at which sheets are compared [s]", TIMES_AT(at, times, time_count)},        \
-    {"quick_times", "instead of them in a quick run [s]",                                  \
+    {"times", "times at which sheets are compared [s]", TIMES_AT(at, times, time_count)},        \
+    {"quick_times", "times in a quick run [s]",                                  \
      TIMES_AT(at, quick_times, quick_count)},                                              \
-    {"truth", "errors against the scene's truth; plate: Kirchhoff's, of linear theory",    \
+    {"truth", "errors against the scene's truth; plate: against linear Kirchhoff plate theory",    \
      SCHEMA_WORD, .words = TRUTHS, .offset = (at) + offsetof(struct plan_study, truth)},   \
-    {"timed", "repeats of the milliseconds a frame", SCHEMA_COUNT, .low = 0, .high = 1000, \
+    {"timed", "repeats of the timing of a frame", SCHEMA_COUNT, .low = 0, .high = 1000, \
      .offset = (at) + offsetof(struct plan_study, timed)}
 static const struct schema_key SHARED[] = {SHARED_KEYS(0), {NULL}};
 static const struct schema_key STUDY[] = {
-    {"name", "of its files", SCHEMA_TEXT, .required = true, IN(plan_study, name)},
-    {"caption", "of its tables (the name)", SCHEMA_TEXT, IN(plan_study, caption)},
-    {"scene", "instead of the plan's", WITH_SCENE, IN(plan_study, settings)},
-    {"model", "instead of the plan's", WITH_MODEL, IN(plan_study, settings)},
-    {"settings", "of its levels; the physics are the truth's, too", WITH_MAP,
+    {"name", "name of its files", SCHEMA_TEXT, .required = true, IN(plan_study, name)},
+    {"caption", "caption of its tables (the name)", SCHEMA_TEXT, IN(plan_study, caption)},
+    {"scene", "scene (the plan's)", WITH_SCENE, IN(plan_study, settings)},
+    {"model", "model (the plan's)", WITH_MODEL, IN(plan_study, settings)},
+    {"settings", "settings of its levels; physics also apply to the truth", WITH_MAP,
      IN(plan_study, settings)},
     SHARED_KEYS(0),
     {NULL}};
@@ -592,10 +592,10 @@ static enum status read_measure(const struct schema_key *key, const struct yaml_
 /* clang-format off */
 #define ONE_MEASURE SCHEMA_SPECIAL, .read = read_measure, .want = "the name of a measure"
 static const struct schema_key FALLS[] = {
-    {"measure", "what is to fall", ONE_MEASURE, .required = true, IN(plan, falls.measure)},
-    {"along", "key of an axis, its values from coarse to fine", SCHEMA_TEXT,
+    {"measure", "measure that has to fall", ONE_MEASURE, .required = true, IN(plan, falls.measure)},
+    {"along", "key of the axis, with values from coarse to fine", SCHEMA_TEXT,
      .required = true, IN(plan, falls.along)},
-    {"by", "by which it may grow (not at all)", ONE_MEASURE, IN(plan, falls.by)},
+    {"by", "measure by which it may grow (not at all)", ONE_MEASURE, IN(plan, falls.by)},
     {NULL}};
 
 static const struct schema_key MARK[] = {
@@ -617,10 +617,10 @@ static enum status read_mark(const struct yaml_tree *node, void *target,
 LIST_READER(read_marks, plan_map, marks, mark_count, read_mark)
 
 static const struct schema_key MAP[] = {
-    {"x", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.x)},
-    {"y", "key or measure", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
-    {"panel", "key of a panel each, or name (of cases)", SCHEMA_TEXT, IN(plan, map.panel)},
-    {"marks", "points that are no cases", SCHEMA_SPECIAL, .most = PLAN_MAX_LISTED,
+    {"x", "key or measure along x", SCHEMA_TEXT, .required = true, IN(plan, map.x)},
+    {"y", "key or measure along y", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
+    {"panel", "key whose values have a panel each, or name (of cases)", SCHEMA_TEXT, IN(plan, map.panel)},
+    {"marks", "points on the map that are no cases", SCHEMA_SPECIAL, .most = PLAN_MAX_LISTED,
      .read = read_marks, IN(plan, map),
      .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
     {NULL}};
@@ -629,25 +629,25 @@ static const struct schema_key TABLE[] = {
     {"columns", "quantities, a column each", SCHEMA_SPECIAL, .required = true,
      .read = read_words, .most = PLAN_TABLE_COLUMNS, IN(plan, table.columns),
      .want = "a list of 1 to 16 quantities"},
-    {"last", "people see the last time of each study alone", SCHEMA_WORD,
+    {"last", "show only the last time of each study", SCHEMA_WORD,
      .words = NO_OR_YES, IN(plan, table.last)},
-    {"shown", "people see the levels with these labels alone", SCHEMA_SPECIAL,
+    {"shown", "show only the levels with these labels", SCHEMA_SPECIAL,
      .read = read_chosen, IN(plan, table.shown), .want = "a map {AXIS: LABEL}"},
     {"pictures", "studies whose sheets are drawn", SCHEMA_SPECIAL, .read = read_words,
      .most = PLAN_TABLE_COLUMNS, IN(plan, table.pictures),
      .want = "a list of 1 to 16 names of studies"},
-    {"note", "below the table", SCHEMA_TEXT, IN(plan, table.note)},
-    {"file", "of its CSV and the chart (the plan's name)", SCHEMA_TEXT, IN(plan, table.file)},
+    {"note", "note below the table", SCHEMA_TEXT, IN(plan, table.note)},
+    {"file", "name of its CSV and chart (the plan's)", SCHEMA_TEXT, IN(plan, table.file)},
     {NULL}};
 
 #define AXES SCHEMA_SPECIAL, .read = read_words, .most = PLAN_STUDY_AXES, \
     .want = "a list of 1 to 4 axes"
 static const struct schema_key CHART[] = {
-    {"x", "a quantity, or what the size of the levels is", SCHEMA_TEXT, .required = true,
+    {"x", "quantity along x, or a name for the size of the levels", SCHEMA_TEXT, .required = true,
      IN(plan, chart.x)},
-    {"y", "quantities, a line each", SCHEMA_SPECIAL, .required = true, IN(plan, chart.y),
+    {"y", "quantities along y, a line each", SCHEMA_SPECIAL, .required = true, IN(plan, chart.y),
      .read = read_words, .most = PLAN_TABLE_COLUMNS, .want = "a list of 1 to 16 quantities"},
-    {"from", "how far the quantity is from this (itself)", SCHEMA_NUMBER, .low = -1e30,
+    {"from", "value from which the quantity's distance is drawn (none)", SCHEMA_NUMBER, .low = -1e30,
      .high = 1e30, IN(plan, chart.from)},
     {"panel", "axes whose labels have a panel each", AXES, IN(plan, chart.panel)},
     {"line", "axes whose labels have a line each", AXES, .required = true,
@@ -658,29 +658,29 @@ static const struct schema_key CHART[] = {
     .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan " \
             "that has them"
 static const struct schema_key PLAN[] = {
-    {"name", "key in lists and of the results' folder", SCHEMA_TEXT, .required = true,
+    {"name", "name in lists, and of the results' folder", SCHEMA_TEXT, .required = true,
      IN(plan, name)},
-    {"source", "what it is about", SCHEMA_TEXT, .required = true, IN(plan, source)},
-    {"what", "a line for lists (the source)", SCHEMA_TEXT, IN(plan, what)},
-    {"scene", "of all cases", WITH_SCENE, IN(plan, settings)},
+    {"source", "subject of the plan", SCHEMA_TEXT, .required = true, IN(plan, source)},
+    {"what", "description for lists (the source)", SCHEMA_TEXT, IN(plan, what)},
+    {"scene", "scene of all cases", WITH_SCENE, IN(plan, settings)},
     {"model", "of all cases: a model or a contestant", WITH_MODEL, IN(plan, settings)},
-    {"settings", "of all cases", SCHEMA_SPECIAL, .read = read_map, IN(plan, settings),
+    {"settings", "settings of all cases", SCHEMA_SPECIAL, .read = read_map, IN(plan, settings),
      .want = "a map {KEY: VALUE, ...} of keys that --set takes"},
     {"axes", "every combination", SCHEMA_SPECIAL, .low = 1, .most = PLAN_MAX_AXES,
      .read = read_axes, .keys = AXIS,
      .want = "a list of 1 to 16 axes {key: ..., values: [...]}"},
-    {"cases", "each with all combinations of the axes", SCHEMA_SPECIAL, .low = 1,
+    {"cases", "cases, each with all combinations of the axes", SCHEMA_SPECIAL, .low = 1,
      .most = PLAN_MAX_LISTED, .read = read_cases,
      .want = "a list of 1 to 10000 maps {name: ..., KEY: VALUE, ...}"},
-    {"look", "frames from one reading of the metrics to the next", SCHEMA_COUNT, .low = 1,
+    {"look", "frames between two readings of the metrics", SCHEMA_COUNT, .low = 1,
      .high = 1e6, IN(plan, look)},
     {"intersections", "count self-intersections", SCHEMA_WORD, .words = NO_OR_YES,
      IN(plan, intersections)},
-    {"keep", "fields in the result files", SCHEMA_WORD, .words = KEEPS, IN(plan, keep)},
-    {"time_limit", "of a case on the clock [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
+    {"keep", "fields that result files keep", SCHEMA_WORD, .words = KEEPS, IN(plan, keep)},
+    {"time_limit", "time limit of a case [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
      IN(plan, time_limit)},
-    {"verdicts", "when a case gets a label", WITH_RULES, IN(plan, verdicts)},
-    {"learnt", "a second opinion: bounds learnt from the paper's words", WITH_RULES,
+    {"verdicts", "rules that label a case", WITH_RULES, IN(plan, verdicts)},
+    {"learnt", "second opinion: bounds learnt from the paper's words", WITH_RULES,
      IN(plan, learnt)},
     {"falls", "what is to fall along an axis; exit 1 where it grows", SCHEMA_SECTION,
      .keys = FALLS},
@@ -689,13 +689,13 @@ static const struct schema_key PLAN[] = {
     {"studies", "each of these levels, times, ... unless it has its own", SCHEMA_SPECIAL,
      .read = read_studies, .low = 1, .most = PLAN_STUDY_MOST, .keys = STUDY,
      .want = "a list of 1 to 100 studies {name: ..., scene: ..., settings: {KEY: VALUE}}"},
-    {"skip", "products of a study's axes that are not run; quick: true, by a quick run",
+    {"skip", "products of the axes that are not run; with quick: true, not in a quick run",
      SCHEMA_SPECIAL, .read = read_products, .low = 1, .most = PLAN_STUDY_MOST,
      IN(plan, skip), .want = "a list of maps {AXIS: LABEL, AXIS: [LABEL, LABEL]}"},
-    {"paper", "milliseconds of somebody else's frame, of such products", SCHEMA_SPECIAL,
+    {"paper", "milliseconds of a frame in the paper, for products of the axes", SCHEMA_SPECIAL,
      .read = read_products, .low = 1, .most = PLAN_STUDY_MOST, IN(plan, paper),
      .want = "a list of maps {AXIS: LABEL, paper_ms: NUMBER}"},
-    {"reference", "axis and label of what levels are compared with", SCHEMA_SPECIAL,
+    {"reference", "axis and label of the level that others are compared with", SCHEMA_SPECIAL,
      .read = read_chosen, IN(plan, reference), .want = "a map {AXIS: LABEL}"},
     {"table", "one table of all studies", SCHEMA_SECTION, .keys = TABLE},
     {"chart", "a point for each level", SCHEMA_SECTION, .keys = CHART},

@@ -280,14 +280,14 @@ enum { ENSEMBLE_OPTIONS = 3 }; /* the first, which tables do not have */
 static const struct command_option options[] = {
     {"--models", "A,B,...", false, "contestants (study ensemble)"},
     {"--runs", "N", false,
-     "runs of each, every one pushed another way (study ensemble: 32)"},
-    {"--until", "S", false, "seconds of motion (study ensemble: the scene's)"},
-    {"--format", TABLE_FORMATS, false, "how to print (text)"},
+     "runs of each, each pushed in another direction (study\nensemble: 32)"},
+    {"--until", "S", false, "end of the motion in seconds (study ensemble: the scene's)"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false,
-     "where result files, plots and pictures go\n"
+     "folder of result files, plots and pictures\n"
      "(results/table1, results/study_mesh, ...)"},
-    {"--from", "DIR", false, "print again from result files of an earlier run"},
-    {"--quick", NULL, false, "a smaller job of the same shape"},
+    {"--from", "DIR", false, "print again from the result files of an earlier run"},
+    {"--quick", NULL, false, "the same on smaller nets and shorter times"},
     {NULL, NULL, false, NULL},
 };
 

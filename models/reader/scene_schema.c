@@ -153,15 +153,15 @@ static const struct schema_key AT[] = {
 
 static const struct schema_key SUPPORT[] = {
     {"at", "where", SCHEMA_SECTION, .required = true, .keys = AT, .read = check_at},
-    {"fix", "components held", SCHEMA_SPECIAL, .required = true, .read = read_fix,
+    {"fix", "components that are held", SCHEMA_SPECIAL, .required = true, .read = read_fix,
      .want = "some of the letters x, y, z, each once, as in xyz"},
-    {"path", "shift in time [s, m, m, m]", SCHEMA_SPECIAL, PLACE, .read = read_path,
+    {"path", "displacement in time [s, m, m, m]", SCHEMA_SPECIAL, PLACE, .read = read_path,
      .want = "1 to 1000 rows [t, x, y, z] of numbers within -1e+06 and 1e+06"},
     {NULL}};
 
 static const struct schema_key LOAD[] = {
     {"at", "where", SCHEMA_SECTION, .required = true, .keys = AT, .read = check_at},
-    {"force", "in all, spread evenly [N]", SCHEMA_VECTOR, .required = true, .low = -1e15,
+    {"force", "total force, spread evenly [N]", SCHEMA_VECTOR, .required = true, .low = -1e15,
      .high = 1e15, .offset = offsetof(struct placed, force)},
     {NULL}};
 /* clang-format on */

@@ -1,4 +1,4 @@
-/* The cases of `stress`, as data. */
+/* Holds the cases of `stress`, as data. */
 #include "bench/stress/stress.h"
 
 #include <stddef.h>
@@ -8,7 +8,7 @@ const char *const stress_case_scene = "cantilever";
 #define CASE(name, text, ...)                                                              \
     static const struct stress_case name = {.item = {#name, text}, __VA_ARGS__}
 
-/* Errors: bounds, and their reasons. */
+/* Truths with their bounds, and the reasons for these. */
 #define REST .truth = STRESS_PLATE, .bound = 0.02, .why = "asked of cures for locking"
 #define HEAVY                                                                              \
     .truth = STRESS_ELASTICA, .bound = 0.01, .why = "what the nonlinear solid is asked for"

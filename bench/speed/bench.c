@@ -10,10 +10,10 @@
 #include "models/reader/scene_file.h"
 
 static const struct command_item *const items[] = {
-    &bench_part_solids.item,    &bench_part_baselines.item,    &bench_part_levers.item,
-    &bench_part_growth.item,    &bench_part_intersection.item, &bench_part_projective.item,
-    &bench_part_nonlinear.item, &bench_part_swings.item,       &bench_part_bandwidth.item,
-    &bench_part_newton.item,    &bench_part_contestants.item,  NULL,
+    &bench_part_solids.item,      &bench_part_baselines.item,
+    &bench_part_projective.item,  &bench_part_nonlinear.item,
+    &bench_part_swings.item,      &bench_part_bandwidth.item,
+    &bench_part_contestants.item, NULL,
 };
 
 void bench_part_times(struct table *t, const struct clock_summary *s)
@@ -194,7 +194,7 @@ static const struct command_option options[] = {
     {"--out", "DIR", false, "where every repeat is kept (results/bench)"},
     {"--from", "DIR", false, "print again what an earlier run kept"},
     {"--quick", NULL, false,
-     "three repeats of everything; matrices, surfaces and\nnets: the smaller ones"},
+     "three repeats of everything; matrices and nets:\nthe smaller ones"},
     {NULL, NULL, false, NULL},
 };
 
@@ -207,8 +207,8 @@ const struct command bench_command = {
         "and libraries on the same matrices: on one thread, all of a part in turn, nine\n"
         "repeats of what takes up to 0.2 s and three of the rest, which stand beside the\n"
         "medians. A loaded machine spoils the times: look at the quartiles.\n",
-    .examples = "bench contestants\nbench solids growth --out times\n"
-                "bench solids growth --from times --format csv\n",
+    .examples = "bench contestants\nbench solids baselines --out times\n"
+                "bench solids baselines --from times --format csv\n",
     .least = 0,
     .most = 16,
     .options = options,

@@ -16,7 +16,7 @@ extern const struct command bench_command;
  * other programs take for the work of its title. */
 struct bench_row {
     const char *title, *contestant;
-    const char *settings[4]; /* KEY=VALUE; NULL ends                                    */
+    const char *settings[5]; /* KEY=VALUE; NULL ends                                    */
     double end; /* all frames up to it are timed [s]; 0: twenty, and the phases, apart  */
     double frame, phase[3];
 };

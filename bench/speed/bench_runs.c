@@ -39,6 +39,17 @@ static const struct bench_row swings[] = {
     {"iga 20x20x2, p = 3, none", "iga_nonlinear_3", {UNDAMPED, NET(20)}, 1, 300, {0}},
     {"iga 20x20x2, p = 3, selective", "iga_selective_3", {UNDAMPED, NET(20)}, 1, 300, {0}},
 };
+
+/* Ten iterations a frame, whatever they come to. */
+#define PROJECTIVE(n, constraint, aim)                                                     \
+    {"projective " #n "x" #n " " constraint, "projective_dynamics",                        \
+     {UNDAMPED, "discretization.constraint=" constraint, "discretization.iterations=10",   \
+      "discretization.points=[" #n "," #n "]"}, 0.1, aim, {0}}
+static const struct bench_row projective[] = {
+    PROJECTIVE(10, "triangles", 0.03), PROJECTIVE(10, "edges", 0.03),
+    PROJECTIVE(32, "triangles", 0.6), PROJECTIVE(32, "edges", 0.6),
+    PROJECTIVE(100, "triangles", 7), PROJECTIVE(100, "edges", 7),
+};
 /* clang-format on */
 
 static void phase_row(struct table *t, const struct bench_row *row, const char *phase,
@@ -104,6 +115,13 @@ const struct bench_part bench_part_nonlinear = {
     .peers = "shell 10x10",
     .count = LEN(motions),
     .rows = motions,
+    .print = print_runs};
+
+const struct bench_part bench_part_projective = {
+    .item = {"projective", "projective dynamics: frames of ten iterations"},
+    .caption = "Projective dynamics, frames of 10 iterations, one thread",
+    .count = LEN(projective),
+    .rows = projective,
     .print = print_runs};
 
 const struct bench_part bench_part_swings = {

@@ -75,27 +75,6 @@ static void twice(struct said *first, const char *part, const char *folder)
     said_clear(&s);
 }
 
-/* Constraints are triangles or edges, and as many rows of bending for either. */
-static void test_projective(const char *folder)
-{
-    static const int points[] = {10, 32};
-    char name[32];
-    struct said s;
-
-    twice(&s, "projective", folder);
-    for (int n = 0; n < LENGTH(points); n++) {
-        const int p = points[n];
-        snprintf(name, sizeof name, "%dx%d,triangles", p, p);
-        const double triangles = cell(&s, name, 0), entries = cell(&s, name, 1);
-        CHECK(cell(&s, name, 8) == TIMING_REPEATS_QUICK);
-        snprintf(name, sizeof name, "%dx%d,edges", p, p);
-        CHECK(cell(&s, name, 0) - triangles == 2 * p * (p - 1));
-        CHECK(cell(&s, name, 1) == entries && entries > p * p);
-    }
-    said_lacks(&s, "projective", "\n100x100,");
-    said_clear(&s);
-}
-
 /* Nets that the machine moves at a rate that it has: a node's bytes as told, and steps that
  * grow with the points, which waves along the sheet ask for. */
 static void test_bandwidth(const char *folder)
@@ -179,7 +158,6 @@ int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     remove_earlier(argv[1]);
-    test_projective(argv[1]);
     test_bandwidth(argv[1]);
     test_libraries(argv[1]);
     test_runs(argv[1]);

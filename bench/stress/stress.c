@@ -10,9 +10,9 @@
 #include "bench/harness/pool.h"
 #include "models/reader/scene_file.h"
 
-/* Limits of processor time [s]; the limit of the clock is ten times as long, for a job that
- * sleeps. A truth, made once for all contestants, always has the longer one. */
-enum { TIME_LIMIT = 120, QUICK_LIMIT = 20 };
+/* The limit of a job's processor time [s]; that of the clock is ten times as long, for a
+ * job that sleeps. */
+enum { TIME_LIMIT = 120 };
 
 struct options {
     const char *folder;
@@ -100,7 +100,7 @@ static enum status work(void *context, long number, struct message *why)
     struct truth *truth = NULL;
     enum status st;
 
-    child_limit(job->quick && job->contestant ? QUICK_LIMIT : TIME_LIMIT);
+    child_limit(TIME_LIMIT);
     if (!job->contestant) {
         TRY(stress_find_truth(job, true, &truth, why));
         truth_destroy(truth);
@@ -118,12 +118,10 @@ static enum status settle(void *context, long number, const struct child_end *en
                           struct message *why)
 {
     const struct stress_job *job = (const struct stress_job *)context + number;
-    const bool stopped = job->quick && end->overdue;
-    const struct stress_result dead = {.outcome = stopped ? STRESS_STOPPED : STRESS_DEAD,
+    const struct stress_result dead = {.outcome = STRESS_DEAD,
                                        .error = NAN,
                                        .time = end->reached,
                                        .seconds = end->seconds,
-                                       .quick = job->quick && job->c->quick_end,
                                        .sentence = end->why};
 
     if (end->outcome == CHILD_DONE)
@@ -140,7 +138,7 @@ static enum status settle(void *context, long number, const struct child_end *en
 static long list_jobs(const struct options *o, const char *path, struct message *no_truth,
                       struct stress_job *list)
 {
-    struct stress_job job = {.path = path, .folder = o->folder, .quick = o->choice.quick};
+    struct stress_job job = {.path = path, .folder = o->folder};
     long count = 0;
 
     for (int n = 0; (job.c = stress_case_at(n)); n++) {
@@ -170,7 +168,7 @@ static enum status run_jobs(const struct options *o, long count, struct stress_j
             .done = done,
             .context = list,
             .slots = o->jobs,
-            .time_limit = 10 * (o->choice.quick ? QUICK_LIMIT : TIME_LIMIT),
+            .time_limit = 10 * TIME_LIMIT,
             .work = work,
             .settle = settle,
         };

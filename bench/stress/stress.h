@@ -7,10 +7,9 @@
  *   refused    it said in a sentence why it will not
  *   died       at a time and for a cause: numerical death, crash, or time limit
  *
- * A run that --quick cut short is not judged: it may have been accurate up to there. The
- * error is against a truth that the case names; the bound is one number a case, the same
- * for every contestant. Each run is a process of its own (pool.h) and leaves a text file
- * FOLDER/CASE.CONTESTANT.txt; tables are printed from these files alone.
+ * The error is against a truth that the case names; the bound is one number a case, the
+ * same for every contestant. Each run is a process of its own (pool.h) and leaves a text
+ * file FOLDER/CASE.CONTESTANT.txt; tables are printed from these files alone.
  */
 #ifndef STRESS_H
 #define STRESS_H
@@ -61,8 +60,6 @@ struct stress_case {
     double bound;              /* largest error of an accurate run                        */
     const char *why;           /* reason for the bound                                    */
     bool quick;                /* part of --quick                                         */
-    const char *quick_end;     /* setting of time.end then; NULL: the same                */
-    const char *quick_text;    /* what is hard about so much of it                        */
 };
 
 extern const char *const stress_case_scene; /* name of the scene that all start from      */
@@ -79,7 +76,6 @@ enum stress_end {
     STRESS_DEGRADED,
     STRESS_REFUSED,
     STRESS_DIED,
-    STRESS_UNJUDGED, /* a quick run ended before the case did                             */
     STRESS_ENDS
 };
 extern const char *const stress_end_name[STRESS_ENDS]; /* "accurate", ... */
@@ -89,12 +85,10 @@ struct stress_result {
         STRESS_RAN,
         STRESS_SAID_NO,
         STRESS_DEAD,
-        STRESS_STOPPED, /* by the time limit of a quick run, which is less than others'   */
     } outcome;
     double error;   /* NaN unless it ran                                                  */
     double time;    /* of death, or until when the error was within the bound; NaN [s]    */
     double seconds; /* of processor time                                                  */
-    bool quick;     /* of a case that --quick cuts short                                  */
     struct message sentence; /* why it refused or died; remarks                           */
 };
 
@@ -117,7 +111,6 @@ struct stress_job {
     const struct contestant *contestant; /* NULL: the job makes the case's truth          */
     const char *path;   /* of stress_case_scene's file                 borrowed           */
     const char *folder; /* for truths that are kept                    borrowed           */
-    bool quick;
     struct message *no_truth; /* why none could be made, empty: it was; NULL: nobody
                                  tried                                 borrowed           */
 };

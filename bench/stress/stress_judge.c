@@ -49,8 +49,6 @@ static void add_settings(const struct stress_job *job, struct settings *s)
     const int side = c->side == 0 ? 10 : c->side == 1 ? least : c->side;
 
     settings_list(s, STRESS_SETTINGS, c->physics);
-    if (job->quick && c->quick_end)
-        settings_set(s, c->quick_end);
     contestant_points(job->contestant, side, side, s);
     settings_list(s, STRESS_SETTINGS, c->numerics);
 }
@@ -419,8 +417,7 @@ enum status stress_judge(const struct stress_job *job, struct stress_result *res
     const double start = clock_processor();
     enum status st;
 
-    *result = (struct stress_result){
-        .error = NAN, .time = NAN, .quick = job->quick && job->c->quick_end};
+    *result = (struct stress_result){.error = NAN, .time = NAN};
     r.xyz = malloc(2 * 3 * GRID_POINTS * sizeof *r.xyz);
     TRY(r.xyz ? STATUS_OK : STATUS_MEMORY);
     r.first = r.xyz + 3 * GRID_POINTS;

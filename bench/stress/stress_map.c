@@ -25,7 +25,7 @@ static const char *const steps[] = {"[1e-4, 5e-4, 2e-3, 5e-3, 0.02, 0.05, 0.1]",
 static const char *const stiffnesses[] = {"[1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9]",
                                           "[1e4, 1e6, 1e8]"};
 #define QUICK " --quick" /* in the source of the map's plan */
-enum { SIDE = 6, TIME_LIMIT = 600, TIMES = 3, ENDS = STRESS_UNJUDGED };
+enum { SIDE = 6, TIME_LIMIT = 600, TIMES = 3 };
 
 static enum status write_plan(const char *path, const struct stress_choice *choice,
                               struct message *why)
@@ -168,12 +168,13 @@ static void create_tables(struct map *m)
         {"step", "s", .key = "step"},
         {"end"},
         {"error"}};
-    struct table_column columns[1 + 16 + ENDS] = {{"step [s] by E/rho", NULL, TABLE_LEFT}};
+    struct table_column columns[1 + 16 + STRESS_ENDS] = {
+        {"step [s] by E/rho", NULL, TABLE_LEFT}};
     int count = 1;
 
     for (int e = 0; e < values_of(m, 0)->count; e++)
         columns[count++] = (struct table_column){values_of(m, 0)->list[e].value};
-    for (int n = 0; n < ENDS; n++)
+    for (int n = 0; n < STRESS_ENDS; n++)
         columns[count++] = (struct table_column){stress_end_name[n]};
     m->models = table_create(
         count, columns,
@@ -210,7 +211,7 @@ static enum status add_model(struct map *m, int model)
         }
         table_text(m->models, "%s", good ? step->list[good - 1].value : "none");
     }
-    for (int n = 0; n < ENDS; n++)
+    for (int n = 0; n < STRESS_ENDS; n++)
         table_integer(m->models, count[n]);
     m->unknown += count[STRESS_ENDS];
 out:

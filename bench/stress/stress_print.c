@@ -71,10 +71,8 @@ static void add_word(struct table *t, const struct row *row, enum stress_end end
         table_text(t, "%s %.0e", end == STRESS_ACCURATE ? "ok" : "off", r->error);
     else if (end == STRESS_DIED && isfinite(r->time))
         table_text(t, "died %.2g s", r->time);
-    else if (end == STRESS_UNJUDGED && isfinite(r->error))
-        table_text(t, "quick %.0e", r->error);
     else
-        table_text(t, "%s", end == STRESS_UNJUDGED ? "quick" : stress_end_name[end]);
+        table_text(t, "%s", stress_end_name[end]);
 }
 
 static void add_details(struct table *t, const struct stress_case *c, const struct row *row,
@@ -91,11 +89,11 @@ static void add_details(struct table *t, const struct stress_case *c, const stru
     table_text(t, "%s", row->r.sentence.text);
 }
 
-static void add_truth(struct table *t, const struct stress_case *c, bool quick)
+static void add_truth(struct table *t, const struct stress_case *c)
 {
     table_row(t);
     table_text(t, "%s", c->item.name);
-    table_text(t, "%s", quick && c->quick_text ? c->quick_text : c->item.text);
+    table_text(t, "%s", c->item.text);
     table_number(t, c->bound, 1);
     table_text(t, "%s", c->why);
     table_text(t, "%s", stress_truth_text[c->truth]);
@@ -123,8 +121,6 @@ static int read_case(const char *folder, const struct stress_case *c, int contes
 static void add_case(struct tables *t, const struct stress_case *c, int contestants,
                      const struct row *rows)
 {
-    bool quick = false;
-
     table_row(t->table[OVERVIEW]);
     table_text(t->table[OVERVIEW], "%s", c->item.name);
     for (const struct row *row = rows; row < rows + contestants; row++) {
@@ -135,9 +131,8 @@ static void add_case(struct tables *t, const struct stress_case *c, int contesta
         add_details(t->table[DETAILS], c, row, end);
         t->damaged += row->file == DAMAGED;
         t->count[end] += row->file == READ;
-        quick |= row->r.quick;
     }
-    add_truth(t->table[TRUTHS], c, quick);
+    add_truth(t->table[TRUTHS], c);
     table_rule(t->table[DETAILS]);
 }
 
@@ -154,11 +149,6 @@ static int add_notes(const struct tables *t)
                "ok: accurate, the error is within the case's bound; off: degraded, beyond "
                "it. %d runs: %d accurate, %d degraded, %d refused, %d died.",
                runs, count[0], count[1], count[2], count[3]);
-    if (count[STRESS_UNJUDGED])
-        table_note(overview,
-                   "quick: %d not judged: quick. The error is that of the part of the case "
-                   "that --quick runs.",
-                   count[STRESS_UNJUDGED]);
     if (t->damaged)
         table_note(overview,
                    "Damaged files, no longer as they were written: %d. Run "

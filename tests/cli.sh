@@ -151,7 +151,7 @@ echo no truth >truths/flag.h5
 CLOTHBENCH_TRUTHS=$PWD/truths refused truths/flag.h5 verify truths --quick --models mass_spring_leapfrog
 
 refused "no benchmark 'dance'; there are solids" bench dance
-refused 'one of the two' bench growth --from times --out more
+refused 'one of the two' bench solids --from times --out more
 
 # --- bad usage --------------------------------------------------------------------------
 refused 'which command'

@@ -10,10 +10,10 @@
 #include "models/reader/scene_file.h"
 
 static const struct command_item *const items[] = {
-    &bench_part_solids.item,    &bench_part_baselines.item,    &bench_part_levers.item,
-    &bench_part_growth.item,    &bench_part_intersection.item, &bench_part_projective.item,
-    &bench_part_nonlinear.item, &bench_part_swings.item,       &bench_part_bandwidth.item,
-    &bench_part_newton.item,    &bench_part_contestants.item,  NULL,
+    &bench_part_solids.item,      &bench_part_baselines.item,
+    &bench_part_projective.item,  &bench_part_nonlinear.item,
+    &bench_part_swings.item,      &bench_part_bandwidth.item,
+    &bench_part_contestants.item, NULL,
 };
 
 void bench_part_times(struct table *t, const struct clock_summary *s)
@@ -194,8 +194,8 @@ static const struct command_option options[] = {
     {"--out", "DIR", false, "folder of all repeats (results/bench)"},
     {"--from", "DIR", false, "print again from the files of an earlier run"},
     {"--quick", NULL, false,
-     "three repeats of everything, and the smaller matrices,\n"
-     "surfaces and nets"},
+     "three repeats of everything, and the smaller matrices\n"
+     "and nets"},
     {NULL, NULL, false, NULL},
 };
 
@@ -209,8 +209,8 @@ const struct command bench_command = {
         "turns on one thread, with nine repeats of what takes up to 0.2 s and three of\n"
         "the rest; the number stands beside the medians. Other work on the machine\n"
         "spoils the times: look at the quartiles.\n",
-    .examples = "bench contestants\nbench solids growth --out times\n"
-                "bench solids growth --from times --format csv\n",
+    .examples = "bench contestants\nbench solids baselines --out times\n"
+                "bench solids baselines --from times --format csv\n",
     .least = 0,
     .most = 16,
     .options = options,

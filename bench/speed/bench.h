@@ -1,5 +1,6 @@
 /* bench.h - the command `bench`: speed, as times and as ratios to named baselines. It is
- * made of parts that are measured, kept in a folder and printed from there.
+ * made of parts, each with a table: a part is measured, its runs and samples are kept in a
+ * folder, and the table is printed from there.
  */
 #ifndef BENCH_H
 #define BENCH_H
@@ -15,21 +16,21 @@ extern const struct command bench_command;
  * other programs take for the work of its title. */
 struct bench_row {
     const char *title, *contestant;
-    const char *settings[4]; /* KEY=VALUE; NULL ends                                    */
+    const char *settings[5]; /* KEY=VALUE; NULL ends                                    */
     double end; /* all frames up to it are timed [s]; 0: twenty, and the phases, apart  */
     double frame, phase[3];
 };
 
 struct bench {
-    const struct bench_part *part; /* at work                                           */
+    const struct bench_part *part; /* that is measured or printed                       */
     const char *folder, *path;     /* of its results; of edge_drop's scene file         */
-    const char *models;            /* as --models has them                              */
+    const char *models;            /* of --models; NULL: all                            */
     enum table_format format;
     FILE *file; /* to print to                                                          */
     bool quick;
-    struct batch batch; /* the part's runs                                          */
-    struct run_result *result; /* [batch.count] of them, when it prints          owned */
-    struct samples samples; /* its other numbers                                        */
+    struct batch batch;        /* the part's runs                                       */
+    struct run_result *result; /* [batch.count], when it is printed              owned  */
+    struct samples samples;    /* its other numbers                                     */
 };
 
 enum { BENCH_PART_RUNS = 64 };
@@ -39,22 +40,17 @@ struct bench_part {
     const char *caption, *note; /* of its table                                         */
     const char *peers; /* name of the same work in peers.csv; NULL: none                */
     int count;
-    const struct bench_row *rows; /* [count] its runs; or else:                          */
-    enum status (*plan)(struct bench *b, struct message *why);
-    enum status (*sample)(struct bench *b, struct message *why); /* NULL: nothing       */
+    const struct bench_row *rows; /* [count] its runs                                   */
+    enum status (*plan)(struct bench *b, struct message *why); /* adds runs; NULL: none  */
+    enum status (*sample)(struct bench *b, struct message *why); /* takes samples, which
+                                          its table is of; NULL: its table is of runs   */
     enum status (*print)(const struct bench *b, struct message *why);
 };
-extern const struct bench_part bench_part_solids, bench_part_baselines, bench_part_levers,
-    bench_part_growth, bench_part_intersection, bench_part_projective, bench_part_nonlinear,
-    bench_part_swings, bench_part_newton, bench_part_bandwidth, bench_part_contestants;
+extern const struct bench_part bench_part_solids, bench_part_baselines,
+    bench_part_projective, bench_part_nonlinear, bench_part_swings, bench_part_bandwidth,
+    bench_part_contestants;
 
-/* Measures the relative error of CHOLMOD and LAPACK in solving the matrix of a run, which
- * shows that they are baselines for the same work. LAPACK is left out (0) where its band is
- * too large. */
-enum status bench_baseline_check(const struct run_plan *plan, double off[2],
-                                 struct message *why);
-
-/* Plans one more run. */
+/* Adds a run. STATUS_INPUT: there is no such contestant. */
 enum status bench_part_add(struct bench *b, const struct bench_row *row,
                            struct message *why);
 

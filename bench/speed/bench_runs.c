@@ -1,10 +1,8 @@
-/* The parts that are runs on edge_drop: frames and phases against aims, the gain of each
- * choice, growth with the net. */
+/* Times runs on edge_drop: frames and phases against aims, and a frame of each contestant.
+ */
 #include <math.h>
 
-#include "bench/claims/paper.h"
 #include "bench/experiment/bench_solid.h"
-#include "bench/harness/fit.h"
 #include "bench/speed/bench.h"
 #include "bench/speed/peers.h"
 
@@ -12,10 +10,6 @@
 
 #define UNDAMPED   "damping={kind: none}"
 #define MATCHED    "discretization.parameters=matched"
-#define BAND       "discretization.solver=banded"
-#define SUPERNODES "discretization.solver=cholmod"
-#define TOGETHER   "discretization.unknowns=points"
-#define FULL       "discretization.newton=full"
 #define NET(n)     "discretization.points=[" #n "," #n ",2]"
 #define SPRINGS_32 "discretization.points=[32,32]"
 
@@ -46,40 +40,15 @@ static const struct bench_row swings[] = {
     {"iga 20x20x2, p = 3, selective", "iga_selective_3", {UNDAMPED, NET(20)}, 1, 300, {0}},
 };
 
-/* Runs in pairs: without the choice, and with it. */
-static const struct bench_row levers[] = {
-    {"band instead of supernodes", "iga_paper", {SUPERNODES}, 0, 0, {0}},
-    {"iga 10x10x2 rebuilt", "iga_paper", {BAND}, 0, 0, {0}},
-    {"band instead of supernodes", "hex_paper", {SUPERNODES, NET(32)}, 0, 0, {0}},
-    {"hex 32x32x2 rebuilt", "hex_paper", {BAND, NET(32)}, 0, 0, {0}},
-    {"membrane and bending apart", "iga_linear", {UNDAMPED, TOGETHER}, 0, 0, {0}},
-    {"iga 10x10x2 prefactored", "iga_linear", {UNDAMPED}, 0, 0, {0}},
-    {"membrane and bending apart", "iga_linear", {UNDAMPED, TOGETHER, NET(40)}, 0, 0, {0}},
-    {"iga 40x40x2 prefactored", "iga_linear", {UNDAMPED, NET(40)}, 0, 0, {0}},
-    {"one factorisation for all steps", "iga_paper", {0}, 0, 0, {0}},
-    {"iga 10x10x2", "iga_linear", {UNDAMPED}, 0, 0, {0}},
-};
-
-/* Pairs for whole motions. */
-static const struct bench_row newton[] = {
-    {"tangents kept", "shell_2", {UNDAMPED, FULL}, 0.4, 0, {0}},
-    {"shell 10x10, p = 2", "shell_2", {UNDAMPED}, 0.4, 0, {0}},
-    {"tangents kept", "shell_selective_3", {UNDAMPED, FULL}, 0.4, 0, {0}},
-    {"shell 10x10, p = 3, selective", "shell_selective_3", {UNDAMPED}, 0.4, 0, {0}},
-    {"tangents kept", "iga_selective", {UNDAMPED, FULL}, 0.4, 0, {0}},
-    {"iga 10x10x2, selective", "iga_selective", {UNDAMPED}, 0.4, 0, {0}},
-    {"selective instead of full", "shell_3", {UNDAMPED}, 0.4, 0, {0}},
-    {"shell 10x10, p = 3", "shell_selective_3", {UNDAMPED}, 0.4, 0, {0}},
-    {"shell instead of plate", "iga_selective_3", {UNDAMPED}, 0.4, 0, {0}},
-    {"shell 10x10, p = 3, selective", "shell_selective_3", {UNDAMPED}, 0.4, 0, {0}},
-};
-
-/* The nets of the paper's Table 2. */
-static const struct bench_row growing[PAPER_GROWTH_ROWS] = {
-    {"5x5x2", "iga_paper", {NET(5)}, 0, 0, {0}},
-    {"10x10x2", "iga_paper", {NET(10)}, 0, 0, {0}},
-    {"15x15x2", "iga_paper", {NET(15)}, 0, 0, {0}},
-    {"20x20x2", "iga_paper", {NET(20)}, 0, 0, {0}},
+/* Ten iterations a frame, whatever they come to. */
+#define PROJECTIVE(n, constraint, aim)                                                     \
+    {"projective " #n "x" #n " " constraint, "projective_dynamics",                        \
+     {UNDAMPED, "discretization.constraint=" constraint, "discretization.iterations=10",   \
+      "discretization.points=[" #n "," #n "]"}, 0.1, aim, {0}}
+static const struct bench_row projective[] = {
+    PROJECTIVE(10, "triangles", 0.03), PROJECTIVE(10, "edges", 0.03),
+    PROJECTIVE(32, "triangles", 0.6), PROJECTIVE(32, "edges", 0.6),
+    PROJECTIVE(100, "triangles", 7), PROJECTIVE(100, "edges", 7),
 };
 /* clang-format on */
 
@@ -148,6 +117,13 @@ const struct bench_part bench_part_nonlinear = {
     .rows = motions,
     .print = print_runs};
 
+const struct bench_part bench_part_projective = {
+    .item = {"projective", "projective dynamics: frames of ten iterations"},
+    .caption = "Projective dynamics, frames of 10 iterations, one thread",
+    .count = LEN(projective),
+    .rows = projective,
+    .print = print_runs};
+
 const struct bench_part bench_part_swings = {
     .item = {"swings", "a second of nonlinear solids on 20x20x2 points of degree 3"},
     .caption = "A swing of 1 s, 200 frames, edge_drop, undamped",
@@ -155,125 +131,6 @@ const struct bench_part bench_part_swings = {
     .count = LEN(swings),
     .rows = swings,
     .print = print_runs};
-
-/* --- levers ------------------------------------------------------------------------------
- */
-
-static enum status print_levers(const struct bench *b, struct message *why)
-{
-    (void)why;
-    static const struct table_column columns[] = {{"lever", NULL, TABLE_LEFT},
-                                                  {"case", NULL, TABLE_LEFT},
-                                                  {"without", "ms"},
-                                                  {"with", "ms"},
-                                                  {"gain"},
-                                                  {"repeats"}};
-    struct table *t = table_create(LEN(columns), columns, b->part->caption);
-
-    for (int n = 0; n + 1 < b->batch.count; n += 2) {
-        const struct clock_summary *without = &b->result[n].step;
-        const struct clock_summary *with = &b->result[n + 1].step;
-        table_row(t);
-        table_text(t, "%s", b->part->rows[n].title);
-        table_text(t, "%s", b->part->rows[n + 1].title);
-        table_number(t, 1e3 * without->median, 3);
-        table_number(t, 1e3 * with->median, 3);
-        table_number(t, without->median / with->median, 3);
-        table_integer(t, with->count);
-    }
-    return table_finish(t, b->format, b->file);
-}
-
-const struct bench_part bench_part_levers = {
-    .item = {"levers", "what the band, the splitting of unknowns, one factorisation give"},
-    .caption = "What each lever gives, a frame",
-    .count = LEN(levers),
-    .rows = levers,
-    .print = print_levers};
-
-const struct bench_part bench_part_newton = {
-    .item = {"newton", "what kept tangents and the shell's cure give, over whole motions"},
-    .caption = "What Newton's levers give, a frame of edge_drop to 0.4 s, undamped",
-    .count = LEN(newton),
-    .rows = newton,
-    .print = print_levers};
-
-/* --- growth ------------------------------------------------------------------------------
- */
-
-enum { NETS = PAPER_GROWTH_ROWS };
-
-/* The numbers that the fits need, one a net. */
-struct growth {
-    double unknowns[NETS], points[NETS], elements[NETS];
-    double cost[NETS], assemble[NETS], factor[NETS], paper[NETS];
-};
-
-static void note_growth(struct table *t, const struct growth *g)
-{
-    table_note(t,
-               "K and M alone grow as unknowns^%.2f and as elements^%.2f: a net of n "
-               "points a side has (n - 2)^2 elements, so that elements per unknown more "
-               "than double from 5 to 20.",
-               fit_exponent(NETS, g->unknowns, g->assemble),
-               fit_exponent(NETS, g->elements, g->assemble));
-    table_note(t,
-               "The factor alone grows as unknowns^%.2f: %.0f %% of a frame on the "
-               "smallest net, %.0f %% on the largest.",
-               fit_exponent(NETS, g->unknowns, g->factor), 100 * g->factor[0] / g->cost[0],
-               100 * g->factor[NETS - 1] / g->cost[NETS - 1]);
-    table_note(
-        t,
-        "Cost grows as unknowns^%.2f (aim 1.2 or less), as control points^%.2f; the "
-        "paper's as control points^%.2f over all four nets, ^%.2f over the last three.",
-        fit_exponent(NETS, g->unknowns, g->cost), fit_exponent(NETS, g->points, g->cost),
-        fit_exponent(NETS, g->points, g->paper),
-        fit_exponent(NETS - 1, g->points + 1, g->paper + 1));
-}
-
-static void add_net(struct table *t, int n, const struct run_result *r, struct growth *g)
-{
-    const int side = 5 * (n + 1); /* of Table 2's rows */
-
-    g->unknowns[n] = r->unknowns;
-    g->points[n] = 2.0 * side * side;
-    g->elements[n] = (side - 2) * (side - 2);
-    g->cost[n] = r->step.median;
-    g->assemble[n] = r->phase[BENCH_SOLID_ASSEMBLE].median;
-    g->factor[n] = r->phase[BENCH_SOLID_FACTOR].median;
-    g->paper[n] = paper_table2_ms[PAPER_GROWTH + n];
-    table_row(t);
-    table_text(t, "%s", growing[n].title);
-    table_fixed(t, r->unknowns, 0);
-    table_number(t, 1e3 * g->cost[n], 3);
-    table_number(t, 1e3 * g->assemble[n], 3);
-    table_number(t, 1e3 * g->factor[n], 3);
-    table_number(t, g->paper[n], 4);
-    table_number(t, g->paper[n] / (1e3 * g->cost[n]), 3);
-    table_integer(t, r->step.count);
-}
-
-static enum status print_growth(const struct bench *b, struct message *why)
-{
-    (void)why;
-    static const struct table_column columns[] = {
-        {"net", NULL, TABLE_LEFT}, {"unknowns"},    {"frame", "ms"}, {"K and M", "ms"},
-        {"factor", "ms"},          {"paper", "ms"}, {"ratio"},       {"repeats"}};
-    struct table *t = table_create(LEN(columns), columns, b->part->caption);
-    struct growth g;
-
-    for (int n = 0; n < NETS; n++)
-        add_net(t, n, &b->result[n], &g);
-    note_growth(t, &g);
-    return table_finish(t, b->format, b->file);
-}
-
-const struct bench_part bench_part_growth = {
-    .item = {"growth", "cost of a frame over nets of 5 to 20 points a side"},
-    .caption = "Growth of a rebuilt frame with the net",
-    .count = NETS,
-    .rows = growing,
-    .print = print_growth};
 
 /* --- contestants: the timing table of all that enter it, on edge_drop --------------------
  */

@@ -10,15 +10,18 @@
 #include "bench/harness/pool.h"
 #include "models/reader/scene_file.h"
 
-/* Of processor time [s]; of the clock ten times that, for those who sleep. A truth, made
- * once for all contestants, has the longer one always. */
-enum { TIME_LIMIT = 120, QUICK_LIMIT = 20 };
+/* The limit of a job's processor time [s]; that of the clock is ten times as long, for a
+ * job that sleeps. */
+enum { TIME_LIMIT = 120 };
 
 struct options {
     const char *folder;
     struct stress_choice choice;
     int jobs;
 };
+
+/* --- the choice -------------------------------------------------------------------------
+ */
 
 static bool has_word(const struct stress_choice *choice, const char *word)
 {
@@ -63,10 +66,13 @@ enum status stress_choice_check(const struct stress_choice *choice, struct messa
     return contestant_check(choice->models, why);
 }
 
+/* --- jobs -------------------------------------------------------------------------------
+ */
+
 enum status stress_find_truth(const struct stress_job *job, bool made, struct truth **truth,
                               struct message *why)
 {
-    /* Points are held there, which hold nothing of a solid. */
+    /* The sheet hangs from points, which hold nothing of a solid. */
     static const struct truth_wish wish = {.error = 0.005, .seconds = 30, .shell = true};
     static const double time[] = {0.1, 0.2, 0.3};
     const int times = sizeof time / sizeof *time;
@@ -86,7 +92,7 @@ out:
     return st;
 }
 
-/* A job in a process: a run, or with no contestant the case's truth. */
+/* Does a job in a process of its own: a run, or with no contestant the case's truth. */
 static enum status work(void *context, long number, struct message *why)
 {
     const struct stress_job *job = (const struct stress_job *)context + number;
@@ -94,7 +100,7 @@ static enum status work(void *context, long number, struct message *why)
     struct truth *truth = NULL;
     enum status st;
 
-    child_limit(job->quick && job->contestant ? QUICK_LIMIT : TIME_LIMIT);
+    child_limit(TIME_LIMIT);
     if (!job->contestant) {
         TRY(stress_find_truth(job, true, &truth, why));
         truth_destroy(truth);
@@ -106,18 +112,16 @@ out:
     return st;
 }
 
-/* A run that came to no result of its own has died; runs without a truth say why there is
- * none. */
+/* Ends a job: a run that came to no result of its own has died; runs without a truth will
+ * say why there is none. */
 static enum status settle(void *context, long number, const struct child_end *end,
                           struct message *why)
 {
     const struct stress_job *job = (const struct stress_job *)context + number;
-    const bool stopped = job->quick && end->overdue;
-    const struct stress_result dead = {.outcome = stopped ? STRESS_STOPPED : STRESS_DEAD,
+    const struct stress_result dead = {.outcome = STRESS_DEAD,
                                        .error = NAN,
                                        .time = end->reached,
                                        .seconds = end->seconds,
-                                       .quick = job->quick && job->c->quick_end,
                                        .sentence = end->why};
 
     if (end->outcome == CHILD_DONE)
@@ -129,77 +133,78 @@ static enum status settle(void *context, long number, const struct child_end *en
     return stress_result_write(job->folder, job->c, job->contestant, &dead, why);
 }
 
-/* The jobs asked for into list[]; returns their number. `truths`: of the cases that need
- * one, else runs. no_truth[]: of each case. */
-static long list_jobs(const struct options *o, const char *path, bool truths,
-                      struct message *no_truth, struct stress_job *list)
+/* Lists the jobs of the chosen cases: for each its truth, if it must be made, then its
+ * runs. Returns their number; list NULL: the number alone. no_truth[]: room for as many. */
+static long list_jobs(const struct options *o, const char *path, struct message *no_truth,
+                      struct stress_job *list)
 {
-    struct stress_job job = {.path = path, .folder = o->folder, .quick = o->choice.quick};
+    struct stress_job job = {.path = path, .folder = o->folder};
     long count = 0;
 
     for (int n = 0; (job.c = stress_case_at(n)); n++) {
-        job.no_truth = &no_truth[n];
         if (!stress_choice_case(&o->choice, job.c))
             continue;
-        else if (!truths)
-            while ((job.contestant = stress_choice_next(&o->choice, job.contestant)))
-                list[count++] = job;
-        else if (job.c->truth == STRESS_SHELL)
-            list[count++] = job;
+        job.no_truth = no_truth ? &no_truth[count] : NULL;
+        do {
+            if (!job.contestant && job.c->truth != STRESS_SHELL)
+                continue;
+            if (list)
+                list[count] = job;
+            count++;
+        } while ((job.contestant = stress_choice_next(&o->choice, job.contestant)));
     }
     return count;
 }
 
-static size_t count_cases(void)
+/* Makes the truths, then does the runs. */
+static enum status run_jobs(const struct options *o, long count, struct stress_job *list,
+                            bool *done, struct message *why)
 {
-    size_t count = 0;
-
-    while (stress_case_at((int)count))
-        count++;
-    return count;
-}
-
-static enum status run_jobs(const struct options *o, const char *path, bool truths,
-                            struct message *no_truth, struct message *why)
-{
-    struct pool pool = {
-        .slots = o->jobs,
-        .time_limit = 10 * (o->choice.quick ? QUICK_LIMIT : TIME_LIMIT),
-        .work = work,
-        .settle = settle,
-    };
-    size_t contestants = 0;
     enum status st = STATUS_OK;
 
-    while (contestant_table[contestants].name)
-        contestants++;
-    struct stress_job *list = calloc(count_cases() * contestants, sizeof *list);
-    if (!list)
-        return STATUS_MEMORY;
-    pool.context = list;
-    pool.count = list_jobs(o, path, truths, no_truth, list);
-    if (pool.count)
-        st = pool_run(&pool, why);
-    free(list);
-    if (pool.stopped_by)
-        pool_raise(&pool);
+    for (int runs = 0; runs < 2 && st == STATUS_OK; runs++) {
+        struct pool pool = {
+            .count = count,
+            .done = done,
+            .context = list,
+            .slots = o->jobs,
+            .time_limit = 10 * TIME_LIMIT,
+            .work = work,
+            .settle = settle,
+        };
+        long open = 0;
+
+        for (long n = 0; n < count; n++) {
+            done[n] = (list[n].contestant != NULL) != runs;
+            open += !done[n];
+        }
+        if (open)
+            st = pool_run(&pool, why);
+        if (pool.stopped_by)
+            pool_raise(&pool);
+    }
     return st;
 }
 
 static enum status measure(const struct options *o, struct message *why)
 {
-    struct message *no_truth = calloc(count_cases(), sizeof *no_truth);
+    const long count = list_jobs(o, NULL, NULL, NULL);
+    struct stress_job *list = calloc((size_t)count + 1, sizeof *list);
+    bool *done = calloc((size_t)count + 1, sizeof *done);
+    struct message *no_truth = calloc((size_t)count + 1, sizeof *no_truth);
     char *path = NULL;
     enum status st;
 
-    TRY(no_truth ? STATUS_OK : STATUS_MEMORY);
+    TRY(list && done && no_truth ? STATUS_OK : STATUS_MEMORY);
     TRY(folder_make(o->folder, why));
     TRY(scene_file_find(stress_case_scene, &path, why));
-    TRY(run_jobs(o, path, true, no_truth, why));
-    TRY(run_jobs(o, path, false, no_truth, why));
+    list_jobs(o, path, no_truth, list);
+    TRY(run_jobs(o, count, list, done, why));
     if (stress_choice_map(&o->choice))
         TRY(stress_map_measure(o->folder, &o->choice, o->jobs, why));
 out:
+    free(list);
+    free(done);
     free(no_truth);
     free(path);
     return st;

@@ -1,13 +1,12 @@
 /* stress.h - hard cases, for every contestant: thin to h/L = 1e-5, nearly incompressible,
- * steps of 0.1 s, nets of one element, other units, ten thousand steps, ... What one makes
- * of a case is exactly one of four things, and never silence:
+ * steps of 0.1 s, nets of one element, other units, ten thousand steps, ... A contestant's
+ * run of a case ends in exactly one of four ways, never in silence:
  *
  *   accurate   it ran, and its error is within the case's bound
  *   degraded   it ran, and its error is beyond that
  *   refused    it said in a sentence why it will not
  *   died       at a time and for a cause: numerical death, crash, or time limit
  *
- * What --quick cut short is not judged: it may have been accurate to there, and no more.
  * The error is against a truth that the case names; the bound is one number a case, the
  * same for every contestant. Each run is a process of its own (pool.h) and leaves a text
  * file FOLDER/CASE.CONTESTANT.txt; tables are printed from these files alone.
@@ -20,7 +19,9 @@
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
 
-/* What the error of a case is measured against, and how. */
+/* --- Cases (stress_case.c). */
+
+/* The truths against which errors are measured, and how. */
 #define STRESS_TRUTH_LIST(X)                                                               \
     X(PLATE, "tip at rest against the Kirchhoff plate (Ritz), relative")                   \
     X(ELASTICA, "tip at rest against the heavy elastica, over L")                          \
@@ -50,68 +51,52 @@ struct stress_case {
     struct command_item item; /* name [a-z0-9_]+, and what is hard; first: items of the
                                  command are pointers to these                         */
     enum stress_truth truth;
-    double gamma;                          /* sets E; 0: left as it is                  */
-    const char *physics[STRESS_SETTINGS];  /* KEY=VALUE on stress_case_scene; NULL ends  */
-    const char *numerics[STRESS_SETTINGS]; /* the same, of every contestant            */
-    int side;            /* points a side of nets; 0: 10; 1: one element             */
-    double weight_ratio; /* NURBS weights: of every other row to the rest; 0: none     */
-    double length, mass, time; /* SIMILAR: the other units in ours [m], [kg], [s]      */
-    double bound;              /* of the error, to be accurate                         */
-    const char *why;           /* that bound                                           */
-    bool quick;                /* part of --quick                                      */
-    const char *quick_end;     /* setting of time.end then; NULL: as ever              */
-    const char *quick_text;    /* what is hard about so much of it                     */
+    double gamma;                          /* sets E; 0: the scene's                      */
+    const char *physics[STRESS_SETTINGS];  /* KEY=VALUE on stress_case_scene; NULL ends   */
+    const char *numerics[STRESS_SETTINGS]; /* the same, of every contestant               */
+    int side;            /* points a side of nets; 0: 10; 1: one element                  */
+    double weight_ratio; /* NURBS weights: of every other row to the rest; 0: none        */
+    double length, mass, time; /* SIMILAR: the other units in ours [m], [kg], [s]         */
+    double bound;              /* largest error of an accurate run                        */
+    const char *why;           /* reason for the bound                                    */
+    bool quick;                /* part of --quick                                         */
 };
 
-extern const char *const stress_case_scene; /* what all cases start from, by name */
+extern const char *const stress_case_scene; /* name of the scene that all start from      */
 /* The command's words: the map, then the cases; ends with NULL. */
 extern const struct command_item *const stress_case_items[];
 
-/* Case n = 0, 1, ...; NULL past the last. */
+/* Returns case n = 0, 1, ...; NULL past the last. */
 const struct stress_case *stress_case_at(int n);
 
-/* A contestant on a case. */
-struct stress_job {
-    const struct stress_case *c;         /*                            borrowed */
-    const struct contestant *contestant; /*                            borrowed */
-    const char *path;   /* of stress_case_scene's file                          borrowed */
-    const char *folder; /* for truths that are kept                             borrowed */
-    bool quick;
-    struct message *no_truth; /* why none could be made, empty: it was; NULL: nobody
-                                 tried                                         borrowed */
-};
+/* --- Results (stress_result.c). */
 
 enum stress_end {
     STRESS_ACCURATE,
     STRESS_DEGRADED,
     STRESS_REFUSED,
     STRESS_DIED,
-    STRESS_UNJUDGED, /* a quick run ended before the case did                          */
     STRESS_ENDS
 };
-
 extern const char *const stress_end_name[STRESS_ENDS]; /* "accurate", ... */
 
-/* How a run went. */
 struct stress_result {
     enum stress_outcome {
         STRESS_RAN,
         STRESS_SAID_NO,
         STRESS_DEAD,
-        STRESS_STOPPED, /* by the time limit of a quick run, which is less than others' */
     } outcome;
-    double error;   /* ran; NaN otherwise                                              */
-    double time;    /* of death, or until when the error was within the bound; NaN [s] */
-    double seconds; /* of processor time                                               */
-    bool quick;     /* of a case that --quick cuts short                               */
-    struct message sentence; /* why refused or dead; what else is worth knowing        */
+    double error;   /* NaN unless it ran                                                  */
+    double time;    /* of death, or until when the error was within the bound; NaN [s]    */
+    double seconds; /* of processor time                                                  */
+    struct message sentence; /* why it refused or died; remarks                           */
 };
 
-/* The one of them. An error that is no number is a death. */
+/* Returns how it ended. An error that is no number is a death. */
 enum stress_end stress_result_end(const struct stress_result *r, double bound);
 
-/* Its file, FOLDER/CASE.CONTESTANT.txt. STATUS_FILE: it cannot be written, there is none;
- * STATUS_INPUT: it is damaged, or none of ours. */
+/* Write and read its file, FOLDER/CASE.CONTESTANT.txt. STATUS_FILE: it cannot be written,
+ * there is none; STATUS_INPUT: it is damaged, or none of ours. */
 enum status stress_result_write(const char *folder, const struct stress_case *c,
                                 const struct contestant *contestant,
                                 const struct stress_result *r, struct message *why);
@@ -119,47 +104,61 @@ enum status stress_result_read(const char *folder, const struct stress_case *c,
                                const struct contestant *contestant, struct stress_result *r,
                                struct message *why);
 
-/* What was asked for. */
+/* --- Jobs: a contestant on a case. */
+
+struct stress_job {
+    const struct stress_case *c;         /*                            borrowed           */
+    const struct contestant *contestant; /* NULL: the job makes the case's truth          */
+    const char *path;   /* of stress_case_scene's file                 borrowed           */
+    const char *folder; /* for truths that are kept                    borrowed           */
+    struct message *no_truth; /* why none could be made, empty: it was; NULL: nobody
+                                 tried                                 borrowed           */
+};
+
+/* Runs one job in this process (stress_judge.c): refusals and deaths are results. Anything
+ * but STATUS_OK is the harness's own failure. */
+enum status stress_judge(const struct stress_job *job, struct stress_result *r,
+                         struct message *why);
+
+/* Finds the truth of a case of STRESS_SHELL at some times, which the shell makes if it is
+ * not in the folder yet and `made`. Errors as truth_find. */
+enum status stress_find_truth(const struct stress_job *job, bool made, struct truth **truth,
+                              struct message *why);
+
+/* --- The choice of the user. */
+
 struct stress_choice {
     int word_count;
-    const char *const *words; /* names of cases; 0 of them: all                        */
-    const char *models;       /* contestant_chosen; NULL: all that enter here          */
-    bool quick;               /* of all cases, the quick ones                          */
+    const char *const *words; /* names of cases; 0 of them: all                           */
+    const char *models;       /* contestant_chosen; NULL: all that enter here             */
+    bool quick;               /* of all cases, the quick ones                             */
 };
 
 bool stress_choice_case(const struct stress_choice *choice, const struct stress_case *c);
 bool stress_choice_map(const struct stress_choice *choice);
 
-/* The chosen contestant after `last`, the first after NULL; NULL: there are no more. */
+/* Returns the chosen contestant after `last`, the first after NULL; NULL: no more. */
 const struct contestant *stress_choice_next(const struct stress_choice *choice,
                                             const struct contestant *last);
 
-/* STATUS_INPUT with a sentence: no such case or contestant. */
+/* Returns STATUS_INPUT with a sentence if there is no such case or contestant. */
 enum status stress_choice_check(const struct stress_choice *choice, struct message *why);
 
-/* Runs one job here and now: refusals and deaths are results. Anything but STATUS_OK is the
- * harness's own failure. */
-enum status stress_judge(const struct stress_job *job, struct stress_result *r,
-                         struct message *why);
+/* --- Output. */
 
-/* The truth of a case of STRESS_SHELL, at some times: the shell's, kept in the folder, and
- * made where it is not there yet if `made`. As truth_find. */
-enum status stress_find_truth(const struct stress_job *job, bool made, struct truth **truth,
-                              struct message *why);
+/* Prints the tables of the chosen results in the folder (stress_print.c). */
+enum status stress_print(const char *folder, const struct stress_choice *choice,
+                         enum table_format format, FILE *file, struct message *why);
 
-/* The stability map: steps of 0.1 ms to 0.1 s by six decades of E/rho, on small nets, for
- * the contestants chosen. A sweep of its own in FOLDER/map. */
+/* The stability map (stress_map.c): steps of 0.1 ms to 0.1 s by six decades of E/rho, on
+ * small nets, for the contestants chosen. It is a sweep of its own in FOLDER/map. */
 enum status stress_map_measure(const char *folder, const struct stress_choice *choice,
                                int jobs, struct message *why);
 
-/* What it shows: map.png and stability.csv in FOLDER/map and a table (file NULL: none);
+/* Writes map.png and stability.csv in FOLDER/map and prints a table (file NULL: none);
  * *there: there is a map. */
 enum status stress_map_print(const char *folder, enum table_format format, FILE *file,
                              bool *there, struct message *why);
-
-/* Tables of what is in the folder of what was asked for. */
-enum status stress_print(const char *folder, const struct stress_choice *choice,
-                         enum table_format format, FILE *file, struct message *why);
 
 extern const struct command stress_command;
 

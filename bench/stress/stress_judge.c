@@ -1,4 +1,4 @@
-/* The errors of hard cases. */
+/* Measures the errors of hard cases. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,17 +20,28 @@ struct judged {
     const struct stress_job *job; /*                                          borrowed */
     struct run run;
     struct stress_result *result; /* to be filled                             borrowed */
-    struct message *why;          /* of who judges                            borrowed */
+    struct message *why;          /* for the sentence of a failure            borrowed */
     double *xyz, *first;          /* fields (grid.h), room for judges        xyz owned */
     struct kirchhoff *plate;      /* of the judges that need it                  owned */
     double load;                  /* on that plate [N/m^2]                             */
     struct energy *energies;      /* [frame_count + 1]                           owned */
     int frames;                   /* of energies                                       */
     struct truth *truth;          /* of STRESS_SHELL                             owned */
-    motion_watcher *watch;
 };
 
-/* Settings of the case, on top of the contestant's. */
+/* How a case of a truth is judged; NULL: nothing is done. */
+struct judge {
+    enum status (*begin)(struct judged *r);
+    bool rests; /* static equilibrium instead of motion */
+    enum status (*watch)(struct judged *r, const struct motion *m); /* at every frame */
+    enum status (*end)(struct judged *r);
+};
+static const struct judge judges[STRESS_TRUTHS];
+
+/* --- runs -------------------------------------------------------------------------------
+ */
+
+/* Adds the settings of the case, on top of the contestant's. */
 static void add_settings(const struct stress_job *job, struct settings *s)
 {
     const struct stress_case *c = job->c;
@@ -38,13 +49,11 @@ static void add_settings(const struct stress_job *job, struct settings *s)
     const int side = c->side == 0 ? 10 : c->side == 1 ? least : c->side;
 
     settings_list(s, STRESS_SETTINGS, c->physics);
-    if (job->quick && c->quick_end)
-        settings_set(s, c->quick_end);
     contestant_points(job->contestant, side, side, s);
     settings_list(s, STRESS_SETTINGS, c->numerics);
 }
 
-/* Every other row of control points weighs `ratio`. */
+/* Gives every other row of control points the weight `ratio`. */
 static enum status give_weights(struct discretization *d, double ratio)
 {
     const int row = d->points[1] * (d->points[2] > 0 ? d->points[2] : 1);
@@ -59,7 +68,8 @@ static enum status give_weights(struct discretization *d, double ratio)
     return STATUS_OK;
 }
 
-/* The case's scene and the contestant's numerics, E from Gamma; errors as run_read. */
+/* Reads the case's scene and the contestant's numerics, E from Gamma; errors as run_read.
+ */
 static enum status read_run(const struct stress_job *job, struct run *run,
                             struct message *why)
 {
@@ -80,26 +90,25 @@ out:
     return st;
 }
 
-/* Leaves word of the time, for whoever finds out that it was the last. */
-static enum status watch_time(void *context, const struct motion *m, struct message *why)
+static enum status watch(void *context, const struct motion *m, struct message *why)
 {
     struct judged *r = context;
+    const struct judge *judge = &judges[r->job->c->truth];
 
-    child_reached(m->time);
-    return r->watch ? r->watch(context, m, why) : STATUS_OK;
+    (void)why;
+    child_reached(m->time); /* in case that it was the last */
+    return judge->watch ? judge->watch(r, m) : STATUS_OK;
 }
 
-/* Through the scene's motion, watch(run) at every frame (NULL: nobody); a death leaves its
- * time and sentence. */
-static enum status move(struct judged *r, motion_watcher *watch)
+/* Goes through the scene's motion; a death leaves its time and sentence. */
+static enum status move(struct judged *r)
 {
     const struct run *run = &r->run;
     struct motion m = {0};
     enum status st;
 
     TRY(motion_init(&m, run->model, &run->scene, run->state));
-    r->watch = watch;
-    TRY(motion_run(&m, watch_time, r, true, r->why));
+    TRY(motion_run(&m, watch, r, true, r->why));
     if (!m.death)
         goto out;
     r->result->time = m.death_time;
@@ -109,21 +118,21 @@ out:
     return st;
 }
 
-/* To static equilibrium; by damped motion where the model has no other way. */
+/* Goes to static equilibrium; by damped motion where the model has no other way. */
 static enum status settle(struct judged *r)
 {
     struct counters counters = {0};
     enum status st;
 
     if (!r->run.model->equilibrium)
-        return move(r, NULL);
+        return move(r);
     st = run_settle(&r->run, &counters, r->why);
     if (status_is_death(st))
         r->result->time = 0;
     return st;
 }
 
-/* How far a material point has come from rest [m]. */
+/* Measures how far a material point has come from rest [m]. */
 static void displacement(const struct judged *r, const double uvw[3], double d[3])
 {
     const struct run *run = &r->run;
@@ -135,17 +144,22 @@ static void displacement(const struct judged *r, const double uvw[3], double d[3
         d[i] -= rest[i];
 }
 
-/* The error at a frame: the greatest is the run's, and the bound is kept until its first
- * above that. */
-static void note(struct judged *r, double time, double error)
+/* Takes the error at a frame: the largest is the run's, and its time is that of the first
+ * beyond the bound. */
+static enum status note(struct judged *r, double time, double error)
 {
     struct stress_result *result = r->result;
+    const double bound = r->job->c->bound;
 
-    if (!(error <= r->job->c->bound) && !(result->error > r->job->c->bound))
+    if (!(error <= bound) && !(result->error > bound))
         result->time = time;
     if (!(error <= result->error))
         result->error = error;
+    return STATUS_OK;
 }
+
+/* --- judges -----------------------------------------------------------------------------
+ */
 
 static const double tip[3] = {1, 0.5, 0.5}, middle[3] = {0.5, 0.5, 0.5};
 
@@ -163,15 +177,32 @@ static enum status make_plate(struct judged *r)
     return st == STATUS_OK ? st : status_fail(r->why, st, "%s", status_text(st));
 }
 
+/* Returns the plate's deflection at the tip at rest [m]. */
+static double plate_tip(const struct judged *r)
+{
+    const struct scene *s = &r->run.scene;
+
+    return kirchhoff_static(r->plate, r->load, s->length, s->width / 2);
+}
+
 static enum status end_plate(struct judged *r)
+{
+    double d[3];
+
+    displacement(r, tip, d);
+    r->result->error = fabs(-d[2] / plate_tip(r) - 1);
+    return STATUS_OK;
+}
+
+static enum status watch_vibration(struct judged *r, const struct motion *m)
 {
     const struct scene *s = &r->run.scene;
     double d[3];
 
     displacement(r, tip, d);
-    r->result->error =
-        fabs(-d[2] / kirchhoff_static(r->plate, r->load, s->length, s->width / 2) - 1);
-    return STATUS_OK;
+    const double true_tip =
+        kirchhoff_transient(r->plate, r->load, 0, m->time, s->length, s->width / 2);
+    return note(r, m->time, fabs(-d[2] - true_tip) / (2 * plate_tip(r)));
 }
 
 static enum status end_elastica(struct judged *r)
@@ -188,23 +219,7 @@ out:
     return st;
 }
 
-static enum status watch_vibration(void *context, const struct motion *m,
-                                   struct message *why)
-{
-    struct judged *r = context;
-    const struct scene *s = &r->run.scene;
-    const double at = s->length, half = s->width / 2;
-    double d[3];
-
-    (void)why;
-    displacement(r, tip, d);
-    const double true_tip = kirchhoff_transient(r->plate, r->load, 0, m->time, at, half);
-    const double greatest = 2 * kirchhoff_static(r->plate, r->load, at, half);
-    note(r, m->time, fabs(-d[2] - true_tip) / greatest);
-    return STATUS_OK;
-}
-
-/* The scene in units of `length` metres, `mass` kilograms and `time` seconds. */
+/* Expresses the scene in units of `length` metres, `mass` kilograms and `time` seconds. */
 static void change_units(struct scene *s, double length, double mass, double time)
 {
     s->length /= length, s->width /= length, s->thickness /= length;
@@ -216,7 +231,7 @@ static void change_units(struct scene *s, double length, double mass, double tim
     s->step /= time, s->end /= time;
 }
 
-/* The same once more in other units, in which it may die, too. */
+/* Runs the same once more in other units, in which it may die, too. */
 static enum status end_similar(struct judged *r)
 {
     const struct stress_case *c = r->job->c;
@@ -228,7 +243,7 @@ static enum status end_similar(struct judged *r)
     TRY(read_run(r->job, &other.run, r->why));
     change_units(&other.run.scene, c->length, c->mass, c->time);
     TRY(run_build(&other.run, r->why));
-    TRY(move(&other, NULL));
+    TRY(move(&other));
     other.run.model->sample(other.run.state, r->first);
     for (size_t n = 0; n < 3 * GRID_POINTS; n++)
         r->first[n] *= c->length;
@@ -251,11 +266,8 @@ static enum status begin_energy(struct judged *r)
                              "unsupported: no elastic energy that could be kept");
 }
 
-static enum status watch_energy(void *context, const struct motion *m, struct message *why)
+static enum status watch_energy(struct judged *r, const struct motion *m)
 {
-    struct judged *r = context;
-
-    (void)why;
     if (!r->energies)
         r->energies = calloc((size_t)m->frame_count + 1, sizeof *r->energies);
     if (!r->energies)
@@ -294,15 +306,11 @@ static enum status end_buckled(struct judged *r)
     return STATUS_OK;
 }
 
-static enum status watch_still(void *context, const struct motion *m, struct message *why)
+static enum status watch_still(struct judged *r, const struct motion *m)
 {
-    struct judged *r = context;
-
-    (void)why;
     m->model->sample(m->state, m->frames ? r->xyz : r->first);
-    if (m->frames)
-        note(r, m->time, metric_rmse(r->xyz, r->first) / m->scene->length);
-    return STATUS_OK;
+    return m->frames ? note(r, m->time, metric_rmse(r->xyz, r->first) / m->scene->length)
+                     : STATUS_OK;
 }
 
 static enum status begin_still_rest(struct judged *r)
@@ -344,12 +352,10 @@ static enum status begin_shell(struct judged *r)
     return STATUS_OK;
 }
 
-static enum status watch_shell(void *context, const struct motion *m, struct message *why)
+static enum status watch_shell(struct judged *r, const struct motion *m)
 {
-    struct judged *r = context;
     const struct truth *truth = r->truth;
 
-    (void)why;
     for (int n = 0; n < truth->times; n++)
         if (fabs(m->time - truth->time[n]) < m->scene->step / 4) {
             m->model->sample(m->state, r->xyz);
@@ -358,13 +364,7 @@ static enum status watch_shell(void *context, const struct motion *m, struct mes
     return STATUS_OK;
 }
 
-/* How a case of each truth is judged. */
-static const struct {
-    enum status (*begin)(struct judged *r); /* NULL: nothing to do */
-    bool rests;                             /* instead of moving    */
-    motion_watcher *watch;
-    enum status (*end)(struct judged *r); /* NULL: `watch` told all */
-} judges[STRESS_TRUTHS] = {
+static const struct judge judges[STRESS_TRUTHS] = {
     [STRESS_PLATE] = {make_plate, true, NULL, end_plate},
     [STRESS_ELASTICA] = {NULL, true, NULL, end_elastica},
     [STRESS_VIBRATION] = {make_plate, false, watch_vibration, NULL},
@@ -377,19 +377,22 @@ static const struct {
     [STRESS_SHELL] = {begin_shell, false, watch_shell, NULL},
 };
 
+/* --- one job ----------------------------------------------------------------------------
+ */
+
 static enum status judge(struct judged *r)
 {
-    const enum stress_truth n = r->job->c->truth;
+    const struct judge *j = &judges[r->job->c->truth];
     enum status st;
 
-    TRY(judges[n].begin ? judges[n].begin(r) : STATUS_OK);
-    TRY(judges[n].rests ? settle(r) : move(r, judges[n].watch));
-    TRY(judges[n].end ? judges[n].end(r) : STATUS_OK);
+    TRY(j->begin ? j->begin(r) : STATUS_OK);
+    TRY(j->rests ? settle(r) : move(r));
+    TRY(j->end ? j->end(r) : STATUS_OK);
 out:
     return st;
 }
 
-/* What a model makes of the case is the result, whatever it is. */
+/* Makes a model's refusal or death the result; a file that cannot be written is none. */
 static enum status settle_result(enum status st, const struct message *said,
                                  struct stress_result *result, struct message *why)
 {
@@ -414,8 +417,7 @@ enum status stress_judge(const struct stress_job *job, struct stress_result *res
     const double start = clock_processor();
     enum status st;
 
-    *result = (struct stress_result){
-        .error = NAN, .time = NAN, .quick = job->quick && job->c->quick_end};
+    *result = (struct stress_result){.error = NAN, .time = NAN};
     r.xyz = malloc(2 * 3 * GRID_POINTS * sizeof *r.xyz);
     TRY(r.xyz ? STATUS_OK : STATUS_MEMORY);
     r.first = r.xyz + 3 * GRID_POINTS;

@@ -5,34 +5,33 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "bench/harness/looks.h"
-#include "bench/harness/pool.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth.h"
 #include "models/metric/metric.h"
-#include "bench/experiment/plan.h"
 
-/* What the processes of a sweep share. */
+/* A sweep, as all of its processes know it. */
 struct sweep {
     const char *word; /* the plan, as the command line has it                           */
     struct sweep_options options;
-    struct plan own; /* where the command reads it                                      */
+    struct plan own; /* the plan that the command reads                                 */
     const struct plan *plan;
     struct sweep_folder folder;
     struct pool pool;
 };
 
-/* --- A case in its own process. */
+/* --- a case in its own process ----------------------------------------------------------
+ */
 
-/* What is known of a case's scene without a run, and what the case keeps of it: how far it
- * is from that, look by look (LOOKS_TRUTH). */
+/* The truth of a case's scene, to which the case keeps its distance, look by look. */
 struct known {
-    struct truth made; /* nothing is claimed: no truth is known                   */
-    double length;     /* of the scene [m]                                        */
+    struct truth made; /* it claims nothing where no truth is known                     */
+    double length;     /* of the scene [m]                                              */
 };
 
-/* Fills in the distance and the bar where the truth is known at this time. */
+/* Fills in distance and bar (LOOKS_TRUTH) where the truth is known at this time. */
 static enum status look(void *context, const struct motion *m, const double *xyz,
                         double *value)
 {
@@ -45,7 +44,7 @@ static enum status look(void *context, const struct motion *m, const double *xyz
     return STATUS_OK;
 }
 
-/* Leaves the file of a case. */
+/* Runs a case and leaves its file. */
 static enum status work(void *context, long number, struct message *why)
 {
     const struct sweep *s = context;
@@ -53,7 +52,7 @@ static enum status work(void *context, long number, struct message *why)
     struct scene scene = {0};
     struct known truth = {{0}};
     struct run_own own[LOOKS_TRUTH];
-    char path[SWEEP_FOLDER_PATH], made_for[SWEEP_ROW_MADE_FOR];
+    char path[SWEEP_FOLDER_PATH], made_for[SWEEP_FOLDER_MADE_FOR];
     enum status st;
 
     TRY(plan_case_open(s->plan, number, &c, why));
@@ -64,7 +63,7 @@ static enum status work(void *context, long number, struct message *why)
         TRY(truth_judged(&scene, &truth.made, why));
     const struct run_plan run = plan_case_run(&c);
     sweep_folder_file(&s->folder, number, "h5", path);
-    sweep_row_made_for(&s->folder, s->plan, &c, made_for);
+    sweep_folder_made_for(&s->folder, s->plan, &c, made_for);
     struct run_keep keep = {
         .file = path,
         .made_for = made_for,
@@ -94,123 +93,58 @@ static enum status begin(void *context, long number, struct message *why)
     return sweep_folder_log(&s->folder, "start", number, why);
 }
 
-/* What the files of a case are made for. */
-static enum status find_made_for(const struct sweep *s, long number,
-                                 char made_for[SWEEP_ROW_MADE_FOR])
-{
-    struct plan_case c = {0};
-    const enum status st = plan_case_given(s->plan, number, &c);
-
-    if (st == STATUS_OK)
-        sweep_row_made_for(&s->folder, s->plan, &c, made_for);
-    plan_case_clear(&c);
-    return st;
-}
-
-/* A case is over: its row is kept, the log has it. */
+/* Logs the end of a case, and keeps why it came to no result. */
 static enum status settle(void *context, long number, const struct child_end *end,
                           struct message *why)
 {
     const struct sweep *s = context;
-    char made_for[SWEEP_ROW_MADE_FOR];
+    struct plan_case c = {0};
+    char made_for[SWEEP_FOLDER_MADE_FOR];
     enum status st;
 
     if (end->outcome == CHILD_DONE)
         return sweep_folder_log(&s->folder, "end", number, why);
-    TRY(find_made_for(s, number, made_for));
-    TRY(sweep_row_write(&s->folder, number, made_for,
-                        end->outcome == CHILD_CUT ? SWEEP_ROW_CUT : SWEEP_ROW_FAILED,
-                        end->why.text, why));
+    TRY(plan_case_given(s->plan, number, &c));
+    sweep_folder_made_for(&s->folder, s->plan, &c, made_for);
+    TRY(sweep_folder_write(&s->folder, number, made_for,
+                           end->outcome == CHILD_CUT ? SWEEP_CUT : SWEEP_FAILED,
+                           end->why.text, why));
     st = sweep_folder_log(&s->folder, "failed", number, why);
 out:
+    plan_case_clear(&c);
     return st;
 }
 
-/* The row of a case; one that is of another sweep is refused. */
-static enum status read_row(const struct sweep *s, long number, struct sweep_row *row,
-                            struct message *why)
-{
-    char made_for[SWEEP_ROW_MADE_FOR];
-    enum status st;
+/* --- the process that leads -------------------------------------------------------------
+ */
 
-    *row = (struct sweep_row){0};
-    TRY(find_made_for(s, number, made_for));
-    TRY(sweep_row_read(&s->folder, number, made_for, false, row));
-    if (row->state == SWEEP_ROW_FOREIGN)
-        st = status_fail(why, STATUS_INPUT, "%s", row->why.text);
-out:
-    return st;
-}
-
-/* What is done already; of what is not, nothing is left. */
+/* Finds the cases that are done, and removes the files of the others. */
 static enum status scan(const struct sweep *s, bool **done, struct message *why)
 {
-    const long count = plan_case_count(s->plan);
-    struct sweep_row row;
-    enum status st = STATUS_OK;
-
-    *done = calloc((size_t)count, sizeof **done);
-    TRY(*done ? STATUS_OK : STATUS_MEMORY);
-    for (long n = 0; n < count; n++) {
-        TRY(read_row(s, n, &row, why));
-        (*done)[n] = !sweep_row_is_open(&row);
-        if (!(*done)[n])
-            sweep_row_remove(&s->folder, n);
-        run_result_clear(&row.result);
-    }
-out:
-    return st;
-}
-
-/* Table, seconds, map and what falls from the files of the cases. */
-static enum status collect(const struct sweep *s, struct sweep_table *t,
-                           struct sweep_falls *falls, struct message *plot,
-                           struct message *why)
-{
-    const struct sweep_folder *folder = &s->folder;
-    struct sweep_map *map = NULL;
-    struct chart *chart = NULL;
-    struct plan_case c = {0};
-    struct sweep_row row;
-    char labels[1024];
+    struct sweep_rows rows = {0};
     enum status st;
 
-    TRY(sweep_table_open(t, s->plan, folder, why));
-    TRY(sweep_map_create(&map, s->plan, "feasible"));
-    for (long n = 0; n < plan_case_count(s->plan); n++) {
-        TRY(read_row(s, n, &row, why));
-        TRY(plan_case_given(s->plan, n, &c));
-        const bool learnt = sweep_table_row(t, &c, &row, labels, sizeof labels);
-        st = sweep_map_row(map, &c, &row, labels, learnt);
-        sweep_falls_row(falls, n, &row);
-        plan_case_clear(&c);
-        run_result_clear(&row.result);
-        TRY(st);
+    TRY(sweep_rows_read(&rows, s->plan, &s->folder, why));
+    *done = calloc((size_t)rows.count, sizeof **done);
+    TRY(*done ? STATUS_OK : STATUS_MEMORY);
+    for (long n = 0; n < rows.count; n++) {
+        (*done)[n] = !sweep_rows_open(&rows, n);
+        if (!(*done)[n])
+            sweep_folder_remove(&s->folder, n);
     }
-    TRY(sweep_table_close(t, why));
-    TRY(sweep_falls_judge(falls, folder->path, why));
-    TRY(sweep_map_chart(map, &chart, why));
-    if (chart)
-        st = chart_write(chart, folder->path, "map", plot);
-    if (st == STATUS_UNSUPPORTED || st == STATUS_LIBRARY) /* no plot is no harm */
-        st = STATUS_OK;
-    else if (st != STATUS_OK)
-        *why = *plot;
 out:
-    chart_destroy(chart);
-    sweep_map_destroy(map);
-    sweep_table_discard(t);
+    sweep_rows_clear(&rows);
     return st;
 }
 
-/* Into path[], which it returns, if no folder was asked for. */
+/* Returns the folder that was asked for, or else the usual one in path[]. */
 static const char *folder_of(const struct sweep *s, char path[SWEEP_FOLDER_PATH])
 {
     snprintf(path, SWEEP_FOLDER_PATH, "results/sweep_%s", s->plan->name);
     return s->options.folder ? s->options.folder : path;
 }
 
-/* Runs what is not done. */
+/* Runs the cases that are not done. */
 static enum status run_all(struct sweep *s, struct message *why)
 {
     struct pool *pool = &s->pool;
@@ -242,28 +176,104 @@ out:
     return st;
 }
 
-/* The sweep of the process that leads. */
+/* Draws the map; *plot says why there is no picture, which is no harm. */
+static enum status draw(const struct sweep_rows *rows, const char *folder,
+                        struct message *plot, struct message *why)
+{
+    struct chart *chart = NULL;
+    enum status st;
+
+    TRY(sweep_map(rows, "feasible", &chart, why));
+    if (!chart)
+        return STATUS_OK;
+    st = chart_write(chart, folder, "map", plot);
+    if (st == STATUS_UNSUPPORTED || st == STATUS_LIBRARY)
+        st = STATUS_OK;
+    else if (st != STATUS_OK)
+        *why = *plot;
+out:
+    chart_destroy(chart);
+    return st;
+}
+
+/* Returns the mean size of a result file [kB]. */
+static double file_size(const struct sweep *s)
+{
+    double sum = 0;
+    long count = 0;
+
+    for (long n = 0; n < plan_case_count(s->plan); n++) {
+        char path[SWEEP_FOLDER_PATH];
+        struct stat info;
+
+        sweep_folder_file(&s->folder, n, "h5", path);
+        if (stat(path, &info) == 0)
+            sum += 1e-3 * (double)info.st_size, count++;
+    }
+    return count ? sum / (double)count : 0;
+}
+
+static void print_cost(const struct sweep *s, const char *plot)
+{
+    const struct pool *p = &s->pool;
+
+    if (p->ran)
+        printf("%ld cases run now, %d at a time: %.3g s of processor time each, %.4g s in "
+               "all within %.4g s; efficiency %.1f %%.\n",
+               p->ran, p->hands, p->seconds / (double)p->ran, p->seconds, p->wall,
+               100 * p->seconds / (p->wall * p->hands));
+    else
+        printf("Nothing was left to run.\n");
+    printf("%s: table.csv, seconds.csv, %s%sa file a case, %.3g kB on average.\n",
+           s->folder.path, s->plan->falls.along ? "falls.csv, " : "",
+           s->plan->map.x && !*plot ? "map.png, " : "", file_size(s));
+    if (*plot)
+        printf("%s\n", plot);
+}
+
+/* Writes tables and map from the files of the cases, and prints a summary. */
+static enum status collect(const struct sweep *s, struct message *why)
+{
+    const char *folder = s->folder.path;
+    struct sweep_rows rows = {0};
+    struct sweep_falls falls = {0};
+    struct message plot = {""};
+    enum status st;
+
+    TRY(sweep_rows_read(&rows, s->plan, &s->folder, why));
+    TRY(sweep_rows_save(&rows, folder, why));
+    TRY(sweep_falls_judge(&falls, &rows));
+    if (falls.table)
+        TRY(table_save(falls.table, folder, "falls", why));
+    TRY(draw(&rows, folder, &plot, why));
+    if (!s->options.quiet) {
+        sweep_rows_print(&rows, stdout);
+        TRY(sweep_falls_print(&falls, stdout));
+        print_cost(s, plot.text);
+        TRY(ferror(stdout) ? STATUS_FILE : STATUS_OK);
+    }
+    if (falls.grown)
+        st = status_fail(why, STATUS_FAILED, "%s grows along %s in %ld of %ld rows",
+                         measure_name(s->plan->falls.measure), s->plan->falls.along,
+                         falls.grown, falls.rows);
+out:
+    sweep_falls_clear(&falls);
+    sweep_rows_clear(&rows);
+    return st;
+}
+
 static enum status lead(struct sweep *s, struct message *why)
 {
     const struct sweep_options *o = &s->options;
     char path[SWEEP_FOLDER_PATH];
-    struct sweep_table table = {0};
-    struct sweep_falls *falls = NULL;
-    struct message plot = {""};
     enum status st;
 
     TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, o->start, why));
     s->pool.slots = s->pool.ranks ? 1 : o->jobs ? o->jobs : omp_get_num_procs();
     s->pool.quiet = o->quiet;
     TRY(run_all(s, why));
-    TRY(sweep_falls_create(&falls, s->plan));
-    TRY(collect(s, &table, falls, &plot, why));
-    if (!o->quiet)
-        TRY(sweep_table_print(s->plan, &s->folder, &s->pool, &table, falls, plot.text,
-                              stdout));
-    TRY(sweep_falls_check(falls, why));
+    st = collect(s, why);
 out:
-    sweep_falls_destroy(falls);
     sweep_folder_close(&s->folder);
     return st;
 }
@@ -286,7 +296,7 @@ enum status sweep_run(const struct plan *plan, const struct sweep_options *optio
     return lead(&s, why);
 }
 
-/* On another rank: what it needs for any case. */
+/* Reads, on another rank, what it needs for any case. */
 static enum status prepare(void *context, struct message *why)
 {
     struct sweep *s = context;
@@ -338,6 +348,7 @@ static enum status run(const struct command_line *line, struct message *why)
                         path));
     TRY(lead(&s, why));
 out:
+    sweep_folder_close(&s.folder);
     if (ranks && !ranks->rank)
         pool_dismiss(ranks);
     if (ranks)

@@ -42,8 +42,8 @@ out:
     return st;
 }
 
-/* What the results of this plan depend on. */
-static enum status write_manifest(const struct plan *plan, FILE *text, struct message *why)
+/* Writes the plan and its scenes, on which all results depend. */
+static enum status write_plan(const struct plan *plan, FILE *text, struct message *why)
 {
     enum status st = STATUS_OK;
 
@@ -57,7 +57,32 @@ out:
     return st;
 }
 
-/* The sweep in the folder is to be of the same plan, scenes and program, line by line. */
+enum status sweep_folder_identify(struct sweep_folder *folder, const struct plan *plan,
+                                  struct message *why)
+{
+    size_t size;
+    FILE *memory = open_memstream(&folder->manifest, &size);
+    struct provenance here;
+    enum status st;
+
+    if (!memory)
+        return STATUS_MEMORY;
+    TRY(write_plan(plan, memory, why));
+    TRY(fflush(memory) == 0 ? STATUS_OK : STATUS_MEMORY);
+    folder->plan = seal_text_sum(0, folder->manifest, size);
+    TRY(seal_text_program(&folder->program, why));
+    provenance_collect(&here);
+    fprintf(memory, "\n--- program %s, commit %s, file with the sum %08lx\n",
+            provenance_value(&here, "program"), provenance_value(&here, "commit"),
+            folder->program);
+out:
+    if (fclose(memory) != 0 && st == STATUS_OK)
+        st = STATUS_MEMORY;
+    return st;
+}
+
+/* Compares the manifest in the folder line by line with that of this plan, its scenes and
+ * this program. */
 static enum status compare_manifest(const char *path, FILE *file, const char *is,
                                     struct message *why)
 {
@@ -83,72 +108,32 @@ out:
     return st;
 }
 
-/* The manifest as it should be, freed by the receiver, and the folder's sums. */
-static enum status make_manifest(struct sweep_folder *folder, const struct plan *plan,
-                                 char **text, struct message *why)
+/* Writes the manifest of a new sweep; compares that of one that goes on. */
+static enum status settle_manifest(const struct sweep_folder *folder, bool resume,
+                                   struct message *why)
 {
-    size_t size;
-    FILE *memory = open_memstream(text, &size);
-    struct provenance here;
+    char path[SWEEP_FOLDER_PATH + 16];
+    struct output *out = NULL;
     enum status st;
 
-    if (!memory)
-        return STATUS_MEMORY;
-    TRY(write_manifest(plan, memory, why));
-    TRY(fflush(memory) == 0 ? STATUS_OK : STATUS_MEMORY);
-    folder->plan = seal_text_sum(0, *text, size);
-    TRY(seal_text_program(&folder->program, why));
-    provenance_collect(&here);
-    fprintf(memory, "\n--- program %s, commit %s, file with the sum %08lx\n",
-            provenance_value(&here, "program"), provenance_value(&here, "commit"),
-            folder->program);
-out:
-    if (fclose(memory) != 0 && st == STATUS_OK)
-        st = STATUS_MEMORY;
-    return st;
-}
-
-enum status sweep_folder_identify(struct sweep_folder *folder, const struct plan *plan,
-                                  struct message *why)
-{
-    char *text = NULL;
-    const enum status st = make_manifest(folder, plan, &text, why);
-
-    free(text);
-    return st;
-}
-
-static enum status settle_manifest(struct sweep_folder *folder, const struct plan *plan,
-                                   bool resume, struct message *why)
-{
-    enum status st = STATUS_OK;
-    char path[SWEEP_FOLDER_PATH + 16], *text = NULL;
-    struct output *out = NULL;
-    FILE *file = NULL;
-
-    TRY(make_manifest(folder, plan, &text, why));
     snprintf(path, sizeof path, "%s/manifest.txt", folder->path);
-    file = fopen(path, "r");
+    FILE *file = fopen(path, "r");
     if (!file) {
         TRY(output_create(path, &out, why));
-        output_print(out, "%s", text);
-        TRY(output_close(out, why));
-    } else if (!resume) {
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s has a sweep already; --resume goes on with it, --out DIR "
-                        "begins another",
-                        folder->path));
-    } else {
-        TRY(compare_manifest(path, file, text, why));
+        output_print(out, "%s", folder->manifest);
+        return output_close(out, why);
     }
+    st = resume ? compare_manifest(path, file, folder->manifest, why)
+                : status_fail(why, STATUS_INPUT,
+                              "%s has a sweep already; --resume goes on with it, --out DIR "
+                              "begins another",
+                              folder->path);
+    fclose(file);
 out:
-    if (file)
-        fclose(file);
-    free(text);
     return st;
 }
 
-/* Opens NAME in the folder for appending, made if it is not there. */
+/* Opens NAME in the folder for appending, and makes it if it is not there. */
 static enum status open_file(const struct sweep_folder *folder, const char *name, int *file,
                              struct message *why)
 {
@@ -161,8 +146,8 @@ static enum status open_file(const struct sweep_folder *folder, const char *name
                                     strerror(errno));
 }
 
-/* A lock of this process alone: the system drops it when the process dies, however, and
- * children do not have it. */
+/* Locks the folder for this process alone: the system drops the lock when the process dies,
+ * however it does, and children do not have it. */
 static enum status lock(const struct sweep_folder *folder, struct message *why)
 {
     struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
@@ -173,16 +158,16 @@ static enum status lock(const struct sweep_folder *folder, struct message *why)
                        folder->path);
 }
 
-/* Files that a sweep writes; the second group: of a case; the last: one that is half done,
- * `NAME.PID-N.part` (atomic_file.h). */
+/* The names of files that a sweep writes; the second group: of a case; the last: a file
+ * that is half done, `NAME.PID-N.part` (atomic_file.h). */
 static const char OWN[] =
     "^((case_[0-9]{6,}\\.(h5|xdmf|txt))|(manifest|log)\\.txt|(table|seconds|falls)\\.csv|"
     "map\\.(gp|png|svg|pdf))(\\.[0-9]+-[0-9]+\\.part)?$";
 enum { OF_CASE = 2, PART = 7, GROUPS };
 
-/* Whether an entry of the folder goes before a sweep begins: what a killed one was writing;
- * links where it will write; and, of `all`, the cases and what they were of. */
-static bool is_to_go(const regex_t *own, const char *name, const char *path, bool all)
+/* Says if an entry of the folder is removed before a sweep begins: a file that a killed one
+ * was writing, a link where it will write and, with `all`, cases and manifest. */
+static bool is_removed(const regex_t *own, const char *name, const char *path, bool all)
 {
     regmatch_t group[GROUPS];
     struct stat info;
@@ -204,7 +189,7 @@ static enum status remove_files(const struct sweep_folder *folder, bool all)
     while (directory && (file = readdir(directory))) {
         char path[SWEEP_FOLDER_PATH + 257];
         snprintf(path, sizeof path, "%s/%s", folder->path, file->d_name);
-        if (is_to_go(&own, file->d_name, path, all))
+        if (is_removed(&own, file->d_name, path, all))
             unlink(path);
     }
     if (directory)
@@ -224,7 +209,7 @@ enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
 {
     enum status st;
 
-    folder->lock = folder->log = -1;
+    *folder = (struct sweep_folder){.lock = -1, .log = -1};
     if (snprintf(folder->path, sizeof folder->path - 40, "%s", path) >=
         (int)sizeof folder->path - 40)
         return status_fail(why, STATUS_FILE, "%.60s...: the path is too long", path);
@@ -232,11 +217,10 @@ enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
     TRY(open_file(folder, "lock", &folder->lock, why));
     TRY(lock(folder, why));
     TRY(remove_files(folder, start == SWEEP_AGAIN));
-    TRY(settle_manifest(folder, plan, start == SWEEP_RESUME, why));
+    TRY(sweep_folder_identify(folder, plan, why));
+    TRY(settle_manifest(folder, start == SWEEP_RESUME, why));
     TRY(open_file(folder, "log.txt", &folder->log, why));
 out:
-    if (st != STATUS_OK)
-        sweep_folder_close(folder);
     return st;
 }
 
@@ -246,7 +230,8 @@ void sweep_folder_close(struct sweep_folder *folder)
         close(folder->lock);
     if (folder->log >= 0)
         close(folder->log);
-    folder->lock = folder->log = -1;
+    free(folder->manifest);
+    *folder = (struct sweep_folder){.lock = -1, .log = -1};
 }
 
 void sweep_folder_file(const struct sweep_folder *folder, long number, const char *ending,
@@ -265,16 +250,11 @@ enum status sweep_folder_log(const struct sweep_folder *folder, const char *even
                        strerror(errno));
 }
 
-bool sweep_row_is_open(const struct sweep_row *row)
-{
-    return row->state == SWEEP_ROW_GONE || row->state == SWEEP_ROW_DAMAGED ||
-           row->state == SWEEP_ROW_CUT;
-}
-
 #define MADE_FOR "case %08lx plan %08lx program %08lx"
 
-const char *sweep_row_made_for(const struct sweep_folder *folder, const struct plan *plan,
-                               const struct plan_case *c, char text[SWEEP_ROW_MADE_FOR])
+const char *sweep_folder_made_for(const struct sweep_folder *folder,
+                                  const struct plan *plan, const struct plan_case *c,
+                                  char text[SWEEP_FOLDER_MADE_FOR])
 {
     unsigned long sum = 0;
 
@@ -285,122 +265,102 @@ const char *sweep_row_made_for(const struct sweep_folder *folder, const struct p
         sum = seal_text_sum(sum, s->key, strlen(s->key) + 1);
         sum = seal_text_sum(sum, s->value, strlen(s->value) + 1);
     }
-    snprintf(text, SWEEP_ROW_MADE_FOR, MADE_FOR, sum, folder->plan, folder->program);
+    snprintf(text, SWEEP_FOLDER_MADE_FOR, MADE_FOR, sum, folder->plan, folder->program);
     return text;
 }
 
-/* What a file that was made for `is` has of another, being wanted for `want`. */
-static void tell_foreign(const char *path, const char *is, const char *want,
-                         struct message *why)
+/* Says if a file is made for another case than it is wanted for, with the sentence on it.
+ */
+static bool is_foreign(const char *path, const char *is, const char *want,
+                       struct message *sentence)
 {
     unsigned long a[3] = {0}, b[3] = {0};
 
+    if (!want || !strcmp(is, want))
+        return false;
     sscanf(is, MADE_FOR, &a[0], &a[1], &a[2]);
     sscanf(want, MADE_FOR, &b[0], &b[1], &b[2]);
-    status_fail(why, STATUS_INPUT,
+    status_fail(sentence, STATUS_INPUT,
                 "%s: is of another %s; take it away, or give another folder with --out",
                 path,
                 a[2] != b[2]   ? "build of the program"
                 : a[1] != b[1] ? "plan or scene"
                                : "case");
+    return true;
 }
 
-/* The parts of a sentence's file. */
-static enum sweep_row_state read_sentence(char *text, const char *path,
-                                          const char *made_for, struct message *why)
+/* Reads the file of a case without a result: made for, "cut" or "failed", a sentence. */
+static enum sweep_state read_sentence(char *text, const char *path, const char *made_for,
+                                      struct message *sentence)
 {
-    static const char *const word[] = {
-        [SWEEP_ROW_CUT] = "cut", [SWEEP_ROW_FAILED] = "failed"};
     char *rest = text;
     const char *is = strsep(&rest, "\n"), *state = strsep(&rest, "\n");
-    const char *sentence = strsep(&rest, "\n");
+    const char *words = strsep(&rest, "\n");
+    const bool cut = words && !strcmp(state, "cut");
 
-    for (int n = SWEEP_ROW_CUT; sentence && n <= SWEEP_ROW_FAILED; n++) {
-        if (strcmp(state, word[n]) != 0)
-            continue;
-        if (made_for && strcmp(is, made_for) != 0) {
-            tell_foreign(path, is, made_for, why);
-            return SWEEP_ROW_FOREIGN;
-        }
-        snprintf(why->text, sizeof why->text, "%s%s", sentence,
-                 n == SWEEP_ROW_CUT ? "; --resume runs it again" : "");
-        return (enum sweep_row_state)n;
-    }
-    return SWEEP_ROW_DAMAGED;
+    if (!words || (!cut && strcmp(state, "failed") != 0))
+        return SWEEP_DAMAGED;
+    if (is_foreign(path, is, made_for, sentence))
+        return SWEEP_FOREIGN;
+    snprintf(sentence->text, sizeof sentence->text, "%s%s", words,
+             cut ? "; --resume runs it again" : "");
+    return cut ? SWEEP_CUT : SWEEP_FAILED;
 }
 
-static enum status read_text(const char *path, const char *made_for, struct sweep_row *row)
+static enum sweep_state read_result(const char *path, const char *made_for,
+                                    struct run_result *result, struct message *sentence)
 {
-    char *text = NULL;
-
-    if (access(path, F_OK) != 0) {
-        row->state = SWEEP_ROW_GONE;
-        snprintf(row->why.text, sizeof row->why.text,
-                 "its file is gone; --resume runs it again");
-        return STATUS_OK;
+    if (is_foreign(path, result->made_for, made_for, sentence)) {
+        run_result_clear(result);
+        return SWEEP_FOREIGN;
     }
-    const enum status st = seal_text_read(path, &text, NULL);
-    if (st == STATUS_OK)
-        row->state = read_sentence(text, path, made_for, &row->why);
-    free(text);
-    return st;
+    *sentence = result->sentence;
+    return result->outcome == STATUS_INPUT ? SWEEP_FAILED : SWEEP_RAN;
 }
 
-static enum status read_result(const char *path, const char *made_for, bool fields,
-                               struct sweep_row *row)
+enum status sweep_folder_read(const struct sweep_folder *folder, long number,
+                              const char *made_for, bool fields, enum sweep_state *state,
+                              struct run_result *result, struct message *sentence)
 {
-    struct run_result *r = &row->result;
-    const enum status st = run_result_read(path, fields, r, NULL);
-
-    if (st != STATUS_OK)
-        return st;
-    row->state = r->outcome == STATUS_INPUT ? SWEEP_ROW_FAILED : SWEEP_ROW_RAN;
-    row->why = r->sentence;
-    if (made_for && strcmp(r->made_for, made_for) != 0) {
-        row->state = SWEEP_ROW_FOREIGN;
-        tell_foreign(path, r->made_for, made_for, &row->why);
-        run_result_clear(r);
-    }
-    return STATUS_OK;
-}
-
-enum status sweep_row_read(const struct sweep_folder *folder, long number,
-                           const char *made_for, bool fields, struct sweep_row *row)
-{
-    char path[SWEEP_FOLDER_PATH];
+    static const char *const lost[] = {[SWEEP_GONE] = "gone", [SWEEP_DAMAGED] = "damaged"};
+    char path[SWEEP_FOLDER_PATH], *text = NULL;
     enum status st;
 
-    *row = (struct sweep_row){.state = SWEEP_ROW_DAMAGED};
+    *result = (struct run_result){0};
+    *state = SWEEP_DAMAGED;
     sweep_folder_file(folder, number, "h5", path);
     if (access(path, F_OK) == 0) {
-        st = read_result(path, made_for, fields, row);
+        st = run_result_read(path, fields, result, NULL);
+        if (st == STATUS_OK)
+            *state = read_result(path, made_for, result, sentence);
     } else {
         sweep_folder_file(folder, number, "txt", path);
-        st = read_text(path, made_for, row);
+        st = seal_text_read(path, &text, NULL);
+        if (st == STATUS_OK)
+            *state = read_sentence(text, path, made_for, sentence);
+        else if (access(path, F_OK) != 0)
+            *state = SWEEP_GONE;
     }
-    if (st == STATUS_MEMORY) {
-        *row = (struct sweep_row){0};
-        return st;
-    }
-    if (row->state == SWEEP_ROW_DAMAGED)
-        snprintf(row->why.text, sizeof row->why.text,
-                 "its file is damaged; --resume runs it again");
-    return STATUS_OK;
+    free(text);
+    if (*state == SWEEP_GONE || *state == SWEEP_DAMAGED)
+        snprintf(sentence->text, sizeof sentence->text,
+                 "its file is %s; --resume runs it again", lost[*state]);
+    return st == STATUS_MEMORY ? st : STATUS_OK;
 }
 
-enum status sweep_row_write(const struct sweep_folder *folder, long number,
-                            const char *made_for, enum sweep_row_state state,
-                            const char *sentence, struct message *why)
+enum status sweep_folder_write(const struct sweep_folder *folder, long number,
+                               const char *made_for, enum sweep_state state,
+                               const char *sentence, struct message *why)
 {
-    char path[SWEEP_FOLDER_PATH], text[SWEEP_ROW_MADE_FOR + sizeof why->text + 16];
+    char path[SWEEP_FOLDER_PATH], text[SWEEP_FOLDER_MADE_FOR + sizeof why->text + 16];
 
     sweep_folder_file(folder, number, "txt", path);
     snprintf(text, sizeof text, "%s\n%s\n%s\n", made_for,
-             state == SWEEP_ROW_CUT ? "cut" : "failed", sentence);
+             state == SWEEP_CUT ? "cut" : "failed", sentence);
     return seal_text_write(path, text, why);
 }
 
-void sweep_row_remove(const struct sweep_folder *folder, long number)
+void sweep_folder_remove(const struct sweep_folder *folder, long number)
 {
     static const char *const endings[] = {"h5", "xdmf", "txt"};
     char path[SWEEP_FOLDER_PATH];

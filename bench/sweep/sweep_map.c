@@ -7,39 +7,39 @@
 
 #include "bench/harness/derived_key.h"
 
-/* One direction of the map, or the panels. */
+/* A direction of the map, or its panels. */
 struct dimension {
-    const char *name;             /* NULL: none                                        */
-    int key, measure;             /* of the plan or of cases; -1: not that             */
-    const struct plan_axis *axis; /* NULL: values from the cases, or a measure         */
-    bool words;                   /* of the axis; drawn at 0, 1, ...                   */
+    const char *name;             /* NULL: none                                         */
+    int key, measure;             /* of the plan, of rows; -1: it is none               */
+    const struct plan_axis *axis; /* NULL: values from the cases, or a measure          */
+    bool words;                   /* the axis has words, which are drawn at 0, 1, ...   */
     bool log;
 };
 
-/* Names as they come, each with its number; those beyond the room are "other". */
+/* Names in the order in which they came; those beyond the room are "other". */
 enum { NAMES = 24, TICS = 10 };
 struct names {
     int count;
-    long uses[NAMES]; /* how often each came                                           */
+    long uses[NAMES]; /* times that each came                                           */
     char *name[NAMES];
 };
 
-/* A case on the map. */
+/* The place of a case on the map. */
 struct spot {
     int panel, label;
     bool learnt;
     double x, y;
 };
 
-struct sweep_map {
+struct map {
     const struct plan *plan;
     struct dimension x, y, panel;
     struct names panels, labels;
-    long count, learnt;
+    long count;
     struct spot *spot; /* [count], with room for all cases                        owned */
 };
 
-/* Its number, a new one for a new name; -1: no memory. */
+/* Returns the number of a name, a new one for a new name; -1: no memory. */
 static int add_name(struct names *names, const char *name)
 {
     int n = 0;
@@ -81,13 +81,13 @@ static struct dimension find_dimension(const struct plan *plan, const char *name
     return d;
 }
 
-/* Where a value of an axis is drawn. */
+/* Returns where value n of the axis is drawn. */
 static double place_of(const struct dimension *d, int n)
 {
     return d->words ? n : strtod(d->axis->values.list[n].value, NULL);
 }
 
-/* Half way from a to b; as far on the other side of b as a is on this one. */
+/* Returns the place half way from a to b; the mirror image of a at b. */
 static double between(const struct dimension *d, double a, double b)
 {
     return d->log ? sqrt(a * b) : (a + b) / 2;
@@ -98,8 +98,8 @@ static double beyond(const struct dimension *d, double a, double b)
     return d->log ? b * b / a : 2 * b - a;
 }
 
-/* The cell around a place of an axis: half way to the nearest other places; as far to the
- * other side at the ends. */
+/* Finds the cell around a place of an axis: half way to the nearest other places, at the
+ * ends as far to the other side. */
 static void find_cell(const struct dimension *d, double at, double side[2])
 {
     double below = -INFINITY, above = INFINITY;
@@ -117,12 +117,12 @@ static void find_cell(const struct dimension *d, double at, double side[2])
     side[1] = isfinite(high) ? high : isfinite(low) ? beyond(d, low, at) : alone[1];
 }
 
-/* Where the case is drawn; NaN: nowhere. */
+/* Returns where the case is drawn; NaN: nowhere. */
 static double find_place(const struct dimension *d, const struct plan_case *c,
                          const struct sweep_row *row)
 {
     if (d->key < 0)
-        return row->state == SWEEP_ROW_RAN ? row->result.value[d->measure] : NAN;
+        return row->value[d->measure];
     if (!c->given[d->key])
         return NAN;
     for (int n = 0; d->words && n < d->axis->values.count; n++)
@@ -131,80 +131,76 @@ static double find_place(const struct dimension *d, const struct plan_case *c,
     return strtod(c->given[d->key]->value, NULL);
 }
 
-static void panel_text(const struct dimension *d, const struct plan_case *c,
-                       const struct sweep_row *row, char *text, int size)
+static int find_panel(struct map *m, const struct plan_case *c, const struct sweep_row *row)
 {
-    const char *words = "";
+    const struct dimension *d = &m->panel;
+    char number[64];
 
-    if (d->name && !strcmp(d->name, "name"))
-        words = c->name ? c->name : "-";
-    else if (d->key >= 0)
-        words = c->given[d->key] ? c->given[d->key]->value : "-";
-    snprintf(text, (size_t)size, "%s", words);
-    if (d->measure >= 0 && d->key < 0)
-        snprintf(text, (size_t)size, "%.4g",
-                 row->state == SWEEP_ROW_RAN ? row->result.value[d->measure] : NAN);
+    if (!d->name)
+        return add_name(&m->panels, "");
+    if (!strcmp(d->name, "name"))
+        return add_name(&m->panels, c->name ? c->name : "-");
+    if (d->key >= 0)
+        return add_name(&m->panels, c->given[d->key] ? c->given[d->key]->value : "-");
+    snprintf(number, sizeof number, "%.4g", row->value[d->measure]);
+    return add_name(&m->panels, number);
 }
 
-enum status sweep_map_create(struct sweep_map **map, const struct plan *plan,
-                             const char *best)
+static enum status add_spot(struct map *m, const struct sweep_row *row, long number)
 {
-    struct sweep_map *m = plan->map.x ? calloc(1, sizeof *m) : NULL;
+    struct plan_case c = {0};
+    enum status st;
 
-    *map = m;
-    if (!m)
-        return plan->map.x ? STATUS_MEMORY : STATUS_OK;
-    m->plan = plan;
-    m->x = find_dimension(plan, plan->map.x);
-    m->y = find_dimension(plan, plan->map.y);
-    m->panel = find_dimension(plan, plan->map.panel);
-    m->spot = calloc((size_t)plan_case_count(plan), sizeof *m->spot);
-    if (!m->spot || add_name(&m->labels, best) < 0)
-        return STATUS_MEMORY;
+    TRY(plan_case_given(m->plan, number, &c));
+    struct spot spot = {.x = find_place(&m->x, &c, row),
+                        .y = find_place(&m->y, &c, row),
+                        .learnt = row->learnt.kind == VERDICT_FEASIBLE};
+    if (!isfinite(spot.x) || !isfinite(spot.y))
+        goto out;
+    spot.panel = find_panel(m, &c, row);
+    spot.label = add_name(&m->labels, row->label);
+    m->spot[m->count++] = spot;
+    st = spot.panel < 0 || spot.label < 0 ? STATUS_MEMORY : STATUS_OK;
+out:
+    plan_case_clear(&c);
+    return st;
+}
+
+/* Places all cases. */
+static enum status make(struct map *m, const struct sweep_rows *rows, const char *best)
+{
+    const struct plan *plan = rows->plan;
+    enum status st;
+
+    *m = (struct map){.plan = plan,
+                      .x = find_dimension(plan, plan->map.x),
+                      .y = find_dimension(plan, plan->map.y),
+                      .panel = find_dimension(plan, plan->map.panel)};
+    m->spot = calloc((size_t)rows->count, sizeof *m->spot);
+    TRY(m->spot && add_name(&m->labels, best) == 0 ? STATUS_OK : STATUS_MEMORY);
     m->labels.uses[0] = 0;
-    return STATUS_OK;
+    for (long n = 0; n < rows->count; n++)
+        TRY(add_spot(m, &rows->row[n], n));
+out:
+    return st;
 }
 
-void sweep_map_destroy(struct sweep_map *m)
+static void clear(struct map *m)
 {
-    if (!m)
-        return;
     for (int n = 0; n < NAMES; n++) {
         free(m->panels.name[n]);
         free(m->labels.name[n]);
     }
     free(m->spot);
-    free(m);
 }
 
-static bool has_cells(const struct sweep_map *m)
+static bool has_cells(const struct map *m)
 {
     return m->x.axis && m->y.axis;
 }
 
-enum status sweep_map_row(struct sweep_map *m, const struct plan_case *c,
-                          const struct sweep_row *row, const char *labels, bool learnt)
-{
-    char panel[64];
-
-    if (!m)
-        return STATUS_OK;
-    struct spot spot = {.x = find_place(&m->x, c, row), .y = find_place(&m->y, c, row)};
-    if (!isfinite(spot.x) || !isfinite(spot.y))
-        return STATUS_OK;
-    panel_text(&m->panel, c, row, panel, sizeof panel);
-    spot.panel = add_name(&m->panels, panel);
-    spot.label = add_name(&m->labels, labels);
-    if (spot.panel < 0 || spot.label < 0)
-        return STATUS_MEMORY;
-    spot.learnt = learnt;
-    m->learnt += learnt;
-    m->spot[m->count++] = spot;
-    return STATUS_OK;
-}
-
-/* What is good is green, what has no result grey; the rest are told apart by eyes of all
- * kinds. */
+/* Returns green for the good, grey for those without a result; the others' colours are told
+ * apart by eyes of all kinds. */
 static const char *colour_of(const char *label, int n)
 {
     static const struct {
@@ -226,7 +222,7 @@ static const char *colour_of(const char *label, int n)
     return palette[(n + COLOURS - 1) % COLOURS];
 }
 
-/* An axis as people call it; other keys as they are. Values of a plan are its tics where
+/* Returns an axis as people call it, or by its key. The values of a plan are its tics where
  * there is room for them. */
 static struct chart_axis axis_of(const struct dimension *d, struct chart_tic *tics)
 {
@@ -260,8 +256,8 @@ static struct chart_axis axis_of(const struct dimension *d, struct chart_tic *ti
     return axis;
 }
 
-/* The spots of a panel with this label, or, of -1, those that are hatched. */
-static void draw_spots(const struct sweep_map *m, struct chart *c, int panel, int label)
+/* Draws the spots of a panel with this label, or, for -1, those that are hatched. */
+static void draw_spots(const struct map *m, struct chart *c, int panel, int label)
 {
     double x[2], y[2];
 
@@ -278,7 +274,7 @@ static void draw_spots(const struct sweep_map *m, struct chart *c, int panel, in
     }
 }
 
-static void draw_label(const struct sweep_map *m, struct chart *c, int panel, int label)
+static void draw_label(const struct map *m, struct chart *c, int panel, int label)
 {
     const char *name = m->labels.name[label];
     char text[256];
@@ -291,15 +287,18 @@ static void draw_label(const struct sweep_map *m, struct chart *c, int panel, in
     draw_spots(m, c, panel, label);
 }
 
-/* Over the colours: where the second opinion has nothing against a sheet. */
-static void draw_learnt(const struct sweep_map *m, struct chart *c, int panel)
+/* Draws over the colours where the second opinion has nothing against a sheet. */
+static void draw_learnt(const struct map *m, struct chart *c, int panel)
 {
+    long learnt = 0;
     char text[128];
 
     if (!m->plan->learnt.count)
         return;
+    for (long n = 0; n < m->count; n++)
+        learnt += m->spot[n].learnt;
     snprintf(text, sizeof text, "feasible by bounds learnt from the paper's words: %ld",
-             m->learnt);
+             learnt);
     chart_series(c, &(struct chart_series){.label = text,
                                            .style = has_cells(m) ? CHART_HATCHED_CELLS
                                                                  : CHART_POINTS,
@@ -308,7 +307,7 @@ static void draw_learnt(const struct sweep_map *m, struct chart *c, int panel)
     draw_spots(m, c, panel, -1);
 }
 
-/* Where a mark lies in a direction. */
+/* Returns where a mark lies in a direction. */
 static double mark_place(const struct dimension *d, const struct plan_mark *mark,
                          const struct scene *scene)
 {
@@ -319,8 +318,8 @@ static double mark_place(const struct dimension *d, const struct plan_mark *mark
     return s ? strtod(s->value, NULL) : NAN;
 }
 
-/* Whether a mark belongs to a panel: to that of its value, to all if there is none. */
-static bool is_on(const struct sweep_map *m, const struct plan_mark *mark, int panel)
+/* Says if a mark belongs to a panel: to that of its value, or to all if none has it. */
+static bool is_on(const struct map *m, const struct plan_mark *mark, int panel)
 {
     const struct plan_setting *s =
         m->panel.name ? plan_settings_find(&mark->settings, m->panel.name) : NULL;
@@ -331,7 +330,7 @@ static bool is_on(const struct sweep_map *m, const struct plan_mark *mark, int p
     return true;
 }
 
-static enum status draw_marks(const struct sweep_map *m, struct chart *c, int panel,
+static enum status draw_marks(const struct map *m, struct chart *c, int panel,
                               struct message *why)
 {
     enum status st = STATUS_OK;
@@ -355,7 +354,7 @@ out:
     return st;
 }
 
-static void name_panel(const struct sweep_map *m, struct chart *c, int panel)
+static void name_panel(const struct map *m, struct chart *c, int panel)
 {
     char text[256];
 
@@ -369,32 +368,35 @@ static void name_panel(const struct sweep_map *m, struct chart *c, int panel)
     chart_panel(c, text);
 }
 
-enum status sweep_map_chart(const struct sweep_map *m, struct chart **chart,
-                            struct message *why)
+enum status sweep_map(const struct sweep_rows *rows, const char *best, struct chart **chart,
+                      struct message *why)
 {
-    struct chart *c = NULL;
     struct chart_tic *tics = NULL;
+    struct chart *c = NULL;
+    struct map m = {0};
     enum status st = STATUS_OK;
 
     *chart = NULL;
-    if (!m)
+    if (!rows->plan->map.x)
         return st;
+    TRY(make(&m, rows, best));
     tics = calloc(2 * PLAN_AXIS_MOST, sizeof *tics);
     TRY(tics ? STATUS_OK : STATUS_MEMORY);
-    const struct chart_axis x = axis_of(&m->x, tics),
-                            y = axis_of(&m->y, tics + PLAN_AXIS_MOST);
-    c = chart_create(m->plan->name);
+    const struct chart_axis x = axis_of(&m.x, tics),
+                            y = axis_of(&m.y, tics + PLAN_AXIS_MOST);
+    c = chart_create(m.plan->name);
     chart_axes(c, &x, &y);
-    for (int panel = 0; panel < m->panels.count; panel++) {
-        name_panel(m, c, panel);
-        for (int label = 0; label < m->labels.count; label++)
-            draw_label(m, c, panel, label);
-        draw_learnt(m, c, panel);
-        TRY(draw_marks(m, c, panel, why));
+    for (int panel = 0; panel < m.panels.count; panel++) {
+        name_panel(&m, c, panel);
+        for (int label = 0; label < m.labels.count; label++)
+            draw_label(&m, c, panel, label);
+        draw_learnt(&m, c, panel);
+        TRY(draw_marks(&m, c, panel, why));
     }
     *chart = c, c = NULL;
 out:
     chart_destroy(c);
     free(tics);
+    clear(&m);
     return st;
 }

@@ -1,5 +1,5 @@
 /* Quick runs of `bench`, by what does not depend on seconds: which rows there are, counts,
- * distances, repeats; that the same is printed again from what was kept.
+ * repeats; that the same is printed again from what was kept.
  *
  *   bench_quick FOLDER
  */
@@ -72,67 +72,6 @@ static void twice(struct said *first, const char *part, const char *folder)
     snprintf(words, sizeof words, "%s --format csv --from %s/quick", part, folder);
     CHECK(bench(&s, words, &why) == STATUS_OK);
     CHECK(!strcmp(s.text, first->text));
-    said_clear(&s);
-}
-
-/* Seconds of another day are of the same surfaces: as often through themselves. */
-static void test_surfaces(const char *folder)
-{
-    static const struct {
-        const char *name;
-        double least, most; /* pairs: halves on each other touch as rounding has it     */
-    } want[] = {{"flat", 0, 0},       {"draped", 0, 0},   {"rolled up", 0, 0},
-                {"folded", 515, 515}, {"crumpled", 9, 9}, {"doubled", 1682, 10 * 1682}};
-    const double all = 1682 * 1681 / 2; /* pairs of 2 x 29 x 29 triangles               */
-    struct said s;
-
-    twice(&s, "intersection", folder);
-    said_has(&s, "intersection", "Self-intersections of 30 x 30 points");
-    said_has(&s, "intersection", "Every pair: 1413721 tests");
-    for (int n = 0; n < LENGTH(want); n++) {
-        const double pairs = cell(&s, want[n].name, 0), tests = cell(&s, want[n].name, 1);
-        CHECK(pairs >= want[n].least && pairs <= want[n].most);
-        CHECK(tests > 1682 && tests < all / 10);
-        CHECK(cell(&s, want[n].name, 6) == TIMING_REPEATS_QUICK);
-    }
-    said_clear(&s);
-}
-
-/* Constraints are triangles or edges, and as many rows of bending for either; an iteration
- * goes towards the end, the accelerated one farther; and a sheet that falls at 2 m/s has
- * more before it in a step than one at rest, g dt^2. */
-static void test_projective(const char *folder)
-{
-    static const int points[] = {10, 32};
-    char name[32];
-    struct said s;
-
-    twice(&s, "projective", folder);
-    for (int n = 0; n < LENGTH(points); n++) {
-        const int p = points[n];
-        snprintf(name, sizeof name, "%dx%d,triangles", p, p);
-        const double triangles = cell(&s, name, 0), entries = cell(&s, name, 1);
-        CHECK(cell(&s, name, 8) == TIMING_REPEATS_QUICK);
-        snprintf(name, sizeof name, "%dx%d,edges", p, p);
-        CHECK(cell(&s, name, 0) - triangles == 2 * p * (p - 1));
-        CHECK(cell(&s, name, 1) == entries && entries > p * p);
-    }
-    said_lacks(&s, "projective", "\n100x100,");
-    said_has(&s, "projective", "one step at 0.2 s is");
-    said_has(&s, "projective", "dt = 5 ms;");
-    CHECK(cell(&s, "10x10,plain", 0) > 9.81 * 0.005 * 0.005);
-    CHECK(cell(&s, "10x10,plain", 0) == cell(&s, "10x10,Chebyshev", 0)); /* its delay */
-    for (int n = 1; n < 5; n++) {
-        const double plain = cell(&s, "10x10,plain", n);
-        const double faster = cell(&s, "10x10,Chebyshev", n);
-        CHECK(plain < cell(&s, "10x10,plain", n - 1) && faster < plain && faster > 0);
-    }
-    CHECK(cell(&s, "10x10,plain", 6) == TIMING_REPEATS_QUICK);
-    const char *note = strstr(s.text, "# 10 points a side: radius ");
-    double radius = 0, needed = 0;
-    REQUIRE(note && sscanf(note, "# 10 points a side: radius %lf; the end itself took %lf",
-                           &radius, &needed) == 2);
-    CHECK(radius > 0.99 && radius < 1 && needed > 1000 && needed < 400000);
     said_clear(&s);
 }
 
@@ -219,8 +158,6 @@ int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     remove_earlier(argv[1]);
-    test_surfaces(argv[1]);
-    test_projective(argv[1]);
     test_bandwidth(argv[1]);
     test_libraries(argv[1]);
     test_runs(argv[1]);

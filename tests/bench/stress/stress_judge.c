@@ -20,10 +20,10 @@ static struct model other;
 static struct contestant contestant = {
     .name = "other", .title = "other", .column = "other", .model = &other, .degree = 1};
 
-static struct stress_result judge(const struct stress_case *c, bool quick)
+static struct stress_result judge(const struct stress_case *c)
 {
     const struct stress_job job = {
-        .c = c, .contestant = &contestant, .path = path, .folder = "none", .quick = quick};
+        .c = c, .contestant = &contestant, .path = path, .folder = "none"};
     struct stress_result r;
     struct message why = {""};
     const double before = clock_processor();
@@ -63,11 +63,11 @@ static void check_plate(void)
     const double sag = kirchhoff_static(k, load, LENGTH, 0.75);
 
     begin();
-    struct stress_result r = judge(&c, false);
+    struct stress_result r = judge(&c);
     CHECK_RELATIVE(r.error, resting / sag + 1, tol_plate); /* it rises */
     CHECK(r.outcome == STRESS_RAN && isnan(r.time) && !strcmp(script_log, "I"));
     other.equilibrium = NULL; /* then it moves to the end */
-    r = judge(&c, false);
+    r = judge(&c);
     CHECK_RELATIVE(r.error, FRAMES * rise / sag + 1, tol_plate);
     kirchhoff_destroy(k);
 }
@@ -83,8 +83,7 @@ static void check_elastica(void)
 
     begin();
     REQUIRE(elastica_solve(8, &e) == STATUS_OK);
-    CHECK_NEAR(judge(&c, false).error, hypot(1 - e.reach, resting / LENGTH + e.drop),
-               tol_plate);
+    CHECK_NEAR(judge(&c).error, hypot(1 - e.reach, resting / LENGTH + e.drop), tol_plate);
 }
 
 static void check_vibration(void)
@@ -102,7 +101,7 @@ static void check_vibration(void)
         most = fmax(most, error[n]);
     }
     c.bound = error[5] * 1.001; /* it grows: the sixth frame is the first beyond */
-    const struct stress_result r = judge(&c, false);
+    const struct stress_result r = judge(&c);
     CHECK_RELATIVE(r.error, most, tol_plate);
     CHECK_NEAR(r.time, 6 * step, tol);
     kirchhoff_destroy(k);
@@ -123,15 +122,15 @@ static void check_similar(void)
                                   .length = 10,    .mass = 3,      .time = 0.5};
 
     begin(); /* its own millimetres are ten times as long there */
-    CHECK_NEAR(judge(&c, false).error, 9 * FRAMES * rise / LENGTH, tol);
+    CHECK_NEAR(judge(&c).error, 9 * FRAMES * rise / LENGTH, tol);
     begin();
     other.advance = die_when_short;
-    const struct stress_result r = judge(&c, false);
+    const struct stress_result r = judge(&c);
     CHECK(r.outcome == STRESS_DEAD && isnan(r.error));
     CHECK_NEAR(r.time, 4 * step, tol); /* in the case's seconds */
     begin();
     script.create = STATUS_UNSUPPORTED, script.refuse_after = 1;
-    CHECK(judge(&c, false).outcome == STRESS_SAID_NO);
+    CHECK(judge(&c).outcome == STRESS_SAID_NO);
 }
 
 static void energy_won(const void *state, struct energy *energy)
@@ -158,14 +157,14 @@ static void check_energy(void)
     for (int n = 0; n < 2; n++) {
         begin();
         other.energy = known[n].energy;
-        const struct stress_result r = judge(&c, false);
+        const struct stress_result r = judge(&c);
         CHECK(r.error == 1 && !strcmp(r.sentence.text, known[n].text));
         CHECK_NEAR(r.time, 3 * step, tol);
     }
     begin(); /* of two parts, one is not known; none is */
-    CHECK(judge(&c, false).outcome == STRESS_SAID_NO);
+    CHECK(judge(&c).outcome == STRESS_SAID_NO);
     other.energy = NULL;
-    const struct stress_result r = judge(&c, false);
+    const struct stress_result r = judge(&c);
     CHECK(r.outcome == STRESS_SAID_NO && strstr(r.sentence.text, "no elastic energy"));
 }
 
@@ -196,7 +195,7 @@ static void check_shapes(void)
 
     for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
         begin();
-        const struct stress_result r = judge(&known[n].c, false);
+        const struct stress_result r = judge(&known[n].c);
         if (!CHECK_NEAR(r.error, known[n].error, tol) ||
             !CHECK(isnan(known[n].time) ? isnan(r.time)
                                         : fabs(r.time - known[n].time) < tol))
@@ -204,7 +203,7 @@ static void check_shapes(void)
     }
     begin();
     other.equilibrium = NULL;
-    const struct stress_result r = judge(&known[2].c, false);
+    const struct stress_result r = judge(&known[2].c);
     CHECK(r.outcome == STRESS_SAID_NO && strstr(r.sentence.text, "no static equilibrium"));
 }
 
@@ -246,44 +245,28 @@ static void check_ends(void)
         begin();
         script.dies = known[n].dies, script.death = STATUS_NAN;
         script.create = known[n].create, script.equilibrium = known[n].equilibrium;
-        const struct stress_result r = judge(known[n].c, false);
+        const struct stress_result r = judge(known[n].c);
         const bool timed =
             isnan(known[n].time) ? isnan(r.time) : fabs(r.time - known[n].time) < tol;
-        if (!CHECK(r.outcome == known[n].outcome && isnan(r.error) && timed && !r.quick &&
+        if (!CHECK(r.outcome == known[n].outcome && isnan(r.error) && timed &&
                    strstr(r.sentence.text, known[n].text)))
             printf("  row %zu: %d at %g: %s\n", n, r.outcome, r.time, r.sentence.text);
     }
     begin(); /* a truth that could not be made says why, one that was says nothing */
     struct message lost = {"timed out"};
     struct stress_result r;
-    const struct stress_job late = {&shell, &contestant, path, "none", false, &lost};
+    const struct stress_job late = {&shell, &contestant, path, "none", &lost};
     CHECK(stress_judge(&late, &r, NULL) == STATUS_OK);
     CHECK(!strcmp(r.sentence.text, "no truth to hold it against: timed out"));
     *lost.text = '\0';
     CHECK(stress_judge(&late, &r, NULL) == STATUS_OK &&
           strstr(r.sentence.text, "nothing is known of"));
     begin(); /* a disk that is full is no result */
-    const struct stress_job job = {&moves, &contestant, path, "none", false, NULL};
+    const struct stress_job job = {&moves, &contestant, path, "none", NULL};
     struct message why = {""};
     script.create = STATUS_FILE;
     CHECK(stress_judge(&job, &r, &why) == STATUS_FILE);
     CHECK(!strcmp(why.text, "scripted: would not"));
-}
-
-/* A quick run ends sooner, where the case says so, and says so. */
-static void check_quick(void)
-{
-    struct stress_case c = {
-        {"quick", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .bound = 1};
-
-    for (int n = 0; n < 4; n++) {
-        const bool cut = n == 3;
-        begin();
-        c.quick_end = n & 1 ? "time.end=0.025" : NULL;
-        const struct stress_result r = judge(&c, n & 2);
-        CHECK(r.quick == cut);
-        CHECK_NEAR(r.error, (cut ? 5 : FRAMES) * rise / LENGTH, tol);
-    }
 }
 
 static int weights, rows_right;
@@ -317,7 +300,7 @@ static void check_nets(void)
             contestant.degree = known[n].degree;
             c.side = known[n].side;
             c.weight_ratio = weighted ? 10 : 0;
-            CHECK(judge(&c, false).outcome == STRESS_RAN);
+            CHECK(judge(&c).outcome == STRESS_RAN);
             CHECK(!strcmp(script_log, known[n].log));
             CHECK(weights == (weighted ? known[n].weights : 0) && rows_right == weights);
         }
@@ -334,7 +317,6 @@ int main(void)
     check_energy();
     check_shapes();
     check_ends();
-    check_quick();
     check_nets();
     free(path);
     return check_result();

@@ -67,13 +67,13 @@ static void make_case(const struct sweep_folder *folder, int n)
     struct settings settings = {0};
     char path[SWEEP_FOLDER_PATH];
 
-    sweep_row_remove(folder, n);
+    sweep_folder_remove(folder, n);
     if (cases[n].kind == GONE)
         return;
     if (cases[n].kind == FAILED || cases[n].kind == CUT) {
-        REQUIRE(sweep_row_write(folder, n, "x",
-                                cases[n].kind == CUT ? SWEEP_ROW_CUT : SWEEP_ROW_FAILED,
-                                "ended", NULL) == STATUS_OK);
+        REQUIRE(sweep_folder_write(folder, n, "x",
+                                   cases[n].kind == CUT ? SWEEP_CUT : SWEEP_FAILED, "ended",
+                                   NULL) == STATUS_OK);
         return;
     }
     script_reset();

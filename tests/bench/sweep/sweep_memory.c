@@ -7,7 +7,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "bench/experiment/plan.h"
 #include "bench/harness/run_file.h"
 #include "bench/sweep/sweep.h"
 #include "tests/check.h"
@@ -39,7 +38,7 @@ static void do_cases(const char *folder, const struct plan *plan)
 {
     struct sweep_folder sums = {.lock = -1, .log = -1};
     struct plan_case c;
-    char made_for[SWEEP_ROW_MADE_FOR], first[SWEEP_FOLDER_PATH], path[SWEEP_FOLDER_PATH];
+    char made_for[SWEEP_FOLDER_MADE_FOR], first[SWEEP_FOLDER_PATH], path[SWEEP_FOLDER_PATH];
 
     mkdir(folder, 0777);
     snprintf(path, sizeof path, "%s/manifest.txt", folder);
@@ -49,7 +48,7 @@ static void do_cases(const char *folder, const struct plan *plan)
     REQUIRE(plan_case_open(plan, 0, &c, NULL) == STATUS_OK);
     const struct run_plan run = plan_case_run(&c);
     sweep_folder_file(&sums, 0, "h5", first);
-    sweep_row_made_for(&sums, plan, &c, made_for);
+    sweep_folder_made_for(&sums, plan, &c, made_for);
     REQUIRE(run_file_write(&run,
                            &(struct run_keep){.file = first,
                                               .every = plan->look,
@@ -62,6 +61,7 @@ static void do_cases(const char *folder, const struct plan *plan)
         CHECK(link(first, path) == 0);
     }
     plan_case_clear(&c);
+    sweep_folder_close(&sums);
 }
 
 /* Leads the sweep and returns its peak [kB]; 0: it failed. */

@@ -1,0 +1,332 @@
+#include "bench/sweep/sweep.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/files/output.h"
+
+/* --- reading ---------------------------------------------------------------------------
+ */
+
+enum status sweep_rows_init(struct sweep_rows *rows, const struct plan *plan)
+{
+    *rows = (struct sweep_rows){.plan = plan, .count = plan_case_count(plan)};
+    rows->row = calloc((size_t)rows->count, sizeof *rows->row);
+    return rows->row ? STATUS_OK : STATUS_MEMORY;
+}
+
+static void clear_row(struct sweep_row *row)
+{
+    free(row->label);
+    free(row->why);
+}
+
+void sweep_rows_clear(struct sweep_rows *rows)
+{
+    for (long n = 0; rows->row && n < rows->count; n++)
+        clear_row(&rows->row[n]);
+    free(rows->row);
+    *rows = (struct sweep_rows){0};
+}
+
+static bool is_open(const struct sweep_row *row)
+{
+    return row->state == SWEEP_GONE || row->state == SWEEP_DAMAGED ||
+           row->state == SWEEP_CUT;
+}
+
+bool sweep_rows_open(const struct sweep_rows *rows, long number)
+{
+    return is_open(&rows->row[number]);
+}
+
+enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state,
+                           const struct run_result *result, const char *why)
+{
+    const struct plan *plan = rows->plan;
+    struct sweep_row *row = &rows->row[number];
+    const bool ran = state == SWEEP_RAN;
+    char label[1024];
+
+    clear_row(row);
+    *row = (struct sweep_row){.state = state,
+                              .outcome = ran ? result->outcome : STATUS_OK,
+                              .create_seconds = ran ? result->create_seconds : NAN,
+                              .step_seconds = ran ? result->step_seconds : NAN,
+                              .look_seconds = ran ? result->look_seconds : NAN,
+                              .verdict = {.kind = VERDICT_NONE},
+                              .learnt = {.kind = VERDICT_NONE}};
+    for (int n = 0; n < MEASURES; n++)
+        row->value[n] = ran ? result->value[n] : NAN;
+    snprintf(label, sizeof label, "%s", is_open(row) ? "run again" : "no result");
+    if (ran) {
+        row->verdict = verdict_of(&plan->verdicts, result);
+        verdict_text(&plan->verdicts, row->verdict, label, sizeof label);
+    }
+    if (ran && plan->learnt.count)
+        row->learnt = verdict_of(&plan->learnt, result);
+    row->label = strdup(label);
+    row->why = strdup(why);
+    return row->label && row->why ? STATUS_OK : STATUS_MEMORY;
+}
+
+enum status sweep_rows_label(struct sweep_rows *rows, long number, const char *label)
+{
+    struct sweep_row *row = &rows->row[number];
+
+    free(row->label);
+    row->label = strdup(label);
+    return row->label ? STATUS_OK : STATUS_MEMORY;
+}
+
+static enum status read_row(struct sweep_rows *rows, long number,
+                            const struct sweep_folder *folder, struct message *why)
+{
+    char made_for[SWEEP_FOLDER_MADE_FOR];
+    struct plan_case c = {0};
+    struct run_result result = {0};
+    struct message sentence = {""};
+    enum sweep_state state;
+    enum status st;
+
+    TRY(plan_case_given(rows->plan, number, &c));
+    sweep_folder_made_for(folder, rows->plan, &c, made_for);
+    TRY(sweep_folder_read(folder, number, made_for, false, &state, &result, &sentence));
+    if (state == SWEEP_FOREIGN)
+        TRY(status_fail(why, STATUS_INPUT, "%s", sentence.text));
+    st = sweep_rows_set(rows, number, state, &result, sentence.text);
+out:
+    plan_case_clear(&c);
+    run_result_clear(&result);
+    return st;
+}
+
+enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
+                            const struct sweep_folder *folder, struct message *why)
+{
+    enum status st;
+
+    TRY(sweep_rows_init(rows, plan));
+    for (long n = 0; n < rows->count; n++)
+        TRY(read_row(rows, n, folder, why));
+out:
+    return st;
+}
+
+/* --- files for machines ----------------------------------------------------------------
+ */
+
+/* Creates table.csv: every key and measure; a key that has another column's name gets one
+ * of its own. */
+static struct table *create_table(const struct plan *plan)
+{
+    const int count = 2 + plan->key_count + MEASURES + 3 + (plan->learnt.count > 0);
+    struct table_column *columns = calloc((size_t)count, sizeof *columns), *c = columns;
+
+    if (!columns)
+        return NULL;
+    *c++ = (struct table_column){"case"};
+    *c++ = (struct table_column){"name"};
+    for (int k = 0; k < plan->key_count; k++, c++) {
+        c->header = plan->keys[k];
+        c->key = strcmp(c->header, "name") ? c->header : NULL;
+    }
+    for (int n = 0; n < MEASURES; n++, c++) {
+        c->header = measure_name(n);
+        c->unit = measure_unit(n);
+        c->key = n == MEASURE_GAMMA                ? "gamma_measured"
+                 : n == MEASURE_YOUNG_OVER_DENSITY ? "young_over_density_measured"
+                                                   : measure_name(n);
+    }
+    *c++ = (struct table_column){"verdict"};
+    *c++ = (struct table_column){"labels"};
+    *c++ = (struct table_column){"outcome"};
+    if (plan->learnt.count)
+        *c++ = (struct table_column){"learnt"};
+    struct table *t = table_create(count, columns, NULL);
+    free(columns);
+    return t;
+}
+
+static void add_case(struct table *t, const struct plan *plan, const struct plan_case *c,
+                     const struct sweep_row *row)
+{
+    char learnt[1024] = "";
+
+    table_row(t);
+    table_integer(t, c->number + 1);
+    table_text(t, "%s", c->name ? c->name : "");
+    for (int k = 0; k < plan->key_count; k++)
+        table_text(t, "%s", c->given[k] ? c->given[k]->value : "");
+    for (int n = 0; n < MEASURES; n++)
+        table_number(t, row->value[n], 6);
+    table_text(t, "%s", verdict_kind_word[row->verdict.kind]);
+    table_text(t, "%s", row->label);
+    table_text(t, "%s", row->why);
+    if (!plan->learnt.count)
+        return;
+    if (row->state == SWEEP_RAN)
+        verdict_text(&plan->learnt, row->learnt, learnt, sizeof learnt);
+    table_text(t, "%s", learnt);
+}
+
+static void add_seconds(struct table *t, const struct plan *plan, const struct plan_case *c,
+                        const struct sweep_row *row)
+{
+    (void)plan;
+    if (row->state != SWEEP_RAN)
+        return;
+    table_row(t);
+    table_integer(t, c->number + 1);
+    table_number(t, row->create_seconds, 6);
+    table_number(t, row->step_seconds, 6);
+    table_number(t, row->look_seconds, 6);
+}
+
+/* Writes FOLDER/NAME.csv case by case, since the text of many cases is longer than memory;
+ * frees the table. */
+static enum status save(const struct sweep_rows *rows, const char *folder, const char *name,
+                        struct table *t,
+                        void (*add)(struct table *t, const struct plan *plan,
+                                    const struct plan_case *c, const struct sweep_row *row),
+                        struct message *why)
+{
+    struct plan_case c;
+    struct output *out = NULL, *whole;
+    char path[SWEEP_FOLDER_PATH + 16];
+    enum status st;
+
+    snprintf(path, sizeof path, "%s/%s.csv", folder, name);
+    TRY(output_create(path, &out, why));
+    for (long n = 0; n < rows->count; n++) {
+        TRY(plan_case_given(rows->plan, n, &c));
+        add(t, rows->plan, &c, &rows->row[n]);
+        plan_case_clear(&c);
+        table_flush(t, output_stream(out)); /* output_close tells of a full disk */
+    }
+    const enum status filled = table_flush(t, output_stream(out)); /* no row: the keys */
+    whole = out, out = NULL;
+    TRY(output_close(whole, why));
+    st = filled;
+out:
+    output_discard(out);
+    table_destroy(t);
+    return st;
+}
+
+enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
+                            struct message *why)
+{
+    static const struct table_column seconds[] = {{"case"},
+                                                  {"create", "s", .key = "create"},
+                                                  {"steps", "s", .key = "steps"},
+                                                  {"looks", "s", .key = "looks"}};
+    enum status st;
+
+    TRY(save(rows, folder, "table", create_table(rows->plan), add_case, why));
+    st = save(rows, folder, "seconds",
+              table_create(sizeof seconds / sizeof *seconds, seconds, NULL), add_seconds,
+              why);
+out:
+    return st;
+}
+
+/* --- words for people ------------------------------------------------------------------
+ */
+
+static void print_plan(const struct plan *plan, FILE *file)
+{
+    const struct plan_setting *scene = plan_settings_find(&plan->settings, "scene");
+
+    fprintf(file, "%s: %ld cases", plan->name, plan_case_count(plan));
+    if (scene)
+        fprintf(file, " of %s", scene->value);
+    if (plan->listed_count)
+        fprintf(file, "; %d listed", plan->listed_count);
+    for (int n = 0; n < plan->axis_count; n++)
+        fprintf(file, "%s%d of %s", n || plan->listed_count ? " x " : "; ",
+                plan->axes[n].values.count, plan->axes[n].key);
+    fprintf(file, "\n\n");
+}
+
+/* Prints how many cases have the label of rule n; a case that was not measured does not
+ * count as passed. */
+static void print_label(const struct sweep_rows *rows, int n, FILE *file)
+{
+    const struct verdict_rules *rules = &rows->plan->verdicts;
+    const char *label = rules->rule[n].label;
+    long judged = 0, have = 0, lack = 0;
+
+    for (const struct sweep_row *row = rows->row; row < rows->row + rows->count; row++) {
+        judged += row->verdict.kind != VERDICT_NONE;
+        have += row->state == SWEEP_RAN && verdict_has(rules, row->verdict, label);
+        lack += row->state == SWEEP_RAN && verdict_lacks(rules, row->verdict, label);
+    }
+    if (lack && lack == judged)
+        fprintf(file, "  %-24s not judged: it was not measured\n", label);
+    else if (lack)
+        fprintf(file, "  %-24s%6ld   not judged in %ld more, where it was not measured\n",
+                label, have, lack);
+    else
+        fprintf(file, "  %-24s%6ld\n", label, have);
+}
+
+/* Prints the count and the bounds of the second opinion. */
+static void print_learnt(const struct verdict_rules *rules, long feasible, FILE *file)
+{
+    fprintf(file, "  %-24s%6ld   by bounds learnt from the paper's words:", "feasible",
+            feasible);
+    for (int n = 0; n < rules->count; n++) {
+        const struct verdict_rule *r = &rules->rule[n];
+        fprintf(file, "%s\n  %30s   no %s: %s %s %g", n ? "," : "", "", r->label,
+                measure_name(r->measure), r->above ? "above" : "below", r->bound);
+    }
+    fprintf(file, "\n");
+}
+
+static bool is_new_label(const struct verdict_rules *rules, int n)
+{
+    for (int m = 0; m < n; m++)
+        if (!strcmp(rules->rule[m].label, rules->rule[n].label))
+            return false;
+    return true;
+}
+
+void sweep_rows_print(const struct sweep_rows *rows, FILE *file)
+{
+    const struct plan *plan = rows->plan;
+    long feasible = 0, learnt = 0;
+    struct {
+        const char *end, *why;
+        long count;
+    } ends[] = {
+        {"not judged", "no label, but not all could be asked for", 0},
+        {"died", "the numerics ended the run", 0},
+        {"unsupported", "the model leaves something out", 0},
+        {"no result", "timed out, crashed or refused: see table.csv", 0},
+        {"run again", "cut short, or damaged since: --resume does it", 0},
+    };
+
+    for (const struct sweep_row *row = rows->row; row < rows->row + rows->count; row++) {
+        feasible += row->verdict.kind == VERDICT_FEASIBLE;
+        learnt += row->learnt.kind == VERDICT_FEASIBLE;
+        ends[0].count += row->verdict.kind == VERDICT_UNJUDGED;
+        ends[1].count += row->verdict.died;
+        ends[2].count += row->outcome == STATUS_UNSUPPORTED;
+        ends[3].count += row->state == SWEEP_FAILED;
+        ends[4].count += is_open(row);
+    }
+    print_plan(plan, file);
+    if (plan->verdicts.count)
+        fprintf(file, "  %-24s%6ld\n", "feasible", feasible);
+    for (int n = 0; n < plan->verdicts.count; n++)
+        if (is_new_label(&plan->verdicts, n))
+            print_label(rows, n, file);
+    for (size_t n = 0; n < sizeof ends / sizeof *ends; n++) /* labels alone may be none */
+        if (ends[n].count)
+            fprintf(file, "  %-24s%6ld   %s\n", ends[n].end, ends[n].count, ends[n].why);
+    if (plan->learnt.count)
+        print_learnt(&plan->learnt, learnt, file);
+    fprintf(file, "\n");
+}

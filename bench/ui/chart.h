@@ -48,17 +48,16 @@ struct chart_axis {
 /* Returns the axis for a column, with its name and unit as people see them. */
 struct chart_axis chart_axis_of(const struct table *t, const char *key, bool log);
 
-/* Sets the axes of the panel, and of those that are started after it. */
+/* Sets the axes of all panels. */
 void chart_axes(struct chart *c, const struct chart_axis *x, const struct chart_axis *y);
 
-/* Starts the next panel; the first call only names the first panel, if still empty. */
+/* Starts the next panel; a first call before anything else names the first panel. */
 void chart_panel(struct chart *c, const char *title);
 
 enum chart_style {
     CHART_LINESPOINTS,
     CHART_LINE,
     CHART_POINTS,
-    CHART_BAND,    /* filled from low to high of chart_bar                             */
     CHART_SQUARES, /* for classes                                                      */
     CHART_CELLS,   /* boxes of chart_cell, for classes                                 */
     CHART_HATCHED_CELLS /* the same with lines across: what lies below is seen         */
@@ -70,14 +69,14 @@ struct chart_series {
     int colour;      /* from 1; 0: the label's, the next one for a new label           */
     bool second;     /* second of its colour: dashed, open points                      */
     bool sorted;     /* points are sorted by x                                         */
-    const char *rgb; /* "#8cd17d", for a class that has its own; NULL: by `colour`     */
+    const char *rgb; /* "#8cd17d", for a class that has its own; NULL: by `colour`;
+                        a constant of the program                                      */
 };
 
-/* Starts a series of the panel; points go to the series started last. A point that is no
+/* Starts a series of the panel, to which the points behind it go. A point that is no
  * number, or <= 0 on a log axis, is left out. */
 void chart_series(struct chart *c, const struct chart_series *series);
 void chart_point(struct chart *c, double x, double y);
-void chart_bar(struct chart *c, double x, double y, double low, double high);
 void chart_cell(struct chart *c, double x, double y, const double x_side[2],
                 const double y_side[2]);
 

@@ -180,10 +180,9 @@ static void draw_bar(struct chart *c, const struct study *s, int time)
 }
 
 /* A line for each time, error (without truth: to the finest) against seconds. */
-static struct chart *chart_of(const struct study *s, const struct table *t)
+static struct chart *chart_of(const struct study *s)
 {
-    const char *error = s->truth ? "error_over_length" : "to_finest_over_length";
-    const struct chart_axis x = chart_axis_of(t, "stepping_s", true);
+    const struct chart_axis x = {"stepping", "s", .log = true};
     const struct chart_axis y = {
         s->truth ? "RMSE to truth / L" : "RMSE to the finest level / L", .log = true};
     struct chart *c = chart_create(s->plan->caption);
@@ -194,8 +193,10 @@ static struct chart *chart_of(const struct study *s, const struct table *t)
         snprintf(label, sizeof label, "%g s", time_of(s, time));
         chart_series(
             c, &(struct chart_series){s->time ? label : "at rest", .colour = time + 1});
-        chart_rows(c, t, "stepping_s", error, s->time != NULL,
-                   &(struct chart_where){"time_s", .number = time_of(s, time)});
+        for (int n = 0; n < s->plan->level_count; n++) {
+            const struct study_frame *f = &s->row[n].frame[time];
+            chart_point(c, s->row[n].seconds, s->truth ? f->error : f->finest);
+        }
         if (s->truth)
             draw_bar(c, s, time);
     }
@@ -235,7 +236,7 @@ enum status study_print(const struct study *s, const char *folder, enum table_fo
                         FILE *file, struct message *why)
 {
     struct table *t = motion_of(s);
-    struct chart *chart = chart_of(s, t);
+    struct chart *chart = chart_of(s);
     enum status st;
 
     note_motion(t, s);

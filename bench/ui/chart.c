@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "bench/ui/plot.h"
+#include "bench/ui/table.h"
 
 struct place {
     double x, y, x_side[2], y_side[2]; /* sides: of cells; a band's are in y           */
@@ -178,14 +179,6 @@ void chart_panel(struct chart *c, const char *title)
         add_item(c, PANEL, &(struct chart_series){title});
 }
 
-struct chart_axis chart_axis_of(const struct table *t, const char *key, bool log)
-{
-    const struct table_column *column = t ? table_column(t, table_find(t, key)) : NULL;
-
-    return column ? (struct chart_axis){column->header, column->unit, .log = log}
-                  : (struct chart_axis){.log = log};
-}
-
 static bool same_label(const struct item *a, const struct item *b)
 {
     return a->kind == b->kind && a->as.label && b->as.label &&
@@ -224,32 +217,6 @@ void chart_cell(struct chart *c, double x, double y, const double x_side[2],
                 const double y_side[2])
 {
     add_place(c, (struct place){x, y, {x_side[0], x_side[1]}, {y_side[0], y_side[1]}});
-}
-
-static bool meets(const struct table *t, int row, const struct chart_where *where)
-{
-    const int column = table_find(t, where->key);
-
-    return where->text ? !strcmp(table_words(t, row, column), where->text)
-                       : table_value(t, row, column) == where->number;
-}
-
-void chart_rows(struct chart *c, const struct table *t, const char *x, const char *y,
-                int count, const struct chart_where *where)
-{
-    if (!t) {
-        if (c)
-            c->failed = true;
-        return;
-    }
-    const int of_x = table_find(t, x), of_y = table_find(t, y);
-    for (int row = 0; row < table_rows(t); row++) {
-        bool wanted = true;
-        for (int n = 0; n < count; n++)
-            wanted = wanted && meets(t, row, &where[n]);
-        if (wanted)
-            chart_point(c, table_shown(t, row, of_x), table_shown(t, row, of_y));
-    }
 }
 
 void chart_band(struct chart *c, const char *label, double low, double high)

@@ -5,7 +5,7 @@
  *     chart_axes(c, &(struct chart_axis){"control points", .log = true},
  *                &(struct chart_axis){"a frame", "ms", .log = true});
  *     chart_series(c, &(struct chart_series){"paper"});
- *     chart_rows(c, table, "control_points", "paper_ms", 0, NULL);
+ *     chart_point(c, 540, 0.8);
  *     chart_band(c, "truth's error bar", 0, bar);
  *     TRY(chart_save(c, folder, "cost", why));
  *
@@ -19,7 +19,7 @@
 
 #include <stdbool.h>
 
-#include "bench/ui/table.h"
+#include "models/status.h"
 
 struct chart;
 
@@ -44,9 +44,6 @@ struct chart_axis {
     int tic_count;    /* 0: gnuplot's                                                    */
     const struct chart_tic *tics;
 };
-
-/* Returns the axis for a column, with its name and unit as people see them. */
-struct chart_axis chart_axis_of(const struct table *t, const char *key, bool log);
 
 /* Sets the axes of all panels. */
 void chart_axes(struct chart *c, const struct chart_axis *x, const struct chart_axis *y);
@@ -79,17 +76,6 @@ void chart_series(struct chart *c, const struct chart_series *series);
 void chart_point(struct chart *c, double x, double y);
 void chart_cell(struct chart *c, double x, double y, const double x_side[2],
                 const double y_side[2]);
-
-/* A condition on a row: the cell of `key` has these words or, if NULL, this number. */
-struct chart_where {
-    const char *key, *text;
-    double number; /* as in CSV */
-};
-
-/* Adds a point for each row of a table that meets all conditions, as people see the numbers
- * (table_column.scale). */
-void chart_rows(struct chart *c, const struct table *t, const char *x, const char *y,
-                int count, const struct chart_where *where);
 
 /* Adds a band across the panel, a truth's error bar; a line if low and high are equal. */
 void chart_band(struct chart *c, const char *label, double low, double high);

@@ -134,14 +134,10 @@ enum status table_publish(struct table *t, const char *folder, const char *name,
  * forgets them: for tables longer than memory. Status as table_print. */
 enum status table_flush(struct table *t, FILE *file);
 
-/* Read a table. `key` is that of CSV and must be one; cells are as in CSV, NaN and "" for a
- * cell without a number or words; table_shown gives the number as people see it. */
+/* Return the number of rows, and the column with a key (that of CSV), -1 if there is none.
+ */
 int table_rows(const struct table *t);
 int table_find(const struct table *t, const char *key);
-const struct table_column *table_column(const struct table *t, int column);
-double table_value(const struct table *t, int row, int column);
-double table_shown(const struct table *t, int row, int column);
-const char *table_words(const struct table *t, int row, int column);
 
 /* Returns the columns that words take on a screen: bytes that do not continue a character
  * of UTF-8; 0 for NULL. */

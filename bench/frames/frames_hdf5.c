@@ -14,64 +14,38 @@ struct foreign {
     double *t; /* owned */
 };
 
-static void drop(hid_t id)
-{
-    if (id >= 0)
-        H5Idec_ref(id);
-}
-
 static void close_foreign(void *state)
 {
     struct foreign *h = state;
 
-    drop(h->xyz);
+    hdf5_file_drop(h->xyz);
     if (h->file >= 0)
         H5Fclose(h->file);
     free(h->t);
     free(h);
 }
 
-/* Opens a data set and gets its rank and sizes; negative: there is none. */
-static hid_t open_set(hid_t file, const char *name, int *rank, hsize_t size[8])
-{
-    hid_t set = H5Lexists(file, name, H5P_DEFAULT) > 0 ? H5Dopen2(file, name, H5P_DEFAULT)
-                                                       : H5I_INVALID_HID;
-    hid_t space = set < 0 ? H5I_INVALID_HID : H5Dget_space(set);
-
-    *rank = space < 0 ? 0 : H5Sget_simple_extent_ndims(space);
-    if (*rank < 1 || *rank > 8 || H5Sget_simple_extent_dims(space, size, NULL) < 0)
-        *rank = 0;
-    drop(space);
-    return set;
-}
-
 static enum status next_foreign(struct frames *f, double *t, bool *more,
                                 struct message *why)
 {
     struct foreign *h = f->state;
-    hsize_t start[3] = {(hsize_t)f->number - 1, 0, 0},
-            count[3] = {1, (hsize_t)f->net.vertices, 3};
 
     *more = (hsize_t)f->number <= h->frames;
     if (!*more)
         return STATUS_OK;
     *t = h->t ? h->t[f->number - 1] : f->number - 1;
-    hid_t memory = H5Screate_simple(3, count, NULL), space = H5Dget_space(h->xyz);
-    const bool good =
-        H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, count, NULL) >= 0 &&
-        H5Dread(h->xyz, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, f->xyz) >= 0;
-    drop(space);
-    drop(memory);
-    return good ? STATUS_OK : hdf5_file_fail(f->path, "cannot read a frame of xyz", why);
+    return hdf5_file_read_entry(h->xyz, f->number - 1, f->xyz)
+               ? STATUS_OK
+               : hdf5_file_fail(f->path, "cannot read a frame of xyz", why);
 }
 
 /* Reads a data set of `count` numbers of any rank; NULL stays NULL if there is none. */
 static enum status take_small(struct frames *f, hid_t file, const char *name, hsize_t count,
                               double **values, struct message *why)
 {
-    hsize_t size[8], held = 1;
+    hsize_t size[HDF5_FILE_RANK], held = 1;
     int rank;
-    hid_t set = open_set(file, name, &rank, size);
+    hid_t set = hdf5_file_open_set(file, name, &rank, size);
     double *array = NULL;
     enum status st = STATUS_OK;
 
@@ -90,7 +64,7 @@ static enum status take_small(struct frames *f, hid_t file, const char *name, hs
     *values = array, array = NULL;
 out:
     free(array);
-    drop(set);
+    hdf5_file_drop(set);
     return st;
 }
 
@@ -98,7 +72,7 @@ static enum status open_foreign(struct frames *f, struct message *why)
 {
     static const struct frames_reader reader = {next_foreign, close_foreign};
     struct foreign *h = calloc(1, sizeof *h);
-    hsize_t size[8] = {0};
+    hsize_t size[HDF5_FILE_RANK] = {0};
     int rank;
     enum status st = STATUS_OK;
 
@@ -110,7 +84,7 @@ static enum status open_foreign(struct frames *f, struct message *why)
     h->file = H5Fopen(f->path, H5F_ACC_RDONLY, H5P_DEFAULT);
     if (h->file < 0)
         TRY(hdf5_file_fail(f->path, "cannot be read", why));
-    h->xyz = open_set(h->file, "xyz", &rank, size);
+    h->xyz = hdf5_file_open_set(h->file, "xyz", &rank, size);
     if (rank && !size[0])
         TRY(frames_none(f, why));
     if (rank != 3 || size[2] != 3 || size[0] > FRAMES_MOST_TIMES ||

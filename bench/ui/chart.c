@@ -295,7 +295,7 @@ enum {
     KEY = 70
 };
 
-/* Whether the legend, which has each label once, takes it from this item. */
+/* Returns whether the legend, which has each label once, takes it from this item. */
 static bool is_entry(const struct chart *c, int n, enum item_kind kind)
 {
     const struct item *item = &c->item[n];

@@ -336,13 +336,15 @@ static const struct table_cell *cell_at(const struct table *t, int row, int colu
 
 /* --- lines of any format -------------------------------------------------------------- */
 
-/* How a row is printed for these readers, people or machines: its cells, with what stands
+/* The form of a row for these readers, people or machines: its cells, with what stands
  * before, between and behind them. The row of headers or keys comes first. */
 enum { TABLE_UNITS = -2, TABLE_HEADERS = -1 };
 struct table_line {
     enum table_readers readers;
     const char *before, *between, *behind;
-    void (*print)(const struct table *t, int row, int column, FILE *file);
+    void (*print)(const struct table *t, const struct table_line *line, int row, int column,
+                  FILE *file);
+    const char *const *escaped; /* [128] what is printed in place of a character; or NULL */
 };
 
 static bool has(const struct table *t, int column, enum table_readers readers)
@@ -358,14 +360,17 @@ static void print_line(const struct table *t, const struct table_line *line, int
     for (int n = 0; n < t->column_count; n++)
         if (has(t, n, line->readers)) {
             fputs(before, file);
-            line->print(t, row, n, file);
+            line->print(t, line, row, n, file);
             before = line->between;
         }
     fputs(line->behind, file);
 }
 
-static void print_escaped(const char *text, const char *const escaped[128], FILE *file)
+/* Prints text with characters replaced, between two strings as they are. */
+static void print_escaped(const char *before, const char *text, const char *behind,
+                          const char *const escaped[128], FILE *file)
 {
+    fputs(before, file);
     for (; *text; text++) {
         const unsigned char c = (unsigned char)*text;
         if (c < 128 && escaped[c])
@@ -373,6 +378,7 @@ static void print_escaped(const char *text, const char *const escaped[128], FILE
         else
             fputc(c, file);
     }
+    fputs(behind, file);
 }
 
 static const char *text_at(const struct table *t, int row, int column)
@@ -389,15 +395,24 @@ static bool is_right(const struct table *t, int column)
     return t->columns[column].align == TABLE_RIGHT;
 }
 
+/* Prints a cell as people see it; a header with its unit. */
+static void print_shown(const struct table *t, const struct table_line *line, int row,
+                        int column, FILE *file)
+{
+    const char *unit = row == TABLE_HEADERS ? t->columns[column].unit : NULL;
+
+    print_escaped("", text_at(t, row, column), "", line->escaped, file);
+    if (unit)
+        print_escaped(" [", unit, "]", line->escaped, file);
+}
+
 /* --- CSV ------------------------------------------------------------------------------ */
 
 static void print_comment(const char *text, FILE *file)
 {
     static const char *const escaped[128] = {['\n'] = "\n# "};
 
-    fputs("# ", file);
-    print_escaped(text, escaped, file);
-    fputc('\n', file);
+    print_escaped("# ", text, "\n", escaped, file);
 }
 
 static void print_field(const char *text, FILE *file)
@@ -405,15 +420,15 @@ static void print_field(const char *text, FILE *file)
     static const char *const escaped[128] = {['"'] = "\"\""};
     const char *quote = text[strcspn(text, ",\"\n\r")] || *text == '#' ? "\"" : "";
 
-    fputs(quote, file);
-    print_escaped(text, escaped, file);
-    fputs(quote, file);
+    print_escaped(quote, text, quote, escaped, file);
 }
 
-static void print_cell(const struct table *t, int row, int column, FILE *file)
+static void print_cell(const struct table *t, const struct table_line *line, int row,
+                       int column, FILE *file)
 {
     const struct table_cell *cell = row == TABLE_HEADERS ? NULL : cell_at(t, row, column);
 
+    (void)line;
     if (!cell)
         print_field(t->columns[column].key, file);
     else if (cell->kind == TABLE_CELL_TEXT)
@@ -497,10 +512,12 @@ static void print_pair(const char *key, const char *text, FILE *file)
     table_json_string(text, file);
 }
 
-static void print_value(const struct table *t, int row, int column, FILE *file)
+static void print_value(const struct table *t, const struct table_line *line, int row,
+                        int column, FILE *file)
 {
     const struct table_cell *cell = cell_at(t, row, column);
 
+    (void)line;
     table_json_string(t->columns[column].key, file);
     fputs(": ", file);
     if (cell->kind == TABLE_CELL_TEXT)
@@ -551,6 +568,7 @@ static void print_json(const struct table *t, FILE *to)
     }
     fputs("]}\n", file);
 }
+
 /* --- text ---------------------------------------------------------------------------- */
 
 /* Prints words in lines up to `width`, all but the first after `indent` blanks, which must
@@ -746,44 +764,29 @@ static void print_text(const struct table *t, FILE *file)
 
 /* --- Markdown ------------------------------------------------------------------------- */
 
-static void print_markdown_cell(const struct table *t, int row, int column, FILE *file)
+static void print_markdown(const struct table *t, FILE *file)
 {
     static const char *const escaped[128] = {
         ['|'] = "\\|", ['*'] = "\\*", ['_'] = "\\_", ['\n'] = " "};
-
-    print_escaped(text_at(t, row, column), escaped, file);
-    if (row == TABLE_HEADERS && t->columns[column].unit)
-        fprintf(file, " [%s]", t->columns[column].unit);
-}
-
-static void print_markdown_side(const struct table *t, int row, int column, FILE *file)
-{
-    (void)row;
-    fputs(is_right(t, column) ? "---:" : ":---", file);
-}
-
-static void print_markdown(const struct table *t, FILE *file)
-{
-    static const struct table_line cells = {TABLE_PEOPLE, "| ", " | ", " |\n",
-                                            print_markdown_cell},
-                                   sides = {TABLE_PEOPLE, "|", "|", "|\n",
-                                            print_markdown_side};
+    static const struct table_line line = {TABLE_PEOPLE, "| ",        " | ",
+                                           " |\n",       print_shown, escaped};
 
     if (t->caption)
         fprintf(file, "**%s**\n\n", t->caption);
-    print_line(t, &cells, TABLE_HEADERS, file);
-    print_line(t, &sides, 0, file);
+    print_line(t, &line, TABLE_HEADERS, file);
+    for (int n = 0; n < t->column_count; n++)
+        if (has(t, n, TABLE_PEOPLE))
+            fputs(is_right(t, n) ? "|---:" : "|:---", file);
+    fputs("|\n", file);
     for (int row = 0; row < t->row_count; row++)
-        print_line(t, &cells, row, file);
+        print_line(t, &line, row, file);
     for (int n = 0; n < t->note_count; n++)
         fprintf(file, "\n%s\n", t->notes[n]);
 }
 
 /* --- LaTeX: plain tabular, no packages ------------------------------------------------ */
 
-/* Prints `text` with TeX's special characters escaped, between two strings for TeX. */
-static void print_latex_text(const char *before, const char *text, const char *behind,
-                             FILE *file)
+static void print_latex(const struct table *t, FILE *file)
 {
     static const char *const escaped[128] = {['&'] = "\\&",
                                              ['%'] = "\\%",
@@ -798,46 +801,26 @@ static void print_latex_text(const char *before, const char *text, const char *b
                                              ['^'] = "\\^{}",
                                              ['|'] = "$|$",
                                              ['\\'] = "\\textbackslash{}"};
-
-    fputs(before, file);
-    print_escaped(text, escaped, file);
-    fputs(behind, file);
-}
-
-static void print_latex_cell(const struct table *t, int row, int column, FILE *file)
-{
-    print_latex_text("", text_at(t, row, column), "", file);
-    if (row == TABLE_HEADERS && t->columns[column].unit)
-        print_latex_text(" [", t->columns[column].unit, "]", file);
-}
-
-static void print_latex_side(const struct table *t, int row, int column, FILE *file)
-{
-    (void)row;
-    fputc(is_right(t, column) ? 'r' : 'l', file);
-}
-
-static void print_latex(const struct table *t, FILE *file)
-{
-    static const struct table_line cells = {TABLE_PEOPLE, "", " & ", " \\\\\n",
-                                            print_latex_cell},
-                                   sides = {TABLE_PEOPLE, "", "", "", print_latex_side};
+    static const struct table_line line = {TABLE_PEOPLE, "",          " & ",
+                                           " \\\\\n",    print_shown, escaped};
 
     fputs("\\begin{table}\n\\centering\n", file);
     if (t->caption)
-        print_latex_text("\\caption{", t->caption, "}\n", file);
+        print_escaped("\\caption{", t->caption, "}\n", escaped, file);
     fputs("\\begin{tabular}{", file);
-    print_line(t, &sides, 0, file);
+    for (int n = 0; n < t->column_count; n++)
+        if (has(t, n, TABLE_PEOPLE))
+            fputc(is_right(t, n) ? 'r' : 'l', file);
     fputs("}\n\\hline\n", file);
-    print_line(t, &cells, TABLE_HEADERS, file);
+    print_line(t, &line, TABLE_HEADERS, file);
     fputs("\\hline\n", file);
     for (int row = 0; row < t->row_count; row++) {
         fputs(row && t->rows[row]->ruled ? "\\hline\n" : "", file);
-        print_line(t, &cells, row, file);
+        print_line(t, &line, row, file);
     }
     fputs("\\hline\n\\end{tabular}\n", file);
     for (int n = 0; n < t->note_count; n++)
-        print_latex_text("\n\\smallskip\\footnotesize ", t->notes[n], "\n", file);
+        print_escaped("\n\\smallskip\\footnotesize ", t->notes[n], "\n", escaped, file);
     fputs("\\end{table}\n", file);
 }
 

@@ -34,12 +34,12 @@ enum table_format { TABLE_TEXT, TABLE_CSV, TABLE_MARKDOWN, TABLE_LATEX, TABLE_JS
 enum status table_format_parse(const char *word, enum table_format *format,
                                struct message *why);
 
-/* Whether sentences may stand beside the tables (text, Markdown). CSV, JSON and LaTeX,
- * which other programs read, have tables with their captions and notes, and nothing
+/* Returns whether sentences may stand beside the tables (text, Markdown). CSV, JSON and
+ * LaTeX, which other programs read, have tables with their captions and notes, and nothing
  * else. */
 bool table_format_is_prose(enum table_format format);
 
-/* Whether the format is CSV or JSON: one table with everything, where people get
+/* Returns whether the format is CSV or JSON: one table with everything, where people get
  * several. */
 bool table_format_is_data(enum table_format format);
 
@@ -102,7 +102,7 @@ void table_note(struct table *t, const char *format, ...)
  * flushed). */
 enum status table_print(const struct table *t, enum table_format format, FILE *file);
 
-/* From now on prints every table to this stream, too, as CSV with its caption and notes and
+/* Prints every table from now on to this stream, too, as CSV with its caption and notes and
  * an empty line below it, to be read back by csv.h; NULL: no more. */
 void table_keep(FILE *copy);
 

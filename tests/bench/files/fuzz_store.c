@@ -170,7 +170,7 @@ PLAYED(enum status, seal_check, (const char *path, long *size, struct message *w
     return STATUS_OK;
 }
 
-/* Only its beginning is looked at: HDF5's own mark. */
+/* Gives HDF5's own mark, as only the beginning is looked at. */
 PLAYED(enum status, frames_bytes_open,
        (const char *path, struct frames_bytes *b, struct message *why))
 {

@@ -120,7 +120,7 @@ static void cells(void)
     holds("with boxxyerror fs solid 1 border lc rgb '#8cd17d' lc rgb '#8cd17d'");
 }
 
-/* What a label has, it keeps; after the last look comes the first, dashed. */
+/* A label keeps its look; after the last look comes the first, dashed. */
 static void looks(void)
 {
     struct chart *c = chart_create(NULL);

@@ -212,8 +212,8 @@ static void check_failures_told(void)
     table_destroy(t);
 }
 
-/* A table wider than a line is in parts, with what tells its rows apart in each; the last
- * words of a line are wrapped. No line has more than 120 columns. */
+/* A table wider than a line is in parts, each with the columns that tell rows apart; the
+ * last words of a line are wrapped. No line has more than 120 columns. */
 static void check_wide(void)
 {
     struct table_column wide[20] = {{"name", NULL, TABLE_LEFT}, {"net"}};

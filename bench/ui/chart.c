@@ -233,51 +233,42 @@ void chart_mark(struct chart *c, double x, double y, const char *text)
 
 /* --- looks: colours, points and dashes ------------------------------------------------ */
 
-/* Looks that all eyes can distinguish (Okabe and Ito), in grey by points and dashes. */
+/* Looks that all eyes can distinguish (Okabe and Ito), in grey by their points. */
 static const struct look {
     const char *rgb;
     int filled, open; /* points */
-    const char *dash;
-} looks[] = {{"#0072b2", 7, 6, "solid"},    {"#d55e00", 5, 4, "(14,5)"},
-             {"#009e73", 9, 8, "(4,4)"},    {"#cc79a7", 13, 12, "(14,4,3,4)"},
-             {"#000000", 11, 10, "(22,5)"}, {"#e69f00", 15, 14, "(8,8)"},
-             {"#56b4e9", 3, 2, "(3,8)"},    {"#7f7f7f", 1, 1, "(14,4,3,4,3,4)"}};
+} looks[] = {{"#0072b2", 7, 6},   {"#d55e00", 5, 4},   {"#009e73", 9, 8},
+             {"#cc79a7", 13, 12}, {"#000000", 11, 10}, {"#e69f00", 15, 14},
+             {"#56b4e9", 3, 2},   {"#7f7f7f", 1, 1}};
 enum { LOOKS = sizeof looks / sizeof *looks };
 
 static const char band_rgb[] = "#c8c8c8";
 
 static void write_look(FILE *file, const struct item *item, bool legend)
 {
+    static const struct {
+        const char *with, *in_legend; /* NULL: the same */
+    } forms[] = {[CHART_LINESPOINTS] = {"linespoints lw 1.6 ps scale*1.1", NULL},
+                 [CHART_LINE] = {"lines lw 1.8 dt (3,3)", NULL},
+                 [CHART_POINTS] = {"points ps scale*1.2", NULL},
+                 [CHART_SQUARES] = {"points pt 5 ps scale*1.6", NULL},
+                 [CHART_CELLS] = {"boxxyerror fs solid 1", "points pt 5 ps scale*2"},
+                 [CHART_HATCHED_CELLS] = {"boxxyerror fs transparent pattern 5 noborder",
+                                          "boxes fs transparent pattern 5"}};
+    const enum chart_style style = item->as.style;
     const struct look *look = &looks[item->look % LOOKS];
     const char *rgb = item->as.rgb ? item->as.rgb : look->rgb;
     /* as those beyond the number of looks are, too */
     const bool second = item->as.second || item->look / LOOKS % 2;
-    const int type = second ? look->open : look->filled;
 
-    switch (item->as.style) {
-    case CHART_LINESPOINTS:
-        fprintf(file, " with linespoints lw 1.6 dt %s pt %d ps scale*1.1",
-                second ? "(10,6)" : "solid", type);
-        break;
-    case CHART_LINE:
-        fprintf(file, " with lines lw 1.8 dt %s", second ? "(3,3)" : look->dash);
-        break;
-    case CHART_POINTS:
-        fprintf(file, " with points pt %d ps scale*1.2", type);
-        break;
-    case CHART_SQUARES:
-        fputs(" with points pt 5 ps scale*1.6", file);
-        break;
-    case CHART_CELLS:
-        if (legend)
-            fputs(" with points pt 5 ps scale*2", file);
-        else
-            fprintf(file, " with boxxyerror fs solid 1 border lc rgb '%s'", rgb);
-        break;
-    case CHART_HATCHED_CELLS:
-        fprintf(file, " with %s fs transparent pattern 5%s",
-                legend ? "boxes" : "boxxyerror", legend ? "" : " noborder");
-    }
+    fprintf(file, " with %s",
+            legend && forms[style].in_legend ? forms[style].in_legend : forms[style].with);
+    if (style == CHART_LINESPOINTS && second)
+        fputs(" dt (10,6)", file);
+    if (style == CHART_LINESPOINTS || style == CHART_POINTS)
+        fprintf(file, " pt %d", second ? look->open : look->filled);
+    if (style == CHART_CELLS && !legend)
+        fprintf(file, " border lc rgb '%s'", rgb);
     fprintf(file, " lc rgb '%s'", rgb);
 }
 

@@ -53,7 +53,7 @@ void chart_panel(struct chart *c, const char *title);
 
 enum chart_style {
     CHART_LINESPOINTS,
-    CHART_LINE,
+    CHART_LINE, /* dotted, without points                                              */
     CHART_POINTS,
     CHART_SQUARES, /* for classes                                                      */
     CHART_CELLS,   /* boxes of chart_cell, for classes                                 */
@@ -64,7 +64,7 @@ struct chart_series {
     const char *label; /* NULL: not in the legend                                        */
     enum chart_style style;
     int colour;      /* from 1; 0: the label's, the next one for a new label           */
-    bool second;     /* second of its colour: dashed, open points                      */
+    bool second;     /* second of its colour: a dashed line, open points               */
     bool sorted;     /* points are sorted by x                                         */
     const char *rgb; /* "#8cd17d", for a class that has its own; NULL: by `colour`;
                         a constant of the program                                      */

@@ -137,7 +137,7 @@ static void looks(void)
             continue;
         chart_write(c, ".", "looks", &why);
         read_script("looks.gp");
-        holds("dt (10,6) pt 6 ps scale*1.1 lc rgb '#0072b2' title 'line 8'");
+        holds("ps scale*1.1 dt (10,6) pt 6 lc rgb '#0072b2' title 'line 8'");
         const char *at = strstr(script, "$p1_5 using");
         CHECK(at && !strncmp(strstr(at, "lc rgb"), "lc rgb '#009e73'", 16));
     }

@@ -18,52 +18,59 @@ static void read_script(const char *name)
     script = fresh_text(".", name);
 }
 
-static void holds(const char *what)
+/* Writes and destroys a chart, and reads its script. */
+static void write_chart(struct chart *c)
 {
-    if (!CHECK(strstr(script, what)))
-        printf("  '%s' is not in the script\n", what);
+    chart_write(c, ".", "chart", NULL);
+    chart_destroy(c);
+    read_script("chart.gp");
 }
 
-/* Writes and frees it. */
-static void written(struct chart *c, const char *name)
+/* Checks how often texts stand in the script; -1: at least once. */
+struct wanted {
+    const char *text;
+    int count;
+};
+static void check_script(const struct wanted *wanted)
 {
-    struct message why;
-    char path[64];
-
-    chart_write(c, ".", name, &why);
-    snprintf(path, sizeof path, "%s.gp", name);
-    read_script(path);
-    chart_destroy(c);
+    for (; wanted->text; wanted++) {
+        const int count = fresh_count(script, wanted->text);
+        if (!CHECK(wanted->count < 0 ? count > 0 : count == wanted->count))
+            printf("  '%s' is %d times in the script\n", wanted->text, count);
+    }
 }
 
 static void points_bands_and_marks(void)
 {
+    static const double point[][2] = {
+        {250, 0.1}, {125, NAN}, {1000, 0}, {20, 0.5}, {-1, 0.5} /* on no log axis */};
     struct chart *c = chart_create("Cost");
 
     chart_axes(c, &(struct chart_axis){"set-up", "ms", .log = true},
                &(struct chart_axis){"error", "L"});
     chart_series(c, &(struct chart_series){"iga", .sorted = true});
-    chart_point(c, 250, 0.1);
-    chart_point(c, 125, NAN);
-    chart_point(c, 1000, 0);
-    chart_point(c, 20, 0.5);
-    chart_point(c, -1, 0.5); /* on no log axis */
+    for (int n = 0; n < 5; n++)
+        chart_point(c, point[n][0], point[n][1]);
     chart_series(c, &(struct chart_series){"half a second", CHART_POINTS});
     chart_point(c, 500, 0.2);
     chart_band(c, "truth's error bar", 0, 0.05);
+    chart_band(c, "a line", 0.2, 0.2);
     chart_mark(c, 250, 0.1, "here");
-    written(c, "cost");
-    holds("$p0_0 << EOD\n20 0.5\n250 0.1\n1000 0\nEOD\n$p0_1 << EOD\n500 0.2\nEOD\n");
-    holds("set xlabel 'set-up [ms]'\n");
-    holds("set ylabel 'error [L]'\n");
-    holds("set logscale x\n");
-    CHECK(!strstr(script, "set logscale y"));
-    holds("set multiplot title 'Cost'\n");
-    holds("rectangle from graph 0, first 0 to graph 1, first 0.05 ");
-    holds("set label 'here' at first 250, first 0.1 ");
-    holds("lc rgb '#0072b2' title 'iga'"); /* the legend */
-    holds("title 'truth'.\"'\".'s error bar'");
-    holds("unset key\n");
+    write_chart(c);
+    check_script((struct wanted[]){
+        {"$p0_0 << EOD\n20 0.5\n250 0.1\n1000 0\nEOD\n$p0_1 << EOD\n500 0.2\nEOD\n", 1},
+        {"set xlabel 'set-up [ms]'\n", 3}, /* PNG, SVG, PDF */
+        {"set ylabel 'error [L]'\n", 3},
+        {"set logscale x\n", 3},
+        {"set logscale y", 0},
+        {"set multiplot title 'Cost'\n", 3},
+        {"rectangle from graph 0, first 0 to graph 1, first 0.05 ", 3},
+        {"arrow from graph 0, first 0.2 to graph 1, first 0.2 nohead", 3},
+        {"set label 'here' at first 250, first 0.1 ", 3},
+        {"lc rgb '#0072b2' title 'iga'", 3}, /* the legend */
+        {"title 'truth'.\"'\".'s error bar'", 3},
+        {"unset key\n", 3},
+        {NULL}});
 }
 
 static void styles_and_panels(void)
@@ -72,15 +79,15 @@ static void styles_and_panels(void)
                                        "points pt 5 ps", "boxxy", "boxxy"};
     static const struct chart_tic tics[] = {{1, "one"}, {5, NULL}};
     struct chart *c = chart_create(NULL);
-    char label[6][24];
+    char text[64];
 
     chart_axes(c, &(struct chart_axis){"x", "m", .high = NAN},
                &(struct chart_axis){"y", .tic_count = 2, .tics = tics});
     for (int panel = 0; panel < 2; panel++) {
         chart_panel(c, panel ? "right" : "left");
         for (int n = 0; n < 6; n++) {
-            snprintf(label[n], sizeof label[n], "kind %d", n);
-            chart_series(c, &(struct chart_series){label[n], (enum chart_style)n});
+            snprintf(text, sizeof text, "kind %d", n);
+            chart_series(c, &(struct chart_series){text, (enum chart_style)n});
             if (n >= CHART_CELLS)
                 chart_cell(c, 1, 2, (double[]){0.5, 1.5}, (double[]){1.5, 2.5});
             else
@@ -89,19 +96,20 @@ static void styles_and_panels(void)
     }
     chart_series(c, &(struct chart_series){"none", CHART_POINTS});
     chart_point(c, NAN, 1);
-    written(c, "styles");
+    write_chart(c);
     for (int n = 0; n < 6; n++) {
-        char want[64];
-        snprintf(want, sizeof want, "$p1_%d using", n);
-        CHECK(strstr(script, want) && strstr(strstr(script, want), with[n]));
-        snprintf(want, sizeof want, "title 'kind %d'", n);
-        CHECK(fresh_count(script, want) == 3); /* PNG, SVG, PDF */
+        snprintf(text, sizeof text, "$p1_%d using", n);
+        CHECK(strstr(script, text) && strstr(strstr(script, text), with[n]));
+        snprintf(text, sizeof text, "title 'kind %d'", n);
+        CHECK(fresh_count(script, text) == 3);
     }
-    holds("$p0_4 << EOD\n1 2 0.5 1.5 1.5 2.5\nEOD\n");
-    CHECK(fresh_count(script, "set xlabel 'x [m]'") == 2 * 3);
-    CHECK(fresh_count(script, "set xrange [0:*]") == 2 * 3);
-    CHECK(fresh_count(script, "set ytics ('one' 1,'5' 5)") == 2 * 3);
-    CHECK(!strstr(script, "$p1_6")); /* nothing to be drawn */
+    check_script((struct wanted[]){{"$p0_4 << EOD\n1 2 0.5 1.5 1.5 2.5\nEOD\n", 1},
+                                   {"set title 'right'", 3},
+                                   {"set xlabel 'x [m]'", 2 * 3},
+                                   {"set xrange [0:*]", 2 * 3},
+                                   {"set ytics ('one' 1,'5' 5)", 2 * 3},
+                                   {"$p1_6", 0}, /* nothing to be drawn */
+                                   {NULL}});
 }
 
 /* Cells fill their panel. */
@@ -114,10 +122,12 @@ static void cells(void)
     chart_cell(c, 2, 10, (double[]){1.5, 2.5}, (double[]){5, 20});
     chart_series(c, &(struct chart_series){"row", CHART_POINTS, .rgb = "#000000"});
     chart_point(c, 1, 30);
-    written(c, "cells");
-    holds("set xrange [0.5:2.5]\n");
-    holds("set yrange [5:30]\n");
-    holds("with boxxyerror fs solid 1 border lc rgb '#8cd17d' lc rgb '#8cd17d'");
+    write_chart(c);
+    check_script((struct wanted[]){
+        {"set xrange [0.5:2.5]\n", 3},
+        {"set yrange [5:30]\n", 3},
+        {"with boxxyerror fs solid 1 border lc rgb '#8cd17d' lc rgb '#8cd17d'", 3},
+        {NULL}});
 }
 
 /* A label keeps its look; after the last look comes the first, dashed. */
@@ -135,11 +145,13 @@ static void looks(void)
         chart_point(c, 1, n);
         if (n != 9)
             continue;
-        chart_write(c, ".", "looks", &why);
-        read_script("looks.gp");
-        holds("ps scale*1.1 dt (10,6) pt 6 lc rgb '#0072b2' title 'line 8'");
-        const char *at = strstr(script, "$p1_5 using");
-        CHECK(at && !strncmp(strstr(at, "lc rgb"), "lc rgb '#009e73'", 16));
+        chart_write(c, ".", "chart", &why);
+        read_script("chart.gp");
+        check_script((struct wanted[]){
+            {"ps scale*1.1 dt (10,6) pt 6 lc rgb '#0072b2' title 'line 8'", 3},
+            {"$p1_5 using 1:2 with linespoints lw 1.6 ps scale*1.1 pt 9 lc rgb '#009e73'",
+             3},
+            {NULL}});
     }
     CHECK(chart_write(c, ".", "many", &why) == STATUS_UNSUPPORTED);
     CHECK(strstr(why.text, "12 lines"));
@@ -246,18 +258,19 @@ static void sheets(bool drawn)
         points += data && *line != '$' && *line != '\n';
     }
     CHECK(points == 2 * 34 * 34); /* every third of 100, corners included */
-    holds("\n$p2 << EOD\n0 0 0.5\n");
-    holds("\n0 0 -1\n"); /* the mid-surface */
-    holds("\n2 1 -1\n");
-
-    holds("layout 2,2");
-    holds("'low'.\"\\n\".'t = 1 s'");
-    holds("'dead  '");
-    holds("'\"high\" it'.\"'\".'s `so` \\n'");
-    CHECK(fresh_count(script, "splot $p") == 2 && !strstr(script, "$p1"));
-    holds("set view equal xyz");
-    holds("set xrange [-0.04:2.04]");
-    holds("set zrange [-1.03:0.53]");
+    check_script((struct wanted[]){{"layout 2,2", 1},
+                                   {"'low'.\"\\n\".'t = 1 s'", 1},
+                                   {"'dead  '", 1},
+                                   {"'\"high\" it'.\"'\".'s `so` \\n'", 1},
+                                   {"splot $p", 2},
+                                   {"$p1", 0},
+                                   {"set view equal xyz", 1},
+                                   {"set xrange [-0.04:2.04]", 1},
+                                   {"set zrange [-1.03:0.53]", 1},
+                                   {"\n$p2 << EOD\n0 0 0.5\n", 1},
+                                   {"\n0 0 -1\n", 1}, /* the mid-surface */
+                                   {"\n2 1 -1\n", 1},
+                                   {NULL}});
     CHECK(picture_save("/proc/nowhere", "sheets", 1, 1, panels, &why) == STATUS_FILE);
     free(low);
     free(high);

@@ -117,7 +117,7 @@ static bool asks_for_help(int argc, char **argv)
     return false;
 }
 
-/* Whether a word is one that the overview explains, being no command of the table. */
+/* Returns whether the overview explains the word, being no command of the table. */
 static bool is_word_of_main(const char *word)
 {
     return !strcmp(word, "help") || !strcmp(word, "version");

@@ -7,27 +7,34 @@
 
 /* --- charts --- */
 
-/* A line through the best runs of a contestant, and its others as open points. */
-static void add_series(struct chart *c, const struct table *runs, const char *label,
-                       const char *contestant, int colour)
+static void add_points(struct chart *chart, const struct contest *c,
+                       const struct contestant *who, bool front)
 {
-    const struct chart_where where[] = {{"contestant", contestant}, {"front", NULL, 1}};
-
-    chart_series(c, &(struct chart_series){label, .sorted = true, .colour = colour});
-    chart_rows(c, runs, "seconds", "worst_rmse_over_length", 2, where);
-    chart_series(
-        c, &(struct chart_series){NULL, CHART_POINTS, .colour = colour, .second = true});
-    chart_rows(c, runs, "seconds", "worst_rmse_over_length", 1, where);
+    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++)
+        if (r->at.contestant == who && (!front || contest_on_front(c, r)))
+            chart_point(chart, r->seconds, r->worst);
 }
 
-/* All panels with the same axes, so that they can be compared; the bar is on them. */
-static struct chart *create_chart(const struct contest *c, const struct table *runs,
-                                  const char *of)
+/* Adds a line through the best runs of a contestant, and its others as open points. */
+static void add_series(struct chart *chart, const struct contest *c,
+                       const struct contestant *who, int colour)
+{
+    chart_series(chart,
+                 &(struct chart_series){who->title, .sorted = true, .colour = colour});
+    add_points(chart, c, who, true);
+    chart_series(chart, &(struct chart_series){NULL, CHART_POINTS, .colour = colour,
+                                               .second = true});
+    add_points(chart, c, who, false);
+}
+
+/* Creates a chart whose panels have the same axes, so that they can be compared; they hold
+ * all runs and the bar. */
+static struct chart *create_chart(const struct contest *c, const char *of)
 {
     const struct truth *truth = c->truth;
     char title[256];
-    struct chart_axis x = chart_axis_of(runs, "seconds", true);
-    struct chart_axis y = chart_axis_of(runs, "worst_rmse_over_length", true);
+    struct chart_axis x = {"set-up and stepping", "s", .log = true};
+    struct chart_axis y = {"RMSE / L at the worst time", .log = true};
     double low = INFINITY, high = 0, error = contest_largest_bar(c), most = error;
 
     for (int n = 0; n < c->count; n++)
@@ -61,9 +68,9 @@ static const struct contestant *best_of(const struct contest *c, const struct mo
     return best ? best->at.contestant : NULL;
 }
 
-static struct chart *chart_best(const struct contest *c, const struct table *runs)
+static struct chart *chart_best(const struct contest *c)
 {
-    struct chart *chart = create_chart(c, runs, "of each model's best contestant");
+    struct chart *chart = create_chart(c, "of each model's best contestant");
     const struct model *model;
 
     chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
@@ -71,14 +78,14 @@ static struct chart *chart_best(const struct contest *c, const struct table *run
         const struct contestant *who = best_of(c, model);
         if (!who || lines++ == CHART_LINES_MOST)
             continue;
-        add_series(chart, runs, who->title, who->name, lines);
+        add_series(chart, c, who, lines);
     }
     return chart;
 }
 
-static struct chart *chart_models(const struct contest *c, const struct table *runs)
+static struct chart *chart_models(const struct contest *c)
 {
-    struct chart *chart = create_chart(c, runs, "of each contestant");
+    struct chart *chart = create_chart(c, "of each contestant");
     const struct model *model;
     int colour = 0;
 
@@ -92,21 +99,20 @@ static struct chart *chart_models(const struct contest *c, const struct table *r
                 chart_panel(chart, model->title);
                 chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
             }
-            add_series(chart, runs, who->title, who->name, ++colour);
+            add_series(chart, c, who, ++colour);
         }
     }
     return chart;
 }
 
-/* Seconds against error, of the table of all runs: the best of each model in compare.png,
- * all by model in compare_models.png. */
-static enum status draw(const struct contest *c, const struct table *runs,
-                        const char *folder, struct message *why)
+/* Draws seconds against error: the best of each model in compare.png, all by model in
+ * compare_models.png. */
+static enum status draw(const struct contest *c, const char *folder, struct message *why)
 {
     enum status st;
 
-    TRY(chart_save(chart_best(c, runs), folder, "compare", why));
-    TRY(chart_save(chart_models(c, runs), folder, "compare_models", why));
+    TRY(chart_save(chart_best(c), folder, "compare", why));
+    TRY(chart_save(chart_models(c), folder, "compare_models", why));
 out:
     return st;
 }
@@ -247,7 +253,7 @@ static enum status print_runs(const struct contest *c, const char *folder,
     }
     TRY(table_save(t, folder, "compare", why));
     if (c->truth->xyz)
-        TRY(draw(c, t, folder, why));
+        TRY(draw(c, folder, why));
     add_bar(t, c);
 out:
     if (st == STATUS_OK)

@@ -8,7 +8,7 @@
 
 enum { MOST = 64 << 20 }; /* bytes of a file */
 
-/* The state of splitting a file into tables: `at` reads, `to` writes what is kept. */
+/* The state of splitting a file into tables, in place. */
 struct reader {
     const char *path;
     struct csv *csv;
@@ -16,36 +16,30 @@ struct reader {
     char *at, *end;
     char *caption; /* of the table to come                                         */
     int line;
-    size_t cells; /* of the table so far */
 };
 
-static enum status read_bytes(const char *path, char **bytes, size_t *size,
-                              struct message *why)
+static enum status read_text(const char *path, char **text, size_t *size,
+                             struct message *why)
 {
     FILE *file = fopen(path, "rb");
-    size_t room = 1 << 16;
+    size_t room = 0;
     enum status st = STATUS_OK;
-    char *more = NULL;
 
-    *size = 0;
-    *bytes = NULL;
     if (!file)
         return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
-    do {
-        room *= 2;
-        more = realloc(*bytes, room + 1);
-        if (!more)
-            TRY(STATUS_MEMORY);
-        *bytes = more;
-        *size += fread(*bytes + *size, 1, room - *size, file);
-    } while (*size == room && room < MOST);
-    (*bytes)[*size] = '\0';
-    if (ferror(file))
+    const ssize_t read = getdelim(text, &room, '\0', file);
+    *size = read < 0 ? 0 : (size_t)read;
+    if (read < 0 && !feof(file))
         TRY(status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno)));
-    if (*size == room)
+    if (*size > MOST)
         TRY(status_fail(why, STATUS_INPUT, "%s: longer than 64 MB", path));
-    if (memchr(*bytes, '\0', *size))
+    if (*size && !(*text)[*size - 1])
         TRY(status_fail(why, STATUS_INPUT, "%s: has a byte 0 and is no text", path));
+    if (!*size) {
+        free(*text);
+        *text = calloc(1, 1);
+        TRY(*text ? STATUS_OK : STATUS_MEMORY);
+    }
 out:
     fclose(file);
     return st;
@@ -102,18 +96,16 @@ static bool take_cell(struct reader *r, char **cell, char *after)
     return !quoted;
 }
 
-static enum status keep_cell(struct reader *r, char *cell)
+/* Appends a cell to the table, whose room doubles. */
+static enum status keep_cell(struct csv_table *t, size_t count, char *cell)
 {
-    struct csv_table *t = r->table;
-
-    if (r->cells == 0 || (r->cells >= 64 && !(r->cells & (r->cells - 1)))) {
-        const size_t room = r->cells ? 2 * r->cells : 64;
-        char **more = realloc(t->cell, room * sizeof *more);
+    if ((count & (count - 1)) == 0) { /* empty or full */
+        char **more = realloc(t->cell, (count ? 2 * count : 1) * sizeof *more);
         if (!more)
             return STATUS_MEMORY;
         t->cell = more;
     }
-    t->cell[r->cells++] = cell;
+    t->cell[count] = cell;
     return STATUS_OK;
 }
 
@@ -126,37 +118,38 @@ static enum status start_table(struct reader *r)
         return STATUS_MEMORY;
     c->table = more;
     r->table = &more[c->count++];
-    r->cells = 0;
-    *r->table = (struct csv_table){.caption = r->caption, .notes = r->end};
+    *r->table = (struct csv_table){.caption = r->caption, .notes = r->end, .rows = -1};
     r->caption = r->end;
     return STATUS_OK;
 }
 
+/* Takes a line of cells; the first one of a table has its keys. */
 static enum status take_row(struct reader *r, struct message *why)
 {
-    const bool keys = !r->table;
     const int line = r->line;
     int count = 0;
     char *cell, after;
     enum status st = STATUS_OK;
 
-    if (keys)
+    if (!r->table)
         TRY(start_table(r));
+    struct csv_table *t = r->table;
+    const bool keys = t->rows < 0;
+    const size_t before = (size_t)(t->rows + 1) * (size_t)t->columns;
     do {
         if (!take_cell(r, &cell, &after))
             TRY(status_fail(why, STATUS_INPUT, "%s, line %d: a quote has no end", r->path,
                             line));
-        if (keys || count < r->table->columns)
-            TRY(keep_cell(r, cell));
+        if (keys || count < t->columns)
+            TRY(keep_cell(t, before + (size_t)count, cell));
         count++;
     } while (after == ',');
     r->line++;
-    if (keys)
-        r->table->columns = count;
-    else if (count != r->table->columns)
+    t->columns = keys ? count : t->columns;
+    if (count != t->columns)
         TRY(status_fail(why, STATUS_INPUT, "%s, line %d: %d cells below %d keys", r->path,
-                        line, count, r->table->columns));
-    r->table->rows += !keys;
+                        line, count, t->columns));
+    t->rows++;
 out:
     return st;
 }
@@ -164,11 +157,11 @@ out:
 enum status csv_read(const char *path, struct csv *csv, struct message *why)
 {
     struct reader r = {.path = path, .csv = csv, .line = 1};
-    size_t size;
+    size_t size = 0;
     enum status st;
 
     *csv = (struct csv){0};
-    TRY(read_bytes(path, &csv->bytes, &size, why));
+    TRY(read_text(path, &csv->bytes, &size, why));
     r.at = csv->bytes;
     r.caption = r.end = csv->bytes + size;
     while (*r.at)

@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* asprintf */
 #include "bench/files/folder.h"
 
 #include <dirent.h>
@@ -52,36 +53,21 @@ static enum status check_free(const char *path, struct message *why)
     return STATUS_OK;
 }
 
-static enum status make_parents(char *path, struct message *why)
-{
-    char *slash = strrchr(path, '/');
-    enum status st = STATUS_OK;
-
-    if (slash && slash != path) {
-        *slash = '\0';
-        st = folder_make(path, why);
-        *slash = '/';
-    }
-    return st;
-}
-
 enum status folder_aside_open(const char *path, struct folder_aside *f, struct message *why)
 {
-    const size_t size = strlen(path) + 32;
+    size_t size = strlen(path);
     enum status st;
 
-    /* zeros: the folder is not made yet */
-    *f = (struct folder_aside){.path = strdup(path), .temporary = calloc(size, 1)};
+    *f = (struct folder_aside){0};
+    TRY(check_free(path, why));
+    while (size > 1 && path[size - 1] == '/')
+        size--;
+    if (asprintf(&f->temporary, "%.*s.%ld.part", (int)size, path, (long)getpid()) < 0)
+        f->temporary = NULL;
+    f->path = strndup(path, size);
     TRY(f->path && f->temporary ? STATUS_OK : STATUS_MEMORY);
-    for (size_t n = strlen(f->path); n > 1 && f->path[n - 1] == '/'; n--)
-        f->path[n - 1] = '\0';
-    TRY(check_free(f->path, why));
-    TRY(make_parents(f->path, why));
-    snprintf(f->temporary, size, "%s.%ld.part", f->path, (long)getpid());
-    if (mkdir(f->temporary, 0777) != 0) {
-        *f->temporary = '\0';
+    if (folder_make(f->temporary, NULL) != STATUS_OK)
         TRY(status_fail(why, STATUS_FILE, "%s: cannot be made: %s", path, strerror(errno)));
-    }
 out:
     if (st != STATUS_OK)
         folder_aside_discard(f);
@@ -92,9 +78,7 @@ enum status folder_aside_commit(struct folder_aside *f, struct message *why)
 {
     enum status st = STATUS_OK;
 
-    if (rename(f->temporary, f->path) == 0)
-        *f->temporary = '\0'; /* nothing to remove */
-    else
+    if (rename(f->temporary, f->path) != 0)
         st = status_fail(why, STATUS_FILE, "%s: cannot be written: %s", f->path,
                          strerror(errno));
     folder_aside_discard(f);
@@ -103,13 +87,10 @@ enum status folder_aside_commit(struct folder_aside *f, struct message *why)
 
 void folder_aside_discard(struct folder_aside *f)
 {
-    char path[4096];
-    DIR *folder = f->temporary && *f->temporary ? opendir(f->temporary) : NULL;
+    DIR *folder = f->temporary ? opendir(f->temporary) : NULL;
 
     for (const struct dirent *e; folder && (e = readdir(folder));)
-        if (snprintf(path, sizeof path, "%s/%s", f->temporary, e->d_name) <
-            (int)sizeof path)
-            unlink(path); /* not . and .. */
+        unlinkat(dirfd(folder), e->d_name, 0); /* not . and .. */
     if (folder) {
         closedir(folder);
         rmdir(f->temporary);

@@ -1,6 +1,5 @@
 #include "bench/files/hdf5_file.h"
 
-#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -112,4 +111,61 @@ herr_t hdf5_file_put_array(hid_t file, const char *name, struct hdf5_file_meanin
     H5Pclose(links);
     H5Sclose(space);
     return result;
+}
+
+void hdf5_file_drop(hid_t id)
+{
+    if (id >= 0)
+        H5Idec_ref(id);
+}
+
+hid_t hdf5_file_open_set(hid_t file, const char *name, int *rank,
+                         hsize_t size[HDF5_FILE_RANK])
+{
+    hid_t set = H5Lexists(file, name, H5P_DEFAULT) > 0 ? H5Dopen2(file, name, H5P_DEFAULT)
+                                                       : H5I_INVALID_HID;
+    hid_t space = H5Dget_space(set);
+
+    *rank = H5Sget_simple_extent_ndims(space);
+    if (*rank < 1 || *rank > HDF5_FILE_RANK ||
+        H5Sget_simple_extent_dims(space, size, NULL) < 0)
+        *rank = 0;
+    hdf5_file_drop(space);
+    return set;
+}
+
+/* Selects entry n in the dataset's space, and makes the space of that entry in memory. */
+static bool select_entry(hid_t set, int n, hid_t *space, hid_t *memory)
+{
+    hsize_t start[HDF5_FILE_RANK] = {(hsize_t)n}, count[HDF5_FILE_RANK];
+
+    *space = H5Dget_space(set);
+    const int rank = H5Sget_simple_extent_dims(*space, count, NULL);
+    count[0] = 1;
+    *memory = H5Screate_simple(rank, count, NULL);
+    return H5Sselect_hyperslab(*space, H5S_SELECT_SET, start, NULL, count, NULL) >= 0;
+}
+
+bool hdf5_file_read_entry(hid_t set, int n, double *values)
+{
+    hid_t space, memory;
+    const bool good =
+        select_entry(set, n, &space, &memory) &&
+        H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values) >= 0;
+
+    hdf5_file_drop(space);
+    hdf5_file_drop(memory);
+    return good;
+}
+
+bool hdf5_file_write_entry(hid_t set, int n, const double *values)
+{
+    hid_t space, memory;
+    const bool good =
+        select_entry(set, n, &space, &memory) &&
+        H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values) >= 0;
+
+    hdf5_file_drop(space);
+    hdf5_file_drop(memory);
+    return good;
 }

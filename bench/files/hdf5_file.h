@@ -4,6 +4,7 @@
 #define HDF5_FILE_H
 
 #include <hdf5.h>
+#include <stdbool.h>
 
 #include "models/status.h"
 
@@ -32,5 +33,19 @@ herr_t hdf5_file_put_meaning(hid_t set, struct hdf5_file_meaning meaning);
  * missing groups on the way. */
 herr_t hdf5_file_put_array(hid_t file, const char *name, struct hdf5_file_meaning meaning,
                            const double *values, int rows, int columns);
+
+/* Releases any identifier of the library's; an invalid one is allowed. */
+void hdf5_file_drop(hid_t id);
+
+/* Opens a dataset and gets its sizes. *rank is 0 if there is none of that name, or if it
+ * has no axis or too many. The receiver drops what is returned. */
+enum { HDF5_FILE_RANK = 8 };
+hid_t hdf5_file_open_set(hid_t file, const char *name, int *rank,
+                         hsize_t size[HDF5_FILE_RANK]);
+
+/* Read and write the n-th entry of a dataset's first axis, all doubles of its other axes.
+ * False: failed. */
+bool hdf5_file_read_entry(hid_t set, int n, double *values);
+bool hdf5_file_write_entry(hid_t set, int n, const double *values);
 
 #endif

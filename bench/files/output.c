@@ -12,7 +12,6 @@
 struct output {
     struct atomic_file target;
     FILE *file;
-    int failure; /* errno of the first failed write, 0 if none */
 };
 
 enum status output_create(const char *path, struct output **out, struct message *why)
@@ -37,12 +36,8 @@ void output_print(struct output *out, const char *format, ...)
 {
     va_list args;
 
-    if (out->failure)
-        return;
     va_start(args, format);
-    errno = 0;
-    if (vfprintf(out->file, format, args) < 0)
-        out->failure = errno ? errno : EIO;
+    vfprintf(out->file, format, args);
     va_end(args);
 }
 
@@ -63,18 +58,36 @@ FILE *output_stream(struct output *out)
     return out->file;
 }
 
+/* Closes a stream. Returns false if a write to it failed; *reason is then errno, or 0 if it
+ * is not known any more. */
+static bool close_checked(FILE *file, int *reason)
+{
+    bool failed = ferror(file);
+
+    /* glibc keeps what it could not write, so that flushing again fails for the same
+     * reason; should it have dropped that, writing a blank fails for it */
+    errno = 0;
+    if (failed)
+        fputc(' ', file);
+    failed = fflush(file) != 0 || failed;
+    *reason = errno;
+    if (fclose(file) != 0 && errno != EBADF && !failed) {
+        failed = true;
+        *reason = errno;
+    }
+    return !failed;
+}
+
 enum status output_close(struct output *out, struct message *why)
 {
     enum status st = STATUS_OK;
+    FILE *file = out->file;
+    int reason;
 
-    errno = 0;
-    const bool failed = ferror(out->file);
-    if ((fclose(out->file) != 0 || failed) && !out->failure)
-        out->failure = errno ? errno : EIO;
     out->file = NULL;
-    if (out->failure)
+    if (!close_checked(file, &reason))
         TRY(status_fail(why, STATUS_FILE, "%s: cannot be written: %s", out->target.path,
-                        strerror(out->failure)));
+                        strerror(reason ? reason : EIO)));
     TRY(atomic_file_commit(&out->target, why));
 out:
     output_discard(out);
@@ -99,21 +112,9 @@ void output_keep_after_closed_pipe(void)
 
 enum status output_close_standard(struct message *why)
 {
-    bool failed = ferror(stdout);
+    int reason;
 
-    /* glibc keeps what it could not write, so that flushing again fails for the same
-     * reason; should it have dropped that, writing a blank fails for it */
-    errno = 0;
-    if (failed)
-        fputc(' ', stdout);
-    if (fflush(stdout) != 0)
-        failed = true;
-    int reason = errno;
-    if (fclose(stdout) != 0 && errno != EBADF && !failed) {
-        failed = true;
-        reason = errno;
-    }
-    if (!failed)
+    if (close_checked(stdout, &reason))
         return STATUS_OK;
     if (reason == EPIPE)
         return status_fail(why, STATUS_FILE,

@@ -31,9 +31,9 @@ enum status output_close(struct output *out, struct message *why);
 /* Gives the file up: nothing of it is left. NULL is allowed. */
 void output_discard(struct output *out);
 
-/* Makes a reader who goes away (`clothbench ...
- * head`) and a file that grows past the user's limit (ulimit -f) failed writes with a
- * sentence, instead of a silent end. Call first in main. */
+/* Makes a reader who goes away (`clothbench ... | head`) and a file that grows past the
+ * user's limit (ulimit -f) failed writes with a sentence, instead of a silent end. Call
+ * first in main. */
 void output_keep_after_closed_pipe(void);
 
 /* Flushes and closes standard output; call last in main. STATUS_FILE with a sentence for

@@ -19,21 +19,34 @@ static enum status fail(const char *path, const char *doing, struct message *why
                        strerror(errno));
 }
 
-/* Computes length and checksum of the file behind the block. */
-static enum status sum(FILE *file, long *length, unsigned long *crc)
+/* Opens a file for reading; NULL if it is no regular one: opening a pipe would wait for its
+ * writer. */
+static enum status open_regular(const char *path, FILE **file, struct message *why)
+{
+    struct stat info;
+
+    *file = NULL;
+    if (stat(path, &info) != 0)
+        return fail(path, "read", why);
+    if (S_ISREG(info.st_mode) && !(*file = fopen(path, "rb")))
+        return fail(path, "read", why);
+    return STATUS_OK;
+}
+
+/* Computes length and checksum of the rest of a file. */
+static enum status sum_rest(const char *path, FILE *file, long *length, unsigned long *crc,
+                            struct message *why)
 {
     static unsigned char part[1 << 16];
     size_t got;
 
     *length = 0;
     *crc = crc32(0, NULL, 0);
-    if (fseek(file, SEAL_BLOCK, SEEK_SET) != 0)
-        return STATUS_FILE;
     while ((got = fread(part, 1, sizeof part, file)) > 0) {
         *crc = crc32(*crc, part, (unsigned)got);
         *length += (long)got;
     }
-    return ferror(file) ? STATUS_FILE : STATUS_OK;
+    return ferror(file) ? fail(path, "read", why) : STATUS_OK;
 }
 
 enum status seal_write(const char *path, struct message *why)
@@ -46,8 +59,9 @@ enum status seal_write(const char *path, struct message *why)
 
     if (!file)
         return fail(path, "written", why);
-    if (sum(file, &length, &crc) != STATUS_OK)
+    if (fseek(file, SEAL_BLOCK, SEEK_SET) != 0)
         TRY(fail(path, "read", why));
+    TRY(sum_rest(path, file, &length, &crc, why));
     snprintf(block, sizeof block, SEAL, length, crc);
     if (fseek(file, 0, SEEK_SET) != 0 || fwrite(block, sizeof block, 1, file) != 1)
         st = fail(path, "written", why);
@@ -57,53 +71,39 @@ out:
     return st;
 }
 
-static enum status compare(const char *path, FILE *file, long *size, struct message *why)
+enum status seal_check(const char *path, long *size, struct message *why)
 {
     char block[SEAL_BLOCK], wanted[SEAL_BLOCK] = "";
     unsigned long crc;
-    long length;
+    FILE *file;
+    enum status st = open_regular(path, &file, why);
 
-    if (fread(block, sizeof block, 1, file) != 1 ||
-        strncmp(block, SEAL_MARK, strlen(SEAL_MARK)) != 0)
-        return status_fail(
-            why, STATUS_INPUT,
-            "%s: is not a result file of this program (its first line has no "
-            "seal); run again what made it",
-            path);
-    if (sum(file, &length, &crc) != STATUS_OK)
-        return fail(path, "read", why);
-    snprintf(wanted, sizeof wanted, SEAL, length, crc);
-    *size = length + SEAL_BLOCK;
-    return memcmp(block, wanted, sizeof block) == 0
-               ? STATUS_OK
-               : status_fail(why, STATUS_INPUT,
-                             "%s: is damaged: it is no longer what its first line says it "
-                             "was; run again what made it",
-                             path);
-}
-
-enum status seal_check(const char *path, long *size, struct message *why)
-{
-    struct stat info;
-    FILE *file = NULL;
-    enum status st;
-
-    if (stat(path, &info) != 0)
-        return fail(path, "read", why);
-    if (!S_ISREG(info.st_mode)) /* opening a pipe would wait for its writer */
+    if (st != STATUS_OK)
+        return st;
+    if (!file)
         return status_fail(why, STATUS_INPUT, "%s: is not a result file, not even a file",
                            path);
-    file = fopen(path, "rb");
-    if (!file)
-        return fail(path, "read", why);
-    st = compare(path, file, size, why);
+    if (fread(block, sizeof block, 1, file) != 1 ||
+        strncmp(block, SEAL_MARK, strlen(SEAL_MARK)) != 0)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: is not a result file of this program (its first line has no "
+                        "seal); run again what made it",
+                        path));
+    TRY(sum_rest(path, file, size, &crc, why));
+    snprintf(wanted, sizeof wanted, SEAL, *size, crc);
+    *size += SEAL_BLOCK;
+    if (memcmp(block, wanted, sizeof block) != 0)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: is damaged: it is no longer what its first line says it was; "
+                        "run again what made it",
+                        path));
+out:
     fclose(file);
     return st;
 }
 
 /* --- texts ---------------------------------------------------------------------------- */
 
-#define TEXT_SEAL "sealed: %zu bytes, crc32 %08lx\n"
 enum { SEAL_MOST = 64, SIZE_MOST = 1 << 16 };
 
 unsigned long seal_text_sum(unsigned long before, const void *bytes, size_t size)
@@ -114,22 +114,21 @@ unsigned long seal_text_sum(unsigned long before, const void *bytes, size_t size
 enum status seal_text_program(unsigned long *sum, struct message *why)
 {
     static const char path[] = "/proc/self/exe";
-    char part[1 << 14];
-    size_t got;
-    FILE *file = fopen(path, "r");
+    FILE *file = fopen(path, "rb");
+    long length;
 
     if (!file)
         return fail(path, "read", why);
-    *sum = 0;
-    while ((got = fread(part, 1, sizeof part, file)) > 0)
-        *sum = seal_text_sum(*sum, part, got);
+    const enum status st = sum_rest(path, file, &length, sum, why);
     fclose(file);
-    return STATUS_OK;
+    return st;
 }
 
+/* Writes the last line for text[size]. */
 static void seal_of(const char *text, size_t size, char seal[SEAL_MOST])
 {
-    snprintf(seal, SEAL_MOST, TEXT_SEAL, size, seal_text_sum(0, text, size));
+    snprintf(seal, SEAL_MOST, "sealed: %zu bytes, crc32 %08lx\n", size,
+             seal_text_sum(0, text, size));
 }
 
 enum status seal_text_write(const char *path, const char *text, struct message *why)
@@ -145,7 +144,7 @@ enum status seal_text_write(const char *path, const char *text, struct message *
     return output_close(out, why);
 }
 
-/* Whether text[size] ends in its seal, which is then cut off. */
+/* Returns whether text[size] ends in its seal, which is then cut off. */
 static bool unseal(char *text, size_t size)
 {
     char wanted[SEAL_MOST];
@@ -162,21 +161,15 @@ static bool unseal(char *text, size_t size)
 
 enum status seal_text_read(const char *path, char **text, struct message *why)
 {
-    struct stat info;
-    FILE *file = NULL;
     char *bytes = NULL;
-    size_t size = 0;
-    enum status st = STATUS_OK;
+    FILE *file;
+    enum status st = open_regular(path, &file, why);
 
-    if (stat(path, &info) != 0)
-        return fail(path, "read", why);
-    if (S_ISREG(info.st_mode)) /* opening a pipe would wait for its writer */
-        file = fopen(path, "r");
+    if (st != STATUS_OK)
+        return st;
     bytes = malloc(SIZE_MOST + 1);
     TRY(bytes ? STATUS_OK : STATUS_MEMORY);
-    if (file)
-        size = fread(bytes, 1, SIZE_MOST, file);
-    if (!unseal(bytes, size))
+    if (!unseal(bytes, file ? fread(bytes, 1, SIZE_MOST, file) : 0))
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: is damaged: it is no longer what its last line says it was",
                         path));

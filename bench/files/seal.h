@@ -13,8 +13,8 @@ enum { SEAL_BLOCK = 512 };
 /* Writes the seal of all bytes that follow the user block. STATUS_FILE with a sentence. */
 enum status seal_write(const char *path, struct message *why);
 
-/* Whether the file is as it was sealed; *size is its length [bytes]. STATUS_FILE: it cannot
- * be read; STATUS_INPUT: it is damaged, or no result file; with a sentence. */
+/* Checks that the file is as it was sealed; *size is its length [bytes]. STATUS_FILE: it
+ * cannot be read; STATUS_INPUT: it is damaged, or no result file; with a sentence. */
 enum status seal_check(const char *path, long *size, struct message *why);
 
 /* The functions below handle small text files that are read back: their last line is a

@@ -49,17 +49,17 @@ struct store {
     double death_time;
 };
 
-static enum status fail(const struct store *s, struct message *why)
+static enum status written(const struct store *s, bool good, struct message *why)
 {
-    return hdf5_file_fail(s->target.path, "cannot be written", why);
+    return good ? STATUS_OK : hdf5_file_fail(s->target.path, "cannot be written", why);
 }
 
 static enum status put_run(struct store *s, const struct store_run *run,
                            struct message *why)
 {
-    enum status st = STATUS_OK;
     const struct scene *scene = run->scene;
     char *settings = NULL;
+    enum status st = scene_schema_print(run->discretization, &settings);
     const struct {
         const char *key, *text;
     } row[] = {
@@ -70,20 +70,21 @@ static enum status put_run(struct store *s, const struct store_run *run,
         {"model", run->model->name},
         {"model_title", run->model->title},
         {"model_source", run->model->source},
+        {"discretization", settings},
     };
+    bool good = true;
 
+    if (st != STATUS_OK)
+        return st;
     for (size_t i = 0; i < sizeof row / sizeof *row; i++)
-        if (hdf5_file_put_text(s->file, row[i].key, row[i].text ? row[i].text : "") < 0)
-            TRY(fail(s, why));
-    TRY(scene_schema_print(run->discretization, &settings));
-    if (hdf5_file_put_text(s->file, "discretization", settings) < 0 ||
-        hdf5_file_put_double(s->file, "length", scene->length) < 0 ||
-        hdf5_file_put_double(s->file, "width", scene->width) < 0 ||
-        hdf5_file_put_double(s->file, "thickness", scene->thickness) < 0)
-        TRY(fail(s, why));
-out:
+        good = good &&
+               hdf5_file_put_text(s->file, row[i].key, row[i].text ? row[i].text : "") >= 0;
     free(settings);
-    return st;
+    return written(s,
+                   good && hdf5_file_put_double(s->file, "length", scene->length) >= 0 &&
+                       hdf5_file_put_double(s->file, "width", scene->width) >= 0 &&
+                       hdf5_file_put_double(s->file, "thickness", scene->thickness) >= 0,
+                   why);
 }
 
 static enum status put_provenance(struct store *s, const struct provenance *p,
@@ -94,9 +95,9 @@ static enum status put_provenance(struct store *s, const struct provenance *p,
 
     for (int i = 0; good && i < p->count; i++)
         good = hdf5_file_put_text(group, p->entry[i].key, p->entry[i].value) >= 0;
-    if (group >= 0 && H5Gclose(group) < 0)
-        good = false;
-    return good ? STATUS_OK : fail(s, why);
+    if (group >= 0)
+        good = H5Gclose(group) >= 0 && good;
+    return written(s, good, why);
 }
 
 /* Creates [frame][w][v][u][3], which grows along frames. A chunk is a frame, or, if packed,
@@ -125,12 +126,8 @@ static enum status create_xyz(struct store *s, struct message *why)
     H5Pclose(access);
     H5Pclose(create);
     H5Sclose(space);
-    return s->xyz < 0 ||
-                   hdf5_file_put_meaning(s->xyz,
-                                         (struct hdf5_file_meaning){
-                                             "m", "frame of xyz, w, v, u, component"}) < 0
-               ? fail(s, why)
-               : STATUS_OK;
+    const struct hdf5_file_meaning meaning = {"m", "frame of xyz, w, v, u, component"};
+    return written(s, s->xyz >= 0 && hdf5_file_put_meaning(s->xyz, meaning) >= 0, why);
 }
 
 enum status store_create(const char *path, const struct store_run *run,
@@ -153,8 +150,7 @@ enum status store_create(const char *path, const struct store_run *run,
     H5Pset_userblock(create, SEAL_BLOCK);
     s->file = H5Fcreate(s->target.temporary, H5F_ACC_TRUNC, create, H5P_DEFAULT);
     H5Pclose(create);
-    if (s->file < 0)
-        TRY(fail(s, why));
+    TRY(written(s, s->file >= 0, why));
     TRY(put_run(s, run, why));
     TRY(put_provenance(s, run->provenance, why));
     TRY(create_xyz(s, why));
@@ -181,18 +177,10 @@ static enum status make_room(struct store *s)
 
 static bool write_field(struct store *s, const double *xyz)
 {
-    hsize_t size[5] = {(hsize_t)s->fields + 1, GRID_W, GRID_V, GRID_U, 3};
-    hsize_t start[5] = {(hsize_t)s->fields, 0, 0, 0, 0};
-    hsize_t count[5] = {1, GRID_W, GRID_V, GRID_U, 3};
+    const hsize_t size[5] = {(hsize_t)s->fields + 1, GRID_W, GRID_V, GRID_U, 3};
 
-    if (H5Dset_extent(s->xyz, size) < 0)
-        return false;
-    hid_t memory = H5Screate_simple(5, count, NULL), file = H5Dget_space(s->xyz);
-    bool good = H5Sselect_hyperslab(file, H5S_SELECT_SET, start, NULL, count, NULL) >= 0 &&
-                H5Dwrite(s->xyz, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, xyz) >= 0;
-    H5Sclose(file);
-    H5Sclose(memory);
-    return good;
+    return H5Dset_extent(s->xyz, size) >= 0 &&
+           hdf5_file_write_entry(s->xyz, s->fields, xyz);
 }
 
 enum status store_frame(struct store *s, double t, const double *xyz,
@@ -220,8 +208,7 @@ enum status store_frame(struct store *s, double t, const double *xyz,
 
     TRY(make_room(s));
     if (xyz) {
-        if (!write_field(s, xyz))
-            TRY(fail(s, why));
+        TRY(written(s, write_field(s, xyz), why));
         s->series[0][s->fields++] = t;
     }
     for (int i = 1; i < SERIES; i++)
@@ -234,51 +221,51 @@ out:
 enum status store_seconds(struct store *s, const char *phase, const double *seconds,
                           int rows, int columns, struct message *why)
 {
-    char name[64] = "seconds/";
-    assert(strlen(phase) < sizeof name - strlen(name));
-    strcat(name, phase);
-    return hdf5_file_put_array(
-               s->file, name,
-               (struct hdf5_file_meaning){"s", columns ? "repeat, step" : "repeat"},
-               seconds, rows, columns) < 0
-               ? fail(s, why)
-               : STATUS_OK;
+    const struct hdf5_file_meaning meaning = {"s", columns ? "repeat, step" : "repeat"};
+    char name[64];
+
+    snprintf(name, sizeof name, "seconds/%s", phase);
+    return written(
+        s, hdf5_file_put_array(s->file, name, meaning, seconds, rows, columns) >= 0, why);
 }
 
 enum status store_metric(struct store *s, const char *name, const char *unit,
                          const double *value, int count, struct message *why)
 {
-    char path[64] = "metrics/";
-    assert(count == s->frames && strlen(name) < sizeof path - strlen(path));
-    strcat(path, name);
-    return hdf5_file_put_array(s->file, path, (struct hdf5_file_meaning){unit, "frame"},
-                               value, count, 0) < 0
-               ? fail(s, why)
-               : STATUS_OK;
+    const struct hdf5_file_meaning meaning = {unit, "frame"};
+    char path[64];
+
+    assert(count == s->frames);
+    snprintf(path, sizeof path, "metrics/%s", name);
+    return written(s, hdf5_file_put_array(s->file, path, meaning, value, count, 0) >= 0,
+                   why);
 }
 
 enum status store_size(struct store *s, const struct model_size *size, struct message *why)
 {
-    if (hdf5_file_put_long(s->file, "nodes", size->nodes) < 0 ||
-        hdf5_file_put_long(s->file, "unknowns", size->unknowns) < 0 ||
-        hdf5_file_put_long(s->file, "factor_entries", size->factor_entries) < 0 ||
-        hdf5_file_put_text(s->file, "solver", size->solver ? size->solver : "") < 0 ||
-        hdf5_file_put_text(s->file, "unknown_basis",
-                           size->unknown_basis ? size->unknown_basis : "") < 0)
-        return fail(s, why);
-    return STATUS_OK;
+    const char *solver = size->solver ? size->solver : "";
+    const char *basis = size->unknown_basis ? size->unknown_basis : "";
+
+    return written(
+        s,
+        hdf5_file_put_long(s->file, "nodes", size->nodes) >= 0 &&
+            hdf5_file_put_long(s->file, "unknowns", size->unknowns) >= 0 &&
+            hdf5_file_put_long(s->file, "factor_entries", size->factor_entries) >= 0 &&
+            hdf5_file_put_text(s->file, "solver", solver) >= 0 &&
+            hdf5_file_put_text(s->file, "unknown_basis", basis) >= 0,
+        why);
 }
 
 enum status store_text(struct store *s, const char *key, const char *text,
                        struct message *why)
 {
-    return hdf5_file_put_text(s->file, key, text) < 0 ? fail(s, why) : STATUS_OK;
+    return written(s, hdf5_file_put_text(s->file, key, text) >= 0, why);
 }
 
 enum status store_number(struct store *s, const char *key, double value,
                          struct message *why)
 {
-    return hdf5_file_put_double(s->file, key, value) < 0 ? fail(s, why) : STATUS_OK;
+    return written(s, hdf5_file_put_double(s->file, key, value) >= 0, why);
 }
 
 void store_death(struct store *s, enum status death, double t)
@@ -292,24 +279,22 @@ void store_death(struct store *s, enum status death, double t)
  * all. */
 static bool put_view(hid_t group, int frame, int frames)
 {
-    char name[16];
-    hsize_t whole[5] = {(hsize_t)frames, GRID_W, GRID_V, GRID_U, 3};
-    hsize_t start[5] = {(hsize_t)frame, 0, 0, 0, 0};
-    hsize_t count[5] = {1, GRID_W, GRID_V, GRID_U, 3};
+    const hsize_t whole[5] = {(hsize_t)frames, GRID_W, GRID_V, GRID_U, 3};
+    const hsize_t start[5] = {(hsize_t)frame}, count[5] = {1, GRID_W, GRID_V, GRID_U, 3};
+    const struct hdf5_file_meaning meaning = {"m", "w, v, u, component"};
     hid_t view = H5Screate_simple(4, count + 1, NULL);
     hid_t source = H5Screate_simple(5, whole, NULL);
     hid_t create = H5Pcreate(H5P_DATASET_CREATE);
+    char name[16];
 
     snprintf(name, sizeof name, "%d", frame);
     H5Sselect_hyperslab(source, H5S_SELECT_SET, start, NULL, count, NULL);
-    hid_t set = H5I_INVALID_HID;
-    if (H5Pset_virtual(create, view, ".", "/xyz", source) >= 0)
-        set =
-            H5Dcreate2(group, name, H5T_IEEE_F64LE, view, H5P_DEFAULT, create, H5P_DEFAULT);
-    bool good = set >= 0 && hdf5_file_put_meaning(set, (struct hdf5_file_meaning){
-                                                           "m", "w, v, u, component"}) >= 0;
-    if (set >= 0 && H5Dclose(set) < 0)
-        good = false;
+    H5Pset_virtual(create, view, ".", "/xyz", source);
+    hid_t set =
+        H5Dcreate2(group, name, H5T_IEEE_F64LE, view, H5P_DEFAULT, create, H5P_DEFAULT);
+    bool good = set >= 0 && hdf5_file_put_meaning(set, meaning) >= 0;
+    if (set >= 0)
+        good = H5Dclose(set) >= 0 && good;
     H5Pclose(create);
     H5Sclose(source);
     H5Sclose(view);
@@ -323,38 +308,42 @@ static enum status put_views(struct store *s, struct message *why)
 
     for (int n = 0; good && n < s->fields; n++)
         good = put_view(group, n, s->fields);
-    if (group >= 0 && H5Gclose(group) < 0)
-        good = false;
-    return good ? STATUS_OK : fail(s, why);
+    if (group >= 0)
+        good = H5Gclose(group) >= 0 && good;
+    return written(s, good, why);
 }
 
 static enum status put_end(struct store *s, struct message *why)
 {
-    for (int i = 0; i < SERIES; i++)
-        if (hdf5_file_put_array(
-                s->file, series[i].name,
-                (struct hdf5_file_meaning){series[i].unit, i ? "frame" : "frame of xyz"},
-                s->series[i], i ? s->frames : s->fields, 0) < 0)
-            return fail(s, why);
-    enum status st = put_views(s, why);
-    if (st != STATUS_OK)
-        return st;
-    if (hdf5_file_put_text(s->file, "outcome", status_text(s->outcome)) < 0 ||
-        (status_is_death(s->outcome) &&
-         hdf5_file_put_double(s->file, "death_time", s->death_time) < 0))
-        return fail(s, why);
-    return STATUS_OK;
+    enum status st = STATUS_OK;
+
+    for (int i = 0; i < SERIES; i++) {
+        const struct hdf5_file_meaning meaning = {series[i].unit,
+                                                  i ? "frame" : "frame of xyz"};
+        TRY(written(s,
+                    hdf5_file_put_array(s->file, series[i].name, meaning, s->series[i],
+                                        i ? s->frames : s->fields, 0) >= 0,
+                    why));
+    }
+    TRY(put_views(s, why));
+    TRY(store_text(s, "outcome", status_text(s->outcome), why));
+    if (status_is_death(s->outcome))
+        TRY(store_number(s, "death_time", s->death_time, why));
+out:
+    return st;
 }
 
 /* Closes the file, flushed first: if that fails, discard can still use the identifiers. */
 static enum status close_file(struct store *s, struct message *why)
 {
-    if (H5Fflush(s->file, H5F_SCOPE_GLOBAL) < 0)
-        return fail(s, why);
+    enum status st = written(s, H5Fflush(s->file, H5F_SCOPE_GLOBAL) >= 0, why);
+
+    if (st != STATUS_OK)
+        return st;
     hid_t xyz = s->xyz, file = s->file;
     s->xyz = s->file = H5I_INVALID_HID;
     herr_t first = H5Dclose(xyz), second = H5Fclose(file);
-    return first < 0 || second < 0 ? fail(s, why) : STATUS_OK;
+    return written(s, first >= 0 && second >= 0, why);
 }
 
 enum status store_close(struct store *s, struct message *why)
@@ -394,10 +383,8 @@ void store_discard(struct store *s)
         return;
     if (s->file >= 0)
         lead_astray(s->file);
-    if (s->xyz >= 0)
-        H5Dclose(s->xyz);
-    if (s->file >= 0)
-        H5Fclose(s->file);
+    hdf5_file_drop(s->xyz);
+    hdf5_file_drop(s->file);
     atomic_file_discard(&s->target);
     for (int i = 0; i < SERIES; i++)
         free(s->series[i]);
@@ -413,13 +400,6 @@ struct store_read {
     long size; /* [bytes]: nothing in a sound file is larger */
 };
 
-/* Releases any identifier of the library's, if it is valid. */
-static void drop(hid_t id)
-{
-    if (id >= 0)
-        H5Idec_ref(id);
-}
-
 enum { FRAME_LEAST = GRID_POINTS * 3 * 4 }; /* of 32-bit numbers [bytes] */
 enum { TEXT_MOST = 1 << 24 };
 
@@ -434,19 +414,16 @@ static enum status unreadable(const struct store_read *f, const char *what,
 /* Opens the positions and checks that they have the shape of store.h. */
 static bool open_xyz(struct store_read *f)
 {
-    hsize_t size[5] = {0};
+    hsize_t size[HDF5_FILE_RANK];
+    int rank;
 
-    if (H5Lexists(f->file, "xyz", H5P_DEFAULT) <= 0)
+    f->xyz = hdf5_file_open_set(f->file, "xyz", &rank, size);
+    if (rank != 5 || size[1] != GRID_W || size[2] != GRID_V || size[3] != GRID_U ||
+        size[4] != 3)
         return false;
-    f->xyz = H5Dopen2(f->file, "xyz", H5P_DEFAULT);
-    hid_t space = f->xyz < 0 ? H5I_INVALID_HID : H5Dget_space(f->xyz);
-    bool good = space >= 0 && H5Sget_simple_extent_ndims(space) == 5 &&
-                H5Sget_simple_extent_dims(space, size, NULL) == 5 && size[1] == GRID_W &&
-                size[2] == GRID_V && size[3] == GRID_U && size[4] == 3;
-    drop(space);
     /* Deflate packs at most a thousandfold, so a larger shape is damage. */
-    good = good && size[0] <= INT_MAX &&
-           size[0] * FRAME_LEAST <= 1032 * H5Dget_storage_size(f->xyz);
+    const bool good =
+        size[0] <= INT_MAX && size[0] * FRAME_LEAST <= 1032 * H5Dget_storage_size(f->xyz);
     f->frames = good ? (int)size[0] : 0;
     return good;
 }
@@ -479,9 +456,8 @@ void store_read_close(struct store_read *f)
 {
     if (!f)
         return;
-    drop(f->xyz);
-    if (f->file >= 0)
-        H5Fclose(f->file);
+    hdf5_file_drop(f->xyz);
+    hdf5_file_drop(f->file);
     free(f->path);
     free(f);
 }
@@ -494,54 +470,32 @@ int store_read_frames(const struct store_read *f)
 enum status store_read_frame(const struct store_read *f, int n, double *xyz,
                              struct message *why)
 {
-    hsize_t start[5] = {(hsize_t)n, 0, 0, 0, 0}, count[5] = {1, GRID_W, GRID_V, GRID_U, 3};
     assert(0 <= n && n < f->frames);
-
-    hid_t memory = H5Screate_simple(5, count, NULL), space = H5Dget_space(f->xyz);
-    bool good = H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, count, NULL) >= 0 &&
-                H5Dread(f->xyz, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, xyz) >= 0;
-    H5Sclose(space);
-    H5Sclose(memory);
-    return good ? STATUS_OK : unreadable(f, "a frame of xyz", why);
+    return hdf5_file_read_entry(f->xyz, n, xyz) ? STATUS_OK
+                                                : unreadable(f, "a frame of xyz", why);
 }
 
-/* Checks every link of the path: the library fails on a missing group. */
 bool store_read_has(const struct store_read *f, const char *name)
 {
-    char part[128];
-    size_t length = strlen(name);
-
-    if (length >= sizeof part)
-        return false;
-    for (size_t i = 1; i <= length; i++) {
-        if (name[i] != '/' && name[i] != '\0')
-            continue;
-        memcpy(part, name, i);
-        part[i] = '\0';
-        if (H5Lexists(f->file, part, H5P_DEFAULT) <= 0)
-            return false;
-    }
-    return true;
+    return H5Lexists(f->file, name, H5P_DEFAULT) > 0;
 }
 
 enum status store_read_array(const struct store_read *f, const char *name, double **values,
                              int *rows, int *columns, struct message *why)
 {
-    enum status st = STATUS_OK;
-    hsize_t size[2] = {0, 1};
-    hid_t set = H5I_INVALID_HID, space = H5I_INVALID_HID;
+    const hsize_t most = (hsize_t)(f->size < INT_MAX ? f->size : INT_MAX);
+    hsize_t size[HDF5_FILE_RANK] = {0, 1};
     double *array = NULL;
+    enum status st = STATUS_OK;
+    int rank;
 
     if (!store_read_has(f, name))
         return status_fail(why, STATUS_INPUT, "%s: has no %s", f->path, name);
-    set = H5Dopen2(f->file, name, H5P_DEFAULT);
-    space = set < 0 ? H5I_INVALID_HID : H5Dget_space(set);
-    int rank = space < 0 ? -1 : H5Sget_simple_extent_ndims(space);
-    if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space, size, NULL) < 0)
+    hid_t set = hdf5_file_open_set(f->file, name, &rank, size);
+    if (rank < 1 || rank > 2)
         TRY(unreadable(f, name, why));
     if (size[1] == 0) /* readers expect a number in a row */
         TRY(status_fail(why, STATUS_INPUT, "%s: %s has rows of nothing", f->path, name));
-    const hsize_t most = (hsize_t)(f->size < INT_MAX ? f->size : INT_MAX);
     if (size[0] > most || size[1] > most || size[0] * size[1] > most)
         TRY(status_fail(why, STATUS_INPUT, "%s: %s is larger than the file", f->path,
                         name));
@@ -554,46 +508,31 @@ enum status store_read_array(const struct store_read *f, const char *name, doubl
     *columns = (int)size[1];
 out:
     free(array);
-    drop(space);
-    drop(set);
+    hdf5_file_drop(set);
     return st;
 }
 
-/* Whether an attribute or, if long, a dataset is one text of fixed length, *size. */
-static bool is_text(hid_t type, hid_t space, size_t *size)
-{
-    *size = type < 0 ? 0 : H5Tget_size(type);
-    return type >= 0 && space >= 0 && H5Tget_class(type) == H5T_STRING &&
-           H5Tis_variable_str(type) == 0 && H5Sget_simple_extent_npoints(space) == 1 &&
-           *size <= TEXT_MOST;
-}
-
+/* Reads one text of fixed length from an attribute or, if it is long, a dataset. */
 enum status store_read_text(const struct store_read *f, const char *group, const char *key,
                             char **text, struct message *why)
 {
-    const bool short_one = H5Aexists_by_name(f->file, group, key, H5P_DEFAULT) > 0;
-    hid_t object = H5I_INVALID_HID;
-    size_t size;
+    const bool set = H5Aexists_by_name(f->file, group, key, H5P_DEFAULT) <= 0;
+    hid_t object = !set ? H5Aopen_by_name(f->file, group, key, H5P_DEFAULT, H5P_DEFAULT)
+                   : !strcmp(group, "/") ? H5Dopen2(f->file, key, H5P_DEFAULT)
+                                         : H5I_INVALID_HID;
+    hid_t type = set ? H5Dget_type(object) : H5Aget_type(object);
+    hid_t space = set ? H5Dget_space(object) : H5Aget_space(object);
+    const size_t size = type < 0 ? 0 : H5Tget_size(type);
+    bool good = size && size <= TEXT_MOST && H5Tget_class(type) == H5T_STRING &&
+                H5Tis_variable_str(type) == 0 && H5Sget_simple_extent_npoints(space) == 1;
 
-    if (short_one)
-        object = H5Aopen_by_name(f->file, group, key, H5P_DEFAULT, H5P_DEFAULT);
-    else if (!strcmp(group, "/") && store_read_has(f, key))
-        object = H5Dopen2(f->file, key, H5P_DEFAULT);
-    hid_t type = object < 0  ? H5I_INVALID_HID
-                 : short_one ? H5Aget_type(object)
-                             : H5Dget_type(object);
-    hid_t space = object < 0  ? H5I_INVALID_HID
-                  : short_one ? H5Aget_space(object)
-                              : H5Dget_space(object);
-    bool good = is_text(type, space, &size);
     *text = good ? calloc(size + 1, 1) : NULL;
     if (*text)
-        good =
-            (short_one ? H5Aread(object, type, *text)
-                       : H5Dread(object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, *text)) >= 0;
-    drop(space);
-    drop(type);
-    drop(object);
+        good = (set ? H5Dread(object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, *text)
+                    : H5Aread(object, type, *text)) >= 0;
+    hdf5_file_drop(space);
+    hdf5_file_drop(type);
+    hdf5_file_drop(object);
     if (good)
         return *text ? STATUS_OK : STATUS_MEMORY;
     free(*text);
@@ -605,34 +544,29 @@ enum status store_read_number(const struct store_read *f, const char *key, doubl
                               struct message *why)
 {
     hid_t attribute = H5Aopen(f->file, key, H5P_DEFAULT);
-    hid_t space = attribute < 0 ? H5I_INVALID_HID : H5Aget_space(attribute);
-    bool good = space >= 0 && H5Sget_simple_extent_npoints(space) == 1 &&
-                H5Aread(attribute, H5T_NATIVE_DOUBLE, number) >= 0;
+    hid_t space = H5Aget_space(attribute);
+    const bool good = H5Sget_simple_extent_npoints(space) == 1 &&
+                      H5Aread(attribute, H5T_NATIVE_DOUBLE, number) >= 0;
 
-    drop(space);
-    drop(attribute);
+    hdf5_file_drop(space);
+    hdf5_file_drop(attribute);
     return good ? STATUS_OK
                 : status_fail(why, STATUS_INPUT, "%s: has no number %s", f->path, key);
 }
 
-static const char MARK[] = "# --set ";
-
-/* Finds the settings in the text, as pointers into it; ends each with a NUL. Those of the
+/* Finds the settings in the text, whose line ends become ends of strings. Those of the
  * discretization are not part of the scene and are left out. */
 static int find_settings(char *text, const char **settings, int most)
 {
+    static const char mark[] = "# --set ", other[] = "# --set discretization";
+    char *rest;
     int count = 0;
 
-    for (char *line = text; line && count < most;) {
-        char *end = strchr(line, '\n');
-        if (!strncmp(line, MARK, strlen(MARK)) &&
-            strncmp(line + strlen(MARK), "discretization", 14) != 0) {
-            settings[count++] = line + strlen(MARK);
-            if (end)
-                *end = '\0';
-        }
-        line = end ? end + 1 : NULL;
-    }
+    for (char *line = strtok_r(text, "\n", &rest); line && count < most;
+         line = strtok_r(NULL, "\n", &rest))
+        if (!strncmp(line, mark, sizeof mark - 1) &&
+            strncmp(line, other, sizeof other - 1) != 0)
+            settings[count++] = line + sizeof mark - 1;
     return count;
 }
 

@@ -138,51 +138,53 @@ void describe_motion(const struct motion *m, FILE *file)
     fprintf(file, "peak memory     %.1f MB\n", 1e-6 * (double)clock_peak_memory());
 }
 
-/* Adds a row. NaN: the model has no such energy in its kinematics. */
-static void add_row(struct table *t, const char *name, double value, const char *unit)
-{
-    table_row(t);
-    table_text(t, "%s", name);
-    if (!strcmp(unit, "pairs"))
-        table_fixed(t, value, 0);
-    else
-        table_number(t, value, 6);
-    table_text(t, "%s", unit);
-}
-
 enum status describe_state(const struct run *run, double t, FILE *file)
 {
     static const struct table_column columns[] = {
         {"", NULL, TABLE_LEFT}, {"value", NULL, TABLE_RIGHT}, {"unit", NULL, TABLE_LEFT}};
     const struct scene *scene = &run->scene;
-    enum status st = STATUS_OK;
-    struct energy energy = {NAN, NAN, NAN};
+    struct energy energy = {NAN, NAN, NAN}; /* of a model that has no such energy */
     char caption[64];
     double *xyz = malloc(GRID_POINTS * 3 * sizeof *xyz);
-    struct table *table = NULL;
 
     if (!xyz)
         return STATUS_MEMORY;
     run->model->sample(run->state, xyz);
     if (run->model->energy)
         run->model->energy(run->state, &energy);
-    snprintf(caption, sizeof caption, "At t = %g s:", t);
-    table = table_create(3, columns, caption);
-    add_row(table, "drop", metric_drop(scene, xyz), "L");
-    add_row(table, "angle", metric_angle(scene, xyz), "degrees");
-    add_row(table, "largest stretch", metric_stretch(scene, xyz), "1");
-    add_row(table, "roughness", metric_roughness(scene, xyz), "1");
-    if (scene->obstacle_count)
-        add_row(table, "penetration", metric_penetration(scene, xyz), "m");
-    add_row(table, "self-intersections", metric_intersections(xyz), "pairs");
-    add_row(table, "kinetic energy", energy.kinetic, "J");
-    add_row(table, "elastic energy", energy.elastic, "J");
-    add_row(table, "potential energy", energy.potential, "J");
-    fputc('\n', file);
-    st = table_print(table, TABLE_TEXT, file);
-    if (st == STATUS_FILE) /* standard error that takes nothing is no reason to fail */
-        st = STATUS_OK;
-    table_destroy(table);
+    const bool obstacles = scene->obstacle_count > 0;
+    const struct {
+        const char *name;
+        double value;
+        const char *unit;
+    } row[] = {
+        {"drop", metric_drop(scene, xyz), "L"},
+        {"angle", metric_angle(scene, xyz), "degrees"},
+        {"largest stretch", metric_stretch(scene, xyz), "1"},
+        {"roughness", metric_roughness(scene, xyz), "1"},
+        {"penetration", obstacles ? metric_penetration(scene, xyz) : NAN, "m"},
+        {"self-intersections", metric_intersections(xyz), "pairs"},
+        {"kinetic energy", energy.kinetic, "J"},
+        {"elastic energy", energy.elastic, "J"},
+        {"potential energy", energy.potential, "J"},
+    };
     free(xyz);
-    return st;
+    snprintf(caption, sizeof caption, "At t = %g s:", t);
+    struct table *table = table_create(3, columns, caption);
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
+        if (!obstacles && !strcmp(row[n].name, "penetration"))
+            continue;
+        table_row(table);
+        table_text(table, "%s", row[n].name);
+        if (!strcmp(row[n].unit, "pairs"))
+            table_fixed(table, row[n].value, 0);
+        else
+            table_number(table, row[n].value, 6);
+        table_text(table, "%s", row[n].unit);
+    }
+    fputc('\n', file);
+    const enum status st = table_print(table, TABLE_TEXT, file);
+    table_destroy(table);
+    /* standard error that takes nothing is no reason to fail */
+    return st == STATUS_FILE ? STATUS_OK : st;
 }

@@ -16,83 +16,58 @@
  * point and frame. */
 struct probe {
     int count;
-    double *uvw, *xyz;   /* [count][3] owned */
-    struct table *table; /* owned            */
+    double *uvw, *xyz; /* [count][3] owned */
+    bool begun;        /* the line of keys is printed */
 };
-
-static bool read_point(const char *text, double uvw[3])
-{
-    for (int n = 0; n < 3; n++) {
-        char *end;
-        uvw[n] = strtod(text, &end);
-        if (end == text || *end != (n < 2 ? ',' : '\0') || !(uvw[n] >= 0 && uvw[n] <= 1))
-            return false;
-        text = end + 1;
-    }
-    return true;
-}
 
 static void probe_clear(struct probe *p)
 {
     free(p->uvw);
     free(p->xyz);
-    table_destroy(p->table);
-    *p = (struct probe){0};
 }
 
 static enum status probe_init(struct probe *p, int count, const char *const *texts,
                               struct message *why)
 {
-    static const struct table_column columns[] = {{"t", "s", .key = "t"},
-                                                  {"u"},
-                                                  {"v"},
-                                                  {"w"},
-                                                  {"x", "m", .key = "x"},
-                                                  {"y", "m", .key = "y"},
-                                                  {"z", "m", .key = "z"}};
-    enum status st = STATUS_OK;
-    size_t size = (size_t)(3 * count + 1) * sizeof(double);
+    const size_t numbers = (size_t)(3 * count + 1);
 
-    *p = (struct probe){.count = count,
-                        .uvw = malloc(size),
-                        .xyz = malloc(size),
-                        .table =
-                            table_create(sizeof columns / sizeof *columns, columns, NULL)};
-    if (!p->uvw || !p->xyz || !p->table)
-        TRY(STATUS_MEMORY);
-    for (int n = 0; n < count; n++)
-        if (!read_point(texts[n], p->uvw + 3 * n))
-            TRY(status_fail(
+    *p = (struct probe){count, calloc(numbers, sizeof *p->uvw),
+                        calloc(numbers, sizeof *p->xyz), false};
+    if (!p->uvw || !p->xyz)
+        return STATUS_MEMORY;
+    for (int n = 0; n < count; n++) {
+        double *x = p->uvw + 3 * n;
+        char more;
+        bool good = sscanf(texts[n], "%lf,%lf,%lf%c", x, x + 1, x + 2, &more) == 3;
+        for (int i = 0; i < 3; i++)
+            good = good && x[i] >= 0 && x[i] <= 1;
+        if (!good)
+            return status_fail(
                 why, STATUS_INPUT,
                 "--probe %s: must be u,v,w, three numbers from 0 to 1 with commas between",
-                texts[n]));
-out:
-    if (st != STATUS_OK)
-        probe_clear(p);
-    return st;
+                texts[n]);
+    }
+    return STATUS_OK;
 }
 
-static enum status probe_print(struct probe *p, const struct run *run, double t, FILE *file,
+static enum status probe_print(struct probe *p, const struct run *run, double t,
                                struct message *why)
 {
-    enum { DIGITS = 17 };
-
     run->model->probe(run->state, p->count, p->uvw, p->xyz);
-    for (int n = 0; n < p->count; n++) {
-        table_row(p->table);
-        table_number(p->table, t, DIGITS);
-        for (int i = 0; i < 3; i++)
-            table_number(p->table, p->uvw[3 * n + i], DIGITS);
-        for (int i = 0; i < 3; i++)
-            table_number(p->table, p->xyz[3 * n + i], DIGITS);
-    }
     errno = 0;
-    const enum status st = table_flush(p->table, file);
-    if (st == STATUS_FILE)
-        return status_fail(why, st, "--probe: the run ends at t = %.6g s: %s", t,
+    if (!p->begun)
+        puts("t,u,v,w,x,y,z");
+    p->begun = true;
+    for (int n = 0; n < p->count; n++) {
+        const double *u = p->uvw + 3 * n, *x = p->xyz + 3 * n;
+        printf("%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", t, u[0], u[1], u[2], x[0],
+               x[1], x[2]);
+    }
+    if (ferror(stdout))
+        return status_fail(why, STATUS_FILE, "--probe: the run ends at t = %.6g s: %s", t,
                            errno == EPIPE ? "the reader of standard output went away"
                                           : strerror(errno));
-    return st;
+    return STATUS_OK;
 }
 
 enum task { TASK_MOTION, TASK_STATIC, TASK_MODES };
@@ -218,7 +193,7 @@ static enum status watch_frame(void *context, const struct motion *m, struct mes
     struct job *j = context;
 
     if (j->probe.count)
-        TRY(probe_print(&j->probe, &j->run, m->time, stdout, why));
+        TRY(probe_print(&j->probe, &j->run, m->time, why));
     if (j->file)
         TRY(run_file_watch(j->file, m, why));
 out:
@@ -284,7 +259,7 @@ static enum status run_static(struct job *j, struct message *why)
     TRY(settle(j, &told, why));
     TRY(statics_print(&j->run, &told, j->format, j->probe.count ? stderr : stdout));
     if (j->probe.count)
-        TRY(probe_print(&j->probe, &j->run, 0, stdout, why));
+        TRY(probe_print(&j->probe, &j->run, 0, why));
 out:
     return st;
 }

@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* asprintf */
 #include "bench/run/statics.h"
 
 #include <errno.h>
@@ -180,30 +181,26 @@ static enum status write_one(const char *folder, const char *name, const char *w
                              const struct run *run, const struct matrix *A,
                              struct message *why)
 {
-    const struct discretization *d = &run->discretization;
-    enum status st = STATUS_OK;
+    const int *points = run->discretization.points;
     char path[4096], *settings = NULL, *comment = NULL;
-    size_t size;
-    FILE *text = NULL;
+    enum status st;
 
     if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path)
         return status_fail(why, STATUS_INPUT, "--matrices: the folder's name is too long");
-    TRY(scene_schema_print(d, &settings));
-    text = open_memstream(&comment, &size);
-    if (!text)
+    TRY(scene_schema_print(&run->discretization, &settings));
+    if (asprintf(&comment,
+                 "%s\n"
+                 "model %s (%s), scene %s\n"
+                 "Order: row = 3 node + component + 1, component 0 x, 1 y, 2 z;\n"
+                 "node = (i m + j) l + k with m = %d points along v, l = %d along w;\n"
+                 "i along u, j along v, k along w, all from 0. Held components are not "
+                 "removed.\n"
+                 "%s",
+                 what, run->model->name, run->model->title, run->scene.name, points[1],
+                 points[2], settings) < 0) {
+        comment = NULL;
         TRY(STATUS_MEMORY);
-    fprintf(
-        text,
-        "%s\n"
-        "model %s (%s), scene %s\n"
-        "Order: row = 3 node + component + 1, component 0 x, 1 y, 2 z;\n"
-        "node = (i m + j) l + k with m = %d points along v, l = %d along w;\n"
-        "i along u, j along v, k along w, all from 0. Held components are not removed.\n"
-        "%s",
-        what, run->model->name, run->model->title, run->scene.name, d->points[1],
-        d->points[2], settings);
-    if (fclose(text) != 0)
-        TRY(STATUS_MEMORY);
+    }
     TRY(matrix_market_write(path, A, comment, why));
 out:
     free(settings);

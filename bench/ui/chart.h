@@ -5,7 +5,7 @@
  *     chart_axes(c, &(struct chart_axis){"control points", .log = true},
  *                &(struct chart_axis){"a frame", "ms", .log = true});
  *     chart_series(c, &(struct chart_series){"paper"});
- *     chart_rows(c, table, "control_points", "paper_ms", 0, NULL);
+ *     chart_point(c, 540, 0.8);
  *     chart_band(c, "truth's error bar", 0, bar);
  *     TRY(chart_save(c, folder, "cost", why));
  *
@@ -19,7 +19,7 @@
 
 #include <stdbool.h>
 
-#include "bench/ui/table.h"
+#include "models/status.h"
 
 struct chart;
 
@@ -45,20 +45,16 @@ struct chart_axis {
     const struct chart_tic *tics;
 };
 
-/* Returns the axis for a column, with its name and unit as people see them. */
-struct chart_axis chart_axis_of(const struct table *t, const char *key, bool log);
-
-/* Sets the axes of the panel, and of those that are started after it. */
+/* Sets the axes of all panels. */
 void chart_axes(struct chart *c, const struct chart_axis *x, const struct chart_axis *y);
 
-/* Starts the next panel; the first call only names the first panel, if still empty. */
+/* Starts the next panel; a first call before anything else names the first panel. */
 void chart_panel(struct chart *c, const char *title);
 
 enum chart_style {
     CHART_LINESPOINTS,
-    CHART_LINE,
+    CHART_LINE, /* dotted, without points                                              */
     CHART_POINTS,
-    CHART_BAND,    /* filled from low to high of chart_bar                             */
     CHART_SQUARES, /* for classes                                                      */
     CHART_CELLS,   /* boxes of chart_cell, for classes                                 */
     CHART_HATCHED_CELLS /* the same with lines across: what lies below is seen         */
@@ -68,29 +64,18 @@ struct chart_series {
     const char *label; /* NULL: not in the legend                                        */
     enum chart_style style;
     int colour;      /* from 1; 0: the label's, the next one for a new label           */
-    bool second;     /* second of its colour: dashed, open points                      */
+    bool second;     /* second of its colour: a dashed line, open points               */
     bool sorted;     /* points are sorted by x                                         */
-    const char *rgb; /* "#8cd17d", for a class that has its own; NULL: by `colour`     */
+    const char *rgb; /* "#8cd17d", for a class that has its own; NULL: by `colour`;
+                        a constant of the program                                      */
 };
 
-/* Starts a series of the panel; points go to the series started last. A point that is no
+/* Starts a series of the panel, to which the points behind it go. A point that is no
  * number, or <= 0 on a log axis, is left out. */
 void chart_series(struct chart *c, const struct chart_series *series);
 void chart_point(struct chart *c, double x, double y);
-void chart_bar(struct chart *c, double x, double y, double low, double high);
 void chart_cell(struct chart *c, double x, double y, const double x_side[2],
                 const double y_side[2]);
-
-/* A condition on a row: the cell of `key` has these words or, if NULL, this number. */
-struct chart_where {
-    const char *key, *text;
-    double number; /* as in CSV */
-};
-
-/* Adds a point for each row of a table that meets all conditions, as people see the numbers
- * (table_column.scale). */
-void chart_rows(struct chart *c, const struct table *t, const char *x, const char *y,
-                int count, const struct chart_where *where);
 
 /* Adds a band across the panel, a truth's error bar; a line if low and high are equal. */
 void chart_band(struct chart *c, const char *label, double low, double high);

@@ -167,24 +167,20 @@ enum status command_number(const struct command_line *line, const char *option,
 enum status command_pair(const struct command_line *line, const char *option, int low,
                          int high, int pair[2], struct message *why)
 {
-    const char *text = command_value(line, option), *from = text;
-    long value[2] = {0, 0};
-    bool good = true;
+    const char *text = command_value(line, option);
+    int value[2];
+    char more;
 
     if (!text)
         return STATUS_OK;
-    for (int n = 0; n < 2 && good; n++) {
-        char *end = NULL;
-        good = *from >= '0' && *from <= '9';          /* no signs, no blanks */
-        value[n] = good ? strtol(from, &end, 10) : 0; /* LONG_MAX if it is longer */
-        good = good && *end == (n ? '\0' : ',') && value[n] >= low && value[n] <= high;
-        from = good ? end + 1 : from;
-    }
-    if (!good)
+    /* no signs, no blanks */
+    if (strspn(text, "0123456789,") < strlen(text) ||
+        sscanf(text, "%9d,%9d%c", &value[0], &value[1], &more) != 2 || value[0] < low ||
+        value[0] > high || value[1] < low || value[1] > high)
         return status_fail(why, STATUS_INPUT,
                            "%s %s: must be two whole numbers from %d to %d, as in %s 21,21",
                            option, text, low, high, option);
-    pair[0] = (int)value[0], pair[1] = (int)value[1];
+    pair[0] = value[0], pair[1] = value[1];
     return STATUS_OK;
 }
 
@@ -199,27 +195,28 @@ static void print_lines(const char *text, int indent, const char *before, FILE *
     }
 }
 
-void command_help(const struct command *command, FILE *file)
+static void print_option(const struct command_option *o, FILE *file)
 {
     enum { HELP_COLUMN = 24 };
+    int width = fprintf(file, "  %s%s%s%s", o->name, o->value ? " " : "",
+                        o->value ? o->value : "", o->repeats ? " ..." : "");
 
-    fprintf(file, "usage: clothbench %s %s\n\n", command->name, command->arguments);
-    fputs(command->text, file);
-    if (option_count(command))
-        fputs("\nOptions:\n", file);
-    for (int n = 0; n < option_count(command); n++) {
-        const struct command_option *o = &command->options[n];
-        int width = fprintf(file, "  %s%s%s%s", o->name, o->value ? " " : "",
-                            o->value ? o->value : "", o->repeats ? " ..." : "");
-        if (width + 2 > HELP_COLUMN) {
-            fputc('\n', file);
-            width = 0;
-        }
-        fprintf(file, "%*s", HELP_COLUMN - width, "");
-        print_lines(o->help, HELP_COLUMN, "", file);
+    if (width + 2 > HELP_COLUMN) {
+        fputc('\n', file);
+        width = 0;
     }
-    if (!command->examples)
-        return;
-    fputs("\nExamples:\n", file);
-    print_lines(command->examples, 0, "  clothbench ", file);
+    fprintf(file, "%*s", HELP_COLUMN - width, "");
+    print_lines(o->help, HELP_COLUMN, "", file);
+}
+
+void command_help(const struct command *command, FILE *file)
+{
+    fprintf(file, "usage: clothbench %s %s\n\n%s%s", command->name, command->arguments,
+            command->text, option_count(command) ? "\nOptions:\n" : "");
+    for (int n = 0; n < option_count(command); n++)
+        print_option(&command->options[n], file);
+    if (command->examples) {
+        fputs("\nExamples:\n", file);
+        print_lines(command->examples, 0, "  clothbench ", file);
+    }
 }

@@ -8,7 +8,7 @@
 #include "bench/ui/plot.h"
 #include "models/grid.h"
 
-enum { EVERY = 3, WIDTH = 300, HEIGHT = 300, PATH = 4096 };
+enum { EVERY = 3, WIDTH = 300, HEIGHT = 300 };
 
 /* The smallest box around all panels [m]; NaNs are left out. */
 struct box {
@@ -31,39 +31,21 @@ static void widen(struct box *box, const double x[3])
     }
 }
 
-/* Writes data blocks, one a panel: rows of v apart by one blank line, blocks by two. */
-static void write_panel(struct output *out, const double *xyz, struct box *box)
+/* Writes the data block of a panel: rows of v, apart by blank lines. */
+static void write_block(FILE *script, int panel, const double *xyz, struct box *box)
 {
     double x[3];
 
+    fprintf(script, "$p%d << EOD\n", panel);
     for (int j = 0; j < GRID_V; j += EVERY) {
         for (int i = 0; i < GRID_U; i += EVERY) {
             mid_point(xyz, i, j, x);
             widen(box, x);
-            output_print(out, "%.6g %.6g %.6g\n", x[0], x[1], x[2]);
+            fprintf(script, "%.6g %.6g %.6g\n", x[0], x[1], x[2]);
         }
-        output_print(out, "\n");
+        fputc('\n', script);
     }
-    output_print(out, "\n");
-}
-
-static enum status write_data(const char *folder, const char *name, int count,
-                              const struct picture_panel *panels, struct box *box,
-                              struct message *why)
-{
-    struct output *out = NULL;
-    char path[PATH];
-    enum status st;
-
-    snprintf(path, sizeof path, "%s/%s.dat", folder, name);
-    TRY(output_create(path, &out, why));
-    output_print(out, "# x y z [m] of mid-surfaces\n");
-    for (int n = 0; n < count; n++)
-        if (panels[n].xyz)
-            write_panel(out, panels[n].xyz, box);
-    return output_close(out, why);
-out:
-    return st;
+    fputs("EOD\n", script);
 }
 
 /* The view's angles about x and z [degrees], and the factor by which a cube may be enlarged
@@ -84,86 +66,74 @@ static double zoom_of(const double side[3])
     return ENLARGE * longest * fmin(cube / across, (sin(tilt) + cube * cos(tilt)) / high);
 }
 
-static void write_view(struct output *out, const struct box *box)
+static void write_view(FILE *script, const struct box *box)
 {
-    static const char axis[] = "xyz";
     static const char *const offset[] = {"0,-0.4", "0.6,-0.3", "0.4,0"};
     double side[3], floor = 0;
 
     for (int d = 0; d < 3; d++) {
+        const char axis = "xyz"[d];
         double low = box->low[d], high = box->high[d];
         if (!(low <= high))
             low = 0, high = 1;
-        double more = fmax(0.02 * (high - low), 0.05 * (high - low < 0.1));
+        const double more = fmax(0.02 * (high - low), 0.05 * (high - low < 0.1));
         low -= more, high += more;
         side[d] = high - low;
         floor = low; /* the last one is z's */
-        output_print(out, "set %clabel '%c [m]' font ',8' tc rgb '#606060' offset %d,0\n",
-                     axis[d], axis[d], 2 * (d == 2));
-        output_print(out, "set %crange [%.4g:%.4g]\nset %ctics %g offset %s\n", axis[d],
-                     low, high, axis[d],
-                     side[d] > 3     ? 1.
-                     : side[d] > 1   ? 0.5
-                     : side[d] > 0.4 ? 0.25
-                                     : 0.1,
-                     offset[d]);
+        const double tic = side[d] > 3     ? 1.
+                           : side[d] > 1   ? 0.5
+                           : side[d] > 0.4 ? 0.25
+                                           : 0.1;
+        fprintf(script, "set %clabel '%c [m]' font ',8' tc rgb '#606060' offset %d,0\n",
+                axis, axis, 2 * (d == 2));
+        fprintf(script, "set %crange [%.4g:%.4g]\nset %ctics %g offset %s\n", axis, low,
+                high, axis, tic, offset[d]);
     }
-    output_print(out, "set view %g,%g,%.3g\nset view equal xyz\nset xyplane at %.4g\n",
-                 TILT, TURN, zoom_of(side), floor);
+    fprintf(script, "set view %g,%g,%.3g\nset view equal xyz\nset xyplane at %.4g\n", TILT,
+            TURN, zoom_of(side), floor);
 }
 
-static void write_script(struct output *out, const char *name, int columns, int count,
-                         const struct picture_panel *panels, const struct box *box)
-{
-    const int rows = (count + columns - 1) / columns;
-    int index = 0;
-
-    plot_page(out, name, PLOT_PNG, WIDTH * columns, HEIGHT * rows);
-    output_print(out,
-                 "set multiplot layout %d,%d\n"
-                 "set lmargin 0\nset rmargin 0\nset tmargin 2\nset bmargin 0\n"
-                 "set border 31 lc rgb '#909090'\nunset key\nunset colorbox\n"
-                 "set cbrange [0:1]\n"
-                 "set pm3d depthorder border lc rgb '#30405060' lw 0.3\n"
-                 "set pm3d lighting primary 0.55 specular 0.15\n",
-                 rows, columns);
-    write_view(out, box);
-    for (int n = 0; n < count; n++) {
-        output_print(out, "set title ");
-        plot_text(out, panels[n].title);
-        output_print(out, " offset 0,0.5\n");
-        if (panels[n].xyz)
-            output_print(out,
-                         "splot '%s.dat' index %d using 1:2:3 with pm3d fc rgb '#7aa6d8'\n",
-                         name, index++);
-        else
-            output_print(out, "splot NaN notitle\n");
-    }
-}
-
-static enum status write_surfaces(const char *folder, const char *name, int columns,
-                                  int count, const struct picture_panel *panels,
-                                  struct message *why)
+static void write_script(FILE *script, const char *name, int columns, int count,
+                         const struct picture_panel *panels)
 {
     struct box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    struct output *out = NULL;
-    enum status st;
+    const int rows = (count + columns - 1) / columns;
 
-    assert(columns > 0 && count > 0);
-    TRY(plot_begin(folder, name, &out, why));
-    TRY(write_data(folder, name, count, panels, &box, why));
-    write_script(out, name, columns, count, panels, &box);
-    TRY(plot_end(folder, name, &out, why));
-out:
-    output_discard(out);
-    return st;
+    for (int n = 0; n < count; n++)
+        if (panels[n].xyz)
+            write_block(script, n, panels[n].xyz, &box);
+    plot_page(script, name, PLOT_PNG, WIDTH * columns, HEIGHT * rows);
+    fprintf(script,
+            "set multiplot layout %d,%d\n"
+            "set lmargin 0\nset rmargin 0\nset tmargin 2\nset bmargin 0\n"
+            "set border 31 lc rgb '#909090'\nunset key\nunset colorbox\n"
+            "set cbrange [0:1]\n"
+            "set pm3d depthorder border lc rgb '#30405060' lw 0.3\n"
+            "set pm3d lighting primary 0.55 specular 0.15\n",
+            rows, columns);
+    write_view(script, &box);
+    for (int n = 0; n < count; n++) {
+        fputs("set title ", script);
+        plot_lines(script, panels[n].title);
+        fputs(" offset 0,0.5\n", script);
+        if (panels[n].xyz)
+            fprintf(script, "splot $p%d using 1:2:3 with pm3d fc rgb '#7aa6d8'\n", n);
+        else
+            fputs("splot NaN notitle\n", script);
+    }
 }
 
 enum status picture_save(const char *folder, const char *name, int columns, int count,
                          const struct picture_panel *panels, struct message *why)
 {
+    struct output *out = NULL;
     struct message plot = {""};
-    const enum status st = write_surfaces(folder, name, columns, count, panels, &plot);
+    enum status st;
 
+    assert(columns > 0 && count > 0);
+    TRY(plot_begin(folder, name, &out, &plot));
+    write_script(output_stream(out), name, columns, count, panels);
+    TRY(plot_end(folder, name, &out, &plot));
+out:
     return plot_tell(st, folder, name, ".png", &plot, why);
 }

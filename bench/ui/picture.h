@@ -1,9 +1,9 @@
 /* picture.h - pictures of sheets by gnuplot: panels side by side, one view, one box and one
  * scale for all, shaded so that folds can be seen.
  *
- * NAME.png comes from NAME.gp and NAME.dat (every third point of the mid-surfaces), which
- * stay in the folder, so that a view or a size can be changed there and `gnuplot NAME.gp`
- * run again.
+ * NAME.png comes from NAME.gp, which holds every third point of the mid-surfaces and stays
+ * in the folder, so that a view or a size can be changed there and `gnuplot NAME.gp` run
+ * again.
  */
 #ifndef PICTURE_H
 #define PICTURE_H
@@ -17,7 +17,7 @@ struct picture_panel {
 
 /* Draws `count` panels >= 1 in rows of `columns`, and says on standard error that they are
  * drawn, or why not. Like chart_save (chart.h), it fails only with STATUS_FILE and
- * STATUS_MEMORY: without gnuplot script and data are there. */
+ * STATUS_MEMORY: without gnuplot the script is there. */
 enum status picture_save(const char *folder, const char *name, int columns, int count,
                          const struct picture_panel *panels, struct message *why);
 

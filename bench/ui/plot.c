@@ -32,14 +32,13 @@ enum status plot_begin(const char *folder, const char *name, struct output **out
     TRY(check_name(name, why));
     snprintf(path, sizeof path, "%s/%s.gp", folder, name);
     TRY(output_create(path, out, why));
-    output_print(*out, "set encoding utf8\n");
+    fputs("set encoding utf8\n", output_stream(*out));
 out:
     return st;
 }
 
 /* Sizes are those of a screen of 96 points an inch; so is the type. */
-void plot_page(struct output *out, const char *name, enum plot_kind kind, int width,
-               int height)
+void plot_page(FILE *script, const char *name, enum plot_kind kind, int width, int height)
 {
     static const struct {
         const char *ending, *terminal, *unit, *font, *scale;
@@ -49,28 +48,37 @@ void plot_page(struct output *out, const char *name, enum plot_kind kind, int wi
               {"pdf", "pdfcairo", "in",
                "'Sans,10' fontscale 0.75 linewidth 1.4 dashlength 1.4", "1.", 96}};
 
-    output_print(out,
-                 "unset multiplot\nunset output\nreset\n"
-                 "set terminal %s noenhanced size %g%s,%g%s font %s\nscale = %s\n"
-                 "set output '%s.%s'\n",
-                 of[kind].terminal, width / of[kind].per, of[kind].unit,
-                 height / of[kind].per, of[kind].unit, of[kind].font, of[kind].scale, name,
-                 of[kind].ending);
+    fprintf(script,
+            "unset multiplot\nunset output\nreset\n"
+            "set terminal %s noenhanced size %g%s,%g%s font %s\nscale = %s\n"
+            "set output '%s.%s'\n",
+            of[kind].terminal, width / of[kind].per, of[kind].unit, height / of[kind].per,
+            of[kind].unit, of[kind].font, of[kind].scale, name, of[kind].ending);
 }
 
 /* Writes a string in '', within which only ' itself is special; that character is written
  * within "" instead, since doubled at the start it would end the string. */
-void plot_text(struct output *out, const char *text)
+static void write_text(FILE *script, const char *text, const char *line_end)
 {
-    output_print(out, "'");
+    fputc('\'', script);
     for (; *text; text++)
         if (*text == '\n')
-            output_print(out, "'.\"\\n\".'");
+            fputs(line_end, script);
         else if (*text == '\'')
-            output_print(out, "'.\"'\".'");
+            fputs("'.\"'\".'", script);
         else
-            output_print(out, "%c", iscntrl((unsigned char)*text) ? ' ' : *text);
-    output_print(out, "'");
+            fputc(iscntrl((unsigned char)*text) ? ' ' : *text, script);
+    fputc('\'', script);
+}
+
+void plot_line(FILE *script, const char *text)
+{
+    write_text(script, text, " ");
+}
+
+void plot_lines(FILE *script, const char *text)
+{
+    write_text(script, text, "'.\"\\n\".'");
 }
 
 static enum status run_script(const char *folder, const char *script, struct message *why)
@@ -104,7 +112,7 @@ enum status plot_end(const char *folder, const char *name, struct output **out,
     enum status st;
 
     *out = NULL;
-    output_print(whole, "unset multiplot\nunset output\n");
+    fputs("unset multiplot\nunset output\n", output_stream(whole));
     TRY(output_close(whole, why));
     snprintf(script, sizeof script, "%s.gp", name);
     TRY(run_script(folder, script, why));

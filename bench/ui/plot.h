@@ -6,8 +6,8 @@
 #include "bench/files/output.h"
 #include "models/status.h"
 
-/* Starts FOLDER/NAME.gp. NAME has letters, digits, _, - and . only: STATUS_INPUT. Also
- * STATUS_FILE. Data blocks of gnuplot come first. */
+/* Starts FOLDER/NAME.gp, which is written through output_stream. NAME has letters, digits,
+ * _, - and . only: STATUS_INPUT. Also STATUS_FILE. Data blocks of gnuplot come first. */
 enum status plot_begin(const char *folder, const char *name, struct output **out,
                        struct message *why);
 
@@ -17,13 +17,13 @@ enum plot_kind { PLOT_PNG, PLOT_SVG, PLOT_PDF, PLOT_KINDS };
  * NAME.pdf, `width` x `height` points of a screen. Point sizes are multiples of the
  * variable `scale`. Loops of gnuplot would be shorter, but they would interpret quotes and
  * braces in words. */
-void plot_page(struct output *out, const char *name, enum plot_kind kind, int width,
-               int height);
+void plot_page(FILE *script, const char *name, enum plot_kind kind, int width, int height);
 
-/* Writes any words as a string of gnuplot, which interprets no part of them: line ends are
- * kept, other control characters become blanks. No other function writes words into a
- * script. */
-void plot_text(struct output *out, const char *text);
+/* Write any words as a string of gnuplot, which interprets no part of them; control
+ * characters become blanks, line ends only in plot_line. No other function writes words
+ * into a script. */
+void plot_line(FILE *script, const char *text);
+void plot_lines(FILE *script, const char *text);
 
 /* Closes the script of plot_begin, whose *out is NULL then, and has gnuplot draw it.
  * STATUS_OK; STATUS_UNSUPPORTED with a sentence if there is no gnuplot; STATUS_LIBRARY if

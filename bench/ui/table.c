@@ -23,15 +23,18 @@ struct table_cell {
 
 struct table {
     int column_count, row_count, note_count;
-    int room, filled;             /* rows allocated; cells of the last row             */
+    int filled;                   /* cells of the last row                             */
+    bool rule_next;               /* above the row to come                             */
     bool failed;                  /* out of memory somewhere                           */
     bool flushed;                 /* table_flush has printed the keys                  */
     struct table_column *columns; /* [column_count], each with a key             owned */
     int *width;                   /* [column_count] of the widest text so far    owned */
-    struct table_cell *cells;     /* [room][column_count]                        owned */
-    bool *ruled;                  /* [room]: a rule above this row               owned */
-    char *caption;                /*                                             owned */
-    char **notes;                 /* [note_count]                                owned */
+    struct table_row {
+        bool ruled; /* a rule above it                                                 */
+        struct table_cell cell[];
+    } * *rows;     /* [row_count]                                                owned */
+    char *caption; /*                                                            owned */
+    char **notes;  /* [note_count]                                               owned */
 };
 
 /* The names of the values of enum table_format, in its order. */
@@ -73,57 +76,47 @@ enum { KEY = 128, PATH = 4096 };
 
 /* --- keys ----------------------------------------------------------------------------- */
 
-/* Appends letters and digits of words to `key`, and _ for most else. */
-static void add_words(char key[KEY], const char *words)
+/* Makes a key of words: small letters, digits, and one _ for most else between them. */
+static void key_of_words(const char *words, char key[KEY])
 {
-    for (; *words; words++) {
-        const size_t used = strlen(key);
-        const char *as = *words == '%' ? "percent" : *words == '/' ? "_per_" : NULL;
-        if (used + 8 > KEY)
-            return;
-        if (as)
-            strcpy(key + used, as + (*as == '_' && used && key[used - 1] == '_'));
-        else if (isalnum((unsigned char)*words))
-            key[used] = (char)tolower((unsigned char)*words);
-        else if (*words != '^' && used && key[used - 1] != '_')
-            key[used] = '_';
+    size_t used = 0;
+
+    for (; *words && used + 8 < KEY; words++) {
+        const char *as = *words == '%' ? "percent" : *words == '/' ? "per_" : "";
+        const bool plain = isalnum((unsigned char)*words);
+        if (!plain && *words != '%' && *words != '^' && used && key[used - 1] != '_')
+            key[used++] = '_';
+        if (plain)
+            key[used++] = (char)tolower((unsigned char)*words);
+        used += (size_t)sprintf(key + used, "%s", as);
     }
+    while (used && key[used - 1] == '_')
+        used--;
+    key[used] = '\0';
 }
 
-static void add_unit(char key[KEY], const char *unit)
-{
-    const size_t used = strlen(key);
-    const bool length = !strcmp(unit, "L"), share = !strcmp(unit, "% L");
-
-    if (used + 24 > KEY || !strcmp(unit, "1"))
-        return;
-    strcpy(key + used, length || share ? "_over_length" : "_");
-    if (share)
-        strcat(key, "_percent");
-    else if (!length)
-        add_words(key, unit);
-}
-
+/* Returns the key of a column, made of its header and unit; a second one gets _2. */
 static char *key_of(const struct table_column *columns, int n)
 {
-    const struct table_column *c = &columns[n];
-    char key[KEY] = "";
+    const char *unit = columns[n].unit ? columns[n].unit : "1";
+    char words[KEY], key[KEY], *own;
     int twins = 1;
 
-    add_words(key, c->header);
-    if (c->unit)
-        add_unit(key, c->unit);
-    for (char *end = key + strlen(key); end > key && end[-1] == '_';)
-        *--end = '\0';
+    snprintf(words, sizeof words, "%s %s", columns[n].header,
+             !strcmp(unit, "1")     ? ""
+             : !strcmp(unit, "L")   ? "over length"
+             : !strcmp(unit, "% L") ? "over length percent"
+                                    : unit);
+    key_of_words(words, key);
     for (int k = 0; k < n; k++) {
         const size_t size = strlen(key);
         const char *other = columns[k].key;
         twins += !strncmp(other, key, size) && (!other[size] || other[size] == '_') &&
                  strspn(other + size, "_0123456789") == strlen(other + size);
     }
-    if (twins > 1)
-        snprintf(key + strlen(key), KEY - strlen(key), "_%d", twins);
-    return strdup(*key ? key : "column");
+    if (!*key)
+        return strdup("column");
+    return asprintf(&own, twins > 1 ? "%s_%d" : "%s", key, twins) < 0 ? NULL : own;
 }
 
 /* --- what it holds -------------------------------------------------------------------- */
@@ -165,18 +158,27 @@ struct table *table_create(int column_count, const struct table_column *columns,
     return NULL;
 }
 
+static void clear_rows(struct table *t)
+{
+    for (int row = 0; row < t->row_count; row++) {
+        for (int n = 0; n < t->column_count; n++)
+            free(t->rows[row]->cell[n].text);
+        free(t->rows[row]);
+    }
+    free(t->rows);
+    t->rows = NULL;
+    t->row_count = 0;
+}
+
 void table_destroy(struct table *t)
 {
     if (!t)
         return;
-    for (long n = 0; t->cells && n < (long)t->row_count * t->column_count; n++)
-        free(t->cells[n].text);
+    clear_rows(t);
     for (int n = 0; n < t->note_count; n++)
         free(t->notes[n]);
     for (int n = 0; t->columns && n < t->column_count; n++)
         free((char *)t->columns[n].key);
-    free(t->cells);
-    free(t->ruled);
     free(t->notes);
     free(t->columns);
     free(t->width);
@@ -184,67 +186,62 @@ void table_destroy(struct table *t)
     free(t);
 }
 
-/* Enlarges *array to `count` elements of `size` bytes, the new ones zero. */
-static bool grow(void *array, size_t old, size_t count, size_t size)
+/* Appends to an array of `count` pointers, which grows by doubling; takes what it gets and
+ * frees it if there is no memory. */
+static void append(struct table *t, void *array, int *count, void *pointer)
 {
-    char **at = array, *grown = realloc(*at, count * size);
+    void ***at = array, **grown = *at;
+    const size_t n = (size_t)*count;
 
-    if (!grown)
-        return false;
-    memset(grown + old * size, 0, (count - old) * size);
-    *at = grown;
-    return true;
-}
-
-/* Makes room for one more row (see table_row), and for the rule below the last one. */
-static bool room(struct table *t)
-{
-    const size_t rows = (size_t)t->room, more = rows ? 2 * rows : 4;
-    const size_t columns = (size_t)t->column_count;
-
-    if (t->failed || t->room > t->row_count)
-        return !t->failed;
-    t->failed = !grow(&t->cells, rows * columns, more * columns, sizeof *t->cells) ||
-                !grow(&t->ruled, rows, more, sizeof *t->ruled);
-    t->room = t->failed ? t->room : (int)more;
-    return !t->failed;
+    if (pointer && (n & (n - 1)) == 0) { /* empty or full */
+        grown = realloc(*at, (n ? 2 * n : 1) * sizeof *grown);
+        *at = grown ? grown : *at;
+    }
+    if (!pointer || !grown) {
+        free(pointer);
+        t->failed = true;
+        return;
+    }
+    grown[(*count)++] = pointer;
 }
 
 void table_row(struct table *t)
 {
-    if (!t || !room(t))
+    if (!t || t->failed)
         return;
-    t->row_count++;
+    struct table_row *row =
+        calloc(1, sizeof *row + (size_t)t->column_count * sizeof *row->cell);
+    if (row)
+        row->ruled = t->rule_next;
+    append(t, &t->rows, &t->row_count, row);
+    t->rule_next = false;
     t->filled = 0;
 }
 
 void table_rule(struct table *t)
 {
-    if (t && room(t))
-        t->ruled[t->row_count] = true;
+    if (t)
+        t->rule_next = true;
 }
 
-/* Returns what printf would write, on the heap; NULL: no memory. */
-static char *printed(const char *format, va_list arguments)
+static void fill_cell(struct table *t, int kind, double value, const char *format,
+                      va_list arguments)
 {
-    char *text;
+    char *text = NULL;
 
-    return vasprintf(&text, format, arguments) < 0 ? NULL : text;
-}
-
-static void add_cell(struct table *t, int kind, double value, char *text)
-{
-    if (!t || t->failed || !text) {
-        free(text);
-        if (t && !text)
-            t->failed = true;
+    if (!t || t->failed)
+        return;
+    if (vasprintf(&text, format, arguments) < 0) {
+        t->failed = true;
         return;
     }
     assert(t->row_count > 0 && t->filled < t->column_count);
+    const size_t length = strlen(text);
+    if (kind == TABLE_CELL_NUMBER && text[length - 1] == '.')
+        text[length - 1] = '\0'; /* # keeps zeros, and with them a bare point */
     int *width = &t->width[t->filled];
     *width = table_width(text) > *width ? table_width(text) : *width;
-    t->cells[(long)(t->row_count - 1) * t->column_count + t->filled++] =
-        (struct table_cell){text, kind, value};
+    t->rows[t->row_count - 1]->cell[t->filled++] = (struct table_cell){text, kind, value};
 }
 
 void table_text(struct table *t, const char *format, ...)
@@ -252,7 +249,7 @@ void table_text(struct table *t, const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    add_cell(t, TABLE_CELL_TEXT, NAN, printed(format, arguments));
+    fill_cell(t, TABLE_CELL_TEXT, NAN, format, arguments);
     va_end(arguments);
 }
 
@@ -261,7 +258,7 @@ void table_missing(struct table *t, const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    add_cell(t, TABLE_CELL_MISSING, NAN, printed(format, arguments));
+    fill_cell(t, TABLE_CELL_MISSING, NAN, format, arguments);
     va_end(arguments);
 }
 
@@ -270,58 +267,53 @@ void table_dash(struct table *t)
     table_missing(t, "-");
 }
 
-/* Adds a number; people see it scaled and printed by `format` with so many digits. */
-static void add_number(struct table *t, const char *format, int digits, double value)
+/* Fills a cell with a number, printed by `format` for people. */
+static void fill_number(struct table *t, double value, const char *format, ...)
 {
-    const bool there = t && !t->failed && t->filled < t->column_count;
-    const double scale = there ? t->columns[t->filled].scale : 0;
-    char *text = NULL;
+    va_list arguments;
 
-    if ((isnan(value)
-             ? asprintf(&text, "-")
-             : asprintf(&text, format, digits, scale != 0 ? value * scale : value)) < 0)
-        text = NULL;
-    if (text && *text && text[strlen(text) - 1] == '.')
-        text[strlen(text) - 1] = '\0'; /* # keeps zeros, and with them a bare point */
-    add_cell(t, TABLE_CELL_NUMBER, value, text);
+    va_start(arguments, format);
+    fill_cell(t, TABLE_CELL_NUMBER, value, isnan(value) ? "-" : format, arguments);
+    va_end(arguments);
+}
+
+/* Returns the value as people see it in the next cell. */
+static double scaled(const struct table *t, double value)
+{
+    const bool there = t && t->filled < t->column_count;
+    const double scale = there ? t->columns[t->filled].scale : 0;
+
+    return scale != 0 ? value * scale : value;
 }
 
 void table_number(struct table *t, double value, int digits)
 {
     assert(digits > 0 && digits <= 17);
-    add_number(t, "%#.*g", digits, value);
+    fill_number(t, value, "%#.*g", digits, scaled(t, value));
 }
 
 void table_fixed(struct table *t, double value, int decimals)
 {
-    add_number(t, "%.*f", decimals, value);
+    fill_number(t, value, "%.*f", decimals, scaled(t, value));
 }
 
 void table_integer(struct table *t, long value)
 {
-    char *text;
-
-    if (asprintf(&text, "%ld", value) < 0)
-        text = NULL;
-    add_cell(t, TABLE_CELL_NUMBER, (double)value, text);
+    fill_number(t, (double)value, "%ld", value);
 }
 
 void table_note(struct table *t, const char *format, ...)
 {
     va_list arguments;
+    char *text;
 
     if (!t || t->failed)
         return;
     va_start(arguments, format);
-    char *text = printed(format, arguments);
+    if (vasprintf(&text, format, arguments) < 0)
+        text = NULL;
     va_end(arguments);
-    if (!text || !grow(&t->notes, (size_t)t->note_count, (size_t)t->note_count + 1,
-                       sizeof *t->notes)) {
-        free(text);
-        t->failed = true;
-        return;
-    }
-    t->notes[t->note_count++] = text;
+    append(t, &t->notes, &t->note_count, text);
 }
 
 int table_rows(const struct table *t)
@@ -331,54 +323,28 @@ int table_rows(const struct table *t)
 
 int table_find(const struct table *t, const char *key)
 {
-    int column = 0;
-
-    while (column < t->column_count && strcmp(t->columns[column].key, key) != 0)
-        column++;
-    assert(column < t->column_count);
-    return column;
-}
-
-const struct table_column *table_column(const struct table *t, int column)
-{
-    return &t->columns[column];
+    for (int n = 0; t && n < t->column_count; n++)
+        if (!strcmp(t->columns[n].key, key))
+            return n;
+    return -1;
 }
 
 static const struct table_cell *cell_at(const struct table *t, int row, int column)
 {
-    return &t->cells[(long)row * t->column_count + column];
-}
-
-double table_value(const struct table *t, int row, int column)
-{
-    const struct table_cell *cell = cell_at(t, row, column);
-
-    return cell->kind == TABLE_CELL_NUMBER ? cell->value : NAN;
-}
-
-double table_shown(const struct table *t, int row, int column)
-{
-    const double scale = t->columns[column].scale;
-
-    return table_value(t, row, column) * (scale != 0 ? scale : 1);
-}
-
-const char *table_words(const struct table *t, int row, int column)
-{
-    const struct table_cell *cell = cell_at(t, row, column);
-
-    return cell->kind == TABLE_CELL_TEXT ? cell->text : "";
+    return &t->rows[row]->cell[column];
 }
 
 /* --- lines of any format -------------------------------------------------------------- */
 
-/* How a row is printed for these readers, people or machines: its cells, with what stands
+/* The form of a row for these readers, people or machines: its cells, with what stands
  * before, between and behind them. The row of headers or keys comes first. */
 enum { TABLE_UNITS = -2, TABLE_HEADERS = -1 };
 struct table_line {
     enum table_readers readers;
     const char *before, *between, *behind;
-    void (*print)(const struct table *t, int row, int column, FILE *file);
+    void (*print)(const struct table *t, const struct table_line *line, int row, int column,
+                  FILE *file);
+    const char *const *escaped; /* [128] what is printed in place of a character; or NULL */
 };
 
 static bool has(const struct table *t, int column, enum table_readers readers)
@@ -394,14 +360,17 @@ static void print_line(const struct table *t, const struct table_line *line, int
     for (int n = 0; n < t->column_count; n++)
         if (has(t, n, line->readers)) {
             fputs(before, file);
-            line->print(t, row, n, file);
+            line->print(t, line, row, n, file);
             before = line->between;
         }
     fputs(line->behind, file);
 }
 
-static void print_escaped(const char *text, const char *const escaped[128], FILE *file)
+/* Prints text with characters replaced, between two strings as they are. */
+static void print_escaped(const char *before, const char *text, const char *behind,
+                          const char *const escaped[128], FILE *file)
 {
+    fputs(before, file);
     for (; *text; text++) {
         const unsigned char c = (unsigned char)*text;
         if (c < 128 && escaped[c])
@@ -409,6 +378,7 @@ static void print_escaped(const char *text, const char *const escaped[128], FILE
         else
             fputc(c, file);
     }
+    fputs(behind, file);
 }
 
 static const char *text_at(const struct table *t, int row, int column)
@@ -425,15 +395,24 @@ static bool is_right(const struct table *t, int column)
     return t->columns[column].align == TABLE_RIGHT;
 }
 
+/* Prints a cell as people see it; a header with its unit. */
+static void print_shown(const struct table *t, const struct table_line *line, int row,
+                        int column, FILE *file)
+{
+    const char *unit = row == TABLE_HEADERS ? t->columns[column].unit : NULL;
+
+    print_escaped("", text_at(t, row, column), "", line->escaped, file);
+    if (unit)
+        print_escaped(" [", unit, "]", line->escaped, file);
+}
+
 /* --- CSV ------------------------------------------------------------------------------ */
 
 static void print_comment(const char *text, FILE *file)
 {
     static const char *const escaped[128] = {['\n'] = "\n# "};
 
-    fputs("# ", file);
-    print_escaped(text, escaped, file);
-    fputc('\n', file);
+    print_escaped("# ", text, "\n", escaped, file);
 }
 
 static void print_field(const char *text, FILE *file)
@@ -441,15 +420,15 @@ static void print_field(const char *text, FILE *file)
     static const char *const escaped[128] = {['"'] = "\"\""};
     const char *quote = text[strcspn(text, ",\"\n\r")] || *text == '#' ? "\"" : "";
 
-    fputs(quote, file);
-    print_escaped(text, escaped, file);
-    fputs(quote, file);
+    print_escaped(quote, text, quote, escaped, file);
 }
 
-static void print_cell(const struct table *t, int row, int column, FILE *file)
+static void print_cell(const struct table *t, const struct table_line *line, int row,
+                       int column, FILE *file)
 {
     const struct table_cell *cell = row == TABLE_HEADERS ? NULL : cell_at(t, row, column);
 
+    (void)line;
     if (!cell)
         print_field(t->columns[column].key, file);
     else if (cell->kind == TABLE_CELL_TEXT)
@@ -533,10 +512,12 @@ static void print_pair(const char *key, const char *text, FILE *file)
     table_json_string(text, file);
 }
 
-static void print_value(const struct table *t, int row, int column, FILE *file)
+static void print_value(const struct table *t, const struct table_line *line, int row,
+                        int column, FILE *file)
 {
     const struct table_cell *cell = cell_at(t, row, column);
 
+    (void)line;
     table_json_string(t->columns[column].key, file);
     fputs(": ", file);
     if (cell->kind == TABLE_CELL_TEXT)
@@ -587,6 +568,7 @@ static void print_json(const struct table *t, FILE *to)
     }
     fputs("]}\n", file);
 }
+
 /* --- text ---------------------------------------------------------------------------- */
 
 /* Prints words in lines up to `width`, all but the first after `indent` blanks, which must
@@ -704,7 +686,7 @@ static void print_part(const struct table *t, const struct part *p, FILE *file)
         print_cells(t, p, TABLE_UNITS, file);
     print_rule(t, p, file);
     for (int row = 0; row < t->row_count; row++) {
-        if (row && t->ruled[row])
+        if (row && t->rows[row]->ruled)
             print_rule(t, p, file);
         print_cells(t, p, row, file);
     }
@@ -782,44 +764,29 @@ static void print_text(const struct table *t, FILE *file)
 
 /* --- Markdown ------------------------------------------------------------------------- */
 
-static void print_markdown_cell(const struct table *t, int row, int column, FILE *file)
+static void print_markdown(const struct table *t, FILE *file)
 {
     static const char *const escaped[128] = {
         ['|'] = "\\|", ['*'] = "\\*", ['_'] = "\\_", ['\n'] = " "};
-
-    print_escaped(text_at(t, row, column), escaped, file);
-    if (row == TABLE_HEADERS && t->columns[column].unit)
-        fprintf(file, " [%s]", t->columns[column].unit);
-}
-
-static void print_markdown_side(const struct table *t, int row, int column, FILE *file)
-{
-    (void)row;
-    fputs(is_right(t, column) ? "---:" : ":---", file);
-}
-
-static void print_markdown(const struct table *t, FILE *file)
-{
-    static const struct table_line cells = {TABLE_PEOPLE, "| ", " | ", " |\n",
-                                            print_markdown_cell},
-                                   sides = {TABLE_PEOPLE, "|", "|", "|\n",
-                                            print_markdown_side};
+    static const struct table_line line = {TABLE_PEOPLE, "| ",        " | ",
+                                           " |\n",       print_shown, escaped};
 
     if (t->caption)
         fprintf(file, "**%s**\n\n", t->caption);
-    print_line(t, &cells, TABLE_HEADERS, file);
-    print_line(t, &sides, 0, file);
+    print_line(t, &line, TABLE_HEADERS, file);
+    for (int n = 0; n < t->column_count; n++)
+        if (has(t, n, TABLE_PEOPLE))
+            fputs(is_right(t, n) ? "|---:" : "|:---", file);
+    fputs("|\n", file);
     for (int row = 0; row < t->row_count; row++)
-        print_line(t, &cells, row, file);
+        print_line(t, &line, row, file);
     for (int n = 0; n < t->note_count; n++)
         fprintf(file, "\n%s\n", t->notes[n]);
 }
 
 /* --- LaTeX: plain tabular, no packages ------------------------------------------------ */
 
-/* Prints `text` with TeX's special characters escaped, between two strings for TeX. */
-static void print_latex_text(const char *before, const char *text, const char *behind,
-                             FILE *file)
+static void print_latex(const struct table *t, FILE *file)
 {
     static const char *const escaped[128] = {['&'] = "\\&",
                                              ['%'] = "\\%",
@@ -834,46 +801,26 @@ static void print_latex_text(const char *before, const char *text, const char *b
                                              ['^'] = "\\^{}",
                                              ['|'] = "$|$",
                                              ['\\'] = "\\textbackslash{}"};
-
-    fputs(before, file);
-    print_escaped(text, escaped, file);
-    fputs(behind, file);
-}
-
-static void print_latex_cell(const struct table *t, int row, int column, FILE *file)
-{
-    print_latex_text("", text_at(t, row, column), "", file);
-    if (row == TABLE_HEADERS && t->columns[column].unit)
-        print_latex_text(" [", t->columns[column].unit, "]", file);
-}
-
-static void print_latex_side(const struct table *t, int row, int column, FILE *file)
-{
-    (void)row;
-    fputc(is_right(t, column) ? 'r' : 'l', file);
-}
-
-static void print_latex(const struct table *t, FILE *file)
-{
-    static const struct table_line cells = {TABLE_PEOPLE, "", " & ", " \\\\\n",
-                                            print_latex_cell},
-                                   sides = {TABLE_PEOPLE, "", "", "", print_latex_side};
+    static const struct table_line line = {TABLE_PEOPLE, "",          " & ",
+                                           " \\\\\n",    print_shown, escaped};
 
     fputs("\\begin{table}\n\\centering\n", file);
     if (t->caption)
-        print_latex_text("\\caption{", t->caption, "}\n", file);
+        print_escaped("\\caption{", t->caption, "}\n", escaped, file);
     fputs("\\begin{tabular}{", file);
-    print_line(t, &sides, 0, file);
+    for (int n = 0; n < t->column_count; n++)
+        if (has(t, n, TABLE_PEOPLE))
+            fputc(is_right(t, n) ? 'r' : 'l', file);
     fputs("}\n\\hline\n", file);
-    print_line(t, &cells, TABLE_HEADERS, file);
+    print_line(t, &line, TABLE_HEADERS, file);
     fputs("\\hline\n", file);
     for (int row = 0; row < t->row_count; row++) {
-        fputs(row && t->ruled[row] ? "\\hline\n" : "", file);
-        print_line(t, &cells, row, file);
+        fputs(row && t->rows[row]->ruled ? "\\hline\n" : "", file);
+        print_line(t, &line, row, file);
     }
     fputs("\\hline\n\\end{tabular}\n", file);
     for (int n = 0; n < t->note_count; n++)
-        print_latex_text("\n\\smallskip\\footnotesize ", t->notes[n], "\n", file);
+        print_escaped("\n\\smallskip\\footnotesize ", t->notes[n], "\n", escaped, file);
     fputs("\\end{table}\n", file);
 }
 
@@ -928,12 +875,8 @@ enum status table_flush(struct table *t, FILE *file)
     if (!t || t->failed)
         return STATUS_MEMORY;
     print_lines(t, !t->flushed, file);
-    for (long n = 0; n < (long)t->row_count * t->column_count; n++)
-        free(t->cells[n].text);
-    if (t->cells)
-        memset(t->cells, 0, (size_t)t->room * (size_t)t->column_count * sizeof *t->cells);
+    clear_rows(t);
     t->flushed = true;
-    t->row_count = t->filled = 0;
     return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
 

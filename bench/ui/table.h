@@ -34,12 +34,12 @@ enum table_format { TABLE_TEXT, TABLE_CSV, TABLE_MARKDOWN, TABLE_LATEX, TABLE_JS
 enum status table_format_parse(const char *word, enum table_format *format,
                                struct message *why);
 
-/* Whether sentences may stand beside the tables (text, Markdown). CSV, JSON and LaTeX,
- * which other programs read, have tables with their captions and notes, and nothing
+/* Returns whether sentences may stand beside the tables (text, Markdown). CSV, JSON and
+ * LaTeX, which other programs read, have tables with their captions and notes, and nothing
  * else. */
 bool table_format_is_prose(enum table_format format);
 
-/* Whether the format is CSV or JSON: one table with everything, where people get
+/* Returns whether the format is CSV or JSON: one table with everything, where people get
  * several. */
 bool table_format_is_data(enum table_format format);
 
@@ -102,7 +102,7 @@ void table_note(struct table *t, const char *format, ...)
  * flushed). */
 enum status table_print(const struct table *t, enum table_format format, FILE *file);
 
-/* From now on prints every table to this stream, too, as CSV with its caption and notes and
+/* Prints every table from now on to this stream, too, as CSV with its caption and notes and
  * an empty line below it, to be read back by csv.h; NULL: no more. */
 void table_keep(FILE *copy);
 
@@ -134,14 +134,10 @@ enum status table_publish(struct table *t, const char *folder, const char *name,
  * forgets them: for tables longer than memory. Status as table_print. */
 enum status table_flush(struct table *t, FILE *file);
 
-/* Read a table. `key` is that of CSV and must be one; cells are as in CSV, NaN and "" for a
- * cell without a number or words; table_shown gives the number as people see it. */
+/* Return the number of rows, and the column with a key (that of CSV), -1 if there is none.
+ */
 int table_rows(const struct table *t);
 int table_find(const struct table *t, const char *key);
-const struct table_column *table_column(const struct table *t, int column);
-double table_value(const struct table *t, int row, int column);
-double table_shown(const struct table *t, int row, int column);
-const char *table_words(const struct table *t, int row, int column);
 
 /* Returns the columns that words take on a screen: bytes that do not continue a character
  * of UTF-8; 0 for NULL. */

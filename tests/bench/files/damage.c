@@ -147,7 +147,7 @@ static const struct made {
     {"xyz", ": is not a result file", 5, {1, 2, 100, 100, 4}, 0, true},
     {"xyz", ": is not a result file", 4, {1, 2, 100, 100}, 0, true}};
 
-/* In place of what has that name; `least` in place of a side of 0. */
+/* Replaces what has that name; `least` takes the place of a side of 0. */
 static void put(hid_t file, const struct made *m, hsize_t least)
 {
     static const double zeros[100000]; /* one frame has 60,000 */
@@ -176,7 +176,8 @@ static void put(hid_t file, const struct made *m, hsize_t least)
     H5Sclose(space);
 }
 
-/* The run changed so: the sentence begins with the file's name and has a part. */
+/* Reads runs that were changed so: the sentence begins with the file's name and has a part.
+ */
 static void made_on_purpose(const char *good, const char *bad)
 {
     long size;

@@ -7,8 +7,8 @@
 
 static const char *path;
 
-/* By CHOLMOD's reader, which turns a symmetric matrix upside down: the same numbers by
- * columns of the upper triangle. */
+/* Reads with CHOLMOD's reader, which turns a symmetric matrix upside down: the same numbers
+ * by columns of the upper triangle. */
 static void check_read_back(const double *value)
 {
     static const int start[] = {0, 1, 2, 4}, row[] = {0, 0, 1, 2};

@@ -13,9 +13,9 @@
 #include "bench/files/folder.h"
 #include "tests/scratch.h"
 
-/* What main does, in a child whose standard output is `target` (-1: closed): prints `lines`
- * and ends with 0 or 1; the sentence goes to sentence[size]. Returns the exit code, or -1
- * when a signal ended it. */
+/* Does what main does, in a child whose standard output is `target` (-1: closed): prints
+ * `lines` and ends with 0 or 1; the sentence goes to sentence[size]. Returns the exit code,
+ * or -1 when a signal ended it. */
 static int run(int target, int lines, char *sentence, size_t size)
 {
     int report[2], outcome = 0;
@@ -150,7 +150,7 @@ static void test_given_up(void)
     close(reader);
 }
 
-/* What no file can be, in a sentence of its own. */
+/* A path that no file can have is refused in a sentence of its own. */
 static void test_refusals(void)
 {
     static const struct {

@@ -1,4 +1,4 @@
-/* Where a number comes from: every entry is there, those of libraries and threads are what
+/* The origin of a number: every entry is there, those of libraries and threads are what
  * they say themselves, and collecting again leaves no file open. */
 #include "bench/files/provenance.h"
 

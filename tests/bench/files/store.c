@@ -200,7 +200,7 @@ static void check_texts(const struct store_read *file, const struct fixture *f)
     }
 }
 
-/* As other readers meet it: UTF-8 of fixed length, not ended by a zero. */
+/* Checks texts as other readers meet them: UTF-8 of fixed length, not ended by a zero. */
 static void check_types(const char *path)
 {
     static const struct {
@@ -255,7 +255,7 @@ static void test_round_trip(const struct fixture *f)
     free(xyz);
 }
 
-/* As 32-bit floats: rounded once, so within half a unit of the 24th bit. */
+/* 32-bit floats are rounded once, so within half a unit of the 24th bit. */
 #define TOL_SINGLE (FLT_EPSILON / 2)
 
 static void test_single(struct fixture *f)
@@ -362,7 +362,7 @@ static void test_xdmf(void)
     }
 }
 
-/* The same bad target for the three writers. */
+/* Gives the three writers the same bad target. */
 static void refused(const struct fixture *f, const char *path, const char *part)
 {
     enum { MANY = 2000 }; /* more text than a buffer holds */
@@ -408,7 +408,8 @@ static void test_bad_targets(const struct fixture *f)
     rmdir(scratch_path("locked"));
 }
 
-/* At every size from nothing to nearly enough the disk is full at another call. */
+/* Writes to disks of every size from nothing to nearly enough: each is full at another
+ * call. */
 static void test_full_disk(struct fixture *f)
 {
     struct message why = {""};

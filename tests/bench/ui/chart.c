@@ -18,119 +18,98 @@ static void read_script(const char *name)
     script = fresh_text(".", name);
 }
 
-static void holds(const char *what)
+/* Writes and destroys a chart, and reads its script. */
+static void write_chart(struct chart *c)
 {
-    if (!CHECK(strstr(script, what)))
-        printf("  '%s' is not in the script\n", what);
-}
-
-/* Writes and frees it. */
-static void written(struct chart *c, const char *name)
-{
-    struct message why;
-    char path[64];
-
-    chart_write(c, ".", name, &why);
-    snprintf(path, sizeof path, "%s.gp", name);
-    read_script(path);
+    chart_write(c, ".", "chart", NULL);
     chart_destroy(c);
+    read_script("chart.gp");
 }
 
-/* Two families, seconds shown as milliseconds, one number missing. */
-static struct table *cost(void)
+/* Checks how often texts stand in the script; -1: at least once. */
+struct wanted {
+    const char *text;
+    int count;
+};
+static void check_script(const struct wanted *wanted)
 {
-    static const struct table_column columns[] = {
-        {"model", NULL, TABLE_LEFT},
-        {"set-up", "ms", .key = "setup_s", .key_unit = "s", .scale = 1e3},
-        {"error", "L"}};
-    static const struct {
-        const char *model;
-        double seconds, error;
-    } rows[] = {
-        {"iga", 0.25, 0.1}, {"shell", 0.5, 0.2}, {"iga", 0.125, NAN}, {"iga", 1, 0}};
-    struct table *t = table_create(3, columns, NULL);
-
-    for (int n = 0; n < 4; n++) {
-        table_row(t);
-        table_text(t, "%s", rows[n].model);
-        table_number(t, rows[n].seconds, 3);
-        table_number(t, rows[n].error, 3);
+    for (; wanted->text; wanted++) {
+        const int count = fresh_count(script, wanted->text);
+        if (!CHECK(wanted->count < 0 ? count > 0 : count == wanted->count))
+            printf("  '%s' is %d times in the script\n", wanted->text, count);
     }
-    return t;
 }
 
-static void rows_become_points(void)
+static void points_bands_and_marks(void)
 {
-    struct table *t = cost();
-    const struct chart_axis x = chart_axis_of(t, "setup_s", true);
-    const struct chart_axis y = chart_axis_of(t, "error_over_length", false);
+    static const double point[][2] = {
+        {250, 0.1}, {125, NAN}, {1000, 0}, {20, 0.5}, {-1, 0.5} /* on no log axis */};
     struct chart *c = chart_create("Cost");
 
-    chart_axes(c, &x, &y);
+    chart_axes(c, &(struct chart_axis){"set-up", "ms", .log = true},
+               &(struct chart_axis){"error", "L"});
     chart_series(c, &(struct chart_series){"iga", .sorted = true});
-    chart_rows(c, t, "setup_s", "error_over_length", 1,
-               &(struct chart_where){"model", "iga"});
-    chart_point(c, 20, 0.5);
-    chart_point(c, -1, 0.5); /* on no log axis */
+    for (int n = 0; n < 5; n++)
+        chart_point(c, point[n][0], point[n][1]);
     chart_series(c, &(struct chart_series){"half a second", CHART_POINTS});
-    chart_rows(c, t, "setup_s", "error_over_length", 1,
-               &(struct chart_where){"setup_s", .number = 0.5});
+    chart_point(c, 500, 0.2);
     chart_band(c, "truth's error bar", 0, 0.05);
+    chart_band(c, "a line", 0.2, 0.2);
     chart_mark(c, 250, 0.1, "here");
-    written(c, "cost");
-    holds("$p0_0 << EOD\n20 0.5\n250 0.1\n1000 0\nEOD\n$p0_1 << EOD\n500 0.2\nEOD\n");
-    holds("set xlabel 'set-up [ms]'\n");
-    holds("set ylabel 'error [L]'\n");
-    holds("set logscale x\n");
-    CHECK(!strstr(script, "set logscale y"));
-    holds("set multiplot title 'Cost'\n");
-    holds("rectangle from graph 0, first 0 to graph 1, first 0.05 ");
-    holds("set label 'here' at first 250, first 0.1 ");
-    holds("lc rgb '#0072b2' title 'iga'"); /* the legend */
-    holds("title 'truth'.\"'\".'s error bar'");
-    holds("unset key\n");
-    table_destroy(t);
+    write_chart(c);
+    check_script((struct wanted[]){
+        {"$p0_0 << EOD\n20 0.5\n250 0.1\n1000 0\nEOD\n$p0_1 << EOD\n500 0.2\nEOD\n", 1},
+        {"set xlabel 'set-up [ms]'\n", 3}, /* PNG, SVG, PDF */
+        {"set ylabel 'error [L]'\n", 3},
+        {"set logscale x\n", 3},
+        {"set logscale y", 0},
+        {"set multiplot title 'Cost'\n", 3},
+        {"rectangle from graph 0, first 0 to graph 1, first 0.05 ", 3},
+        {"arrow from graph 0, first 0.2 to graph 1, first 0.2 nohead", 3},
+        {"set label 'here' at first 250, first 0.1 ", 3},
+        {"lc rgb '#0072b2' title 'iga'", 3}, /* the legend */
+        {"title 'truth'.\"'\".'s error bar'", 3},
+        {"unset key\n", 3},
+        {NULL}});
 }
 
 static void styles_and_panels(void)
 {
-    static const char *const with[] = {"linespoints", "lines",          "points",
-                                       "filled",      "points pt 5 ps", "boxxy"};
+    static const char *const with[] = {"linespoints",    "lines", "points",
+                                       "points pt 5 ps", "boxxy", "boxxy"};
     static const struct chart_tic tics[] = {{1, "one"}, {5, NULL}};
     struct chart *c = chart_create(NULL);
-    char label[6][24];
+    char text[64];
 
+    chart_axes(c, &(struct chart_axis){"x", "m", .high = NAN},
+               &(struct chart_axis){"y", .tic_count = 2, .tics = tics});
     for (int panel = 0; panel < 2; panel++) {
         chart_panel(c, panel ? "right" : "left");
-        if (!panel)
-            chart_axes(c, &(struct chart_axis){"x", "m", .high = NAN},
-                       &(struct chart_axis){"y", .tic_count = 2, .tics = tics});
         for (int n = 0; n < 6; n++) {
-            snprintf(label[n], sizeof label[n], "kind %d", n);
-            chart_series(c, &(struct chart_series){label[n], (enum chart_style)n});
-            if (n == CHART_CELLS)
+            snprintf(text, sizeof text, "kind %d", n);
+            chart_series(c, &(struct chart_series){text, (enum chart_style)n});
+            if (n >= CHART_CELLS)
                 chart_cell(c, 1, 2, (double[]){0.5, 1.5}, (double[]){1.5, 2.5});
             else
-                chart_bar(c, n, 2, 1, 3);
+                chart_point(c, n, 2);
         }
     }
     chart_series(c, &(struct chart_series){"none", CHART_POINTS});
     chart_point(c, NAN, 1);
-    written(c, "styles");
+    write_chart(c);
     for (int n = 0; n < 6; n++) {
-        char want[64];
-        snprintf(want, sizeof want, "$p1_%d using", n);
-        CHECK(strstr(script, want) && strstr(strstr(script, want), with[n]));
-        snprintf(want, sizeof want, "title 'kind %d'", n);
-        CHECK(fresh_count(script, want) == 3); /* PNG, SVG, PDF */
+        snprintf(text, sizeof text, "$p1_%d using", n);
+        CHECK(strstr(script, text) && strstr(strstr(script, text), with[n]));
+        snprintf(text, sizeof text, "title 'kind %d'", n);
+        CHECK(fresh_count(script, text) == 3);
     }
-    holds("$p0_5 << EOD\n1 2 0.5 1.5 1.5 2.5\nEOD\n");
-    holds("$p0_0 << EOD\n0 2 1 3\nEOD\n");
-    holds("with yerrorbars");
-    CHECK(fresh_count(script, "set xlabel 'x [m]'") == 2 * 3);
-    CHECK(fresh_count(script, "set xrange [0:*]") == 2 * 3);
-    CHECK(fresh_count(script, "set ytics ('one' 1,'5' 5)") == 2 * 3);
-    CHECK(!strstr(script, "$p1_6")); /* nothing to be drawn */
+    check_script((struct wanted[]){{"$p0_4 << EOD\n1 2 0.5 1.5 1.5 2.5\nEOD\n", 1},
+                                   {"set title 'right'", 3},
+                                   {"set xlabel 'x [m]'", 2 * 3},
+                                   {"set xrange [0:*]", 2 * 3},
+                                   {"set ytics ('one' 1,'5' 5)", 2 * 3},
+                                   {"$p1_6", 0}, /* nothing to be drawn */
+                                   {NULL}});
 }
 
 /* Cells fill their panel. */
@@ -143,13 +122,15 @@ static void cells(void)
     chart_cell(c, 2, 10, (double[]){1.5, 2.5}, (double[]){5, 20});
     chart_series(c, &(struct chart_series){"row", CHART_POINTS, .rgb = "#000000"});
     chart_point(c, 1, 30);
-    written(c, "cells");
-    holds("set xrange [0.5:2.5]\n");
-    holds("set yrange [5:30]\n");
-    holds("with boxxyerror fs solid 1 border lc rgb '#8cd17d' lc rgb '#8cd17d'");
+    write_chart(c);
+    check_script((struct wanted[]){
+        {"set xrange [0.5:2.5]\n", 3},
+        {"set yrange [5:30]\n", 3},
+        {"with boxxyerror fs solid 1 border lc rgb '#8cd17d' lc rgb '#8cd17d'", 3},
+        {NULL}});
 }
 
-/* What a label has, it keeps; after the last look comes the first, dashed. */
+/* A label keeps its look; after the last look comes the first, dashed. */
 static void looks(void)
 {
     struct chart *c = chart_create(NULL);
@@ -164,11 +145,13 @@ static void looks(void)
         chart_point(c, 1, n);
         if (n != 9)
             continue;
-        chart_write(c, ".", "looks", &why);
-        read_script("looks.gp");
-        holds("dt (10,6) pt 6 ps scale*1.1 lc rgb '#0072b2' title 'line 8'");
-        const char *at = strstr(script, "$p1_5 using");
-        CHECK(at && !strncmp(strstr(at, "lc rgb"), "lc rgb '#009e73'", 16));
+        chart_write(c, ".", "chart", &why);
+        read_script("chart.gp");
+        check_script((struct wanted[]){
+            {"ps scale*1.1 dt (10,6) pt 6 lc rgb '#0072b2' title 'line 8'", 3},
+            {"$p1_5 using 1:2 with linespoints lw 1.6 ps scale*1.1 pt 9 lc rgb '#009e73'",
+             3},
+            {NULL}});
     }
     CHECK(chart_write(c, ".", "many", &why) == STATUS_UNSUPPORTED);
     CHECK(strstr(why.text, "12 lines"));
@@ -268,33 +251,34 @@ static void sheets(bool drawn)
     CHECK(!drawn || !memcmp(png, "\x89PNG", 4));
     free(png);
 
-    char *data = fresh_text(".", "sheets.dat");
     read_script("sheets.gp");
-    for (char *line = data; *line; line += strcspn(line, "\n") + 1)
-        points += *line != '#' && *line != '\n';
+    bool data = false;
+    for (char *line = script; *line; line += strcspn(line, "\n") + 1) {
+        data = *line == '$' || (data && strncmp(line, "EOD", 3) != 0);
+        points += data && *line != '$' && *line != '\n';
+    }
     CHECK(points == 2 * 34 * 34); /* every third of 100, corners included */
-    CHECK(fresh_count(data, "\n\n\n") == 2);
-    CHECK(strstr(data, "\n0 0 -1\n") && strstr(data, "\n2 1 -1\n")); /* the mid-surface */
-    CHECK(strstr(data, "\n2 1 0.5\n"));
-
-    holds("layout 2,2");
-    holds("'low'.\"\\n\".'t = 1 s'");
-    holds("'dead  '");
-    holds("'\"high\" it'.\"'\".'s `so` \\n'");
-    CHECK(strstr(script, "index 0") && strstr(script, "index 1"));
-    CHECK(!strstr(script, "index 2"));
-    holds("set view equal xyz");
-    holds("set xrange [-0.04:2.04]");
-    holds("set zrange [-1.03:0.53]");
+    check_script((struct wanted[]){{"layout 2,2", 1},
+                                   {"'low'.\"\\n\".'t = 1 s'", 1},
+                                   {"'dead  '", 1},
+                                   {"'\"high\" it'.\"'\".'s `so` \\n'", 1},
+                                   {"splot $p", 2},
+                                   {"$p1", 0},
+                                   {"set view equal xyz", 1},
+                                   {"set xrange [-0.04:2.04]", 1},
+                                   {"set zrange [-1.03:0.53]", 1},
+                                   {"\n$p2 << EOD\n0 0 0.5\n", 1},
+                                   {"\n0 0 -1\n", 1}, /* the mid-surface */
+                                   {"\n2 1 -1\n", 1},
+                                   {NULL}});
     CHECK(picture_save("/proc/nowhere", "sheets", 1, 1, panels, &why) == STATUS_FILE);
-    free(data);
     free(low);
     free(high);
 }
 
 static void all(bool drawn)
 {
-    rows_become_points();
+    points_bands_and_marks();
     styles_and_panels();
     cells();
     looks();

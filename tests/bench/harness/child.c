@@ -49,30 +49,17 @@ static enum status leave(void *context, struct message *why)
     _Exit(3);
 }
 
+/* Uses up a second of processor time, and another to remove a temporary file in. */
 static enum status spin(void *context, struct message *why)
 {
     struct rlimit limit;
 
     (void)context, (void)why;
-    child_limit(1); /* and a second to remove its temporary file in */
+    child_limit(1);
     if (getrlimit(RLIMIT_CPU, &limit) == 0 && limit.rlim_cur == 1 && limit.rlim_max == 2)
         child_reached(0.5);
     for (volatile double n = 0; n >= 0; n++)
         ;
-    return STATUS_OK;
-}
-
-/* Leaves how much of a processor it has used. */
-static enum status work_a_while(void *context, struct message *why)
-{
-    const double enough = 0.02; /* [s], many times what starting takes */
-    struct timespec used;
-
-    (void)context, (void)why;
-    do
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
-    while ((double)used.tv_sec + 1e-9 * (double)used.tv_nsec < enough);
-    child_reached((double)used.tv_sec + 1e-9 * (double)used.tv_nsec);
     return STATUS_OK;
 }
 
@@ -91,7 +78,7 @@ static enum status hang(void *context, struct message *why)
     return STATUS_OK;
 }
 
-/* Of two names: makes a file of the second when it is so far. */
+/* Makes a file of the second of two names when it is so far. */
 static enum status ignore_requests(void *context, struct message *why)
 {
     const char *const *path = context;
@@ -101,7 +88,7 @@ static enum status ignore_requests(void *context, struct message *why)
     return hang(context, why);
 }
 
-/* Likewise, with a file of the first name open. */
+/* Does so with a file of the first name open. */
 static enum status hold_file(void *context, struct message *why)
 {
     const char *const *path = context;
@@ -144,85 +131,72 @@ static struct child_end end_of(struct child *c, double limit)
     return end;
 }
 
-static double reached = 2.5;
-static int segfault = SIGSEGV;
+/* A second of processor time by the kernel's clock, which ticks [s]. */
+static const double SPINS = 0.95;
 
-/* What becomes of work, and its words. */
-static void ends_so(enum status (*work)(void *, struct message *), void *context,
-                    double limit, enum child_outcome outcome, bool overdue, double so_far,
-                    const char *why)
-{
-    struct child c;
-
-    start(&c, work, context);
-    const struct child_end end = end_of(&c, limit);
-    if (!CHECK(end.outcome == outcome && end.overdue == overdue &&
-               !strcmp(end.why.text, why) &&
-               (end.reached == so_far || (isnan(end.reached) && isnan(so_far)))))
-        printf("  '%s': outcome %d, reached %g, '%s'\n", why, end.outcome, end.reached,
-               end.why.text);
-}
-
-/* A signal of its own, of somebody else's, and one that asks it to end. */
-static void check_signals(void)
-{
-    static const struct {
-        int signal;
-        enum child_outcome outcome;
-        const char *why;
-    } known[] = {
-        {SIGSEGV, CHILD_FAILED, "crashed: signal 11 (Segmentation fault)"},
-        {SIGABRT, CHILD_FAILED, "crashed: signal 6 (Aborted)"},
-        {SIGFPE, CHILD_FAILED, "crashed: signal 8 (Floating point exception)"},
-        {SIGBUS, CHILD_FAILED, "crashed: signal 7 (Bus error)"},
-        {SIGKILL, CHILD_CUT, "killed by signal 9 (Killed), not by itself"},
-        {SIGUSR1, CHILD_CUT, "killed by signal 10 (User defined signal 1), not by itself"},
-        /* not by child_limit: the user's own */
-        {SIGXCPU, CHILD_CUT,
-         "killed by signal 24 (CPU time limit exceeded), not by itself"},
-        {SIGTERM, CHILD_ASKED, ""},
-        {SIGHUP, CHILD_ASKED, ""},
-        {SIGINT, CHILD_ASKED, ""},
-    };
-
-    for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
-        int number = known[n].signal;
-        ends_so(crash, &number, long_limit, known[n].outcome, false, 0.25, known[n].why);
-    }
-    ends_so(crash_limited, &segfault, long_limit, CHILD_FAILED, false, 0.25, known[0].why);
-}
-
+/* What becomes of work, how far it was, and the words. */
 static void check_ends(void)
 {
+    static double reached = 2.5;
+    static int segfault = SIGSEGV, abort_ = SIGABRT, division = SIGFPE, bus = SIGBUS,
+               killed = SIGKILL, user = SIGUSR1, processor = SIGXCPU, terminate = SIGTERM,
+               hang_up = SIGHUP, interrupt = SIGINT;
     static struct ending diverged = {STATUS_DIVERGED, "it went round in circles"},
                          silent = {STATUS_NAN, NULL}, full = {STATUS_FILE, "no room"},
                          poor = {STATUS_MEMORY, NULL};
+    static const struct {
+        enum status (*work)(void *, struct message *);
+        void *context;
+        enum child_outcome outcome;
+        bool overdue;
+        double reached;
+        const char *why;
+    } all[] = {
+        {succeed, &reached, CHILD_DONE, false, 2.5, ""},
+        {fail, &diverged, CHILD_FAILED, false, NAN, "it went round in circles"},
+        {fail, &silent, CHILD_FAILED, false, NAN, "a position is no longer a number"},
+        {fail, &full, CHILD_STUCK, false, NAN, "no room"},
+        {fail, &poor, CHILD_CUT, false, NAN, "out of memory"},
+        {leave, NULL, CHILD_FAILED, false, NAN, "ended with exit code 3"},
+        {spin, NULL, CHILD_FAILED, true, 0.5, "not done after 1 s of processor time"},
+        {hang, NULL, CHILD_FAILED, true, NAN, "timed out after 0.1 s"},
+        /* a signal of its own */
+        {crash, &segfault, CHILD_FAILED, false, 0.25,
+         "crashed: signal 11 (Segmentation fault)"},
+        {crash_limited, &segfault, CHILD_FAILED, false, 0.25,
+         "crashed: signal 11 (Segmentation fault)"},
+        {crash, &abort_, CHILD_FAILED, false, 0.25, "crashed: signal 6 (Aborted)"},
+        {crash, &division, CHILD_FAILED, false, 0.25,
+         "crashed: signal 8 (Floating point exception)"},
+        {crash, &bus, CHILD_FAILED, false, 0.25, "crashed: signal 7 (Bus error)"},
+        /* somebody else's; the last not by child_limit */
+        {crash, &killed, CHILD_CUT, false, 0.25,
+         "killed by signal 9 (Killed), not by itself"},
+        {crash, &user, CHILD_CUT, false, 0.25,
+         "killed by signal 10 (User defined signal 1), not by itself"},
+        {crash, &processor, CHILD_CUT, false, 0.25,
+         "killed by signal 24 (CPU time limit exceeded), not by itself"},
+        /* one that asks it to end */
+        {crash, &terminate, CHILD_ASKED, false, 0.25, ""},
+        {crash, &hang_up, CHILD_ASKED, false, 0.25, ""},
+        {crash, &interrupt, CHILD_ASKED, false, 0.25, ""},
+    };
 
-    ends_so(succeed, &reached, long_limit, CHILD_DONE, false, 2.5, "");
-    ends_so(fail, &diverged, long_limit, CHILD_FAILED, false, NAN, diverged.words);
-    ends_so(fail, &silent, long_limit, CHILD_FAILED, false, NAN,
-            "a position is no longer a number");
-    ends_so(fail, &full, long_limit, CHILD_STUCK, false, NAN, "no room");
-    ends_so(fail, &poor, long_limit, CHILD_CUT, false, NAN, "out of memory");
-    ends_so(leave, NULL, long_limit, CHILD_FAILED, false, NAN, "ended with exit code 3");
-    ends_so(spin, NULL, long_limit, CHILD_FAILED, true, 0.5,
-            "not done after 1 s of processor time");
-    ends_so(hang, NULL, short_limit, CHILD_FAILED, true, NAN, "timed out after 0.1 s");
-}
-
-/* Of user and system time, each cut off after the microsecond [s]. */
-static const double TOL_MICROSECONDS = 2e-6;
-
-/* What a child has used: what it saw itself, at least, and no more than went by. */
-static void check_seconds(void)
-{
-    const double before = clock_now();
-    struct child c;
-
-    start(&c, work_a_while, NULL);
-    const struct child_end end = end_of(&c, long_limit);
-    CHECK(end.seconds >= end.reached - TOL_MICROSECONDS);
-    CHECK(end.seconds <= clock_now() - before);
+    for (size_t n = 0; n < sizeof all / sizeof *all; n++) {
+        const double before = clock_now();
+        struct child c;
+        start(&c, all[n].work, all[n].context);
+        const struct child_end end =
+            end_of(&c, all[n].work == hang ? short_limit : long_limit);
+        if (!CHECK(end.outcome == all[n].outcome && end.overdue == all[n].overdue &&
+                   !strcmp(end.why.text, all[n].why) &&
+                   (end.reached == all[n].reached ||
+                    (isnan(end.reached) && isnan(all[n].reached)))))
+            printf("  '%s': outcome %d, reached %g, '%s'\n", all[n].why, end.outcome,
+                   end.reached, end.why.text);
+        CHECK(all[n].work != spin ||
+              (end.seconds >= SPINS && end.seconds <= clock_now() - before));
+    }
 }
 
 /* Suspended, it does not use up its time; left so, it is cut; woken, it goes on. */
@@ -303,8 +277,6 @@ int main(void)
 {
     scratch_open();
     check_ends();
-    check_signals();
-    check_seconds();
     check_suspended();
     check_asleep();
     check_clear();

@@ -56,7 +56,7 @@ struct contest {
     int count, room;
     struct contest_row *rows; /* [count], in any order: more may be added     owned */
 
-    /* How it is searched, and timed again. */
+    /* Settings of the search, and of timing again with more threads. */
     bool quick;            /* the cheap half of each ladder                         */
     double longest;        /* seconds that a run which is searched for may take     */
     double budget;         /* seconds of all runs together; 0: as long as it takes  */

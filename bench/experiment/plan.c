@@ -710,7 +710,7 @@ static const struct schema_key PLAN[] = {
     {"intersections", "count self-intersections", SCHEMA_WORD, .words = plan_settings_truth,
      IN(plan, intersections)},
     {"keep", "fields in the result files", SCHEMA_WORD, .words = KEEPS, IN(plan, keep)},
-    {"time_limit", "of a case on the clock [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
+    {"time_limit", "of a case, processor time [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
      IN(plan, time_limit)},
     {"verdicts", "when a case gets a label", SCHEMA_SPECIAL, .read = read_verdicts,
      IN(plan, verdicts),

@@ -94,7 +94,8 @@ static enum status work(void *context, long number, struct message *why)
     struct truth *truth = NULL;
     enum status st;
 
-    child_limit(job->quick && job->contestant ? QUICK_LIMIT : TIME_LIMIT);
+    if (job->quick && job->contestant)
+        child_limit(QUICK_LIMIT);
     if (!job->contestant) {
         TRY(stress_find_truth(job, true, &truth, why));
         truth_destroy(truth);
@@ -164,7 +165,7 @@ static enum status run_jobs(const struct options *o, const char *path, bool trut
 {
     struct pool pool = {
         .slots = o->jobs,
-        .time_limit = 10 * (o->choice.quick ? QUICK_LIMIT : TIME_LIMIT),
+        .time_limit = TIME_LIMIT,
         .work = work,
         .settle = settle,
     };

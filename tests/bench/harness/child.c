@@ -49,18 +49,35 @@ static enum status leave(void *context, struct message *why)
     _Exit(3);
 }
 
-/* Uses up a second of processor time, and another to remove a temporary file in. */
+/* Spends its processor time; the second limit holds. */
 static enum status spin(void *context, struct message *why)
 {
-    struct rlimit limit;
-
-    (void)context, (void)why;
-    child_limit(1);
-    if (getrlimit(RLIMIT_CPU, &limit) == 0 && limit.rlim_cur == 1 && limit.rlim_max == 2)
-        child_reached(0.5);
+    (void)why;
+    child_limit(3600);
+    child_limit(*(const double *)context);
+    child_reached(0.5);
     for (volatile double n = 0; n >= 0; n++)
         ;
     return STATUS_OK;
+}
+
+/* Does so with a temporary file open. */
+static enum status spin_with_file(void *context, struct message *why)
+{
+    struct atomic_file file;
+    enum status st;
+
+    TRY(atomic_file_open(scratch_path("spins.txt"), &file, why));
+    st = spin(context, why);
+out:
+    return st;
+}
+
+/* Does so, and cannot be asked to end. */
+static enum status spin_deaf(void *context, struct message *why)
+{
+    signal(SIGXCPU, SIG_IGN);
+    return spin(context, why);
 }
 
 /* The limit is not to blame. */
@@ -102,17 +119,6 @@ out:
     return st;
 }
 
-/* Until somebody wakes it. */
-static enum status stop(void *context, struct message *why)
-{
-    (void)context, (void)why;
-    raise(SIGSTOP);
-    return STATUS_OK;
-}
-
-/* So long that no machine is too slow, so short that hanging is soon over [s]. */
-static const double long_limit = 3600, short_limit = 0.1;
-
 static void start(struct child *c, enum status (*work)(void *, struct message *),
                   void *context)
 {
@@ -120,24 +126,24 @@ static void start(struct child *c, enum status (*work)(void *, struct message *)
     REQUIRE(child_start(c, work, context, NULL) == STATUS_OK);
 }
 
-static struct child_end end_of(struct child *c, double limit)
+static struct child_end end_of(struct child *c)
 {
     struct child_end end;
 
-    while (!child_poll(c, limit, &end))
+    while (!child_poll(c, &end))
         nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
     CHECK(c->pid == 0);
     child_clear(c);
     return end;
 }
 
-/* A second of processor time by the kernel's clock, which ticks [s]. */
-static const double SPINS = 0.95;
+/* The share of its limit that a child has used by the kernel's clock, which ticks. */
+static const double SPINS = 0.9;
 
 /* What becomes of work, how far it was, and the words. */
 static void check_ends(void)
 {
-    static double reached = 2.5;
+    static double reached = 2.5, limit = 0.2;
     static int segfault = SIGSEGV, abort_ = SIGABRT, division = SIGFPE, bus = SIGBUS,
                killed = SIGKILL, user = SIGUSR1, processor = SIGXCPU, terminate = SIGTERM,
                hang_up = SIGHUP, interrupt = SIGINT;
@@ -158,8 +164,11 @@ static void check_ends(void)
         {fail, &full, CHILD_STUCK, false, NAN, "no room"},
         {fail, &poor, CHILD_CUT, false, NAN, "out of memory"},
         {leave, NULL, CHILD_FAILED, false, NAN, "ended with exit code 3"},
-        {spin, NULL, CHILD_FAILED, true, 0.5, "not done after 1 s of processor time"},
-        {hang, NULL, CHILD_FAILED, true, NAN, "timed out after 0.1 s"},
+        {spin, &limit, CHILD_FAILED, true, 0.5, "timed out after 0.2 s of processor time"},
+        {spin_with_file, &limit, CHILD_FAILED, true, 0.5,
+         "timed out after 0.2 s of processor time"},
+        {spin_deaf, &limit, CHILD_FAILED, true, 0.5,
+         "timed out after 0.2 s of processor time"},
         /* a signal of its own */
         {crash, &segfault, CHILD_FAILED, false, 0.25,
          "crashed: signal 11 (Segmentation fault)"},
@@ -186,50 +195,17 @@ static void check_ends(void)
         const double before = clock_now();
         struct child c;
         start(&c, all[n].work, all[n].context);
-        const struct child_end end =
-            end_of(&c, all[n].work == hang ? short_limit : long_limit);
+        const struct child_end end = end_of(&c);
         if (!CHECK(end.outcome == all[n].outcome && end.overdue == all[n].overdue &&
                    !strcmp(end.why.text, all[n].why) &&
                    (end.reached == all[n].reached ||
                     (isnan(end.reached) && isnan(all[n].reached)))))
             printf("  '%s': outcome %d, reached %g, '%s'\n", all[n].why, end.outcome,
                    end.reached, end.why.text);
-        CHECK(all[n].work != spin ||
-              (end.seconds >= SPINS && end.seconds <= clock_now() - before));
+        CHECK(!end.overdue ||
+              (end.seconds >= SPINS * limit && end.seconds <= clock_now() - before));
+        CHECK(scratch_files(scratch) == 0);
     }
-}
-
-/* Suspended, it does not use up its time; left so, it is cut; woken, it goes on. */
-static void check_suspended(void)
-{
-    for (int woken = 0; woken < 2; woken++) {
-        struct child c;
-        struct child_end end;
-        siginfo_t info;
-
-        start(&c, stop, NULL);
-        REQUIRE(waitid(P_PID, (id_t)c.pid, &info, WSTOPPED | WNOWAIT) == 0);
-        CHECK(!child_poll(&c, long_limit, &end) && c.suspended && c.worked == 0);
-        if (woken)
-            kill(c.pid, SIGCONT);
-        end = end_of(&c, woken ? long_limit : short_limit);
-        CHECK(end.outcome == (woken ? CHILD_DONE : CHILD_CUT) && !end.overdue);
-        CHECK(!strcmp(end.why.text,
-                      woken ? "" : "suspended for longer than its time limit of 0.1 s"));
-    }
-}
-
-/* What this process sleeps through does not count: at most a second from poll to poll. */
-static void check_asleep(void)
-{
-    struct child c;
-    struct child_end end;
-
-    start(&c, hang, NULL);
-    c.seen -= 1000;
-    CHECK(!child_poll(&c, 500, &end) && !c.overdue && c.worked <= 1 && c.worked > 0.9);
-    end = end_of(&c, short_limit);
-    CHECK(end.overdue);
 }
 
 /* What still runs does not outlive child_clear. */
@@ -277,8 +253,6 @@ int main(void)
 {
     scratch_open();
     check_ends();
-    check_suspended();
-    check_asleep();
     check_clear();
     check_leaves_nothing();
     child_reached(1); /* not in a child: nothing */

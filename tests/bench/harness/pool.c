@@ -22,23 +22,16 @@ static struct notes {
     int fd; /* of a file in which every job leaves a byte                              */
 } notes;
 
-static enum status hang(void *context, long job, struct message *why)
-{
-    (void)context, (void)job, (void)why;
-    while (pause() != 0) /* it never returns 0 */
-        ;
-    return STATUS_OK;
-}
-
 static enum status work(void *context, long job, struct message *why)
 {
+    (void)context;
     REQUIRE(write(notes.fd, "x", 1) == 1);
     if (job == CRASHES)
         abort();
     if (job == KILLED)
         raise(SIGKILL);
-    if (job == HANGS)
-        return hang(context, job, why);
+    for (volatile long n = 0; job == HANGS; n++)
+        ;
     return job == FAILS ? status_fail(why, STATUS_INPUT, "no such case") : STATUS_OK;
 }
 
@@ -84,7 +77,7 @@ static void check_ends(void)
 
     notes.fd = open(scratch_path("notes"), O_CREAT | O_RDWR, 0600);
     REQUIRE(notes.fd >= 0);
-    pool.done = done, pool.time_limit = 1;
+    pool.done = done, pool.time_limit = 0.5;
     REQUIRE(pool_run(&pool, NULL) == STATUS_OK);
     for (int n = 0; n < JOBS; n++) {
         CHECK(notes.ended[n] == (n != DONE_BEFORE));
@@ -97,7 +90,7 @@ static void check_ends(void)
     }
     CHECK(!strcmp(notes.end[FAILS].why.text, "no such case"));
     CHECK(pool.ran == JOBS - 1 && pool.hands == 3 && notes.most == 3 && !pool.stopped_by);
-    CHECK(pool.wall >= pool.time_limit && pool.wall <= clock_now() - begun);
+    CHECK(pool.wall > 0 && pool.wall <= clock_now() - begun);
     CHECK_NEAR(pool.seconds, seconds, TOL_SUM);
     CHECK(lseek(notes.fd, 0, SEEK_END) == JOBS - 1); /* the children ran, each once */
     close(notes.fd);
@@ -109,6 +102,14 @@ static enum status fail_second(void *context, long job, struct message *why)
 {
     (void)context;
     return job == 1 ? status_fail(why, STATUS_FILE, "no room") : STATUS_OK;
+}
+
+static enum status hang(void *context, long job, struct message *why)
+{
+    (void)context, (void)job, (void)why;
+    while (pause() != 0) /* it never returns 0 */
+        ;
+    return STATUS_OK;
 }
 
 static enum status fail_beside_hanger(void *context, long job, struct message *why)

@@ -140,67 +140,65 @@ static struct child_end end_of(struct child *c)
 /* The share of its limit that a child has used by the kernel's clock, which ticks. */
 static const double SPINS = 0.9;
 
+static double reached = 2.5, limit = 0.2;
+static int segfault = SIGSEGV, abort_ = SIGABRT, division = SIGFPE, bus = SIGBUS,
+           killed = SIGKILL, user = SIGUSR1, processor = SIGXCPU, terminate = SIGTERM,
+           hang_up = SIGHUP, interrupt = SIGINT;
+static struct ending diverged = {STATUS_DIVERGED, "it went round in circles"},
+                     silent = {STATUS_NAN, NULL}, full = {STATUS_FILE, "no room"},
+                     poor = {STATUS_MEMORY, NULL};
 /* What becomes of work, how far it was, and the words. */
+static const struct {
+    enum status (*work)(void *, struct message *);
+    void *context;
+    enum child_outcome outcome;
+    bool overdue;
+    double reached;
+    const char *why;
+} ends[] = {
+    {succeed, &reached, CHILD_DONE, false, 2.5, ""},
+    {fail, &diverged, CHILD_FAILED, false, NAN, "it went round in circles"},
+    {fail, &silent, CHILD_FAILED, false, NAN, "a position is no longer a number"},
+    {fail, &full, CHILD_STUCK, false, NAN, "no room"},
+    {fail, &poor, CHILD_CUT, false, NAN, "out of memory"},
+    {leave, NULL, CHILD_FAILED, false, NAN, "ended with exit code 3"},
+    {spin, &limit, CHILD_FAILED, true, 0.5, "timed out after 0.2 s of processor time"},
+    {spin_with_file, &limit, CHILD_FAILED, true, 0.5,
+     "timed out after 0.2 s of processor time"},
+    {spin_deaf, &limit, CHILD_FAILED, true, 0.5, "timed out after 0.2 s of processor time"},
+    /* a signal of its own */
+    {crash, &segfault, CHILD_FAILED, false, 0.25,
+     "crashed: signal 11 (Segmentation fault)"},
+    {crash_limited, &segfault, CHILD_FAILED, false, 0.25,
+     "crashed: signal 11 (Segmentation fault)"},
+    {crash, &abort_, CHILD_FAILED, false, 0.25, "crashed: signal 6 (Aborted)"},
+    {crash, &division, CHILD_FAILED, false, 0.25,
+     "crashed: signal 8 (Floating point exception)"},
+    {crash, &bus, CHILD_FAILED, false, 0.25, "crashed: signal 7 (Bus error)"},
+    /* somebody else's; the last not by child_limit */
+    {crash, &killed, CHILD_CUT, false, 0.25, "killed by signal 9 (Killed), not by itself"},
+    {crash, &user, CHILD_CUT, false, 0.25,
+     "killed by signal 10 (User defined signal 1), not by itself"},
+    {crash, &processor, CHILD_CUT, false, 0.25,
+     "killed by signal 24 (CPU time limit exceeded), not by itself"},
+    /* one that asks it to end */
+    {crash, &terminate, CHILD_ASKED, false, 0.25, ""},
+    {crash, &hang_up, CHILD_ASKED, false, 0.25, ""},
+    {crash, &interrupt, CHILD_ASKED, false, 0.25, ""},
+};
+
 static void check_ends(void)
 {
-    static double reached = 2.5, limit = 0.2;
-    static int segfault = SIGSEGV, abort_ = SIGABRT, division = SIGFPE, bus = SIGBUS,
-               killed = SIGKILL, user = SIGUSR1, processor = SIGXCPU, terminate = SIGTERM,
-               hang_up = SIGHUP, interrupt = SIGINT;
-    static struct ending diverged = {STATUS_DIVERGED, "it went round in circles"},
-                         silent = {STATUS_NAN, NULL}, full = {STATUS_FILE, "no room"},
-                         poor = {STATUS_MEMORY, NULL};
-    static const struct {
-        enum status (*work)(void *, struct message *);
-        void *context;
-        enum child_outcome outcome;
-        bool overdue;
-        double reached;
-        const char *why;
-    } all[] = {
-        {succeed, &reached, CHILD_DONE, false, 2.5, ""},
-        {fail, &diverged, CHILD_FAILED, false, NAN, "it went round in circles"},
-        {fail, &silent, CHILD_FAILED, false, NAN, "a position is no longer a number"},
-        {fail, &full, CHILD_STUCK, false, NAN, "no room"},
-        {fail, &poor, CHILD_CUT, false, NAN, "out of memory"},
-        {leave, NULL, CHILD_FAILED, false, NAN, "ended with exit code 3"},
-        {spin, &limit, CHILD_FAILED, true, 0.5, "timed out after 0.2 s of processor time"},
-        {spin_with_file, &limit, CHILD_FAILED, true, 0.5,
-         "timed out after 0.2 s of processor time"},
-        {spin_deaf, &limit, CHILD_FAILED, true, 0.5,
-         "timed out after 0.2 s of processor time"},
-        /* a signal of its own */
-        {crash, &segfault, CHILD_FAILED, false, 0.25,
-         "crashed: signal 11 (Segmentation fault)"},
-        {crash_limited, &segfault, CHILD_FAILED, false, 0.25,
-         "crashed: signal 11 (Segmentation fault)"},
-        {crash, &abort_, CHILD_FAILED, false, 0.25, "crashed: signal 6 (Aborted)"},
-        {crash, &division, CHILD_FAILED, false, 0.25,
-         "crashed: signal 8 (Floating point exception)"},
-        {crash, &bus, CHILD_FAILED, false, 0.25, "crashed: signal 7 (Bus error)"},
-        /* somebody else's; the last not by child_limit */
-        {crash, &killed, CHILD_CUT, false, 0.25,
-         "killed by signal 9 (Killed), not by itself"},
-        {crash, &user, CHILD_CUT, false, 0.25,
-         "killed by signal 10 (User defined signal 1), not by itself"},
-        {crash, &processor, CHILD_CUT, false, 0.25,
-         "killed by signal 24 (CPU time limit exceeded), not by itself"},
-        /* one that asks it to end */
-        {crash, &terminate, CHILD_ASKED, false, 0.25, ""},
-        {crash, &hang_up, CHILD_ASKED, false, 0.25, ""},
-        {crash, &interrupt, CHILD_ASKED, false, 0.25, ""},
-    };
-
-    for (size_t n = 0; n < sizeof all / sizeof *all; n++) {
+    for (size_t n = 0; n < sizeof ends / sizeof *ends; n++) {
         const double before = clock_now();
         struct child c;
-        start(&c, all[n].work, all[n].context);
+        start(&c, ends[n].work, ends[n].context);
         const struct child_end end = end_of(&c);
-        if (!CHECK(end.outcome == all[n].outcome && end.overdue == all[n].overdue &&
-                   !strcmp(end.why.text, all[n].why) &&
-                   (end.reached == all[n].reached ||
-                    (isnan(end.reached) && isnan(all[n].reached)))))
-            printf("  '%s': outcome %d, reached %g, '%s'\n", all[n].why, end.outcome,
+        if (!CHECK(end.outcome == ends[n].outcome && end.overdue == ends[n].overdue &&
+                   !strcmp(end.why.text, ends[n].why) &&
+                   (end.reached == ends[n].reached ||
+                    (isnan(end.reached) && isnan(ends[n].reached)))))
+            printf("  '%s': outcome %d, reached %g, '%s'\n", ends[n].why, end.outcome,
                    end.reached, end.why.text);
         CHECK(!end.overdue ||
               (end.seconds >= SPINS * limit && end.seconds <= clock_now() - before));

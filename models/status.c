@@ -19,6 +19,16 @@ bool status_is_death(enum status st)
     return st >= STATUS_NAN;
 }
 
+void message_add(struct message *m, const char *format, ...)
+{
+    const size_t used = strlen(m->text);
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(m->text + used, sizeof m->text - used, format, args);
+    va_end(args);
+}
+
 enum status status_fail(struct message *why, enum status st, const char *format, ...)
 {
     if (why) {

@@ -48,6 +48,10 @@ struct message {
 /* Moves from to *to and leaves it all-zero: what `out:` clears it no longer owns. */
 #define HAND_OVER(to, from) (*(to) = (from), memset(&(from), 0, sizeof(from)))
 
+/* Appends printf's words to a message; what does not fit is cut off. */
+void message_add(struct message *m, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
 /* Returns the sentence of a code. Static storage. */
 const char *status_text(enum status st);
 

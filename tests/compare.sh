@@ -20,6 +20,7 @@ light=(compare cantilever_transient --quick --until 0.005
     { cat "$folder.log"; fail "exit $?"; }
 grep -q "truth's bar" "$folder.txt" || fail "no error bar of the truth"
 grep -q "Kirchhoff plate" "$folder.txt" || fail "the truth is not named"
+[ -e "$folder/quick.txt" ] || fail "the folder is not marked as that of a quick run"
 
 # From here on nothing is drawn: it takes longer than the runs.
 mkdir -p "$folder/bin" && printf '#!/bin/sh\nexit 1\n' >"$folder/bin/gnuplot" && chmod +x "$folder/bin/gnuplot"
@@ -132,34 +133,28 @@ CLOTHBENCH_TRUTHS=$blunt "$program" compare flag --models mass_spring_single --q
 tr '\n' ' ' <"$folder.txt" | grep -q "compared up to 0.2 s, as its error bar at 0.3 s is 4.4 % of L" || fail "blunt times are not told"
 head -1 "$folder/flag/compare.csv" | grep -q ',rmse_over_length_0.1_s,rmse_over_length_0.2_s,worst' || fail "blunt times are compared"
 
-# Scenes are read before the first is run.
-refused_early() {
-    "$program" compare "${@:2}" --out "$folder.none" >/dev/null 2>"$folder.log"
-    local code=$?
-    if [ "$code" -ne 2 ] || [ -e "$folder.none" ] || ! grep -q "$1" "$folder.log"; then
-        fail "exit $code of compare ${*:2}"
-    fi
-}
-refused_early "no scene 'nowhere'" cantilever_transient nowhere --quick
-refused_early 'two scenes of the name' cantilever_transient cantilever_transient
-"$program" compare edge_drop --models nothing --out "$folder.none" >/dev/null 2>"$folder.log"
-[ $? = 2 ] || fail "an unknown model does not end with exit 2"
-[ ! -e "$folder.none" ] || fail "an unknown model leaves a folder"
-refuses() { # WHAT IT SAYS, ARGUMENTS
-    "$program" compare edge_drop --models mass_spring --quick "${@:2}" >/dev/null 2>"$folder.log"
-    [ $? = 2 ] || fail "${*:2} does not end with exit 2"
-    grep -q -- "$1" "$folder.log" || fail "${*:2}: $(cat "$folder.log")"
-    [ ! -e "$folder.none" ] || fail "${*:2} leaves a folder"
-}
-refuses "a time in seconds" --until -1 --out "$folder.none"
-refuses "a time in seconds" --until 0.1s --out "$folder.none"
-refuses "at least 5 frames" --until 0.02 --out "$folder.none"
-refuses "give one of the two" --out "$folder.none" --from "$folder"
-refuses "seconds for a scene" --budget 0 --out "$folder.none"
-refuses "seconds for a scene" --budget 3m --out "$folder.none"
-refuses "different numbers" --threads 1,,2 --out "$folder.none"
-refuses "different numbers" --threads 2,2 --out "$folder.none"
-refuses "different numbers" --threads 0 --out "$folder.none"
-refuses "format" --format words --out "$folder.none"
-refuses "material.yung" --set material.yung=1 --out "$folder.none"
+# Scenes and options are read before anything is run: no folder is made.
+while read -r words arguments; do
+    # shellcheck disable=SC2086 # words of a line
+    "$program" compare $arguments --quick --out "$folder.none" >/dev/null 2>"$folder.log"
+    [ $? = 2 ] || fail "$arguments does not end with exit 2"
+    grep -q -- "${words//_/ }" "$folder.log" || fail "$arguments: $(cat "$folder.log")"
+    [ ! -e "$folder.none" ] || fail "$arguments leaves a folder"
+done <<END
+no_scene_'nowhere' cantilever_transient nowhere
+two_scenes_of_the_name cantilever_transient cantilever_transient
+no_model_or_contestant edge_drop --models nothing
+a_number_above_0 edge_drop --until -1
+a_number_above_0 edge_drop --until 0.1s
+at_least_5_frames edge_drop --until 0.02
+give_one_of_the_two edge_drop --from $folder
+a_number_above_0 edge_drop --budget 0
+a_number_above_0 edge_drop --budget 3m
+seconds,_or_0 edge_drop --longest -1
+different_numbers edge_drop --threads 1,,2
+different_numbers edge_drop --threads 2,2
+different_numbers edge_drop --threads 0
+format edge_drop --format words
+material.yung edge_drop --set material.yung=1
+END
 exit $failed

@@ -46,9 +46,8 @@ static enum status advance(void *state, struct counters *counters)
 
     switch ((enum odd)s->scene->density) {
     case ODD_HANGS:
-        while (pause() != 0) /* it never returns 0 */
-            ;
-        break;
+        for (;;) /* it has nothing to wait for, and uses the processor */
+            script_advances++;
     case ODD_CRASHES:
         signal(SIGABRT, SIG_DFL);
         abort();

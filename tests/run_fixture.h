@@ -26,6 +26,16 @@ static inline struct settings list(int count, const char *const *text)
     return s;
 }
 
+/* Adds settings that semicolons part. */
+static inline void set_words(struct settings *s, const char *words)
+{
+    char copy[512];
+
+    REQUIRE(snprintf(copy, sizeof copy, "%s", words) < (int)sizeof copy);
+    for (char *word = strtok(copy, ";"); word; word = strtok(NULL, ";"))
+        settings_set(s, word);
+}
+
 #define LIST(...)                                                                          \
     list(LENGTH(((const char *const[]){__VA_ARGS__})), (const char *const[]){__VA_ARGS__})
 

@@ -75,8 +75,8 @@ sed 's/^cases:/time_limit: 0.1\ncases: [{name: a, material.density: 4}, {name: b
     /^  - /d; /^time_limit: 1e6/d; s/name: ends/name: hangs/' ends.yaml >hangs.yaml
 run hangs.yaml --out hangs
 [ "$code" -eq 0 ] || fail "hangs: exit $code: $(<err)"
-row hangs a 'none,no result,timed out after 0.1 s'
-row hangs b 'none,no result,timed out after 0.1 s'
+row hangs a 'none,no result,timed out after 0.1 s of processor time'
+row hangs b 'none,no result,timed out after 0.1 s of processor time'
 run hangs.yaml --out hangs --resume
 grep -q 'Nothing was left' out || fail 'a case that hung is run again'
 

@@ -13,80 +13,42 @@
 
 /* --- the search --- */
 
-/* The truth is to be so many times sharper than what is asked for. */
+/* The truth's error bar is requested to be so many times smaller than the error. */
 static const double SHARPER = 5;
 
-/* Runs of so many seconds at first, and so many times longer in each round. */
+/* The seconds of a run in the first round, and the factor of each further round. */
 static const double FIRST = 0.02, LONGER = 3;
 
-/* Nobody wants a run that is so many times dearer than one that serves, and takes longer
- * than anybody waits. */
+/* A run is not worth a try that takes so many times the cheapest that serves, and longer
+ * than anybody waits [s]. */
 static const double DEARER = 30, SHORT = 0.2;
 
-/* The share of the budget left that a run may take, with its judging and its repeats. */
+/* Share of the budget left that a run may take, with its judging and its repeats. */
 static const double SHARE = 1.0 / 20;
-
-/* The truth, as sharp as it takes, in so many seconds at most: job->found, or NULL with a
- * sentence in *said where none can be had. Fills `target`. */
-static enum status find_truth(struct advise_search *s, double seconds, struct message *said,
-                              struct message *why)
-{
-    struct compare_job *j = s->job;
-    const struct truth_wish wish = {s->wish.error / SHARPER, seconds, .alone = true};
-    const enum status st = truth_find_or_make(j->path, &j->truth, j->times, j->time,
-                                              j->folder, &wish, &j->found, said);
-
-    j->contest.truth = j->found;
-    if (st == STATUS_OK)
-        s->target = s->wish.error - contest_largest_bar(&j->contest);
-    if (st == STATUS_UNSUPPORTED || st == STATUS_LATE || status_is_death(st))
-        return STATUS_OK;
-    return st ? status_fail(why, st, "%s", said->text) : STATUS_OK;
-}
-
-static enum status add_cheapest(struct contest *c, const char *models)
-{
-    const struct model *model;
-    struct contest_at at[CONTEST_RUNGS];
-    struct contest_row *unused;
-    enum status st = STATUS_OK;
-
-    for (int m = 0; (model = contestant_model(m)); m++)
-        for (const struct contestant *who = contestant_table; who->name; who++)
-            if (who->model == model && !contestant_is_paper_scheme(who) &&
-                contestant_chosen(who, models, CONTESTANT_COMPARE)) {
-                contest_ladder(c, who, at);
-                TRY(contest_add(c, &at[0], &unused));
-            }
-out:
-    return st;
-}
 
 double advise_search_rate(const struct advise_search *s, const struct contest_row *row)
 {
     return row->seconds / s->job->time[s->job->times - 1];
 }
 
-/* Returns a contestant's cheapest row within the target; NULL: none is. */
+/* Finds a contestant's cheapest row within the target; NULL: none is. */
 static const struct contest_row *cheapest(const struct advise_search *s,
                                           const struct contestant *who)
 {
     return contest_cheapest(&s->job->contest, who, s->target);
 }
 
-int advise_search_ranking(const struct advise_search *s, int most,
-                          const struct contest_row **row)
+int advise_search_ranking(const struct advise_search *s,
+                          const struct contest_row *row[ADVISE_MOST])
 {
     const struct contestant *who;
     int count = 0;
 
     for (int k = 0; (who = contest_entrant(&s->job->contest, k)); k++) {
         const struct contest_row *r = cheapest(s, who);
-        int n = count;
-        if (!r || (count == most && row[count - 1]->seconds <= r->seconds))
+        if (!r || count == ADVISE_MOST)
             continue;
-        count += count < most;
-        n = n < most ? n : most - 1;
+        int n = count++;
         for (; n > 0 && row[n - 1]->seconds > r->seconds; n--)
             row[n] = row[n - 1];
         row[n] = r;
@@ -94,26 +56,26 @@ int advise_search_ranking(const struct advise_search *s, int most,
     return count;
 }
 
-/* The longest run that is still worth a try. */
+/* Returns the seconds of the longest run that is still worth a try. */
 static double most_seconds(const struct advise_search *s, double left)
 {
-    const struct contest_row *best;
+    const struct contest_row *ranked[ADVISE_MOST];
     double most = fmax(0, SHARE * left);
 
-    if (advise_search_ranking(s, 1, &best))
-        most = fmin(most, fmax(SHORT, DEARER * best->seconds));
+    if (advise_search_ranking(s, ranked))
+        most = fmin(most, fmax(SHORT, DEARER * ranked[0]->seconds));
     return most;
 }
 
-/* Measures those of the choice (contestant_chosen), which was checked. */
-static enum status search(struct advise_search *s, const char *models, struct message *why)
+/* Measures the contestants of the job, round by round, until the budget is over or nothing
+ * is worth a try. */
+static enum status search(struct advise_search *s, struct message *why)
 {
     struct contest *c = &s->job->contest;
     const double start = clock_now();
     int first = 0;
     enum status st = STATUS_OK;
 
-    TRY(add_cheapest(c, models));
     s->longest = FIRST;
     for (;;) {
         if (c->count > first) {
@@ -124,14 +86,14 @@ static enum status search(struct advise_search *s, const char *models, struct me
         }
         if (st == STATUS_LATE) {
             s->end = ADVISE_BUDGET;
-            break;
+            return STATUS_OK;
         }
         TRY(st);
         first = c->count;
         const double left = s->wish.budget - (clock_now() - start);
         const double most = most_seconds(s, left);
         const struct contest_wish wish = {1, &s->target, fmin(s->longest, most)};
-        TRY(compare_job_propose(s->job, &wish));
+        TRY(contest_propose(c, &wish));
         if (c->count > first)
             continue;
         if (s->longest >= most) {
@@ -141,43 +103,42 @@ static enum status search(struct advise_search *s, const char *models, struct me
         }
         s->longest *= LONGER;
     }
-    st = STATUS_OK;
 out:
     return st;
 }
 
 /* --- the table --- */
 
-enum { MOST = 64, TEXT = 256 };
+enum { TEXT = 256 };
 
 static const struct scene *scene_of(const struct advise_search *s)
 {
     return s->job->contest.scene;
 }
 
-/* Says what kept a contestant from serving. */
+/* Writes the reason for which a contestant does not serve. */
 static void tell_reason(const struct advise_search *s, const struct contestant *who,
-                        char text[TEXT])
+                        struct message *reason)
 {
     const struct contest *c = &s->job->contest;
     const struct contest_limit limit = contest_limit(c, who);
-    char what[TEXT / 2];
+    struct message what;
 
-    contest_tell(c, &limit, what, sizeof what);
+    contest_tell(c, &limit, &what);
+    reason->text[0] = '\0';
     if (limit.kind == CONTEST_SKIPPED) {
-        snprintf(text, TEXT, "%s", what);
+        message_add(reason, "%s", what.text);
     } else if (limit.kind == CONTEST_REFUSED || limit.kind == CONTEST_DIED) {
         const struct contest_row *row = c->rows;
         while (row->at.contestant != who)
             row++;
-        snprintf(text, TEXT, "%.200s", row->result.sentence.text);
+        message_add(reason, "%.200s", row->result.sentence.text);
+    } else if (limit.kind == CONTEST_BY_UNKNOWN && s->longest > 0) {
+        message_add(reason, "runs of more than %.2g s were not tried", s->longest);
     } else if (limit.kind == CONTEST_BY_UNKNOWN) {
-        if (s->longest > 0)
-            snprintf(text, TEXT, "runs of more than %.2g s were not tried", s->longest);
-        else
-            snprintf(text, TEXT, "the budget ended with its coarsest run");
+        message_add(reason, "the budget ended with its coarsest run");
     } else {
-        snprintf(text, TEXT, "limited by %s", what);
+        message_add(reason, "limited by %s", what.text);
     }
 }
 
@@ -186,34 +147,29 @@ static bool is_fast(const struct advise_search *s, const struct contest_row *row
     return advise_search_rate(s, row) <= s->wish.rate;
 }
 
-static void add_size(struct table *t, const struct contest *c, const struct contest_row *r)
-{
-    const int *size = r ? r->at.size : NULL;
-
-    if (r)
-        table_text(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
-    else
-        table_dash(t);
-    table_number(t, r ? c->scene->step / size[CONTEST_STEP] : NAN, 3);
-    table_fixed(t, r && size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
-}
-
 static void add_row(struct table *t, const struct advise_search *s,
                     const struct contestant *who, const struct contest_row *r)
 {
+    const int *size = r ? r->at.size : (const int[CONTEST_AXES]){0};
     const bool serves = r && r->worst <= s->target;
-    char reason[TEXT];
+    struct message reason = {""};
 
     table_row(t);
     table_text(t, "%s", who->title);
     table_text(t, "%s", who->name);
     table_text(t, "%s", !serves ? "no" : is_fast(s, r) ? "yes" : "too slow");
-    add_size(t, &s->job->contest, r);
+    if (r)
+        table_text(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
+    else
+        table_dash(t);
+    table_number(t, r ? scene_of(s)->step / size[CONTEST_STEP] : NAN, 3);
+    table_fixed(t, size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
     table_number(t, r ? r->worst : NAN, 2);
     table_number(t, r ? advise_search_rate(s, r) : NAN, 2);
     table_number(t, r ? r->result.bytes : NAN, 2);
-    tell_reason(s, who, reason);
-    table_text(t, "%s", serves ? "" : reason);
+    if (!serves)
+        tell_reason(s, who, &reason);
+    table_text(t, "%s", reason.text);
 }
 
 static struct table *create(const struct advise_search *s, char caption[TEXT])
@@ -235,13 +191,14 @@ static struct table *create(const struct advise_search *s, char caption[TEXT])
     return table_create(sizeof columns / sizeof *columns, columns, caption);
 }
 
-/* Those that serve from cheap to dear, then the others in the order of the contest. */
+/* Adds those that serve from cheap to dear, then the others in the order of the
+ * contest. */
 static void fill(struct table *t, const struct advise_search *s)
 {
-    const struct contest_row *best[MOST];
+    const struct contest_row *best[ADVISE_MOST];
     const struct contest *c = &s->job->contest;
     const struct contestant *who;
-    const int serving = advise_search_ranking(s, MOST, best);
+    const int serving = advise_search_ranking(s, best);
 
     for (int n = 0; n < serving; n++)
         add_row(t, s, best[n]->at.contestant, best[n]);
@@ -306,7 +263,8 @@ static void say_command(const struct advise_search *s, const struct contest_row 
     settings_clear(&all);
 }
 
-/* What the net is made of, if it is one of points; advise_net.csv in the folder. */
+/* Says the masses and stiffnesses of the net, if it is one of points; they are
+ * advise_net.csv in the folder, too. */
 static enum status say_net(const struct advise_search *s, const struct contest_row *r,
                            enum table_format format, FILE *file, struct message *why)
 {
@@ -365,10 +323,10 @@ enum status advise_print(const struct advise_search *s, enum table_format format
 {
     char caption[TEXT];
     struct table *t = create(s, caption);
-    const struct contest_row *best = NULL;
+    const struct contest_row *ranked[ADVISE_MOST];
+    const struct contest_row *best = advise_search_ranking(s, ranked) ? ranked[0] : NULL;
     enum status st;
 
-    advise_search_ranking(s, 1, &best);
     if (table_format_is_prose(format)) {
         say_needs(s, file);
         say_answer(s, best, file);
@@ -385,9 +343,10 @@ out:
 
 /* --- the command --- */
 
+/* Seconds that the answer may take, unless --budget says another number. */
 static const double BUDGET = 240;
 
-/* The share of the budget that runs for a truth may take. */
+/* Share of the budget that runs for a truth may take. */
 static const double FOR_TRUTH = 1.0 / 3;
 
 static enum status read_rate(const struct command_line *line, double *rate,
@@ -416,43 +375,49 @@ out:
     return st;
 }
 
-/* Where the truth does not tell. */
+/* Returns whether the truth cannot tell who serves, and says so. */
 static bool is_undecidable(const struct advise_search *s, const struct message *said)
 {
     const struct contest *c = &s->job->contest;
+    const bool decidable = c->truth && s->target > 0;
 
     if (!c->truth)
         table_say(stdout, "Cannot be decided: %s%s.", said->text,
                   deadline_left() < 0 ? " (a third of --budget is for the truth)" : "");
-    else if (!(s->target > 0) && *c->truth->unresolved)
+    else if (!decidable && *c->truth->unresolved)
         table_say(stdout, "Cannot be decided: %s Truth: %s.", c->truth->unresolved,
                   c->truth->source);
-    else if (!(s->target > 0))
+    else if (!decidable)
         table_say(
             stdout,
             "Cannot be decided: the truth is known to %.2g %% of the length, and %.3g "
             "%% is asked for. A later --budget or an earlier --until may tell. Truth: "
             "%s.",
             100 * contest_largest_bar(c), 100 * s->wish.error, c->truth->source);
-    return !c->truth || !(s->target > 0);
+    return !decidable;
 }
 
 static enum status answer(struct advise_search *s, const char *models,
                           enum table_format format, struct message *why)
 {
-    struct message said = {""};
+    struct compare_job *j = s->job;
+    const struct truth_wish wish = {s->wish.error / SHARPER, FOR_TRUTH * s->wish.budget,
+                                    .alone = true};
     const double start = clock_now();
+    struct message said = {""};
     enum status st;
 
-    TRY(folder_make(s->job->folder, why));
+    TRY(folder_make(j->folder, why));
     timing_alone();
-    deadline_set(FOR_TRUTH * s->wish.budget);
-    TRY(find_truth(s, FOR_TRUTH * s->wish.budget, &said, why));
+    TRY(compare_job_truth(j, &wish, &said, why));
+    if (j->found)
+        s->target = s->wish.error - contest_largest_bar(&j->contest);
     if (is_undecidable(s, &said))
         return STATUS_FAILED;
     s->wish.budget -= clock_now() - start;
     deadline_set(s->wish.budget);
-    TRY(search(s, models, why));
+    TRY(compare_job_enter(j, models, 1, false, why));
+    TRY(search(s, why));
     TRY(advise_print(s, format, stdout, why));
 out:
     return st;

@@ -12,34 +12,35 @@
 extern const struct command advise_command;
 
 struct advise_wish {
-    double error;  /* of the length, at every time                                     */
-    double rate;   /* seconds that a second of motion may take; INFINITY: any          */
-    double budget; /* seconds that all of this may take, the truth included            */
+    double error;  /* largest error over the length, at every time                   */
+    double rate;   /* seconds that a second of motion may take; INFINITY: any        */
+    double budget; /* seconds that all of this may take, the truth included          */
 };
 
 /* The reason for which the search ended. */
 enum advise_end { ADVISE_DONE, ADVISE_BUDGET };
 
 struct advise_search {
-    struct compare_job *job; /* open, with its folder made                     borrowed */
+    struct compare_job *job; /* open, with its folder made                  borrowed */
     struct advise_wish wish;
-    double
-        target; /* error / L that runs must show to be sure: the truth's bar off `error` */
-    double longest; /* that was tried [s]; 0: none but the coarsest                    */
+    double target;  /* error / L that runs must show to be sure: the truth's bar off
+                       wish.error                                                    */
+    double longest; /* seconds that were tried; 0: none but the coarsest            */
     enum advise_end end;
 };
 
-/* Seconds that a row takes for a second of motion. */
+/* Returns the seconds that a row takes for a second of motion. */
 double advise_search_rate(const struct advise_search *s, const struct contest_row *row);
 
-/* All contestants' rows that are the cheapest within the target, from cheap to dear, into
- * row[]: how many, at most `most`. */
-int advise_search_ranking(const struct advise_search *s, int most,
-                          const struct contest_row **row);
+/* Fills row[] with each contestant's cheapest row within the target, from cheap to dear;
+ * returns how many. */
+enum { ADVISE_MOST = 128 };
+int advise_search_ranking(const struct advise_search *s,
+                          const struct contest_row *row[ADVISE_MOST]);
 
-/* The table of all contestants, best first, to `file` and as advise.csv in the folder; in
- * prose formats with the answer above it, and the parameters of the best one's net, if that
- * is one of points; they are advise_net.csv in the folder. */
+/* Prints the table of all contestants, best first, to `file` and as advise.csv in the
+ * folder; in prose formats with the answer above it, and the parameters of the best one's
+ * net, if that is one of points; they are advise_net.csv in the folder. */
 enum status advise_print(const struct advise_search *s, enum table_format format,
                          FILE *file, struct message *why);
 

@@ -1,39 +1,37 @@
 #include "bench/compare/compare.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/compare/league.h"
+#include "bench/experiment/judge.h"
 #include "bench/files/folder.h"
 #include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
 #include "models/clock.h"
 
-/* Seconds that a run which the search proposes may take. */
-static const double LONGEST = 3;
-
 enum { MOST_SCENES = 16, MOST_THREADS = 256 };
 
-/* The least number above 0. */
-static const double ABOVE_0 = DBL_TRUE_MIN;
+/* Seconds that a run which the search proposes may take, unless --longest says another. */
+static const double LONGEST = 3;
 
-/* An option of seconds from `least` to `most`, which `want` says in words. */
-static enum status read_seconds(const struct command_line *line, const char *option,
-                                double otherwise, double least, double most,
-                                const char *want, double *seconds, struct message *why)
+/* Reads --longest, the only option of seconds that may be 0. */
+static enum status read_longest(struct contest *c, const struct command_line *line,
+                                struct message *why)
 {
-    const char *word = command_value(line, option);
+    const char *word = command_value(line, "--longest");
     char *end = NULL;
 
-    *seconds = word ? strtod(word, &end) : otherwise;
-    if (word && (end == word || *end || !(*seconds >= least && *seconds <= most)))
-        return status_fail(why, STATUS_INPUT, "%s %s: %s", option, word, want);
+    c->longest = word ? strtod(word, &end) : c->quick ? 0 : LONGEST;
+    if (word && (end == word || *end || !(c->longest >= 0)))
+        return status_fail(why, STATUS_INPUT,
+                           "--longest %s: seconds, or 0 for no search beyond the ladder",
+                           word);
     return STATUS_OK;
 }
 
-/* "1,2,4": one is what all is timed with. */
+/* Reads --threads, as "1,2,4"; all is timed with one thread anyway. */
 static enum status read_threads(struct contest *c, const struct command_line *line,
                                 struct message *why)
 {
@@ -56,32 +54,30 @@ static enum status read_threads(struct contest *c, const struct command_line *li
     return STATUS_OK;
 }
 
+/* Reads a scene and the options; nothing is run. */
 static enum status prepare(struct compare_job *j, const struct command_line *line,
                            const char *scene, struct message *why)
 {
     enum status st;
     int given;
-    double until;
+    double until = NAN;
     const char *const *set = command_values(line, "--set", &given);
 
     j->contest.quick = command_given(line, "--quick");
+    j->read_only = command_given(line, "--from");
     settings_set_all(&j->user, given, set);
-    TRY(read_seconds(line, "--until", NAN, ABOVE_0, INFINITY, "a time in seconds, above 0",
-                     &until, why));
+    TRY(command_number(line, "--until", false, &until, why));
     TRY(compare_job_open(j, scene, until, why));
-    TRY(read_seconds(line, "--longest", j->contest.quick ? 0 : LONGEST, 0, INFINITY,
-                     "seconds, or 0 for no search beyond the ladder", &j->contest.longest,
-                     why));
-    TRY(read_seconds(line, "--budget", 0, ABOVE_0, DBL_MAX, "seconds for a scene, above 0",
-                     &j->contest.budget, why));
+    TRY(read_longest(&j->contest, line, why));
+    TRY(command_number(line, "--budget", false, &j->contest.budget, why));
     TRY(read_threads(&j->contest, line, why));
 out:
     return st;
 }
 
-/* Times that nobody asked for and at which the truth can tell none of the targets decide
- * nothing: they are left, and that is said where the truth is named. */
-static void leave_blunt_times(struct compare_job *j)
+/* Leaves times out at which the truth can tell none of the targets, and says so where the
+ * truth is named. */
+static void leave_vague_times(struct compare_job *j)
 {
     struct truth *t = j->found;
     const double most = contest_target[0] * j->scene.length;
@@ -98,11 +94,12 @@ static void leave_blunt_times(struct compare_job *j)
     j->times = t->times;
 }
 
-/* So long the coarsest run of each contestant is tried under any budget [s]. */
+/* Seconds that remain for runs under any budget: enough for the coarsest of each
+ * contestant. */
 static const double LEAST_BUDGET = 10;
 
-/* Returns what runs for a truth are to reach, the least target, and how long they may take;
- * a quick call and one with a budget ask for less. */
+/* Returns the error bar that runs for a truth should reach, the least target, and how long
+ * they may take; less of both for a quick call and one with a budget. */
 static struct truth_wish wish_of(const struct contest *c)
 {
     const double seconds = c->quick ? 30 : 240;
@@ -112,27 +109,21 @@ static struct truth_wish wish_of(const struct contest *c)
                                .alone = true};
 }
 
-/* Where what was to be the truth refuses the scene or dies, the others run nevertheless. */
+/* Finds the truth, and the deadline of what follows. Without a truth the contestants run
+ * nevertheless. */
 static enum status find_truth(struct compare_job *j, bool all_times, struct message *why)
 {
     const struct truth_wish wish = wish_of(&j->contest);
-    const double start = clock_now();
+    const double start = clock_now(), budget = j->contest.budget;
     struct message said = {""};
+    const enum status st = compare_job_truth(j, &wish, &said, why);
 
-    deadline_set(wish.seconds);
-    enum status st = truth_find_or_make(j->path, &j->truth, j->times, j->time, j->folder,
-                                        &wish, &j->found, &said);
-    if (j->contest.budget > 0)
-        deadline_set(fmax(j->contest.budget - (clock_now() - start), LEAST_BUDGET));
-    else
-        deadline_set(INFINITY);
-    j->contest.truth = j->found;
-    if (st == STATUS_OK && !all_times)
-        leave_blunt_times(j);
-    if (st == STATUS_OK)
+    deadline_set(budget > 0 ? fmax(budget - (clock_now() - start), LEAST_BUDGET)
+                            : INFINITY);
+    if (j->found && !all_times)
+        leave_vague_times(j);
+    if (st || j->found)
         return st;
-    if (st != STATUS_UNSUPPORTED && st != STATUS_LATE && !status_is_death(st))
-        return status_fail(why, st, "%s", said.text);
     fprintf(stderr, "compare: no truth, and so no errors: %s\n", said.text);
     j->none = (struct truth){.times = j->times, .time = j->time};
     snprintf(j->none.source, sizeof j->none.source, "none; %.500s", said.text);
@@ -140,100 +131,95 @@ static enum status find_truth(struct compare_job *j, bool all_times, struct mess
     return STATUS_OK;
 }
 
-/* What all scenes of a call have in common. */
-struct call {
-    const struct command_line *line;
-    const char *out, *from; /* of one scene the folder, of several that of theirs; NULL  */
-    enum table_format format;
-    struct league league;
-};
-
-/* --out DIR of several scenes has a folder for each. */
-static const char *choose_folder(const struct call *call, const char *scene, char *room,
-                                 size_t size)
+/* Writes the folder of a scene's files: that of --from or --out, in which several scenes
+ * have a folder each. */
+static void choose_folder(const struct command_line *line, const char *scene, size_t size,
+                          char *folder)
 {
-    const char *given = call->from ? call->from : call->out;
+    const char *from = command_value(line, "--from"), *out = command_value(line, "--out");
+    const char *given = from ? from : out;
 
-    if (given && call->line->word_count == 1)
-        return given;
-    if (given)
-        snprintf(room, size, "%s/%s", given, scene);
+    if (given && line->word_count == 1)
+        snprintf(folder, size, "%s", given);
+    else if (given)
+        snprintf(folder, size, "%s/%s", given, scene);
     else
-        snprintf(room, size, "results/compare_%s", scene);
-    return room;
+        snprintf(folder, size, "results/compare_%s", scene);
 }
 
-/* Before anything is run: every scene can be read, and each has a name of its own. */
-static enum status check_scenes(const struct command_line *line, struct message *why)
+static enum status run_scene(struct compare_job *j, const struct command_line *line,
+                             enum table_format format, struct message *why)
+{
+    enum status st;
+    char folder[4096];
+
+    choose_folder(line, j->scene.name, sizeof folder, folder);
+    j->folder = folder;
+    TRY(compare_job_enter(j, command_value(line, "--models"),
+                          j->contest.budget > 0 ? 1 : CONTEST_RUNGS, true, why));
+    if (!j->read_only) {
+        TRY(folder_make(folder, why));
+        judge_mark(folder, j->contest.quick);
+    }
+    timing_alone();
+    TRY(find_truth(j, command_value(line, "--until"), why));
+    if (*j->contest.truth->unresolved && table_format_is_prose(format))
+        table_say(stdout, "%s", j->contest.truth->unresolved);
+    TRY(compare_job_measure(j, why));
+    TRY(compare_print(&j->contest, folder, format, stdout, why));
+out:
+    j->folder = NULL;
+    return st;
+}
+
+/* Reads all scenes, before the first is run: each has a name of its own. */
+static enum status prepare_all(const struct command_line *line, struct compare_job *jobs,
+                               struct message *why)
 {
     enum status st = STATUS_OK;
-    char name[MOST_SCENES][sizeof((struct league_scene *)NULL)->name];
 
     for (int n = 0; n < line->word_count; n++) {
-        struct compare_job j = {0};
-        st = prepare(&j, line, line->words[n], why);
-        if (st == STATUS_OK)
-            snprintf(name[n], sizeof name[n], "%s", j.scene.name);
-        compare_job_close(&j);
-        TRY(st);
+        TRY(prepare(&jobs[n], line, line->words[n], why));
         for (int k = 0; k < n; k++)
-            if (!strcmp(name[k], name[n]))
+            if (!strcmp(jobs[k].scene.name, jobs[n].scene.name))
                 TRY(status_fail(why, STATUS_INPUT, "%s: two scenes of the name %s",
-                                line->words[n], name[n]));
+                                line->words[n], jobs[n].scene.name));
     }
 out:
     return st;
 }
 
-static enum status run_scene(struct call *call, const char *word, struct message *why)
-{
-    enum status st;
-    struct compare_job j = {0};
-    char folder[4096];
-
-    TRY(prepare(&j, call->line, word, why));
-    j.folder = choose_folder(call, j.scene.name, folder, sizeof folder);
-    j.read_only = call->from != NULL;
-    TRY(compare_job_ladder(&j, command_value(call->line, "--models"), why));
-    if (!j.read_only)
-        TRY(folder_make(j.folder, why));
-    timing_alone();
-    TRY(find_truth(&j, command_value(call->line, "--until"), why));
-    if (*j.contest.truth->unresolved && table_format_is_prose(call->format))
-        table_say(stdout, "%s", j.contest.truth->unresolved);
-    TRY(compare_job_measure(&j, why));
-    TRY(compare_print(&j.contest, j.folder, call->format, stdout, why));
-    TRY(league_add(&call->league, &j.contest));
-out:
-    compare_job_close(&j);
-    return st;
-}
-
 static enum status run(const struct command_line *line, struct message *why)
 {
-    enum status st = STATUS_OK;
-    struct call call = {.line = line,
-                        .out = command_value(line, "--out"),
-                        .from = command_value(line, "--from")};
     const char *word = command_value(line, "--format");
+    const char *from = command_value(line, "--from"), *out = command_value(line, "--out");
+    const struct contest *contests[MOST_SCENES];
+    struct compare_job *jobs = calloc(MOST_SCENES, sizeof *jobs);
+    enum table_format format = TABLE_TEXT;
+    enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
 
+    TRY(st);
     if (word)
-        TRY(table_format_parse(word, &call.format, why));
-    if (call.out && call.from)
-        return status_fail(
+        TRY(table_format_parse(word, &format, why));
+    if (out && from)
+        TRY(status_fail(
             why, STATUS_INPUT,
-            "--from reads result files and --out writes them; give one of the two");
-    TRY(check_scenes(line, why));
-    for (int n = 0; n < line->word_count; n++)
-        TRY(run_scene(&call, line->words[n], why));
+            "--from reads result files and --out writes them; give one of the two"));
+    TRY(prepare_all(line, jobs, why));
+    for (int n = 0; n < line->word_count; n++) {
+        TRY(run_scene(&jobs[n], line, format, why));
+        contests[n] = &jobs[n].contest;
+    }
     if (line->word_count > 1)
-        TRY(league_print(&call.league,
-                         call.from  ? call.from
-                         : call.out ? call.out
-                                    : "results",
-                         call.format, stdout, why));
+        TRY(league_print(line->word_count, contests,
+                         from  ? from
+                         : out ? out
+                               : "results",
+                         format, stdout, why));
 out:
-    league_clear(&call.league);
+    for (int n = 0; jobs && n < MOST_SCENES; n++)
+        compare_job_close(&jobs[n]);
+    free(jobs);
     return st;
 }
 

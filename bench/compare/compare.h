@@ -14,55 +14,54 @@ extern const struct command compare_command;
 struct compare_job {
     struct contest contest;
     struct scene scene;
-    char *path;
-    const char *folder;
+    char *path;         /* of the scene file                                  owned */
+    const char *folder; /* of the result files                             borrowed */
     int times;
-    double time[CONTEST_TIMES];
-    struct settings user;  /* the user's                                               */
-    struct settings truth; /* these, and how the truth is damped                       */
-    struct truth *found;   /* owned                                                    */
-    struct truth none;     /* stands in for a truth that could not be had              */
-    bool read_only;
+    double time[CONTEST_TIMES]; /* at which runs are held against the truth [s]     */
+    struct settings user;       /* the user's                                       */
+    struct settings truth;      /* these, and how the truth is damped               */
+    struct truth *found;        /* owned; NULL: none                                */
+    struct truth none;          /* stands in for a truth that could not be had      */
+    bool read_only;             /* rows are filled from files of an earlier call    */
     struct measurement_taken taken;
 };
 
 /* Reads a scene with a user's settings and chooses how it is damped and at which times it
  * is held against its truth: five up to `until` [s] or, if that is NaN, those of a stored
  * truth up to half a second, else five up to there. `quick` and `user` are set before; free
- * with compare_job_close. */
+ * with compare_job_close. STATUS_INPUT with a sentence. */
 enum status compare_job_open(struct compare_job *j, const char *scene, double until,
                              struct message *why);
 void compare_job_close(struct compare_job *j); /* all-zero is allowed */
 
-/* The ladders of a choice of --models (contestant_chosen), model by model; within a budget
- * the least rung of each. */
-enum status compare_job_ladder(struct compare_job *j, const char *models,
-                               struct message *why);
+/* Adds the ladders of a choice of --models (contestant_chosen), model by model: at most
+ * `rungs` rungs of each, with the paper's own scheme or without. STATUS_INPUT with a
+ * sentence. */
+enum status compare_job_enter(struct compare_job *j, const char *models, int rungs,
+                              bool paper_scheme, struct message *why);
 
-/* Runs and times all rows from `first` on that the folder has no file of, and fills them.
- * STATUS_LATE with a sentence: the budget was over before, and some are absent. */
-enum status compare_job_rows(struct compare_job *j, int first, struct message *why);
+/* Finds or makes the truth within wish->seconds, which also becomes the deadline of this
+ * process. Where none can be had, contest.truth stays NULL and *said says why. */
+enum status compare_job_truth(struct compare_job *j, const struct truth_wish *wish,
+                              struct message *said, struct message *why);
 
-/* Makes a row of each run that contest_search proposes for any contestant. */
-enum status compare_job_propose(struct compare_job *j, const struct contest_wish *wish);
+/* Runs and times all rows of a job from `first` on that the folder has no file of, and
+ * fills them: a contest_measure. STATUS_LATE with a sentence: the budget was over before,
+ * and some are absent. */
+enum status compare_job_rows(void *job, int first, struct message *why);
 
-/* Runs and times the ladder, what it makes worth a try (contest_search_all), then, untimed,
- * what tells the limits of each, and the best again with more threads; read_only: fills
- * them from the files of an earlier call.
- */
+/* Runs and times the ladder, the rows that it makes worth a try (contest_search_all), then,
+ * untimed, those that tell the limits of each, and the best again with more threads; or as
+ * much of that as the budget has time for. */
 enum status compare_job_measure(struct compare_job *j, struct message *why);
 
 /* --- what is printed --- */
 
-/* The table of all runs to `file` and as compare.csv in the folder, what each contestant
- * needs for given errors (compare_targets.csv) and what limits it (compare_limits.csv);
- * charts compare.png and compare_models.png as it goes. */
+/* Prints the table of all runs, what each contestant needs for given errors, what limits
+ * it, and the best rows with each number of threads, if there are any; as compare.csv,
+ * compare_targets.csv, compare_limits.csv and compare_threads.csv in the folder, too, with
+ * charts compare.png and compare_models.png. */
 enum status compare_print(const struct contest *c, const char *folder,
                           enum table_format format, FILE *file, struct message *why);
-
-/* The best rows with each number of threads, and compare_threads.csv; nothing where they
- * were not asked for. */
-enum status compare_threads(const struct contest *c, const char *folder,
-                            enum table_format format, FILE *file, struct message *why);
 
 #endif

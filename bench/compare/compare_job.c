@@ -6,16 +6,18 @@
 
 #include "bench/compare/compare.h"
 #include "bench/experiment/batch.h"
+#include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
-#include "bench/truth/truth.h"
 #include "bench/ui/progress.h"
 #include "models/damping.h"
 #include "models/reader/scene_file.h"
 
-/* Half a second: an edge drop's first quarter swing, before motions part for good. */
+/* The time up to which scenes are compared: an edge drop's first quarter swing, before
+ * motions part for good [s]. */
 static const double UNTIL = 0.5;
 
-/* All but the paper's own scheme move as the truth does (truth.h). */
+/* Chooses how the truth is damped (truth.h), and all contestants but the paper's own
+ * scheme. */
 static void choose_damping(struct compare_job *j)
 {
     const char *truth = truth_plan_damping(&j->scene);
@@ -88,37 +90,45 @@ void compare_job_close(struct compare_job *j)
     free(j->path);
 }
 
-/* Of its ladder all, or where a budget has to do the least. */
-static enum status add_rows(struct contest *c, const struct contestant *who)
-{
-    struct contest_at at[CONTEST_RUNGS];
-    const int count = contest_ladder(c, who, at);
-    struct contest_row *unused;
-    enum status st = STATUS_OK;
-
-    for (int n = 0; n < (c->budget > 0 ? 1 : count); n++)
-        TRY(contest_add(c, &at[n], &unused));
-out:
-    return st;
-}
-
-/* All of a choice (contestant_chosen), model by model. */
-enum status compare_job_ladder(struct compare_job *j, const char *models,
-                               struct message *why)
+enum status compare_job_enter(struct compare_job *j, const char *models, int rungs,
+                              bool paper_scheme, struct message *why)
 {
     const struct model *model;
+    struct contest_at at[CONTEST_RUNGS];
     enum status st;
 
     TRY(contestant_check(models, why));
     for (int m = 0; (model = contestant_model(m)); m++)
-        for (const struct contestant *who = contestant_table; who->name; who++)
-            if (who->model == model && contestant_chosen(who, models, CONTESTANT_COMPARE))
-                TRY(add_rows(&j->contest, who));
+        for (const struct contestant *who = contestant_table; who->name; who++) {
+            if (who->model != model || !contestant_chosen(who, models, CONTESTANT_COMPARE))
+                continue;
+            if (!paper_scheme && contestant_is_paper_scheme(who))
+                continue;
+            const int count = contest_ladder(&j->contest, who, at);
+            for (int n = 0; n < count && n < rungs; n++)
+                TRY(contest_add(&j->contest, &at[n], NULL));
+        }
 out:
     return st;
 }
 
-static void refine(const struct contest *c, const struct contest_at *at, struct settings *s)
+enum status compare_job_truth(struct compare_job *j, const struct truth_wish *wish,
+                              struct message *said, struct message *why)
+{
+    deadline_set(wish->seconds);
+    const enum status st = truth_find_or_make(j->path, &j->truth, j->times, j->time,
+                                              j->folder, wish, &j->found, said);
+
+    j->contest.truth = j->found;
+    if (st == STATUS_UNSUPPORTED || st == STATUS_LATE || status_is_death(st))
+        return STATUS_OK;
+    return st ? status_fail(why, st, "%s", said->text) : STATUS_OK;
+}
+
+/* --- runs --- */
+
+static void set_refinement(const struct contest *c, const struct contest_at *at,
+                           struct settings *s)
 {
     const int *size = at->size;
 
@@ -129,17 +139,20 @@ static void refine(const struct contest *c, const struct contest_at *at, struct 
         settings_integer(s, "discretization.iterations", size[CONTEST_ITERATIONS]);
 }
 
-/* Its file is called by the points along u, too by those across where cells are not about
- * square: so they were called before the net was searched across. */
-static void plan_row(struct compare_job *j, const struct contest_row *row, const char *tag,
+/* Adds a row's run to a batch. Its file is named after the points along u, the steps, the
+ * iterations and the threads beyond one; after the points across, too, where cells are not
+ * about square. */
+static void plan_row(struct compare_job *j, const struct contest_row *row, int threads,
                      struct batch *batch)
 {
     const struct contest_at *at = &row->at;
     const int along = at->size[CONTEST_NET], across = at->size[CONTEST_ACROSS];
-    char name[128], more[16] = "";
+    char name[128], more[16] = "", tag[16] = "";
 
     if (across != contest_across(&j->contest, at->contestant, along))
         snprintf(more, sizeof more, "x%d", across);
+    if (threads > 1)
+        snprintf(tag, sizeof tag, "_t%d", threads);
     snprintf(name, sizeof name, "%s_%d%s_%d_%d%s", at->contestant->name, along, more,
              at->size[CONTEST_STEP], at->size[CONTEST_ITERATIONS], tag);
     struct measurement_case *c = batch_add(batch, j->path, at->contestant, name);
@@ -150,7 +163,7 @@ static void plan_row(struct compare_job *j, const struct contest_row *row, const
     c->timed = row->probe ? MEASUREMENT_UNTIMED : MEASUREMENT_WHOLE;
     settings_append(batch_settings(batch),
                     contestant_is_paper_scheme(at->contestant) ? &j->user : &j->truth);
-    refine(&j->contest, at, batch_settings(batch));
+    set_refinement(&j->contest, at, batch_settings(batch));
 }
 
 static void show(void *context, const char *what, int done, int total)
@@ -177,23 +190,22 @@ static enum status run_batch(struct compare_job *j, struct batch *batch,
     return st;
 }
 
-/* Runs all rows from the first one given on, unless an earlier call has left their files,
- * and fills them. If they are not `needed`, those that it did not leave are absent: it was
- * cut short, or searched for less. */
-static enum status measure(struct compare_job *j, int first, bool needed,
-                           struct message *why)
+enum status compare_job_rows(void *job, int first, struct message *why)
 {
+    struct compare_job *j = job;
     struct contest *c = &j->contest;
+    const bool needed = first == 0 && !(c->budget > 0); /* no budget cut the ladder short */
     struct batch batch;
+    struct message said = {""};
     enum status st, late = STATUS_OK;
 
     TRY(batch_init(&batch, j->folder, c->count - first));
     for (int n = first; n < c->count; n++)
-        plan_row(j, &c->rows[n], "", &batch);
+        plan_row(j, &c->rows[n], 1, &batch);
     if (!j->read_only)
-        late = run_batch(j, &batch, why);
-    if (late != STATUS_LATE)
-        TRY(late);
+        late = run_batch(j, &batch, &said);
+    if (late != STATUS_LATE && late != STATUS_OK)
+        TRY(status_fail(why, late, "%s", said.text));
     for (int n = first; n < c->count; n++) {
         struct run_result r = {0};
         if ((late && !batch.cases[n - first].done) ||
@@ -205,68 +217,40 @@ static enum status measure(struct compare_job *j, int first, bool needed,
         contest_fill(c, &r, &c->rows[n]);
         run_result_clear(&r);
     }
-    st = late;
+    st = late ? status_fail(why, late, "%s", said.text) : late;
 out:
     batch_clear(&batch);
     return st;
 }
 
-enum status compare_job_rows(struct compare_job *j, int first, struct message *why)
-{
-    return measure(j, first, true, why);
-}
-
-enum status compare_job_propose(struct compare_job *j, const struct contest_wish *wish)
-{
-    struct contest *c = &j->contest;
-    const struct contestant *who;
-    struct contest_at at[CONTEST_PROPOSALS];
-    struct contest_row *unused;
-    enum status st = STATUS_OK;
-
-    for (int k = 0; (who = contest_entrant(c, k)); k++) {
-        const int count = contest_search(c, who, wish, at);
-        for (int n = 0; n < count; n++)
-            TRY(contest_add(c, &at[n], &unused));
-    }
-out:
-    return st;
-}
-
-/* The best rows once more with a number of threads; the same bits, or it is told. */
+/* Times the best rows once more with a number of threads. */
 static enum status measure_team(struct compare_job *j, int team, struct message *why)
 {
     struct contest *c = &j->contest;
     struct batch batch;
-    struct run_result r = {0};
-    char tag[16];
     int at = 0;
     enum status st;
 
-    snprintf(tag, sizeof tag, "_t%d", c->team[team]);
     TRY(batch_init(&batch, j->folder, c->count));
     for (int n = 0; n < c->count; n++)
         if (contest_is_best(c, &c->rows[n]))
-            plan_row(j, &c->rows[n], tag, &batch);
+            plan_row(j, &c->rows[n], c->team[team], &batch);
     timing_threads(c->team[team]);
     if (!j->read_only)
         TRY(run_batch(j, &batch, why));
     for (int n = 0; n < c->count; n++) {
+        struct run_result r = {0};
         if (!contest_is_best(c, &c->rows[n]))
             continue;
+        if (j->read_only && access(batch.files[at], F_OK) != 0)
+            TRY(status_fail(why, STATUS_LATE, "%s is not there", batch.files[at]));
         TRY(batch_read(&batch, at++, true, &r, why));
         contest_fill_team(c, team, &r, &c->rows[n]);
         run_result_clear(&r);
     }
 out:
-    run_result_clear(&r);
     batch_clear(&batch);
     return st;
-}
-
-static enum status measure_searched(void *job, int first, struct message *why)
-{
-    return measure(job, first, false, why);
 }
 
 static enum status measure_all(struct compare_job *j, struct message *why)
@@ -274,18 +258,16 @@ static enum status measure_all(struct compare_job *j, struct message *why)
     struct contest *c = &j->contest;
     enum status st;
 
-    TRY(measure(j, 0, !(c->budget > 0), why)); /* which may have cut it short */
-    TRY(contest_search_all(c, measure_searched, j, why));
+    TRY(compare_job_rows(j, 0, why));
+    TRY(contest_search_all(c, compare_job_rows, j, why));
     const int searched = c->count;
     TRY(contest_search_limits(c));
     if (c->count > searched)
-        TRY(measure(j, searched, false, why));
+        TRY(compare_job_rows(j, searched, why));
 out:
     return st;
 }
 
-/* The ladder, what it makes worth a try, what tells the limits of each, and the best of all
- * with more threads; or as much of that as the budget has time for. */
 enum status compare_job_measure(struct compare_job *j, struct message *why)
 {
     struct contest *c = &j->contest;

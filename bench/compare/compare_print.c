@@ -1,12 +1,13 @@
-/* The tables and charts of compare.h. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "bench/compare/compare.h"
 #include "bench/ui/chart.h"
 
 /* --- charts --- */
 
+/* Adds the runs of a contestant, or the best of them only. */
 static void add_points(struct chart *chart, const struct contest *c,
                        const struct contestant *who, bool front)
 {
@@ -54,7 +55,7 @@ static struct chart *create_chart(const struct contest *c, const char *of)
     return chart;
 }
 
-/* The contestant of a model that comes nearest to the truth; NULL: none lived. */
+/* Finds the contestant of a model that comes nearest to the truth; NULL: none lived. */
 static const struct contestant *best_of(const struct contest *c, const struct model *model)
 {
     const struct contest_row *best = NULL;
@@ -105,23 +106,11 @@ static struct chart *chart_models(const struct contest *c)
     return chart;
 }
 
-/* Draws seconds against error: the best of each model in compare.png, all by model in
- * compare_models.png. */
-static enum status draw(const struct contest *c, const char *folder, struct message *why)
-{
-    enum status st;
-
-    TRY(chart_save(chart_best(c), folder, "compare", why));
-    TRY(chart_save(chart_models(c), folder, "compare_models", why));
-out:
-    return st;
-}
-
 /* --- all runs --- */
 
-enum { FIXED = 15, MOST_COLUMNS = FIXED + CONTEST_TIMES + 3, SIZE_TEXT = 48 };
+enum { FIXED = 15, MOST_COLUMNS = FIXED + CONTEST_TIMES + 3 };
 
-/* What a table borrows. */
+/* Strings that the columns of the table of runs borrow. */
 struct words {
     char header[CONTEST_TIMES][32], key[CONTEST_TIMES][48], caption[256];
 };
@@ -252,8 +241,10 @@ static enum status print_runs(const struct contest *c, const char *folder,
                 add_run(t, c, &c->rows[n]);
     }
     TRY(table_save(t, folder, "compare", why));
-    if (c->truth->xyz)
-        TRY(draw(c, folder, why));
+    if (c->truth->xyz) {
+        TRY(chart_save(chart_best(c), folder, "compare", why));
+        TRY(chart_save(chart_models(c), folder, "compare_models", why));
+    }
     add_bar(t, c);
 out:
     if (st == STATUS_OK)
@@ -262,74 +253,74 @@ out:
     return st;
 }
 
-/* A number of a row and how it was had, for people: "0.078 20/4"; and for machines. */
-static void add_cell(struct table *t, const struct contest_row *r, double value,
-                     const char *none)
-{
-    char size[SIZE_TEXT];
+/* --- for errors, and limits --- */
 
-    if (!r) {
-        table_missing(t, "%s", none);
-        return;
-    }
-    contest_tell_size(r, size, sizeof size);
-    table_text(t, value < 99.5 ? "%.2g %s" : "%.0f %s", value, size);
-}
+/* A run in five columns for machines, after one for people: "0.078 20x12/4". */
+enum { RUN_COLUMNS = 6 };
 
-static void add_size(struct table *t, const struct contest *c, const struct contest_row *r)
-{
-    const int *size = r ? r->at.size : NULL;
-
-    table_fixed(t, r ? size[CONTEST_NET] : NAN, 0);
-    table_fixed(t, r ? size[CONTEST_ACROSS] : NAN, 0);
-    table_number(t, r ? c->scene->step / size[CONTEST_STEP] : NAN, 3);
-    table_fixed(t, r && size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
-}
-
-static void note_sizes(struct table *t, const struct contest *c)
-{
-    table_note(
-        t,
-        "40x12/16: 40 points along u and 12 across, 16 steps to the scene's frame of %.3g "
-        "ms; a third number: iterations.",
-        1e3 * c->scene->step);
-}
-
-enum { WHO = 2, TARGET_COLUMNS = 6 };
-
-/* The columns of a target: its seconds for people, and what a machine reads beside. */
-struct target_words {
-    char header[16], key[TARGET_COLUMNS - 1][24];
+/* Strings that the columns of a run borrow. */
+struct run_words {
+    char header[16], key[RUN_COLUMNS - 1][32];
 };
 
-static void add_columns(double error, struct target_words *w, struct table_column *column)
+/* Fills the columns of a run; a key is `before`, the word for what it holds, `after`. */
+static void set_columns(struct table_column *column, struct run_words *w, const char *unit,
+                        const char *value, const char *before, const char *after)
 {
-    static const char *const what[] = {"seconds", "side", "across", "step_s", "iterations"};
+    const char *const what[] = {value, "side", "across", "step_s", "iterations"};
 
-    snprintf(w->header, sizeof w->header, "%g %%", 100 * error);
-    *column++ = (struct table_column){w->header, "s", .readers = TABLE_PEOPLE};
-    for (int n = 0; n < TARGET_COLUMNS - 1; n++) {
-        snprintf(w->key[n], sizeof w->key[n], "%s_%g", what[n], error);
+    *column++ = (struct table_column){w->header, unit, .readers = TABLE_PEOPLE};
+    for (int n = 0; n < RUN_COLUMNS - 1; n++) {
+        snprintf(w->key[n], sizeof w->key[n], "%s%s%s", before, what[n], after);
         *column++ =
             (struct table_column){w->key[n], .key = w->key[n], .readers = TABLE_MACHINES};
     }
 }
 
+/* Fills the cells of a run, with a value that people see `scale` times as large; r NULL:
+ * there is no such run, `none`. */
+static void add_shown(struct table *t, const struct contest *c, const struct contest_row *r,
+                      double value, double scale, const char *none)
+{
+    if (!r) {
+        table_missing(t, "%s", none);
+        for (int n = 1; n < RUN_COLUMNS; n++)
+            table_dash(t);
+        return;
+    }
+    const int *size = r->at.size, iterations = size[CONTEST_ITERATIONS];
+    char last[16] = "";
+    if (iterations)
+        snprintf(last, sizeof last, "/%d", iterations);
+    table_text(t, scale * value < 99.5 ? "%.2g %dx%d/%d%s" : "%.0f %dx%d/%d%s",
+               scale * value, size[CONTEST_NET], size[CONTEST_ACROSS], size[CONTEST_STEP],
+               last);
+    table_number(t, value, 3);
+    table_integer(t, size[CONTEST_NET]);
+    table_integer(t, size[CONTEST_ACROSS]);
+    table_number(t, c->scene->step / size[CONTEST_STEP], 3);
+    table_fixed(t, iterations ? iterations : NAN, 0);
+}
+
 static enum status print_targets(const struct contest *c, const char *folder,
                                  enum table_format format, FILE *file, struct message *why)
 {
-    struct table_column columns[WHO + CONTEST_TARGETS * TARGET_COLUMNS + 1] = {
+    enum { WHO = 2, COLUMNS = WHO + CONTEST_TARGETS * RUN_COLUMNS + 1 };
+    struct table_column columns[COLUMNS] = {
         {"model", NULL, TABLE_LEFT, .key = "title"},
-        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
-    struct target_words words[CONTEST_TARGETS];
+        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
+        [COLUMNS - 1] = {"growth", .key = "growth"}};
+    struct run_words words[CONTEST_TARGETS];
     const struct contestant *who;
 
-    for (int n = 0; n < CONTEST_TARGETS; n++)
-        add_columns(contest_target[n], &words[n], &columns[WHO + n * TARGET_COLUMNS]);
-    columns[WHO + CONTEST_TARGETS * TARGET_COLUMNS] =
-        (struct table_column){"growth", .key = "growth"};
+    for (int n = 0; n < CONTEST_TARGETS; n++) {
+        char target[16];
+        snprintf(words[n].header, sizeof words[n].header, "%g %%", 100 * contest_target[n]);
+        snprintf(target, sizeof target, "_%g", contest_target[n]);
+        set_columns(&columns[WHO + n * RUN_COLUMNS], &words[n], "s", "seconds", "", target);
+    }
     struct table *t =
-        table_create(sizeof columns / sizeof *columns, columns,
+        table_create(COLUMNS, columns,
                      "Least seconds (set-up and stepping) to an RMSE/L at the worst of the "
                      "times, and what reaches it");
     for (int k = 0; (who = contest_entrant(c, k)); k++) {
@@ -338,13 +329,15 @@ static enum status print_targets(const struct contest *c, const char *folder,
         table_text(t, "%s", who->name);
         for (int n = 0; n < CONTEST_TARGETS; n++) {
             const struct contest_row *r = contest_cheapest(c, who, contest_target[n]);
-            add_cell(t, r, r ? r->seconds : NAN, "not reached");
-            table_number(t, r ? r->seconds : NAN, 3);
-            add_size(t, c, r);
+            add_shown(t, c, r, r ? r->seconds : NAN, 1, "not reached");
         }
         table_number(t, contest_growth(c, who), 2);
     }
-    note_sizes(t, c);
+    table_note(
+        t,
+        "40x12/16: 40 points along u and 12 across, 16 steps to the scene's frame of %.3g "
+        "ms; a third number: iterations.",
+        1e3 * c->scene->step);
     table_note(t, "Growth p: seconds go as error^-p along the best runs (three or more).");
     return table_publish(t, folder, "compare_targets", format, file, why);
 }
@@ -355,20 +348,16 @@ static void add_limit(struct table *t, const struct contest *c,
     const struct contest_row *best = contest_nearest(c, who);
     const struct contest_row *real = contest_real_time(c, who);
     const struct contest_limit limit = contest_limit(c, who);
-    char text[128];
+    struct message words;
 
     table_row(t);
     table_text(t, "%s", who->title);
     table_text(t, "%s", who->name);
-    add_cell(t, real, real ? 100 * real->worst : NAN, "none");
-    table_number(t, real ? real->worst : NAN, 3);
-    add_size(t, c, real);
-    add_cell(t, best, best ? 100 * best->worst : NAN, "none");
-    table_number(t, best ? best->worst : NAN, 3);
-    add_size(t, c, best);
-    contest_tell(c, &limit, text, sizeof text);
-    table_text(t, "%s", text);
-    table_text(t, "%s", contest_kind_name(limit.kind));
+    add_shown(t, c, real, real ? real->worst : NAN, 100, "none");
+    add_shown(t, c, best, best ? best->worst : NAN, 100, "none");
+    contest_tell(c, &limit, &words);
+    table_text(t, "%s", words.text);
+    table_text(t, "%s", contest_kind_name[limit.kind]);
     for (int axis = 0; axis < CONTEST_AXES; axis++)
         table_number(t, limit.gain[axis], 3);
 }
@@ -376,35 +365,25 @@ static void add_limit(struct table *t, const struct contest *c,
 static enum status print_limits(const struct contest *c, const char *folder,
                                 enum table_format format, FILE *file, struct message *why)
 {
-#define MACHINES(word)                                                                     \
-    {                                                                                      \
-        word, .key = word, .readers = TABLE_MACHINES                                       \
-    }
-    static const struct table_column columns[] = {
-        {"model", NULL, TABLE_LEFT, .key = "title"},
-        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
-        {"in real time", "% L", .readers = TABLE_PEOPLE},
-        MACHINES("real_time_rmse_over_length"),
-        MACHINES("real_time_side"),
-        MACHINES("real_time_across"),
-        MACHINES("real_time_step_s"),
-        MACHINES("real_time_iterations"),
-        {"lowest", "% L", .readers = TABLE_PEOPLE},
-        MACHINES("lowest_rmse_over_length"),
-        MACHINES("lowest_side"),
-        MACHINES("lowest_across"),
-        MACHINES("lowest_step_s"),
-        MACHINES("lowest_iterations"),
+    enum { REAL = 2, LOWEST = REAL + RUN_COLUMNS, LIMIT = LOWEST + RUN_COLUMNS };
+    static const struct table_column limit[] = {
         {"limited by", NULL, TABLE_LEFT, .key = "sentence"},
         {"limit", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
-        MACHINES("net_gain"),
-        MACHINES("across_gain"),
-        MACHINES("step_gain"),
-        MACHINES("iterations_gain")};
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
-                                   "Lowest RMSE/L at the worst of the times, and why");
+        {"net_gain", .key = "net_gain", .readers = TABLE_MACHINES},
+        {"across_gain", .key = "across_gain", .readers = TABLE_MACHINES},
+        {"step_gain", .key = "step_gain", .readers = TABLE_MACHINES},
+        {"iterations_gain", .key = "iterations_gain", .readers = TABLE_MACHINES}};
+    struct table_column columns[LIMIT + sizeof limit / sizeof *limit] = {
+        {"model", NULL, TABLE_LEFT, .key = "title"},
+        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
+    struct run_words real = {"in real time"}, lowest = {"lowest"};
     const struct contestant *who;
 
+    set_columns(&columns[REAL], &real, "% L", "rmse_over_length", "real_time_", "");
+    set_columns(&columns[LOWEST], &lowest, "% L", "rmse_over_length", "lowest_", "");
+    memcpy(&columns[LIMIT], limit, sizeof limit);
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
+                                   "Lowest RMSE/L at the worst of the times, and why");
     for (int k = 0; (who = contest_entrant(c, k)); k++)
         add_limit(t, c, who);
     table_note(
@@ -421,7 +400,7 @@ static enum status print_limits(const struct contest *c, const char *folder,
 
 /* --- more threads --- */
 
-/* What a table borrows: of each number of threads seconds and their ratio to one. */
+/* Strings that the columns of the table of threads borrow. */
 struct team_words {
     char header[CONTEST_TEAMS][16], key[CONTEST_TEAMS][24], ratio[CONTEST_TEAMS][24];
 };
@@ -467,14 +446,11 @@ static void add_best(struct table *t, const struct contest *c, const struct cont
     table_text(t, "%s", r->parted ? "no" : "yes");
 }
 
-enum status compare_threads(const struct contest *c, const char *folder,
-                            enum table_format format, FILE *file, struct message *why)
+static enum status print_teams(const struct contest *c, const char *folder,
+                               enum table_format format, FILE *file, struct message *why)
 {
     const struct contestant *who;
     struct team_words words;
-
-    if (!c->teams)
-        return STATUS_OK;
     struct table *t = create_teams(c, &words);
     for (int k = 0; (who = contest_entrant(c, k)); k++)
         for (int n = 0; n < c->count; n++)
@@ -498,7 +474,8 @@ enum status compare_print(const struct contest *c, const char *folder,
         return st;
     TRY(print_targets(c, folder, format, file, why));
     TRY(print_limits(c, folder, format, file, why));
-    TRY(compare_threads(c, folder, format, file, why));
+    if (c->teams)
+        TRY(print_teams(c, folder, format, file, why));
 out:
     return st;
 }

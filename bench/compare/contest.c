@@ -1,33 +1,26 @@
 #include "bench/compare/contest.h"
 
+#include <limits.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
+#include "bench/harness/fit.h"
 #include "bench/harness/net_fit.h"
 #include "bench/harness/timing.h"
 #include "models/metric/metric.h"
 
 const double contest_target[CONTEST_TARGETS] = {0.03, 0.02, 0.01, 0.005, 0.002};
 
-enum status contest_add(struct contest *c, const struct contest_at *at,
-                        struct contest_row **row)
-{
-    if (c->count == c->room) {
-        const int room = 2 * c->room + 16;
-        struct contest_row *rows = realloc(c->rows, (size_t)room * sizeof *rows);
-        if (!rows)
-            return STATUS_MEMORY;
-        c->rows = rows, c->room = room;
-    }
-    *row = &c->rows[c->count++];
-    **row = (struct contest_row){.at = *at};
-    return STATUS_OK;
-}
+const char *const contest_rule = "Settings are the same on every scene: stiffnesses, "
+                                 "compliances and stable steps follow "
+                                 "from E, nu, rho, h and the net by each model's own rule; "
+                                 "net, step and iterations alone "
+                                 "are searched.";
 
-/* Fewer cells across a strip show nothing that varies there. */
+/* --- refinements --- */
+
+/* The least spans across: fewer show nothing that varies there. */
 enum { LEAST_ACROSS = 3 };
 
 int contest_across(const struct contest *c, const struct contestant *who, int along)
@@ -62,12 +55,21 @@ struct contest_at contest_moved(const struct contest *c, const struct contest_at
     return moved;
 }
 
-bool contest_is_at(const struct contest_at *a, const struct contest_at *b)
+static bool is_same(const struct contest_at *a, const struct contest_at *b)
 {
     return a->contestant == b->contestant && !memcmp(a->size, b->size, sizeof a->size);
 }
 
-/* The same along u, where the square net's points across fit, too. */
+/* Returns whether `a` is what `from` becomes when it is moved along one axis. */
+static bool is_along(const struct contest *c, const struct contest_at *a,
+                     const struct contest_at *from, enum contest_axis axis)
+{
+    const struct contest_at moved = contest_moved(c, from, axis, a->size[axis]);
+
+    return is_same(a, &moved);
+}
+
+/* Fits a net along u where its square cells' points across fit, too. */
 static int fit_net(const struct contest *c, const struct contestant *who, int along)
 {
     for (int n = along; n - who->degree <= 2 * (along - who->degree); n++) {
@@ -89,6 +91,14 @@ int contest_fit(const struct contest *c, const struct contestant *who,
     return fit ? fit : size;
 }
 
+/* Returns `at` with the least size along an axis, `size` or more, that fits. */
+static struct contest_at moved_to_fit(const struct contest *c, const struct contest_at *at,
+                                      enum contest_axis axis, int size)
+{
+    return contest_moved(c, at, axis, contest_fit(c, at->contestant, axis, size));
+}
+
+/* Returns the length of a list that zeros end, `most` at most. */
 static int length(const int *list, int most)
 {
     int n = 0;
@@ -115,6 +125,25 @@ int contest_ladder(const struct contest *c, const struct contestant *who,
         last = side;
     }
     return count;
+}
+
+/* --- rows --- */
+
+enum status contest_add(struct contest *c, const struct contest_at *at,
+                        struct contest_row **row)
+{
+    if (c->count == c->room) {
+        const int room = 2 * c->room + 16;
+        struct contest_row *rows = realloc(c->rows, (size_t)room * sizeof *rows);
+        if (!rows)
+            return STATUS_MEMORY;
+        c->rows = rows, c->room = room;
+    }
+    c->rows[c->count] = (struct contest_row){.at = *at};
+    if (row)
+        *row = &c->rows[c->count];
+    c->count++;
+    return STATUS_OK;
 }
 
 void contest_clear(struct contest *c)
@@ -198,11 +227,10 @@ double contest_largest_bar(const struct contest *c)
     return bar;
 }
 
-/* The least of `what` among a contestant's timed rows within a target and a time. */
-enum least { LEAST_ERROR, LEAST_SECONDS };
-
+/* Finds the least error, or the least seconds, among a contestant's timed rows within a
+ * target and a time. */
 static const struct contest_row *least(const struct contest *c,
-                                       const struct contestant *who, enum least what,
+                                       const struct contestant *who, bool of_error,
                                        double target, double seconds)
 {
     const struct contest_row *best = NULL;
@@ -211,8 +239,7 @@ static const struct contest_row *least(const struct contest *c,
         if (r->at.contestant != who || r->probe || !(r->worst <= target) ||
             !(r->seconds <= seconds))
             continue;
-        if (!best ||
-            (what == LEAST_ERROR ? r->worst < best->worst : r->seconds < best->seconds))
+        if (!best || (of_error ? r->worst < best->worst : r->seconds < best->seconds))
             best = r;
     }
     return best;
@@ -221,19 +248,19 @@ static const struct contest_row *least(const struct contest *c,
 const struct contest_row *contest_nearest(const struct contest *c,
                                           const struct contestant *who)
 {
-    return least(c, who, LEAST_ERROR, INFINITY, INFINITY);
+    return least(c, who, true, INFINITY, INFINITY);
 }
 
 const struct contest_row *contest_cheapest(const struct contest *c,
                                            const struct contestant *who, double target)
 {
-    return least(c, who, LEAST_SECONDS, target, INFINITY);
+    return least(c, who, false, target, INFINITY);
 }
 
 const struct contest_row *contest_real_time(const struct contest *c,
                                             const struct contestant *who)
 {
-    return least(c, who, LEAST_ERROR, INFINITY, c->truth->time[c->truth->times - 1]);
+    return least(c, who, true, INFINITY, c->truth->time[c->truth->times - 1]);
 }
 
 bool contest_is_best(const struct contest *c, const struct contest_row *row)
@@ -248,69 +275,71 @@ bool contest_is_best(const struct contest *c, const struct contest_row *row)
     return best;
 }
 
-bool contest_on_front(const struct contest *c, const struct contest_row *row)
+/* Returns whether no timed row of the same contestant, or the same model, is cheaper and as
+ * good. */
+static bool is_unbeaten(const struct contest *c, const struct contest_row *row, bool model)
 {
+    const struct contestant *who = row->at.contestant;
+
     if (row->probe || isnan(row->worst))
         return false;
-    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++)
-        if (r->at.contestant == row->at.contestant && !r->probe && r->worst <= row->worst &&
-            r->seconds < row->seconds)
+    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
+        const struct contestant *other = r->at.contestant;
+        if ((model ? other->model == who->model : other == who) && !r->probe &&
+            r->worst <= row->worst && r->seconds < row->seconds)
             return false;
+    }
     return true;
+}
+
+bool contest_on_front(const struct contest *c, const struct contest_row *row)
+{
+    return is_unbeaten(c, row, false);
+}
+
+bool contest_leads_model(const struct contest *c, const struct contest_row *row)
+{
+    return is_unbeaten(c, row, true);
 }
 
 double contest_growth(const struct contest *c, const struct contestant *who)
 {
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    double *numbers = malloc((2 * (size_t)c->count + 1) * sizeof *numbers);
+    double *error = numbers, *seconds = numbers + c->count, growth = NAN;
+    int count = 0;
 
-    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
-        if (r->at.contestant != who || !contest_on_front(c, r))
-            continue;
-        const double a = -log(r->worst), b = log(r->seconds);
-        n++, x += a, y += b, xx += a * a, xy += a * b;
-    }
-    return n >= 3 ? (n * xy - x * y) / (n * xx - x * x) : NAN;
+    for (int n = 0; n < c->count && numbers; n++)
+        if (c->rows[n].at.contestant == who && contest_on_front(c, &c->rows[n])) {
+            error[count] = c->rows[n].worst;
+            seconds[count++] = c->rows[n].seconds;
+        }
+    if (count >= 3)
+        growth = -fit_exponent(count, error, seconds);
+    free(numbers);
+    return growth;
 }
 
 /* --- what limits a contestant --- */
 
-static const char *const kind_name[CONTEST_KINDS] = {
+const char *const contest_kind_name[CONTEST_KINDS] = {
     "net",   "net across", "step", "iterations", "truth",
     "model", "unknown",    "died", "refused",    "skipped"};
 
-const char *const contest_rule = "Settings are the same on every scene: stiffnesses, "
-                                 "compliances and stable steps follow "
-                                 "from E, nu, rho, h and the net by each model's own rule; "
-                                 "net, step and iterations alone "
-                                 "are searched.";
-
-const char *contest_kind_name(enum contest_kind kind)
-{
-    return kind_name[kind];
-}
-
-bool contest_is_finer(const struct contest *c, const struct contest_at *a,
-                      const struct contest_at *than, enum contest_axis axis)
-{
-    const struct contest_at moved = contest_moved(c, than, axis, a->size[axis]);
-
-    return a->size[axis] > than->size[axis] && contest_is_at(a, &moved);
-}
-
-/* The least refined of those that are finer than `at` in this alone. */
+/* Finds the least refined row of those that are finer than `at` in one axis alone; NULL:
+ * none is. */
 static const struct contest_row *
 find_finer(const struct contest *c, const struct contest_at *at, enum contest_axis axis)
 {
     const struct contest_row *next = NULL;
 
     for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++)
-        if (contest_is_finer(c, &r->at, at, axis) &&
+        if (r->at.size[axis] > at->size[axis] && is_along(c, &r->at, at, axis) &&
             (!next || r->at.size[axis] < next->at.size[axis]))
             next = r;
     return next;
 }
 
-/* Steps that a model divides further by itself are refined when their pieces are. */
+/* Returns the pieces into which a model divided each step by itself: these are refined. */
 static int pieces(const struct run_result *r)
 {
     const long pieces =
@@ -327,12 +356,11 @@ bool contest_probe(const struct contest *c, const struct contest_row *best,
                       : axis == CONTEST_STEP ? 2 * size * pieces(&best->result)
                                              : 2 * size;
 
-    *at =
-        contest_moved(c, &best->at, axis, contest_fit(c, best->at.contestant, axis, finer));
+    *at = moved_to_fit(c, &best->at, axis, finer);
     return size && !find_finer(c, &best->at, axis);
 }
 
-static bool within_bar(const struct contest *c, const struct contest_row *r)
+static bool is_within_bar(const struct contest *c, const struct contest_row *r)
 {
     int worst = 0;
 
@@ -341,7 +369,7 @@ static bool within_bar(const struct contest *c, const struct contest_row *r)
     return r->worst <= contest_bar(c, worst);
 }
 
-/* Why none of its timed runs has an error. */
+/* Returns the reason for which none of a contestant's timed runs has an error. */
 static enum contest_kind why_none(const struct contest *c, const struct contestant *who)
 {
     bool refused = true, skipped = true;
@@ -356,16 +384,16 @@ static enum contest_kind why_none(const struct contest *c, const struct contesta
 
 struct contest_limit contest_limit(const struct contest *c, const struct contestant *who)
 {
-    struct contest_limit l = {.kind = CONTEST_BY_MODEL, .best = contest_nearest(c, who)};
+    struct contest_limit l = {.kind = CONTEST_BY_MODEL,
+                              .best = contest_nearest(c, who),
+                              .gain = {NAN, NAN, NAN, NAN}};
     double most = CONTEST_LEAST_GAIN;
 
-    for (int axis = 0; axis < CONTEST_AXES; axis++)
-        l.gain[axis] = NAN;
     if (!l.best) {
         l.kind = why_none(c, who);
         return l;
     }
-    for (int axis = 0; axis < CONTEST_AXES; axis++) {
+    for (enum contest_axis axis = 0; axis < CONTEST_AXES; axis++) {
         l.finer[axis] = find_finer(c, &l.best->at, axis);
         if (l.finer[axis])
             l.gain[axis] = 1 - l.finer[axis]->worst / l.best->worst;
@@ -374,148 +402,137 @@ struct contest_limit contest_limit(const struct contest *c, const struct contest
         if (l.gain[axis] >= most)
             most = l.gain[axis], l.kind = (enum contest_kind)axis;
     }
-    if (within_bar(c, l.best))
+    if (is_within_bar(c, l.best))
         l.kind = CONTEST_BY_TRUTH;
     return l;
 }
 
-/* --- words --- */
-
-__attribute__((format(printf, 3, 4))) static void append(char *text, size_t size,
-                                                         const char *format, ...)
-{
-    const size_t used = strlen(text);
-    va_list list;
-
-    va_start(list, format);
-    vsnprintf(text + used, size - used, format, list);
-    va_end(list);
-}
-
-static void append_size(const struct contest *c, const struct contest_row *r,
-                        enum contest_axis axis, char *text, size_t size)
+static void add_size(const struct contest *c, const struct contest_row *r,
+                     enum contest_axis axis, struct message *words)
 {
     const int *n = r->at.size;
 
     if (axis == CONTEST_NET || axis == CONTEST_ACROSS)
-        append(text, size, "%dx%d", n[CONTEST_NET], n[CONTEST_ACROSS]);
+        message_add(words, "%dx%d", n[CONTEST_NET], n[CONTEST_ACROSS]);
     else if (axis == CONTEST_STEP)
-        append(text, size, "%.3g ms", 1e3 * c->scene->step / n[axis]);
+        message_add(words, "%.3g ms", 1e3 * c->scene->step / n[axis]);
     else
-        append(text, size, "%d", n[axis]);
+        message_add(words, "%d", n[axis]);
 }
 
-/* Says what could not be seen: "; step not tried", "; net 60x60 died". */
-static void append_unseen(const struct contest *c, const struct contest_limit *l,
-                          char *text, size_t size)
+/* Adds the refinements that tell nothing: "; step not tried", "; net 60x60 died". */
+static void add_unseen(const struct contest *c, const struct contest_limit *l,
+                       struct message *words)
 {
-    for (int axis = 0; axis < CONTEST_AXES; axis++) {
+    for (enum contest_axis axis = 0; axis < CONTEST_AXES; axis++) {
         const struct contest_row *finer = l->finer[axis];
         if (!l->best->at.size[axis] || !isnan(l->gain[axis]))
             continue;
-        append(text, size, "%s%s ", *text ? "; " : "", kind_name[axis]);
+        message_add(words, "%s%s ", *words->text ? "; " : "", contest_kind_name[axis]);
         if (!finer || finer->absent) {
-            append(text, size, "not tried");
+            message_add(words, "not tried");
             continue;
         }
-        append_size(c, finer, axis, text, size);
-        append(text, size, run_result_refused(&finer->result) ? " refused" : " died");
+        add_size(c, finer, axis, words);
+        message_add(words, run_result_refused(&finer->result) ? " refused" : " died");
     }
 }
 
-/* Those that were refined and did not help: "net, step". */
-static void append_idle(const struct contest_limit *l, char *text, size_t size)
+/* Adds the refinements that did not help: "net, step no nearer"; nothing if there are
+ * none. */
+static void add_idle(const struct contest_limit *l, struct message *words)
 {
-    const char *comma = "";
+    bool some = false;
 
     for (int axis = 0; axis < CONTEST_AXES; axis++)
         if (!isnan(l->gain[axis])) {
-            append(text, size, "%s%s", comma, kind_name[axis]);
-            comma = ", ";
+            message_add(words, "%s%s", some ? ", " : "", contest_kind_name[axis]);
+            some = true;
         }
+    if (some)
+        message_add(words, " no nearer");
 }
 
-void contest_tell(const struct contest *c, const struct contest_limit *l, char *text,
-                  size_t size)
+void contest_tell(const struct contest *c, const struct contest_limit *l,
+                  struct message *words)
 {
-    *text = '\0';
-    switch (l->kind) {
-    case CONTEST_BY_TRUTH:
-        append(text, size, "the truth: within its error bar");
-        return;
-    case CONTEST_DIED:
-        append(text, size, "every run died");
-        return;
-    case CONTEST_REFUSED:
-        append(text, size, "not applicable");
-        return;
-    case CONTEST_SKIPPED:
-        append(text, size, "skipped: the budget ended before its first run");
-        return;
-    case CONTEST_BY_MODEL:
-        append(text, size, "the model: finer ");
-        append_idle(l, text, size);
-        append(text, size, " no nearer");
-        return;
-    case CONTEST_BY_UNKNOWN:
-        append_idle(l, text, size);
-        if (*text)
-            append(text, size, " no nearer");
-        break;
-    default:
-        append(text, size, "the %s: %.0f %% less at ", kind_name[l->kind],
-               100 * l->gain[l->kind]);
-        append_size(c, l->finer[l->kind], (enum contest_axis)l->kind, text, size);
+    static const char *const begin[CONTEST_KINDS] = {
+        [CONTEST_BY_TRUTH] = "the truth: within its error bar",
+        [CONTEST_BY_MODEL] = "the model: finer ",
+        [CONTEST_DIED] = "every run died",
+        [CONTEST_REFUSED] = "not applicable",
+        [CONTEST_SKIPPED] = "skipped: the budget ended before its first run"};
+
+    words->text[0] = '\0';
+    if (begin[l->kind])
+        message_add(words, "%s", begin[l->kind]);
+    if (l->kind == CONTEST_BY_MODEL || l->kind == CONTEST_BY_UNKNOWN)
+        add_idle(l, words);
+    if (l->kind < CONTEST_BY_TRUTH) {
+        message_add(words, "the %s: %.0f %% less at ", contest_kind_name[l->kind],
+                    100 * l->gain[l->kind]);
+        add_size(c, l->finer[l->kind], (enum contest_axis)l->kind, words);
     }
-    append_unseen(c, l, text, size);
-}
-
-void contest_tell_size(const struct contest_row *row, char *text, size_t size)
-{
-    const int *n = row->at.size;
-
-    *text = '\0';
-    append(text, size, "%dx%d/%d", n[CONTEST_NET], n[CONTEST_ACROSS], n[CONTEST_STEP]);
-    if (n[CONTEST_ITERATIONS])
-        append(text, size, "/%d", n[CONTEST_ITERATIONS]);
+    if (l->kind < CONTEST_BY_TRUTH || l->kind == CONTEST_BY_UNKNOWN)
+        add_unseen(c, l, words);
 }
 
 /* --- where to look next --- */
 
 /* Points along or across that differ by less than this share of the more are as good as
- * one.
- */
+ * one. */
 static const double CLOSE = 0.1;
 
-/* Steps and iterations that differ by a factor up to this are. */
+/* Steps and iterations that differ by a factor up to this are, too. */
 static const int NEAR = 2;
 
-/* Seconds grow with each size by itself: as many more points, iterations or steps; but with
- * points along u by the square, as of shorter cells some have to take shorter steps. Both
- * ways at once is the cube. */
+/* Exponents with which seconds grow with each size by itself: as many more points,
+ * iterations or steps; but with points along u by the square, as some shorter cells have to
+ * take shorter steps. Both ways at once is the cube. */
 static const double growth[CONTEST_AXES] = {
     [CONTEST_NET] = 2, [CONTEST_ACROSS] = 1, [CONTEST_STEP] = 1, [CONTEST_ITERATIONS] = 1};
 
-struct search {
-    const struct contest *contest;
+/* Runs that may be made, in the order in which they were found. */
+struct tries {
+    const struct contest *contest; /* borrowed */
     const struct contest_wish *wish;
-    struct contest_at *at;
     int count;
+    struct
+    try {
+        struct contest_at at;
+        double seconds; /* expected of one repeat */
+        int order;      /* among those of equal seconds: rungs of ladders come first */
+    }
+    *list; /* owned */
 };
 
-static bool is_known(const struct search *s, const struct contest_at *at)
+/* The most that find_tries adds for one contestant. */
+enum { MOST_TRIES = CONTEST_RUNGS + CONTEST_AXES * (CONTEST_TARGETS + 2) };
+
+static enum status create_tries(const struct contest *c, struct tries *t)
+{
+    int entrants = 0;
+
+    while (contest_entrant(c, entrants))
+        entrants++;
+    *t = (struct tries){.contest = c};
+    t->list = calloc((size_t)entrants * MOST_TRIES + 1, sizeof *t->list);
+    return t->list ? STATUS_OK : STATUS_MEMORY;
+}
+
+static bool is_known(const struct tries *t, const struct contest_at *at)
 {
     bool known = false;
 
-    for (int n = 0; n < s->contest->count; n++)
-        known |= contest_is_at(&s->contest->rows[n].at, at);
-    for (int n = 0; n < s->count; n++)
-        known |= contest_is_at(&s->at[n], at);
+    for (int n = 0; n < t->contest->count; n++)
+        known |= is_same(&t->contest->rows[n].at, at);
+    for (int n = 0; n < t->count; n++)
+        known |= is_same(&t->list[n].at, at);
     return known;
 }
 
-/* Of a run, from what another one took. */
-static double expected(const struct contest_row *from, const struct contest_at *at)
+/* Predicts the seconds of a run by scaling those of a measured run. */
+static double scaled(const struct contest_row *from, const struct contest_at *at)
 {
     double seconds = from->seconds;
 
@@ -525,31 +542,53 @@ static double expected(const struct contest_row *from, const struct contest_at *
     return seconds;
 }
 
-static void propose(struct search *s, const struct contest_row *from,
-                    const struct contest_at *at)
+/* Predicts the seconds of a run by the run of its contestant that is least unlike it; 0:
+ * all of them were refused. */
+static double predicted(const struct contest *c, const struct contest_at *at)
 {
-    if (!is_known(s, at) && expected(from, at) <= s->wish->longest)
-        s->at[s->count++] = *at;
+    double least = INFINITY, seconds = 0;
+
+    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
+        if (r->at.contestant != at->contestant || !(r->seconds > 0))
+            continue;
+        const double unlike = fabs(log(scaled(r, at) / r->seconds));
+        if (unlike < least)
+            least = unlike, seconds = scaled(r, at);
+    }
+    return seconds;
 }
 
-/* The finest of those that `row` becomes when it is made coarser along an axis, and that
- * miss the target; NULL: none was tried. */
+static void add_try(struct tries *t, const struct contest_at *at, bool rung)
+{
+    const int order = rung ? t->count - INT_MAX : t->count;
+
+    t->list[t->count++] = (struct try){*at, predicted(t->contest, at), order};
+}
+
+static void propose(struct tries *t, const struct contest_row *from,
+                    const struct contest_at *at)
+{
+    if (!is_known(t, at) && scaled(from, at) <= t->wish->longest)
+        add_try(t, at, false);
+}
+
+/* Finds the finest of the rows that `row` becomes when it is made coarser along an axis,
+ * and that miss the target; NULL: none was tried. */
 static const struct contest_row *coarser_miss(const struct contest *c,
                                               const struct contest_row *row,
                                               enum contest_axis axis, double target)
 {
     const struct contest_row *miss = NULL;
 
-    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
-        const struct contest_at moved = contest_moved(c, &row->at, axis, r->at.size[axis]);
-        if (r->at.size[axis] < row->at.size[axis] && contest_is_at(&r->at, &moved) &&
+    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++)
+        if (r->at.size[axis] < row->at.size[axis] && is_along(c, &r->at, &row->at, axis) &&
             !(r->worst <= target) && (!miss || r->at.size[axis] > miss->at.size[axis]))
             miss = r;
-    }
     return miss;
 }
 
-/* Between a size that misses and one that meets; the latter where they are close enough. */
+/* Returns a size between one that misses and one that meets; the latter where they are
+ * close enough. */
 static int between(enum contest_axis axis, int misses, int meets)
 {
     if (axis == CONTEST_NET || axis == CONTEST_ACROSS)
@@ -557,7 +596,6 @@ static int between(enum contest_axis axis, int misses, int meets)
     return meets > NEAR * misses ? (int)lround(sqrt((double)misses * meets)) : meets;
 }
 
-/* Of a contestant along an axis. */
 static int least_size(const struct contestant *who, enum contest_axis axis)
 {
     const int span = contestant_least(who);
@@ -567,29 +605,36 @@ static int least_size(const struct contestant *who, enum contest_axis axis)
                                     : 1;
 }
 
-/* From the cheapest that meets a target towards what is coarser and may meet it, too. */
-static void cheapen(struct search *s, const struct contestant *who, double target)
+/* Proposes a row that meets a target with half its size along an axis; where a coarser one
+ * is known to miss, a size between, or, without `bisect`, nothing. */
+static void coarsen(struct tries *t, const struct contest_row *row, enum contest_axis axis,
+                    double target, bool bisect)
 {
-    const struct contest_row *row = contest_cheapest(s->contest, who, target);
+    const struct contest_row *miss = coarser_miss(t->contest, row, axis, target);
+    const int size = row->at.size[axis], least = least_size(row->at.contestant, axis);
 
-    for (enum contest_axis axis = 0; row && axis < CONTEST_AXES; axis++) {
-        const struct contest_row *miss = coarser_miss(s->contest, row, axis, target);
-        const int size = row->at.size[axis], least = least_size(who, axis);
-        if (size <= least)
-            continue;
-        const int less =
-            miss ? between(axis, miss->at.size[axis], size) : (int)fmax(least, size / 2);
-        const struct contest_at at = contest_moved(
-            s->contest, &row->at, axis, contest_fit(s->contest, who, axis, less));
-        propose(s, row, &at);
-    }
+    if (size <= least || (miss && !bisect))
+        return;
+    const int less =
+        miss ? between(axis, miss->at.size[axis], size) : (int)fmax(least, size / 2);
+    const struct contest_at at = moved_to_fit(t->contest, &row->at, axis, less);
+    propose(t, row, &at);
 }
 
-/* Square cells across alone only when they were refined both ways: that is what they want.
- */
-static void refine(struct search *s, const struct contest_row *row)
+/* Proposes from the cheapest that meets a target what is coarser and may meet it, too. */
+static void cheapen(struct tries *t, const struct contestant *who, double target)
 {
-    const struct contest *c = s->contest;
+    const struct contest_row *row = contest_cheapest(t->contest, who, target);
+
+    for (enum contest_axis axis = 0; row && axis < CONTEST_AXES; axis++)
+        coarsen(t, row, axis, target, true);
+}
+
+/* Proposes what is finer along each axis; square cells are refined across alone only after
+ * both ways. */
+static void refine(struct tries *t, const struct contest_row *row)
+{
+    const struct contest *c = t->contest;
     const int *size = row->at.size;
     const bool strip =
         size[CONTEST_ACROSS] < contest_across(c, row->at.contestant, size[CONTEST_NET]);
@@ -599,77 +644,76 @@ static void refine(struct search *s, const struct contest_row *row)
         const bool early =
             axis == CONTEST_ACROSS && !strip && contest_probe(c, row, CONTEST_NET, &at);
         if (!early && contest_probe(c, row, axis, &at))
-            propose(s, row, &at);
+            propose(t, row, &at);
     }
 }
 
-/* With half the points across, unless that was found to be too few. */
-static void narrow(struct search *s, const struct contest_row *row, double target)
-{
-    const enum contest_axis across = CONTEST_ACROSS;
-    const int size = row->at.size[across], least = least_size(row->at.contestant, across);
-
-    if (size <= least || coarser_miss(s->contest, row, across, target))
-        return;
-    const int less =
-        contest_fit(s->contest, row->at.contestant, across, (int)fmax(least, size / 2));
-    const struct contest_at at = contest_moved(s->contest, &row->at, across, less);
-    propose(s, row, &at);
-}
-
-/* From the nearest in every way, unless it is as near as anyone asks or can tell: but first
- * from the cheapest that is as near but for what counts as no gain, and before that with
+/* Refines the nearest in every way, unless it is as near as is wished or can be told: but
+ * first the cheapest that is as near but for what counts as no gain, and before that with
  * fewer points across, so that nobody pays for those on the way where they show nothing. */
-static void sharpen(struct search *s, const struct contestant *who)
+static void come_nearer(struct tries *t, const struct contestant *who)
 {
-    const struct contest *c = s->contest;
+    const struct contest *c = t->contest;
     const struct contest_limit limit = contest_limit(c, who);
-    const int before = s->count;
+    const int before = t->count;
 
     if (!limit.best || limit.kind == CONTEST_BY_TRUTH ||
-        limit.best->worst <= s->wish->target[s->wish->count - 1])
+        limit.best->worst <= t->wish->target[t->wish->count - 1])
         return;
     const double target = limit.best->worst / (1 - CONTEST_LEAST_GAIN);
     const struct contest_row *cheap = contest_cheapest(c, who, target);
-    narrow(s, cheap, target);
-    if (s->count == before)
-        refine(s, cheap);
-    if (s->count == before)
-        refine(s, limit.best);
+    coarsen(t, cheap, CONTEST_ACROSS, target, false);
+    if (t->count == before)
+        refine(t, cheap);
+    if (t->count == before)
+        refine(t, limit.best);
 }
 
-int contest_search(const struct contest *c, const struct contestant *who,
-                   const struct contest_wish *wish, struct contest_at at[CONTEST_PROPOSALS])
+/* Finds what the search proposes for all contestants and, of their ladders, the rungs up to
+ * `dearest` seconds (negative: none). */
+static enum status find_tries(const struct contest *c, const struct contest_wish *wish,
+                              double dearest, struct tries *t)
 {
-    struct search s = {c, wish, at, 0};
+    const struct contestant *who;
+    struct contest_at rung[CONTEST_RUNGS];
+    const enum status st = create_tries(c, t);
 
-    for (int t = 0; t < wish->count; t++)
-        cheapen(&s, who, wish->target[t]);
-    sharpen(&s, who);
-    return s.count;
+    t->wish = wish;
+    for (int k = 0; st == STATUS_OK && (who = contest_entrant(c, k)); k++) {
+        for (int n = 0; n < wish->count; n++)
+            cheapen(t, who, wish->target[n]);
+        come_nearer(t, who);
+        const int rungs = contest_ladder(c, who, rung);
+        for (int n = 0; n < rungs; n++)
+            if (!is_known(t, &rung[n]) && predicted(c, &rung[n]) <= dearest)
+                add_try(t, &rung[n], true);
+    }
+    return st;
 }
 
-/* --- all contestants, and a budget --- */
+enum status contest_propose(struct contest *c, const struct contest_wish *wish)
+{
+    struct tries t;
+    enum status st;
+
+    TRY(find_tries(c, wish, -1, &t));
+    for (int n = 0; n < t.count; n++)
+        TRY(contest_add(c, &t.list[n].at, NULL));
+out:
+    free(t.list);
+    return st;
+}
+
+/* --- a budget --- */
 
 /* Share of a budget that is for the search; the rest tells what limits each. */
 static const double SHARE = 0.8;
 
-/* Runs within a budget are tried up to so much of the longest, then so many times more. */
+/* Share of the longest run up to which runs within a budget are tried first, and the factor
+ * by which it then grows. */
 static const double FIRST = 1.0 / 256, DEARER = 4;
 
 enum { MOST_ROUNDS = 60 };
-
-/* A run that may be made. */
-struct contest_try {
-    struct contest_at at;
-    double seconds; /* expected of one repeat */
-    int order;
-};
-
-struct tries {
-    struct contest_try *list;
-    int count;
-};
 
 double contest_spent(const struct contest *c)
 {
@@ -685,77 +729,16 @@ double contest_spent(const struct contest *c)
     return spent;
 }
 
-/* What a run takes by the run of its contestant that is least unlike it; all of them
- * refused: nothing. */
-static double expected_of(const struct contest *c, const struct contest_at *at)
+static int compare_seconds(const void *a, const void *b)
 {
-    double least = INFINITY, seconds = 0;
+    const struct try *left = a, *right = b;
 
-    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
-        if (r->at.contestant != at->contestant || !(r->seconds > 0))
-            continue;
-        const double unlike = fabs(log(expected(r, at) / r->seconds));
-        if (unlike < least)
-            least = unlike, seconds = expected(r, at);
-    }
-    return seconds;
+    if (left->seconds != right->seconds)
+        return left->seconds > right->seconds ? 1 : -1;
+    return left->order > right->order ? 1 : -1;
 }
 
-static void add_try(const struct contest *c, struct tries *t, const struct contest_at *at)
-{
-    t->list[t->count] = (struct contest_try){*at, expected_of(c, at), t->count};
-    t->count++;
-}
-
-/* All that a contestant may still try: rungs up to `dearest`, and what the search wants. */
-static void add_tries(const struct contest *c, const struct contestant *who, double longest,
-                      double dearest, struct tries *t)
-{
-    struct contest_at at[CONTEST_RUNGS + CONTEST_PROPOSALS];
-    const struct search known = {.contest = c};
-    const int rungs = contest_ladder(c, who, at);
-
-    for (int n = 0; n < rungs; n++)
-        if (!is_known(&known, &at[n]) && expected_of(c, &at[n]) <= dearest)
-            add_try(c, t, &at[n]);
-    const struct contest_wish wish = {CONTEST_TARGETS, contest_target, longest};
-    const int count = contest_search(c, who, &wish, at);
-    for (int n = 0; n < count; n++) {
-        bool twice = false;
-        for (int k = 0; k < t->count; k++)
-            twice |= contest_is_at(&t->list[k].at, &at[n]);
-        if (!twice)
-            add_try(c, t, &at[n]);
-    }
-}
-
-static enum status find_tries(const struct contest *c, double longest, double dearest,
-                              struct tries *t)
-{
-    const struct contestant *who;
-    int entrants = 0;
-
-    while (contest_entrant(c, entrants))
-        entrants++;
-    *t = (struct tries){calloc((size_t)entrants * (CONTEST_RUNGS + CONTEST_PROPOSALS) + 1,
-                               sizeof *t->list)};
-    if (!t->list)
-        return STATUS_MEMORY;
-    for (int k = 0; (who = contest_entrant(c, k)); k++)
-        add_tries(c, who, longest, dearest, t);
-    return STATUS_OK;
-}
-
-static int cheaper(const void *a, const void *b)
-{
-    const struct contest_try *left = a, *right = b;
-
-    return left->seconds != right->seconds
-               ? (left->seconds > right->seconds) - (left->seconds < right->seconds)
-               : left->order - right->order;
-}
-
-/* Rows of those that can be paid, cheap first. */
+/* Adds rows of the tries that can be paid, cheap ones first. */
 static enum status add_payable(struct contest *c, struct tries *t, double most, bool probe)
 {
     double spent = contest_spent(c);
@@ -763,7 +746,7 @@ static enum status add_payable(struct contest *c, struct tries *t, double most, 
     struct contest_row *row;
 
     if (c->budget > 0)
-        qsort(t->list, (size_t)t->count, sizeof *t->list, cheaper);
+        qsort(t->list, (size_t)t->count, sizeof *t->list, compare_seconds);
     for (int n = 0; n < t->count; n++) {
         const double seconds = t->list[n].seconds;
         spent += seconds * (1 + (probe ? 0 : timing_repeats(seconds, c->quick)));
@@ -776,17 +759,18 @@ out:
     return st;
 }
 
-/* Rounds of runs up to `longest`. */
+/* Makes rounds of runs up to `longest` seconds, with rungs up to `dearest`. */
 static enum status search_to(struct contest *c, double longest, double dearest,
                              contest_measure *measure, void *context, struct message *why)
 {
+    const struct contest_wish wish = {CONTEST_TARGETS, contest_target, longest};
     struct tries t = {0};
     enum status st = STATUS_OK;
 
     for (int round = 0; round < MOST_ROUNDS; round++) {
         const int first = c->count;
         free(t.list);
-        TRY(find_tries(c, longest, dearest, &t));
+        TRY(find_tries(c, &wish, dearest, &t));
         TRY(add_payable(c, &t, SHARE * c->budget, false));
         if (c->count == first)
             break;
@@ -799,10 +783,11 @@ out:
 
 enum status contest_tell_unsearched(struct contest *c)
 {
+    const struct contest_wish wish = {CONTEST_TARGETS, contest_target, c->longest};
     const struct contestant *who;
     struct tries t;
     size_t used = 0;
-    const enum status st = find_tries(c, c->longest, INFINITY, &t);
+    const enum status st = find_tries(c, &wish, INFINITY, &t);
 
     c->unsearched[0] = '\0';
     for (int k = 0; st == STATUS_OK && (who = contest_entrant(c, k)); k++) {
@@ -835,18 +820,18 @@ out:
 enum status contest_search_limits(struct contest *c)
 {
     const struct contestant *who;
-    struct tries t = {0};
+    struct tries t;
     enum status st;
 
-    TRY(find_tries(c, 0, 0, &t)); /* room */
-    t.count = 0;
+    TRY(create_tries(c, &t));
     for (int k = 0; (who = contest_entrant(c, k)); k++) {
         const struct contest_limit limit = contest_limit(c, who);
         struct contest_at at;
-        for (int axis = 0; limit.best && axis < CONTEST_AXES; axis++)
-            if (limit.kind != CONTEST_BY_TRUTH &&
-                contest_probe(c, limit.best, (enum contest_axis)axis, &at))
-                add_try(c, &t, &at);
+        if (!limit.best || limit.kind == CONTEST_BY_TRUTH)
+            continue;
+        for (enum contest_axis axis = 0; axis < CONTEST_AXES; axis++)
+            if (contest_probe(c, limit.best, axis, &at))
+                add_try(&t, &at, false);
     }
     TRY(add_payable(c, &t, c->budget, true));
 out:
@@ -854,39 +839,20 @@ out:
     return st;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    const double *left = a, *right = b;
-
-    return (*left > *right) - (*left < *right);
-}
-
-/* Seconds of the best rows, as many as fit. */
-static int list_best(const struct contest *c, int most, double *seconds)
-{
-    int count = 0;
-
-    for (int n = 0; n < c->count && count < most; n++)
-        if (contest_is_best(c, &c->rows[n]))
-            seconds[count++] = c->rows[n].seconds;
-    return count;
-}
-
 void contest_choose_best(struct contest *c)
 {
-    enum { MOST = 1024 };
-    double seconds[MOST], spent = 0, longest = 0;
+    double spent = 0, longest = 0, next = 0;
 
     c->team_longest = INFINITY;
     if (!(c->budget > 0))
         return;
-    const int count = list_best(c, MOST, seconds);
-    qsort(seconds, (size_t)count, sizeof *seconds, ascending);
-    for (int n = 0; n < count; n++) {
-        spent += seconds[n] * (1 + timing_repeats(seconds[n], c->quick));
-        if (spent > (1 - SHARE) * c->budget)
-            break;
-        longest = seconds[n];
+    while (spent <= (1 - SHARE) * c->budget && next < INFINITY) {
+        longest = next;
+        next = INFINITY;
+        for (int n = 0; n < c->count; n++)
+            if (c->rows[n].seconds > longest && contest_is_best(c, &c->rows[n]))
+                next = fmin(next, c->rows[n].seconds);
+        spent += next * (1 + timing_repeats(next, c->quick));
     }
     c->team_longest = longest;
 }

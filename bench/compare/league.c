@@ -2,11 +2,10 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "bench/ui/chart.h"
 
-/* What is asked for where the truth is known to it. */
+/* The error over the length that is compared where the truth is known to it. */
 static const double USUAL = 0.01;
 
 double league_target(double bar)
@@ -17,118 +16,61 @@ double league_target(double bar)
     return NAN;
 }
 
-static int contestants(void)
+static double target_of(const struct contest *c)
 {
-    int n = 0;
-
-    while (contestant_table[n].name)
-        n++;
-    return n;
+    return league_target(contest_largest_bar(c));
 }
 
-static void fill(const struct contest *c, const struct contestant *who, double target,
-                 struct league_cell *cell)
+/* Returns the time that was simulated [s]. */
+static double span_of(const struct contest *c)
 {
-    const struct contest_row *cheapest = contest_cheapest(c, who, target);
-    const struct contest_row *nearest = contest_nearest(c, who);
-    const struct contest_row *shown = cheapest ? cheapest : nearest;
-
-    cell->entered = true;
-    cell->refused = contest_limit(c, who).kind == CONTEST_REFUSED;
-    cell->seconds = cheapest ? cheapest->seconds : NAN;
-    cell->lowest = nearest ? nearest->worst : NAN;
-    cell->bytes = shown ? shown->result.bytes : NAN;
-    if (shown)
-        memcpy(cell->size, shown->at.size, sizeof cell->size);
+    return c->truth->time[c->truth->times - 1];
 }
 
-enum status league_add(struct league *l, const struct contest *c)
+static bool has_entered(const struct contest *c, const struct contestant *who)
 {
-    const struct contestant *who;
-    struct league_scene *scene =
-        realloc(l->scene, ((size_t)l->count + 1) * sizeof *l->scene);
-
-    if (!scene)
-        return STATUS_MEMORY;
-    l->scene = scene;
-    l->contestants = contestants();
-    scene += l->count;
-    *scene = (struct league_scene){.bar = contest_largest_bar(c),
-                                   .span = c->truth->time[c->truth->times - 1]};
-    scene->target = league_target(scene->bar);
-    snprintf(scene->name, sizeof scene->name, "%s", c->scene->name);
-    scene->cell = calloc((size_t)l->contestants + 1, sizeof *scene->cell);
-    scene->point = calloc((size_t)c->count + 1, sizeof *scene->point);
-    l->count++;
-    if (!scene->cell || !scene->point)
-        return STATUS_MEMORY;
     for (int n = 0; n < c->count; n++)
-        if (contest_on_front(c, &c->rows[n]))
-            scene->point[scene->point_count++] =
-                (struct league_point){(int)(c->rows[n].at.contestant - contestant_table),
-                                      c->rows[n].seconds, c->rows[n].worst};
-    for (int k = 0; (who = contest_entrant(c, k)); k++)
-        fill(c, who, scene->target, &scene->cell[who - contestant_table]);
-    return STATUS_OK;
+        if (c->rows[n].at.contestant == who)
+            return true;
+    return false;
 }
 
-void league_clear(struct league *l)
+static bool was_refused(const struct contest *c, const struct contestant *who)
 {
-    for (int n = 0; n < l->count; n++) {
-        free(l->scene[n].cell);
-        free(l->scene[n].point);
+    return contest_limit(c, who).kind == CONTEST_REFUSED;
+}
+
+/* Finds the cheapest run to the target by any model but one; NULL: none reached it. */
+static const struct contest_row *cheapest(const struct contest *c,
+                                          const struct model *except)
+{
+    const struct contest_row *best = NULL;
+
+    for (const struct contestant *who = contestant_table; who->name; who++) {
+        const struct contest_row *r =
+            who->model == except ? NULL : contest_cheapest(c, who, target_of(c));
+        if (r && (!best || r->seconds < best->seconds))
+            best = r;
     }
-    free(l->scene);
-    *l = (struct league){0};
-}
-
-static int cheapest(const struct league *l, int scene, const struct model *except)
-{
-    const struct league_cell *cell = l->scene[scene].cell;
-    int best = -1;
-
-    for (int n = 0; n < l->contestants; n++)
-        if (cell[n].entered && contestant_table[n].model != except &&
-            !isnan(cell[n].seconds) && (best < 0 || cell[n].seconds < cell[best].seconds))
-            best = n;
     return best;
 }
 
-int league_winner(const struct league *l, int scene)
+/* --- for people --- */
+
+/* Adds "0.0039" seconds, "(2.2 %)" at best, "refused", "died", or nothing. */
+static void add_cell(struct table *t, const struct contest *c, const struct contestant *who)
 {
-    return cheapest(l, scene, NULL);
-}
+    const struct contest_row *reached = contest_cheapest(c, who, target_of(c));
+    const struct contest_row *nearest = contest_nearest(c, who);
 
-int league_second(const struct league *l, int scene)
-{
-    const int winner = league_winner(l, scene);
-
-    return winner < 0 ? -1 : cheapest(l, scene, contestant_table[winner].model);
-}
-
-/* --- for people --------------------------------------------------------------------------
- */
-
-/* "0.0039" seconds, "(2.2 %)" at best, "refused", "died", nothing. */
-static void add_cell(struct table *t, const struct league_cell *cell)
-{
-    if (!cell->entered)
+    if (!has_entered(c, who))
         table_text(t, "%s", "");
-    else if (!isnan(cell->seconds))
-        table_text(t, "%.2g", cell->seconds);
-    else if (!isnan(cell->lowest))
-        table_text(t, "(%.2g %%)", 100 * cell->lowest);
+    else if (reached)
+        table_text(t, "%.2g", reached->seconds);
+    else if (nearest)
+        table_text(t, "(%.2g %%)", 100 * nearest->worst);
     else
-        table_text(t, cell->refused ? "refused" : "died");
-}
-
-static bool entered(const struct league *l, int contestant)
-{
-    bool somewhere = false;
-
-    for (int s = 0; s < l->count; s++)
-        somewhere |= l->scene[s].cell[contestant].entered;
-    return somewhere;
+        table_text(t, was_refused(c, who) ? "refused" : "died");
 }
 
 static void add_percent(struct table *t, double share)
@@ -139,76 +81,102 @@ static void add_percent(struct table *t, double share)
         table_text(t, "%.2g %%", 100 * share);
 }
 
-/* "springs single, 29 times less than PD": the two cheapest of different models. */
-static void note_winner(struct table *t, const struct league *l, int s)
+/* Notes the two cheapest of different models: "springs single, 29 times less than PD". */
+static void note_winner(struct table *t, const struct contest *c)
 {
-    const int winner = league_winner(l, s), second = league_second(l, s);
-    const struct league_scene *scene = &l->scene[s];
+    const double bar = contest_largest_bar(c), target = target_of(c);
+    const char *scene = c->scene->name;
+    const struct contest_row *first = cheapest(c, NULL);
+    const struct contest_row *second =
+        first ? cheapest(c, first->at.contestant->model) : NULL;
 
-    if (isnan(scene->bar))
-        table_note(t, "%s cannot be decided: it has no truth.", scene->name);
-    else if (isnan(scene->target))
-        table_note(t, "%s cannot be decided: its truth is known to %.2g %%.", scene->name,
-                   100 * scene->bar);
-    else if (winner < 0)
-        table_note(t, "%s: nobody reaches %g %%.", scene->name, 100 * scene->target);
-    else if (second < 0)
-        table_note(t, "%s: %s, and no other model reaches %g %%.", scene->name,
-                   contestant_table[winner].title, 100 * scene->target);
+    if (isnan(bar))
+        table_note(t, "%s cannot be decided: it has no truth.", scene);
+    else if (isnan(target))
+        table_note(t, "%s cannot be decided: its truth is known to %.2g %%.", scene,
+                   100 * bar);
+    else if (!first)
+        table_note(t, "%s: nobody reaches %g %%.", scene, 100 * target);
+    else if (!second)
+        table_note(t, "%s: %s, and no other model reaches %g %%.", scene,
+                   first->at.contestant->title, 100 * target);
     else {
-        const double times = scene->cell[second].seconds / scene->cell[winner].seconds;
-        table_note(t, "%s: %s, %.*f times less than the next model, %s.", scene->name,
-                   contestant_table[winner].title, times < 10 ? 1 : 0, times,
-                   contestant_table[second].title);
+        const double times = second->seconds / first->seconds;
+        table_note(t, "%s: %s, %.*f times less than the next model, %s.", scene,
+                   first->at.contestant->title, times < 10 ? 1 : 0, times,
+                   second->at.contestant->title);
     }
 }
 
-static enum status print_people(const struct league *l, enum table_format format,
-                                FILE *file)
+static enum status print_people(int count, const struct contest *const *contests,
+                                enum table_format format, FILE *file)
 {
-    struct table_column *columns = calloc((size_t)l->count + 1, sizeof *columns);
+    struct table_column *columns = calloc((size_t)count + 1, sizeof *columns);
 
     if (!columns)
         return STATUS_MEMORY;
     columns[0] = (struct table_column){"model", NULL, TABLE_LEFT};
-    for (int s = 0; s < l->count; s++)
-        columns[s + 1] = (struct table_column){l->scene[s].name, "s"};
+    for (int s = 0; s < count; s++)
+        columns[s + 1] = (struct table_column){contests[s]->scene->name, "s"};
     struct table *t = table_create(
-        l->count + 1, columns,
+        count + 1, columns,
         "Least seconds (set-up and stepping) to the error of each scene, RMSE/L at the "
         "worst of its times; in brackets the lowest error where that is not reached");
-    for (int n = 0; n < l->contestants; n++) {
-        if (!entered(l, n))
+    free(columns);
+    for (const struct contestant *who = contestant_table; who->name; who++) {
+        bool somewhere = false;
+        for (int s = 0; s < count; s++)
+            somewhere |= has_entered(contests[s], who);
+        if (!somewhere)
             continue;
         table_row(t);
-        table_text(t, "%s", contestant_table[n].title);
-        for (int s = 0; s < l->count; s++)
-            add_cell(t, &l->scene[s].cell[n]);
+        table_text(t, "%s", who->title);
+        for (int s = 0; s < count; s++)
+            add_cell(t, contests[s], who);
     }
     table_rule(t);
     table_row(t);
     table_text(t, "error asked for");
-    for (int s = 0; s < l->count; s++)
-        add_percent(t, l->scene[s].target);
+    for (int s = 0; s < count; s++)
+        add_percent(t, target_of(contests[s]));
     table_row(t);
     table_text(t, "truth's bar");
-    for (int s = 0; s < l->count; s++)
-        add_percent(t, l->scene[s].bar);
+    for (int s = 0; s < count; s++)
+        add_percent(t, contest_largest_bar(contests[s]));
     table_row(t);
     table_text(t, "seconds shown");
-    for (int s = 0; s < l->count; s++)
-        table_text(t, "%.3g", l->scene[s].span);
-    for (int s = 0; s < l->count; s++)
-        note_winner(t, l, s);
+    for (int s = 0; s < count; s++)
+        table_text(t, "%.3g", span_of(contests[s]));
+    for (int s = 0; s < count; s++)
+        note_winner(t, contests[s]);
     table_note(t, "%s", contest_rule);
-    free(columns);
     return table_finish(t, format, file);
 }
 
-/* --- for machines ------------------------------------------------------------------------
- */
+/* --- for machines --- */
 
-static struct table *list_all(const struct league *l)
+static void add_row(struct table *t, const struct contest *c, const struct contestant *who)
+{
+    const struct contest_row *reached = contest_cheapest(c, who, target_of(c));
+    const struct contest_row *nearest = contest_nearest(c, who);
+    const struct contest_row *shown = reached ? reached : nearest;
+
+    table_row(t);
+    table_text(t, "%s", c->scene->name);
+    table_text(t, "%s", who->name);
+    table_text(t, "%s", who->model->name);
+    table_number(t, span_of(c), 3);
+    table_number(t, contest_largest_bar(c), 3);
+    table_number(t, target_of(c), 3);
+    table_number(t, reached ? reached->seconds : NAN, 3);
+    table_number(t, nearest ? nearest->worst : NAN, 3);
+    for (int axis = 0; axis < CONTEST_AXES; axis++)
+        table_fixed(t, shown && shown->at.size[axis] ? shown->at.size[axis] : NAN, 0);
+    table_number(t, shown ? shown->result.bytes : NAN, 3);
+    table_integer(t, was_refused(c, who));
+}
+
+static struct table *list_all(int count, const struct contest *const *contests)
 {
     static const struct table_column columns[] = {
         {"scene", NULL, TABLE_LEFT},
@@ -228,88 +196,62 @@ static struct table *list_all(const struct league *l)
     struct table *t =
         table_create(sizeof columns / sizeof *columns, columns, "Contestants over scenes");
 
-    for (int s = 0; s < l->count; s++)
-        for (int n = 0; n < l->contestants; n++) {
-            const struct league_scene *scene = &l->scene[s];
-            const struct league_cell *cell = &scene->cell[n];
-            if (!cell->entered)
-                continue;
-            table_row(t);
-            table_text(t, "%s", scene->name);
-            table_text(t, "%s", contestant_table[n].name);
-            table_text(t, "%s", contestant_table[n].model->name);
-            table_number(t, scene->span, 3);
-            table_number(t, scene->bar, 3);
-            table_number(t, scene->target, 3);
-            table_number(t, cell->seconds, 3);
-            table_number(t, cell->lowest, 3);
-            for (int axis = 0; axis < CONTEST_AXES; axis++)
-                table_fixed(t, cell->size[axis] ? cell->size[axis] : NAN, 0);
-            table_number(t, cell->bytes, 3);
-            table_integer(t, cell->refused);
-        }
+    for (int s = 0; s < count; s++)
+        for (const struct contestant *who = contestant_table; who->name; who++)
+            if (has_entered(contests[s], who))
+                add_row(t, contests[s], who);
     return t;
 }
 
-/* --- the chart ---------------------------------------------------------------------------
- */
+/* --- the chart --- */
 
-/* No contestant of the same model is cheaper and as good. */
-static bool leads(const struct league_scene *s, const struct league_point *p)
-{
-    const struct model *model = contestant_table[p->contestant].model;
-
-    for (const struct league_point *q = s->point; q < s->point + s->point_count; q++)
-        if (contestant_table[q->contestant].model == model && q->worst <= p->worst &&
-            q->seconds < p->seconds)
-            return false;
-    return true;
-}
-
-static void draw_model(struct chart *c, const struct league_scene *s,
+static void draw_model(struct chart *chart, const struct contest *c,
                        const struct model *model)
 {
-    bool begun = false; /* who has nothing to show is not in the legend */
+    bool begun = false; /* a model with nothing to show is not in the legend */
 
-    for (const struct league_point *p = s->point; p < s->point + s->point_count; p++) {
-        if (contestant_table[p->contestant].model != model || !leads(s, p))
+    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
+        if (r->at.contestant->model != model || !contest_leads_model(c, r))
             continue;
         if (!begun)
-            chart_series(c, &(struct chart_series){model->title, .sorted = true});
+            chart_series(chart, &(struct chart_series){model->title, .sorted = true});
         begun = true;
-        chart_point(c, p->seconds, 100 * p->worst);
+        chart_point(chart, r->seconds, 100 * r->worst);
     }
 }
 
-enum status league_chart(const struct league *l, const char *folder, struct message *why)
+static enum status draw(int count, const struct contest *const *contests,
+                        const char *folder, struct message *why)
 {
-    struct chart *c = chart_create("The best runs of each model on each scene");
+    struct chart *chart = chart_create("The best runs of each model on each scene");
     const struct model *model;
 
-    chart_axes(c, &(struct chart_axis){"set-up and stepping", "s", .log = true},
+    chart_axes(chart, &(struct chart_axis){"set-up and stepping", "s", .log = true},
                &(struct chart_axis){"RMSE / L at the worst time", "%", .log = true});
-    for (int s = 0; s < l->count; s++) {
-        const struct league_scene *scene = &l->scene[s];
-        chart_panel(c, scene->name);
-        if (!isnan(scene->bar))
-            chart_band(c, "truth's error bar", 0, 100 * scene->bar);
+    for (int s = 0; s < count; s++) {
+        const struct contest *c = contests[s];
+        const double bar = contest_largest_bar(c);
+        chart_panel(chart, c->scene->name);
+        if (!isnan(bar))
+            chart_band(chart, "truth's error bar", 0, 100 * bar);
         for (int m = 0; (model = contestant_model(m)) && m < CHART_LINES_MOST; m++)
-            draw_model(c, scene, model);
+            draw_model(chart, c, model);
     }
-    return chart_save(c, folder, "compare_scenes", why);
+    return chart_save(chart, folder, "compare_scenes", why);
 }
 
-enum status league_print(const struct league *l, const char *folder,
-                         enum table_format format, FILE *file, struct message *why)
+enum status league_print(int count, const struct contest *const *contests,
+                         const char *folder, enum table_format format, FILE *file,
+                         struct message *why)
 {
-    struct table *t = list_all(l);
+    struct table *t = list_all(count, contests);
     enum status st;
 
     TRY(table_save(t, folder, "compare_scenes", why));
-    TRY(league_chart(l, folder, why));
+    TRY(draw(count, contests, folder, why));
     if (table_format_is_data(format))
         return table_finish(t, format, file);
-    st = print_people(l, format, file);
+    st = print_people(count, contests, format, file);
 out:
     table_destroy(t);
     return st;

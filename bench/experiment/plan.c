@@ -677,7 +677,7 @@ static const struct schema_key PLAN[] = {
     {"intersections", "count self-intersections", SCHEMA_WORD, .words = NO_OR_YES,
      IN(plan, intersections)},
     {"keep", "fields that result files keep", SCHEMA_WORD, .words = KEEPS, IN(plan, keep)},
-    {"time_limit", "time limit of a case [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
+    {"time_limit", "processor time that a case may take [s]", SCHEMA_NUMBER, .low = 0.001, .high = 1e9,
      IN(plan, time_limit)},
     {"verdicts", "rules that label a case", WITH_RULES, IN(plan, verdicts)},
     {"learnt", "second opinion: bounds learnt from the paper's words", WITH_RULES,

@@ -50,7 +50,7 @@ static void remove_pending(int signal_number)
 
 void atomic_file_catch_signals(void)
 {
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         struct sigaction old,
             new = {.sa_handler = remove_pending, .sa_flags = SA_RESETHAND};

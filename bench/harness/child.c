@@ -1,4 +1,4 @@
-#define _GNU_SOURCE /* MAP_ANONYMOUS, wait4 */
+#define _GNU_SOURCE /* MAP_ANONYMOUS, wait4, timer_create */
 #include "bench/harness/child.h"
 
 #include <errno.h>
@@ -15,14 +15,13 @@
 #include <unistd.h>
 
 #include "bench/files/atomic_file.h"
-#include "models/clock.h"
 
 /* The child's report, in memory that it shares with its parent. */
 struct child_note {
     enum status st;
     struct message why;
     double reached;
-    int limit; /* limit of processor time [s]; 0: none                                 */
+    double limit; /* limit of processor time [s]; 0: none                              */
 };
 
 /* The report of this process, if it is a child. */
@@ -34,12 +33,25 @@ void child_reached(double how_far)
         my_note->reached = how_far;
 }
 
-void child_limit(int seconds)
+/* A timer that asks it to end, so that it removes its temporary file, and two seconds later
+ * the kernel, which does not ask. */
+void child_limit(double seconds)
 {
-    const struct rlimit limit = {(rlim_t)seconds, (rlim_t)seconds + 1};
+    static timer_t timer;
+    struct sigevent event = {.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGXCPU};
+    const struct itimerspec after = {
+        .it_value = {(time_t)seconds, lround(1e9 * fmod(seconds, 1))}};
+    struct rlimit limit;
 
-    if (my_note)
-        my_note->limit = seconds;
+    if (!my_note || getrlimit(RLIMIT_CPU, &limit) != 0)
+        return;
+    if (my_note->limit > 0)
+        timer_delete(timer);
+    my_note->limit = seconds;
+    if (timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer) == 0)
+        timer_settime(timer, 0, &after, NULL);
+    if (seconds + 2 < (double)limit.rlim_cur)
+        limit.rlim_cur = limit.rlim_max = (rlim_t)seconds + 2;
     setrlimit(RLIMIT_CPU, &limit);
 }
 
@@ -106,9 +118,6 @@ enum status child_start(struct child *c, enum status (*work)(void *, struct mess
     memset(c->note, 0, sizeof *c->note);
     c->note->st = STATUS_LIBRARY;
     c->note->reached = NAN;
-    c->seen = clock_now();
-    c->worked = c->idle = 0;
-    c->suspended = c->overdue = false;
     sigfillset(&all); /* no signal may meet the parent's handlers in the child */
     sigprocmask(SIG_SETMASK, &all, &mask);
     c->pid = fork();
@@ -154,64 +163,39 @@ static enum child_outcome read_note(const struct child_note *note, struct messag
                                        : CHILD_FAILED;
 }
 
-static void read_end(const struct child *c, int code, double time_limit,
-                     struct child_end *end)
+/* The share of a limit from which on its signal is the limit's: processor time ticks. */
+static const double OWN = 0.9;
+
+static void read_end(const struct child *c, int code, struct child_end *end)
 {
     const int number = WIFSIGNALED(code) ? WTERMSIG(code) : 0;
-    char *why = end->why.text;
-    const size_t size = sizeof end->why.text;
+    const double limit = c->note->limit;
 
-    if (number == SIGKILL && c->overdue) {
-        end->overdue = c->worked > time_limit;
-        end->outcome = end->overdue ? CHILD_FAILED : CHILD_CUT;
-        snprintf(why, size,
-                 end->overdue ? "timed out after %g s"
-                              : "suspended for longer than its time limit of %g s",
-                 time_limit);
-    } else if (number == SIGXCPU && c->note->limit) {
-        end->overdue = true;
-        snprintf(why, size, "not done after %d s of processor time", c->note->limit);
-    } else if (number) {
+    end->overdue = limit > 0 && (number == SIGXCPU || number == SIGKILL) &&
+                   end->seconds >= OWN * limit;
+    if (end->overdue)
+        snprintf(end->why.text, sizeof end->why.text,
+                 "timed out after %g s of processor time", limit);
+    else if (number)
         end->outcome = read_signal(number, &end->why);
-    } else if (WEXITSTATUS(code)) {
-        snprintf(why, size, "ended with exit code %d", WEXITSTATUS(code));
-    } else {
+    else if (WEXITSTATUS(code))
+        snprintf(end->why.text, sizeof end->why.text, "ended with exit code %d",
+                 WEXITSTATUS(code));
+    else
         end->outcome = read_note(c->note, &end->why);
-    }
 }
 
-/* A longer pause between polls [s] means that this process or the machine slept. */
-static const double NAP = 1;
-
-static void pass_time(struct child *c, double time_limit)
-{
-    const double now = clock_now();
-
-    *(c->suspended ? &c->idle : &c->worked) += fmin(now - c->seen, NAP);
-    c->seen = now;
-    if ((c->worked > time_limit || c->idle > time_limit) && !c->overdue) {
-        c->overdue = true;
-        kill(c->pid, SIGKILL);
-    }
-}
-
-bool child_poll(struct child *c, double time_limit, struct child_end *end)
+bool child_poll(struct child *c, struct child_end *end)
 {
     int code;
     struct rusage used;
-    pid_t pid;
 
-    while ((pid = wait4(c->pid, &code, WNOHANG | WUNTRACED | WCONTINUED, &used)) > 0 &&
-           (WIFSTOPPED(code) || WIFCONTINUED(code)))
-        c->suspended = WIFSTOPPED(code);
-    if (pid != c->pid) {
-        pass_time(c, time_limit);
+    if (wait4(c->pid, &code, WNOHANG, &used) != c->pid)
         return false;
-    }
     *end = (struct child_end){.outcome = CHILD_FAILED, .reached = c->note->reached};
     end->seconds = (double)used.ru_utime.tv_sec + (double)used.ru_stime.tv_sec +
                    1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
     c->pid = 0;
-    read_end(c, code, time_limit, end);
+    read_end(c, code, end);
     return true;
 }

@@ -12,25 +12,22 @@
 enum child_outcome {
     CHILD_DONE,   /* the work came to STATUS_OK                                        */
     CHILD_FAILED, /* it did not, `why` says why                                        */
-    CHILD_CUT,    /* it was cut short, `why` says by what: killed or suspended from
-                     outside, out of memory; another time it may come to its end       */
+    CHILD_CUT,    /* it was cut short, `why` says by what: killed from outside, out of
+                     memory; another time it may come to its end                       */
     CHILD_STUCK,  /* a file could not be written, `why` says why: no use going on      */
     CHILD_ASKED,  /* it was asked to end (SIGINT, SIGTERM, SIGHUP)                     */
 };
 
 struct child_end {
     enum child_outcome outcome;
-    bool overdue;   /* failed: it was killed because its time was over                 */
+    bool overdue;   /* failed: the limit of child_limit was over                       */
     double seconds; /* of processor time                                               */
     double reached; /* last value of child_reached; NaN: none                          */
     struct message why;
 };
 
 struct child {
-    pid_t pid;           /* 0: none runs                                               */
-    double seen;         /* clock_now() at the last poll                               */
-    double worked, idle; /* since its start; idle: suspended [s]                       */
-    bool suspended, overdue;
+    pid_t pid;               /* 0: none runs                                           */
     struct child_note *note; /* memory shared with the child                     owned */
 };
 
@@ -44,13 +41,12 @@ enum status child_start(struct child *c, enum status (*work)(void *, struct mess
 /* Records in the child how far the work is, in case it does not end; elsewhere nothing. */
 void child_reached(double how_far);
 
-/* Ends the child after so much processor time, which counts as overdue, too. Unlike the
- * limit of child_poll it does not depend on what else the machine does. */
-void child_limit(int seconds);
+/* Ends the child after so many seconds of processor time: CHILD_FAILED, overdue. Time in
+ * which it is suspended, or in which the machine sleeps or does something else, does not
+ * count. Called in the child; the last call holds. */
+void child_limit(double seconds);
 
-/* Returns whether it has ended, and how; kills it when `time_limit` seconds of work are
- * over (CHILD_FAILED, overdue), or as many in which it was suspended (CHILD_CUT). Seconds
- * that this process slept through do not count. Does not wait. */
-bool child_poll(struct child *c, double time_limit, struct child_end *end);
+/* Returns whether it has ended, and how. Does not wait. */
+bool child_poll(struct child *c, struct child_end *end);
 
 #endif

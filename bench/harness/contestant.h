@@ -48,9 +48,10 @@ const struct model *contestant_model(int n);
 enum status contestant_find(const char *name, const struct contestant **c,
                             struct message *why);
 
-/* Whether the choice "a,b" of --models includes it: a contestant's name chooses it; a
- * model's name, NULL and "all" choose those that enter there, by a bit of the above (0:
- * all). The name of a model of which none enters chooses the contestant of that name. */
+/* Returns whether the choice "a,b" of --models includes a contestant: a contestant's name
+ * chooses it; a model's name, NULL and "all" choose those that enter there, by a bit of the
+ * above (0: all). The name of a model of which none enters chooses the contestant of that
+ * name. */
 bool contestant_chosen(const struct contestant *c, const char *choice, unsigned where);
 
 /* Checks that all words of a choice name models or contestants. STATUS_INPUT, a
@@ -63,7 +64,8 @@ void contestant_settings(const struct contestant *c, struct settings *s);
 /* Returns the value that it sets a key to; NULL: it does not. Static storage. */
 const char *contestant_setting(const struct contestant *c, const char *key);
 
-/* Whether this is the paper's own scheme, whose damping is a factor on the velocity. */
+/* Returns whether this is the paper's own scheme, whose damping is a factor on the
+ * velocity. */
 bool contestant_is_paper_scheme(const struct contestant *c);
 
 /* Adds the setting of u x v points, with its own number through the thickness. */

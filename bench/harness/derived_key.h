@@ -7,7 +7,8 @@
 
 #include "models/scene.h"
 
-/* Whether a key is derived: "gamma" (scene_gamma), "young_over_density" [m^2/s^2]. */
+/* Returns whether a key is derived: "gamma" (scene_gamma), "young_over_density" [m^2/s^2].
+ */
 bool derived_key_is(const char *key);
 
 /* Returns its number in a scene. */

@@ -1,22 +1,8 @@
 #include "bench/harness/distrust.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "bench/harness/looks.h"
-
-__attribute__((format(printf, 2, 3))) static void say(struct message *m, const char *format,
-                                                      ...)
-{
-    const size_t used = strlen(m->text);
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(m->text + used, sizeof m->text - used, format, arguments);
-    va_end(arguments);
-}
 
 bool distrust(const struct scene *scene, const double value[MEASURES],
               struct message *sentence)
@@ -33,25 +19,27 @@ bool distrust(const struct scene *scene, const double value[MEASURES],
     sentence->text[0] = '\0';
     if (!stretched && !deep && !crossed)
         return false;
-    say(sentence, "Do not trust this result: ");
+    message_add(sentence, "Do not trust this result: ");
     if (stretched)
-        say(sentence,
+        message_add(
+            sentence,
             "the mid-surface is stretched to %.3g times its length, of which its hanging "
             "weight explains %.4g",
             stretch, 1 + weight);
     if (deep)
-        say(sentence, "%san obstacle is %.2g mm deep in a sheet of %.2g mm",
-            stretched ? ", " : "", 1e3 * depth, 1e3 * scene->thickness);
+        message_add(sentence, "%san obstacle is %.2g mm deep in a sheet of %.2g mm",
+                    stretched ? ", " : "", 1e3 * depth, 1e3 * scene->thickness);
     if (crossed)
-        say(sentence, "%sit passes through itself", stretched || deep ? ", " : "");
+        message_add(sentence, "%sit passes through itself", stretched || deep ? ", " : "");
     if (crossed && moved)
-        say(sentence, " from %.3g s on", begin);
-    say(sentence, "; try %s%s", coarse ? "a finer net" : "",
-        stretched ? ", another model beside it" : "");
+        message_add(sentence, " from %.3g s on", begin);
+    message_add(sentence, "; try %s%s", coarse ? "a finer net" : "",
+                stretched ? ", another model beside it" : "");
     if (crossed && moved)
-        say(sentence, "%san end before %.3g s, as no model here keeps a sheet off itself",
-            coarse ? ", or " : "", begin);
-    say(sentence, ".");
+        message_add(sentence,
+                    "%san end before %.3g s, as no model here keeps a sheet off itself",
+                    coarse ? ", or " : "", begin);
+    message_add(sentence, ".");
     return true;
 }
 

@@ -55,6 +55,7 @@ static enum status work_in_child(void *context, struct message *why)
 {
     const struct slot *slot = context;
 
+    child_limit(slot->pool->time_limit);
     return slot->pool->work(slot->pool->context, slot->job, why);
 }
 
@@ -174,7 +175,7 @@ static enum status gather(struct work *w, bool *some, struct message *why)
 
     *some = false;
     for (int n = 0; n < p->slots; n++)
-        if (w->slots[n].child.pid && child_poll(&w->slots[n].child, p->time_limit, &end)) {
+        if (w->slots[n].child.pid && child_poll(&w->slots[n].child, &end)) {
             *some = true;
             TRY(settle(w, w->slots[n].job, &end, why));
         }
@@ -257,7 +258,7 @@ enum status pool_serve(struct pool *pool,
             ready = ready || prepare(pool->context, &end.why) == STATUS_OK;
             if (!ready || start(&slot, message.number, &end.why) != STATUS_OK)
                 answer(pool, message.number, &end);
-        } else if (slot.child.pid && child_poll(&slot.child, pool->time_limit, &end)) {
+        } else if (slot.child.pid && child_poll(&slot.child, &end)) {
             answer(pool, slot.job, &end);
         } else {
             rest();

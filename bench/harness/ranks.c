@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Whether mpirun's environment variables are set: Open MPI's, others'. */
+/* Returns whether mpirun's environment variables are set: Open MPI's, others'. */
 static bool started_by_mpirun(void)
 {
     return getenv("OMPI_COMM_WORLD_SIZE") || getenv("PMIX_RANK") || getenv("PMI_SIZE");

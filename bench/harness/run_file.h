@@ -85,7 +85,8 @@ enum status run_file_close(struct run_file *file, const struct motion *m,
                            struct run_result *result, struct message *why);
 void run_file_discard(struct run_file *file); /* gives it up; NULL is allowed */
 
-/* Whether a status of run_build is a result, told in the file, and no failure of ours. */
+/* Returns whether a status of run_build is a result, told in the file, and no failure of
+ * ours. */
 bool run_file_is_refusal(enum status st);
 
 /* Does the whole run: a death is a result, and so is a model that refuses. The bits are the

@@ -30,7 +30,7 @@ struct run_result {
     double **xyz; /* [frames] (grid.h) [m]; NULL unless asked for              owned   */
 };
 
-/* Whether the model refused; nothing else is known then but the sentence. */
+/* Returns whether the model refused; nothing else is known then but the sentence. */
 bool run_result_refused(const struct run_result *r);
 
 /* Fills the sentence from outcome and death_time; `refusal` is the model's. */

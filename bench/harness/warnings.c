@@ -15,7 +15,7 @@ static bool is_solid(const struct run *r)
     return r->contestant->layers > 0;
 }
 
-/* Whether the model consists of springs and constraints between points. */
+/* Returns whether the model consists of springs and constraints between points. */
 static bool is_net(const struct run *r)
 {
     return !is_solid(r) && r->discretization.degree[0] == 1;

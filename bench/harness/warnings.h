@@ -12,7 +12,8 @@ struct warnings_rule {
     const char *name;
     const char *source; /* source of the rule                                          */
 
-    /* Whether the rule applies to a run (as of run_read); then with its sentence. */
+    /* Returns whether the rule applies to a run (as of run_read); then with its
+     * sentence. */
     bool (*holds)(const struct run *run, struct message *sentence);
 };
 

@@ -100,7 +100,6 @@ static enum status work(void *context, long number, struct message *why)
     struct truth *truth = NULL;
     enum status st;
 
-    child_limit(TIME_LIMIT);
     if (!job->contestant) {
         TRY(stress_find_truth(job, true, &truth, why));
         truth_destroy(truth);
@@ -168,7 +167,7 @@ static enum status run_jobs(const struct options *o, long count, struct stress_j
             .done = done,
             .context = list,
             .slots = o->jobs,
-            .time_limit = 10 * TIME_LIMIT,
+            .time_limit = TIME_LIMIT,
             .work = work,
             .settle = settle,
         };

@@ -90,14 +90,14 @@ static void limit(void)
     for (size_t n = 0; n < sizeof limits / sizeof *limits; n++) {
         const struct limit_case *t = &limits[n];
         struct contest c = make();
-        char text[128];
+        struct message text;
         add(&c, other, &elsewhere); /* nothing of another's is one's own */
         for (int k = 0; k < RUNS && t->run[k].side; k++)
             add(&c, who, &t->run[k]);
         const struct contest_limit l = contest_limit(&c, named(who));
-        contest_tell(&c, &l, text, sizeof text);
-        if (!CHECK(l.kind == t->kind && !strcmp(text, t->says)))
-            printf("  case %zu: %s, not '%s'\n", n, text, t->says);
+        contest_tell(&c, &l, &text);
+        if (!CHECK(l.kind == t->kind && !strcmp(text.text, t->says)))
+            printf("  case %zu: %s, not '%s'\n", n, text.text, t->says);
         unmake(&c);
     }
 }

@@ -40,15 +40,21 @@ static double seconds_of(const int *size)
            (size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : 1);
 }
 
+/* Fills the rows from `first` on by a rule; none is there twice. */
+static void fill_from(struct contest *c, const struct rule *r, int first)
+{
+    for (struct contest_row *row = c->rows + first; row < c->rows + c->count; row++) {
+        for (struct contest_row *other = c->rows; other < row; other++)
+            CHECK(memcmp(other->at.size, row->at.size, sizeof row->at.size));
+        row->worst = row->error[0] = error_of(r, row->at.size);
+        row->seconds = seconds_of(row->at.size);
+    }
+}
+
 static void add(struct contest *c, const struct rule *r, const struct contest_at *at)
 {
-    struct contest_row *row;
-
-    for (int n = 0; n < c->count; n++)
-        CHECK(memcmp(c->rows[n].at.size, at->size, sizeof at->size));
-    REQUIRE(c->count < MOST_ROWS && contest_add(c, at, &row) == STATUS_OK);
-    row->worst = row->error[0] = error_of(r, at->size);
-    row->seconds = seconds_of(at->size);
+    REQUIRE(contest_add(c, at, NULL) == STATUS_OK);
+    fill_from(c, r, c->count - 1);
 }
 
 static void add_ladder(struct contest *c, const struct rule *r)
@@ -144,15 +150,16 @@ static void searches(const struct rule *r)
     struct scene scene = {.length = 1, .width = 1, .step = 0.005};
     struct truth truth = {1, time, xyz, bar, "made up"};
     struct contest c = {.scene = &scene, .truth = &truth};
-    struct contest_at at[CONTEST_PROPOSALS];
-    int rounds = 0, count, ladder;
+    int rounds = 0, first, ladder;
 
     xyz[0] = shape;
     add_ladder(&c, r);
     ladder = c.count;
-    while ((count = contest_search(&c, named(r->who), &WISH, at)) && rounds++ < MOST_ROUNDS)
-        for (int n = 0; n < count; n++)
-            add(&c, r, &at[n]);
+    do {
+        first = c.count;
+        REQUIRE(contest_propose(&c, &WISH) == STATUS_OK && c.count < MOST_ROWS);
+        fill_from(&c, r, first);
+    } while (c.count > first && rounds++ < MOST_ROUNDS);
     CHECK(rounds < MOST_ROUNDS);
     for (int n = ladder; n < c.count; n++)
         CHECK(c.rows[n].seconds <= LONGEST * (1 + 1e-9));
@@ -178,13 +185,12 @@ static void searches(const struct rule *r)
 static void proposes(struct contest *c, const struct rule *r, int count,
                      const int size[][CONTEST_AXES])
 {
-    struct contest_at at[CONTEST_PROPOSALS];
+    const int first = c->count;
 
-    REQUIRE(contest_search(c, named(r->who), &WISH, at) == count);
-    for (int n = 0; n < count; n++) {
-        CHECK(!memcmp(at[n].size, size[n], sizeof at[n].size));
-        add(c, r, &at[n]);
-    }
+    REQUIRE(contest_propose(c, &WISH) == STATUS_OK && c->count == first + count);
+    for (int n = 0; n < count; n++)
+        CHECK(!memcmp(c->rows[first + n].at.size, size[n], sizeof size[n]));
+    fill_from(c, r, first);
 }
 
 /* Of 10x10 points, of which nothing is nearer: fewer across first, then from there the net
@@ -209,10 +215,11 @@ static void refines(struct contest *c, const struct rule *r)
     proposes(c, r, 2, square);
 }
 
-/* A blunt truth is not run after; a search that may cost nothing proposes nothing. */
+/* A blunt truth is not run after; a search that may cost nothing proposes nothing, nor does
+ * one of a run that died. */
 static void nothing_to_do(void)
 {
-    struct contest_at at[CONTEST_PROPOSALS];
+    static const int fewer[][CONTEST_AXES] = {{5, 5, 1, 0}, {10, 5, 1, 0}};
     struct scene scene = {.length = 1, .width = 1, .step = 0.005};
     double time[1] = {0.1}, bar[1] = {0.05}, shape[3] = {0}, *xyz[1] = {shape};
     struct truth truth = {1, time, xyz, bar, "made up"};
@@ -220,19 +227,18 @@ static void nothing_to_do(void)
     const struct rule r = {"iga_selective_3", 0.04, 0, 0, 0, 0};
     const struct contest_wish cheap = {CONTEST_TARGETS, contest_target, 1e-9};
 
+    proposes(&c, &r, 0, NULL);
     add(&c, &r, &(struct contest_at){named(r.who), {10, 10, 1, 0}});
-    CHECK(contest_search(&c, named(r.who), &WISH, at) == 0);
+    proposes(&c, &r, 0, NULL);
     bar[0] = 0.03;
-    CHECK(contest_search(&c, named(r.who), &cheap, at) == 0);
-    CHECK(contest_search(&c, named("mass_spring"), &WISH, at) == 0);
+    CHECK(contest_propose(&c, &cheap) == STATUS_OK && c.count == 1);
     refines(&c, &r);
     c.count = 1;
     bar[0] = 0, c.rows[0].worst = c.rows[0].error[0] = 0.0019; /* near enough */
-    CHECK(contest_search(&c, named(r.who), &WISH, at) == 2);
-    CHECK(contest_is_at(&at[0], &(struct contest_at){named(r.who), {5, 5, 1, 0}}));
-    CHECK(contest_is_at(&at[1], &(struct contest_at){named(r.who), {10, 5, 1, 0}}));
-    c.rows[0].worst = c.rows[0].error[0] = NAN; /* it died */
-    CHECK(contest_search(&c, named(r.who), &WISH, at) == 0);
+    proposes(&c, &r, 2, fewer);
+    c.count = 1;
+    c.rows[0].worst = c.rows[0].error[0] = NAN;
+    proposes(&c, &r, 0, NULL);
     contest_clear(&c);
 }
 

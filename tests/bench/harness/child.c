@@ -49,31 +49,35 @@ static enum status leave(void *context, struct message *why)
     _Exit(3);
 }
 
+/* Spends its processor time; the second limit holds. */
 static enum status spin(void *context, struct message *why)
 {
-    struct rlimit limit;
-
-    (void)context, (void)why;
-    child_limit(1); /* and a second to remove its temporary file in */
-    if (getrlimit(RLIMIT_CPU, &limit) == 0 && limit.rlim_cur == 1 && limit.rlim_max == 2)
-        child_reached(0.5);
+    (void)why;
+    child_limit(3600);
+    child_limit(*(const double *)context);
+    child_reached(0.5);
     for (volatile double n = 0; n >= 0; n++)
         ;
     return STATUS_OK;
 }
 
-/* Leaves how much of a processor it has used. */
-static enum status work_a_while(void *context, struct message *why)
+/* Does so with a temporary file open. */
+static enum status spin_with_file(void *context, struct message *why)
 {
-    const double enough = 0.02; /* [s], many times what starting takes */
-    struct timespec used;
+    struct atomic_file file;
+    enum status st;
 
-    (void)context, (void)why;
-    do
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
-    while ((double)used.tv_sec + 1e-9 * (double)used.tv_nsec < enough);
-    child_reached((double)used.tv_sec + 1e-9 * (double)used.tv_nsec);
-    return STATUS_OK;
+    TRY(atomic_file_open(scratch_path("spins.txt"), &file, why));
+    st = spin(context, why);
+out:
+    return st;
+}
+
+/* Does so, and cannot be asked to end. */
+static enum status spin_deaf(void *context, struct message *why)
+{
+    signal(SIGXCPU, SIG_IGN);
+    return spin(context, why);
 }
 
 /* The limit is not to blame. */
@@ -91,7 +95,7 @@ static enum status hang(void *context, struct message *why)
     return STATUS_OK;
 }
 
-/* Of two names: makes a file of the second when it is so far. */
+/* Makes a file of the second of two names when it is so far. */
 static enum status ignore_requests(void *context, struct message *why)
 {
     const char *const *path = context;
@@ -101,7 +105,7 @@ static enum status ignore_requests(void *context, struct message *why)
     return hang(context, why);
 }
 
-/* Likewise, with a file of the first name open. */
+/* Does so with a file of the first name open. */
 static enum status hold_file(void *context, struct message *why)
 {
     const char *const *path = context;
@@ -115,17 +119,6 @@ out:
     return st;
 }
 
-/* Until somebody wakes it. */
-static enum status stop(void *context, struct message *why)
-{
-    (void)context, (void)why;
-    raise(SIGSTOP);
-    return STATUS_OK;
-}
-
-/* So long that no machine is too slow, so short that hanging is soon over [s]. */
-static const double long_limit = 3600, short_limit = 0.1;
-
 static void start(struct child *c, enum status (*work)(void *, struct message *),
                   void *context)
 {
@@ -133,129 +126,84 @@ static void start(struct child *c, enum status (*work)(void *, struct message *)
     REQUIRE(child_start(c, work, context, NULL) == STATUS_OK);
 }
 
-static struct child_end end_of(struct child *c, double limit)
+static struct child_end end_of(struct child *c)
 {
     struct child_end end;
 
-    while (!child_poll(c, limit, &end))
+    while (!child_poll(c, &end))
         nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
     CHECK(c->pid == 0);
     child_clear(c);
     return end;
 }
 
-static double reached = 2.5;
-static int segfault = SIGSEGV;
+/* The share of its limit that a child has used by the kernel's clock, which ticks. */
+static const double SPINS = 0.9;
 
-/* What becomes of work, and its words. */
-static void ends_so(enum status (*work)(void *, struct message *), void *context,
-                    double limit, enum child_outcome outcome, bool overdue, double so_far,
-                    const char *why)
-{
-    struct child c;
-
-    start(&c, work, context);
-    const struct child_end end = end_of(&c, limit);
-    if (!CHECK(end.outcome == outcome && end.overdue == overdue &&
-               !strcmp(end.why.text, why) &&
-               (end.reached == so_far || (isnan(end.reached) && isnan(so_far)))))
-        printf("  '%s': outcome %d, reached %g, '%s'\n", why, end.outcome, end.reached,
-               end.why.text);
-}
-
-/* A signal of its own, of somebody else's, and one that asks it to end. */
-static void check_signals(void)
-{
-    static const struct {
-        int signal;
-        enum child_outcome outcome;
-        const char *why;
-    } known[] = {
-        {SIGSEGV, CHILD_FAILED, "crashed: signal 11 (Segmentation fault)"},
-        {SIGABRT, CHILD_FAILED, "crashed: signal 6 (Aborted)"},
-        {SIGFPE, CHILD_FAILED, "crashed: signal 8 (Floating point exception)"},
-        {SIGBUS, CHILD_FAILED, "crashed: signal 7 (Bus error)"},
-        {SIGKILL, CHILD_CUT, "killed by signal 9 (Killed), not by itself"},
-        {SIGUSR1, CHILD_CUT, "killed by signal 10 (User defined signal 1), not by itself"},
-        /* not by child_limit: the user's own */
-        {SIGXCPU, CHILD_CUT,
-         "killed by signal 24 (CPU time limit exceeded), not by itself"},
-        {SIGTERM, CHILD_ASKED, ""},
-        {SIGHUP, CHILD_ASKED, ""},
-        {SIGINT, CHILD_ASKED, ""},
-    };
-
-    for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
-        int number = known[n].signal;
-        ends_so(crash, &number, long_limit, known[n].outcome, false, 0.25, known[n].why);
-    }
-    ends_so(crash_limited, &segfault, long_limit, CHILD_FAILED, false, 0.25, known[0].why);
-}
+static double reached = 2.5, limit = 0.2;
+static int segfault = SIGSEGV, abort_ = SIGABRT, division = SIGFPE, bus = SIGBUS,
+           killed = SIGKILL, user = SIGUSR1, processor = SIGXCPU, terminate = SIGTERM,
+           hang_up = SIGHUP, interrupt = SIGINT;
+static struct ending diverged = {STATUS_DIVERGED, "it went round in circles"},
+                     silent = {STATUS_NAN, NULL}, full = {STATUS_FILE, "no room"},
+                     poor = {STATUS_MEMORY, NULL};
+/* What becomes of work, how far it was, and the words. */
+static const struct {
+    enum status (*work)(void *, struct message *);
+    void *context;
+    enum child_outcome outcome;
+    bool overdue;
+    double reached;
+    const char *why;
+} ends[] = {
+    {succeed, &reached, CHILD_DONE, false, 2.5, ""},
+    {fail, &diverged, CHILD_FAILED, false, NAN, "it went round in circles"},
+    {fail, &silent, CHILD_FAILED, false, NAN, "a position is no longer a number"},
+    {fail, &full, CHILD_STUCK, false, NAN, "no room"},
+    {fail, &poor, CHILD_CUT, false, NAN, "out of memory"},
+    {leave, NULL, CHILD_FAILED, false, NAN, "ended with exit code 3"},
+    {spin, &limit, CHILD_FAILED, true, 0.5, "timed out after 0.2 s of processor time"},
+    {spin_with_file, &limit, CHILD_FAILED, true, 0.5,
+     "timed out after 0.2 s of processor time"},
+    {spin_deaf, &limit, CHILD_FAILED, true, 0.5, "timed out after 0.2 s of processor time"},
+    /* a signal of its own */
+    {crash, &segfault, CHILD_FAILED, false, 0.25,
+     "crashed: signal 11 (Segmentation fault)"},
+    {crash_limited, &segfault, CHILD_FAILED, false, 0.25,
+     "crashed: signal 11 (Segmentation fault)"},
+    {crash, &abort_, CHILD_FAILED, false, 0.25, "crashed: signal 6 (Aborted)"},
+    {crash, &division, CHILD_FAILED, false, 0.25,
+     "crashed: signal 8 (Floating point exception)"},
+    {crash, &bus, CHILD_FAILED, false, 0.25, "crashed: signal 7 (Bus error)"},
+    /* somebody else's; the last not by child_limit */
+    {crash, &killed, CHILD_CUT, false, 0.25, "killed by signal 9 (Killed), not by itself"},
+    {crash, &user, CHILD_CUT, false, 0.25,
+     "killed by signal 10 (User defined signal 1), not by itself"},
+    {crash, &processor, CHILD_CUT, false, 0.25,
+     "killed by signal 24 (CPU time limit exceeded), not by itself"},
+    /* one that asks it to end */
+    {crash, &terminate, CHILD_ASKED, false, 0.25, ""},
+    {crash, &hang_up, CHILD_ASKED, false, 0.25, ""},
+    {crash, &interrupt, CHILD_ASKED, false, 0.25, ""},
+};
 
 static void check_ends(void)
 {
-    static struct ending diverged = {STATUS_DIVERGED, "it went round in circles"},
-                         silent = {STATUS_NAN, NULL}, full = {STATUS_FILE, "no room"},
-                         poor = {STATUS_MEMORY, NULL};
-
-    ends_so(succeed, &reached, long_limit, CHILD_DONE, false, 2.5, "");
-    ends_so(fail, &diverged, long_limit, CHILD_FAILED, false, NAN, diverged.words);
-    ends_so(fail, &silent, long_limit, CHILD_FAILED, false, NAN,
-            "a position is no longer a number");
-    ends_so(fail, &full, long_limit, CHILD_STUCK, false, NAN, "no room");
-    ends_so(fail, &poor, long_limit, CHILD_CUT, false, NAN, "out of memory");
-    ends_so(leave, NULL, long_limit, CHILD_FAILED, false, NAN, "ended with exit code 3");
-    ends_so(spin, NULL, long_limit, CHILD_FAILED, true, 0.5,
-            "not done after 1 s of processor time");
-    ends_so(hang, NULL, short_limit, CHILD_FAILED, true, NAN, "timed out after 0.1 s");
-}
-
-/* Of user and system time, each cut off after the microsecond [s]. */
-static const double TOL_MICROSECONDS = 2e-6;
-
-/* What a child has used: what it saw itself, at least, and no more than went by. */
-static void check_seconds(void)
-{
-    const double before = clock_now();
-    struct child c;
-
-    start(&c, work_a_while, NULL);
-    const struct child_end end = end_of(&c, long_limit);
-    CHECK(end.seconds >= end.reached - TOL_MICROSECONDS);
-    CHECK(end.seconds <= clock_now() - before);
-}
-
-/* Suspended, it does not use up its time; left so, it is cut; woken, it goes on. */
-static void check_suspended(void)
-{
-    for (int woken = 0; woken < 2; woken++) {
+    for (size_t n = 0; n < sizeof ends / sizeof *ends; n++) {
+        const double before = clock_now();
         struct child c;
-        struct child_end end;
-        siginfo_t info;
-
-        start(&c, stop, NULL);
-        REQUIRE(waitid(P_PID, (id_t)c.pid, &info, WSTOPPED | WNOWAIT) == 0);
-        CHECK(!child_poll(&c, long_limit, &end) && c.suspended && c.worked == 0);
-        if (woken)
-            kill(c.pid, SIGCONT);
-        end = end_of(&c, woken ? long_limit : short_limit);
-        CHECK(end.outcome == (woken ? CHILD_DONE : CHILD_CUT) && !end.overdue);
-        CHECK(!strcmp(end.why.text,
-                      woken ? "" : "suspended for longer than its time limit of 0.1 s"));
+        start(&c, ends[n].work, ends[n].context);
+        const struct child_end end = end_of(&c);
+        if (!CHECK(end.outcome == ends[n].outcome && end.overdue == ends[n].overdue &&
+                   !strcmp(end.why.text, ends[n].why) &&
+                   (end.reached == ends[n].reached ||
+                    (isnan(end.reached) && isnan(ends[n].reached)))))
+            printf("  '%s': outcome %d, reached %g, '%s'\n", ends[n].why, end.outcome,
+                   end.reached, end.why.text);
+        CHECK(!end.overdue ||
+              (end.seconds >= SPINS * limit && end.seconds <= clock_now() - before));
+        CHECK(scratch_files(scratch) == 0);
     }
-}
-
-/* What this process sleeps through does not count: at most a second from poll to poll. */
-static void check_asleep(void)
-{
-    struct child c;
-    struct child_end end;
-
-    start(&c, hang, NULL);
-    c.seen -= 1000;
-    CHECK(!child_poll(&c, 500, &end) && !c.overdue && c.worked <= 1 && c.worked > 0.9);
-    end = end_of(&c, short_limit);
-    CHECK(end.overdue);
 }
 
 /* What still runs does not outlive child_clear. */
@@ -303,10 +251,6 @@ int main(void)
 {
     scratch_open();
     check_ends();
-    check_signals();
-    check_seconds();
-    check_suspended();
-    check_asleep();
     check_clear();
     check_leaves_nothing();
     child_reached(1); /* not in a child: nothing */

@@ -19,41 +19,38 @@
 
 static const char *file, *view;
 
-/* The reading that NAME.h5 gives, which is to be the same. */
-static void check_file(const struct run_result *r)
-{
-    struct run_result back;
-    struct message why = {""};
-
-    if (!CHECK(run_result_read(file, true, &back, &why) == STATUS_OK)) {
-        printf("  %s\n", why.text);
-        return;
-    }
-    CHECK(back.outcome == r->outcome && !strcmp(back.sentence.text, r->sentence.text));
-    CHECK(!memcmp(&back.death_time, &r->death_time, sizeof r->death_time));
-    CHECK(!memcmp(back.value, r->value, sizeof r->value));
-    CHECK(!memcmp(&back.work, &r->work, sizeof r->work));
-    CHECK(back.create_seconds == r->create_seconds && back.look_seconds == r->look_seconds);
-    CHECK(back.step_seconds == r->step_seconds && back.steps == r->steps);
-    run_result_clear(&back);
-}
-
+/* The same run: all but the seconds. */
 static bool same(const struct run_result *a, const struct run_result *b)
 {
     return a->outcome == b->outcome && !strcmp(a->sentence.text, b->sentence.text) &&
+           !memcmp(&a->death_time, &b->death_time, sizeof a->death_time) &&
            !memcmp(a->value, b->value, sizeof a->value) &&
            !memcmp(&a->work, &b->work, sizeof a->work) && a->steps == b->steps;
 }
 
+static void read_back(bool fields, struct run_result *r)
+{
+    struct message why = {""};
+
+    if (!CHECK(run_result_read(file, fields, r, &why) == STATUS_OK))
+        printf("  %s\n", why.text), exit(1);
+}
+
+/* What is read back from a file is what the run itself gave. */
 static void write_run(const struct run_plan *plan, const struct run_keep *keep,
                       struct run_result *r)
 {
+    struct run_result back;
     struct message why = {""};
 
     if (!CHECK(run_file_write(plan, keep, r, &why) == STATUS_OK))
         printf("  %s\n", why.text);
-    if (keep->file)
-        check_file(r);
+    if (!keep->file)
+        return;
+    read_back(true, &back);
+    CHECK(same(&back, r) && back.create_seconds == r->create_seconds);
+    CHECK(back.look_seconds == r->look_seconds && back.step_seconds == r->step_seconds);
+    run_result_clear(&back);
 }
 
 /* The scripted model on its frames of 5 ms, and what its file says. */
@@ -62,43 +59,20 @@ static void write_script(double end, const struct run_keep *keep, struct run_res
     write_run(&(struct run_plan){DROP, &scripted, NULL, end}, keep, r);
 }
 
-/* The n-th metric of all looks, of fields kept as they were. */
-static void check_metric(const struct run_result *r, const struct run_result *kept, int n)
-{
-    static const struct {
-        double (*of)(const struct scene *scene, const double *xyz);
-        int most, end;
-    } metric[] = {{metric_stretch, MEASURE_STRETCH_MAX, MEASURE_STRETCH_END},
-                  {metric_drop, MEASURE_DROP_MAX, MEASURE_DROP_END},
-                  {metric_angle, MEASURE_ANGLE_MAX, MEASURE_ANGLE_END},
-                  {metric_roughness, MEASURE_ROUGHNESS_MAX, MEASURE_ROUGHNESS_END}};
-    struct settings none = {0};
-    struct scene scene;
-    double most = -INFINITY, speed = 0;
-
-    REQUIRE(contestant_read_scene(&none, DROP, &scene, NULL) == STATUS_OK);
-    for (int k = 0; k < kept->frames; k++)
-        most = fmax(most, metric[n].of(&scene, kept->xyz[k]));
-    CHECK(r->value[metric[n].most] == most && most > 0);
-    CHECK(r->value[metric[n].end] == metric[n].of(&scene, kept->xyz[kept->frames - 1]));
-    for (int k = 1; k < kept->frames; k++)
-        speed = metric_rmse(kept->xyz[k], kept->xyz[k - 1]) /
-                (kept->time[k] - kept->time[k - 1]);
-    CHECK(r->value[MEASURE_SPEED_END] == speed);
-    scene_clear(&scene);
-}
-
-/* Twice without a file, with one, fields kept and not, and read back: 40 frames. */
+/* Twice without a file, with one, fields kept and not, and read back: 40 frames, looks at
+ * frames 0 7 14 20 21 28 35 40. */
 static void test_same_bits(void)
 {
-    const double time[] = {0.1};
+    static const int frames[] = {1, 8, 0};
+    const double time[] = {0.1}; /* no multiple of the looks */
     struct settings s = LIST("discretization.points=[6,6,2]");
     struct run_plan plan = {DROP, named("iga_paper"), &s, 0.2};
     struct run_keep keep = {
         .every = 7, .times = 1, .time = time, .intersections = true, .doubles = true};
     struct run_result first, other, back;
-    double *seen[2];
+    double *seen = malloc(FIELD * sizeof *seen);
 
+    REQUIRE(seen);
     write_run(&plan, &keep, &first);
     write_run(&plan, &keep, &other);
     CHECK(same(&first, &other) && first.steps == 40 && first.step_seconds > 0);
@@ -109,23 +83,24 @@ static void test_same_bits(void)
     CHECK(isnan(first.value[MEASURE_PENETRATION_MAX])); /* there is nothing to penetrate */
     keep.file = file;
     for (keep.fields = RUN_FIELDS_TIMES; keep.fields <= RUN_FIELDS_NONE; keep.fields++) {
-        const int want[] = {1, 8, 0}; /* looks at frames 0 7 14 20 21 28 35 40 */
         write_run(&plan, &keep, &other);
         CHECK(same(&first, &other));
-        REQUIRE(run_result_read(file, true, &back, NULL) == STATUS_OK);
-        CHECK(back.frames == want[keep.fields] && back.unknowns == 6 * 6 * 2 * 3 - 36);
-        if (back.frames) /* 0.1 s, which is no multiple of the looks */
-            CHECK(back.time[back.frames > 1 ? 3 : 0] == 20 * 0.005);
-        for (int n = 0; n < 4 && back.frames == 8; n++)
-            check_metric(&first, &back, n);
+        read_back(true, &back);
+        CHECK(back.unknowns == 6 * 6 * 2 * 3 - 36);
+        REQUIRE(back.frames == frames[keep.fields]);
+        const int n = back.frames > 1 ? 3 : 0;
         if (back.frames)
-            seen[keep.fields] = back.xyz[back.frames > 1 ? 3 : 0],
-            back.xyz[back.frames > 1 ? 3 : 0] = NULL;
+            CHECK(back.time[n] == 20 * 0.005);
+        if (back.frames == 1)
+            memcpy(seen, back.xyz[0], FIELD * sizeof *seen);
+        if (back.frames == 8) {
+            CHECK(!memcmp(seen, back.xyz[n], FIELD * sizeof *seen));
+            CHECK(first.value[MEASURE_SPEED_END] ==
+                  metric_rmse(back.xyz[7], back.xyz[6]) / (back.time[7] - back.time[6]));
+        }
         run_result_clear(&back);
     }
-    CHECK(!memcmp(seen[0], seen[1], FIELD * sizeof(double)));
-    free(seen[0]);
-    free(seen[1]);
+    free(seen);
     settings_clear(&s);
 }
 
@@ -155,22 +130,33 @@ static void test_load_and_energy(void)
     settings_clear(&s);
 }
 
+static void check_array(const char *name, int count, const double *want)
+{
+    struct store_read *store = NULL;
+    double *value = NULL;
+    int rows = 0, columns = 0;
+
+    REQUIRE(store_read_open(file, &store, NULL) == STATUS_OK);
+    CHECK(store_read_array(store, name, &value, &rows, &columns, NULL) == STATUS_OK);
+    if (CHECK(rows * columns == count))
+        CHECK(!memcmp(value, want, (size_t)count * sizeof *value));
+    free(value);
+    store_read_close(store);
+}
+
 /* The last frame that it lived: 12 of 13, looked at every 5 frames. */
 static void test_last_frame(void)
 {
     struct run_keep keep = {
         .file = file, .every = 5, .fields = RUN_FIELDS_ALL, .doubles = true};
-    struct store_read *store = NULL;
     struct run_result r;
-    double *kinetic = NULL;
-    int rows = 0, columns;
 
     script_reset();
     script.dies = 13, script.death = STATUS_DIVERGED;
     write_script(0.1, &keep, &r);
     CHECK(r.outcome == STATUS_DIVERGED && r.death_time == 13 * 0.005);
     CHECK(r.value[MEASURE_END_TIME] == 12 * 0.005 && r.work.steps == 12);
-    REQUIRE(run_result_read(file, true, &r, NULL) == STATUS_OK);
+    read_back(true, &r);
     REQUIRE(r.frames == 4);
     for (int n = 0; n < 4; n++) {
         const int frame = n < 3 ? 5 * n : 12;
@@ -178,12 +164,7 @@ static void test_last_frame(void)
         CHECK(r.xyz[n][2] == r.xyz[0][2] + 1e-3 * frame);
     }
     run_result_clear(&r);
-    REQUIRE(store_read_open(file, &store, NULL) == STATUS_OK);
-    CHECK(store_read_array(store, "energy/kinetic", &kinetic, &rows, &columns, NULL) ==
-          STATUS_OK);
-    CHECK(rows == 4 && kinetic[2] == 10 && kinetic[3] == 12); /* not of the dead state */
-    free(kinetic);
-    store_read_close(store);
+    check_array("energy/kinetic", 4, (const double[]){0, 5, 10, 12}); /* not the dead's */
     keep.fields = RUN_FIELDS_NONE;
     write_script(0.1, &keep, &r);
     CHECK(r.value[MEASURE_END_TIME] == 10 * 0.005);
@@ -202,7 +183,7 @@ static void test_made_for(void)
         script_reset();
         write_script(0.05, &keep, &r);
         CHECK(r.quick == n % 2);
-        REQUIRE(run_result_read(file, false, &r, NULL) == STATUS_OK);
+        read_back(false, &r);
         CHECK(r.quick == n % 2);
         CHECK(!strcmp(r.made_for, made_for[n / 2] ? made_for[n / 2] : ""));
         run_result_clear(&r);
@@ -219,7 +200,7 @@ static void test_times(void)
     script_reset();
     write_script(0.1, &keep, &r);
     CHECK(r.outcome == STATUS_OK && r.value[MEASURE_END_TIME] == 20 * 0.005);
-    REQUIRE(run_result_read(file, true, &r, NULL) == STATUS_OK);
+    read_back(true, &r);
     REQUIRE(r.frames == 4);
     for (int n = 0; n < 4; n++) {
         CHECK_NEAR(r.time[n], time[n], 1e-15);
@@ -252,13 +233,13 @@ static void test_rest(void)
 
     script_reset();
     REQUIRE(measurement_run(&options, 1, &c, NULL) == STATUS_OK);
-    REQUIRE(run_result_read(file, true, &r, NULL) == STATUS_OK);
+    read_back(true, &r);
     CHECK(r.outcome == STATUS_OK && r.frames == 1 && r.time[0] == 0 && r.steps == 0);
     CHECK(r.step.count == 2 && r.work.solves == 1 && !r.work.steps && r.unknowns == 12);
     run_result_clear(&r);
     script.equilibrium = STATUS_DIVERGED;
     REQUIRE(measurement_run(&options, 1, &c, NULL) == STATUS_OK);
-    REQUIRE(run_result_read(file, true, &r, NULL) == STATUS_OK);
+    read_back(true, &r);
     CHECK(r.outcome == STATUS_DIVERGED && !r.frames && !r.step.count);
     run_result_clear(&r);
     script.equilibrium = STATUS_LIBRARY; /* no result, and no file of it */
@@ -293,7 +274,7 @@ static void test_refusals(void)
             c.rest = rest;
             REQUIRE(measurement_run(&(struct measurement_options){0}, 1, &c, NULL) ==
                     STATUS_OK);
-            REQUIRE(run_result_read(file, true, &timed, NULL) == STATUS_OK);
+            read_back(true, &timed);
             CHECK(timed.outcome == r.outcome && !timed.step.count && !timed.frames);
             CHECK(!strcmp(timed.sentence.text, r.sentence.text));
             run_result_clear(&timed);
@@ -382,7 +363,7 @@ static void check_death(const struct run_plan *plan, enum status death, int fram
             .plan = *plan, .keep = keep, .timed = timed[n], .repeats = 1};
         const struct measurement_options quick = {.quick = true};
         REQUIRE(measurement_run(&quick, 1, &c, NULL) == STATUS_OK);
-        REQUIRE(run_result_read(file, false, &r, NULL) == STATUS_OK);
+        read_back(false, &r);
         check_told(&r, death, frame, sentence);
         CHECK(r.step.count == 1 && !r.frames);
         run_result_clear(&r);
@@ -563,18 +544,6 @@ static void test_misfits(void)
     }
 }
 
-static void check_array(const struct store_read *store, const char *name, int count,
-                        const double *want)
-{
-    double *value = NULL;
-    int rows = 0, columns = 0;
-
-    CHECK(store_read_array(store, name, &value, &rows, &columns, NULL) == STATUS_OK);
-    if (CHECK(rows * columns == count))
-        CHECK(!want || !memcmp(value, want, (size_t)count * sizeof *value));
-    free(value);
-}
-
 static enum status look(void *context, const struct motion *m, const double *xyz,
                         double *value)
 {
@@ -597,21 +566,21 @@ static void test_own(void)
                                   .own = own,
                                   .own_look = look,
                                   .context = &context};
-    struct store_read *store = NULL;
 
     script_reset();
     REQUIRE(run_file_write(&(struct run_plan){DROP, &scripted, NULL, 0.1}, &keep, NULL,
                            NULL) == STATUS_OK);
-    REQUIRE(store_read_open(file, &store, NULL) == STATUS_OK);
     for (int n = 0; n < LENGTH(own); n++) {
         char name[64], *unit = NULL;
+        struct store_read *store = NULL;
         snprintf(name, sizeof name, "metrics/%s", own[n].name);
-        check_array(store, name, 3, want[n]);
+        check_array(name, 3, want[n]);
+        REQUIRE(store_read_open(file, &store, NULL) == STATUS_OK);
         CHECK(store_read_text(store, name, "unit", &unit, NULL) == STATUS_OK);
         CHECK(unit && !strcmp(unit, own[n].unit));
         free(unit);
+        store_read_close(store);
     }
-    store_read_close(store);
 }
 
 int main(int argc, char **argv)

@@ -86,15 +86,6 @@ static const struct row {
     {"gravity", "shell", false, "gravity=[0,1,0]"},
 };
 
-static void set_words(struct settings *set, const char *words)
-{
-    char copy[512];
-
-    REQUIRE(snprintf(copy, sizeof copy, "%s", words) < (int)sizeof copy);
-    for (char *word = strtok(copy, ";"); word; word = strtok(NULL, ";"))
-        settings_set(set, word);
-}
-
 static void read_row(const char *contestant, const char *settings, struct run *run)
 {
     struct settings set = {0};

@@ -1,7 +1,7 @@
 # The models for other programs: an archive of all of them with scenes, settings and truths,
 # headers, and what find_package and pkg-config ask for. doc/library.md
 set(storeys "")
-foreach(folder models linalg solid ${MODEL_FOLDERS} bench)
+foreach(folder models linalg net solid ${MODEL_FOLDERS} bench)
   list(APPEND storeys $<TARGET_OBJECTS:cloth_${folder}>)
 endforeach()
 add_library(clothbench_archive STATIC ${storeys})

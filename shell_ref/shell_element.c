@@ -24,7 +24,7 @@ enum status shell_element_init(struct shell_element *e, const struct shell_space
         &e->memory, ROOM(e->at[0].room, shell_space_size(space, 0)),
         ROOM(e->at[1].room, shell_space_size(space, 1)),
         ROOM(e->at[2].room, shell_space_size(space, 2)),
-        ROOM(e->strain, shell_element_strains(space, SHELL_PARTS)),
+        ROOM(e->strain, shell_room_strains(space, SHELL_PARTS)),
         ROOM(e->at[0].surface, (size_t)e->at[0].padded / SHELL_LANES),
         ROOM(e->at[1].surface, (size_t)e->at[1].padded / SHELL_LANES),
         ROOM(e->X[0], SHELL_PADDED(3 * local)), ROOM(e->X[1], SHELL_PADDED(3 * local)),
@@ -34,7 +34,7 @@ enum status shell_element_init(struct shell_element *e, const struct shell_space
     e->local = space->local;
     e->row = (int)row;
     e->at[SHELL_MEMBRANE].strain = e->strain;
-    e->at[SHELL_BENDING].strain = e->strain + shell_element_strains(space, SHELL_MEMBRANE);
+    e->at[SHELL_BENDING].strain = e->strain + shell_room_strains(space, SHELL_MEMBRANE);
 out:
     return st;
 }

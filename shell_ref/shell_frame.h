@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "shell_ref/shell_element.h"
+#include "shell_ref/shell_room.h"
 
 typedef double shell_lanes __attribute__((vector_size(SHELL_LANES * sizeof(double))));
 

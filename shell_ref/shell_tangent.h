@@ -3,7 +3,7 @@
 #define SHELL_TANGENT_H
 
 #include "models/mechanics/large_body.h"
-#include "shell_ref/shell_element.h"
+#include "shell_ref/shell_room.h"
 
 /* Return the kernel's rows over an element's functions at all points, left and right. */
 size_t shell_tangent_left(const struct shell_space *space);

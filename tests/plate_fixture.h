@@ -33,27 +33,4 @@ static inline struct discretization plate_degrees(int p, int q, int r, int n, in
                                    .kinematics = KINEMATICS_LINEAR};
 }
 
-/* Downward displacement [m] of the mid-surface at (u, v) in static equilibrium. */
-static inline double plate_sag(const struct model *model, const struct scene *scene,
-                               const struct discretization *d, double u, double v)
-{
-    const double uvw[3] = {u, v, 0.5};
-    struct discretization of = *d;
-    struct counters counters = {0};
-    struct message why = {""};
-    double xyz[3];
-    void *state = NULL;
-
-    of.model = model;
-    if (!CHECK(model->create(scene, &of, &state, &why) == STATUS_OK) ||
-        !CHECK(model->equilibrium(state, &counters, &why) == STATUS_OK)) {
-        printf("  %s\n", why.text);
-        model->destroy(state);
-        return NAN;
-    }
-    model->probe(state, 1, uvw, xyz);
-    model->destroy(state);
-    return -xyz[2];
-}
-
 #endif

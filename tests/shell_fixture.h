@@ -63,12 +63,4 @@ static inline double *shell_moved(const struct shell_space *space, double size,
     return x;
 }
 
-static inline double shell_dot(size_t count, const double *a, const double *b)
-{
-    double sum = 0;
-    for (size_t t = 0; t < count; t++)
-        sum += a[t] * b[t];
-    return sum;
-}
-
 #endif

@@ -19,8 +19,8 @@
 #include "models/scene.h"
 
 struct tri_strain {
-    double e[3];    /* [1] */
-    double J[3][3]; /* de_k / dC_l                                                     */
+    double e[3];       /* [1] */
+    double J[3][3];    /* de_k / dC_l                                                     */
     double H[3][3][3]; /* d2e_k / dC_l dC_m                                            */
 };
 

@@ -1,7 +1,6 @@
-/* What models/model.h promises, held against every model of the contestants and the toy
- * model: a model that competes is tested. */
+/* The contract of models/model.h, held against every model of the contestants and the toy
+ * model: a model that competes is tested. (Threads: threads.c.) */
 #include <math.h>
-#include <omp.h>
 
 #include "models/grid.h"
 #include "models/metric/metric.h"
@@ -106,23 +105,6 @@ static void check_sampling(const struct model *model, const struct scene *scene,
     free(first);
     free(second);
     free(grid);
-}
-
-static void check_threads(const struct model *model, const struct scene *scene,
-                          const struct discretization *d)
-{
-    double *one = new_field(), *many = new_field();
-
-    omp_set_num_threads(1);
-    run(model, scene, d, FRAMES, one);
-    for (int threads = 2; threads <= 4; threads *= 2) {
-        omp_set_num_threads(threads);
-        run(model, scene, d, FRAMES, many);
-        CHECK(!memcmp(one, many, field_size));
-    }
-    omp_set_num_threads(1);
-    free(one);
-    free(many);
 }
 
 /* Two sheets side by side move as each does alone. */
@@ -277,7 +259,6 @@ static void check_kinematics(const struct model *model, const struct scene *scen
         model->destroy(state);
         served++;
         check_sampling(model, scene, &d);
-        check_threads(model, scene, &d);
         check_independence(model, scene, &d);
         check_counters(model, scene, &d);
         check_energy(model, scene, &d);

@@ -3,12 +3,9 @@
 #include <stdlib.h>
 
 #include "bench/harness/motion.h"
-#include "bench/harness/run.h"
-#include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 #include "tests/opened_run.h"
-#include "tests/run_fixture.h"
 
 /* Round-off of positions of some hundred metres, and of iterations that stop at 1e-6 L. */
 static const double TOL_FLIGHT = 1e-5;
@@ -24,26 +21,24 @@ static double lag(const struct run *run)
                : run->scene.step / fmax(run->discretization.substeps, 1);
 }
 
-static void fly(const struct model *model, const char *const *text, struct run *run)
+static void fly(const struct model *model, const char *const text[2], struct run *run)
 {
-    struct settings set =
-        LIST("gravity=[0,0,-9.81]", "damping={kind: none}", "snapshots=[]", "supports=[]",
-             "time={step: 0.01, end: 0.5}");
-    struct run_plan plan = {DROP, named(model->name), &set, 0};
+    const char *points = model->defaults.points[2] > 1 ? "discretization.points=[5,4,2]"
+                                                       : "discretization.points=[5,4]";
     struct message why = {""};
     struct motion m;
 
-    contestant_points(plan.contestant, 5, 4, &set);
-    if (!strcmp(model->name, "position_based"))
-        settings_set(&set, "discretization.substeps=40"); /* as small as it likes them */
-    settings_list(&set, 9, text);
-    REQUIRE(run_open(run, &plan, &why) == STATUS_OK);
+    OPENED_RUN(run, "edge_drop", model->name, "gravity=[0,0,-9.81]", "damping={kind: none}",
+               "snapshots=[]", "supports=[]", "time={step: 0.01, end: 0.5}", points,
+               !strcmp(model->name, "position_based") /* as small as it likes them */
+                   ? "discretization.substeps=40"
+                   : points,
+               text[0], text[1]);
     REQUIRE(motion_init(&m, run->model, &run->scene, run->state) == STATUS_OK);
     REQUIRE(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK);
     if (!CHECK(!m.death && m.frames == m.frame_count))
         printf("%s, %s: dies at %g s\n", model->name, text[0], m.death_time);
     motion_clear(&m);
-    settings_clear(&set);
 }
 
 /* Thrown, without and with a spin, which leaves the middle where it would be. */
@@ -55,7 +50,7 @@ static void check_thrown(const struct model *model)
         {"motion={velocity: [300, 0, 5]}", NULL},
         {"motion={velocity: [30, 0, 5], spin: [0, 0, 3]}", NULL}};
 
-    for (int n = 0; n < LENGTH(motion); n++) {
+    for (size_t n = 0; n < sizeof motion / sizeof *motion; n++) {
         double start[3], v[3], x[3];
         struct run run;
         fly(model, motion[n], &run);
@@ -76,13 +71,13 @@ static void check_thrown(const struct model *model)
 /* Free along x alone, which it does not fall; and carried by its edge. */
 static void check_partly_held(const struct model *model)
 {
-    static const char *const held[][3] = {
-        {"motion={velocity: [60, 0, 0]}", "supports=[{at: {u: 0}, fix: yz}]", NULL},
+    static const char *const held[][2] = {
+        {"motion={velocity: [60, 0, 0]}", "supports=[{at: {u: 0}, fix: yz}]"},
         {"motion={velocity: [0, 30, 0]}",
-         "supports=[{at: {u: 0}, fix: xyz, path: [[0, 0, 0, 0], [0.5, 0, 15, 0]]}]", NULL}};
+         "supports=[{at: {u: 0}, fix: xyz, path: [[0, 0, 0, 0], [0.5, 0, 15, 0]]}]"}};
     static const double edge[3] = {0, 0.5, 0.5}, want[][2] = {{30, 0}, {0, 15}};
 
-    for (int n = 0; n < LENGTH(held); n++) {
+    for (int n = 0; n < 2; n++) {
         double start[3], x[3];
         struct run run;
         fly(model, held[n], &run);
@@ -114,14 +109,14 @@ static void check_spun(const struct model *model)
     struct run run;
     double x[3];
 
-    OPENED_RUN(&run, DROP, model->name, THROWN,
+    OPENED_RUN(&run, "edge_drop", model->name, THROWN,
                "motion={velocity: [1,-2,3], spin: [4,-5,6]}");
     const double h = 0.02, mass = 100 * h, across = mass / 12 * (1 + h * h);
     const double want = mass / 2 * (1 + 4 + 9) + across / 2 * (16 + 25) + mass / 12 * 36;
     run.model->energy(run.state, &e);
     bool good = CHECK_NEAR(e.kinetic / want, 1, solid ? TOL_ENERGY : TOL_LUMPED);
     run_close(&run);
-    OPENED_RUN(&run, DROP, model->name, THROWN, "motion={spin: [0,10,0]}",
+    OPENED_RUN(&run, "edge_drop", model->name, THROWN, "motion={spin: [0,10,0]}",
                "material.young=1e8", "time={step: 0.00314159265358979, end: 1}",
                model->matrices ? "discretization.kinematics=nonlinear" : NULL);
     const double tolerance = model->matrices ? TOL_TURN : TOL_EULER;

@@ -1,6 +1,5 @@
-/* The same bits for any number of threads, on nets of so many rows, slabs and chunks that
- * threads share them, unevenly. (On small nets, by every model and kinematics: contract.c.)
- */
+/* The same bits for any number of threads, by every model and scheme, on nets of so many
+ * rows, slabs and chunks that threads share them, unevenly. */
 #include <omp.h>
 
 #include "models/grid.h"
@@ -17,6 +16,9 @@ static const struct row {
      "edge_drop",
      {"discretization.degree=[3,2,2]", "discretization.points=[12,9,4]"}},
     {"hex_paper", "edge_drop", {"discretization.points=[32,32,2]"}},
+    {"iga_linear", "edge_drop", {"discretization.points=[26,20,2]"}},
+    {"hex_incremental", "edge_drop", {"discretization.points=[32,22,2]"}},
+    {"shell_linear", "edge_drop", {"discretization.points=[20,9]"}},
     {"hex_incompatible_paper", "edge_drop", {"discretization.points=[32,32,2]"}},
     {"iga_selective_3", "hinge", {"discretization.points=[14,5,2]"}},
     {"hex_incompatible",
@@ -27,6 +29,9 @@ static const struct row {
     {"hex_explicit", "edge_drop", {"discretization.points=[14,5,2]"}},
     {"shell_explicit_3", "edge_drop", {"discretization.points=[14,5]"}},
     {"triangles", "edge_drop", {"discretization.points=[31,22]"}},
+    {"mass_spring", "edge_drop", {"discretization.points=[31,22]"}},
+    {"mass_spring_momentum", "edge_drop", {"discretization.points=[31,22]"}},
+    {"position_based", "edge_drop", {NET, "discretization.substeps=9"}},
     {"mass_spring_single", "edge_drop", {NET, "discretization.substeps=9"}},
     {"mass_spring_leapfrog", "edge_drop", {NET, "discretization.substeps=8"}},
     {"mass_spring_leapfrog", "edge_drop", {NET, "discretization.springs=lengths"}},

@@ -186,7 +186,7 @@ struct lanczos {
     int n, nev, ncv, lworkl, iparam[11], ipntr[11], *select;
     double tol; /* 0: round-off; dsaupd writes here what it took */
     double *resid, *v, *workd, *workl;
-    void *room; /* of the arrays */
+    void *room; /* memory of the arrays */
 };
 
 static enum status lanczos_init(struct lanczos *l, int n, int nev)

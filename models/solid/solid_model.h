@@ -9,7 +9,7 @@
 struct solid_sheet {
     struct solid_motion motion; /* first: tests and benchmarks reach it                */
     struct solid_space space;
-    double misfit; /* of the rest shape, solid_model_misfit                        [m] */
+    double misfit; /* misfit of the rest shape, solid_model_misfit                 [m] */
 };
 
 /* The scene's needs that solid_motion supports; bits of scene_need. */

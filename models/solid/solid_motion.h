@@ -37,7 +37,7 @@ struct solid_motion {
     struct supports supports;
     struct system system;
     struct newmark newmark;
-    void *room;   /* of the arrays but dead                                   owned   */
+    void *room;   /* memory of the arrays but dead                            owned   */
     double *x;    /* [nodes][3] present coefficients                   [m]            */
     double *load; /* [nodes][3] gravity, wind and loads                [N]            */
     double *dead; /* [nodes][3] of which the scene's loads; NULL: none        owned   */
@@ -47,7 +47,7 @@ struct solid_motion {
 
     /* These are used with obstacles only. */
     struct contact_step contact;
-    double force_unit; /* of the set's forces                                 [N]     */
+    double force_unit; /* unit of the set's forces                            [N]     */
 
     /* These are used in nonlinear kinematics only. */
     struct solid_green green;

@@ -3,6 +3,7 @@
 #define TESTS_OPENED_RUN_H
 
 #include "bench/harness/run.h"
+#include "models/grid.h"
 #include "tests/check.h"
 
 /* A model, or contestant, by its name on a scene with settings; ends the test if it cannot.
@@ -49,6 +50,23 @@ static inline void opened_settle(struct run *run)
 
     if (!CHECK(run_settle(run, &work, &why) == STATUS_OK))
         printf("%s: %s\n", run->contestant->name, why.text);
+}
+
+/* Returns the farthest that any of the grid's points is from rest + shift, by component. */
+static inline double opened_deviation(const struct run *run, const double shift[3])
+{
+    static double xyz[3 * GRID_POINTS];
+    double worst = 0;
+
+    run->model->sample(run->state, xyz);
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3], rest[3];
+        grid_point(n, uvw);
+        scene_rest_point(&run->scene, uvw, rest);
+        for (int i = 0; i < 3; i++)
+            worst = fmax(worst, fabs(xyz[3 * n + i] - rest[i] - shift[i]));
+    }
+    return worst;
 }
 
 static inline double opened_total(const struct run *run)

@@ -3,7 +3,6 @@
  * mass damping; and it flies as it was thrown. */
 #include <float.h>
 
-#include "models/grid.h"
 #include "tests/opened_run.h"
 
 /* Positions of up to 4 m, a few eps a step. Solves for all of d are good to eps times the
@@ -99,23 +98,6 @@ static void step(enum law law, double dt, double f, double rate, double mu, stru
     p->moving = true;
 }
 
-/* Farthest of the grid's points from rest + shift. */
-static double deviation(const struct run *run, const struct point shift[3])
-{
-    static double xyz[3 * GRID_POINTS];
-    double worst = 0;
-
-    run->model->sample(run->state, xyz);
-    for (int n = 0; n < GRID_POINTS; n++) {
-        double uvw[3], rest[3];
-        grid_point(n, uvw);
-        scene_rest_point(&run->scene, uvw, rest);
-        for (int i = 0; i < 3; i++)
-            worst = fmax(worst, fabs(xyz[3 * n + i] - rest[i] - shift[i].x));
-    }
-    return worst;
-}
-
 static const struct air {
     /* `printed` has a damping of its own; constraints without stiffness know none of it */
     const char *drag, *damping, *without_beta, *motion;
@@ -163,7 +145,8 @@ static void check_fall(const struct row *row, const struct air *air)
                  s->gravity[i] + (i == 2 ? push : 0) + s->drag / s->density * s->wind[i],
                  s->drag / s->density + (row->law == PRINTED ? 0 : air->alpha), mu, &p[i]);
     }
-    if (!CHECK_NEAR(deviation(&run, p) / fabs(p[2].x), 0, row->tolerance))
+    const double shift[3] = {p[0].x, p[1].x, p[2].x};
+    if (!CHECK_NEAR(opened_deviation(&run, shift) / fabs(shift[2]), 0, row->tolerance))
         printf("  %s, %s, %s: way %g m in %d steps\n", row->name,
                row->settings[0] ? row->settings[0] : "", air->drag, p[2].x, steps);
     run_close(&run);

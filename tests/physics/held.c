@@ -3,29 +3,13 @@
  * modes, and that is a sentence.
  */
 #include "bench/harness/contestant.h"
-#include "bench/harness/run.h"
-#include "models/grid.h"
 #include "models/reader/scene_file.h"
-#include "tests/check.h"
+#include "tests/opened_run.h"
 
 /* Positions are sums over a basis that is one up to its round-off. */
 static const double ROUND_OFF = 1e-15;
 
-static double moved(const struct run *run)
-{
-    static double xyz[3 * GRID_POINTS];
-    double most = 0;
-
-    run->model->sample(run->state, xyz);
-    for (int n = 0; n < GRID_POINTS; n++) {
-        double uvw[3], rest[3];
-        grid_point(n, uvw);
-        scene_rest_point(&run->scene, uvw, rest);
-        for (int i = 0; i < 3; i++)
-            most = fmax(most, fabs(xyz[3 * n + i] - rest[i]));
-    }
-    return most;
-}
+static const double still[3] = {0};
 
 static void check_stays(const struct contestant *c, const char *scene, const char *supports)
 {
@@ -44,10 +28,10 @@ static void check_stays(const struct contestant *c, const char *scene, const cha
         printf("%s on %s: %s\n", c->name, scene, why.text);
     for (int n = 0; run.state && n < 5; n++)
         CHECK(run.model->advance(run.state, &work) == STATUS_OK);
-    CHECK(!run.state || moved(&run) <= ROUND_OFF);
+    CHECK(!run.state || opened_deviation(&run, still) <= ROUND_OFF);
     if (run.state && run.model->equilibrium && !run.scene.obstacle_count) {
         CHECK(run_settle(&run, &work, &why) == STATUS_OK);
-        CHECK(moved(&run) <= ROUND_OFF);
+        CHECK(opened_deviation(&run, still) <= ROUND_OFF);
     }
     if (run.state && run.model->modes) {
         double omega;

@@ -67,10 +67,11 @@ void solid_motion_clear(struct solid_motion *m);
 enum status solid_motion_add_loads(struct solid_motion *m,
                                    const struct dead_load_line line[3]);
 
-/* Takes one step of scene->step. */
-enum status solid_motion_step(struct solid_motion *m, struct counters *counters);
+/* Takes one step of scene->step; an entry of struct model, as the next. *motion is a struct
+ * solid_motion. */
+enum status solid_motion_step(void *motion, struct counters *counters);
 
 /* Returns energies; the elastic one is NaN under `printed` and `incremental`. */
-void solid_motion_energy(const struct solid_motion *m, struct energy *energy);
+void solid_motion_energy(const void *motion, struct energy *energy);
 
 #endif

@@ -361,7 +361,7 @@ int main(void)
     check_failure();
     check_shipped();
     check_names();
-    scene_file_keys(count_key, &seen);
+    scene_schema_list(count_key, &seen);
     CHECK(seen == 4);
     return check_result();
 }

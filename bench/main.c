@@ -15,7 +15,7 @@
 #include "bench/harness/measures.h"
 #include "bench/ui/table.h"
 #include "models/linalg/blas_kernel.h"
-#include "models/reader/scene_file.h"
+#include "models/reader/scene_schema.h"
 
 /* Exit codes; EXIT_USAGE stands for bad input, too. */
 enum { EXIT_DONE = 0, EXIT_DIED = 1, EXIT_USAGE = 2 };
@@ -71,7 +71,7 @@ static void print_scene_help(FILE *file)
         "that come with the program. Its keys, and those of the discretization, which the\n"
         "command line alone gives:\n\n",
         file);
-    scene_file_keys(print_key, file);
+    scene_schema_list(print_key, file);
     for (int n = 0; (model = contestant_model(n)); n++)
         schema_list(model->options, "discretization.", print_key, file);
     fputs(

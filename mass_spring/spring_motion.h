@@ -45,25 +45,25 @@ struct spring_motion {
     enum integrator integrator;
     struct spring_limits limits;
     int substeps;
-    double dt;           /* of a substep                                        [s]   */
+    double dt;           /* length of a substep                                 [s]   */
     double strain_limit; /* 0: none                                                   */
     double limit;        /* greatest stable step of explicit methods about rest [s]   */
     double rest_energy;  /* round-off of the energy at rest                     [J]   */
     struct spring_load points; /* their masses, drag, loads and damping               */
-    void *room;                /* of the arrays                                owned   */
+    void *room;                /* memory of the arrays                         owned   */
     double *weight;            /* [nodes] m / dt^2 + c / dt                     [N/m]     */
     double *x, *v;             /* [nodes][3]                                              */
     double *start, *target;    /* [nodes][3] work                                         */
     double *gain[2]; /* [nodes][3] of velocity in the last steps, the last first [m/s] */
-    int gains;       /* of those known                                                 */
+    int gains;       /* number of those known                                          */
     double *shift;   /* [held_count] work                                       */
     double (*V)[9];  /* [pairs] with beta, else NULL                            */
     struct spring_stencil stencil;    /* leapfrog and momentum                         */
-    struct spring_leapfrog *leapfrog; /* of that integrator, else NULL         owned   */
+    struct spring_leapfrog *leapfrog; /* steps of that integrator, else NULL   owned   */
     struct spring_strips strips;      /* momentum only, as what follows                */
     struct spring_large large;
     long substep;   /* taken so far; momentum: frames                            */
-    double push[3]; /* of obstacles, mean over the last frame              [N]   */
+    double push[3]; /* force of obstacles, mean over the last frame        [N]   */
     int pushed;     /* points carried in its last substep                        */
 };
 

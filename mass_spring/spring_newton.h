@@ -31,7 +31,7 @@ struct spring_newton {
     struct discretization linear; /* its solver and preconditioner */
     struct system system; /* empty before spring_newton_system                         */
     struct contact_set contact;
-    void *room;       /* of the arrays                                      owned   */
+    void *room;       /* memory of the arrays                               owned   */
     double (*K)[9];   /* [pairs]                                                    */
     double *hinges;   /* [pairs] spring_force_hinges                       owned   */
     double *work;     /* [6][nodes][3]                                              */

@@ -23,7 +23,7 @@ struct search {
     double energy;        /* elastic and of the loads, at `from`                 [J]   */
     double slack;         /* work of round-off's forces over no distance         [J]   */
     double step;          /* pseudo-time                                         [s]   */
-    double move;          /* of the last step, INFINITY unless it was long       [m]   */
+    double move;          /* move of the last step, INFINITY unless it was long  [m]   */
 };
 
 static double total_energy(const struct spring_motion *m)

@@ -42,7 +42,7 @@ enum solver {
 
 /* Preconditioners of cg and gmres. */
 enum preconditioner {
-    PRECONDITIONER_FACTOR, /* of an earlier matrix, while it helps                     */
+    PRECONDITIONER_FACTOR, /* factor of an earlier matrix, while it helps              */
     PRECONDITIONER_ICHOL,  /* incomplete Cholesky                                      */
     PRECONDITIONER_JACOBI, /* the blocks on the diagonal                               */
 };
@@ -105,7 +105,7 @@ struct discretization {
     enum parameters parameters;
     enum integrator integrator;
     enum precision precision;
-    int substeps;     /* of one frame; 0: as many as the model needs, mostly one    */
+    int substeps;     /* steps of one frame; 0: as many as the model needs, mostly one */
     int iterations;   /* at most, in a step; 0: until the tolerance is met          */
     double tolerance; /* ends the iteration; each model says of what [1]; 0: its own */
     enum bending bending;

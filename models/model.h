@@ -14,7 +14,7 @@
 /* Work done, added up by the model; does not jitter as seconds do. */
 struct counters {
     long steps, assemblies, factorisations, solves, iterations;
-    long substeps; /* of all steps; 0: the model never divides steps */
+    long substeps; /* sum over all steps; 0: the model never divides steps */
     long viscous;  /* steps with a viscosity that Newton's method failed without          */
 };
 
@@ -34,9 +34,9 @@ struct model_size {
 /* The contact of a sheet with the scene's obstacles, after the last step. */
 struct model_contact {
     int nodes;        /* control points or nodes that an obstacle carries              */
-    double least_gap; /* of the net, where the model keeps its distance; INFINITY without
-                         obstacles                                               [m]   */
-    double force[3];  /* on the sheet, mean over the last step                   [N]   */
+    double least_gap; /* gap of the net, where the model keeps its distance; INFINITY
+                         without obstacles                                       [m]   */
+    double force[3];  /* force on the sheet, mean over the last step             [N]   */
 };
 
 /* Sparse symmetric matrix handed out for inspection; coordinates, lower triangle, 0-based,

@@ -65,13 +65,13 @@ struct scene_obstacle {
 struct scene {
     char *name;   /* [a-z0-9_]+                                             owned     */
     char *source; /* where the numbers come from                            owned     */
-    char *about;  /* what happens, a line for lists; NULL: none             owned     */
+    char *about;  /* the events, a line for lists; NULL: none               owned     */
     char *text;   /* the file as read, with the settings applied below it   owned     */
 
     double length, width, thickness; /*                                       [m] > 0 */
     double origin[3], axis_u[3], axis_v[3]; /* axes orthonormal                       */
     enum scene_shape shape; /* at rest                                       */
-    double opening, flare;  /* of a cloak                              [deg] */
+    double opening, flare;  /* angles of a cloak                       [deg] */
 
     double young;   /* E                                                     [Pa] > 0 */
     double poisson; /* nu                                                  (-1, 0.5)  */

@@ -18,7 +18,7 @@ enum schema_type {
     SCHEMA_WORD, /* an enum of int's size, by `words`, or by the names that `word` gives */
     SCHEMA_TEXT, /* char *, owned, replaced                                          */
     SCHEMA_SECTION, /* a map with the keys of `keys`, into the same target              */
-    SCHEMA_SPECIAL, /* by the function `read`; `keys`, if given, document its elements  */
+    SCHEMA_SPECIAL, /* anything, by the function `read`; `keys` may document elements  */
 };
 
 enum schema_order { SCHEMA_ANY, SCHEMA_NON_DECREASING, SCHEMA_INCREASING };
@@ -29,14 +29,14 @@ struct schema_key {
     enum schema_type type;
     bool required;
     bool open; /* low and high themselves are not allowed                      */
-    enum schema_order order;        /* of NUMBERS                                         */
+    enum schema_order order;        /* order of NUMBERS                                   */
     int most;                       /* count of NUMBERS                                   */
-    double low, high;               /* of every number                                    */
+    double low, high;               /* range of every number                              */
     size_t offset, count_offset;    /* in the target                                      */
-    const char *const *words;       /* by value, NULL ends; in place of it:            */
+    const char *const *words;       /* words by value, NULL ends; in place of it:      */
     const char *(*word)(int value); /* "unknown" beyond the last                       */
     unsigned only;                  /* bits of the words that a model has; 0: all      */
-    const struct schema_key *keys;  /* of a SECTION                                    */
+    const struct schema_key *keys;  /* keys of a SECTION                               */
     /* SPECIAL: reads the node. SECTION: checks what was read; optional. */
     enum status (*read)(const struct schema_key *key, const struct yaml_tree *node,
                         void *target, struct message *why);

@@ -61,8 +61,8 @@
 
 /* The ways to move points back to constraints. */
 enum projection {
-    PROJECTION_XPBD, /* by compliance (Macklin et al. 2016)                            */
-    PROJECTION_PBD,  /* by a share of the way an iteration (Mueller et al. 2007)       */
+    PROJECTION_XPBD, /* compliance (Macklin et al. 2016)                               */
+    PROJECTION_PBD,  /* a share of the way an iteration (Mueller et al. 2007)          */
 };
 
 struct pb_own { /* choices of its own (models/option.h) */
@@ -81,7 +81,7 @@ struct pb_motion {
     enum projection projection;
     int iterations, substeps;
     int bending_every;   /* so many substeps                                           */
-    double dt;           /* of a substep                                         [s]    */
+    double dt;           /* length of a substep                                  [s]    */
     double softening;    /* greatest share that one iteration adds to a compliance [1]  */
     double rest_energy;  /* round-off of the energy at rest                      [J]    */
     long substep, frame; /* taken so far                                               */
@@ -92,7 +92,7 @@ struct pb_motion {
     double *shift;         /* [held_count]                                             */
     double left;      /* strain of springs that iterations left, rms, most so far   [1] */
     double left_time; /* when                                                      [s]  */
-    double push[3];   /* of obstacles, mean over the last frame                [N]      */
+    double push[3];   /* force of obstacles, mean over the last frame          [N]      */
     int pushed;       /* points carried at its end                                     */
 };
 

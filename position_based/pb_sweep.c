@@ -15,7 +15,7 @@ enum { HALVES = 2, THIRDS = 3 };
 struct pb_sweep {
     struct pb_plan plan;
     ptrdiff_t pitch;     /* from row to row                             */
-    size_t size;         /* of a number                                             */
+    size_t size;         /* bytes of a number                                       */
     bool used[PB_KINDS]; /* any strength                                            */
     bool back;           /* the next iteration's way through the kinds              */
     void *field[PB_FIELDS];

@@ -48,7 +48,7 @@ enum pb_field {
     PB_D = 3,                            /* [3] displacement of the step           [m]    */
     PB_W = 6,                            /* [3] inverse mass, 0 where held         [1/kg] */
     PB_KICK = 9,                         /* [3] displacement by constant forces    [m]    */
-    PB_KEEP = 12,                        /* of the last displacement               [1]    */
+    PB_KEEP = 12,                        /* share of the last displacement         [1]    */
     PB_STRENGTH = 13,                    /* [kinds] springs: s; bending: pb_sweep_form    */
     PB_RECALL = 13 + PB_KINDS,           /* [forms] bending: of lambda                    */
     PB_LAMBDA = PB_RECALL + PB_FORMS,    /* [springs]                              [kg m] */
@@ -63,7 +63,7 @@ struct pb_odd {
     double weight[3], shift[3];
     double strength, recall; /* pb_sweep_form                                          */
     double lambda[3];
-    ptrdiff_t place[3]; /* of the nodes; by pb_sweep_make                               */
+    ptrdiff_t place[3]; /* places of the nodes; set by pb_sweep_make                    */
 };
 
 /* The part of a sweep that does not change from step to step. */

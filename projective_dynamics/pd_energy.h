@@ -42,7 +42,7 @@ struct pd_energy {
     enum constraint constraint;
     double *edge[PD_EDGES]; /* weight of each edge in the constant matrix, by k [N/m];
                                triangles write theirs here too              owned     */
-    double deviator, trace; /* of one triangle, its area included [N m]                */
+    double deviator, trace; /* weights of one triangle, its area included [N m]        */
     double *mass, *area;    /* lumped, per node [kg], [m^2]                  owned     */
     double *rest;           /* [3] fields                                    owned     */
     int row_count;

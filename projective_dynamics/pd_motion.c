@@ -8,7 +8,7 @@
 #include "models/mechanics/dead_load.h"
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
-static const double LEFT_LEAST = 1e-6; /* of the length: less than that is not counted  */
+static const double LEFT_LEAST = 1e-6; /* share of the length; less is not counted      */
 static const double ROUND_OFF = 1e-12; /* likewise, of a change                         */
 
 /* --- life --------------------------------------------------------------------------------

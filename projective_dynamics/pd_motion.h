@@ -43,13 +43,13 @@ struct pd_motion {
     struct pd_system system;
     struct pd_local local;
     struct pd_contact contact; /* all zero without obstacles                           */
-    double push[3];            /* of obstacles, mean over the last frame         [N]   */
+    double push[3];            /* force of obstacles, mean over the last frame   [N]   */
     double dt, alpha; /* [s], [1/s]                                                    */
     double span;      /* Euler's step [s]: dt, less with BDF2 and the midpoint rule    */
     struct backward backward;     /* all zero without BDF2                             */
     const double *origin, *speed; /* where and how fast the span begins, three fields  */
     double radius; /* Chebyshev: of the iteration about the rest shape              */
-    double weight; /* of the last iteration                                         */
+    double weight; /* weight of the last iteration                                  */
     double left;   /* largest share of a step's movement left by its iteration [1]       */
     double left_time; /* that step's [s]                                               */
     double *x, *v;    /* three fields each                                   owned    */

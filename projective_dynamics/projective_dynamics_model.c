@@ -7,8 +7,8 @@
 #include "projective_dynamics/pd_motion.h"
 
 enum { DEFAULT_ITERATIONS = 10, MOST_ITERATIONS = 1000000 };
-static const double DEFAULT_TOLERANCE = 1e-6; /* of the length; if iterations = 0        */
-static const double LEFT_TOLD = 0.01;         /* of a step's movement                    */
+static const double DEFAULT_TOLERANCE = 1e-6; /* share of the length; if iterations = 0  */
+static const double LEFT_TOLD = 0.01;         /* share of a step's movement              */
 
 /* clang-format off */
 static const struct schema_key options[] = {

@@ -38,32 +38,59 @@ static inline struct discretization net_of(int n, int m)
     return d;
 }
 
-static inline void start(struct spring_motion *m, const struct scene *scene,
-                         const struct discretization *d)
+/* A net that moves. */
+struct net {
+    struct scene scene;
+    struct discretization d;
+    struct spring_motion m;
+    struct counters counters;
+};
+
+/* Change scene and d before net_start. */
+static inline void net_init(struct net *s, int n, int m, bool held)
+{
+    *s = (struct net){.d = net_of(n, m)};
+    fill_scene(&s->scene, held);
+}
+
+static inline void net_start(struct net *s)
 {
     struct message why = {{0}};
 
-    if (!CHECK(spring_motion_init(m, scene, d, &why) == STATUS_OK))
+    if (!CHECK(spring_motion_init(&s->m, &s->scene, &s->d, &why) == STATUS_OK))
         printf("%s\n", why.text);
+    REQUIRE(s->m.x);
 }
 
-static inline void steps(struct spring_motion *m, int count)
+static inline void net_steps(struct net *s, int count)
 {
-    struct counters counters = {0};
-
     for (int n = 0; n < count; n++)
-        CHECK(spring_motion_step(m, &counters) == STATUS_OK);
+        CHECK(spring_motion_step(&s->m, &s->counters) == STATUS_OK);
+}
+
+static inline double net_energy(struct net *s)
+{
+    struct energy e;
+
+    spring_motion_energy(&s->m, &e);
+    return e.kinetic + e.elastic + e.potential;
+}
+
+static inline void net_clear(struct net *s)
+{
+    spring_motion_clear(&s->m);
+    scene_clear(&s->scene);
 }
 
 /* Returns the largest elongation of any spring, (l - r) / r. */
-static inline double largest_strain(const struct spring_motion *m)
+static inline double net_strain(const struct net *s)
 {
     double most = -1, e[3];
 
-    for (int n = 0; n < m->net.spring_count; n++) {
-        const struct spring *s = &m->net.springs[n];
-        vector_between(m->x + 3 * s->a, m->x + 3 * s->b, e);
-        most = fmax(most, vector_length(e) / s->length - 1);
+    for (int n = 0; n < s->m.net.spring_count; n++) {
+        const struct spring *one = &s->m.net.springs[n];
+        vector_between(s->m.x + 3 * one->a, s->m.x + 3 * one->b, e);
+        most = fmax(most, vector_length(e) / one->length - 1);
     }
     return most;
 }

@@ -40,9 +40,8 @@ static inline void modes_init(struct modes *m, const struct run *run)
 {
     const struct solid_motion *s = run_motion(run);
     const double(*K)[9] = (const double(*)[9])s->assembly.K;
-    struct eigen_matrix k = {.n = s->supports.free_count}, mass = k;
     long *start[2];
-    int *row[2], n = k.n;
+    int *row[2], n = s->supports.free_count;
     double *value[2], *packed = malloc((size_t)(n * n) * sizeof *packed);
 
     *m = (struct modes){.count = n, .unknowns = run_unknowns(run)};
@@ -53,9 +52,8 @@ static inline void modes_init(struct modes *m, const struct run *run)
     for (int t = 0; t < 2; t++)
         REQUIRE(system_columns(&s->assembly.graph, &s->supports, NULL, !t, K, t,
                                s->assembly.M, &start[t], &row[t], &value[t]) == STATUS_OK);
-    k.start = start[0], k.row = row[0], k.value = value[0];
-    mass.start = start[1], mass.row = row[1], mass.value = value[1];
-    REQUIRE(eigen_lowest(&k, &mass, n, m->lambda, packed, NULL) == STATUS_OK);
+    const struct eigen_pair pair = {n, start[0], row[0], value[0], value[1]};
+    REQUIRE(eigen_lowest(&pair, n, m->lambda, packed, NULL) == STATUS_OK);
     for (int i = 0; i < n; i++)
         for (size_t t = 0; t < m->unknowns; t++)
             if (s->supports.free_index[t] >= 0)

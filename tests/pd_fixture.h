@@ -60,6 +60,28 @@ static inline void pd_fixture_shake(const struct pd_net *net, double *x, double 
             x[c * pd_net_stride(net) + k] += size * pd_fixture_random(&seed);
 }
 
+/* Returns the largest length of an edge over its rest length. */
+static inline double pd_fixture_longest(const struct pd_motion *m)
+{
+    const struct pd_net *net = &m->energy.net;
+    double most = 0;
+
+    for (int kind = 0; kind < PD_EDGES; kind++)
+        for (int k = 0; k < net->nodes; k++) {
+            int to[2];
+            double sum = 0;
+            if (!pd_net_has(net, (enum pd_edge)kind, k))
+                continue;
+            pd_net_ends(net, (enum pd_edge)kind, to);
+            for (int c = 0; c < 3; c++) {
+                const double *x = m->x + c * pd_net_stride(net) + k;
+                sum += (x[to[1]] - x[to[0]]) * (x[to[1]] - x[to[0]]);
+            }
+            most = fmax(most, sqrt(sum) / pd_net_length(net, (enum pd_edge)kind));
+        }
+    return most;
+}
+
 static inline double pd_fixture_distance(const struct pd_net *net, const double *x,
                                          const double *y)
 {

@@ -13,27 +13,26 @@
 /* --- dense ------------------------------------------------------------------------------
  */
 
-static void spread(const struct eigen_matrix *a, double *full)
+static void spread(const struct eigen_pair *a, const double *value, double *full)
 {
     memset(full, 0, (size_t)a->n * a->n * sizeof *full);
     for (int j = 0; j < a->n; j++)
         for (long s = a->start[j]; s < a->start[j + 1]; s++)
-            full[(size_t)j * a->n + a->row[s]] = a->value[s];
+            full[(size_t)j * a->n + a->row[s]] = value[s];
 }
 
-static enum status lowest_dense(const struct eigen_matrix *K, const struct eigen_matrix *M,
-                                int count, double *lambda, double *vector,
-                                struct message *why)
+static enum status lowest_dense(const struct eigen_pair *pair, int count, double *lambda,
+                                double *vector, struct message *why)
 {
     enum status st = STATUS_OK;
-    int n = K->n, found = 0, info;
+    int n = pair->n, found = 0, info;
     size_t square = (size_t)n * n;
     void *room;
     double *k, *m, *all; /* dsygvx needs room for all n */
     int *failed;
     TRY(room_cut(&room, ROOM(k, square), ROOM(m, square), ROOM(all, n), ROOM(failed, n)));
-    spread(K, k);
-    spread(M, m);
+    spread(pair, pair->K, k);
+    spread(pair, pair->M, m);
     info = LAPACKE_dsygvx(LAPACK_COL_MAJOR, 1, vector ? 'V' : 'N', 'I', 'L', n, k, n, m, n,
                           0.0, 0.0, 1, count, 2.0 * LAPACKE_dlamch('S'), &found, all,
                           vector, n, failed);
@@ -65,63 +64,37 @@ void dseupd_(const int *rvec, const char *howmny, int *select, double *d, double
              double *workl, const int *lworkl, int *info, size_t howmny_length,
              size_t bmat_length, size_t which_length);
 
-static void multiply(const struct eigen_matrix *a, const double *x, double *y)
+/* Computes y = M x. */
+static void multiply(const struct eigen_pair *a, const double *x, double *y)
 {
     memset(y, 0, a->n * sizeof *y);
     for (int j = 0; j < a->n; j++)
         for (long s = a->start[j]; s < a->start[j + 1]; s++) {
-            y[a->row[s]] += a->value[s] * x[j];
+            y[a->row[s]] += a->M[s] * x[j];
             if (a->row[s] != j)
-                y[j] += a->value[s] * x[a->row[s]];
+                y[j] += a->M[s] * x[a->row[s]];
         }
 }
 
 /* Returns the sum of the diagonal's magnitudes. */
-static double magnitude(const struct eigen_matrix *a)
+static double magnitude(const struct eigen_pair *a, const double *value)
 {
     double sum = 0.0;
     for (int j = 0; j < a->n; j++)
-        sum += fabs(a->value[a->start[j]]);
+        sum += fabs(value[a->start[j]]);
     return sum;
 }
 
-static bool positive_diagonal(const struct eigen_matrix *a)
+static bool positive_diagonal(const struct eigen_pair *a)
 {
     for (int j = 0; j < a->n; j++)
-        if (!(a->value[a->start[j]] > 0.0))
+        if (!(a->M[a->start[j]] > 0.0))
             return false;
     return true;
 }
 
-/* Merges two patterns. start[n + 1]; row has room for both. */
-static void merge_patterns(const struct eigen_matrix *a, const struct eigen_matrix *b,
-                           long *start, int *row)
-{
-    long end = 0;
-    for (int j = 0; j < a->n; j++) {
-        long s = a->start[j], t = b->start[j];
-        start[j] = end;
-        while (s < a->start[j + 1] || t < b->start[j + 1]) {
-            int p = s < a->start[j + 1] ? a->row[s] : a->n;
-            int q = t < b->start[j + 1] ? b->row[t] : a->n;
-            row[end++] = p < q ? p : q;
-            s += p <= q;
-            t += q <= p;
-        }
-    }
-    start[a->n] = end;
-}
-
-static void add_values(const struct eigen_matrix *a, double scale, struct factor *f)
-{
-    double *value = factor_values(f);
-    for (int j = 0; j < a->n; j++)
-        for (long s = a->start[j]; s < a->start[j + 1]; s++)
-            value[factor_slot(f, a->row[s], j)] += scale * a->value[s];
-}
-
 struct shifting {
-    const struct eigen_matrix *K, *M;
+    const struct eigen_pair *pair;
     double mean; /* |k_ii| / m_ii */
     struct factor *f;
 };
@@ -129,9 +102,14 @@ struct shifting {
 /* Factors K + part mean M. */
 static enum status factor_at(const struct shifting *s, double part)
 {
+    const struct eigen_pair *a = s->pair;
+    const double shift = part * s->mean;
+    double *value = factor_values(s->f);
+
     factor_clear_values(s->f);
-    add_values(s->K, 1.0, s->f);
-    add_values(s->M, part * s->mean, s->f);
+    for (int j = 0; j < a->n; j++)
+        for (long t = a->start[j]; t < a->start[j + 1]; t++)
+            value[factor_slot(s->f, a->row[t], j)] = a->K[t] + shift * a->M[t];
     return factor_refactor(s->f);
 }
 
@@ -160,33 +138,24 @@ static enum status factor_shifted(const struct shifting *s, double *sigma,
     return st;
 }
 
-static enum status shifting_init(const struct eigen_matrix *K, const struct eigen_matrix *M,
-                                 struct shifting *s, struct message *why)
+static enum status shifting_init(const struct eigen_pair *pair, struct shifting *s,
+                                 struct message *why)
 {
-    enum status st;
-    void *room = NULL;
-    long *start;
-    int *row;
-
-    *s = (struct shifting){K, M, magnitude(K) / magnitude(M), NULL};
-    if (!positive_diagonal(M) || !(s->mean > 0.0))
+    *s = (struct shifting){pair, magnitude(pair, pair->K) / magnitude(pair, pair->M), NULL};
+    if (!positive_diagonal(pair) || !(s->mean > 0.0))
         return status_fail(why, STATUS_INDEFINITE,
                            "eigenvalues: a mass on the diagonal is not positive, or no "
                            "stiffness is there");
-    TRY(room_cut(&room, ROOM(start, K->n + 1), ROOM(row, K->start[K->n] + M->start[M->n])));
-    merge_patterns(K, M, start, row);
-    st = factor_create(&(struct factor_pattern){.n = K->n, .start = start, .row = row},
-                       SOLVER_AUTO, &s->f);
-out:
-    free(room);
-    return st;
+    return factor_create(
+        &(struct factor_pattern){.n = pair->n, .start = pair->start, .row = pair->row},
+        SOLVER_AUTO, &s->f);
 }
 
 struct lanczos {
     int n, nev, ncv, lworkl, iparam[11], ipntr[11], *select;
     double tol; /* 0: round-off; dsaupd writes here what it took */
     double *resid, *v, *workd, *workl;
-    void *room; /* of the arrays */
+    void *room; /* memory of the arrays */
 };
 
 static enum status lanczos_init(struct lanczos *l, int n, int nev)
@@ -213,7 +182,7 @@ out:
 }
 
 /* Runs ARPACK's reverse communication: it asks, we multiply or solve. */
-static enum status lanczos_run(struct lanczos *l, const struct eigen_matrix *M,
+static enum status lanczos_run(struct lanczos *l, const struct eigen_pair *pair,
                                struct factor *f, struct message *why)
 {
     enum status st = STATUS_OK;
@@ -223,7 +192,7 @@ static enum status lanczos_run(struct lanczos *l, const struct eigen_matrix *M,
                 l->iparam, l->ipntr, l->workd, l->workl, &l->lworkl, &info, 1, 2);
         double *x = l->workd + l->ipntr[0] - 1, *y = l->workd + l->ipntr[1] - 1;
         if (ido == -1 || ido == 2)
-            multiply(M, x, y);
+            multiply(pair, x, y);
         else if (ido == 1)
             memcpy(y, l->workd + l->ipntr[2] - 1, l->n * sizeof *y);
         else
@@ -255,18 +224,17 @@ static enum status lanczos_take(struct lanczos *l, double sigma, double *lambda,
     return STATUS_OK;
 }
 
-static enum status lowest_sparse(const struct eigen_matrix *K, const struct eigen_matrix *M,
-                                 int count, double *lambda, double *vector,
-                                 struct message *why)
+static enum status lowest_sparse(const struct eigen_pair *pair, int count, double *lambda,
+                                 double *vector, struct message *why)
 {
     enum status st;
     struct shifting s = {0};
     struct lanczos l = {0};
     double sigma = 0.0;
-    TRY(shifting_init(K, M, &s, why));
+    TRY(shifting_init(pair, &s, why));
     TRY(factor_shifted(&s, &sigma, why));
-    TRY(lanczos_init(&l, K->n, count));
-    TRY(lanczos_run(&l, M, s.f, why));
+    TRY(lanczos_init(&l, pair->n, count));
+    TRY(lanczos_run(&l, pair, s.f, why));
     TRY(lanczos_take(&l, sigma, lambda, vector, why));
 out:
     free(l.room);
@@ -274,13 +242,13 @@ out:
     return st;
 }
 
-enum status eigen_lowest(const struct eigen_matrix *K, const struct eigen_matrix *M,
-                         int count, double *lambda, double *vector, struct message *why)
+enum status eigen_lowest(const struct eigen_pair *pair, int count, double *lambda,
+                         double *vector, struct message *why)
 {
-    assert(K->n == M->n && 1 <= count && count <= K->n);
+    assert(1 <= count && count <= pair->n);
     blas_kernel_set_threads(1);
     /* Lanczos pays while the wanted modes are few. */
-    if (K->n <= EIGEN_DENSE_MAX || count > K->n / 4)
-        return lowest_dense(K, M, count, lambda, vector, why);
-    return lowest_sparse(K, M, count, lambda, vector, why);
+    if (pair->n <= EIGEN_DENSE_MAX || count > pair->n / 4)
+        return lowest_dense(pair, count, lambda, vector, why);
+    return lowest_sparse(pair, count, lambda, vector, why);
 }

@@ -11,17 +11,18 @@
 
 enum { EIGEN_DENSE_MAX = 1500 };
 
-/* Symmetric sparse matrix, lower triangle by columns: row[start[j]..start[j+1]) >= j,
- * ascending, diagonal present; value[start[n]]. Borrowed. */
-struct eigen_matrix {
+/* Two symmetric sparse matrices of one pattern, lower triangle by columns:
+ * row[start[j]..start[j+1]) >= j, ascending, diagonal present; K, M [start[n]]. Borrowed.
+ */
+struct eigen_pair {
     int n;
     const long *start;
     const int *row;
-    const double *value;
+    const double *K, *M;
 };
 
 /* Finds the `count` smallest lambda, ascending, lambda[count]; eigenvectors, M-normalised,
- * vector[count][n] unless NULL. 1 <= count <= n; patterns of K and M may differ.
+ * vector[count][n] unless NULL. 1 <= count <= n.
  *
  * K may be singular (free body): the shift is -1e-12 of the mean |k_ii| / m_ii, far below
  * the modes of the thinnest sheet, and grows a hundredfold while round-off or negative
@@ -31,7 +32,7 @@ struct eigen_matrix {
  * STATUS_INDEFINITE if K - shift M stays so, or the diagonal of M is not positive (no more
  * of M is checked above EIGEN_DENSE_MAX); STATUS_DIVERGED if LAPACK or ARPACK gives up;
  * sentence in *why. Not for two threads at once (ARPACK keeps state). */
-enum status eigen_lowest(const struct eigen_matrix *K, const struct eigen_matrix *M,
-                         int count, double *lambda, double *vector, struct message *why);
+enum status eigen_lowest(const struct eigen_pair *pair, int count, double *lambda,
+                         double *vector, struct message *why);
 
 #endif

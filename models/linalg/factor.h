@@ -60,7 +60,7 @@ enum status factor_solve_many(struct factor *f, int count, double *b, ptrdiff_t 
 struct factor_info {
     const char *method; /* "banded", "supernodal", "cholmod" or "mixed"; static       */
     long entries;       /* numbers stored in L, padding included                       */
-    double flops;       /* of one factorisation                                        */
+    double flops;       /* operations of one factorisation                             */
     int parts;          /* independent sub-systems                                       */
     int half_bandwidth; /* banded only                                                 */
     long bytes;         /* held by the factor                                          */

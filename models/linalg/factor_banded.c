@@ -15,7 +15,7 @@
 #include "models/room.h"
 
 struct banded {
-    void *room;       /* of the arrays but pair                                        */
+    void *room;       /* memory of the arrays but pair                                 */
     int half;         /* half-bandwidth in unknowns                                    */
     int tiles;        /* tile columns                                                  */
     int *last;        /* [tiles] last tile row of a tile column                        */

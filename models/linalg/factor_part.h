@@ -47,7 +47,7 @@ struct factor_method {
 struct factor_part {
     const struct factor_method *method;
     int n;
-    int rows;        /* of its right-hand side: n, or more with padding; set by create   */
+    int rows;        /* rows of its right-hand side: n, more with padding; set by create */
     ptrdiff_t slots; /* numbers it needs in factor_values, set by create               */
     void *state;     /* the method's own                                     owned    */
 };

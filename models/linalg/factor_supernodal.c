@@ -34,7 +34,7 @@ struct supernode {
 };
 
 struct supernodal {
-    void *room;             /* of nodes, rows and places                               */
+    void *room;             /* memory of nodes, rows and places                        */
     int count;              /* supernodes, children before parents                     */
     struct supernode *node; /* [count]                                                 */
     int *of_column;         /* [n]                                                     */

@@ -11,7 +11,7 @@ static const double FIRST_SHIFT = 1e-3, GROWTH = 4, MOST_SHIFT = 1;
 
 struct ichol {
     int n;
-    void *room;  /* of the arrays                                              owned   */
+    void *room;  /* memory of the arrays                                       owned   */
     long *start; /* [n + 1] lower triangle by columns, diagonal first                  */
     int *row;    /* [start[n]]                                                         */
     double *value, *factor; /* [start[n]] A and L                                      */

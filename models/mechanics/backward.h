@@ -16,7 +16,7 @@ struct backward {
     size_t count;
     double *x, *v;          /* a step ago                                              */
     double *origin, *speed; /* o, w                                                    */
-    void *room;             /* of the arrays; NULL: not in use                 owned   */
+    void *room;             /* memory of the arrays; NULL: not in use          owned   */
 };
 
 /* Allocates; *b must be all zero, or initialised. */

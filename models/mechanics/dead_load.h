@@ -8,7 +8,7 @@
 /* The functions of one direction on [0,1]. */
 struct dead_load_line {
     int n;            /* functions                                                 */
-    int degree;       /* of the pieces                                             */
+    int degree;       /* degree of the pieces                                      */
     int breaks;       /* values in `at`                                            */
     const double *at; /* [breaks] pieces' ends, non-decreasing, from 0 to 1;
                          NULL: k / (n - 1)                                borrowed */

@@ -29,7 +29,7 @@ struct iterative {
     enum solver solver;
     enum preconditioner preconditioner;
     struct krylov krylov;
-    void *room;         /* of the arrays, krylov's too                         owned   */
+    void *room;         /* memory of the arrays, krylov's too                  owned   */
     double (*A)[9];     /* [pairs]                                                     */
     double *b;          /* [nodes][3] right-hand side                                  */
     double (*block)[9]; /* [nodes] inverses of A's diagonal; of jacobi                 */
@@ -37,15 +37,15 @@ struct iterative {
     struct ichol *ichol;
     long *entry; /* [pairs][9] of ichol's values, -1: none                             */
     bool factored, fresh, single;
-    double tolerance, near; /* of systems of a sequence                                */
+    double tolerance, near; /* tolerances of systems of a sequence                     */
 
     void (*frames)(const void *body, double (*Q)[9]);
     const void *body;
-    void *follow; /* of the next arrays                                  owned   */
+    void *follow; /* memory of the next arrays                           owned   */
     double (*now)[9], (*then)[9]; /* [nodes] frames of A and of the factor             */
     double *turned;               /* [nodes][3]                                        */
     double *past[PAST];           /* [nodes][3] solutions, the last first, to extrapolate */
-    int known;                    /* of those                                          */
+    int known;                    /* number of those                                   */
     long age, spent; /* the factor's: systems solved, iterations' work on them         */
     bool spent_more; /* the last took more than they did on average                    */
     long solves, factorisations;

@@ -38,7 +38,7 @@ struct large_body {
     const void *self;
     int nodes, slabs, threads;
     const int *slab; /* [slabs + 1]                                          borrowed  */
-    long pairs;      /* of K                                                           */
+    long pairs;      /* blocks of K                                                    */
     size_t strains;  /* numbers an element                                             */
     size_t lagged;   /* the first of these, to which the lag applies                   */
 
@@ -100,7 +100,7 @@ struct large_motion {
     bool rings; /* nothing damps the membrane, and Newton's method expects it  */
 
     double *strain_old;  /* strains at the step's start                         owned   */
-    double *strain_mean; /* of the last step, in the same room; NULL: not rings        */
+    double *strain_mean; /* mean of the last step, in the same room; NULL: not rings   */
     double *room;        /* [6][nodes][3]: x_old, hat, work of large_newton     owned   */
     double factored;     /* mass factor of the tangent that is factored; -1: none       */
     double added;        /* mass added to the factored tangent; 0: none       [1/s^2]   */
@@ -110,7 +110,7 @@ struct large_motion {
     bool rested;         /* x is an equilibrium (large_rest.h)                          */
     int halvings;        /* the present substep is step / 2^halvings                    */
     struct large_leapfrog *leapfrog; /* explicit steps; NULL: implicit         owned   */
-    double push[3]; /* of obstacles, mean over the last step                 [N]   */
+    double push[3]; /* force of obstacles, mean over the last step           [N]   */
 };
 
 #endif

@@ -26,11 +26,11 @@ static const double ROUND_OFF = 1e-10;
 
 struct large_leapfrog {
     struct large_motion *m; /* borrowed                                              */
-    void *room;             /* of the arrays                                 owned   */
+    void *room;             /* memory of the arrays                          owned   */
     int asked, substeps, doublings;
     double limit;              /* greatest stable step about rest                   [s]   */
     double least, most;        /* energy so far, see judge                          [J]   */
-    double work;               /* of supports that move                             [J]   */
+    double work;               /* work of supports that move                        [J]   */
     double stored;             /* elastic and potential energy at x                 [J]   */
     double *inverse;           /* [nodes][3] row sums: 1/mass, 0 of held unknowns         */
     double *a;                 /* [nodes][3] acceleration at x, 0 of held unknowns        */

@@ -11,7 +11,6 @@ enum status pencil_modes(const struct pencil *p, const struct supports *held,
                          struct message *why)
 {
     enum status st;
-    struct eigen_matrix K = {.n = held->free_count}, M = K;
     long *start[2] = {NULL};
     int *row[2] = {NULL};
     double *value[2] = {NULL};
@@ -26,9 +25,8 @@ enum status pencil_modes(const struct pencil *p, const struct supports *held,
                        &value[0]));
     TRY(system_columns(p->graph, held, parity, 0, p->K, 1, p->M, &start[1], &row[1],
                        &value[1]));
-    K.start = start[0], K.row = row[0], K.value = value[0];
-    M.start = start[1], M.row = row[1], M.value = value[1];
-    TRY(eigen_lowest(&K, &M, count, omega, NULL, why));
+    const struct eigen_pair pair = {held->free_count, start[0], row[0], value[0], value[1]};
+    TRY(eigen_lowest(&pair, count, omega, NULL, why));
     for (int n = 0; n < count; n++)
         omega[n] = omega[n] > 0 ? sqrt(omega[n]) : p->stressed ? -sqrt(-omega[n]) : 0;
 out:

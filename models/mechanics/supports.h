@@ -16,7 +16,7 @@ enum { SUPPORTS_MIDDLE = -1, SUPPORTS_DIFFERENCE = -2 };
 
 struct supports {
     int nodes, free_count, held_count;
-    void *room;      /* of the arrays                                          owned   */
+    void *room;      /* memory of the arrays                                   owned   */
     int *free_index; /* [3 nodes] place among the free unknowns, -1 if held            */
     int *held;       /* [held_count] unknown 3 node + component, ascending             */
     int *owner;      /* [held_count] the support whose path it follows, -1: none       */

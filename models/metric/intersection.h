@@ -49,7 +49,7 @@ struct intersection {
     } level[32];
     double (*boxes)[6]; /*                                                 owned  */
     struct intersection_pair *candidate; /* cells whose boxes overlap           owned  */
-    unsigned char *hit; /* of each candidate, a bit for each pair          owned  */
+    unsigned char *hit; /* a bit for each pair of each candidate           owned  */
     int candidate_count;
 };
 

@@ -11,7 +11,7 @@
 /* The parts of the moving net; all borrowed, and must outlive it. */
 struct spring_large_plan {
     const struct spring_load *load;
-    const struct blocks *graph; /* of the nodes that elements reach, 2 rows at most    */
+    const struct blocks *graph; /* couplings that elements reach, 2 rows at most       */
     const struct large_body *body;
     const struct supports *supports;
     const struct discretization *d; /* integrator, substeps, iterations, solver        */
@@ -25,7 +25,7 @@ struct spring_large {
     struct newmark newmark;
     struct system system;
     struct contact_step contact; /* with obstacles only                                */
-    void *room;                  /* of the arrays                              owned   */
+    void *room;                  /* memory of the arrays                       owned   */
     double *M;                   /* [pairs] lumped mass                        [kg]    */
     double *held;                /* [4][held_count] work                               */
     double (*K)[9];              /* [pairs] room for tangents                  [N/m]   */

@@ -49,9 +49,9 @@
 enum spring_direction { SPRING_U, SPRING_V, SPRING_DIAGONAL, SPRING_DIRECTIONS };
 
 struct spring_law {
-    double stiffness[SPRING_DIRECTIONS]; /* of a whole spring                  [N/m]   */
+    double stiffness[SPRING_DIRECTIONS]; /* stiffness of a whole spring        [N/m]   */
     double strut[SPRING_DIRECTIONS];     /* P of a whole hinge                   [N]   */
-    double rim; /* of springs and clamps on the rim, to whole ones      [1]   */
+    double rim; /* share of whole ones of springs and clamps on the rim [1]   */
     double rim_strut[SPRING_DIRECTIONS]; /* P of a hinge on the rim              [N]   */
     double area_mass; /*                                                  [kg/m^2]     */
     double drag;      /* force on a point against its velocity             [N s/m]     */

@@ -137,7 +137,7 @@ static void start(struct spring_leapfrog *l, const double *x, const double *now)
  * that of the step. Leaves the sweep as it is. */
 void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
 {
-    double *x = l->body.load->beta > 0 ? l->x : NULL, *old = l->v; /* what a kick changes */
+    double *x = l->body.load->beta > 0 ? l->x : NULL, *old = l->v; /* before the kick */
 
     spring_sweep_get(l->sweep, x, old);
     spring_sweep_run(l->sweep, 0, 1);

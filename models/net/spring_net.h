@@ -39,7 +39,7 @@ struct spring_net {
     int points[2], nodes;
     double cell[2]; /* a_u, a_v                                    [m]   */
     struct spring_law law;
-    void *room;       /* of the arrays                               owned   */
+    void *room;       /* memory of the arrays                        owned   */
     double (*uvw)[3]; /* [nodes] material parameters, w = 1/2              */
     double *rest;     /* [nodes][3]                          [m]           */
     double *area;     /* [nodes] of the sheet that is theirs [m^2]         */

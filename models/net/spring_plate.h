@@ -40,7 +40,7 @@ struct spring_plate_form {
     int at; /* the node that it belongs to                                              */
     int count, node[SPRING_PLATE_POINTS];
     double weight[SPRING_PLATE_POINTS]; /* sum to zero                           [1]   */
-    double shift[3];                    /* of clamps                             [m]   */
+    double shift[3];                    /* shift of clamps                       [m]   */
     double stiffness;                   /* >= 0                                  [N/m] */
 };
 

@@ -18,7 +18,7 @@
 
 enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12, SPRING_STENCIL_STRUTS = 16 };
 
-enum springs { SPRINGS_SQUARES, SPRINGS_LENGTHS }; /* what they resist             */
+enum springs { SPRINGS_SQUARES, SPRINGS_LENGTHS }; /* changes that springs resist  */
 
 /* Steps (in i, in j) to the neighbours: those that share a cell first; struts alone reach
  * the last four. */
@@ -27,7 +27,7 @@ extern const int spring_stencil_step[SPRING_STENCIL_STRUTS][2];
 struct spring_stencil {
     const struct spring_net *net; /* borrowed                                          */
     enum springs springs;
-    void *room; /* of the arrays                             owned   */
+    void *room; /* memory of the arrays                      owned   */
     double (*spring)[SPRING_STENCIL_ALL]; /* [nodes] k / 2 r^2; 0: none [N/m^3]  */
     double square[SPRING_STENCIL_ALL]; /* r^2                                      [m^2]  */
     double (*bend)[SPRING_STENCIL_ALL]; /* [nodes] force towards a neighbour, per metre of

@@ -55,11 +55,11 @@ struct spring_sweep {
     double lag;                    /* beta                                       [s]   */
     int now; /* which of the sets 0 and 1 holds the positions                          */
     size_t strip_bytes;
-    void *field[SWEEP_SETS][3]; /* by component; positions, positions, velocities      */
+    void *field[SWEEP_SETS][3]; /* arrays by component; positions, positions, velocities */
     void **strip;               /* [strips] coefficients of a strip                    */
     char *table;                /* [strips] of them, the first `kinds` in use          */
     void *room;
-    struct spring_sweep_clamp *clamp; /* by their points                               */
+    struct spring_sweep_clamp *clamp; /* clamps by their points                        */
     int *clamps;                      /* [strips + 1] where those of a strip begin     */
     struct spring_cells cells; /* with cells only, as what follows                     */
     ptrdiff_t stride;

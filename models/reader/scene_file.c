@@ -141,9 +141,3 @@ enum status scene_file_find(const char *argument, char **path, struct message *w
 {
     return named_file_find(&scene_file_kind, argument, path, why);
 }
-
-void scene_file_keys(void (*line)(void *context, const char *key, const char *text),
-                     void *context)
-{
-    scene_schema_list(line, context);
-}

@@ -37,8 +37,4 @@ extern const struct named_file_kind scene_file_kind;
 /* Calls named_file_find for a SCENE argument. */
 enum status scene_file_find(const char *argument, char **path, struct message *why);
 
-/* Calls line() for every key that a scene or a setting may have, with what it may be. */
-void scene_file_keys(void (*line)(void *context, const char *key, const char *text),
-                     void *context);
-
 #endif

@@ -17,7 +17,7 @@ enum {
     SCENE_MAX_OBSTACLES = 100,
     SCENE_MAX_SNAPSHOTS = 10000,
     SCENE_MAX_POINTS = 20000000, /* control points or nodes */
-    MOST_OPTIONS = 100,          /* of all models */
+    MOST_OPTIONS = 100,          /* options of all models */
 };
 
 #define PREFIX "discretization."

@@ -20,7 +20,8 @@ enum status scene_schema_read_numerics(const struct yaml_tree *root,
  * key that models share and the model's own, 17 digits; *text is freed by the receiver. */
 enum status scene_schema_print(const struct discretization *d, char **text);
 
-/* Calls line() for every key that a scene or a setting of any model may have. */
+/* Calls line() for every key that a scene or a setting of any model may have, with what it
+ * may be. */
 void scene_schema_list(void (*line)(void *context, const char *key, const char *text),
                        void *context);
 

@@ -309,7 +309,7 @@ static int distance(const char *a, const char *b)
     for (int j = 0; j <= n; j++)
         row[j] = j;
     for (int i = 1; i <= m; i++) {
-        int diagonal = row[0]; /* of the row above */
+        int diagonal = row[0]; /* value of the row above */
 
         row[0] = i;
         for (int j = 1; j <= n; j++) {

@@ -23,7 +23,7 @@ enum yaml_tree_kind { YAML_TREE_SCALAR, YAML_TREE_LIST, YAML_TREE_MAP };
 struct yaml_tree {
     enum yaml_tree_kind kind;
     char *key;          /* in its map; NULL in a list and at the root           owned */
-    char *text;         /* of a scalar, without NUL bytes; otherwise NULL       owned */
+    char *text;         /* a scalar's text, without NUL bytes; otherwise NULL   owned */
     bool quoted;        /* the scalar stood in quotes or as a block                   */
     const char *origin; /* file name, or the setting if line is 0            borrowed */
     int line;           /* in the file, from 1; 0: a setting; -1: no line             */

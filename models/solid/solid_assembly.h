@@ -13,7 +13,7 @@ struct solid_assembly {
     const struct solid_space *space; /* borrowed                                       */
     struct solid_material material;
     struct blocks graph;
-    void *room;     /* of the arrays but place                                owned   */
+    void *room;     /* memory of the arrays but place                         owned   */
     double (*K)[9]; /* [pairs] stiffness blocks                  [N/m]                */
     double *M;      /* [pairs] mass                              [kg]                 */
     double *volume; /* [nodes] int N_a dV                        [m^3]                */

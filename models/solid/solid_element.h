@@ -23,7 +23,7 @@ struct solid_material solid_element_material(double young, double poisson, doubl
  * modes, padded to `padded`; rows of M and X: the functions only, padded to `row`. */
 struct solid_element {
     int local, row, padded, gauss, modes;
-    int points; /* of the stiffness; gauss unless the rule is reduced                  */
+    int points; /* points of the stiffness; gauss unless the rule is reduced           */
     struct solid_functions shape;
     double *X;      /* [local][4]          geometry, gathered; fourth zero       [m]   */
     double *centre; /* [3][row]            the space's centre_gradient; with modes     */
@@ -38,7 +38,7 @@ struct solid_element {
     double *M;      /* [local][row]        valid for b >= a                      [kg]  */
     double *volume; /* [row]                                                     [m^3] */
     double *K;      /* [columns][padded][9] K_ab row-major, valid for b >= a     [N/m] */
-    struct solid_layer *layer; /* of a space that has one; else NULL                   */
+    struct solid_layer *layer; /* layer of a space that has one; else NULL             */
     void *memory;
 };
 

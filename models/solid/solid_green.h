@@ -16,7 +16,7 @@
 struct solid_green {
     const struct solid_assembly *assembly; /* pattern, places, material      borrowed  */
     struct large_body body; /* the lag is for all strains                              */
-    void *room;             /* of the arrays                                 owned     */
+    void *room;             /* memory of the arrays                          owned     */
     /* In a space with a layer, g, n and dV are solid_layer_rest's q, t and dV. */
     double *g;    /* [elements][gauss][3][row]                                         */
     double *dV;   /* [elements][gauss]                                                 */

@@ -23,7 +23,7 @@ enum { SOLID_GREEN_STRAINS = 6, SOLID_GREEN_INTERNAL = 9 };
 
 /* Rest data of an element; rows padded as in solid_space.h. */
 struct solid_green_rest {
-    int points;         /* of the stiffness                                             */
+    int points;         /* points of the stiffness                                      */
     bool plane_stress;  /* solid_element.h                                              */
     const double *n;    /* [gauss][3] unit normals; plane_stress only                   */
     const double *g;    /* [gauss][3][row] gradients                              [1/m] */
@@ -31,7 +31,7 @@ struct solid_green_rest {
     const double *dV;   /* [gauss]                                                [m^3] */
     const double
         *A; /* [INTERNAL][INTERNAL] Cholesky factor of the modes' stiffness [N/m] */
-    struct solid_layer_rest layer; /* of a space with a layer, instead of all this     */
+    struct solid_layer_rest layer; /* layer of a space that has one, instead of all this */
 };
 
 /* Working storage for one element; one per thread. */

@@ -22,8 +22,8 @@
 #include "models/solid/solid_space.h"
 
 enum {
-    SOLID_LAYER_STRAINS = 6, /* of a point, at most                                    */
-    SOLID_LAYER_VECTORS = 4, /* of a point: t_1, t_2, t_3, unused; or t_1, t_2, 0, 0   */
+    SOLID_LAYER_STRAINS = 6, /* most strains of a point                                */
+    SOLID_LAYER_VECTORS = 4, /* a point's: t_1, t_2, t_3, unused; or t_1, t_2, 0, 0    */
 };
 
 /* Data of an element in a geometry, its points kind by kind. Vectors are rows q of t: of
@@ -39,7 +39,7 @@ struct solid_layer_rest {
 /* Working storage of one thread; rows padded as in solid_space.h. */
 struct solid_layer {
     int local, row;
-    int points[SOLID_KINDS]; /* of the element placed                               */
+    int points[SOLID_KINDS]; /* points of the element placed                        */
     double *G, *weight;      /* [points][6][row], [points] solid_space.h                 */
     double *normal;          /* [row] gradients along the normal                         */
     double *q, *t, *dV;      /* solid_layer_rest of the element placed                   */

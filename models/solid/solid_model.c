@@ -14,11 +14,6 @@
 #include "models/mechanics/pencil.h"
 #include "models/solid/solid_hinge.h"
 
-enum status solid_model_advance(void *state, struct counters *counters)
-{
-    return solid_motion_step(state, counters);
-}
-
 void solid_model_size(const void *state, struct model_size *size)
 {
     const struct solid_motion *m = state;
@@ -43,11 +38,6 @@ void solid_model_net(const void *state, double *xyz)
 
     memcpy(xyz, solid_hinge_points(m->space, m->x),
            3 * (size_t)m->space->nodes * sizeof *xyz);
-}
-
-void solid_model_energy(const void *state, struct energy *energy)
-{
-    solid_motion_energy(state, energy);
 }
 
 /* Computes r = load - K d, zero at held unknowns. */

@@ -1,5 +1,6 @@
 /* solid_model.h - the parts of struct model that every solid shares. A model's state begins
- * with a struct solid_sheet, so that these functions serve as its entries.
+ * with a struct solid_sheet, so that these functions, solid_motion_step (advance) and
+ * solid_motion_energy serve as its entries.
  */
 #ifndef SOLID_MODEL_H
 #define SOLID_MODEL_H
@@ -9,7 +10,7 @@
 struct solid_sheet {
     struct solid_motion motion; /* first: tests and benchmarks reach it                */
     struct solid_space space;
-    double misfit; /* of the rest shape, solid_model_misfit                        [m] */
+    double misfit; /* misfit of the rest shape, solid_model_misfit                 [m] */
 };
 
 /* The scene's needs that solid_motion supports; bits of scene_need. */
@@ -19,11 +20,9 @@ struct solid_sheet {
      SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |            \
      SCENE_NEED_INITIAL_MOTION)
 
-enum status solid_model_advance(void *state, struct counters *counters);
 void solid_model_size(const void *state, struct model_size *size);
 void solid_model_contact(const void *state, struct model_contact *contact);
 void solid_model_net(const void *state, double *xyz);
-void solid_model_energy(const void *state, struct energy *energy);
 
 /* Moves to static equilibrium under the loads, supports where the scene ends. In linear
  * kinematics one step of iterative refinement measures the digits left: STATUS_INDEFINITE,

@@ -372,8 +372,9 @@ out:
     return st;
 }
 
-enum status solid_motion_step(struct solid_motion *m, struct counters *counters)
+enum status solid_motion_step(void *motion, struct counters *counters)
 {
+    struct solid_motion *m = motion;
     enum status st = m->kinematics == KINEMATICS_LINEAR ? step_linear(m, counters)
                      : m->kinematics == KINEMATICS_NONLINEAR
                          ? large_motion_step(&m->large, m->time, counters)
@@ -387,8 +388,9 @@ enum status solid_motion_step(struct solid_motion *m, struct counters *counters)
     return STATUS_OK;
 }
 
-void solid_motion_energy(const struct solid_motion *m, struct energy *energy)
+void solid_motion_energy(const void *motion, struct energy *energy)
 {
+    const struct solid_motion *m = motion;
     const struct newmark *n = &m->newmark;
     const struct blocks *graph = &m->assembly.graph;
     size_t count = 3 * (size_t)m->space->nodes;

@@ -37,7 +37,7 @@ struct solid_motion {
     struct supports supports;
     struct system system;
     struct newmark newmark;
-    void *room;   /* of the arrays but dead                                   owned   */
+    void *room;   /* memory of the arrays but dead                            owned   */
     double *x;    /* [nodes][3] present coefficients                   [m]            */
     double *load; /* [nodes][3] gravity, wind and loads                [N]            */
     double *dead; /* [nodes][3] of which the scene's loads; NULL: none        owned   */
@@ -47,7 +47,7 @@ struct solid_motion {
 
     /* These are used with obstacles only. */
     struct contact_step contact;
-    double force_unit; /* of the set's forces                                 [N]     */
+    double force_unit; /* unit of the set's forces                            [N]     */
 
     /* These are used in nonlinear kinematics only. */
     struct solid_green green;
@@ -67,10 +67,11 @@ void solid_motion_clear(struct solid_motion *m);
 enum status solid_motion_add_loads(struct solid_motion *m,
                                    const struct dead_load_line line[3]);
 
-/* Takes one step of scene->step. */
-enum status solid_motion_step(struct solid_motion *m, struct counters *counters);
+/* Takes one step of scene->step; an entry of struct model, as the next. *motion is a struct
+ * solid_motion. */
+enum status solid_motion_step(void *motion, struct counters *counters);
 
 /* Returns energies; the elastic one is NaN under `printed` and `incremental`. */
-void solid_motion_energy(const struct solid_motion *m, struct energy *energy);
+void solid_motion_energy(const void *motion, struct energy *energy);
 
 #endif

@@ -39,7 +39,7 @@ struct solid_functions {
 /* Columns of nodes whose mid-surface a support holds: solid_hinge.h. */
 struct solid_hinge {
     int layers, at; /* nodes of a column; which of them stands for the mid-surface  */
-    void *room;     /* of the arrays                                        owned   */
+    void *room;     /* memory of the arrays                                 owned   */
     unsigned char *column; /* [nodes / layers] it is such a one; NULL: none is */
     double *middle; /* [layers] values of the functions through it at w = 1/2       */
     double *points; /* [nodes][3] work                                              */
@@ -49,7 +49,7 @@ struct solid_space {
     int nodes, elements;
     int local;  /* functions per element                                                */
     int gauss;  /* Gauss points per element                                             */
-    void *room; /* of ien, uvw and rest                                        owned   */
+    void *room; /* memory of ien, uvw and rest                                 owned   */
     int *ien;   /* [elements][local] ascending nodes of each element                    */
 
     /* Elements [slab[s], slab[s+1]) form slab s; slabs s and s+2 share no node, so that
@@ -73,7 +73,7 @@ struct solid_space {
      * any thread. */
     void (*functions)(const struct solid_space *space, int element,
                       struct solid_functions *out);
-    void *tables; /* of the owner of `functions`                                       */
+    void *tables; /* data of the owner of `functions`                                  */
 
     /* Remedy for locking: the stiffness by fewer points than the mass (NULL: the same
      * points). Fills `out` as `functions` does, returns the points used, at most

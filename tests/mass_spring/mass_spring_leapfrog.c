@@ -4,52 +4,38 @@
 #include "models/net/spring_stencil.h"
 #include "tests/mass_spring.h"
 
-static struct discretization leapfrog(int n, int m)
+static void leapfrog(struct net *s, int n, int m, bool held)
 {
-    struct discretization d = net_of(n, m);
-
-    d.integrator = INTEGRATOR_LEAPFROG;
-    return d;
-}
-
-static double total(struct spring_motion *m)
-{
-    struct energy e;
-
-    spring_motion_energy(m, &e);
-    return e.kinetic + e.elastic + e.potential;
+    net_init(s, n, m, held);
+    s->d.integrator = INTEGRATOR_LEAPFROG;
 }
 
 /* Energy after 4000 steps at a part of the limit, over that at the start. */
 static double growth(enum integrator integrator, double part, double beta,
                      enum precision precision)
 {
-    struct scene scene;
-    struct spring_motion m;
-    struct discretization d = leapfrog(7, 6);
+    struct net s;
     double first = 0, last = 0;
 
-    fill_scene(&scene, true);
-    memset(scene.gravity, 0, sizeof scene.gravity);
-    scene.damping = (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = beta};
-    scene.velocity[2] = 0.1;
-    d.integrator = integrator, d.precision = precision;
-    start(&m, &scene, &d);
-    CHECK(m.dt < m.limit); /* steps that it takes by itself */
-    scene.step = part * m.limit;
-    spring_motion_clear(&m);
-    d.substeps = 1;
-    start(&m, &scene, &d);
+    leapfrog(&s, 7, 6, true);
+    memset(s.scene.gravity, 0, sizeof s.scene.gravity);
+    s.scene.damping = (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = beta};
+    s.scene.velocity[2] = 0.1;
+    s.d.integrator = integrator, s.d.precision = precision;
+    net_start(&s);
+    CHECK(s.m.dt < s.m.limit); /* steps that it takes by itself */
+    s.scene.step = part * s.m.limit;
+    spring_motion_clear(&s.m);
+    s.d.substeps = 1;
+    net_start(&s);
     for (int n = 0; n < 4000 && last < 1; n++) {
-        struct counters counters = {0};
-        const enum status st = spring_motion_step(&m, &counters);
-        last = st == STATUS_OK ? total(&m) : INFINITY;
+        const enum status st = spring_motion_step(&s.m, &s.counters);
+        last = st == STATUS_OK ? net_energy(&s) : INFINITY;
         CHECK(st == STATUS_OK || st == STATUS_NAN);
         if (!n)
             first = last;
     }
-    spring_motion_clear(&m);
-    scene_clear(&scene);
+    net_clear(&s);
     return last / first;
 }
 
@@ -74,70 +60,66 @@ static void check_limit(void)
 /* A net and the same with u and v exchanged move alike, whatever their sizes. */
 static void check_exchanged(int n, int m)
 {
-    struct scene scene[2];
-    struct spring_motion motion[2];
+    const double rounding = 1e-10; /* of some thousand steps */
+    struct net s[2];
     double off = 0;
 
     for (int k = 0; k < 2; k++) {
-        struct scene_support edge = {.hi = {k ? 1 : 0, k ? 0 : 1, 1}, .fix = FIX_XYZ};
-        struct discretization d = leapfrog(k ? m : n, k ? n : m);
-        fill_scene(&scene[k], false);
-        scene[k].gravity[0] = 0;
+        const struct scene_support edge = {.hi = {k ? 1 : 0, k ? 0 : 1, 1}, .fix = FIX_XYZ};
+        struct scene *scene = &s[k].scene;
+        leapfrog(&s[k], k ? m : n, k ? n : m, false);
+        scene->gravity[0] = 0;
         if (k) {
-            double length = scene[k].length;
-            scene[k].length = scene[k].width, scene[k].width = length;
+            double length = scene->length;
+            scene->length = scene->width, scene->width = length;
         }
-        REQUIRE(scene_add_support(&scene[k], &edge) == STATUS_OK);
-        start(&motion[k], &scene[k], &d);
-        steps(&motion[k], 20);
+        REQUIRE(scene_add_support(scene, &edge) == STATUS_OK);
+        net_start(&s[k]);
+        net_steps(&s[k], 20);
     }
     for (int i = 0; i < n; i++)
         for (int j = 0; j < m; j++) {
-            const double *a = motion[0].x + 3 * (i * m + j),
-                         *b = motion[1].x + 3 * (j * n + i);
+            const double *a = s[0].m.x + 3 * (i * m + j), *b = s[1].m.x + 3 * (j * n + i);
             off = fmax(off, fabs(a[0] - b[1]) + fabs(a[1] - b[0]) + fabs(a[2] - b[2]));
         }
-    const double rounding = 1e-10; /* of some thousand steps */
     if (!CHECK(off < rounding))
         printf("%d x %d: %g\n", n, m, off);
-    CHECK(fabs(motion[0].x[3 * (n * m - 1) + 2]) > 0.01);
-    for (int k = 0; k < 2; k++) {
-        spring_motion_clear(&motion[k]);
-        scene_clear(&scene[k]);
-    }
+    CHECK(fabs(s[0].m.x[3 * (n * m - 1) + 2]) > 0.01);
+    for (int k = 0; k < 2; k++)
+        net_clear(&s[k]);
 }
 
 /* A frame's halving of velocities only takes energy, also from modes at the limit: the net
  * hangs still, no spring is strained; single precision goes where double does. */
 static void check_scaled(void)
 {
-    enum { KINDS = 3 };
-    static const enum integrator by[KINDS] = {INTEGRATOR_EXPLICIT, INTEGRATOR_LEAPFROG,
-                                              INTEGRATOR_LEAPFROG};
-    struct scene scene;
-    struct spring_motion m[KINDS];
+    static const struct {
+        enum integrator by;
+        enum precision precision;
+    } kinds[] = {{INTEGRATOR_EXPLICIT, PRECISION_DOUBLE},
+                 {INTEGRATOR_LEAPFROG, PRECISION_DOUBLE},
+                 {INTEGRATOR_LEAPFROG, PRECISION_SINGLE}};
+    struct net s[3];
     double off = 0;
 
-    fill_scene(&scene, true);
-    scene.thickness = 0.001;
-    scene.damping = (struct scene_damping){.kind = DAMPING_VELOCITY_SCALE, .value = 0.5};
-    for (int k = 0; k < KINDS; k++) {
-        struct discretization d = leapfrog(8, 7);
+    for (int k = 0; k < 3; k++) {
         struct energy e;
-        d.integrator = by[k];
-        d.precision = k == 2 ? PRECISION_SINGLE : PRECISION_DOUBLE;
-        start(&m[k], &scene, &d);
-        steps(&m[k], 400);
-        spring_motion_energy(&m[k], &e);
+        leapfrog(&s[k], 8, 7, true);
+        s[k].scene.thickness = 0.001;
+        s[k].scene.damping =
+            (struct scene_damping){.kind = DAMPING_VELOCITY_SCALE, .value = 0.5};
+        s[k].d.integrator = kinds[k].by, s[k].d.precision = kinds[k].precision;
+        net_start(&s[k]);
+        net_steps(&s[k], 400);
+        spring_motion_energy(&s[k].m, &e);
         CHECK(e.kinetic < 0.01 * -e.potential);
-        CHECK(largest_strain(&m[k]) < 0.01);
+        CHECK(net_strain(&s[k]) < 0.01);
     }
-    for (int t = 0; t < 3 * m[1].net.nodes; t++)
-        off = fmax(off, fabs(m[1].x[t] - m[2].x[t]));
+    for (int t = 0; t < 3 * s[1].m.net.nodes; t++)
+        off = fmax(off, fabs(s[1].m.x[t] - s[2].m.x[t]));
     CHECK(off > 0 && off < 1e-4);
-    for (int k = 0; k < KINDS; k++)
-        spring_motion_clear(&m[k]);
-    scene_clear(&scene);
+    for (int k = 0; k < 3; k++)
+        net_clear(&s[k]);
 }
 
 /* A sheet damped by mass and stiffness, whose edge is pulled in its plane and turns back:
@@ -151,27 +133,24 @@ struct driven {
 
 static void drive(struct driven by, double *x, double *energy)
 {
-    const double path[3][4] = {{0}, {0.05, by.pull, by.pull, 0}, {0.1}};
-    struct scene scene;
-    struct spring_motion m;
-    struct discretization d = net_of(8, 7);
+    double path[3][4] = {{0}, {0.05, by.pull, by.pull, 0}, {0.1}};
+    const struct scene_support edge = {
+        .hi = {0, 1, 1}, .fix = FIX_XYZ, .path = path, .path_count = 3};
+    struct net s;
 
-    fill_scene(&scene, true);
-    scene.gravity[0] = scene.gravity[2] = 0;
-    scene.young = 1e3;
-    scene.damping =
+    net_init(&s, 8, 7, false);
+    REQUIRE(scene_add_support(&s.scene, &edge) == STATUS_OK);
+    s.scene.gravity[0] = s.scene.gravity[2] = 0;
+    s.scene.young = 1e3;
+    s.scene.damping =
         (struct scene_damping){.kind = DAMPING_RAYLEIGH, .alpha = 1, .beta = 2e-3};
-    scene.supports[0].path = malloc(sizeof path);
-    REQUIRE(scene.supports[0].path);
-    memcpy(scene.supports[0].path, path, sizeof path);
-    scene.supports[0].path_count = 3;
-    d.integrator = by.integrator, d.substeps = by.substeps, d.precision = by.precision;
-    start(&m, &scene, &d);
-    steps(&m, 8);
-    memcpy(x, m.x, 3 * (size_t)m.net.nodes * sizeof *x);
-    *energy = total(&m);
-    spring_motion_clear(&m);
-    scene_clear(&scene);
+    s.d.integrator = by.integrator, s.d.substeps = by.substeps,
+    s.d.precision = by.precision;
+    net_start(&s);
+    net_steps(&s, 8);
+    memcpy(x, s.m.x, 3 * (size_t)s.m.net.nodes * sizeof *x);
+    *energy = net_energy(&s);
+    net_clear(&s);
 }
 
 /* Damping by stiffness knows the velocity of held points, too: the leapfrog goes where the

@@ -5,30 +5,41 @@
 #include "projective_dynamics/pd_motion.h"
 #include "tests/mass_spring.h"
 
-static struct discretization constraints(int n, int m)
-{
-    struct discretization d = net_of(n, m);
+/* A net under constraints that moves. */
+struct constraints {
+    struct scene scene;
+    struct discretization d;
+    struct pb_motion m;
+};
 
-    d.iterations = 1;
-    return d;
+static void init(struct constraints *s, int n, int m, bool held)
+{
+    *s = (struct constraints){.d = net_of(n, m)};
+    s->d.iterations = 1;
+    fill_scene(&s->scene, held);
 }
 
-static void begin(struct pb_motion *m, const struct scene *scene,
-                  const struct discretization *d)
+static void begin(struct constraints *s)
 {
     struct message why = {{0}};
 
-    if (!CHECK(pb_motion_init(m, scene, d, &why) == STATUS_OK))
+    if (!CHECK(pb_motion_init(&s->m, &s->scene, &s->d, &why) == STATUS_OK))
         printf("%s\n", why.text);
-    REQUIRE(m->x);
+    REQUIRE(s->m.x);
 }
 
-static void frames(struct pb_motion *m, int count)
+static void frames(struct constraints *s, int count)
 {
     struct counters counters = {0};
 
     for (int n = 0; n < count; n++)
-        REQUIRE(pb_motion_frame(m, &counters) == STATUS_OK);
+        REQUIRE(pb_motion_frame(&s->m, &counters) == STATUS_OK);
+}
+
+static void clear(struct constraints *s)
+{
+    pb_motion_clear(&s->m);
+    scene_clear(&s->scene);
 }
 
 static double distance(const double *a, const double *b, int numbers)
@@ -44,33 +55,29 @@ static double distance(const double *a, const double *b, int numbers)
 static void check_momentum(int n, int m, enum projection projection)
 {
     const double rounding = 1e-12; /* of some thousand steps */
-    struct scene scene;
-    struct pb_motion motion;
-    struct discretization d = constraints(n, m);
+    struct constraints s;
     double before[3] = {0}, after[3] = {0};
 
-    fill_scene(&scene, false);
-    memset(scene.gravity, 0, sizeof scene.gravity);
-    OWN(pb_own, &d)->projection = projection;
-    begin(&motion, &scene, &d);
+    init(&s, n, m, false);
+    memset(s.scene.gravity, 0, sizeof s.scene.gravity);
+    OWN(pb_own, &s.d)->projection = projection;
+    begin(&s);
     for (int k = 0; k < 3 * n * m; k++) {
-        motion.work[k] = motion.dt * noise(k);
-        before[k % 3] += motion.points.mass[k / 3] * noise(k);
+        s.m.work[k] = s.m.dt * noise(k);
+        before[k % 3] += s.m.points.mass[k / 3] * noise(k);
     }
-    pb_sweep_put(motion.sweep, PB_D, 3, motion.work);
-    frames(&motion, 5);
+    pb_sweep_put(s.m.sweep, PB_D, 3, s.m.work);
+    frames(&s, 5);
     for (int k = 0; k < 3 * n * m; k++)
-        after[k % 3] += motion.points.mass[k / 3] * motion.v[k];
+        after[k % 3] += s.m.points.mass[k / 3] * s.m.v[k];
     if (!CHECK(distance(before, after, 3) < rounding))
         printf("%d x %d: momentum changes by %.2e\n", n, m, distance(before, after, 3));
-    pb_motion_clear(&motion);
-    scene_clear(&scene);
+    clear(&s);
 }
 
 /* A sheet that is thrown, of springs that hardly bend, for one step of three solvers. */
 static void throw_sheet(struct scene *scene, double dt)
 {
-    fill_scene(scene, true);
     scene->thickness = 1e-5;
     scene->young = 1e6;
     scene->step = dt;
@@ -82,38 +89,39 @@ static void throw_sheet(struct scene *scene, double dt)
  * far off they end, of how far they moved. */
 static double same_step(int n, int m, double dt, double *projective)
 {
-    struct scene scene;
-    struct spring_motion springs;
+    struct net springs;
+    struct constraints pb;
     struct pd_motion pd;
-    struct pb_motion pb;
-    struct discretization d = net_of(n, m), p = constraints(n, m);
     const struct pd_options o = {.points = {n, m},
                                  .constraint = CONSTRAINT_EDGES,
                                  .substeps = 1,
                                  .iterations = 200000,
                                  .tolerance = 1e-13};
-    struct counters counters = {0};
+    const int count = 3 * n * m;
     struct message why;
-    double *x = calloc((size_t)(3 * n * m), sizeof *x);
+    double *x = calloc((size_t)count, sizeof *x);
 
     REQUIRE(x);
-    throw_sheet(&scene, dt);
-    d.tolerance = 1e-10, p.iterations = 3000, p.substeps = 1;
-    start(&springs, &scene, &d);
-    CHECK(spring_motion_step(&springs, &counters) == STATUS_OK);
-    REQUIRE(pd_motion_init(&pd, &scene, &o, &why) == STATUS_OK);
-    CHECK(pd_motion_frame(&pd, &counters) == STATUS_OK);
-    for (int a = 0; a < 3 * n * m; a++)
+    net_init(&springs, n, m, true);
+    throw_sheet(&springs.scene, dt);
+    springs.d.tolerance = 1e-10;
+    net_start(&springs);
+    net_steps(&springs, 1);
+    REQUIRE(pd_motion_init(&pd, &springs.scene, &o, &why) == STATUS_OK);
+    CHECK(pd_motion_frame(&pd, &springs.counters) == STATUS_OK);
+    for (int a = 0; a < count; a++)
         x[a] = pd.x[a % 3 * pd_net_stride(&pd.energy.net) + a / 3];
-    begin(&pb, &scene, &p);
+    init(&pb, n, m, true);
+    throw_sheet(&pb.scene, dt);
+    pb.d.iterations = 3000, pb.d.substeps = 1;
+    begin(&pb);
     frames(&pb, 1);
-    double moved = distance(springs.x, springs.net.rest, 3 * n * m);
-    *projective = distance(springs.x, x, 3 * n * m) / moved;
-    double off = distance(springs.x, pb.x, 3 * n * m) / moved;
+    double moved = distance(springs.m.x, springs.m.net.rest, count);
+    *projective = distance(springs.m.x, x, count) / moved;
+    double off = distance(springs.m.x, pb.m.x, count) / moved;
     pd_motion_clear(&pd);
-    pb_motion_clear(&pb);
-    spring_motion_clear(&springs);
-    scene_clear(&scene);
+    clear(&pb);
+    net_clear(&springs);
     free(x);
     return off;
 }
@@ -166,25 +174,22 @@ static void check_rest(int n, int m, double nu, unsigned fix, double thickness)
 {
     const double tolerance = 1e-3; /* e^-10 of the swing, and what iterations leave */
     struct scene_support corner = {.lo = {1, 1, 0}, .hi = {1, 1, 1}, .fix = fix};
-    struct scene scene;
-    struct pb_motion motion;
-    struct discretization d = constraints(n, m);
+    struct constraints s;
 
-    fill_scene(&scene, true);
-    REQUIRE(scene_add_support(&scene, &corner) == STATUS_OK);
-    scene.poisson = nu, scene.thickness = thickness, scene.young = 2e4;
-    scene.damping = (struct scene_damping){.kind = DAMPING_VELOCITY_SCALE, .value = 0.9};
-    d.substeps = 10, d.iterations = 30;
-    begin(&motion, &scene, &d);
-    CHECK(motion.bending_every == 1);
-    frames(&motion, 300);
+    init(&s, n, m, true);
+    REQUIRE(scene_add_support(&s.scene, &corner) == STATUS_OK);
+    s.scene.poisson = nu, s.scene.thickness = thickness, s.scene.young = 2e4;
+    s.scene.damping = (struct scene_damping){.kind = DAMPING_VELOCITY_SCALE, .value = 0.9};
+    s.d.substeps = 10, s.d.iterations = 30;
+    begin(&s);
+    CHECK(s.m.bending_every == 1);
+    frames(&s, 300);
     for (int k = 0; k < 3; k++) {
-        double off = slope(&motion, k);
+        double off = slope(&s.m, k);
         if (!CHECK(off < tolerance))
             printf("%d x %d, nu = %g: slope %.2e of the loads'\n", n, m, nu, off);
     }
-    pb_motion_clear(&motion);
-    scene_clear(&scene);
+    clear(&s);
 }
 
 /* --- in time -----------------------------------------------------------------------------
@@ -194,21 +199,18 @@ static void check_rest(int n, int m, double nu, unsigned fix, double thickness)
  * x[nodes][3]. */
 static void swing(int substeps, enum precision precision, int pbd, int count, double *x)
 {
-    struct scene scene;
-    struct pb_motion m;
-    struct discretization d = constraints(8, 7);
+    struct constraints s;
 
-    fill_scene(&scene, true);
-    scene.thickness = 0.003, scene.young = 2e4;
-    d.substeps = substeps, d.precision = precision;
+    init(&s, 8, 7, true);
+    s.scene.thickness = 0.003, s.scene.young = 2e4;
+    s.d.substeps = substeps, s.d.precision = precision;
     if (pbd)
-        OWN(pb_own, &d)->projection = PROJECTION_PBD, d.iterations = pbd;
-    begin(&m, &scene, &d);
-    frames(&m, 40);
-    REQUIRE(count == 3 * m.net.nodes);
-    memcpy(x, m.x, (size_t)count * sizeof *x);
-    pb_motion_clear(&m);
-    scene_clear(&scene);
+        OWN(pb_own, &s.d)->projection = PROJECTION_PBD, s.d.iterations = pbd;
+    begin(&s);
+    frames(&s, 40);
+    REQUIRE(count == 3 * s.m.net.nodes);
+    memcpy(x, s.m.x, (size_t)count * sizeof *x);
+    clear(&s);
 }
 
 /* First order, as implicit Euler; what one iteration leaves goes with the square. Single
@@ -240,32 +242,30 @@ static void check_order(void)
  * over its springs and the two points that move. */
 static double breath(double beta, double *rate)
 {
-    struct scene scene;
-    struct pb_motion m;
+    static const struct scene_support supports[] = {
+        {.hi = {0, 1, 1}, .fix = FIX_XYZ},
+        {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_Y | FIX_Z}};
+    struct constraints s;
     struct energy e;
-    struct discretization d = constraints(2, 2);
-    struct scene_support edge = {.hi = {0, 1, 1}, .fix = FIX_XYZ},
-                         side = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_Y | FIX_Z};
     double stiffness = 0;
 
-    fill_scene(&scene, false);
-    REQUIRE(scene_add_support(&scene, &edge) == STATUS_OK);
-    REQUIRE(scene_add_support(&scene, &side) == STATUS_OK);
-    memset(scene.gravity, 0, sizeof scene.gravity);
-    scene.velocity[0] = 1e-3, scene.young = 1000;
-    scene.damping = (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = beta};
-    d.substeps = 200;
-    begin(&m, &scene, &d);
-    frames(&m, 40);
-    pb_motion_energy(&m, &e);
-    for (int n = 0; n < m.net.spring_count; n++) {
-        const struct spring *s = &m.net.springs[n];
-        double along = m.net.rest[3 * s->b] - m.net.rest[3 * s->a];
-        stiffness += s->stiffness * along * along / (s->length * s->length);
+    init(&s, 2, 2, false);
+    for (int k = 0; k < 2; k++)
+        REQUIRE(scene_add_support(&s.scene, &supports[k]) == STATUS_OK);
+    memset(s.scene.gravity, 0, sizeof s.scene.gravity);
+    s.scene.velocity[0] = 1e-3, s.scene.young = 1000;
+    s.scene.damping = (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = beta};
+    s.d.substeps = 200;
+    begin(&s);
+    frames(&s, 40);
+    pb_motion_energy(&s.m, &e);
+    for (int n = 0; n < s.m.net.spring_count; n++) {
+        const struct spring *one = &s.m.net.springs[n];
+        double along = s.m.net.rest[3 * one->b] - s.m.net.rest[3 * one->a];
+        stiffness += one->stiffness * along * along / (one->length * one->length);
     }
-    *rate = beta * stiffness / (m.points.mass[2] + m.points.mass[3]);
-    pb_motion_clear(&m);
-    scene_clear(&scene);
+    *rate = beta * stiffness / (s.m.points.mass[2] + s.m.points.mass[3]);
+    clear(&s);
     return e.kinetic + e.elastic;
 }
 
@@ -283,21 +283,15 @@ static void check_damping(void)
 static void check_doubt(void)
 {
     for (int k = 0; k < 2; k++) {
-        struct scene scene;
-        struct discretization d = constraints(12, 12);
-        struct counters counters = {0};
+        struct constraints s;
         struct message line = {{0}};
-        void *state = NULL;
-        fill_scene(&scene, true);
-        d.substeps = k ? 0 : 1;
-        REQUIRE(position_based_model.create(&scene, &d, &state, &line) == STATUS_OK);
-        line.text[0] = 0;
-        for (int n = 0; n < 61; n++)
-            REQUIRE(position_based_model.advance(state, &counters) == STATUS_OK);
-        position_based_model.doubt(state, &line);
+        init(&s, 12, 12, true);
+        s.d.substeps = k ? 0 : 1;
+        begin(&s);
+        frames(&s, 61);
+        position_based_model.doubt(&s.m, &line);
         CHECK((line.text[0] == 0) == (k == 1));
-        position_based_model.destroy(state);
-        scene_clear(&scene);
+        clear(&s);
     }
 }
 

@@ -180,22 +180,6 @@ static void check_sooner(enum constraint constraint, double nu, bool split)
  * end within 2e-4 of its length, whatever their number. */
 static const double MOST_STRETCH = 1.005;
 
-/* Of the edges along u, which a swing pulls. */
-static double longest(const struct pd_motion *m)
-{
-    const struct pd_net *net = &m->energy.net;
-    const ptrdiff_t stride = pd_net_stride(net);
-    double most = 0;
-
-    for (int k = 0; k < net->nodes - net->m; k++) {
-        double sum = 0;
-        for (int c = 0; c < 3; c++)
-            sum += pow(m->x[c * stride + k + net->m] - m->x[c * stride + k], 2);
-        most = fmax(most, sqrt(sum) / net->du);
-    }
-    return most;
-}
-
 static void check_acceleration_holds(int iterations, double young)
 {
     struct scene scene;
@@ -215,7 +199,7 @@ static void check_acceleration_holds(int iterations, double young)
     pd_fixture_motion(&m, &scene, &o);
     for (int frame = 0; frame < 100; frame++) {
         pd_fixture_frames(&m, 1);
-        most = fmax(most, longest(&m));
+        most = fmax(most, pd_fixture_longest(&m));
     }
     printf("%d accelerated iterations, E = %g: stretch %.5f\n", iterations, young, most);
     CHECK(most < MOST_STRETCH);

@@ -122,14 +122,13 @@ static void check_pairs(const struct system *s, int count, const double *lambda,
 static void check_net(const struct net *net, int count)
 {
     struct system s = make(net);
-    struct eigen_matrix K = {.n = s.n, .start = s.start, .row = s.row, .value = s.k};
-    struct eigen_matrix M = {.n = s.n, .start = s.start, .row = s.row, .value = s.mass};
+    const struct eigen_pair pair = {s.n, s.start, s.row, s.k, s.mass};
     struct message why = {""};
     double *want = closed_form(net), *lambda = malloc(count * sizeof *lambda);
     double *again = malloc(count * sizeof *again);
     double *vector = malloc((size_t)count * s.n * sizeof *vector);
 
-    CHECK(eigen_lowest(&K, &M, count, lambda, vector, &why) == STATUS_OK);
+    CHECK(eigen_lowest(&pair, count, lambda, vector, &why) == STATUS_OK);
     if (!CHECK(!*why.text)) {
         printf("%s\n", why.text);
         exit(1);
@@ -138,10 +137,10 @@ static void check_net(const struct net *net, int count)
         CHECK_NEAR(lambda[a], want[a], TOL_LAMBDA);
     check_pairs(&s, count, lambda, vector);
     if (s.n > EIGEN_DENSE_MAX) { /* the same bits every run */
-        CHECK(eigen_lowest(&K, &M, count, again, vector, NULL) == STATUS_OK);
+        CHECK(eigen_lowest(&pair, count, again, vector, NULL) == STATUS_OK);
         CHECK(!memcmp(lambda, again, count * sizeof *lambda));
     }
-    CHECK(eigen_lowest(&K, &M, count, again, NULL, NULL) == STATUS_OK);
+    CHECK(eigen_lowest(&pair, count, again, NULL, NULL) == STATUS_OK);
     for (int a = 0; a < count; a++)
         CHECK_NEAR(again[a], want[a], TOL_LAMBDA);
     free(want);
@@ -155,12 +154,11 @@ static void check_refusal(int n)
 {
     const struct net net = {.n = n, .m = 1, .held = true};
     struct system s = make(&net);
-    struct eigen_matrix K = {.n = s.n, .start = s.start, .row = s.row, .value = s.k};
-    struct eigen_matrix M = {.n = s.n, .start = s.start, .row = s.row, .value = s.mass};
+    const struct eigen_pair pair = {s.n, s.start, s.row, s.k, s.mass};
     struct message why = {""};
     double lambda[2];
     s.mass[s.start[n / 2]] = -1e4;
-    CHECK(eigen_lowest(&K, &M, 2, lambda, NULL, &why) == STATUS_INDEFINITE && *why.text);
+    CHECK(eigen_lowest(&pair, 2, lambda, NULL, &why) == STATUS_INDEFINITE && *why.text);
     clear(&s);
 }
 

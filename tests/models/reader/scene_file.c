@@ -2,6 +2,7 @@
 #include "models/model.h"
 #include "models/reader/scene_file.h"
 #include "models/reader/scene_schema.h"
+#include "models/vector.h"
 #include "tests/check.h"
 
 static const char MINIMAL[] = "name: minimal\n"
@@ -10,38 +11,76 @@ static const char MINIMAL[] = "name: minimal\n"
                               "material: {young: 1e5, poisson: 0.3, density: 0.5}\n"
                               "time: {step: 0.1, end: 1}\n";
 
-/* What every model's defaults look like here. */
-static struct discretization defaults(void)
+/* Models with choices of their own. */
+struct own {
+    int turns;
+    enum weave { PLAIN, TWILL } weave;
+};
+
+static const struct schema_key options[] = {
+    {"points"},
+    {"turns", "of the yarn", SCHEMA_COUNT, .high = 9, OPTION_OWN(own, turns)},
+    {"weave", "of the cloth", OPTION_WORDS([PLAIN] = "plain", [TWILL] = "twill"),
+     OPTION_OWN(own, weave)},
+    {NULL},
+};
+static const struct model yarn = {.name = "yarn", .options = options},
+                          felt = {.name = "felt", .options = options + 3};
+
+static const struct model *both(int n)
 {
-    return (struct discretization){.points = {10, 10, 2}, .degree = {2, 2, 1}};
+    return n == 0 ? &felt : n == 1 ? &yarn : NULL;
 }
 
-static enum status parse(const char *text, int count, const char *const *settings,
-                         struct scene *s, struct discretization *d)
-{
+/* A scene as it was read, and a discretization whose defaults any model may have. */
+struct read {
+    struct scene s;
+    struct discretization d;
     struct message why;
-    const enum status st =
-        scene_file_parse("memory", text, strlen(text), count, settings, s, d, &why);
+    enum status st;
+};
 
-    if (st != STATUS_OK)
-        printf("%s\n", why.text);
-    return st;
+static struct read try_text(const char *text, const struct model *model, int count,
+                            const char *const *settings)
+{
+    struct read r = {.d = {.points = {10, 10, 2}, .degree = {2, 2, 1}}};
+
+    r.d.model = model, r.d.others = both;
+    r.st =
+        scene_file_parse("memory", text, strlen(text), count, settings, &r.s, &r.d, &r.why);
+    return r;
+}
+
+static struct read read_text(const char *text, const struct model *model, int count,
+                             const char *const *settings)
+{
+    const struct read r = try_text(text, model, count, settings);
+
+    if (!CHECK(r.st == STATUS_OK)) {
+        printf("%s\n", r.why.text);
+        exit(1);
+    }
+    return r;
+}
+
+static void clear(struct read *r)
+{
+    scene_clear(&r->s);
+    discretization_clear(&r->d);
 }
 
 static void check_minimal(void)
 {
-    struct scene s;
-    struct discretization d = defaults();
+    struct read r = read_text(MINIMAL, NULL, 0, NULL);
+    const struct scene *s = &r.s;
 
-    REQUIRE(parse(MINIMAL, 0, NULL, &s, &d) == STATUS_OK);
-    CHECK(!strcmp(s.name, "minimal") && !strcmp(s.source, "a test"));
-    CHECK(!strcmp(s.text, MINIMAL));
-    CHECK(s.width == 2 && s.young == 1e5 && s.poisson == 0.3 && s.step == 0.1);
-    CHECK(s.axis_u[0] == 1 && s.axis_v[1] == 1 && s.gravity[2] == 0);
-    CHECK(s.damping.kind == DAMPING_NONE && s.support_count == 0 && s.snapshot_count == 0);
-    CHECK(d.points[0] == 10 && d.degree[2] == 1);
-    scene_clear(&s);
-    discretization_clear(&d);
+    CHECK(!strcmp(s->name, "minimal") && !strcmp(s->source, "a test"));
+    CHECK(!strcmp(s->text, MINIMAL));
+    CHECK(s->width == 2 && s->young == 1e5 && s->poisson == 0.3 && s->step == 0.1);
+    CHECK(s->axis_u[0] == 1 && s->axis_v[1] == 1 && s->gravity[2] == 0);
+    CHECK(s->damping.kind == DAMPING_NONE && !s->support_count && !s->snapshot_count);
+    CHECK(r.d.points[0] == 10 && r.d.degree[2] == 1);
+    clear(&r);
 }
 
 /* Axes to a thousandth are made orthonormal, u keeping its direction. */
@@ -49,24 +88,15 @@ static void check_axes(void)
 {
     const char *const settings[] = {
         "pose={u: [0.99875234, 0, 0.04993762], v: [0.0007, 0.9996, 0]}"};
-    const double length = sqrt(0.99875234 * 0.99875234 + 0.04993762 * 0.04993762);
-    struct scene s;
-    struct discretization d = defaults();
-    double product = 0, size[2] = {0};
+    struct read r = read_text(MINIMAL, NULL, 1, settings);
+    const double *u = r.s.axis_u, *v = r.s.axis_v;
 
-    REQUIRE(parse(MINIMAL, 1, settings, &s, &d) == STATUS_OK);
-    for (int i = 0; i < 3; i++) {
-        product += s.axis_u[i] * s.axis_v[i];
-        size[0] += s.axis_u[i] * s.axis_u[i];
-        size[1] += s.axis_v[i] * s.axis_v[i];
-    }
-    CHECK_NEAR(product, 0, 1e-15);
-    CHECK_NEAR(size[0], 1, 1e-15);
-    CHECK_NEAR(size[1], 1, 1e-15);
-    CHECK_NEAR(s.axis_u[0], 0.99875234 / length, 1e-15);
-    CHECK(s.axis_v[0] > 0 && s.axis_v[2] < 0);
-    scene_clear(&s);
-    discretization_clear(&d);
+    CHECK_NEAR(vector_dot(u, v), 0, 1e-15);
+    CHECK_NEAR(vector_length(u), 1, 1e-15);
+    CHECK_NEAR(vector_length(v), 1, 1e-15);
+    CHECK_NEAR(u[0], 0.99875234 / hypot(0.99875234, 0.04993762), 1e-15);
+    CHECK(v[0] > 0 && v[2] < 0);
+    clear(&r);
 }
 
 static void check_everything(void)
@@ -90,11 +120,10 @@ static void check_everything(void)
         "- sphere: {center: [1, 0, 0], radius: 0.5}\n"
         "time: {step: 0.1, end: 1}\n"
         "snapshots: [0, 0.5, 1]\n";
-    struct scene s;
-    struct discretization d = defaults();
+    struct read r = read_text(text, NULL, 0, NULL);
+    const struct scene s = r.s;
     const struct scene_support *a, *b;
 
-    REQUIRE(parse(text, 0, NULL, &s, &d) == STATUS_OK);
     CHECK(!strcmp(s.source, "a: test"));
     CHECK(s.origin[2] == 3 && s.axis_u[2] == 0.8 && s.axis_v[0] == 1);
     CHECK(s.drag == 2 && s.wind[0] == 3 && s.gravity[2] == -9.81 && s.poisson == -0.5);
@@ -115,8 +144,7 @@ static void check_everything(void)
     CHECK(s.obstacles[1].kind == OBSTACLE_SPHERE && s.obstacles[1].radius == 0.5);
     CHECK(s.obstacles[1].point[0] == 1 && s.obstacles[1].friction == 0);
     CHECK(s.snapshots[1] == 0.5);
-    scene_clear(&s);
-    discretization_clear(&d);
+    clear(&r);
 }
 
 static void check_settings(void)
@@ -138,16 +166,14 @@ static void check_settings(void)
                                            "discretization.remedy=incompatible",
                                            "discretization.unknowns=thickness",
                                            "discretization.solver=banded"};
-    const int count = sizeof settings / sizeof *settings;
-    struct scene s;
-    struct discretization d = defaults();
+    struct read r = read_text(MINIMAL, NULL, sizeof settings / sizeof *settings, settings);
+    const struct discretization d = r.d;
 
-    REQUIRE(parse(MINIMAL, count, settings, &s, &d) == STATUS_OK);
-    CHECK(s.young == 6e4 && s.gravity[2] == -1);
-    CHECK(s.damping.kind == DAMPING_MASS && s.damping.value == 2);
-    REQUIRE(s.support_count == 1);
-    CHECK(s.supports[0].fix == (FIX_X | FIX_Y) && s.supports[0].hi[0] == 0.5);
-    CHECK(s.supports[0].line == 0);
+    CHECK(r.s.young == 6e4 && r.s.gravity[2] == -1);
+    CHECK(r.s.damping.kind == DAMPING_MASS && r.s.damping.value == 2);
+    REQUIRE(r.s.support_count == 1);
+    CHECK(r.s.supports[0].fix == (FIX_X | FIX_Y) && r.s.supports[0].hi[0] == 0.5);
+    CHECK(r.s.supports[0].line == 0);
     CHECK(d.points[0] == 20 && d.points[1] == 30 && d.points[2] == 3);
     CHECK(d.degree[0] == 3 && d.degree[1] == 4 && d.degree[2] == 1);
     CHECK(d.gauss[0] == 4 && d.gauss[2] == 0);
@@ -155,40 +181,16 @@ static void check_settings(void)
     CHECK(d.weight_count == 2 && d.weights[1] == 2.5);
     CHECK(d.kinematics == KINEMATICS_PRINTED && d.remedy == REMEDY_INCOMPATIBLE);
     CHECK(d.unknowns == UNKNOWNS_THICKNESS && d.solver == SOLVER_BANDED);
-    CHECK(!strncmp(s.text, MINIMAL, strlen(MINIMAL)));
-    CHECK(strstr(s.text, "\n# --set material.young=5e4\n# --set material.young=6e4\n"));
-    scene_clear(&s);
+    CHECK(!strncmp(r.s.text, MINIMAL, strlen(MINIMAL)));
+    CHECK(strstr(r.s.text, "\n# --set material.young=5e4\n# --set material.young=6e4\n"));
+    clear(&r);
 
     /* A text without a last line break gets one before its settings. */
-    discretization_clear(&d);
-    d = defaults();
-    REQUIRE(parse("name: a\nsource: b\nsheet: {length: 1, width: 2, thickness: 0.01}\n"
+    r = read_text("name: a\nsource: b\nsheet: {length: 1, width: 2, thickness: 0.01}\n"
                   "material: {young: 1, poisson: 0, density: 1}\ntime: {step: 1, end: 2}",
-                  1, settings, &s, &d) == STATUS_OK);
-    CHECK(strstr(s.text, "end: 2}\n# --set material.young=5e4\n"));
-    scene_clear(&s);
-    discretization_clear(&d);
-}
-
-/* Models with choices of their own. */
-struct own {
-    int turns;
-    enum weave { PLAIN, TWILL } weave;
-};
-
-static const struct schema_key options[] = {
-    {"points"},
-    {"turns", "of the yarn", SCHEMA_COUNT, .high = 9, OPTION_OWN(own, turns)},
-    {"weave", "of the cloth", OPTION_WORDS([PLAIN] = "plain", [TWILL] = "twill"),
-     OPTION_OWN(own, weave)},
-    {NULL},
-};
-static const struct model yarn = {.name = "yarn", .options = options},
-                          felt = {.name = "felt", .options = options + 3};
-
-static const struct model *both(int n)
-{
-    return n == 0 ? &felt : n == 1 ? &yarn : NULL;
+                  NULL, 1, settings);
+    CHECK(strstr(r.s.text, "end: 2}\n# --set material.young=5e4\n"));
+    clear(&r);
 }
 
 /* Every key as it was set, printed as the settings that set it again. */
@@ -217,22 +219,18 @@ static void check_printed(void)
         "discretization.turns=3",
         "discretization.weave=twill"};
     const int count = sizeof settings / sizeof *settings;
-    struct scene s;
-    struct discretization d = defaults();
+    struct read r = read_text(MINIMAL, &yarn, count, settings);
     char *text = NULL, *line;
 
-    d.model = &yarn;
-    REQUIRE(parse(MINIMAL, count, settings, &s, &d) == STATUS_OK);
-    CHECK(OWN(own, &d)->turns == 3 && OWN(own, &d)->weave == TWILL && !d.foreign);
-    REQUIRE(scene_schema_print(&d, &text) == STATUS_OK);
+    CHECK(OWN(own, &r.d)->turns == 3 && OWN(own, &r.d)->weave == TWILL && !r.d.foreign);
+    REQUIRE(scene_schema_print(&r.d, &text) == STATUS_OK);
     line = strtok(text, "\n");
     for (int n = 0; n < count; n++, line = strtok(NULL, "\n"))
         if (!CHECK(line && !strcmp(line, settings[n])))
             printf("  printed: %s\n  set:     %s\n", line ? line : "nothing", settings[n]);
     CHECK(!line);
     free(text);
-    scene_clear(&s);
-    discretization_clear(&d);
+    clear(&r);
 }
 
 /* Choices of others may be named as they are, and are told if not; they change nothing. */
@@ -250,40 +248,40 @@ static void check_foreign(void)
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++)
         for (int felted = 0; felted < 2; felted++) {
-            struct discretization d = defaults();
-            struct message why = {""};
-            struct scene s;
             const char *foreign = cases[n].foreign;
-            d.model = felted ? &felt : NULL, d.others = both;
-            const enum status st = scene_file_parse("memory", MINIMAL, strlen(MINIMAL), 1,
-                                                    &cases[n].setting, &s, &d, &why);
-            CHECK(st == (*cases[n].part ? STATUS_INPUT : STATUS_OK));
-            if (!CHECK(strstr(why.text, cases[n].part)))
-                printf("%s: %s\n", cases[n].setting, why.text);
-            CHECK(foreign ? d.foreign && !strcmp(d.foreign->key, foreign) : !d.foreign);
-            CHECK(!OWN(own, &d)->turns && !OWN(own, &d)->weave);
-            scene_clear(&s);
+            struct read r = try_text(MINIMAL, felted ? &felt : NULL, 1, &cases[n].setting);
+            CHECK(r.st == (*cases[n].part ? STATUS_INPUT : STATUS_OK));
+            if (!CHECK(strstr(r.why.text, cases[n].part)))
+                printf("%s: %s\n", cases[n].setting, r.why.text);
+            CHECK(foreign ? r.d.foreign && !strcmp(r.d.foreign->key, foreign)
+                          : !r.d.foreign);
+            CHECK(!OWN(own, &r.d)->turns && !OWN(own, &r.d)->weave);
+            clear(&r);
         }
+}
+
+static struct read read_file(const char *path, int count, const char *const *settings)
+{
+    struct read r = {.d = {.points = {10, 10, 2}}};
+
+    r.st = scene_file_read(path, count, settings, &r.s, &r.d, &r.why);
+    if (!CHECK(r.st == STATUS_OK))
+        printf("%s\n", r.why.text);
+    return r;
 }
 
 /* Settings outrank what they make meaningless in the file. */
 static void check_outranked(void)
 {
     static const char *const early = "time.end=1.0", *const undamped = "damping.kind=none";
-    struct scene s;
-    struct discretization d = defaults();
-    struct message why;
-    char *path = NULL;
+    static const char path[] = SOURCE_DIR "/models/scenes/edge_drop.yaml";
+    struct read r = read_file(path, 1, &early);
 
-    REQUIRE(scene_file_find("edge_drop", &path, &why) == STATUS_OK);
-    REQUIRE(scene_file_read(path, 1, &early, &s, &d, &why) == STATUS_OK);
-    CHECK(s.end == 1 && s.snapshot_count == 1 && s.snapshots[0] == 0.5);
-    scene_clear(&s);
-    REQUIRE(scene_file_read(path, 1, &undamped, &s, &d, &why) == STATUS_OK);
-    CHECK(s.damping.kind == DAMPING_NONE && s.damping.value == 0);
-    scene_clear(&s);
-    free(path);
-    discretization_clear(&d);
+    CHECK(r.s.end == 1 && r.s.snapshot_count == 1 && r.s.snapshots[0] == 0.5);
+    clear(&r);
+    r = read_file(path, 1, &undamped);
+    CHECK(r.s.damping.kind == DAMPING_NONE && r.s.damping.value == 0);
+    clear(&r);
 }
 
 /* A failure leaves the discretization as it was and the scene all-zero. */
@@ -292,15 +290,12 @@ static void check_failure(void)
     static const char *const settings[] = {"discretization.points=[20,30,3]",
                                            "discretization.degree=[0,0,0]"};
     static const struct scene zero;
-    struct scene s;
-    struct discretization d = defaults();
-    struct message why;
+    struct read r = try_text(MINIMAL, NULL, 2, settings);
 
-    CHECK(scene_file_parse("memory", MINIMAL, strlen(MINIMAL), 2, settings, &s, &d, &why) ==
-          STATUS_INPUT);
-    CHECK(!memcmp(&s, &zero, sizeof s) && d.points[0] == 10);
-    CHECK(scene_file_parse("memory", "", 0, 0, NULL, &s, &d, NULL) == STATUS_INPUT);
-    discretization_clear(&d);
+    CHECK(r.st == STATUS_INPUT);
+    CHECK(!memcmp(&r.s, &zero, sizeof zero) && r.d.points[0] == 10);
+    CHECK(scene_file_parse("memory", "", 0, 0, NULL, &r.s, &r.d, NULL) == STATUS_INPUT);
+    clear(&r);
 }
 
 static void check_shipped(void)
@@ -312,21 +307,17 @@ static void check_shipped(void)
     REQUIRE(named_file_list(&scene_file_kind, &entries, &count, &why) == STATUS_OK);
     CHECK(count >= 9);
     for (int i = 0; i < count; i++) {
-        struct scene s = {NULL};
-        struct discretization d = defaults();
         char *path = NULL;
 
         CHECK(i == 0 || strcmp(entries[i - 1].name, entries[i].name) < 0);
-        CHECK(scene_file_find(entries[i].name, &path, &why) == STATUS_OK);
-        if (path && CHECK(scene_file_read(path, 0, NULL, &s, &d, &why) == STATUS_OK)) {
-            CHECK(!strcmp(s.name, entries[i].name));
-            CHECK(!strcmp(s.about ? s.about : s.source, entries[i].text));
-            CHECK(!strstr(entries[i].text, "bends a little") ||
-                  scene_gamma(&s) <= SCENE_GAMMA_ONE_PERCENT);
-        } else
-            printf("%s\n", why.text);
-        scene_clear(&s);
-        discretization_clear(&d);
+        REQUIRE(scene_file_find(entries[i].name, &path, &why) == STATUS_OK);
+        struct read r = read_file(path, 0, NULL);
+        REQUIRE(r.st == STATUS_OK);
+        CHECK(!strcmp(r.s.name, entries[i].name));
+        CHECK(!strcmp(r.s.about ? r.s.about : r.s.source, entries[i].text));
+        CHECK(!strstr(entries[i].text, "bends a little") ||
+              scene_gamma(&r.s) <= SCENE_GAMMA_ONE_PERCENT);
+        clear(&r);
         free(path);
     }
     named_file_list_free(entries, count);
@@ -370,7 +361,7 @@ int main(void)
     check_failure();
     check_shipped();
     check_names();
-    scene_file_keys(count_key, &seen);
+    scene_schema_list(count_key, &seen);
     CHECK(seen == 4);
     return check_result();
 }

@@ -26,7 +26,7 @@ const struct contestant *truth_level_contestant(enum truth_model model)
     return c;
 }
 
-/* SplitMix64, the output of a counter. */
+/* Returns SplitMix64's output for a counter. */
 static uint64_t hash(uint64_t counter)
 {
     uint64_t z = counter * UINT64_C(0x9e3779b97f4a7c15);
@@ -36,7 +36,7 @@ static uint64_t hash(uint64_t counter)
     return z ^ (z >> 31);
 }
 
-/* From -1 to 1, exactly. */
+/* Returns a number from -1 to 1, exactly. */
 static double uniform(uint64_t counter)
 {
     return (double)(hash(counter) >> 11) * 0x1p-52 - 1;
@@ -82,7 +82,7 @@ out:
     return st;
 }
 
-/* The contestant's own once more: nobody's --set makes it another one. */
+/* Adds the contestant's settings last: nobody's --set makes it another one. */
 enum status truth_level_settings(const struct truth_runs *runs,
                                  const struct truth_level *level, struct settings *settings,
                                  struct message *why)
@@ -99,7 +99,7 @@ enum status truth_level_settings(const struct truth_runs *runs,
                             : STATUS_OK;
 }
 
-/* The times, and perhaps later ones. */
+/* Whether a run has these times, and perhaps later ones. */
 static bool has_times(const struct run_result *r, const struct truth_runs *runs)
 {
     for (int n = 0; n < runs->times; n++)
@@ -108,7 +108,8 @@ static bool has_times(const struct run_result *r, const struct truth_runs *runs)
     return true;
 }
 
-/* Made by the same solvers: other commits may differ in words, or in what judges runs. */
+/* Whether a run was made by the same solvers: other commits may differ in words, or in what
+ * judges runs. */
 static bool is_ours(const struct store_read *file)
 {
     static const char *const keys[] = {"solvers", "compiler", "flags"};
@@ -125,8 +126,8 @@ static bool is_ours(const struct store_read *file)
     return same;
 }
 
-/* What a level's file is made for: the physics, and what the caller sets besides; its name
- * has the rest. */
+/* Writes what a level's file is made for: the physics, and what the caller sets besides;
+ * its name has the rest. */
 static enum status key_of(const struct run_plan *plan, const struct settings *given,
                           char key[KEY], struct message *why)
 {
@@ -167,7 +168,7 @@ static bool is_kept(const char *path, const char *key, const struct truth_runs *
     return good;
 }
 
-/* What a run that came to no end says. */
+/* Refuses a run that came to no end, with its sentence. */
 static enum status check(const struct run_result *r, const struct truth_level *level,
                          const struct truth_runs *runs, struct message *why)
 {

@@ -171,9 +171,6 @@ void truth_make_tell(const struct truth_wish *wish, const struct truth_outlook *
                      enum truth_answer answer, enum truth_model next,
                      char text[TRUTH_END_TEXT]);
 
-/* Returns the last time before the error bar first passes so much [m]; 0: none. */
-double truth_make_known(const struct truth *made, double error);
-
 /* --- The third mechanics --- */
 
 /* Makes it from FOLDER: note.txt, a sentence on who computed it and how; and three files

@@ -335,7 +335,8 @@ static void kept_runs(void)
     free(path);
 }
 
-/* A level is its contestant's, whatever is set, and pushed along (1,1,1) by 1e-6 g. */
+/* A level is its contestant's, whatever is set, and pushed along (1,1,1) by a millionth of
+ * gravity, or of the earth's in a scene without. */
 static void levels(void)
 {
     static const char *const set[] = {"gravity=[1,-2,4]", "discretization.remedy=none",
@@ -344,22 +345,31 @@ static void levels(void)
                                           {"discretization.kinematics", "nonlinear"},
                                           {"discretization.points", "[7,7,2]"},
                                           {"discretization.degree", "[3,3,1]"}};
+    static const struct {
+        const char *scene;
+        int count; /* of `set` */
+        double own[3], size;
+    } cases[] = {{"edge_drop", 4, {1, -2, 4}, 4.58257569495584},
+                 {"edge_drop", 0, {0, 0, -9.81}, 9.81},
+                 {"moving_edge", 0, {0}, 9.81}};
     const struct truth_level level = {TRUTH_SOLID, 3, 7, 0.0025, true};
-    const double own[3] = {1, -2, 4};
-    struct settings s = {0};
-    struct asked a;
-    double g[3];
 
-    asked_open(&a, "edge_drop", 4, set, 0, NULL, folder);
-    REQUIRE(truth_level_settings(&a.runs, &level, &s, NULL) == STATUS_OK);
-    for (int n = 0; n < 4; n++)
-        CHECK(!strcmp(settings_value(&s, want[n][0]), want[n][1]));
-    CHECK_RELATIVE(strtod(settings_value(&s, "time.step"), NULL), 0.0025, 1e-15);
-    CHECK(sscanf(settings_value(&s, "gravity"), "[%lf,%lf,%lf]", &g[0], &g[1], &g[2]) == 3);
-    for (int i = 0; i < 3; i++)
-        CHECK_NEAR(g[i], own[i] + 1e-6 * sqrt(7), 1e-15);
-    settings_clear(&s);
-    asked_close(&a);
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        struct settings s = {0};
+        struct asked a;
+        double g[3];
+        asked_open(&a, cases[k].scene, cases[k].count, set, 0, NULL, folder);
+        REQUIRE(truth_level_settings(&a.runs, &level, &s, NULL) == STATUS_OK);
+        for (int n = 0; n < 4; n++)
+            CHECK(!strcmp(settings_value(&s, want[n][0]), want[n][1]));
+        CHECK_RELATIVE(strtod(settings_value(&s, "time.step"), NULL), 0.0025, 1e-15);
+        CHECK(sscanf(settings_value(&s, "gravity"), "[%lf,%lf,%lf]", &g[0], &g[1], &g[2]) ==
+              3);
+        for (int i = 0; i < 3; i++)
+            CHECK_NEAR(g[i], cases[k].own[i] + 1e-6 * cases[k].size / sqrt(3), 1e-14);
+        settings_clear(&s);
+        asked_close(&a);
+    }
 }
 
 int main(int argc, char **argv)

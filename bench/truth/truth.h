@@ -46,7 +46,6 @@ struct truth_runs {
     const char *folder; /* for result files; exists                                    */
     double frame;       /* what all steps divide [s]                                   */
     FILE *say;          /* a line a run; NULL: nothing                                 */
-    bool ours;          /* runs of other solvers are made again                        */
 };
 
 /* A fraction of gravity, or of 9.81 m/s^2 where there is none: its sixth digit. */

@@ -387,8 +387,7 @@ out:
 /* Makes the truth, by closed forms or runs; or beside it, in third/, what --third has. */
 static enum status make(struct job *j, const struct command_line *line, struct message *why)
 {
-    struct truth_runs runs = {
-        .path = j->path, .settings = &j->settings, .say = stderr, .ours = true};
+    struct truth_runs runs = {.path = j->path, .settings = &j->settings, .say = stderr};
     const char *third = command_value(line, "--third");
     struct truth made = {0};
     char truth[PATH], file[PATH + 8];

@@ -7,11 +7,10 @@
 
 #include "bench/files/provenance.h"
 #include "bench/files/seal.h"
-#include "bench/files/store.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_parts.h"
 
-enum { PATH = 4096, KEY = 64 };
+enum { PATH = 4096, KEY = sizeof((struct run_result *)0)->made_for };
 
 static const double EARTH = 9.81; /* [m/s^2] */
 
@@ -108,29 +107,18 @@ static bool has_times(const struct run_result *r, const struct truth_runs *runs)
     return true;
 }
 
-/* Whether a run was made by the same solvers: other commits may differ in words, or in what
- * judges runs. */
-static bool is_ours(const struct store_read *file)
+static unsigned long add(unsigned long sum, const char *text)
 {
-    static const char *const keys[] = {"solvers", "compiler", "flags"};
-    struct provenance here;
-    bool same = true;
-
-    provenance_collect(&here);
-    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++) {
-        char *text = NULL;
-        same &= store_read_text(file, "provenance", keys[n], &text, NULL) == STATUS_OK &&
-                !strcmp(text, provenance_value(&here, keys[n]));
-        free(text);
-    }
-    return same;
+    return seal_text_sum(sum, text, strlen(text) + 1);
 }
 
-/* Writes what a level's file is made for: the physics, and what the caller sets besides;
- * its name has the rest. */
+/* Writes what a level's file is made for: the physics and what the caller sets besides, by
+ * these solvers (other commits may differ in words, or in what judges runs); its name has
+ * the rest. */
 static enum status key_of(const struct run_plan *plan, const struct settings *given,
                           char key[KEY], struct message *why)
 {
+    struct provenance here;
     struct run run = {0};
     char *physics = NULL;
     unsigned long sum;
@@ -138,11 +126,15 @@ static enum status key_of(const struct run_plan *plan, const struct settings *gi
 
     TRY(run_read(&run, plan, why));
     TRY(truth_physics(&run.scene, &physics));
-    sum = seal_text_sum(0, physics, strlen(physics));
+    provenance_collect(&here);
+    sum = add(0, physics);
+    sum = add(sum, provenance_value(&here, "compiler"));
+    sum = add(sum, provenance_value(&here, "flags"));
     for (int n = 0; n < given->count; n++)
         if (strncmp(given->text[n], "discretization", 14) == 0)
-            sum = seal_text_sum(sum, given->text[n], strlen(given->text[n]) + 1);
-    snprintf(key, KEY, "a level of %08lx", sum);
+            sum = add(sum, given->text[n]);
+    snprintf(key, KEY, "a level of %08lx by solvers %.64s", sum,
+             provenance_value(&here, "solvers"));
 out:
     run_close(&run);
     free(physics);
@@ -153,19 +145,11 @@ out:
 static bool is_kept(const char *path, const char *key, const struct truth_runs *runs,
                     struct run_result *r)
 {
-    struct run_result found = {0};
-    struct store_read *file = NULL;
-    const bool good =
-        run_result_read(path, true, &found, NULL) == STATUS_OK && has_times(&found, runs) &&
-        strcmp(found.made_for, key) == 0 &&
-        (!runs->ours || (store_read_open(path, &file, NULL) == STATUS_OK && is_ours(file)));
-
-    store_read_close(file);
-    if (good)
-        *r = found;
-    else
-        run_result_clear(&found);
-    return good;
+    if (run_result_read(path, true, r, NULL) == STATUS_OK && has_times(r, runs) &&
+        strcmp(r->made_for, key) == 0)
+        return true;
+    run_result_clear(r);
+    return false;
 }
 
 /* Refuses a run that came to no end, with its sentence. */

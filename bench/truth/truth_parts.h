@@ -28,9 +28,9 @@ enum status truth_level_settings(const struct truth_runs *runs,
                                  struct message *why);
 
 /* Reads the level's file with its fields, if it is whole, has these times (and perhaps
- * later ones) and was made for these physics and settings of the discretization; else runs
- * it. STATUS_DIVERGED with a sentence: it died on the way. STATUS_UNSUPPORTED: the model
- * refuses. STATUS_INPUT: scene or settings are impossible. */
+ * later ones) and was made for these physics and settings of the discretization by these
+ * solvers; else runs it. STATUS_DIVERGED with a sentence: it died on the way.
+ * STATUS_UNSUPPORTED: the model refuses. STATUS_INPUT: scene or settings are impossible. */
 enum status truth_level_find(const struct truth_runs *runs, const struct truth_level *level,
                              struct run_result *r, struct message *why);
 

@@ -292,18 +292,17 @@ static bool takes(const struct truth_runs *runs, const struct truth_level *level
     return before.st_ino == after.st_ino && before.st_mtim.tv_nsec == after.st_mtim.tv_nsec;
 }
 
-/* A run that is kept serves its own physics, numerics and times only; a push moves the
- * sheet. Who asks for runs of its own gets none of other solvers, but those of another
- * commit. */
+/* A run that is kept serves its own physics, numerics, times and solvers only; a push moves
+ * the sheet. */
 static void kept_runs(void)
 {
     static const char *const stiffer[] = {"damping={kind: none}", "material.young=2e5"};
-    static const char *const keys[] = {"solvers", "compiler", "flags", "commit"};
     static const double early[] = {0.01}, later[] = {0.02};
     struct truth_level level = {TRUTH_SHELL, 2, 6, 0.005, true};
     struct settings first = settings_of(1, undamped), other = settings_of(2, stiffer);
     struct settings numerics = settings_of(2, undamped);
     struct run_result run = {0}, pushed = {0};
+    struct provenance here;
     char *path = NULL;
 
     REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
@@ -314,13 +313,11 @@ static void kept_runs(void)
     const double by = metric_rmse(run.xyz[0], pushed.xyz[0]);
     CHECK(by > 0 && by < 1e-6); /* g t^2 / 2 times 1e-6 */
     CHECK(takes(&runs, &level));
-    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++) {
-        change(level_file(), "provenance", keys[n], "another");
-        CHECK(takes(&runs, &level)); /* whoever made it */
-        runs.ours = true;
-        CHECK(takes(&runs, &level) == (n == 3));
-        runs.ours = false;
-    }
+    provenance_collect(&here);
+    CHECK(strstr(run.made_for, provenance_value(&here, "solvers")));
+    change(level_file(), "/", "made_for", "a level of another build");
+    CHECK(!takes(&runs, &level));
+    CHECK(takes(&runs, &level));
     runs.time = later;
     CHECK(!takes(&runs, &level));
     runs.settings = &numerics;

@@ -217,7 +217,8 @@ bool verify_sheet_table(struct verify_sheet *sheet, const char *name)
     reference_close(sheet->table);
     sheet->table = NULL;
     return sheet->status == STATUS_OK &&
-           verify_sheet_holds(sheet, truth_table_open(name, &sheet->table, &sheet->why));
+           verify_sheet_holds(sheet,
+                              reference_open_named(name, &sheet->table, &sheet->why));
 }
 
 /* The n-th name of a field's entries, counted over all of them, into name[VERIFY_TEXT];

@@ -28,8 +28,8 @@
 
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
-#include "bench/truth/truth_table.h"
 #include "bench/ui/command.h"
+#include "fem_ref/reference.h"
 
 /* --- Rows. */
 
@@ -181,7 +181,7 @@ void verify_sheet_clear(struct verify_sheet *sheet); /* all-zero is allowed */
  *     if (verify_sheet_holds(sheet, truth_plate_init(.., &sheet->why))) */
 bool verify_sheet_holds(struct verify_sheet *sheet, enum status st);
 
-/* Opens a truth's table (truth_table.h) in place of the last one; whether it is there. */
+/* Opens a truth's table (reference.h) in place of the last one; whether it is there. */
 bool verify_sheet_table(struct verify_sheet *sheet, const char *name);
 
 /* False: the table lacks something that was read from it; it is told as any failure is. */
@@ -202,7 +202,7 @@ struct verify_row *verify_sheet_add(const struct verify_subject *subject,
 
 /* What its table has in the row of a subject's case; in the notes. */
 #define verify_number(s, column) reference_number((s)->sheet->table, (s)->at, column)
-#define verify_note(s, key)      truth_table_note((s)->sheet->table, key)
+#define verify_note(s, key)      reference_note_number((s)->sheet->table, key)
 
 /* --- Runs behind rows. Seconds go into the row, and so does a refusal or a death, which is
  * no error: `lived` is false then, as all functions tell. What is neither goes to the sheet

@@ -1,7 +1,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
 
 /* Asked of the nonlinear solid wherever the strip is heavy: 1 %; of a shell, whose theory

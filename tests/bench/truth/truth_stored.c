@@ -5,7 +5,7 @@
 #include "bench/files/folder.h"
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_parts.h"
-#include "bench/truth/truth_table.h"
+#include "fem_ref/reference.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"

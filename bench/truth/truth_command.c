@@ -279,10 +279,11 @@ static enum status read_wish(struct job *j, const struct command_line *line,
 {
     enum status st;
 
+    j->quick = command_given(line, "--quick");
+    j->must = command_given(line, "--error");
     j->wish.error = j->quick ? TRUTH_MOST_ERROR : ERROR;
     j->wish.seconds = j->quick ? QUICK_BUDGET : BUDGET;
     j->until = j->quick ? QUICK_UNTIL : INFINITY;
-    j->must = command_given(line, "--error");
     TRY(command_number(line, "--error", true, &j->wish.error, why));
     TRY(command_number(line, "--budget", false, &j->wish.seconds, why));
     TRY(command_number(line, "--until", false, &j->until, why));
@@ -292,25 +293,6 @@ static enum status read_wish(struct job *j, const struct command_line *line,
                         100 * TRUTH_MOST_ERROR));
     if (j->quick && j->must)
         TRY(status_fail(why, STATUS_INPUT, "--quick or --error, one of the two"));
-out:
-    return st;
-}
-
-static enum status prepare(struct job *j, const struct command_line *line,
-                           struct message *why)
-{
-    const char *word = command_value(line, "--format");
-    int count;
-    const char *const *given = command_values(line, "--set", &count);
-    enum status st;
-
-    j->quick = command_given(line, "--quick");
-    if (word)
-        TRY(table_format_parse(word, &j->format, why));
-    settings_set_all(&j->settings, count, given);
-    TRY(read_wish(j, line, why));
-    TRY(scene_file_find(line->words[0], &j->path, why));
-    TRY(truth_plan_scene(j->path, &j->settings, &j->scene, why));
 out:
     return st;
 }
@@ -437,41 +419,32 @@ static enum status print_known(const struct job *j, const int points[2],
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
 }
 
-/* Prints what is known of every scene that comes with the program. */
-static enum status print_all(const struct command_line *line, struct message *why)
-{
-    const char *word = command_value(line, "--format");
-    enum table_format format = TABLE_TEXT;
-    enum status st;
-
-    if (!command_given(line, "--stored") || command_given(line, "--points"))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "truth SCENE; without one --stored alone, what is known of all"));
-    if (word)
-        TRY(table_format_parse(word, &format, why));
-    TRY(truth_print_all(format, stdout, why));
-out:
-    return st;
-}
-
 static enum status run(const struct command_line *line, struct message *why)
 {
+    const bool stored = command_given(line, "--stored");
+    const char *format = command_value(line, "--format");
     struct job j = {0};
-    int points[2] = {0, 0};
+    int points[2] = {0, 0}, count;
+    const char *const *given = command_values(line, "--set", &count);
     enum status st;
 
+    if (format)
+        TRY(table_format_parse(format, &j.format, why));
+    if (!line->word_count && (!stored || command_given(line, "--points")))
+        TRY(status_fail(why, STATUS_INPUT,
+                        "truth SCENE; without one --stored alone, what is known of all"));
     if (!line->word_count)
-        return print_all(line, why);
-    TRY(prepare(&j, line, why));
+        return truth_print_all(j.format, stdout, why);
+    settings_set_all(&j.settings, count, given);
+    TRY(read_wish(&j, line, why));
+    TRY(scene_file_find(line->words[0], &j.path, why));
+    TRY(truth_plan_scene(j.path, &j.settings, &j.scene, why));
     TRY(command_pair(line, "--points", 2, FRAMES_MOST, points, why));
-    if (*points && !command_given(line, "--stored"))
+    if (*points && !stored)
         TRY(status_fail(
             why, STATUS_INPUT,
             "--points prints positions of a truth that is known: with --stored"));
-    if (command_given(line, "--stored"))
-        TRY(print_known(&j, points, why));
-    else
-        TRY(make(&j, line, why));
+    TRY(stored ? print_known(&j, points, why) : make(&j, line, why));
 out:
     settings_clear(&j.settings);
     scene_clear(&j.scene);

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/reader/named_file.h"
+
 /* Cells and comments point into the text of the whole file. */
 struct reference {
     char *path, *text;
@@ -267,4 +269,41 @@ const char *reference_note(const struct reference *t, const char *key)
             return at + n + 1 + strspn(at + n + 1, " \t");
     }
     return NULL;
+}
+
+double reference_note_number(const struct reference *t, const char *key)
+{
+    const char *text = reference_note(t, key);
+    char *end = NULL;
+    const double number = text ? strtod(text, &end) : NAN;
+
+    return end == text ? NAN : number;
+}
+
+/* --- By name --- */
+
+static const struct named_file_kind kind = {
+    .what = "reference table",
+    .ending = ".csv",
+    .environment = "CLOTHBENCH_REFERENCE",
+    .from_program = REFERENCE_FROM_PROGRAM,
+    .in_source = REFERENCE_IN_SOURCE,
+};
+
+enum status reference_path(const char *name, char **path, struct message *why)
+{
+    return named_file_find(&kind, name, path, why);
+}
+
+enum status reference_open_named(const char *name, struct reference **table,
+                                 struct message *why)
+{
+    enum status st;
+    char *path = NULL;
+
+    TRY(reference_path(name, &path, why));
+    TRY(reference_open(path, table, why));
+out:
+    free(path);
+    return st;
 }

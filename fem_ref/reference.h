@@ -38,7 +38,16 @@ enum status reference_fault(const struct reference *table, struct message *why);
 int reference_find(const struct reference *table, int from, const char *column,
                    const char *text);
 
-/* Returns the first comment `# key: value`'s value, borrowed; NULL if there is none. */
+/* Returns the first comment `# key: value`'s value, borrowed, NULL if there is none; and
+ * the number with which it begins, NaN if there is none. */
 const char *reference_note(const struct reference *table, const char *key);
+double reference_note_number(const struct reference *table, const char *key);
+
+/* Finds the file of a table by its name, "heavy_elastica": in $CLOTHBENCH_REFERENCE, as
+ * installed, or in tests/reference; *path is freed by the receiver. Opens that table.
+ * STATUS_INPUT with a sentence that lists the known ones, and as reference_open. */
+enum status reference_path(const char *name, char **path, struct message *why);
+enum status reference_open_named(const char *name, struct reference **table,
+                                 struct message *why);
 
 #endif

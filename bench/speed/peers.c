@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "bench/truth/truth_table.h"
+#include "fem_ref/reference.h"
 
 enum { WORDS = 2048 };
 
@@ -31,7 +31,7 @@ enum status peers_note(struct table *t, const char *name, struct message *why)
     char text[WORDS] = "";
     enum status st;
 
-    TRY(truth_table_open("peers", &r, why));
+    TRY(reference_open_named("peers", &r, why));
     for (int row = reference_find(r, 0, "case", name), before = -1; row >= 0;
          before = row, row = reference_find(r, row + 1, "case", name))
         add_row(r, row, before, text);

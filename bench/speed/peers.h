@@ -7,7 +7,7 @@
 #include "bench/ui/table.h"
 
 /* Adds a note on everybody in the file who did the work `name`; nothing if there is nobody.
- * NULL is allowed for the table, as in table.h. Errors as truth_table_open. */
+ * NULL is allowed for the table, as in table.h. Errors as reference_open_named. */
 enum status peers_note(struct table *t, const char *name, struct message *why);
 
 #endif

@@ -29,23 +29,32 @@ bool truth_plan_judges(const struct scene *scene, double time)
     return judged;
 }
 
-/* Lying on an obstacle from the start on, within a thickness. */
-static enum status lies(const struct scene *scene, bool *does)
+/* Refuses a sheet that nothing holds and that lies within a thickness on an obstacle. */
+static enum status check_drape(const struct scene *scene, struct message *why)
 {
-    double *rest = scene->obstacle_count ? metric_rest_field(scene) : NULL;
+    enum status st = STATUS_OK;
+    double *rest;
 
-    if (scene->obstacle_count && !rest)
+    if (!scene->obstacle_count || scene->support_count)
+        return STATUS_OK;
+    rest = metric_rest_field(scene);
+    if (!rest)
         return STATUS_MEMORY;
-    *does = contact_least_gap(scene, rest ? GRID_POINTS : 0, rest) <= scene->thickness;
+    if (contact_least_gap(scene, GRID_POINTS, rest) <= scene->thickness)
+        st = status_fail(
+            why, STATUS_UNSUPPORTED,
+            "%s has no truth: it is laid on an obstacle, and a drape has many "
+            "equilibria, of which net and round-off choose one; claimed of each "
+            "is that it is in balance, its energy, and whether it is stable "
+            "(run %s --static); dropped onto an obstacle a sheet has a truth "
+            "for a while, as sphere",
+            scene->name, scene->name);
     free(rest);
-    return STATUS_OK;
+    return st;
 }
 
 enum status truth_plan_check(const struct scene *scene, struct message *why)
 {
-    bool laid = false;
-    enum status st;
-
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
         if (!(s->hi[0] > s->lo[0]) && !(s->hi[1] > s->lo[1]))
@@ -57,18 +66,7 @@ enum status truth_plan_check(const struct scene *scene, struct message *why)
                 "is claimed",
                 scene->name, n);
     }
-    TRY(lies(scene, &laid));
-    if (laid && !scene->support_count)
-        TRY(status_fail(
-            why, STATUS_UNSUPPORTED,
-            "%s has no truth: it is laid on an obstacle, and a drape has many "
-            "equilibria, of which net and round-off choose one; claimed of each "
-            "is that it is in balance, its energy, and whether it is stable "
-            "(run %s --static); dropped onto an obstacle a sheet has a truth "
-            "for a while, as sphere",
-            scene->name, scene->name));
-out:
-    return st;
+    return check_drape(scene, why);
 }
 
 const char *truth_plan_damping(const struct scene *scene)
@@ -301,50 +299,42 @@ static enum status from_theory(const struct scene *scene, struct truth *t,
     return from_kirchhoff(scene, false, t, why);
 }
 
-/* Fills t with the truth that comes with the program or is named in the environment. */
-static enum status from_stored(const struct scene *scene, struct truth *t,
-                               struct message *why)
+/* Fills t with the truth of a name or a file; of other physics is none (STATUS_FILE). */
+static enum status from_file(const char *name, const char *before,
+                             const struct scene *scene, struct truth *t,
+                             struct message *why)
 {
     struct truth made = {0};
     struct message said = {""};
-    enum status st = truth_file_find(scene->name, scene, &made, &said);
+    enum status st = truth_file_find(name, scene, &made, &said);
 
-    if (st == STATUS_UNSUPPORTED) /* of other physics */
+    if (st == STATUS_UNSUPPORTED)
         st = STATUS_FILE;
     if (st == STATUS_OK)
         st = take(scene, &made, t, why);
     else if (st != STATUS_FILE)
         status_fail(why, st, "%s", said.text);
-    snprintf(t->source, sizeof t->source, "stored: %.511s", made.source);
+    snprintf(t->source, sizeof t->source, "%s%.511s", before, made.source);
     truth_clear(&made);
     return st;
 }
 
 enum { PATH = 4096 };
 
-/* Where truth_find_or_make leaves one. */
-static void left_in(const char *folder, char path[PATH])
+/* Returns the file that truth_find_or_make leaves in a folder. */
+static const char *left_in(const char *folder, char path[PATH])
 {
     snprintf(path, PATH, "%s/truth.h5", folder);
+    return path;
 }
 
 static enum status from_folder(const char *folder, const struct scene *scene,
                                struct truth *t, struct message *why)
 {
-    struct truth made = {0};
-    char *physics = NULL, path[PATH];
-    enum status st;
+    char path[PATH];
+    const enum status st = from_file(left_in(folder, path), "", scene, t, why);
 
-    left_in(folder, path);
-    TRY(truth_file_read(path, &made, &physics, why));
-    TRY(truth_physics_check(physics, scene, NULL) == STATUS_OK ? STATUS_OK : STATUS_FILE);
-    TRY(take(scene, &made, t, why));
-    snprintf(t->source, sizeof t->source, "%s", made.source);
-    TRY(truth_doubt(scene, t));
-out:
-    truth_clear(&made);
-    free(physics);
-    return st;
+    return st == STATUS_OK ? truth_doubt(scene, t) : st;
 }
 
 /* Makes one, and leaves it in the folder of its runs. */
@@ -355,19 +345,18 @@ static enum status make_one(const struct truth_runs *runs, const struct truth_wi
     char path[PATH];
     enum status st;
 
-    left_in(runs->folder, path);
     truth_clear(t);
     TRY(truth_make(runs, scene, wish, t, &end, why));
     if (end.answer == TRUTH_LOST)
         TRY(status_fail(why, STATUS_UNSUPPORTED, "no truth of %s: %s", scene->name,
                         end.text));
     TRY(truth_doubt(scene, t));
-    TRY(truth_file_write(path, runs, t, why));
+    TRY(truth_file_write(left_in(runs->folder, path), runs, t, why));
 out:
     return st;
 }
 
-/* What is known, or what was left in the folder or, with a wish, is made there. */
+/* Fills t with what is known or, with a wish, made in the folder; without, left there. */
 static enum status fill(struct truth_runs *runs, const struct truth_wish *wish,
                         const struct scene *scene, struct truth *t, struct message *why)
 {
@@ -375,7 +364,7 @@ static enum status fill(struct truth_runs *runs, const struct truth_wish *wish,
 
     runs->frame = scene->step;
     if (st == STATUS_UNSUPPORTED)
-        st = from_stored(scene, t, why);
+        st = from_file(scene->name, "stored: ", scene, t, why);
     if (st == STATUS_FILE && truth_plan_damping(scene))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "no truth of %s: its velocities are scaled by a factor each "
@@ -392,7 +381,7 @@ static enum status fill(struct truth_runs *runs, const struct truth_wish *wish,
     return st;
 }
 
-/* `plate`: by linear theory, whatever else is known. */
+/* Finds or makes one; `plate`: by linear theory, whatever else is known. */
 static enum status find(struct truth_runs *runs, const struct truth_wish *wish, bool plate,
                         struct truth **truth, struct message *why)
 {

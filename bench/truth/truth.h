@@ -18,7 +18,7 @@
 #include "bench/harness/settings.h"
 #include "models/reader/named_file.h"
 
-/* --- What truths are made of ---
+/* --- Runs that truths are made of ---
  *
  * Runs of the nonlinear solid whose bending has a rule of its own (on a clamped sheet's 9
  * spans it is nearer than one with reduced integration on 27, and costs the same), and of
@@ -33,7 +33,7 @@ struct truth_level {
     enum truth_model model;
     int degree, side; /* along u and v                                                 */
     double step;      /* [s]                                                           */
-    bool perturbed;   /* truth_level_push, number 0                                    */
+    bool perturbed;   /* by truth_level_push, number 0                                 */
     int repeats;      /* of the points, for knots that repeat at supports' ends        */
 };
 
@@ -43,76 +43,77 @@ struct truth_runs {
     const struct settings *settings;
     int times;
     const double *time; /* multiples of every step [s]                                 */
-    const char *folder; /* where result files are kept; exists                         */
+    const char *folder; /* for result files; exists                                    */
     double frame;       /* what all steps divide [s]                                   */
     FILE *say;          /* a line a run; NULL: nothing                                 */
-    bool ours;          /* those of other solvers are made again                       */
 };
 
-/* Of gravity, or of 9.81 m/s^2 where there is none; a rounding of its sixth digit. */
+/* A fraction of gravity, or of 9.81 m/s^2 where there is none: its sixth digit. */
 #define TRUTH_PERTURBATION 1e-6
 
-/* The unit vector of a push times sqrt(3). Number 0 is (1,1,1): whatever symmetry a scene
- * has is gone. Others come from a hash of the number (Steele, Lea, Flood 2014, SplitMix64)
- * and are uniform on the sphere (von Neumann 1951, rejection); only sums, products and
- * square roots: the same bits on every machine. */
+/* Computes the direction of a push: a unit vector times sqrt(3). Number 0 is (1,1,1):
+ * whatever symmetry a scene has is gone. Others come from a hash of the number (Steele,
+ * Lea, Flood 2014, SplitMix64) and are uniform on the sphere (von Neumann 1951, rejection);
+ * only sums, products and square roots: the same bits on every machine. */
 void truth_level_direction(int number, double direction[3]);
 
-/* The gravity of the scene at `path` with settings `given`, changed by TRUTH_PERTURBATION
- * of its size, into `settings`: how fast such a change grows says how long a motion can be
- * predicted. Those of the scene: STATUS_INPUT, STATUS_MEMORY. */
+/* Sets, in `settings`, the gravity of the scene at `path` with settings `given`, changed by
+ * TRUTH_PERTURBATION of its size: how fast such a change grows says how long a motion can
+ * be predicted. Statuses of reading the scene: STATUS_INPUT, STATUS_MEMORY. */
 enum status truth_level_push(const char *path, const struct settings *given, int number,
                              struct settings *settings, struct message *why);
 
 struct truth_wish {
     double error;   /* the largest error bar over the length that is requested         */
     double seconds; /* that all runs together may take, those that were found included */
-    bool alone;     /* a model that will not serve the scene, or dies on it at once, leaves
-                       the other one alone                                             */
+    bool alone;     /* a model that refuses the scene, or dies on it at once, leaves the
+                       other one alone                                                 */
     bool shell;     /* the shell makes it alone: of a scene that holds points          */
 };
 
 /* --- A scene as its truth moves --- */
 
-/* A factor on the velocity after each step is no physics: under every step and scheme it
- * means another damping, and no truth can be had. Such a scene's truth moves undamped: the
- * setting that says so, or NULL where the damping is a rate. */
+/* Returns the setting that says that the scene's truth moves undamped, or NULL where the
+ * damping is a rate. A factor on the velocity after each step is no physics: under every
+ * step and scheme it means another damping, and no truth can be had. */
 const char *truth_plan_damping(const struct scene *scene);
 
-/* A scene as its truth moves: the settings get that one, too. *scene is overwritten. */
+/* Reads a scene as its truth moves: the settings get that one, too. *scene is
+ * overwritten. Statuses of reading the scene. */
 enum status truth_plan_scene(const char *path, struct settings *settings,
                              struct scene *scene, struct message *why);
 
-/* A truth is a limit under refinement, and what is held at points has none: a point of a
- * solid holds nothing. Nor has a drape, a sheet that nothing holds and that lies on an
- * obstacle from the start on. STATUS_UNSUPPORTED with a sentence. */
+/* Refuses (STATUS_UNSUPPORTED with a sentence) a scene that can have no truth. A truth is a
+ * limit under refinement, and what is held at points has none: a point of a solid holds
+ * nothing. Nor has a drape, a sheet that nothing holds and that lies on an obstacle from
+ * the start on. */
 enum status truth_plan_check(const struct scene *scene, struct message *why);
 
 /* Whether tables judge at a time of a truth: every tenth of a second, and the scene's
  * snapshots, however many frames are stored. */
 bool truth_plan_judges(const struct scene *scene, double time);
 
-/* Frames of a truth that is stored [s]; and the longest step that divides one and is no
- * longer than the scene's. */
+/* The time between frames of a truth that is stored [s]. */
 #define TRUTH_PLAN_FRAME 0.02
+
+/* Returns the longest step that divides a frame and is no longer than the scene's [s]. */
 double truth_plan_frame(const struct scene *scene);
 
-/* What of a scene its motion depends on, as text: a truth holds for every scene and all
- * settings with the same text, whatever their names, times and numerics. Lines `key
+/* Writes what of a scene its motion depends on as text: a truth holds for every scene and
+ * all settings with the same text, whatever their names, times and numerics. Lines `key
  * value...` with 17 digits: sheet, pose, material, loads, damping, supports and obstacles.
  * *text is freed by the receiver. STATUS_MEMORY. */
 enum status truth_physics(const struct scene *scene, char **text);
 
-/* Whether a text is this scene's. STATUS_UNSUPPORTED: it is of other physics, and the
+/* Compares a text with this scene's. STATUS_UNSUPPORTED: it is of other physics, and the
  * sentence says of which; STATUS_MEMORY. */
 enum status truth_physics_check(const char *text, const struct scene *scene,
                                 struct message *why);
 
 /* --- A truth as it was made or read --- */
 
-/* What is known of its runs at each time: name, unit. Orders are NaN where differences do
- * not shrink.
- */
+/* The numbers of a truth at each time: name, unit. Orders are NaN where differences do not
+ * shrink. */
 #define TRUTH_COLUMN_LIST(X)                                                               \
     X(SOLID_SPACE, "solid_space_order", "1")                                               \
     X(SOLID_TIME, "solid_time_order", "1")                                                 \
@@ -121,15 +122,15 @@ enum status truth_physics_check(const char *text, const struct scene *scene,
     X(SHELL_TIME, "shell_time_order", "1")                                                 \
     X(SHELL_BAR, "shell_bar", "m")                                                         \
     X(DIFFERENCE, "difference", "m")                                                       \
-    X(GROWTH, "growth", "1")   /* of the change of gravity: rms / (1e-6 L) */              \
-    X(PACKING, "packing", "m") /* truth_pack; NaN: it is not packed */
+    X(GROWTH, "growth", "1")   /* of the change of gravity: rms / (1e-6 L)              */ \
+    X(PACKING, "packing", "m") /* truth_pack; NaN: it is not packed                     */
 
 enum truth_column {
 #define TRUTH_COLUMN_CODE(code, name, unit) TRUTH_##code,
     TRUTH_COLUMN_LIST(TRUTH_COLUMN_CODE)
 #undef TRUTH_COLUMN_CODE
         TRUTH_STORED,
-    /* Not of its file, but of that beside it (truth_file_read), NaN where there is none: */
+    /* From the file beside it (truth_file_read), NaN where there is none: */
     TRUTH_THIRD = TRUTH_STORED, /* how far it is [m]                                    */
     TRUTH_THIRD_BAR,            /* its own error bar [m]                                */
     TRUTH_COLUMNS
@@ -154,23 +155,25 @@ struct truth { /* with its arrays, in one block                                 
     int claimed;                    /* times before the horizon; other fields are NULL   */
     double (*value)[TRUTH_COLUMNS]; /* [times]                                           */
     struct truth_level level;       /* whose field it is, at most of the claimed times   */
-    bool closed;                    /* nobody's: a closed form                           */
+    bool closed;                    /* a closed form, nobody's run                       */
     bool foreign;                   /* somebody else's (truth_third_make)                */
     bool alone;                     /* the bar is one model's own                        */
     char unresolved[1200];          /* why it is none at some times, a sentence; else "" */
     char horizon[TRUTH_WATCH_TEXT]; /* until when it is predictable: gravity is changed a
                                        little, and the change watched as long as the scene
                                        lasts                                             */
-    char commit[64], changed[16];   /* of one that is stored: the program's that made it,
-                                       and how many files differed from it; "unknown"    */
+    char commit[64], changed[16];   /* the program that made a stored one, and how many
+                                       files differed from it; "unknown"                 */
     char third[640]; /* on the third mechanics, a sentence; "": none is stored           */
 };
 
-/* Arrays of zeros for these times, fields for the first `claimed` of them, else NULL. */
+/* Makes arrays of zeros for these times, fields for the first `claimed` of them, else NULL.
+ * STATUS_MEMORY. */
 enum status truth_init(struct truth *t, int times, int claimed, const double *time);
 void truth_clear(struct truth *t); /* all-zero is allowed, and left */
 
-/* Index of a time among the first `count`, to 1e-9 s; -1: it is none of them. */
+/* Returns the index of a time among the first `count`, to 1e-9 s; -1: it is none of them.
+ */
 int truth_index(const struct truth *t, int count, double time);
 
 /* Leaves of a stored truth the times at which tables judge (truth_plan_judges): one with
@@ -180,16 +183,16 @@ void truth_thin(struct truth *made, const struct scene *scene);
 
 /* Reads what is known of a scene as its truth moves: a closed form, or what is stored under
  * its name. STATUS_FILE: none is stored; STATUS_UNSUPPORTED: it can have none
- * (truth_plan_check), or what is stored is of other physics; STATUS_INPUT: it was changed;
+ * (truth_plan_check), or what is stored is of other physics; STATUS_INPUT: it is damaged;
  * with a sentence each. Free with truth_clear. */
 enum status truth_known(const struct scene *scene, struct truth *made, struct message *why);
 
-/* The same at the times at which tables judge (truth_thin); `made->times` is 0 where
+/* Reads the same at the times at which tables judge (truth_thin); `made->times` is 0 where
  * nothing is known. */
 enum status truth_judged(const struct scene *scene, struct truth *made,
                          struct message *why);
 
-/* Its times up to `until`: the last ones, at most `most` of them, into time[most]. *count
+/* Lists the last of its times up to `until`, at most `most` of them, in time[most]. *count
  * is 0 if there is none. STATUS_INPUT: the scene is wrong, or as above. */
 enum status truth_stored_times(const char *path, const struct settings *settings,
                                double until, int most, double *time, int *count,
@@ -200,30 +203,33 @@ enum status truth_stored_times(const char *path, const struct settings *settings
 /* A cantilever's tip is off by 0.0125 Gamma^2 in linear theory (heavy elastica): 1e-4. */
 #define TRUTH_GAMMA 0.09
 
-/* Returns what is known of the scene at `path` with the settings at time[times], by what is
- * stored or was left in `folder` by truth_find_or_make; NULL: nothing was. It runs nothing.
+/* Finds what is known of the scene at `path` with the settings at time[times]: by theory,
+ * stored, or left in `folder` by truth_find_or_make; NULL: no folder. It runs nothing.
  * STATUS_FILE: nothing is known; STATUS_UNSUPPORTED with a sentence: no truth can be had,
- * or none is claimed so late; STATUS_INPUT: the stored one was changed. */
+ * or none is claimed so late; STATUS_INPUT: the stored one is damaged. Free with
+ * truth_destroy. */
 enum status truth_find(const char *path, const struct settings *settings, int times,
                        const double *time, const char *folder, struct truth **truth,
                        struct message *why);
 
-/* The same, but where nothing is stored one is made, its runs and itself are left in the
- * folder, and a line a run is said on standard error. The statuses of both. */
+/* Does the same, but where nothing is known makes a truth, leaves its runs and itself in
+ * the folder, and says a line a run on standard error. The statuses of truth_find and
+ * truth_make. */
 enum status truth_find_or_make(const char *path, const struct settings *settings, int times,
                                const double *time, const char *folder,
                                const struct truth_wish *wish, struct truth **truth,
                                struct message *why);
 
-/* Truth of linear kinematics, whatever the load: the Kirchhoff plate, at time INFINITY its
- * rest. STATUS_UNSUPPORTED with a sentence: the scene is no undamped cantilever. */
+/* Computes the truth of linear kinematics, whatever the load: the Kirchhoff plate, at time
+ * INFINITY its rest. STATUS_UNSUPPORTED with a sentence: the scene is no undamped
+ * cantilever. Free with truth_destroy. */
 enum status truth_of_plate(const char *path, const struct settings *settings, int times,
                            const double *time, struct truth **truth, struct message *why);
 
-/* "truth's error bar", or "one model's own bar". */
+/* Returns "truth's error bar", or "one model's own bar". */
 const char *truth_bar_name(const struct truth *t);
 
-void truth_destroy(struct truth *t); /* of those three; NULL is allowed */
+void truth_destroy(struct truth *t); /* NULL is allowed */
 
 /* --- Closed forms ---
  *
@@ -240,25 +246,27 @@ void truth_destroy(struct truth *t); /* of those three; NULL is allowed */
  * closed form, or not at one of these times; what was written is then of no use. */
 enum status truth_closed_fields(const struct scene *scene, struct truth *t);
 
-/* The same as a truth of its own times, `closed`: the scene's snapshots and its end where
- * it falls, the end where it has come to rest. STATUS_UNSUPPORTED: there is none. Free with
+/* Makes a truth of its own times, `closed`: the scene's snapshots and its end where it
+ * falls, the end where it has come to rest. STATUS_UNSUPPORTED: there is none. Free with
  * truth_clear. */
 enum status truth_closed_make(const struct scene *scene, struct truth *t);
 
-/* Fields xyz[times] of an undamped cantilever as a Kirchhoff plate at time[times];
- * INFINITY: in equilibrium. STATUS_UNSUPPORTED with a sentence: it is none. */
+/* Computes fields xyz[times] (grid.h) of an undamped cantilever as a Kirchhoff plate at
+ * time[times]; INFINITY: in equilibrium. STATUS_UNSUPPORTED with a sentence: it is none. */
 enum status truth_plate_fields(const struct scene *scene, int times, const double *time,
                                double *const *xyz, struct message *why);
 
-/* Where the middle of the free edge is along z in a field [m]: of the two grid points
- * nearest it, either side, both layers. */
+/* Returns where the middle of the free edge is along z in a field [m]: the mean of the two
+ * grid points nearest it, in both layers. */
 double truth_plate_edge(const double *xyz);
 
-/* Drop of a cantilever's tip under its own weight, over its length: Kirchhoff's plate or,
- * if displacements are not `linear`, the elastica. NaN: the scene is no such sheet. */
+/* Returns the drop of a cantilever's tip under its own weight, over its length, by
+ * Kirchhoff's plate or, if displacements are not `linear`, the elastica. NaN: the scene is
+ * no such sheet. */
 double truth_plate_drop(const struct scene *scene, bool linear);
 
-/* Kirchhoff's w D / (q L^4) there, of a square that `terms` functions a direction solve. */
+/* Computes Kirchhoff's w D / (q L^4) at the tip of a square, with so many functions a
+ * direction. Statuses of kirchhoff_create. */
 enum status truth_plate_coefficient(double nu, int terms, double *coefficient);
 
 /* --- Truths that are stored ---
@@ -269,8 +277,6 @@ enum status truth_plate_coefficient(double nu, int terms, double *coefficient);
  *   attributes    note       where the field comes from, and its error bar, as a sentence
  *                 horizon    until when the motion is predictable, a sentence
  *                 physics    truth_physics: what it holds for
- *                 checksum   of physics, times, numbers and fields (as 32-bit floats): a
- *                            file that was changed is refused
  *   metrics/NAME  [F]        the columns, at all times
  *   xyz           [K]        packed (truth_pack); only at the K times before the horizon
  *
@@ -283,7 +289,7 @@ enum status truth_plate_coefficient(double nu, int terms, double *coefficient);
  * nothing is claimed any more; up to there the bars stay, as the third leaves no more open
  * than they do. */
 
-/* Where stored truths are: $CLOTHBENCH_TRUTHS first. */
+/* The files of stored truths: those in $CLOTHBENCH_TRUTHS first. */
 extern const struct named_file_kind truth_file_kind;
 
 /* Rounds each field to multiples of a power of two, so that the file deflates well: no
@@ -291,33 +297,26 @@ extern const struct named_file_kind truth_file_kind;
  * (what the field's slopes bear). Fills TRUTH_PACKING: how far one may have moved. */
 void truth_pack(struct truth *made, double length);
 
-/* Writes what was made; positions as 32-bit floats, if these hold them as they are. */
+/* Writes what was made; positions as 32-bit floats, if these hold them as they are.
+ * STATUS_FILE with a sentence, and statuses of reading the scene. */
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
                              const struct truth *made, struct message *why);
 
 /* Reads one, as the third mechanics beside it leaves it; the fields past the horizon are
  * NULL, `level` is left zero. *physics is freed by the receiver. STATUS_INPUT with a
- * sentence: no truth, or changed, or the third is. Free with truth_clear. */
+ * sentence: no truth, or damaged, or the third is. Free with truth_clear. */
 enum status truth_file_read(const char *path, struct truth *made, char **physics,
                             struct message *why);
 
-/* The stored truth of a name, if it is of this scene's physics. STATUS_FILE: none is
- * stored; STATUS_UNSUPPORTED: it is of other physics; STATUS_INPUT: it was changed; with a
- * sentence each. Free with truth_clear. */
+/* Reads the truth of a name (or of a path, named_file.h), if it is of this scene's physics.
+ * STATUS_FILE: none is stored; STATUS_UNSUPPORTED: it is of other physics; STATUS_INPUT: it
+ * is damaged; with a sentence each. Free with truth_clear. */
 enum status truth_file_find(const char *name, const struct scene *scene, struct truth *made,
                             struct message *why);
 
-/* The third's file of a truth's. STATUS_INPUT: third[size] is too short. */
+/* Names the third's file of a truth's. STATUS_INPUT: third[size] is too short. */
 enum status truth_file_third(const char *path, char *third, size_t size,
                              struct message *why);
-
-/* Whether a program of this commit and so many changed files makes truths that may come
- * with it; and whether such a one may write FILE: not where those are that do, unless it
- * does. STATUS_INPUT with a sentence. */
-struct provenance;
-bool truth_file_clean(const char *commit, const char *changed);
-enum status truth_file_may_store(const char *path, const struct provenance *program,
-                                 struct message *why);
 
 /* The command `truth`: makes a scene's truth, or prints a stored one. */
 struct command;

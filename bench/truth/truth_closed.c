@@ -12,11 +12,11 @@
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
-/* Of sums of a few terms, over what is summed. */
+/* The rounding of a sum of a few terms, over the terms. */
 static const double ROUND_OFF = 16 * DBL_EPSILON;
 
-/* What is left of a motion at rest: so many times exp(-rate t), the rate being that of the
- * slowest mode as estimated; more than a thousandth is no rest. */
+/* The factor on exp(-rate t), the rate being that of the slowest mode as estimated; more
+ * motion left than a thousandth is no rest. */
 static const double LEFT = 10, MOST_LEFT = 1e-3;
 
 static double dot(const double a[3], const double b[3])
@@ -39,7 +39,7 @@ static bool falls(const struct scene *s)
            size(s->spin) == 0;
 }
 
-/* (exp(-x) - 1 + x) / x^2, x >= 0. */
+/* Returns (exp(-x) - 1 + x) / x^2, x >= 0. */
 static double second(double x)
 {
     double sum = 0, term = 0.5;
@@ -53,7 +53,7 @@ static double second(double x)
     return sum;
 }
 
-/* x'' = a - k x', from the velocity of the scene: how far at t. */
+/* Solves x'' = a - k x' from the velocity of the scene: how far at t. */
 static void fall_shift(const struct scene *s, double t, double shift[3])
 {
     const double drag = damping_drag(s), k = drag + damping_mass(s), x = k * t;
@@ -78,7 +78,8 @@ static void fall_field(const struct scene *s, const double *rest, double t, doub
 
 /* --- at rest --- */
 
-/* Along which axis gravity pulls, +1 or -1; 0: not along it alone. */
+/* Returns the direction in which gravity pulls along an axis, +1 or -1; 0: not along it
+ * alone. */
 static double pull(const struct scene *s, const double axis[3])
 {
     const double along = dot(s->gravity, axis), all = size(s->gravity);
@@ -92,7 +93,7 @@ static bool rests(const struct scene *s)
            !s->load_count && !s->obstacle_count && s->drag == 0;
 }
 
-/* How much of the motion is left at t of x'' + alpha x' + omega^2 x. */
+/* Returns what is left at t of a motion by x'' + alpha x' + omega^2 x = 0. */
 static double left(double alpha, double omega, double t)
 {
     const double half = alpha / 2, root = half * half - omega * omega;
@@ -100,13 +101,13 @@ static double left(double alpha, double omega, double t)
     return LEFT * exp(-(half - (root > 0 ? sqrt(root) : 0)) * t);
 }
 
-/* Weight against stiffness, rho g L / E. */
+/* Returns weight against stiffness, rho g L / E. */
 static double strain(const struct scene *s)
 {
     return s->density * size(s->gravity) * s->length / s->young;
 }
 
-/* Stretch under the nominal stress q E. */
+/* Returns the stretch l under the nominal stress q E: l (l^2 - 1) / 2 = q. */
 static double stretch(double q)
 {
     double l = 1 + q;
@@ -116,13 +117,14 @@ static double stretch(double q)
     return l;
 }
 
-/* Integral of l dq. */
+/* Returns the integral of l dq. */
 static double primitive(double l)
 {
     return l * l * (3 * l * l / 8 - 0.25);
 }
 
-/* Along u over L, by St. Venant and Kirchhoff; by Hooke's law on lengths. */
+/* Return where the point s hangs, over L: by St. Venant and Kirchhoff; by Hooke's law on
+ * lengths. */
 static double hang(double e, double s)
 {
     return (primitive(stretch(e)) - primitive(stretch(e * (1 - s)))) / e;
@@ -149,7 +151,8 @@ static double hang_field(const struct scene *s, const double *rest, double *xyz)
     return s->length * sqrt(sum);
 }
 
-/* Turned about e_v; a point beside the middle surface stays on its normal. */
+/* Fills a field bent about e_v, whose points stay on the normals of the middle surface; the
+ * error bar. */
 static double elastica_field(const struct scene *s, double down, double *xyz)
 {
     const double slender = s->thickness / s->length;
@@ -178,8 +181,8 @@ static double elastica_field(const struct scene *s, double down, double *xyz)
 }
 
 struct rest_shape {
-    double bar;   /* of the shape [m]; INFINITY: it is none of these                   */
-    double omega; /* estimate of the lowest frequency there [rad/s]                    */
+    double bar;   /* error bar [m]; INFINITY: it is none of these                      */
+    double omega; /* estimate of the lowest frequency [rad/s]                          */
     const char *source;
 };
 

@@ -279,10 +279,11 @@ static enum status read_wish(struct job *j, const struct command_line *line,
 {
     enum status st;
 
+    j->quick = command_given(line, "--quick");
+    j->must = command_given(line, "--error");
     j->wish.error = j->quick ? TRUTH_MOST_ERROR : ERROR;
     j->wish.seconds = j->quick ? QUICK_BUDGET : BUDGET;
     j->until = j->quick ? QUICK_UNTIL : INFINITY;
-    j->must = command_given(line, "--error");
     TRY(command_number(line, "--error", true, &j->wish.error, why));
     TRY(command_number(line, "--budget", false, &j->wish.seconds, why));
     TRY(command_number(line, "--until", false, &j->until, why));
@@ -292,25 +293,6 @@ static enum status read_wish(struct job *j, const struct command_line *line,
                         100 * TRUTH_MOST_ERROR));
     if (j->quick && j->must)
         TRY(status_fail(why, STATUS_INPUT, "--quick or --error, one of the two"));
-out:
-    return st;
-}
-
-static enum status prepare(struct job *j, const struct command_line *line,
-                           struct message *why)
-{
-    const char *word = command_value(line, "--format");
-    int count;
-    const char *const *given = command_values(line, "--set", &count);
-    enum status st;
-
-    j->quick = command_given(line, "--quick");
-    if (word)
-        TRY(table_format_parse(word, &j->format, why));
-    settings_set_all(&j->settings, count, given);
-    TRY(read_wish(j, line, why));
-    TRY(scene_file_find(line->words[0], &j->path, why));
-    TRY(truth_plan_scene(j->path, &j->settings, &j->scene, why));
 out:
     return st;
 }
@@ -344,6 +326,22 @@ out:
     return st;
 }
 
+/* Refuses to store what a program makes that is not that of a commit. */
+static enum status check_program(const char *path, struct message *why)
+{
+    struct provenance program;
+
+    provenance_collect(&program);
+    const char *commit = provenance_value(&program, "commit");
+    const char *changed = provenance_value(&program, "changed_files");
+    if (strcmp(commit, "unknown") != 0 && strcmp(changed, "0") == 0)
+        return STATUS_OK;
+    return status_fail(why, STATUS_INPUT,
+                       "%s: truths that come with the program are made from a commit with "
+                       "no file changed; this is commit %s with %s changed",
+                       path, commit, changed);
+}
+
 /* Chooses FILE, the folder of those that come with the program, or the results. */
 static enum status choose_file(const struct job *j, const struct command_line *line,
                                char file[PATH], struct message *why)
@@ -351,7 +349,6 @@ static enum status choose_file(const struct job *j, const struct command_line *l
     const char *out = command_value(line, "--out");
     const bool store = command_given(line, "--store");
     const char *all = j->quick ? "results/truths_quick" : "results/truths";
-    struct provenance provenance;
     enum status st;
 
     if (out && store)
@@ -363,8 +360,8 @@ static enum status choose_file(const struct job *j, const struct command_line *l
     else
         snprintf(file, PATH, "%s/%s.h5", store ? truth_file_kind.in_source : all,
                  j->scene.name);
-    provenance_collect(&provenance);
-    TRY(truth_file_may_store(file, &provenance, why));
+    if (store)
+        TRY(check_program(file, why));
 out:
     return st;
 }
@@ -372,8 +369,7 @@ out:
 /* Makes the truth, by closed forms or runs; or beside it, in third/, what --third has. */
 static enum status make(struct job *j, const struct command_line *line, struct message *why)
 {
-    struct truth_runs runs = {
-        .path = j->path, .settings = &j->settings, .say = stderr, .ours = true};
+    struct truth_runs runs = {.path = j->path, .settings = &j->settings, .say = stderr};
     const char *third = command_value(line, "--third");
     struct truth made = {0};
     char truth[PATH], file[PATH + 8];
@@ -423,41 +419,32 @@ static enum status print_known(const struct job *j, const int points[2],
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
 }
 
-/* Prints what is known of every scene that comes with the program. */
-static enum status print_all(const struct command_line *line, struct message *why)
-{
-    const char *word = command_value(line, "--format");
-    enum table_format format = TABLE_TEXT;
-    enum status st;
-
-    if (!command_given(line, "--stored") || command_given(line, "--points"))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "truth SCENE; without one --stored alone, what is known of all"));
-    if (word)
-        TRY(table_format_parse(word, &format, why));
-    TRY(truth_print_all(format, stdout, why));
-out:
-    return st;
-}
-
 static enum status run(const struct command_line *line, struct message *why)
 {
+    const bool stored = command_given(line, "--stored");
+    const char *format = command_value(line, "--format");
     struct job j = {0};
-    int points[2] = {0, 0};
+    int points[2] = {0, 0}, count;
+    const char *const *given = command_values(line, "--set", &count);
     enum status st;
 
+    if (format)
+        TRY(table_format_parse(format, &j.format, why));
+    if (!line->word_count && (!stored || command_given(line, "--points")))
+        TRY(status_fail(why, STATUS_INPUT,
+                        "truth SCENE; without one --stored alone, what is known of all"));
     if (!line->word_count)
-        return print_all(line, why);
-    TRY(prepare(&j, line, why));
+        return truth_print_all(j.format, stdout, why);
+    settings_set_all(&j.settings, count, given);
+    TRY(read_wish(&j, line, why));
+    TRY(scene_file_find(line->words[0], &j.path, why));
+    TRY(truth_plan_scene(j.path, &j.settings, &j.scene, why));
     TRY(command_pair(line, "--points", 2, FRAMES_MOST, points, why));
-    if (*points && !command_given(line, "--stored"))
+    if (*points && !stored)
         TRY(status_fail(
             why, STATUS_INPUT,
             "--points prints positions of a truth that is known: with --stored"));
-    if (command_given(line, "--stored"))
-        TRY(print_known(&j, points, why));
-    else
-        TRY(make(&j, line, why));
+    TRY(stored ? print_known(&j, points, why) : make(&j, line, why));
 out:
     settings_clear(&j.settings);
     scene_clear(&j.scene);

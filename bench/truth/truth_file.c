@@ -1,7 +1,4 @@
-#include <inttypes.h>
-#include <libgen.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,8 +54,8 @@ static void print_obstacles(const struct scene *s, FILE *out)
     }
 }
 
-/* Only the numbers that the kind of damping has. A factor a step is a physics that depends
- * on the step. */
+/* Prints only the numbers that the kind of damping has. A factor a step is a physics that
+ * depends on the step. */
 static void print_damping(const struct scene *s, FILE *out)
 {
     const struct scene_damping *d = &s->damping;
@@ -108,7 +105,7 @@ enum status truth_physics(const struct scene *s, char **text)
     return STATUS_OK;
 }
 
-/* Past the lines that both begin with. */
+/* Moves both past the lines with which they begin alike. */
 static void skip_common(const char **a, const char **b)
 {
     size_t line = 0;
@@ -122,7 +119,8 @@ static void skip_common(const char **a, const char **b)
 
 enum { LINE = 256 };
 
-/* The first line of a text, a blank before each word, with the digits that people write. */
+/* Copies the first line of a text, a blank before each word, with the digits that people
+ * write. */
 static void tell_line(const char *text, char line[LINE])
 {
     size_t used = 0;
@@ -175,35 +173,6 @@ static double *cell(const struct truth *t, int n, int column)
     return column < TRUTH_STORED ? &t->value[n][column] : &t->error[n];
 }
 
-/* FNV-1a, 64 bits (Fowler, Noll, Vo 1991). */
-static const uint64_t PRIME = UINT64_C(0x100000001b3);
-
-static uint64_t add(uint64_t sum, const void *bytes, size_t size)
-{
-    const unsigned char *b = bytes;
-
-    for (size_t n = 0; n < size; n++)
-        sum = (sum ^ b[n]) * PRIME;
-    return sum;
-}
-
-/* Computes it of what the file has: fields as 32-bit floats; a number that does not exist
- * is left out, as one NaN is not another. */
-static void checksum(const char *physics, const struct truth *m, char text[17])
-{
-    uint64_t sum = add(UINT64_C(0xcbf29ce484222325), physics, strlen(physics));
-
-    for (int n = 0; n < m->times; n++) {
-        sum = add(sum, &m->time[n], sizeof m->time[n]);
-        for (int c = 0; c < COLUMNS; c++)
-            if (!isnan(*cell(m, n, c)))
-                sum = add(sum, cell(m, n, c), sizeof(double));
-        for (int k = 0; n < m->claimed && k < 3 * GRID_POINTS; k++)
-            sum = add(sum, &(float){(float)m->xyz[n][k]}, sizeof(float));
-    }
-    snprintf(text, 17, "%016" PRIx64, sum);
-}
-
 void truth_pack(struct truth *t, double length)
 {
     for (int n = 0; n < t->claimed; n++) {
@@ -245,11 +214,10 @@ static enum status put_columns(struct store *store, const struct truth *made,
 static enum status put_all(struct store *store, const struct scene *scene,
                            const struct truth *made, struct message *why)
 {
-    char sum[17], *physics = NULL;
+    char *physics = NULL;
     enum status st;
 
     TRY(truth_physics(scene, &physics));
-    checksum(physics, made, sum);
     for (int n = 0; n < made->times; n++)
         TRY(store_frame(store, made->time[n], n < made->claimed ? made->xyz[n] : NULL, NULL,
                         NULL, why));
@@ -257,13 +225,12 @@ static enum status put_all(struct store *store, const struct scene *scene,
     TRY(store_text(store, "note", made->source, why));
     TRY(store_text(store, "horizon", made->horizon, why));
     TRY(store_text(store, "physics", physics, why));
-    TRY(store_text(store, "checksum", sum, why));
 out:
     free(physics);
     return st;
 }
 
-/* The run that the field is from; of a closed form the scene alone. */
+/* Reads the run that the field is from; of a closed form the scene alone. */
 static enum status read_run(const struct truth_runs *runs, const struct truth *made,
                             struct run *run, struct message *why)
 {
@@ -284,7 +251,7 @@ out:
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
                              const struct truth *made, struct message *why)
 {
-    /* No models of ours: the names that the file has of them. */
+    /* The names that the file has of what is no model of ours. */
     static const struct model none = {.name = "closed_form",
                                       .title = "closed form",
                                       .source = "bench/truth/truth_closed.h"},
@@ -340,7 +307,7 @@ out:
     return st;
 }
 
-/* A text, of it what room[size] takes; `else_say`, if not NULL, where the file has none. */
+/* Reads what room[size] takes of a text; of a file without it `else_say`, if not NULL. */
 static enum status read_text(const struct store_read *file, const char *group,
                              const char *key, const char *else_say, char *room, size_t size)
 {
@@ -354,17 +321,14 @@ static enum status read_text(const struct store_read *file, const char *group,
     return st;
 }
 
-enum { SUM = 64 };
-
 static enum status read_made(const struct store_read *file, struct truth *made,
-                             char **physics, char sum[SUM])
+                             char **physics)
 {
     enum status st;
     double *time = NULL;
     int times, width, claimed = store_read_frames(file);
 
     TRY(store_read_text(file, "/", "physics", physics, NULL));
-    TRY(read_text(file, "/", "checksum", NULL, sum, SUM));
     TRY(store_read_array(file, "time", &time, &times, &width, NULL));
     TRY(claimed > times ? STATUS_INPUT : truth_init(made, times, claimed, time));
     TRY(read_columns(file, made));
@@ -381,26 +345,20 @@ out:
     return st;
 }
 
+/* Reads a file without the third beside it. */
 static enum status read_alone(const char *path, struct truth *made, char **physics,
                               struct message *why)
 {
     struct store_read *file = NULL;
-    char sum[17], kept[SUM], *text = NULL;
+    char *text = NULL;
     enum status st;
 
     memset(made, 0, sizeof *made);
     TRY(store_read_open(path, &file, why));
-    st = read_made(file, made, &text, kept);
+    st = read_made(file, made, &text);
     TRY(st == STATUS_OK || st == STATUS_MEMORY
             ? st
             : status_fail(why, STATUS_INPUT, "%s: is not a stored truth", path));
-    checksum(text, made, sum);
-    if (strcmp(sum, kept) != 0)
-        TRY(status_fail(
-            why, STATUS_INPUT,
-            "%s: was changed after it was made (its checksum is %s, not %.40s); "
-            "make it again: clothbench truth",
-            path, sum, kept));
     *physics = text, text = NULL;
 out:
     if (st != STATUS_OK)
@@ -421,7 +379,7 @@ enum status truth_file_third(const char *path, char *third, size_t size,
     return status_fail(why, STATUS_INPUT, "%s: the name is too long", path);
 }
 
-/* One of other physics than the truth's says nothing of it. */
+/* Judges a truth by the third beside it, if it is of the same physics. */
 static enum status judge_by_third(const char *path, const char *physics, struct truth *made,
                                   struct message *why)
 {
@@ -459,31 +417,6 @@ out:
         truth_clear(made);
     free(text);
     return st;
-}
-
-bool truth_file_clean(const char *commit, const char *changed)
-{
-    return strcmp(commit, "unknown") != 0 && !strcmp(changed, "0");
-}
-
-enum status truth_file_may_store(const char *path, const struct provenance *program,
-                                 struct message *why)
-{
-    const char *commit = provenance_value(program, "commit");
-    const char *changed = provenance_value(program, "changed_files");
-    char *folder = strdup(path);
-    struct stat there, ours;
-    const bool same = folder && stat(dirname(folder), &there) == 0 &&
-                      stat(truth_file_kind.in_source, &ours) == 0 &&
-                      there.st_ino == ours.st_ino && there.st_dev == ours.st_dev;
-
-    free(folder);
-    if (!same || truth_file_clean(commit, changed))
-        return STATUS_OK;
-    return status_fail(why, STATUS_INPUT,
-                       "%s: truths that come with the program are made from a commit with "
-                       "no file changed; this is commit %s with %s changed",
-                       path, commit, changed);
 }
 
 enum status truth_file_find(const char *name, const struct scene *scene, struct truth *made,

@@ -7,11 +7,10 @@
 
 #include "bench/files/provenance.h"
 #include "bench/files/seal.h"
-#include "bench/files/store.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_parts.h"
 
-enum { PATH = 4096, KEY = 64 };
+enum { PATH = 4096, KEY = sizeof((struct run_result *)0)->made_for };
 
 static const double EARTH = 9.81; /* [m/s^2] */
 
@@ -26,7 +25,7 @@ const struct contestant *truth_level_contestant(enum truth_model model)
     return c;
 }
 
-/* SplitMix64, the output of a counter. */
+/* Returns SplitMix64's output for a counter. */
 static uint64_t hash(uint64_t counter)
 {
     uint64_t z = counter * UINT64_C(0x9e3779b97f4a7c15);
@@ -36,7 +35,7 @@ static uint64_t hash(uint64_t counter)
     return z ^ (z >> 31);
 }
 
-/* From -1 to 1, exactly. */
+/* Returns a number from -1 to 1, exactly. */
 static double uniform(uint64_t counter)
 {
     return (double)(hash(counter) >> 11) * 0x1p-52 - 1;
@@ -82,7 +81,7 @@ out:
     return st;
 }
 
-/* The contestant's own once more: nobody's --set makes it another one. */
+/* Adds the contestant's settings last: nobody's --set makes it another one. */
 enum status truth_level_settings(const struct truth_runs *runs,
                                  const struct truth_level *level, struct settings *settings,
                                  struct message *why)
@@ -99,7 +98,7 @@ enum status truth_level_settings(const struct truth_runs *runs,
                             : STATUS_OK;
 }
 
-/* The times, and perhaps later ones. */
+/* Whether a run has these times, and perhaps later ones. */
 static bool has_times(const struct run_result *r, const struct truth_runs *runs)
 {
     for (int n = 0; n < runs->times; n++)
@@ -108,28 +107,18 @@ static bool has_times(const struct run_result *r, const struct truth_runs *runs)
     return true;
 }
 
-/* Made by the same solvers: other commits may differ in words, or in what judges runs. */
-static bool is_ours(const struct store_read *file)
+static unsigned long add(unsigned long sum, const char *text)
 {
-    static const char *const keys[] = {"solvers", "compiler", "flags"};
-    struct provenance here;
-    bool same = true;
-
-    provenance_collect(&here);
-    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++) {
-        char *text = NULL;
-        same &= store_read_text(file, "provenance", keys[n], &text, NULL) == STATUS_OK &&
-                !strcmp(text, provenance_value(&here, keys[n]));
-        free(text);
-    }
-    return same;
+    return seal_text_sum(sum, text, strlen(text) + 1);
 }
 
-/* What a level's file is made for: the physics, and what the caller sets besides; its name
- * has the rest. */
+/* Writes what a level's file is made for: the physics and what the caller sets besides, by
+ * these solvers (other commits may differ in words, or in what judges runs); its name has
+ * the rest. */
 static enum status key_of(const struct run_plan *plan, const struct settings *given,
                           char key[KEY], struct message *why)
 {
+    struct provenance here;
     struct run run = {0};
     char *physics = NULL;
     unsigned long sum;
@@ -137,11 +126,15 @@ static enum status key_of(const struct run_plan *plan, const struct settings *gi
 
     TRY(run_read(&run, plan, why));
     TRY(truth_physics(&run.scene, &physics));
-    sum = seal_text_sum(0, physics, strlen(physics));
+    provenance_collect(&here);
+    sum = add(0, physics);
+    sum = add(sum, provenance_value(&here, "compiler"));
+    sum = add(sum, provenance_value(&here, "flags"));
     for (int n = 0; n < given->count; n++)
         if (strncmp(given->text[n], "discretization", 14) == 0)
-            sum = seal_text_sum(sum, given->text[n], strlen(given->text[n]) + 1);
-    snprintf(key, KEY, "a level of %08lx", sum);
+            sum = add(sum, given->text[n]);
+    snprintf(key, KEY, "a level of %08lx by solvers %.64s", sum,
+             provenance_value(&here, "solvers"));
 out:
     run_close(&run);
     free(physics);
@@ -152,22 +145,14 @@ out:
 static bool is_kept(const char *path, const char *key, const struct truth_runs *runs,
                     struct run_result *r)
 {
-    struct run_result found = {0};
-    struct store_read *file = NULL;
-    const bool good =
-        run_result_read(path, true, &found, NULL) == STATUS_OK && has_times(&found, runs) &&
-        strcmp(found.made_for, key) == 0 &&
-        (!runs->ours || (store_read_open(path, &file, NULL) == STATUS_OK && is_ours(file)));
-
-    store_read_close(file);
-    if (good)
-        *r = found;
-    else
-        run_result_clear(&found);
-    return good;
+    if (run_result_read(path, true, r, NULL) == STATUS_OK && has_times(r, runs) &&
+        strcmp(r->made_for, key) == 0)
+        return true;
+    run_result_clear(r);
+    return false;
 }
 
-/* What a run that came to no end says. */
+/* Refuses a run that came to no end, with its sentence. */
 static enum status check(const struct run_result *r, const struct truth_level *level,
                          const struct truth_runs *runs, struct message *why)
 {

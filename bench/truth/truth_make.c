@@ -94,10 +94,10 @@ double truth_plan_frame(const struct scene *scene)
 
 /* --- The maker --- */
 
-/* Runs from the finest back to that which is pushed at the end. */
+/* The number of runs from the finest back to that which is pushed at the end. */
 enum { PUSHED_BEHIND = 3 };
 
-/* Two runs of a model first show something (truth_bar_compare). */
+/* The number of runs that first show something (truth_bar_judge). */
 enum { LEAST_RUNS = 2 };
 
 struct maker {
@@ -118,19 +118,8 @@ static double seconds_of(const struct run_result *r)
 
 /* --- What runs show --- */
 
-double truth_make_known(const struct truth *made, double error)
-{
-    double known = 0;
-
-    for (int n = 0; n < made->times && made->error[n] <= error &&
-                    made->value[n][TRUTH_GROWTH] <= TRUTH_MOST_GROWTH;
-         n++)
-        known = made->time[n];
-    return known;
-}
-
-/* Whether a run is, up to a time, as near to the truth as one that is claimed: what it says
- * of the growth of a change counts then. */
+/* Whether a run is, up to a time, as near to the truth as one that is claimed, so that what
+ * it says of the growth of a change counts. */
 static bool is_near(const struct truth_family *f, const struct run_result *run,
                     const struct truth *made, double until, double length)
 {
@@ -143,7 +132,7 @@ static bool is_near(const struct truth_family *f, const struct run_result *run,
     return true;
 }
 
-/* From when on the change has grown beyond, and whether the run it was seen in may say so.
+/* Finds when the change has grown too much, and whether the run that shows it may say so.
  */
 static void see_push(const struct truth_family family[TRUTH_MODELS],
                      const struct truth_push *push, const struct truth *made, double length,
@@ -170,9 +159,14 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
     const double length = scene->length;
     struct truth_outlook o = {0};
     struct truth_level next;
+    bool met = true;
 
     for (int n = 0; n < made->times; n++) {
         const double *v = made->value[n];
+        met =
+            met && made->error[n] <= error * length && v[TRUTH_GROWTH] <= TRUTH_MOST_GROWTH;
+        if (met)
+            o.known = made->time[n];
         o.error = fmax(o.error, made->error[n] / length);
         o.difference = fmax(o.difference, v[TRUTH_DIFFERENCE] / length);
         for (int m = 0; m < TRUTH_MODELS; m++)
@@ -188,7 +182,6 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
             o.model[m].seconds = seconds_of(truth_bar_finest(f));
     }
     see_push(family, push, made, length, &o);
-    o.known = truth_make_known(made, error * length);
     return o;
 }
 
@@ -201,8 +194,8 @@ static bool are_apart(const struct truth_wish *wish, const struct truth_outlook 
            m[0].bar + m[1].bar <= wish->error;
 }
 
-/* Returns the model of the next run: where both are too blunt, the one whose finest run
- * took less time; else the blunter one. */
+/* Returns the model of the next run: where both bars are too large, the one whose finest
+ * run took less time; else the one with the larger bar. */
 static enum truth_model choose(const struct truth_wish *wish, const struct truth_outlook *o)
 {
     const struct truth_seen *solid = &o->model[TRUTH_SOLID],
@@ -281,7 +274,7 @@ void truth_make_tell(const struct truth_wish *wish, const struct truth_outlook *
 
 /* --- Runs --- */
 
-/* Makes one run more of a model. */
+/* Makes one more run of a model. */
 static enum status add_run(struct maker *k, enum truth_model model, struct message *why)
 {
     struct truth_family *f = &k->family[model];
@@ -306,8 +299,8 @@ static bool leaves_other(enum status st)
     return st == STATUS_UNSUPPORTED || st == STATUS_LATE || status_is_death(st);
 }
 
-/* `count` runs of each model that serves the scene, in turn; fewer where the budget ends,
- * and none of a model that did not come to two. */
+/* Makes `count` runs of each model that doesn't refuse the scene, in turn; fewer where the
+ * budget ends, and none of a model that did not come to two. */
 static enum status begin(struct maker *k, int count, struct message *why)
 {
     const enum truth_model first = k->wish->shell ? TRUTH_SHELL : TRUTH_SOLID;
@@ -353,14 +346,16 @@ static enum status push(struct maker *k, const struct truth_family *f, int run,
     return STATUS_OK;
 }
 
-/* Whose runs are pushed: the solid's, or the shell's where that is alone. */
+/* Returns the family whose runs are pushed: the solid's, or the shell's where that is
+ * alone. */
 static const struct truth_family *pushed_family(const struct maker *k)
 {
     return &k->family[k->family[TRUTH_SOLID].count ? TRUTH_SOLID : TRUTH_SHELL];
 }
 
-/* A coarse net may not show how fast a change grows, and the finest is dear: the third of
- * the finest. False: one as fine was pushed, or there is no budget. */
+/* Finds the third of the finest runs, to be pushed: a coarse net may not show how fast a
+ * change grows, and the finest is expensive. False: one as fine was pushed, or there is no
+ * budget. */
 static bool find_finer(const struct maker *k, int *run)
 {
     const struct truth_family *f = pushed_family(k);
@@ -381,7 +376,8 @@ static struct truth_outlook look(struct maker *k, struct truth *made)
     return o;
 }
 
-/* The cheapest run that may say what becomes of a change up to a time; false: none may. */
+/* Finds the cheapest run that may say what becomes of a change up to a time; false: none
+ * may. */
 static bool find_near(const struct maker *k, const struct truth *made, double until,
                       const struct truth_family **family, int *run)
 {
@@ -400,8 +396,9 @@ static bool find_near(const struct maker *k, const struct truth *made, double un
     return isfinite(least);
 }
 
-/* A net too coarse to know the motion does not say that it is lost: the push is made again
- * on one that does, as soon as there is one and the budget has its time. */
+/* Looks at the runs. A net too coarse to know the motion does not say that it is lost: the
+ * push is made again on one that does, as soon as there is one and the budget has its time.
+ */
 static enum status look_again(struct maker *k, struct truth *made, struct truth_outlook *o,
                               struct message *why)
 {

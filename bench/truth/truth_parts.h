@@ -28,9 +28,9 @@ enum status truth_level_settings(const struct truth_runs *runs,
                                  struct message *why);
 
 /* Reads the level's file with its fields, if it is whole, has these times (and perhaps
- * later ones) and was made for these physics and settings of the discretization; else runs
- * it. STATUS_DIVERGED with a sentence: it died on the way. STATUS_UNSUPPORTED: the model
- * refuses. STATUS_INPUT: scene or settings are impossible. */
+ * later ones) and was made for these physics and settings of the discretization by these
+ * solvers; else runs it. STATUS_DIVERGED with a sentence: it died on the way.
+ * STATUS_UNSUPPORTED: the model refuses. STATUS_INPUT: scene or settings are impossible. */
 enum status truth_level_find(const struct truth_runs *runs, const struct truth_level *level,
                              struct run_result *r, struct message *why);
 
@@ -170,9 +170,6 @@ enum truth_answer truth_make_judge(const struct truth_wish *wish,
 void truth_make_tell(const struct truth_wish *wish, const struct truth_outlook *o,
                      enum truth_answer answer, enum truth_model next,
                      char text[TRUTH_END_TEXT]);
-
-/* Returns the last time before the error bar first passes so much [m]; 0: none. */
-double truth_make_known(const struct truth *made, double error);
 
 /* --- The third mechanics --- */
 

@@ -175,7 +175,8 @@ bool verify_sheet_table(struct verify_sheet *sheet, const char *name)
     reference_close(sheet->table);
     sheet->table = NULL;
     return sheet->status == STATUS_OK &&
-           verify_sheet_holds(sheet, truth_table_open(name, &sheet->table, &sheet->why));
+           verify_sheet_holds(sheet,
+                              reference_open_named(name, &sheet->table, &sheet->why));
 }
 
 /* Fills in a row of a field's table. Its nets are its own, else the field's, else the

@@ -28,8 +28,8 @@
 
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
-#include "bench/truth/truth_table.h"
 #include "bench/ui/command.h"
+#include "fem_ref/reference.h"
 
 /* --- Rows. */
 
@@ -168,7 +168,7 @@ void verify_sheet_clear(struct verify_sheet *sheet); /* all-zero is allowed */
  * has failed so far. */
 bool verify_sheet_holds(struct verify_sheet *sheet, enum status st);
 
-/* Opens a truth's table (truth_table.h) in place of the last one; returns as _holds. */
+/* Opens a truth's table (reference.h) in place of the last one; returns as _holds. */
 bool verify_sheet_table(struct verify_sheet *sheet, const char *name);
 
 /* Returns as _holds; that the table lacks something that was read from it is a failure. */
@@ -189,7 +189,7 @@ struct verify_row *verify_sheet_add(const struct verify_subject *subject,
 
 /* A number of the sheet's table in the row of the subject's case; one of its notes. */
 #define verify_number(s, column) reference_number((s)->sheet->table, (s)->at, column)
-#define verify_note(s, key)      truth_table_note((s)->sheet->table, key)
+#define verify_note(s, key)      reference_note_number((s)->sheet->table, key)
 
 /* --- Trials: the runs behind a row. Their seconds, refusals and deaths go to the row,
  * other failures to the sheet. All functions return `lived`. */

@@ -1,7 +1,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
 
 /* Claims: 1 % for nonlinear solids, as wherever a strip is heavy; 1e-3 L for shells, whose

@@ -10,7 +10,7 @@ bool verify_plates_read(struct verify_sheet *sheet, const char *name,
     char *path = NULL;
     const bool there =
         verify_sheet_table(sheet, name) &&
-        verify_sheet_holds(sheet, truth_table_path(name, &path, &sheet->why)) &&
+        verify_sheet_holds(sheet, reference_path(name, &path, &sheet->why)) &&
         verify_sheet_holds(sheet, freefem_read(path, NULL, f, &sheet->why));
 
     free(path);
@@ -27,10 +27,11 @@ void verify_plates_physics(const struct verify_sheet *sheet, struct settings *al
         const char *key = n < 3 ? sizes[n] : material[n - 3];
         if (reference_note(table, key))
             settings_print(all, "%s.%s=%.17g", n < 3 ? "sheet" : "material", key,
-                           truth_table_note(table, key));
+                           reference_note_number(table, key));
     }
     if (reference_note(table, "gravity"))
-        settings_print(all, "gravity=[0,0,%.17g]", -truth_table_note(table, "gravity"));
+        settings_print(all, "gravity=[0,0,%.17g]",
+                       -reference_note_number(table, "gravity"));
 }
 
 const double *verify_plates_points(void)

@@ -3,7 +3,6 @@
 #ifndef VERIFY_PLATES_H
 #define VERIFY_PLATES_H
 
-#include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
 #include "fem_ref/freefem.h"
 

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 
 #include "bench/truth/truth.h"
-#include "bench/truth/truth_table.h"
 #include "bench/verify/verify_check.h"
 #include "fem_ref/freefem.h"
 #include "fem_ref/kirchhoff_field.h"
@@ -85,7 +84,7 @@ static enum status transient_init(struct transient *t, struct message *why)
     TRY(rest ? STATUS_OK : STATUS_MEMORY);
     TRY(freefem_job_of(&t->scene, &job, why));
     job.moving = true;
-    TRY(truth_table_path("freefem_transient_h1177um", &solid, why));
+    TRY(reference_path("freefem_transient_h1177um", &solid, why));
     TRY(freefem_read(solid, &job, &t->solid, why));
     for (int n = 0; n < GRID_POINTS; n++)
         grid_point(n, t->uvw + 3 * n);

@@ -247,56 +247,28 @@ static void find_stored(const struct truth *made)
     asked_close(&a);
 }
 
-/* What comes with the program is of a commit, and nothing else. */
-static void who_may_store(void)
-{
-    static const struct {
-        const char *path, *commit, *changed;
-        bool may;
-    } cases[] = {{SOURCE_DIR "/bench/truths/edge_drop.h5", "1234", "0", true},
-                 {SOURCE_DIR "/bench/truths/edge_drop.h5", "1234", "1", false},
-                 {SOURCE_DIR "/bench/truths/edge_drop.h5", "1234", "unknown", false},
-                 {SOURCE_DIR "/bench/truths/edge_drop.h5", "unknown", "0", false},
-                 {SOURCE_DIR "/bench/../bench/truths/mine.h5", "1234", "1", false},
-                 {SOURCE_DIR "/bench/edge_drop.h5", "1234", "1", true},
-                 {"edge_drop.h5", "unknown", "unknown", true},
-                 {"/proc/nowhere/edge_drop.h5", "1234", "1", true}};
-
-    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        struct provenance p = {2, {{"commit", ""}, {"changed_files", ""}}};
-        struct message why = {""};
-        strcpy(p.entry[0].value, cases[n].commit);
-        strcpy(p.entry[1].value, cases[n].changed);
-        const enum status st = truth_file_may_store(cases[n].path, &p, &why);
-        if (!CHECK(st == (cases[n].may ? STATUS_OK : STATUS_INPUT)))
-            printf("%s, commit %s, %s changed\n", cases[n].path, cases[n].commit,
-                   cases[n].changed);
-        CHECK(cases[n].may || strstr(why.text, "no file changed"));
-    }
-}
-
-/* Other physics, another checksum, none at all: a sentence each, and no truth. */
+/* A file that says nothing of its physics, and one whose bytes were changed: a sentence
+ * each, and no truth. */
 static void changed_files_are_refused(struct truth *made)
 {
-    static const char *const stiffer[] = {"damping={kind: none}", "material.young=2e5"};
     struct truth *t = NULL;
     struct truth read;
     struct message why = {""};
-    char *text = physics_of("edge_drop", 2, stiffer), *physics = NULL;
-    const char *file = write_made_up(made);
+    char *physics = NULL;
+    const char *name = write_made_up(made);
 
-    change(file, "/", "physics", text);
-    CHECK(find("edge_drop", 2, stiffer, 2, times, &t, &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "edge_drop.h5") && strstr(why.text, "changed after"));
-    file = write_made_up(made);
-    change(file, "/", "checksum", "0000000000000000");
-    CHECK(truth_file_read(file, &read, &physics, &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "checksum"));
-    change(file, "/", "checksum", NULL);
-    CHECK(truth_file_read(file, &read, &physics, &why) == STATUS_INPUT);
+    change(name, "/", "physics", NULL);
+    CHECK(truth_file_read(name, &read, &physics, &why) == STATUS_INPUT);
     CHECK(strstr(why.text, "not a stored truth"));
+    name = write_made_up(made);
+    FILE *file = fopen(name, "r+b");
+    REQUIRE(file && fseek(file, 5000, SEEK_SET) == 0);
+    const int byte = getc(file);
+    REQUIRE(fseek(file, 5000, SEEK_SET) == 0 && putc(byte ^ 1, file) >= 0 &&
+            fclose(file) == 0);
+    CHECK(find("edge_drop", 2, undamped, 2, times, &t, &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "edge_drop.h5: is damaged"));
     CHECK(!read.xyz && !physics && !t);
-    free(text);
 }
 
 static char *level_file(void)
@@ -320,18 +292,17 @@ static bool takes(const struct truth_runs *runs, const struct truth_level *level
     return before.st_ino == after.st_ino && before.st_mtim.tv_nsec == after.st_mtim.tv_nsec;
 }
 
-/* A run that is kept serves its own physics, numerics and times only; a push moves the
- * sheet. Who asks for runs of its own gets none of other solvers, but those of another
- * commit. */
+/* A run that is kept serves its own physics, numerics, times and solvers only; a push moves
+ * the sheet. */
 static void kept_runs(void)
 {
     static const char *const stiffer[] = {"damping={kind: none}", "material.young=2e5"};
-    static const char *const keys[] = {"solvers", "compiler", "flags", "commit"};
     static const double early[] = {0.01}, later[] = {0.02};
     struct truth_level level = {TRUTH_SHELL, 2, 6, 0.005, true};
     struct settings first = settings_of(1, undamped), other = settings_of(2, stiffer);
     struct settings numerics = settings_of(2, undamped);
     struct run_result run = {0}, pushed = {0};
+    struct provenance here;
     char *path = NULL;
 
     REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
@@ -342,13 +313,11 @@ static void kept_runs(void)
     const double by = metric_rmse(run.xyz[0], pushed.xyz[0]);
     CHECK(by > 0 && by < 1e-6); /* g t^2 / 2 times 1e-6 */
     CHECK(takes(&runs, &level));
-    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++) {
-        change(level_file(), "provenance", keys[n], "another");
-        CHECK(takes(&runs, &level)); /* whoever made it */
-        runs.ours = true;
-        CHECK(takes(&runs, &level) == (n == 3));
-        runs.ours = false;
-    }
+    provenance_collect(&here);
+    CHECK(strstr(run.made_for, provenance_value(&here, "solvers")));
+    change(level_file(), "/", "made_for", "a level of another build");
+    CHECK(!takes(&runs, &level));
+    CHECK(takes(&runs, &level));
     runs.time = later;
     CHECK(!takes(&runs, &level));
     runs.settings = &numerics;
@@ -363,7 +332,8 @@ static void kept_runs(void)
     free(path);
 }
 
-/* A level is its contestant's, whatever is set, and pushed along (1,1,1) by 1e-6 g. */
+/* A level is its contestant's, whatever is set, and pushed along (1,1,1) by a millionth of
+ * gravity, or of the earth's in a scene without. */
 static void levels(void)
 {
     static const char *const set[] = {"gravity=[1,-2,4]", "discretization.remedy=none",
@@ -372,22 +342,31 @@ static void levels(void)
                                           {"discretization.kinematics", "nonlinear"},
                                           {"discretization.points", "[7,7,2]"},
                                           {"discretization.degree", "[3,3,1]"}};
+    static const struct {
+        const char *scene;
+        int count; /* of `set` */
+        double own[3], size;
+    } cases[] = {{"edge_drop", 4, {1, -2, 4}, 4.58257569495584},
+                 {"edge_drop", 0, {0, 0, -9.81}, 9.81},
+                 {"moving_edge", 0, {0}, 9.81}};
     const struct truth_level level = {TRUTH_SOLID, 3, 7, 0.0025, true};
-    const double own[3] = {1, -2, 4};
-    struct settings s = {0};
-    struct asked a;
-    double g[3];
 
-    asked_open(&a, "edge_drop", 4, set, 0, NULL, folder);
-    REQUIRE(truth_level_settings(&a.runs, &level, &s, NULL) == STATUS_OK);
-    for (int n = 0; n < 4; n++)
-        CHECK(!strcmp(settings_value(&s, want[n][0]), want[n][1]));
-    CHECK_RELATIVE(strtod(settings_value(&s, "time.step"), NULL), 0.0025, 1e-15);
-    CHECK(sscanf(settings_value(&s, "gravity"), "[%lf,%lf,%lf]", &g[0], &g[1], &g[2]) == 3);
-    for (int i = 0; i < 3; i++)
-        CHECK_NEAR(g[i], own[i] + 1e-6 * sqrt(7), 1e-15);
-    settings_clear(&s);
-    asked_close(&a);
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        struct settings s = {0};
+        struct asked a;
+        double g[3];
+        asked_open(&a, cases[k].scene, cases[k].count, set, 0, NULL, folder);
+        REQUIRE(truth_level_settings(&a.runs, &level, &s, NULL) == STATUS_OK);
+        for (int n = 0; n < 4; n++)
+            CHECK(!strcmp(settings_value(&s, want[n][0]), want[n][1]));
+        CHECK_RELATIVE(strtod(settings_value(&s, "time.step"), NULL), 0.0025, 1e-15);
+        CHECK(sscanf(settings_value(&s, "gravity"), "[%lf,%lf,%lf]", &g[0], &g[1], &g[2]) ==
+              3);
+        for (int i = 0; i < 3; i++)
+            CHECK_NEAR(g[i], cases[k].own[i] + 1e-6 * cases[k].size / sqrt(3), 1e-14);
+        settings_clear(&s);
+        asked_close(&a);
+    }
 }
 
 int main(int argc, char **argv)
@@ -407,7 +386,6 @@ int main(int argc, char **argv)
     file_comes_back(&made, file);
     who_gets_it(&made);
     find_stored(&made);
-    who_may_store();
     changed_files_are_refused(&made);
     remove(file);
     truth_clear(&made);

@@ -341,6 +341,7 @@ static void check_choices(void)
         truth_bar_judge(family, &push, LENGTH, &made);
         if (!CHECK(made.claimed == c->claimed))
             printf("choice %zu: %d claimed\n", n, made.claimed);
+        CHECK(look(TRUTH_MOST_ERROR).known == (c->claimed ? times[c->claimed - 1] : 0));
         for (int t = 0; t < TIMES; t++) {
             const bool solid = c->whose[t] == 'o';
             CHECK_NEAR(made.error[t],

@@ -20,7 +20,6 @@ enum { TIMES = 2 };
 static const double TIME[TIMES] = {0.05, 0.1};
 
 static const double BLUNT = 5e-3;
-static const double ROUNDING = 1e-14; /* of gravity [m/s^2] */
 
 static const char *const own[] = {"material.young=2e5", "damping={kind: none}"};
 
@@ -151,31 +150,6 @@ static void is_made_again(const char *folder, const struct truth *whole)
     truth_destroy(t);
 }
 
-/* A millionth of gravity along (1,1,1), or of the earth's in a scene without. */
-static void check_push(void)
-{
-    static const struct {
-        const char *scene;
-        double down;
-    } cases[] = {{"edge_drop", 9.81}, {"moving_edge", 0}};
-    const double push = 9.81e-6 / sqrt(3);
-
-    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        const struct truth_level level = {TRUTH_SHELL, 3, 9, 0.005, true};
-        struct settings s = {0};
-        struct scene scene = {0};
-        struct asked a;
-        asked_open(&a, cases[n].scene, 0, NULL, 0, NULL, NULL);
-        REQUIRE(truth_level_settings(&a.runs, &level, &s, NULL) == STATUS_OK);
-        REQUIRE(contestant_read_scene(&s, a.path, &scene, NULL) == STATUS_OK);
-        for (int c = 0; c < 3; c++)
-            CHECK_NEAR(scene.gravity[c], push - (c == 2) * cases[n].down, ROUNDING);
-        scene_clear(&scene);
-        settings_clear(&s);
-        asked_close(&a);
-    }
-}
-
 static int count_solids(const char *folder)
 {
     struct files files;
@@ -267,31 +241,6 @@ static void check_answers(void)
     }
 }
 
-/* Until when: the last time before the first that is too blunt, or past the horizon. */
-static void check_known(void)
-{
-    static const double time[4] = {.1, .2, .3, .4};
-    static const struct {
-        double error[4], growth[4], known;
-    } cases[] = {{{.01, .01, .01, .01}, {0}, .4},
-                 {{.01, .01, .011, .01}, {0}, .2},
-                 {{.011, .01, .01, .01}, {0}, 0},
-                 {{.01, .01, .01, NAN}, {0}, .3},
-                 {{.01, .01, .01, .01}, {0, 0, 0, 1001}, .3},
-                 {{.01, .01, .01, .01}, {0, 0, 0, 999}, .4}};
-
-    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        struct truth made;
-        REQUIRE(truth_init(&made, 4, 0, time) == STATUS_OK);
-        for (int t = 0; t < 4; t++) {
-            made.error[t] = cases[n].error[t];
-            made.value[t][TRUTH_GROWTH] = cases[n].growth[t];
-        }
-        CHECK(truth_make_known(&made, .01) == cases[n].known);
-        truth_clear(&made);
-    }
-}
-
 /* The plate, where the load is light: what linear theory and Kirchhoff leave is its bar. */
 static void check_plate(void)
 {
@@ -359,9 +308,7 @@ int main(int argc, char **argv)
     truth_destroy(blunt);
     truth_destroy(sharp);
     check_answers();
-    check_known();
     check_plate();
-    check_push();
     push_finer(finer);
     return check_result();
 }

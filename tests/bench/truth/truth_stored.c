@@ -5,7 +5,7 @@
 #include "bench/files/folder.h"
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_parts.h"
-#include "bench/truth/truth_table.h"
+#include "fem_ref/reference.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
@@ -65,7 +65,7 @@ static void check_origin(const char *name, const struct scene *s)
     struct truth made;
 
     REQUIRE(truth_file_find(name, s, &made, NULL) == STATUS_OK);
-    if (!CHECK(truth_file_clean(made.commit, made.changed)))
+    if (!CHECK(strlen(made.commit) == 40 && !strcmp(made.changed, "0")))
         printf("%s: commit %s, %s changed files\n", name, made.commit, made.changed);
     for (int n = 0; n < made.claimed; n++)
         if (!CHECK(made.value[n][TRUTH_PACKING] <= fmax(made.error[n] / 10, FLOAT)))

@@ -130,7 +130,8 @@ struct where {
 /* Returns the label of a level on an axis; NULL: its study has no such axis. */
 const char *dataset_label(const struct study *s, int level, const char *axis);
 
-/* Lists at most `most` labels of an axis, each once, in the plan's order; returns how many. */
+/* Lists at most `most` labels of an axis, each once, in the plan's order; returns how many.
+ */
 int dataset_labels(const struct study_results *d, const char *axis, int most,
                    const char **label);
 

@@ -10,13 +10,13 @@
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
-/* The sheet there; NULL after a death. */
+/* Returns the sheet there; NULL after a death. */
 static const double *sheet(const struct place *p)
 {
     return p->s->row[p->level].frame[p->time].xyz;
 }
 
-/* Numbers that a level has whatever the time. */
+/* Defines a number that a level has whatever the time. */
 #define OF_LEVEL(name, value)                                                              \
     static double name(const struct place *p)                                              \
     {                                                                                      \
@@ -25,7 +25,7 @@ static const double *sheet(const struct place *p)
         return row->left_out || run_result_refused(r) ? NAN : (value);                     \
     }
 
-/* Members of its frame at a time. */
+/* Defines a number of its frame at a time. */
 #define OF_FRAME(name)                                                                     \
     static double name(const struct place *p)                                              \
     {                                                                                      \
@@ -40,7 +40,7 @@ static double a_step(const struct run_result *r, long count)
 OF_LEVEL(size, row->level->size > 0 ? row->level->size : NAN)
 OF_LEVEL(death, r->death_time)
 
-/* Of what was timed, in milliseconds. */
+/* Milliseconds of a summary; NaN: it was not timed. */
 #define MILLISECONDS(summary, member) ((summary).count ? 1e3 * (summary).member : NAN)
 
 static double net(const struct discretization *d)
@@ -87,7 +87,7 @@ static double crossings(const struct place *p)
     OF_LEVEL(of_##name, isfinite(r->value[MEASURE_##code]) ? r->value[MEASURE_##code] : NAN)
 MEASURE_LIST(OF_RUN)
 
-/* The same time of the level that this one is compared with; false: there is none. */
+/* Finds the same time of the level that this one is compared with; false: there is none. */
 static bool find_other(const struct place *p, struct place *other)
 {
     *other = *p;
@@ -95,7 +95,7 @@ static bool find_other(const struct place *p, struct place *other)
     return other->level >= 0;
 }
 
-/* A run that died is no solution, and its cost is compared with none. */
+/* Compares the cost of two runs; one that died is no solution and has no such number. */
 static double of_reference(const struct place *p)
 {
     struct place other;
@@ -121,7 +121,7 @@ static double apart(const struct place *p)
                                                             : NAN;
 }
 
-/* The middle of the edge u = 1. */
+/* Returns the depth of the middle of the edge u = 1 [m]. */
 static double depth(const struct place *p)
 {
     return sheet(p) ? -truth_plate_edge(sheet(p)) : NAN;
@@ -186,7 +186,7 @@ static double apart_most(const struct place *p)
     return most;
 }
 
-/* Over how far the truth has moved. */
+/* Returns the error over the way that the truth has moved. */
 static double off(const struct place *p)
 {
     const struct study *s = p->s;

@@ -1,5 +1,5 @@
-/* study.h - the studies of a plan (plan.h): run and timed together, kept as one
- * result file a level, FOLDER/STUDY_LEVEL.h5, and read back as numbers.
+/* study.h - measures the studies of a plan (plan.h) together, keeps a result file of each
+ * level, FOLDER/STUDY_LEVEL.h5, and reads the files as numbers.
  */
 #ifndef STUDY_H
 #define STUDY_H
@@ -67,21 +67,21 @@ struct place {
 enum status study_measure(const struct plan *plan, const char *folder,
                           const struct measurement_options *options, struct message *why);
 
-/* Numbers from what study_measure left in `folder`. *r is overwritten; free it with
- * study_clear, which accepts all-zero. */
+/* Reads the numbers from the files that study_measure left in `folder`. *r is overwritten;
+ * free it with study_clear, which accepts all-zero. */
 enum status study_read(const struct plan *plan, const char *folder, struct study_results *r,
                        struct message *why);
 void study_clear(struct study_results *r);
 
-/* Observed order in the levels' size of the error against truth at a time; without a
- * truth, of the difference from the finest. NaN with fewer than three levels. */
+/* Returns the observed order, in the levels' size, of the error against truth at a time or,
+ * without a truth, of the difference from the finest. NaN with fewer than three levels. */
 double study_order(const struct study *s, int time);
 
-/* The level that the plan has this one compared with; -1: there is none. */
+/* Returns the level that the plan has this one compared with; -1: there is none. */
 int study_reference(const struct study_results *r, const struct study *s, int level);
 
-/* rms distance of two levels at the first one's time, over its length; NaN: one did not
- * live to see it. */
+/* Returns the rms distance of two levels at the first one's time over its length; NaN: one
+ * did not live to see it. */
 double study_distance(const struct place *a, const struct place *b);
 
 #endif

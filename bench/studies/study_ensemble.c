@@ -521,7 +521,7 @@ out:
     return st;
 }
 
-/* FOLDER/ensemble.txt has what was chosen, for --from. */
+/* Writes FOLDER/ensemble.txt, besides, with the choice for --from. */
 enum status study_ensemble_measure(const struct study_ensemble_options *given,
                                    struct message *why)
 {

@@ -8,32 +8,22 @@
 
 #include "bench/experiment/measurement.h"
 #include "bench/experiment/plan.h"
+#include "bench/experiment/quantity.h"
 #include "bench/harness/run.h"
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth.h"
 #include "bench/ui/table.h"
 
-/* A level at a time, or at rest. NaN: there is no such number. */
-struct study_frame {
-    const double *xyz;   /* field (grid.h) [m]; NULL after a death             borrowed  */
-    double next, finest; /* RMSE / L to the next level and to the finest that lives [1]  */
-    double error;        /* RMSE / L to truth [1]                                        */
-    double roughness, inner, stretch, drop, unevenness; /* metric.h; inner: roughness    */
-    double angle;                                       /* likewise [degrees]            */
-};
-
 struct study_row {
     const struct plan_level *level; /*                                        borrowed  */
     bool left_out; /* by a quick run: there is nothing else                            */
-    struct run_result result; /* with its fields                           owned  */
-    struct run run;           /* scene and discretization of the level; owned     */
-    double milliseconds;      /* a frame, or the equilibrium: median over repeats;
-                                 NaN: not timed                                   */
-    double seconds;  /* of stepping to the last time, from these; else of the one run   */
-    double paper_ms; /* somebody else's; NaN: unknown                                   */
+    struct run_result result; /* with its fields                                 owned  */
+    struct run run;           /* scene and discretization of the level           owned  */
     double
         theory; /* drop of a cantilever's tip at rest over L (truth_plate_drop), or NaN */
-    struct study_frame frame[PLAN_STUDY_TIMES];
+    const double *xyz[PLAN_STUDY_TIMES]; /* sheet (grid.h) [m]; NULL after a death      */
+    double value[PLAN_STUDY_TIMES][QUANTITIES]; /* as far as known (quantity_at)        */
+    bool known[PLAN_STUDY_TIMES][QUANTITIES];
 };
 
 struct study {
@@ -44,7 +34,7 @@ struct study {
     struct truth *truth;     /* owned; NULL: none was asked for, or there is none */
     struct message no_truth; /* why not                                           */
     struct study_row *row;   /* [plan->level_count]; one more for the truth, whose
-                                label is "truth" and which has frames alone      owned */
+                                label is "truth" and which has sheets alone      owned */
 };
 
 struct study_results {
@@ -72,10 +62,6 @@ enum status study_measure(const struct plan *plan, const char *folder,
 enum status study_read(const struct plan *plan, const char *folder, struct study_results *r,
                        struct message *why);
 void study_clear(struct study_results *r);
-
-/* Returns the observed order, in the levels' size, of the error against truth at a time or,
- * without a truth, of the difference from the finest. NaN with fewer than three levels. */
-double study_order(const struct study *s, int time);
 
 /* Returns the level that the plan has this one compared with; -1: there is none. */
 int study_reference(const struct study_results *r, const struct study *s, int level);

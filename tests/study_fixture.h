@@ -82,18 +82,29 @@ struct study_made {
     struct study_results r;
     struct truth truth;
     double error[PLAN_STUDY_TIMES], *xyz[PLAN_STUDY_TIMES];
-    void (*base)(struct study_made *m); /* what a study has otherwise, or NULL          */
 };
 
-enum { STUDY_MEMBERS = 8 }; /* numbers of a study_frame                                 */
-
-/* Of the i-th member: 1.00, 1.10, 1.20 by level; 1.00, 1.01 by time; twice that of the
- * plan's second study. What is to fall from level to level does. */
-static inline double study_number(int study, int level, int time, int i)
+/* Gives a row a number at a time. */
+static inline void study_set(struct study_row *row, int time, enum quantity q, double value)
 {
-    static const int sign[STUDY_MEMBERS] = {-1, -1, -1, 1, 1, 1, 1, -1};
+    row->value[time][q] = value;
+    row->known[time][q] = true;
+}
 
-    return (study + 1) * (i + 1 + sign[i] * level / 10. + time / 100.);
+/* Gives a row at a time eight numbers: the i-th is 1.00, 1.10, 1.20 by level; 1.00, 1.01 by
+ * time; twice that in the plan's second study. What is to fall from level to level does. */
+static inline void study_fill_row(struct study_row *row, int study, int level, int time)
+{
+    static const struct {
+        enum quantity q;
+        int sign;
+    } numbers[] = {{QUANTITY_NEXT, -1},     {QUANTITY_FINEST, -1},    {QUANTITY_ERROR, -1},
+                   {QUANTITY_ROUGHNESS, 1}, {QUANTITY_INNER, 1},      {QUANTITY_STRETCH, 1},
+                   {QUANTITY_DROP, 1},      {QUANTITY_UNEVENNESS, -1}};
+
+    for (int i = 0; i < 8; i++)
+        study_set(row, time, numbers[i].q,
+                  (study + 1) * (i + 1 + numbers[i].sign * level / 10. + time / 100.));
 }
 
 /* The numbers of it, as they are before a test turns one. */
@@ -104,39 +115,33 @@ static inline void study_fill(struct study_made *m)
         struct study *s = &m->r.study[k];
         for (int n = 0; n < s->plan->level_count; n++) {
             struct study_row *row = &s->row[n];
+            memset(row->known, 0, sizeof row->known);
             row->result.outcome = STATUS_OK;
             row->result.death_time = NAN;
             row->result.unknowns = 1000 * (k + 1) + n;
             row->result.factor_entries = 2000 * (k + 1) + n;
-            row->milliseconds = 10 * (k + 1) + n;
-            row->seconds = k + 1 + n / 10.;
             row->theory = 1;
-            row->paper_ms = 500 * (k + 1) + n;
             snprintf(row->result.sentence.text, sizeof row->result.sentence.text, "done");
             for (int t = 0; t < s->frames; t++) {
-                row->frame[t].xyz = NULL;
-                for (int i = 0; i < STUDY_MEMBERS; i++)
-                    (&row->frame[t].next)[i] = study_number(k, n, t, i);
+                row->xyz[t] = NULL;
+                study_fill_row(row, k, n, t);
+                study_set(row, t, QUANTITY_FRAME, 10 * (k + 1) + n);
+                study_set(row, t, QUANTITY_SECONDS, k + 1 + n / 10.);
+                study_set(row, t, QUANTITY_PAPER, s->plan->truth ? NAN : 500 * (k + 1) + n);
             }
         }
-        for (int t = 0; t < s->frames; t++)
-            for (int i = 0; i < STUDY_MEMBERS; i++)
-                (&s->row[s->plan->level_count].frame[t].next)[i] = 50 + 10 * i + t;
     }
     for (int t = 0; t < PLAN_STUDY_TIMES; t++)
         m->error[t] = 0.02 * (t + 1);
-    if (m->base)
-        m->base(m);
 }
 
 /* All levels of a plan with their scenes, 2 m long; a truth where one is asked for. */
-static inline void study_make(struct study_made *m, const char *name,
-                              void (*base)(struct study_made *m))
+static inline void study_make(struct study_made *m, const char *name)
 {
     struct message why = {""};
     char path[4096];
 
-    *m = (struct study_made){.base = base};
+    *m = (struct study_made){.r.count = 0};
     snprintf(path, sizeof path, SOURCE_DIR "/bench/plans/%s.yaml", name);
     REQUIRE(plan_read(path, &m->plan, &why) == STATUS_OK);
     m->r.plan = &m->plan;

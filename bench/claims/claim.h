@@ -25,7 +25,7 @@ struct claim {
         return __VA_ARGS__;                                                                \
     }
 
-/* The claims on the plan of this name, up to one without a quote; NULL: there are none. */
+/* Returns the claims on the plan of this name, up to one without a quote; NULL: none. */
 const struct claim *claim_find(const char *plan);
 
 /* Prints a line on each claim of the plan; a report gets them, too (judge_keep). */

@@ -1,4 +1,4 @@
-/* This file judges what is claimed of the cures for locking (plan cures). */
+/* Claims on the cures for locking (plan cures). */
 #include <math.h>
 
 #include "bench/claims/claim.h"
@@ -9,7 +9,7 @@ static const char *const cures[] = {"IGA (2,2,1), reduced", "IGA (2,2,1), select
                                     "IGA (3,3,1), reduced", "IGA (3,3,1), selective"};
 enum { CURES = sizeof cures / sizeof *cures };
 
-/* How far a space's tips in a study are from truth, at worst. */
+/* Returns how far the worst of a space's tips in a study is from truth. */
 static double worst(const struct study_results *d, const char *study, const char *space)
 {
     const struct where *where = WHERE({"study", study}, {"space", space});
@@ -18,7 +18,7 @@ static double worst(const struct study_results *d, const char *study, const char
                 1 - dataset_least(d, QUANTITY_TIP_OF_REFERENCE, where));
 }
 
-/* All cures in the studies, within the target and what a coarser net of the truth moves. */
+/* Judges all cures in the studies, and writes what a coarser net of the truth moves. */
 static enum judge within(const struct study_results *d, int count,
                          const char *const *studies, FILE *because)
 {
@@ -45,7 +45,8 @@ CLAIM_JUDGE(thin_within,
 CLAIM_JUDGE(thick_within,
             within(d, 2, (const char *const[]){"linear_thick", "gamma_10_thick"}, because))
 
-/* How far the clamp, where nu is large, keeps a solid from changing its thickness. */
+/* Judges whether most of the error comes from the clamp, which, where nu is large, keeps a
+ * solid from changing its thickness. */
 static enum judge clamp_is_why(const struct study_results *d, FILE *because)
 {
     double off[2];
@@ -63,7 +64,7 @@ static enum judge clamp_is_why(const struct study_results *d, FILE *because)
     return judge_both(judge_below(0, off[0]), judge_below(off[0], 2 * off[1]));
 }
 
-/* How the error at Gamma = 100 grows from h/L 1e-3 to 1e-5. */
+/* Returns the growth of the error at Gamma = 100 from h/L 1e-3 to 1e-5. */
 static double growth(const struct study_results *d, const char *space, FILE *because)
 {
     double off[2];
@@ -95,7 +96,7 @@ static enum judge is_resolution(const struct study_results *d, FILE *because)
     return judge_both(judge_below(most, 2), judge_below(2, none));
 }
 
-/* A tenth more is within what repeats leave open. */
+/* A tenth more lies within the scatter of repeats. */
 static enum judge costs_no_more(const struct study_results *d, FILE *because)
 {
     double most = 0;

@@ -1,4 +1,4 @@
-/* This file judges what is claimed of the paper's figures of falling sheets (plans fig6,
+/* Claims on the paper's figures of falling sheets (plans fig6,
  * drops, flag, artefacts, contact). */
 #include <math.h>
 #include <string.h>
@@ -14,7 +14,8 @@ static const double OVER_STRETCHED = 1.1, ROUGH = 1.5;
 
 static const char PLATE[] = "IGA, paper's";
 
-/* The most of a level over its times; INFINITY: it died before the last. */
+/* Returns the largest value of a level over its times; INFINITY: it died before the last.
+ */
 static double most_of(const struct study_results *d, const char *level, enum quantity q)
 {
     double value[PLAN_STUDY_TIMES], most = 0;
@@ -26,7 +27,7 @@ static double most_of(const struct study_results *d, const char *level, enum qua
     return times ? most : NAN;
 }
 
-/* A word on a level: over-stretched, rough, ... */
+/* Judges a word on a level: over-stretched, rough, ... */
 typedef enum judge word(const struct study_results *d, const char *level);
 
 #define WORD(name, ...)                                                                    \
@@ -105,11 +106,11 @@ const struct claim claim_fig6[] = {
 /* --- drops -------------------------------------------------------------------------------
  */
 
-/* Down along gravity [degrees]. */
+/* Angle of a sheet that hangs along gravity [degrees]. */
 static const double PLUMB = 90;
 
-/* The largest angle of a level over its times, and the least one after it; NaN: it died
- * before its end. */
+/* Finds the largest angle of a level over its times, and the least one after it; NaN: it
+ * died before its end. */
 static void swing_of(const struct study_results *d, const char *study, const char *level,
                      double *most, double *after)
 {
@@ -196,7 +197,7 @@ static enum judge net_decides(const struct study_results *d, FILE *because)
     return judge_below(0.1, fabs(fine / coarse - 1));
 }
 
-/* The largest roughness of a level over all times; NaN: it died. */
+/* Returns the largest roughness of a level over all times; NaN: it died. */
 static double roughest(const struct study_results *d, const char *level)
 {
     return dataset_all_most(d, QUANTITY_ROUGHNESS, WHERE({"level", level}, {"at", "*"}));
@@ -271,7 +272,7 @@ const struct claim claim_artefacts[] = {
 /* --- contact -----------------------------------------------------------------------------
  */
 
-/* A sheet whose ground carries its weight to this share is at rest. */
+/* Share of its weight by which the load on the ground may be off for a sheet at rest. */
 static const double UNREST = 0.05;
 
 static enum judge comes_to_rest(const struct study_results *d, FILE *because)

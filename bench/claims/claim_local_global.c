@@ -1,5 +1,4 @@
-/* This file judges what is claimed of projective dynamics' iterations (plan local-global).
- */
+/* Claims on projective dynamics' iterations (plan local-global). */
 #include <math.h>
 
 #include "bench/claims/claim.h"
@@ -21,7 +20,7 @@ static double step_takes(const struct study_results *d, const char *study, const
         WHERE({"study", study}, {"step", "small"}, {"iterations", "end"}));
 }
 
-/* Both scenes: the first number below the second. */
+/* Judges whether the first number is below the second in both scenes. */
 static enum judge in_both(const double value[2], const double bound[2], const char *words,
                           FILE *because)
 {
@@ -37,7 +36,7 @@ static enum judge in_both(const double value[2], const double bound[2], const ch
     return turn;
 }
 
-/* A number of both scenes. */
+/* Numbers of both scenes. */
 #define BOTH(of, ...)                                                                      \
     (double[])                                                                             \
     {                                                                                      \

@@ -1,13 +1,13 @@
-/* What is claimed of spaces that lock (plan locking). */
+/* Claims on spaces that lock (plan locking). */
 #include <math.h>
 
 #include "bench/claims/claim.h"
 
-/* Of Kirchhoff's tip, what a plate has in the thin limit whose strain cannot vary through
- * the thickness (r = 1), at nu = 0.3: bench/plans/locking.yaml. */
+/* Share of Kirchhoff's tip that a plate has in the thin limit if its strain cannot vary
+ * through the thickness (r = 1), at nu = 0.3: bench/plans/locking.yaml. */
 #define ONE_LAYER 0.8457
 
-/* Who is cured has more than halfway from there to all of it. */
+/* Share of a cured plate: more than halfway from there to all of it. */
 static const double CURED = (1 + ONE_LAYER) / 2;
 
 enum { MOST = 16 }; /* thicknesses */
@@ -20,14 +20,13 @@ static double tip(const struct study_results *d, const char *space, const char *
         WHERE({"space", space}, {"poisson", poisson}, {"thickness", thickness}));
 }
 
-/* What is left of the tip at nu = 0, where only shear locks, on a sheet of 1 mm. */
+/* Returns the tip at nu = 0.3 over that at nu = 0, where only shear locks, at 1 mm. */
 static double through(const struct study_results *d, const char *space)
 {
     return dataset_at(d, QUANTITY_TIP_OF_REFERENCE,
                       WHERE({"space", space}, {"poisson", "0.3"}, {"thickness", "1 mm"}));
 }
 
-/* Little: below 5 %. */
 static enum judge degree_through(const struct study_results *d, FILE *because)
 {
     const double more = tip(d, "IGA (3,3,2) 10x10x3", "0.3", "1 mm") /

@@ -1,4 +1,4 @@
-/* What is claimed of denser nets, higher degrees and both (plans mesh, degree and
+/* Claims on denser nets, higher degrees and both (plans mesh, degree and
  * mesh-degree; Ren et al. 2024, Figs. 12 to 14). */
 #include <math.h>
 
@@ -119,7 +119,7 @@ static enum judge both_raise_accuracy(const struct study_results *d, FILE *becau
                       judge_order(2, (double[]){error[START], error[ELEVATED]}, -1, bar));
 }
 
-/* What a stored frame leaves of a difference is 1e-7 of the length. */
+/* A stored frame is exact to 1e-7 of the length. */
 static enum judge order_matters(const struct study_results *d, FILE *because)
 {
     static const char *const at[TIMES] = {"0.05", "0.1", "0.2"};

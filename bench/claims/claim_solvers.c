@@ -1,15 +1,16 @@
-/* What is claimed of the solvers of the linear systems (plan solvers). */
+/* Claims on the solvers of the linear systems (plan solvers). */
 #include <math.h>
 
 #include "bench/claims/claim.h"
 
 enum { NETS = 4, METHODS = 8 };
 
-/* A frame may differ from the direct solver's by what Newton's method leaves open in all of
- * them, 1e-7 of the length each, which the motion makes more of. */
+/* Largest distance to the direct solver's frame, over the length: Newton's method leaves
+ * 1e-7 in each frame, and the motion lets it grow. */
 static const double SAME = 1e-5;
 
-/* The cheapest solver but the direct ones: the best of them over all nets pays. */
+/* Judges whether the cheapest iterative solver is cheaper than the direct one on every net.
+ */
 static enum judge iterations_pay(const struct study_results *d, const char *study,
                                  FILE *because)
 {

@@ -13,8 +13,9 @@
  * row are bits. */
 enum { ROWS = PAPER_TABLE4_ROWS, ANSWERS = PAPER_LABELS + 1 };
 
-/* What answers are learnt from: on a scene, each label from the measure that its rule
- * judges by (feasible is who has no label); or each answer from one parameter alone. */
+/* Sources that answers are learnt from: on a scene, each label from the measure that its
+ * rule judges by (feasible is who has no label); or each answer from one parameter alone.
+ */
 enum { FLAG, DROP, SCENES, RATIO = SCENES, MU, TEACHERS };
 static const char *const scene_name[SCENES] = {"flag", "edge_drop"};
 
@@ -39,7 +40,7 @@ static int papers(int row)
     return labels ? labels << 1 : 1;
 }
 
-/* By the rules; -1: they cannot judge it. */
+/* Returns the answers of a row by the rules; -1: they cannot judge it. */
 static int ours(const struct study_results *d, const char *reading, int scene, int row)
 {
     int bits = 0;
@@ -54,8 +55,8 @@ static int ours(const struct study_results *d, const char *reading, int scene, i
     return bits;
 }
 
-/* Of the rows that can be judged: how many are called so, are answered as the paper answers
- * them, and have all of its words. `paper`: how many it calls so. */
+/* Numbers of rows that can be judged, are called so, are answered as the paper answers
+ * them, have all of its words, and are called so by the paper. */
 struct count {
     int judged, called, agree, same, paper;
 };
@@ -86,7 +87,8 @@ static const struct verdict_rule *rule_of(const struct verdict_rules *rules, int
     return NULL;
 }
 
-/* What a rule judges a printed row by; a time that did not come is infinite. */
+/* Returns the number by which a rule judges a printed row; a time that did not come is
+ * infinite. */
 static double measured(const struct study_results *d, int scene, int row,
                        const struct verdict_rule *rule)
 {
@@ -138,7 +140,7 @@ static int right(int answer, const bool said[ROWS])
 
 /* --- The tables. */
 
-/* "yes", "no: over-stretched, penetration". */
+/* Writes "yes" or "no: over-stretched, penetration". */
 static void words_cell(struct table *t, int answers)
 {
     char text[128];

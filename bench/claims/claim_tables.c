@@ -1,12 +1,11 @@
-/* What the paper states by its Tables 1 to 3 (plans table1 to table3), and what a reader
- * should know of it. */
+/* Claims of the paper's Tables 1 to 3 (plans table1 to table3), and ours on them. */
 #include <math.h>
 #include <string.h>
 
 #include "bench/claims/claim.h"
 #include "bench/claims/paper.h"
 
-/* What a frame of one row costs over another's, here and in the paper. */
+/* Judges the cost of a frame of one row over another's by the paper's. */
 static enum judge costs(const struct study_results *d, const struct where *a,
                         const struct where *b, FILE *because)
 {
@@ -69,7 +68,7 @@ static enum judge equal_error(const struct study_results *d, FILE *because)
     return hex <= iga ? judge_below(1, cost) : JUDGE_OPEN;
 }
 
-/* What is near one locked mesh is locked. */
+/* A result near that of a locked mesh is locked itself. */
 static enum judge both_right(const struct study_results *d, FILE *because)
 {
     static const double RIGHT = 0.1;

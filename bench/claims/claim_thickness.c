@@ -1,4 +1,4 @@
-/* What is claimed of a cloak's thickness and of the degree through it (plans thickness and
+/* Claims on a cloak's thickness and on the degree through it (plans thickness and
  * thickness-degree; Ren et al. 2024, Figs. 10 and 11). The cloak's shape, size and pose are
  * ours, as the paper does not give them. */
 #include <math.h>
@@ -51,7 +51,8 @@ static enum judge thin_shell_swings(const struct study_results *d, FILE *because
     return judge_order(2, (double[]){thick, thin}, 1, 2 * apart);
 }
 
-/* What only bends sinks at rest as 1/h^2, what only stretches by as much at any h. */
+/* A sheet that only bends sinks at rest as 1/h^2, one that only stretches as far at any h.
+ */
 static enum judge cloak_stretches(const struct study_results *d, FILE *because)
 {
     const double thin = dataset_at(d, QUANTITY_EDGE_MOVED,
@@ -88,7 +89,7 @@ const struct claim claim_thickness[] = {
 
 /* --- thickness-degree */
 
-/* How far r = 1 and the highest r are apart at most [m]; the cloak is 1 m long. */
+/* Returns how far r = 1 and the highest r are apart at most [m]; the cloak is 1 m long. */
 static double farthest(const struct study_results *d, const char *study)
 {
     return dataset_all_most(d, QUANTITY_FINEST,

@@ -1,4 +1,4 @@
-/* What is claimed of the time step (plan timestep).
+/* Claims on the time step (plan timestep).
  *
  * `velocity_scale` multiplies the velocity by mu after every step, however short: the rate
  * it damps at is log(1/mu) / dt. `printed` never resets its displacement d, which acts as
@@ -15,8 +15,8 @@ enum { STEPS = 5 };
 /* An exponent of the step above it is nearer to a first-order scheme's 1 than to none. */
 static const double SETTLES = 0.5;
 
-/* Exponent of the step in a quantity at the last time. Of `to_next` it is the observed
- * order, if the motion has a limit. */
+/* Returns the exponent of the step in a quantity at the last time; of `to_next` it is the
+ * observed order, if the motion has a limit. */
 static double exponent(const struct study_results *d, enum quantity q, const char *study)
 {
     return dataset_exponent(d, QUANTITY_SIZE, q, WHERE({"study", study}));
@@ -80,8 +80,8 @@ static enum judge is_stable(const struct study_results *d, FILE *because)
     return dead ? JUDGE_FAILS : JUDGE_HOLDS;
 }
 
-/* How far the free sheet is from theory at most: the printed one's acceleration, and the
- * incremental one's speed, which is that times the step. */
+/* Returns how far the free sheet is from theory at most: the printed one's acceleration,
+ * and the incremental one's speed, which is that times the step. */
 static double fall_off(const struct study_results *d)
 {
     static const char *const label[] = {"0.2", "1/3", "0.5", "0.7"}, *const dt[] = {
@@ -106,7 +106,7 @@ static double fall_off(const struct study_results *d)
     return off;
 }
 
-/* How far the cantilever is from creeping by its elastic sag every step. */
+/* Returns how far the cantilever is from creeping by its elastic sag every step. */
 static double creep_off(const struct study_results *d)
 {
     static const char *const row[][2] = {{"4e7 Pa", "10 ms"},  {"4e7 Pa", "5 ms"},
@@ -138,7 +138,7 @@ static enum judge is_viscous(const struct study_results *d, FILE *because)
     return judge_both(judge_below(fall, VISCOUS), judge_below(creep, VISCOUS));
 }
 
-/* What has a limit is led there by a halving as far as all later ones together. */
+/* If a motion has a limit, a halving moves it as far as all later ones together. */
 static enum judge rate_has_limit(const struct study_results *d, FILE *because)
 {
     const double rate = exponent(d, QUANTITY_NEXT, "nonlinear_rate");

@@ -92,7 +92,7 @@ double dataset_at(const struct study_results *d, enum quantity q, const struct w
 {
     struct place p;
 
-    return find(d, where, &p) ? quantity_table[q].at(&p) : NAN;
+    return find(d, where, &p) ? quantity_at(&p, q) : NAN;
 }
 
 enum judge dataset_verdict(const struct study_results *d, const char *label,
@@ -117,10 +117,10 @@ static double fold(const struct study_results *d, enum quantity q,
                    const struct where *where, double of_two(double a, double b))
 {
     struct place p = begin(d);
-    double all = next_row(where, &p) ? quantity_table[q].at(&p) : NAN;
+    double all = next_row(where, &p) ? quantity_at(&p, q) : NAN;
 
     while (next_row(where, &p))
-        all = of_two(all, quantity_table[q].at(&p));
+        all = of_two(all, quantity_at(&p, q));
     return all;
 }
 
@@ -149,7 +149,7 @@ int dataset_values(const struct study_results *d, enum quantity q,
     int count = 0;
 
     while (count < most && next_row(where, &p))
-        values[count++] = quantity_table[q].at(&p);
+        values[count++] = quantity_at(&p, q);
     return count;
 }
 
@@ -160,8 +160,8 @@ void dataset_write(const struct study_results *d, enum quantity q,
 
     for (const char *comma = ""; next_row(where, &p); comma = ", ") {
         const struct study_row *row = &p.s->row[p.level];
-        const double v = quantity_table[q].at(&p);
-        if (isnan(v) && !row->frame[p.time].xyz)
+        const double v = quantity_at(&p, q);
+        if (isnan(v) && !row->xyz[p.time])
             fprintf(file, "%s%s", comma,
                     run_result_refused(&row->result) ? "refused" : "died");
         else
@@ -191,8 +191,8 @@ double dataset_exponent(const struct study_results *d, enum quantity x, enum qua
     int count = 0;
 
     while (count < PLAN_STUDY_LEVELS && next_row(where, &p)) {
-        xs[count] = quantity_table[x].at(&p);
-        ys[count] = quantity_table[y].at(&p);
+        xs[count] = quantity_at(&p, x);
+        ys[count] = quantity_at(&p, y);
         count += isfinite(log(xs[count])) && isfinite(log(ys[count]));
     }
     return count < 2 ? NAN : fit_exponent(count, xs, ys);
@@ -240,6 +240,11 @@ out:
 static const struct quantity_row *quantity_of(const struct plan_settings *list, int n)
 {
     return &quantity_table[quantity_find(list->list[n].key)];
+}
+
+static double value_of(const struct place *p, const struct quantity_row *q)
+{
+    return quantity_at(p, (enum quantity)(q - quantity_table));
 }
 
 enum { AXES = 12 }; /* most label columns */
@@ -350,9 +355,9 @@ static void add_row(struct table *t, const struct view *v, enum part part,
     for (int n = 0; n < v->columns; n++) {
         const struct quantity_row *q = v->column[n];
         if (is_in(part, q) && q->digits)
-            table_number(t, q->at(p), q->digits);
+            table_number(t, value_of(p, q), q->digits);
         else if (is_in(part, q))
-            table_fixed(t, q->at(p), 0);
+            table_fixed(t, value_of(p, q), 0);
     }
     if (rules->count && part != PART_TIMES)
         table_text(
@@ -431,6 +436,22 @@ static struct table *fill(const struct view *v, enum part part, bool people,
     return t;
 }
 
+/* Returns the observed order, in the levels' size, of the error against truth at a time or,
+ * without a truth, of the difference from the finest; NaN with fewer than three levels. */
+static double observed_order(const struct study_results *d, const struct study *s, int time)
+{
+    double size[PLAN_STUDY_LEVELS], value[PLAN_STUDY_LEVELS];
+    int count = 0;
+
+    for (int n = 0; n < s->plan->level_count; n++) {
+        const struct place p = {d, s, n, time};
+        size[count] = s->row[n].level->size;
+        value[count] = quantity_at(&p, s->truth ? QUANTITY_ERROR : QUANTITY_FINEST);
+        count += !isnan(value[count]) && size[count] > 0;
+    }
+    return count < (s->truth ? 3 : 2) ? NAN : fit_exponent(count, size, value);
+}
+
 /* Adds notes on how runs ended that did not come to their end, on orders and on the truth.
  */
 static void note_study(struct table *t, const struct view *v, const struct study *s)
@@ -441,7 +462,7 @@ static void note_study(struct table *t, const struct view *v, const struct study
                        s->row[n].result.sentence.text);
     for (int time = 0; v->alone && time < s->frames; time++) {
         const char *what = s->truth ? "error" : "difference from the finest";
-        const double order = study_order(s, time);
+        const double order = observed_order(v->d, s, time);
         if (!isnan(order) && s->time)
             table_note(t, "Observed order at %g s: %.2g, of the %s.", s->time[time], order,
                        what);
@@ -531,8 +552,8 @@ static struct dot *find_dots(const struct study_results *d, const struct plan_ch
                 const struct place at = {d, s, n, s->frames - 1};
                 const struct quantity_row *of = quantity_of(&plan->y, i);
                 struct dot *dot = &dots[*count];
-                dot->x = x ? x->at(&at) : s->row[n].level->size;
-                dot->y = of->at(&at);
+                dot->x = x ? value_of(&at, x) : s->row[n].level->size;
+                dot->y = value_of(&at, of);
                 if (!isnan(plan->from))
                     dot->y = fabs(dot->y - plan->from);
                 write_labels(s, n, &plan->panel, "", dot->panel);
@@ -602,10 +623,10 @@ static struct chart *chart_alone(const struct view *v)
         y.key = "to_finest";
     struct chart *c = chart_of(v->d, &plan, v->caption);
     for (int n = 0; n < s->plan->level_count; n++) {
-        const struct study_row *row = &s->row[n];
-        chart_mark(c, row->seconds,
-                   s->truth ? row->frame[last].error : row->frame[last].finest,
-                   row->level->label);
+        const struct place p = {v->d, s, n, last};
+        chart_mark(c, quantity_at(&p, QUANTITY_SECONDS),
+                   quantity_at(&p, s->truth ? QUANTITY_ERROR : QUANTITY_FINEST),
+                   s->row[n].level->label);
     }
     if (s->truth)
         chart_band(c, "truth's error bar", 0, s->truth->error[last] / s->length);
@@ -625,7 +646,7 @@ static enum status draw_sheets(const struct study *s, const char *folder,
 
     for (int time = 0; time < s->frames; time++)
         for (int n = 0; n < columns; n++, count++) {
-            const double *xyz = s->row[n].frame[time].xyz;
+            const double *xyz = s->row[n].xyz[time];
             if (s->time)
                 snprintf(when, sizeof when, "t = %g s", s->time[time]);
             snprintf(titles[count], sizeof titles[count], "%.50s\n%s%s",

@@ -1,6 +1,6 @@
-/* kept.h - what a command prints, kept in its folder for the report: FOLDER/printed.csv has
- * its tables with captions and notes (csv.h) and, as a last one, the paper's sentences that
- * were judged (judge.h).
+/* kept.h - keeps the tables of a command in its folder for the report: FOLDER/printed.csv
+ * has its tables with captions and notes (csv.h) and, as a last one, the paper's sentences
+ * that were judged (judge.h).
  */
 #ifndef KEPT_H
 #define KEPT_H
@@ -12,13 +12,15 @@
 
 struct kept;
 
-/* From now on all that is printed is kept. A folder that cannot be written to is none that
- * anything is kept in: *kept is NULL then, and what is printed is as good. */
+/* Starts to keep all tables that are printed. In a folder that cannot be written to nothing
+ * is kept: *kept is NULL then. */
 void kept_open(const char *folder, const char *command, const char *word,
                struct kept **kept);
 
-/* Completes the file, *kept is NULL afterwards, and may be before. STATUS_FILE. */
+/* Completes the file; *kept is NULL afterwards, and may be before. STATUS_FILE. */
 enum status kept_close(struct kept **kept, struct message *why);
-void kept_discard(struct kept **kept); /* the file stays as it was before */
+
+/* Leaves the file as it was before. *kept as above. */
+void kept_discard(struct kept **kept);
 
 #endif

@@ -20,7 +20,8 @@ static int right(int count, const double *value, const bool *yes, struct bounds 
     return agree;
 }
 
-/* Half way to the nearest value beyond an end; open if there is none. */
+/* Returns the point half way to the nearest value beyond an end; infinite if there is none.
+ */
 static double widen(int count, const double *value, double end, int sign)
 {
     double next = sign * INFINITY;

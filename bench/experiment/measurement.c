@@ -13,10 +13,10 @@
 #include "bench/ui/table.h"
 #include "models/reader/scene_file.h"
 
-/* A solid's frame costs the same all along the motion, so twenty frames a repeat do. */
+/* Frames of a repeat, where a frame costs the same all along the motion. */
 enum { FRAMES = 20, QUICK_FRAMES = 5, WARMUP = 2 };
 
-/* Seconds of cases that are timed in turn; and of a budget's rest. */
+/* Seconds of cases that are timed in turn, and their share of the rest of a budget. */
 static const double GROUP = 10, GROUP_SHARE = 0.1;
 
 enum { MADE_FOR = 32 };
@@ -24,7 +24,7 @@ enum { MADE_FOR = 32 };
 /* Share of the processor below which a machine counts as busy. */
 static const double ENOUGH = 0.95;
 
-/* A case on its way. */
+/* A case that is being measured. */
 struct job {
     const struct measurement_case *asked;
     struct run_keep keep; /* as asked, and whether it is quick                         */
@@ -32,7 +32,7 @@ struct job {
     struct motion motion;
     struct run_file *file;
     bool built, moved;
-    char made_for[MADE_FOR]; /* what its file is of                                     */
+    char made_for[MADE_FOR]; /* key_of                                                  */
     struct timing_case *timing; /* NULL: it is not timed                                */
 };
 
@@ -77,7 +77,7 @@ out:
     return st;
 }
 
-/* Many cases wait to be timed, each time on a fresh state: none keeps its own. */
+/* Frees the state of a case that waits to be timed, which takes fresh ones. */
 static enum status put_away(struct job *j, struct message *why)
 {
     const enum status st = run_file_end(j->file, why);
@@ -87,7 +87,7 @@ static enum status put_away(struct job *j, struct message *why)
     return st;
 }
 
-/* What died before its first frames were over has nothing to be timed. */
+/* Whether a case is timed; one that died in its first frames has nothing to be timed. */
 static bool is_timed(const struct job *j)
 {
     return j->built && j->asked->timed != MEASUREMENT_UNTIMED &&
@@ -101,7 +101,7 @@ static bool is_uneven(const struct job *j)
            scene_needs(&j->run.scene) & SCENE_NEED_CONTACT;
 }
 
-/* How many of its frames are timed. */
+/* Plans how many frames of a case are timed. */
 static void plan_frames(const struct measurement_options *options, const struct job *j,
                         struct timing_case *t)
 {
@@ -157,7 +157,7 @@ out:
     return st;
 }
 
-/* --- what an earlier call left -----------------------------------------------------------
+/* --- files of an earlier call -----------------------------------------------------------
  */
 
 static void add_text(unsigned long *sum, const char *text)
@@ -180,7 +180,8 @@ static enum status sum_of_program(unsigned long *sum, struct message *why)
     return st;
 }
 
-/* The scene's text, the settings, and what is kept and timed of it. */
+/* Writes the key of a case: a sum of the scene's text, the settings, what is kept and what
+ * is timed. */
 static enum status key_of(const struct measurement_options *o,
                           const struct measurement_case *c, unsigned long sum,
                           char key[MADE_FOR], struct message *why)
@@ -226,7 +227,7 @@ void measurement_tell(const char *what, const struct measurement_taken *taken,
                 taken->taken, taken->cases, folder);
 }
 
-/* Takes what is there. */
+/* Marks the cases that are done whose files are there. */
 static enum status take(const struct measurement_options *o, int count,
                         struct measurement_case *cases, struct job *jobs,
                         struct message *why)
@@ -256,7 +257,7 @@ out:
 /* --- in groups ---------------------------------------------------------------------------
  */
 
-/* One bar for all: a case counts for its run that is followed and for its repeats. */
+/* One progress bar for all: a case counts for its followed run and for its repeats. */
 struct bar {
     const struct measurement_options *options;
     int before, all;
@@ -302,7 +303,7 @@ out:
     return st;
 }
 
-/* Seconds that timing a followed case will take. */
+/* Predicts the seconds that timing a followed case will take. */
 static double expected(const struct measurement_options *o, const struct job *j)
 {
     struct timing_case t;

@@ -1,6 +1,6 @@
-/* measurement.h - runs that are measured together: each is followed once, judged at every
- * frame and kept as a result file, then all are timed in turn (timing.h) and their seconds,
- * every repeat, go into the files.
+/* measurement.h - measures runs together: each is followed once, judged at every frame and
+ * kept as a result file, then all are timed in turn (timing.h) and their seconds, every
+ * repeat, go into the files.
  */
 #ifndef MEASUREMENT_H
 #define MEASUREMENT_H
@@ -28,7 +28,7 @@ struct measurement_case {
     bool done;   /* out: its file is there                                             */
 };
 
-/* How many cases an earlier call had finished. */
+/* Numbers of cases: those that an earlier call had finished, and all. */
 struct measurement_taken {
     int taken, cases;
 };
@@ -38,26 +38,29 @@ struct measurement_options {
     bool quick;       /* fewer repeats and frames                                      */
     void (*progress)(void *context, const char *what, int done, int total); /* or NULL */
     void *context;
-    bool again; /* nothing that is there is taken                                      */
+    bool again; /* files of earlier calls are not taken                                */
     struct measurement_taken *taken; /* is added to; NULL: told on standard error      */
 };
 
-/* Deaths and refusals are results. Files of an earlier call are taken if they were made for
- * the same scene, settings and program, on this machine. Cases are timed in turn in groups
- * of some seconds, and a group's files are there as soon as it is over: who stops it loses
- * one group. STATUS_LATE: the budget was over (deadline.h) before all were done. */
+/* Runs and times all cases. Deaths and refusals are results. Files of an earlier call are
+ * taken if they were made for the same scene, settings and program, on this machine. Cases
+ * are timed in turn in groups of some seconds, and a group's files are there as soon as it
+ * is over: who stops it loses one group. STATUS_LATE: the budget was over (deadline.h)
+ * before all were done. */
 enum status measurement_run(const struct measurement_options *options, int count,
                             struct measurement_case *cases, struct message *why);
 
-/* "compare: 3 of 40 cases were taken from DIR"; nothing if none was. */
+/* Says on standard error "compare: 3 of 40 cases were taken from DIR"; nothing if none was.
+ */
 void measurement_tell(const char *what, const struct measurement_taken *taken,
                       const char *folder);
 
-/* Words on how much of `all` seconds a processor was had: milliseconds of a busy machine
- * are too long, and a reader should know. */
+/* Prints for how much of `all` seconds there was a processor: milliseconds of a busy
+ * machine are too long. */
 void measurement_share(double processor, double all, FILE *file);
 
-/* A line on where the run in a result file was measured; nothing if it cannot be read. */
+/* Prints a line on where the run in a result file was measured; nothing if it cannot be
+ * read. */
 void measurement_machine(const char *path, FILE *file);
 
 #endif

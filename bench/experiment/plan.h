@@ -1,7 +1,7 @@
-/* plan.h - the plan of a sweep: which cases to run, what to read off them, how to judge and
- * draw them; or of studies, which have levels instead of cases. Read from YAML; every error
- * is one sentence `file:line: ...`. doc/sweeps.md and doc/studies.md show plans, the schema
- * in plan.c (clothbench help plan) has all keys.
+/* plan.h - reads the plan of a sweep: which cases to run, what to read off them, how to
+ * judge and draw them; or of studies, which have levels instead of cases. It is YAML; every
+ * error is one sentence `file:line: ...`. doc/sweeps.md and doc/studies.md show plans, the
+ * schema in plan.c (clothbench help plan) has all keys.
  *
  * A key of settings, axes and cases is any that --set takes, or `scene`, or `model`, or one
  * of two that stand for another key: `gamma` and `young_over_density` set the key `by`
@@ -108,7 +108,7 @@ struct plan_products {
     struct plan_product *list; /* owned                                                */
 };
 
-/* What a study is held against: nothing, the scene's truth (truth.h), or the Kirchhoff
+/* The truth that a study is held against: none, the scene's (truth.h), or the Kirchhoff
  * plate, which is that of linear kinematics, at rest, too. */
 enum plan_truth { PLAN_TRUTH_NONE, PLAN_TRUTH_SCENE, PLAN_TRUTH_PLATE };
 
@@ -193,7 +193,7 @@ struct plan {
     struct plan_axis *axes; /* owned                                                   */
     int listed_count;
     struct plan_listed *listed; /* owned                                               */
-    int look; /* frames; 0: not given (sweeps take 10, studies look at their times)      */
+    int look; /* frames from one reading of the metrics to the next                     */
     int intersections; /* 0 or 1                                                       */
     enum plan_keep keep;
     double time_limit; /* of a case [s]                                                */
@@ -213,8 +213,8 @@ struct plan {
     const char **keys; /* every key that some case has, in the plan's order; array owned */
 };
 
-/* Where plans with names are: $CLOTHBENCH_PLANS first. The second describes those that are
- * no studies as "". */
+/* The places of plans with names: $CLOTHBENCH_PLANS first. The second kind describes plans
+ * that are no studies as "". */
 extern const struct named_file_kind plan_kind, plan_study_kind;
 
 /* Reads a plan as its schema has it. STATUS_INPUT with a sentence; *plan is overwritten,
@@ -243,33 +243,35 @@ struct plan_case {
     const struct plan_setting **given;
 };
 
-/* Listed cases times the values of every axis. */
+/* Returns the number of cases: listed ones times the values of every axis. */
 long plan_case_count(const struct plan *plan);
 
-/* Case `number`, 0 <= number < count. STATUS_INPUT with a sentence `plan:line: ...`: its
- * scene or a value is impossible. *c is all-zero on failure; free with plan_case_clear. */
+/* Opens case `number`, 0 <= number < count. STATUS_INPUT with a sentence `plan:line: ...`:
+ * its scene or a value is impossible. *c is all-zero on failure; free with plan_case_clear.
+ */
 enum status plan_case_open(const struct plan *plan, long number, struct plan_case *c,
                            struct message *why);
 void plan_case_clear(struct plan_case *c);
 
-/* A level of a study, for a quick run or not; NULL: what all its levels have. The same
- * errors. */
+/* Opens a level of a study, for a quick run or not; NULL: with what all its levels have.
+ * Errors as plan_case_open. */
 enum status plan_case_level(const struct plan *plan, const struct plan_study *study,
                             const struct plan_level *level, bool quick, struct plan_case *c,
                             struct message *why);
 
-/* What run.h runs of a case; borrows from it. */
+/* Returns a case as run.h runs it; borrows from it. */
 struct run_plan plan_case_run(const struct plan_case *c);
 
-/* The case `number` without path, contestant and settings: what the plan says of it.
+/* Opens case `number` without path, contestant and settings, with the plan's words alone.
  * STATUS_MEMORY. */
 enum status plan_case_given(const struct plan *plan, long number, struct plan_case *c);
 
-/* The scene of a case. Errors as scene_file_read: plan_case_blame finds the plan's line. */
+/* Reads the scene of a case. Errors as scene_file_read: plan_case_blame finds the plan's
+ * line. */
 enum status plan_case_scene(const struct plan_case *c, struct scene *scene,
                             struct message *why);
 
-/* The scene of the first case with other settings on top: of a mark on the map.
+/* Reads the scene of a mark on the map: the first case with the mark's settings on top.
  * STATUS_INPUT with a sentence. */
 enum status plan_case_mark(const struct plan *plan, const struct plan_settings *settings,
                            struct scene *scene, struct message *why);
@@ -279,21 +281,21 @@ enum status plan_case_mark(const struct plan *plan, const struct plan_settings *
 enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
                             enum status st, struct message *why);
 
-/* The sentence `plan:line: ...`; returns STATUS_INPUT. */
+/* Writes the sentence `plan:line: ...`; returns STATUS_INPUT. */
 enum status plan_case_refuse(const struct plan *plan, int line, struct message *why,
                              const char *format, ...) __attribute__((format(printf, 4, 5)));
 
-/* The failure st of somebody who knows no plan, with what they said, at a line of this one:
- * STATUS_INPUT. STATUS_OK and STATUS_MEMORY as they are. */
+/* Passes on a failure st with its sentence as one at a line of this plan: STATUS_INPUT.
+ * STATUS_OK and STATUS_MEMORY stay as they are. */
 enum status plan_case_pass(const struct plan *plan, int line, enum status st,
                            const struct message *said, struct message *why);
 
-/* The file of a scene's name or path, a path seen from the plan's folder; *path is freed by
- * the receiver. STATUS_INPUT: no such name. */
+/* Finds the file of a scene's name or path, a path seen from the plan's folder; *path is
+ * freed by the receiver. STATUS_INPUT: no such name. */
 enum status plan_case_find_scene(const struct plan *plan, const char *argument, char **path,
                                  struct message *why);
 
-/* The key that a stand-in (derived_key.h) sets in this plan. */
+/* Returns the key that a stand-in (derived_key.h) sets in this plan. */
 const char *plan_case_set_by(const struct plan *plan, const char *key);
 
 #endif

@@ -120,7 +120,7 @@ enum status plan_case_find_scene(const struct plan *plan, const char *argument, 
     return seen ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* The setting whose KEY=VALUE stands at the beginning of a text. */
+/* Finds the setting whose KEY=VALUE stands at the beginning of a text. */
 static const struct plan_setting *find_blamed(const struct plan *plan,
                                               const struct plan_case *c, const char *text)
 {
@@ -215,7 +215,7 @@ long plan_case_count(const struct plan *plan)
     return count > PLAN_MAX_CASES ? PLAN_MAX_CASES + 1 : (long)count;
 }
 
-/* A case with what is given to all. */
+/* Starts a case with the settings that are given to all. */
 static enum status begin(const struct plan *plan, long number, struct plan_case *c)
 {
     *c = (struct plan_case){.number = number};
@@ -245,7 +245,7 @@ enum status plan_case_given(const struct plan *plan, long number, struct plan_ca
     return STATUS_OK;
 }
 
-/* What is left to do once `given` is there, or was not to be had. */
+/* Completes a case whose `given` was made with this status. */
 static enum status finish(const struct plan *plan, enum status st, struct plan_case *c,
                           struct message *why)
 {

@@ -1,22 +1,23 @@
-#include "bench/experiment/dataset.h"
+#include "bench/experiment/study.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/experiment/bench_solid.h"
+#include "bench/experiment/judge.h"
 #include "bench/truth/truth.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
-/* The sheet there; NULL after a death. */
+/* Returns the sheet there; NULL after a death. */
 static const double *sheet(const struct place *p)
 {
-    return p->s->row[p->level].frame[p->time].xyz;
+    return p->s->row[p->level].xyz[p->time];
 }
 
-/* Numbers that a level has whatever the time. */
+/* Defines a number that a level has whatever the time. */
 #define OF_LEVEL(name, value)                                                              \
     static double name(const struct place *p)                                              \
     {                                                                                      \
@@ -25,11 +26,11 @@ static const double *sheet(const struct place *p)
         return row->left_out || run_result_refused(r) ? NAN : (value);                     \
     }
 
-/* Members of its frame at a time. */
-#define OF_FRAME(name)                                                                     \
+/* Defines a number of the sheet at a time, by a function of metric.h. */
+#define OF_SHEET(name, metric)                                                             \
     static double name(const struct place *p)                                              \
     {                                                                                      \
-        return p->s->row[p->level].frame[p->time].name;                                    \
+        return sheet(p) ? metric(&p->s->row[p->level].run.scene, sheet(p)) : NAN;          \
     }
 
 static double a_step(const struct run_result *r, long count)
@@ -40,8 +41,26 @@ static double a_step(const struct run_result *r, long count)
 OF_LEVEL(size, row->level->size > 0 ? row->level->size : NAN)
 OF_LEVEL(death, r->death_time)
 
-/* Of what was timed, in milliseconds. */
+/* Milliseconds of a summary; NaN: it was not timed. */
 #define MILLISECONDS(summary, member) ((summary).count ? 1e3 * (summary).member : NAN)
+
+static bool is_timed(const struct place *p)
+{
+    const int timed = p->s->row[p->level].level->timed;
+
+    return timed < 0 ? p->s->plan->timed : timed;
+}
+
+/* Returns the seconds of all frames to the last time, each of so many, or of the
+ * equilibrium; if none was timed, those of the one run. */
+static double to_last_time(const struct place *p, double frame)
+{
+    const struct study_row *row = &p->s->row[p->level];
+
+    return !p->s->time    ? frame
+           : isnan(frame) ? row->result.step_seconds
+                          : frame * p->s->time[p->s->frames - 1] / row->run.scene.step;
+}
 
 static double net(const struct discretization *d)
 {
@@ -56,26 +75,53 @@ OF_LEVEL(control_points, net(&row->run.discretization))
 OF_LEVEL(unknowns, r->unknowns)
 OF_LEVEL(factor_entries, r->factor_entries)
 OF_LEVEL(create, MILLISECONDS(r->create, median))
-OF_LEVEL(frame, row->milliseconds)
-OF_LEVEL(frame_lower, isnan(row->milliseconds) ? NAN : MILLISECONDS(r->step, lower))
-OF_LEVEL(frame_upper, isnan(row->milliseconds) ? NAN : MILLISECONDS(r->step, upper))
+OF_LEVEL(frame, is_timed(p) ? MILLISECONDS(r->step, median) : NAN)
+OF_LEVEL(frame_lower, is_timed(p) ? MILLISECONDS(r->step, lower) : NAN)
+OF_LEVEL(frame_upper, is_timed(p) ? MILLISECONDS(r->step, upper) : NAN)
 OF_LEVEL(assemble, MILLISECONDS(r->phase[BENCH_SOLID_ASSEMBLE], median))
 OF_LEVEL(factor, MILLISECONDS(r->phase[BENCH_SOLID_FACTOR], median))
 OF_LEVEL(solve, MILLISECONDS(r->phase[BENCH_SOLID_SOLVE], median))
-OF_LEVEL(paper, p->s->plan->truth ? NAN : row->paper_ms)
-OF_LEVEL(seconds, row->seconds)
+OF_LEVEL(paper, p->s->plan->truth ? NAN : row->level->paper_ms)
+OF_LEVEL(seconds, to_last_time(p, quantity_at(p, QUANTITY_FRAME) / 1e3))
 OF_LEVEL(factorisations, a_step(r, r->work.factorisations))
 OF_LEVEL(solves, a_step(r, r->work.solves))
 OF_LEVEL(iterations, a_step(r, r->work.iterations))
-OF_FRAME(next)
-OF_FRAME(finest)
-OF_FRAME(error)
-OF_FRAME(roughness)
-OF_FRAME(inner)
-OF_FRAME(stretch)
-OF_FRAME(drop)
-OF_FRAME(unevenness)
-OF_FRAME(angle)
+OF_SHEET(roughness, metric_roughness)
+OF_SHEET(inner, metric_inner_roughness)
+OF_SHEET(stretch, metric_stretch)
+OF_SHEET(drop, metric_drop)
+OF_SHEET(unevenness, metric_unevenness)
+OF_SHEET(angle, metric_angle)
+
+/* Returns the distance of two sheets over the length; NaN unless there are both. */
+static double distance(const struct place *p, const double *xyz)
+{
+    return sheet(p) && xyz ? metric_rmse(sheet(p), xyz) / p->s->length : NAN;
+}
+
+static double next(const struct place *p)
+{
+    const double *xyz = NULL;
+
+    for (int n = p->level + 1; n < p->s->plan->level_count && !xyz; n++)
+        xyz = p->s->row[n].xyz[p->time];
+    return distance(p, xyz);
+}
+
+/* The finest level that lives. */
+static double finest(const struct place *p)
+{
+    const double *xyz = NULL;
+
+    for (int n = p->s->plan->level_count - 1; n > p->level && !xyz; n--)
+        xyz = p->s->row[n].xyz[p->time];
+    return distance(p, xyz);
+}
+
+static double error(const struct place *p)
+{
+    return distance(p, p->s->truth ? p->s->truth->xyz[p->time] : NULL);
+}
 
 static double crossings(const struct place *p)
 {
@@ -87,7 +133,7 @@ static double crossings(const struct place *p)
     OF_LEVEL(of_##name, isfinite(r->value[MEASURE_##code]) ? r->value[MEASURE_##code] : NAN)
 MEASURE_LIST(OF_RUN)
 
-/* The same time of the level that this one is compared with; false: there is none. */
+/* Finds the same time of the level that this one is compared with; false: there is none. */
 static bool find_other(const struct place *p, struct place *other)
 {
     *other = *p;
@@ -95,7 +141,7 @@ static bool find_other(const struct place *p, struct place *other)
     return other->level >= 0;
 }
 
-/* A run that died is no solution, and its cost is compared with none. */
+/* Compares the cost of two runs; one that died is no solution and has no such number. */
 static double of_reference(const struct place *p)
 {
     struct place other;
@@ -103,14 +149,16 @@ static double of_reference(const struct place *p)
     return !find_other(p, &other) || p->s->row[p->level].result.outcome ||
                    p->s->row[other.level].result.outcome
                ? NAN
-               : frame(p) / frame(&other);
+               : quantity_at(p, QUANTITY_FRAME) / quantity_at(&other, QUANTITY_FRAME);
 }
 
 static double paper_of_reference(const struct place *p)
 {
     struct place other;
 
-    return find_other(p, &other) ? paper(p) / paper(&other) : NAN;
+    return find_other(p, &other)
+               ? quantity_at(p, QUANTITY_PAPER) / quantity_at(&other, QUANTITY_PAPER)
+               : NAN;
 }
 
 static double apart(const struct place *p)
@@ -121,7 +169,7 @@ static double apart(const struct place *p)
                                                             : NAN;
 }
 
-/* The middle of the edge u = 1. */
+/* Returns the depth of the middle of the edge u = 1 [m]. */
 static double depth(const struct place *p)
 {
     return sheet(p) ? -truth_plate_edge(sheet(p)) : NAN;
@@ -134,19 +182,22 @@ static double speed(const struct place *p)
 
     if (!before.time--)
         return NAN;
-    return (depth(p) - depth(&before)) / (time[p->time] - time[before.time]);
+    return (quantity_at(p, QUANTITY_DEPTH) - quantity_at(&before, QUANTITY_DEPTH)) /
+           (time[p->time] - time[before.time]);
 }
 
 static double tip(const struct place *p)
 {
-    return depth(p) / p->s->length / p->s->row[p->level].theory;
+    return quantity_at(p, QUANTITY_DEPTH) / p->s->length / p->s->row[p->level].theory;
 }
 
 static double tip_of_reference(const struct place *p)
 {
     struct place other;
 
-    return find_other(p, &other) ? tip(p) / tip(&other) : tip(p);
+    return find_other(p, &other)
+               ? quantity_at(p, QUANTITY_TIP) / quantity_at(&other, QUANTITY_TIP)
+               : quantity_at(p, QUANTITY_TIP);
 }
 
 static double swing(const struct place *p)
@@ -157,8 +208,8 @@ static double swing(const struct place *p)
     double most = NAN;
 
     for (int t = 0; t <= p->time; t++)
-        if (row->frame[t].xyz)
-            most = fmax(most, metric_angle(&row->run.scene, row->frame[t].xyz) - angle);
+        if (row->xyz[t])
+            most = fmax(most, metric_angle(&row->run.scene, row->xyz[t]) - angle);
     free(rest);
     return most;
 }
@@ -182,11 +233,11 @@ static double apart_most(const struct place *p)
     double most = -INFINITY;
 
     for (at.time = 0; at.time < p->s->frames; at.time++)
-        most = judge_most(most, apart(&at));
+        most = judge_most(most, quantity_at(&at, QUANTITY_APART));
     return most;
 }
 
-/* Over how far the truth has moved. */
+/* Returns the error over the way that the truth has moved. */
 static double off(const struct place *p)
 {
     const struct study *s = p->s;
@@ -194,7 +245,7 @@ static double off(const struct place *p)
     const double moved = rest ? metric_rmse(s->truth->xyz[p->time], rest) : NAN;
 
     free(rest);
-    return error(p) * s->length / moved;
+    return quantity_at(p, QUANTITY_ERROR) * s->length / moved;
 }
 
 static double bar(const struct place *p)
@@ -216,4 +267,15 @@ int quantity_find(const char *name)
         if (!strcmp(quantity_table[n].name, name))
             return n;
     return -1;
+}
+
+double quantity_at(const struct place *p, enum quantity q)
+{
+    struct study_row *row = &p->s->row[p->level];
+
+    if (!row->known[p->time][q]) {
+        row->value[p->time][q] = quantity_table[q].at(p);
+        row->known[p->time][q] = true;
+    }
+    return row->value[p->time][q];
 }

@@ -8,7 +8,6 @@
 #include "bench/experiment/batch.h"
 #include "bench/experiment/judge.h"
 #include "bench/files/folder.h"
-#include "bench/harness/fit.h"
 #include "bench/harness/timing.h"
 #include "bench/truth/truth.h"
 #include "models/metric/metric.h"
@@ -154,22 +153,6 @@ out:
     return st;
 }
 
-/* Measures a sheet; NULL: nothing is known. */
-static void measure_frame(const struct scene *scene, const double *xyz,
-                          struct study_frame *f)
-{
-    *f = (struct study_frame){NULL, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    if (!xyz)
-        return;
-    f->xyz = xyz;
-    f->roughness = metric_roughness(scene, xyz);
-    f->inner = metric_inner_roughness(scene, xyz);
-    f->stretch = metric_stretch(scene, xyz);
-    f->drop = metric_drop(scene, xyz);
-    f->unevenness = metric_unevenness(scene, xyz);
-    f->angle = metric_angle(scene, xyz);
-}
-
 /* Chooses the times: files of a quick run end earlier if the plan has times for it. */
 static void choose_times(const struct plan_study *plan, struct study *s)
 {
@@ -202,24 +185,6 @@ static double theory_of(const struct study *s, const struct study_row *row)
     return s->time ? NAN : truth_plate_drop(scene, linear);
 }
 
-static void fill_row(const struct study *s, struct study_row *row)
-{
-    const struct run_result *r = &row->result;
-    const int frames = r->frames < s->frames ? r->frames : s->frames;
-    const double end = s->time ? s->time[s->frames - 1] : 0;
-    const int timed = row->level->timed < 0 ? s->plan->timed : row->level->timed;
-    const double frame = timed && r->step.count ? r->step.median : NAN;
-
-    for (int t = 0; t < PLAN_STUDY_TIMES; t++)
-        measure_frame(&row->run.scene, t < frames ? r->xyz[t] : NULL, &row->frame[t]);
-    row->theory = row->left_out ? NAN : theory_of(s, row);
-    row->milliseconds = 1e3 * frame;
-    row->seconds = !s->time       ? frame
-                   : isnan(frame) ? r->step_seconds
-                                  : frame * end / row->run.scene.step;
-    row->paper_ms = row->level->paper_ms;
-}
-
 static enum status read_row(const struct plan *plan, const struct plan_study *study,
                             const struct plan_level *level, const char *folder,
                             struct study_row *row, struct message *why)
@@ -240,68 +205,57 @@ out:
     return st;
 }
 
-static void compare(struct study *s, int t)
-{
-    const double *finest = NULL, *next = NULL;
-
-    for (int n = s->plan->level_count - 1; n >= 0; n--) {
-        struct study_frame *f = &s->row[n].frame[t];
-        if (!f->xyz)
-            continue;
-        if (next)
-            f->next = metric_rmse(f->xyz, next) / s->length;
-        if (finest)
-            f->finest = metric_rmse(f->xyz, finest) / s->length;
-        if (s->truth)
-            f->error = metric_rmse(f->xyz, s->truth->xyz[t]) / s->length;
-        next = f->xyz;
-        finest = finest ? finest : next;
-    }
-}
-
 static const struct plan_level of_truth = {.label = "truth"};
+
+/* Reads the truth of a study, if it is to have one. */
+static enum status read_truth(const struct plan *plan, const char *folder, struct study *s,
+                              struct message *why)
+{
+    struct study_row *row = &s->row[s->plan->level_count];
+
+    if (!s->plan->truth)
+        return STATUS_OK;
+    const enum status st = find_truth(plan, s->plan, s->frames, s->time, folder, NULL,
+                                      &s->truth, &s->no_truth);
+    for (int t = 0; st == STATUS_OK && t < s->frames; t++)
+        row->xyz[t] = s->truth->xyz[t];
+    return has_none(st) ? STATUS_OK
+           : st         ? status_fail(why, st, "%s", s->no_truth.text)
+                        : STATUS_OK;
+}
 
 static enum status read_one(const struct plan *plan, const struct plan_study *study,
                             const char *folder, bool quick, struct study *s,
                             struct message *why)
 {
     struct plan_case all = {0};
-    struct scene scene = {0};
+    struct study_row *row;
     enum status st;
 
     s->plan = study;
-    s->row = calloc((size_t)study->level_count + 1, sizeof *s->row);
-    TRY(s->row ? STATUS_OK : STATUS_MEMORY);
+    s->row = row = calloc((size_t)study->level_count + 1, sizeof *row);
+    TRY(row ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < study->level_count; n++) {
-        s->row[n].level = &study->levels[n];
-        s->row[n].left_out = quick && study->levels[n].slow;
+        row[n].level = &study->levels[n];
+        row[n].left_out = quick && study->levels[n].slow;
+        TRY(read_row(plan, study, &study->levels[n], folder, &row[n], why));
     }
-    s->row[study->level_count] = (struct study_row){.level = &of_truth, .left_out = true};
-    TRY(plan_case_level(plan, study, NULL, false, &all, why));
-    TRY(plan_case_scene(&all, &scene, why));
-    s->gamma = scene_gamma(&scene);
-    s->length = scene.length;
-    for (int n = 0; n < study->level_count; n++)
-        TRY(read_row(plan, study, &study->levels[n], folder, &s->row[n], why));
     choose_times(study, s);
-    for (int n = 0; n < study->level_count; n++)
-        fill_row(s, &s->row[n]);
-    if (study->truth) {
-        st = find_truth(plan, study, s->frames, s->time, folder, NULL, &s->truth,
-                        &s->no_truth);
-        if (st != STATUS_OK && !has_none(st))
-            TRY(status_fail(why, st, "%s", s->no_truth.text));
-        st = STATUS_OK;
+    for (int n = 0; n < study->level_count; n++) {
+        for (int t = 0; t < s->frames && t < row[n].result.frames; t++)
+            row[n].xyz[t] = row[n].result.xyz[t];
+        row[n].theory = row[n].left_out ? NAN : theory_of(s, &row[n]);
     }
-    for (int t = 0; t < s->frames; t++) {
-        struct study_frame *f = &s->row[study->level_count].frame[t];
-        measure_frame(&scene, s->truth ? s->truth->xyz[t] : NULL, f);
-        f->error = 0;
-        compare(s, t);
-    }
+    row += study->level_count;
+    row->level = &of_truth;
+    row->left_out = true;
+    TRY(plan_case_level(plan, study, NULL, false, &all, why));
+    TRY(plan_case_scene(&all, &row->run.scene, why));
+    s->gamma = scene_gamma(&row->run.scene);
+    s->length = row->run.scene.length;
+    TRY(read_truth(plan, folder, s, why));
 out:
     plan_case_clear(&all);
-    scene_clear(&scene);
     return st;
 }
 
@@ -327,7 +281,7 @@ void study_clear(struct study_results *r)
 {
     for (int n = 0; r->study && n < r->count; n++) {
         struct study *s = &r->study[n];
-        for (int k = 0; s->row && k < s->plan->level_count; k++) {
+        for (int k = 0; s->row && k <= s->plan->level_count; k++) {
             run_result_clear(&s->row[k].result);
             run_close(&s->row[k].run);
         }
@@ -340,8 +294,8 @@ void study_clear(struct study_results *r)
 
 double study_distance(const struct place *a, const struct place *b)
 {
-    const double *one = a->s->row[a->level].frame[a->time].xyz;
-    const double *other = b->s->row[b->level].frame[a->time].xyz;
+    const double *one = a->s->row[a->level].xyz[a->time];
+    const double *other = b->s->row[b->level].xyz[a->time];
 
     return one && other ? metric_rmse(one, other) / a->s->length : NAN;
 }
@@ -362,20 +316,4 @@ int study_reference(const struct study_results *d, const struct study *s, int le
             return n;
     }
     return -1;
-}
-
-double study_order(const struct study *s, int time)
-{
-    double size[PLAN_STUDY_LEVELS], value[PLAN_STUDY_LEVELS];
-    int count = 0;
-
-    for (int n = 0; n < s->plan->level_count; n++) {
-        const struct study_frame *f = &s->row[n].frame[time];
-        double v = s->truth ? f->error : f->finest;
-        if (isnan(v) || !(s->row[n].level->size > 0))
-            continue;
-        size[count] = s->row[n].level->size;
-        value[count++] = v;
-    }
-    return count < (s->truth ? 3 : 2) ? NAN : fit_exponent(count, size, value);
 }

@@ -1,4 +1,4 @@
-/* verdict.h - what a case is called: rules as data, the same for every case of a plan.
+/* verdict.h - gives a case labels by rules, which are data and the same for all of a plan.
  *
  * In a plan (YAML), under the key `verdicts`, a list of
  *
@@ -47,7 +47,7 @@ enum verdict_kind {
     VERDICT_KINDS
 };
 
-/* "feasible", "infeasible", "not judged", "none": for programs. */
+/* Words for programs: "feasible", "infeasible", "not judged", "none". */
 extern const char *const verdict_kind_word[VERDICT_KINDS];
 
 struct verdict {
@@ -58,16 +58,16 @@ struct verdict {
     bool quick;          /* not judged: the run was cut short by --quick               */
 };
 
-/* Of a run that ended so, with these measures [MEASURES]. */
+/* Applies the rules to a run that ended so, with measure[MEASURES]. */
 struct verdict verdict_apply(const struct verdict_rules *rules, enum status outcome,
                              const double *measure);
 
-/* The same of a result; one of a quick run is never judged. */
+/* Applies the rules to a result; one of a quick run is never judged. */
 struct verdict verdict_of(const struct verdict_rules *rules, const struct run_result *r);
 
-/* "feasible", "unsupported", "not judged: quick", or the labels, each once, in the order of
- * the rules ("died" where a run died and no rule has a word for it), and behind "not
- * judged:" those that could not be judged. Into text[size]; returns text. */
+/* Writes into text[size], and returns, "feasible", "unsupported", "not judged: quick" or
+ * the labels, each once, in the order of the rules ("died" where a run died and no rule has
+ * a word for it), and behind "not judged:" those that could not be judged. */
 const char *verdict_text(const struct verdict_rules *rules, struct verdict verdict,
                          char *text, int size);
 
@@ -75,7 +75,8 @@ const char *verdict_text(const struct verdict_rules *rules, struct verdict verdi
 bool verdict_has(const struct verdict_rules *rules, struct verdict verdict,
                  const char *label);
 
-/* Whether nobody can say: no rule gives it, and one that could had nothing to judge by. */
+/* Whether it is open if the case has this label: no rule gives it, and one that could had
+ * nothing to judge by. */
 bool verdict_lacks(const struct verdict_rules *rules, struct verdict verdict,
                    const char *label);
 

@@ -49,8 +49,8 @@ void distribution_deviations(int n, const double *value, double *deviation)
         deviation[i] = fabs(value[i] - median);
 }
 
-/* The chance that |t| of `free` degrees of freedom is below x (Abramowitz, Stegun 1964,
- * 26.7.3 and 26.7.4). */
+/* Returns the chance that |t| of `free` degrees of freedom is below x (Abramowitz, Stegun
+ * 1964, 26.7.3 and 26.7.4). */
 static double student(double x, int free)
 {
     const double angle = atan(x / sqrt(free)), c = cos(angle), s = sin(angle);

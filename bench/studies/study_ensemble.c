@@ -23,18 +23,11 @@ enum { RUNS = 32, FEW = 4 }; /* runs of each; enough of them to see a change gro
 enum { WINDOWS = 3 };        /* of time, beyond the horizon                             */
 enum { BY_NAME = 1 << 30 };  /* no command's: models are chosen by their names alone    */
 
-/* The numbers that are compared: their place in a run's file, and the table's column. */
-static const struct {
-    const char *path, *header, *key;
-} numbers[NUMBERS] = {{"metrics/mean_drop", "drop", NULL},
-                      {"metrics/angle", "angle", NULL},
-                      {"metrics/stretch", "stretch", NULL},
-                      {"metrics/roughness", "rough", NULL},
-                      {"energy/kinetic", "kinetic", NULL},
-                      {"metrics/waves_long", ">L", "waves_long"},
-                      {"metrics/waves_half", ">L/2", "waves_half"},
-                      {"metrics/waves_quarter", ">L/4", "waves_quarter"},
-                      {"metrics/waves_eighth", ">L/8", "waves_eighth"}};
+/* The numbers that are compared, by their places in a run's file. */
+static const char *const numbers[NUMBERS] = {
+    "metrics/mean_drop",  "metrics/angle",         "metrics/stretch",
+    "metrics/roughness",  "energy/kinetic",        "metrics/waves_long",
+    "metrics/waves_half", "metrics/waves_quarter", "metrics/waves_eighth"};
 
 /* Those of them that no other run keeps. */
 static const struct run_own own[] = {{"mean_drop", "1"},
@@ -163,7 +156,7 @@ static enum status read_numbers(const char *path, struct study_ensemble *e,
         one->value = calloc((size_t)(NUMBERS * e->looks * e->runs), sizeof *one->value);
     TRY(one->value ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < NUMBERS; n++) {
-        TRY(store_read_array(file, numbers[n].path, &value, &rows, &columns, why));
+        TRY(store_read_array(file, numbers[n], &value, &rows, &columns, why));
         for (int t = 0; t < rows && t < e->looks; t++)
             one->value[(n * e->looks + t) * e->runs + one->lived - 1] = value[t];
         free(value), value = NULL;
@@ -377,14 +370,14 @@ static void tell_case(const struct study_ensemble *e, const struct windows *w, F
               coarse->growth[last], coarse->net, fine->growth[last], fine->net);
 }
 
-/* A row of the table, and for people a claim. */
+/* Adds a row to the table and, with a file, prints a claim. */
 static void tell_one(const struct study_ensemble *e, const struct windows *w, int ensemble,
                      struct table *t, FILE *file)
 {
     const struct study_ensemble_one *one = &e->one[ensemble];
+    const bool judged = ensemble >= TRUTHS && w->count && !e->quick;
     double worst[NUMBERS + 1];
     const enum judge turn = judge_one(e, w, ensemble, worst);
-    const bool judged = ensemble >= TRUTHS && w->count && !e->quick;
     char quote[256];
 
     table_row(t);
@@ -411,52 +404,7 @@ static void tell_one(const struct study_ensemble *e, const struct windows *w, in
                     100 * one->points[w->horizon], w->begin);
 }
 
-static enum status tell_models(const struct study_ensemble *e, const char *folder,
-                               enum table_format format, FILE *file, struct message *why)
-{
-    const struct windows w = find_windows(e);
-    const enum table_readers judged = w.count ? TABLE_ALL : TABLE_MACHINES;
-    struct table_column columns[8 + NUMBERS] = {
-        {"scene", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
-        {"model", NULL, TABLE_LEFT},
-        {"net", NULL, TABLE_LEFT},
-        {"lived"},
-        {"points", "% L", .key = "points", .key_unit = "L", .scale = 100},
-        {"growth"},
-        [6 + NUMBERS] = {"spread", .readers = judged},
-        [7 + NUMBERS] = {"verdict", NULL, TABLE_LEFT}};
-    const bool prose = table_format_is_prose(format);
-    char caption[256], name[128];
-
-    for (int n = 0; n < NUMBERS; n++)
-        columns[6 + n] = (struct table_column){numbers[n].header, .key = numbers[n].key,
-                                               .readers = judged};
-    snprintf(name, sizeof name, "%s_models", e->scene);
-    snprintf(caption, sizeof caption, "%s: ensembles of %d runs, gravity changed by %g",
-             e->scene, e->runs, TRUTH_PERTURBATION);
-    struct table *t = table_create(8 + NUMBERS, columns, caption);
-    if (prose)
-        tell_case(e, &w, file);
-    for (int k = 0; k < e->count; k++)
-        tell_one(e, &w, k, t, prose ? file : NULL);
-    table_note(
-        t,
-        "Points: mean positions off the truth's, rms over L, at the horizon, where a "
-        "change has grown %g-fold on both of the truth's nets (without one, at the "
-        "end). Growth: rms spread of points at the end over %g L.",
-        TRUTH_MOST_GROWTH, TRUTH_PERTURBATION);
-    if (w.count)
-        table_note(
-            t,
-            "Other numbers (> L: heights of waves longer than that): how far their "
-            "means are from the truth's, and the worst of their spreads, in standard "
-            "errors, in the worst of %d windows from %.3g to %.3g s. What the truth's "
-            "nets differ by beyond chance is an error of its own. Right: none beyond "
-            "%.3g, which %d comparisons with a right one pass in 5 of 100 cases.",
-            w.count, w.begin, w.end, w.bound, 2 * NUMBERS * w.count);
-    return table_publish(t, folder, name, format, file, why);
-}
-
+/* Fills a table of how the change grows in time. */
 static struct table *fill_growth(const struct study_ensemble *e)
 {
     static const struct table_column columns[] = {
@@ -483,8 +431,53 @@ static struct table *fill_growth(const struct study_ensemble *e)
 enum status study_ensemble_tell(const struct study_ensemble *e, const char *folder,
                                 enum table_format format, FILE *file, struct message *why)
 {
-    const enum status st = tell_models(e, folder, format, file, why);
+    const struct windows w = find_windows(e);
+    const enum table_readers judged = w.count ? TABLE_ALL : TABLE_MACHINES;
+    const struct table_column columns[] = {
+        {"scene", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
+        {"model", NULL, TABLE_LEFT},
+        {"net", NULL, TABLE_LEFT},
+        {"lived"},
+        {"points", "% L", .key = "points", .key_unit = "L", .scale = 100},
+        {"growth"},
+        {"drop", .readers = judged},
+        {"angle", .readers = judged},
+        {"stretch", .readers = judged},
+        {"rough", .readers = judged},
+        {"kinetic", .readers = judged},
+        {">L", .key = "waves_long", .readers = judged},
+        {">L/2", .key = "waves_half", .readers = judged},
+        {">L/4", .key = "waves_quarter", .readers = judged},
+        {">L/8", .key = "waves_eighth", .readers = judged},
+        {"spread", .readers = judged},
+        {"verdict", NULL, TABLE_LEFT}};
+    const bool prose = table_format_is_prose(format);
+    char caption[256], name[128];
 
+    snprintf(name, sizeof name, "%s_models", e->scene);
+    snprintf(caption, sizeof caption, "%s: ensembles of %d runs, gravity changed by %g",
+             e->scene, e->runs, TRUTH_PERTURBATION);
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    if (prose)
+        tell_case(e, &w, file);
+    for (int k = 0; k < e->count; k++)
+        tell_one(e, &w, k, t, prose ? file : NULL);
+    table_note(
+        t,
+        "Points: mean positions off the truth's, rms over L, at the horizon, where a "
+        "change has grown %g-fold on both of the truth's nets (without one, at the "
+        "end). Growth: rms spread of points at the end over %g L.",
+        TRUTH_MOST_GROWTH, TRUTH_PERTURBATION);
+    if (w.count)
+        table_note(
+            t,
+            "Other numbers (> L: heights of waves longer than that): how far their "
+            "means are from the truth's, and the worst of their spreads, in standard "
+            "errors, in the worst of %d windows from %.3g to %.3g s. What the truth's "
+            "nets differ by beyond chance is an error of its own. Right: none beyond "
+            "%.3g, which %d comparisons with a right one pass in 5 of 100 cases.",
+            w.count, w.begin, w.end, w.bound, 2 * NUMBERS * w.count);
+    const enum status st = table_publish(t, folder, name, format, file, why);
     return st == STATUS_OK && table_format_is_data(format)
                ? table_finish(fill_growth(e), format, file)
                : st;
@@ -528,7 +521,7 @@ out:
     return st;
 }
 
-/* FOLDER/ensemble.txt has what was chosen, for --from. */
+/* Writes FOLDER/ensemble.txt, besides, with the choice for --from. */
 enum status study_ensemble_measure(const struct study_ensemble_options *given,
                                    struct message *why)
 {

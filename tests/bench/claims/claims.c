@@ -11,26 +11,16 @@
 #include "models/metric/metric_rest.h"
 #include "tests/study_fixture.h"
 
-/* What a change sets, at the last time unless "at" is among its labels. From NEXT to ANGLE:
- * members of struct study_frame. A measure's name: that of the run. */
+/* A change sets a quantity, a measure of the run, or one of these, at the last time unless
+ * "at" is among its labels. */
 enum {
-    COST,  /* milliseconds a frame                                                       */
-    LOST,  /* the sheet, after a death                                                   */
-    DEATH, /* when it died                                                          [s]  */
-    PAPER, /* milliseconds                                                               */
-    ASSEMBLE, /* likewise, of a phase */
-    FACTOR,
+    LOST = QUANTITIES, /* the sheet, after a death                                        */
     PLACE, /* height of the whole sheet, over the length: rows are apart by differences */
-    TURN, /* of the line between the edges u = 0 and 1 out of rest              [degrees] */
+    TURN,  /* of the line between the edges u = 0 and 1 out of rest             [degrees] */
     SUNK, /* the edge u = 1 below where it rests                                      [m] */
-    TIP, /* the whole sheet this far below, over the length and a theory of 1             */
-    NEXT,
-    MEASURE = NEXT + 9 /* MEASURE + a measure */
+    WORDS
 };
-static const char *const word[MEASURE] = {
-    "cost",  "lost",    "death", "paper",      "assemble", "factor", "place",
-    "turn",  "sunk",    "tip",   "next",       "finest",   "error",  "roughness",
-    "inner", "stretch", "drop",  "unevenness", "angle"};
+static const char *const word[] = {"lost", "place", "turn", "sunk"};
 
 enum { LABELS = 5, CHANGES = 160, TURNS = 80 };
 struct change {
@@ -60,7 +50,7 @@ static void place(const struct study *s, const struct scene *scene, double *xyz,
                   const struct change *c)
 {
     const bool rest = c->what == SUNK || c->what == TURN;
-    const double place = (c->what == TIP ? -1 : 1) * c->value * s->length;
+    const double place = c->value * s->length;
     double uvw[3];
 
     for (int n = 0; n < GRID_POINTS; n++) {
@@ -86,31 +76,23 @@ static void place(const struct study *s, const struct scene *scene, double *xyz,
 static void set(const struct study *s, struct study_row *row, int time, double *xyz,
                 const struct change *c)
 {
-    struct study_frame *f = &row->frame[time];
+    const int measure = c->what - (QUANTITIES - MEASURES);
 
-    if (f->xyz == flat && PLACE <= c->what && c->what <= TIP) {
-        memcpy(xyz, flat, 3 * GRID_POINTS * sizeof *xyz);
-        f->xyz = xyz;
-    }
-    if (c->what == COST)
-        row->milliseconds = c->value;
-    else if (c->what == LOST)
-        f->xyz = NULL;
-    else if (c->what == DEATH)
-        row->result.death_time = c->value;
-    else if (c->what == PAPER)
-        row->paper_ms = c->value;
-    else if (c->what == ASSEMBLE || c->what == FACTOR)
-        row->result.phase[c->what - ASSEMBLE] =
-            (struct clock_summary){.count = 1, .median = c->value / 1e3};
-    else if (c->what == TIP)
-        row->theory = 1, place(s, &row->run.scene, xyz, c);
-    else if (c->what >= MEASURE)
-        row->result.value[c->what - MEASURE] = c->value;
-    else if (c->what >= NEXT)
-        (&f->next)[c->what - NEXT] = c->value;
-    else
+    if (c->what == LOST) {
+        row->xyz[time] = NULL;
+    } else if (c->what > LOST) {
+        if (row->xyz[time] == flat)
+            memcpy(xyz, flat, 3 * GRID_POINTS * sizeof *xyz);
+        row->xyz[time] = xyz;
         place(s, &row->run.scene, xyz, c);
+    } else if (measure >= 0) {
+        row->result.value[measure] = c->value;
+    } else if (quantity_table[c->what].moves) {
+        study_set(row, time, (enum quantity)c->what, c->value);
+    } else {
+        for (int t = 0; t < s->frames; t++)
+            study_set(row, t, (enum quantity)c->what, c->value);
+    }
 }
 
 /* Whether it is one of "A or B or C". */
@@ -167,7 +149,7 @@ static void fill(struct study_made *m)
     for (int k = 0; k < m->r.count; k++)
         for (int n = 0; n < m->r.study[k].plan->level_count; n++)
             for (int t = 0; t < m->r.study[k].frames; t++)
-                m->r.study[k].row[n].frame[t].xyz = flat;
+                m->r.study[k].row[n].xyz[t] = flat;
 }
 
 static void allocate(const struct study_made *m)
@@ -238,7 +220,7 @@ static void check_plan(const struct turns *t)
 {
     struct study_made made;
 
-    study_make(&made, t->plan, NULL);
+    study_make(&made, t->plan);
     far = metric_rest_field(&made.r.study[0].row[0].run.scene);
     REQUIRE(far);
     for (int n = 0; n < GRID_POINTS; n++)
@@ -304,8 +286,9 @@ static int timestep_begin(struct change *change)
     }
     for (int n = 0; n < 5; n++) {
         const double size = strtod(step[n], NULL);
-        *c++ = (struct change){
-            NEXT, pow(size, 1.5), {{"study", "nonlinear_mass"}, {"step", step[n]}}};
+        *c++ = (struct change){QUANTITY_NEXT,
+                               pow(size, 1.5),
+                               {{"study", "nonlinear_mass"}, {"step", step[n]}}};
     }
     return (int)(c - change);
 }
@@ -316,7 +299,7 @@ static void has_the_papers_rows(void)
     static const int levels[] = {108, 36, 108, 3};
     struct study_made made;
 
-    study_make(&made, "table4-readings", NULL);
+    study_make(&made, "table4-readings");
     for (int k = 0; k < made.r.count; k++) {
         const struct study *s = &made.r.study[k];
         const double scale = strcmp(s->plan->name, "fourfold") ? 1 : 4;
@@ -356,10 +339,10 @@ static struct change change_of(char *text)
     struct change c = {.what = 0};
     char *value = cut(text, " "), *label = cut(value, " ");
 
-    while (c.what < MEASURE + MEASURES &&
-           strcmp(text, c.what < MEASURE ? word[c.what] : measure_name(c.what - MEASURE)))
+    while (c.what < WORDS &&
+           strcmp(text, c.what < LOST ? quantity_table[c.what].name : word[c.what - LOST]))
         c.what++;
-    REQUIRE(c.what < MEASURE + MEASURES && label);
+    REQUIRE(c.what < WORDS && label);
     c.value = strtod(value, NULL);
     for (int n = 0; label; n++) {
         REQUIRE(n < LABELS);

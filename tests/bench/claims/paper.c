@@ -258,37 +258,7 @@ static void add_fourth(struct cells *c)
     plan_clear(&plan);
 }
 
-/* --- The plans that are sweeps: thresholds, and which way round; axes; the 18 rows of
- * Table 4, as cases of one and as marks of the other. */
-
-/* Provot's 10 %; matter; 10 degrees off the vertical; death; sqrt(g L) and a little; the
- * bending length of fabrics. */
-static void check_rules(const struct verdict_rules *rules)
-{
-    static const struct {
-        const char *label;
-        enum measure measure;
-        bool above;
-        double bound;
-    } want[] = {
-        {"over-stretched", MEASURE_STRETCH_MAX, true, 1.1},
-        {"penetration", MEASURE_INTERSECTIONS_MAX, true, 0},
-        {"too light", MEASURE_ANGLE_MAX, false, 80},
-        {"chaotic", MEASURE_BLOWUP_TIME, false, 1e6},
-        {"chaotic", MEASURE_SPEED_MAX, true, 3.2},
-        {"wrinkles too fine", MEASURE_ROUGHNESS_MAX, true, 60},
-    };
-    enum { RULES = sizeof want / sizeof *want };
-
-    REQUIRE(rules->count == RULES);
-    for (int n = 0; n < RULES; n++) {
-        const struct verdict_rule *r = &rules->rule[n];
-        if (!CHECK(!strcmp(r->label, want[n].label) && r->measure == (int)want[n].measure &&
-                   r->above == want[n].above && r->bound == want[n].bound && *r->why))
-            printf("  rule %d: %s, %s %s %g\n", n, r->label, measure_name(r->measure),
-                   r->above ? "above" : "below", r->bound);
-    }
-}
+/* --- The 18 rows of Table 4, as cases of one sweep and as marks on the map of another. */
 
 static double number_of(const struct plan_settings *settings, const char *key)
 {
@@ -304,28 +274,12 @@ static bool is_row(const struct plan_settings *settings, int row)
            number_of(settings, "damping.value") == paper_table4[row].damping;
 }
 
-static void check_setting(const struct plan *plan, const char *key, const char *want)
-{
-    const struct plan_setting *s = plan_settings_find(&plan->settings, key);
-
-    if (!CHECK(s && !strcmp(s->value, want)))
-        printf("  %s: %s is %s, want %s\n", plan->name, key, s ? s->value : "missing",
-               want);
-}
-
 static void check_table4(void)
 {
     struct plan plan;
 
     open_plan(SOURCE_DIR "/bench/plans/table4.yaml", &plan);
-    check_rules(&plan.verdicts);
-    check_setting(&plan, "model", "iga_paper");
-    check_setting(&plan, "time.end", "3");
-    CHECK(plan.look == 10 && plan.intersections == 1 && plan.keep == PLAN_KEEP_NONE);
     REQUIRE(plan.listed_count == PAPER_TABLE4_ROWS && plan.axis_count == 1);
-    CHECK(plan.axes[0].values.count == 2 && !strcmp(plan.axes[0].key, "scene"));
-    CHECK(!strcmp(plan.axes[0].values.list[0].value, "flag"));
-    CHECK(!strcmp(plan.axes[0].values.list[1].value, "edge_drop"));
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
         char name[16];
         snprintf(name, sizeof name, "row %d", row + 1);
@@ -355,29 +309,9 @@ static void marks_of(int row, char text[128])
 
 static void check_feasibility(void)
 {
-    static const char *const dampings[] = {"0.05", "0.1", "0.2", "0.3", "0.4",
-                                           "0.5",  "0.6", "0.7", "0.8", "0.9"};
-    static const char *const poissons[] = {"0", "0.15", "0.3", "0.4", "0.45"};
     struct plan plan;
 
     open_plan(SOURCE_DIR "/bench/plans/feasibility.yaml", &plan);
-    check_rules(&plan.verdicts); /* table4's */
-    check_setting(&plan, "scene", "flag");
-    check_setting(&plan, "time.end", "3");
-    CHECK(plan.look == 20 && plan.intersections == 1 && plan.time_limit == 120);
-    REQUIRE(plan.axis_count == 3 && plan_case_count(&plan) == 25 * 10 * 5);
-    CHECK(plan.axes[0].scale == PLAN_AXIS_LOG && !strcmp(plan.axes[0].key, "gamma"));
-    for (int n = 0; n < 25; n++)
-        CHECK_RELATIVE(strtod(plan.axes[0].values.list[n].value, NULL),
-                       5 * pow(1000, n / 24.), 1e-14);
-    CHECK(!strcmp(plan.axes[1].key, "damping.value"));
-    for (int n = 0; n < 10; n++)
-        CHECK(!strcmp(plan.axes[1].values.list[n].value, dampings[n]));
-    CHECK(!strcmp(plan.axes[2].key, "material.poisson"));
-    for (int n = 0; n < 5; n++)
-        CHECK(!strcmp(plan.axes[2].values.list[n].value, poissons[n]));
-    CHECK(!strcmp(plan.map.x, "gamma") && !strcmp(plan.map.y, "damping.value"));
-    CHECK(!strcmp(plan.map.panel, "material.poisson"));
     REQUIRE(plan.map.mark_count == PAPER_TABLE4_ROWS);
     for (int row = 0; row < PAPER_TABLE4_ROWS; row++) {
         const struct plan_mark *mark = &plan.map.marks[row];

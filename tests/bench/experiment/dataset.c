@@ -28,6 +28,23 @@ static struct plan plan_of(const char *text)
     "  - {label: 7x7x2, size: 0.25, settings: {discretization.points: [7,7,2]}}\n"         \
     "  - {label: 9x9x2, size: 0.125, settings: {discretization.points: [9,9,2]}}\n"
 
+static void set(struct study_row *row, int time, enum quantity q, double value)
+{
+    row->value[time][q] = value;
+    row->known[time][q] = true;
+}
+
+/* Sets five numbers of a sheet, each `by` more than those of another. */
+static void set_shape(struct study_row *row, int time, const double shape[5], double by)
+{
+    static const enum quantity numbers[] = {QUANTITY_ROUGHNESS, QUANTITY_INNER,
+                                            QUANTITY_STRETCH, QUANTITY_DROP,
+                                            QUANTITY_UNEVENNESS};
+
+    for (int i = 0; i < 5; i++)
+        set(row, time, numbers[i], shape[i] + by);
+}
+
 /* Numbers of row n at time t: each is told from all others. Errors go with size^2, the
  * differences from the finest with size^3. */
 static struct study study_of(const struct plan *plan, const double *time, int frames)
@@ -41,6 +58,7 @@ static struct study study_of(const struct plan *plan, const double *time, int fr
                       .gamma = 123.4,
                       .length = 2};
 
+    memset(rows, 0, sizeof rows);
     for (int n = 0; n < 3; n++) {
         struct study_row *row = &s.row[n];
         const double h = pow(0.5, n + 1);
@@ -48,18 +66,14 @@ static struct study study_of(const struct plan *plan, const double *time, int fr
         row->result = (struct run_result){.sentence = {"done"},
                                           .unknowns = 100 * (n + 1),
                                           .factor_entries = 1000 * (n + 1)};
-        row->milliseconds = 1.25 * (n + 1);
-        row->paper_ms = row->level->paper_ms;
-        row->seconds = 0.5 * (n + 1);
-        for (int t = 0; t < frames; t++)
-            row->frame[t] = (struct study_frame){.next = n < 2 ? 0.25 * (n + 1) : NAN,
-                                                 .finest = n < 2 ? pow(h, 3) : NAN,
-                                                 .error = 0.5 * h * h * (t + 1),
-                                                 .roughness = 10 + n,
-                                                 .inner = 20 + n,
-                                                 .stretch = 1.5 + n,
-                                                 .drop = 0.5 + n,
-                                                 .unevenness = 40 + n};
+        for (int t = 0; t < frames; t++) {
+            set(row, t, QUANTITY_FRAME, 1.25 * (n + 1));
+            set(row, t, QUANTITY_SECONDS, 0.5 * (n + 1));
+            set(row, t, QUANTITY_NEXT, n < 2 ? 0.25 * (n + 1) : NAN);
+            set(row, t, QUANTITY_FINEST, n < 2 ? pow(h, 3) : NAN);
+            set(row, t, QUANTITY_ERROR, 0.5 * h * h * (t + 1));
+            set_shape(row, t, (double[]){10, 20, 1.5, 0.5, 40}, n);
+        }
     }
     rows[3] = (struct study_row){.level = &of_truth, .left_out = true};
     return s;
@@ -106,14 +120,10 @@ static void check_truth(void)
     struct truth truth = {2, plan.studies[0].times, none, bars, "somebody else's"};
 
     s.truth = &truth;
-    for (int t = 0; t < 2; t++)
-        s.row[3].frame[t] = (struct study_frame){.next = NAN,
-                                                 .finest = NAN,
-                                                 .roughness = 1 + 5 * t,
-                                                 .inner = 2 + 5 * t,
-                                                 .stretch = 3 + 5 * t,
-                                                 .drop = 4 + 5 * t,
-                                                 .unevenness = 5 + 5 * t};
+    for (int t = 0; t < 2; t++) {
+        set(&s.row[3], t, QUANTITY_ERROR, 0);
+        set_shape(&s.row[3], t, (double[]){1, 2, 3, 4, 5}, 5 * t);
+    }
     char *text = print(&plan, &s, TABLE_CSV);
     holds(text, with_truth, true);
     holds(text, "# Observed order at 0.125 s: 2, of the error.\n", true);
@@ -143,7 +153,8 @@ static void check_without(void)
 
     s.row[1].result.outcome = STATUS_UNSUPPORTED;
     snprintf(s.row[1].result.sentence.text, 64, "no such net");
-    s.row[1].milliseconds = NAN;
+    set(&s.row[1], 0, QUANTITY_FRAME, NAN);
+    set(&s.row[1], 0, QUANTITY_SECONDS, NAN);
     s.row[2].result.outcome = STATUS_NAN;
     snprintf(s.row[2].result.sentence.text, 64, "died at t = 0.2 s");
     char *text = print(&plan, &s, TABLE_CSV);
@@ -171,6 +182,45 @@ static void check_rest(void)
     plan_clear(&plan);
 }
 
+static void writes(const struct study_results *d, const char *at, const char *want)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+
+    REQUIRE(file);
+    dataset_write(d, QUANTITY_DROP, WHERE({"at", at}), file);
+    fclose(file);
+    CHECK(!strcmp(text, want));
+    free(text);
+}
+
+/* Words for sentences: a number of every level; and orders, which two points are not. */
+static void check_words(void)
+{
+    struct plan plan = plan_of(PLAN "times: [0.05, 0.1]\n");
+    struct study s = study_of(&plan, plan.studies[0].times, 2);
+    const struct study_results d = {.plan = &plan, .count = 1, .study = &s};
+
+    set(&s.row[0], 0, QUANTITY_DROP, 7);
+    writes(&d, "*", "7, 0.5, 1.5, 1.5, 2.5, 2.5");
+    for (int n = 0; n < 2; n++)
+        set(&s.row[n], 1, QUANTITY_DROP, NAN);
+    s.row[0].result.outcome = STATUS_UNSUPPORTED;
+    s.row[1].xyz[0] = &s.length; /* lives, and has a number */
+    writes(&d, "0.1", "refused, died, 2.5");
+    s.row[1].xyz[1] = &s.length; /* lives, without this number */
+    writes(&d, "0.1", "refused, nan, 2.5");
+    writes(&d, "0.3", "");
+    s.row[1].xyz[0] = s.row[1].xyz[1] = NULL;
+    set(&s.row[0], 0, QUANTITY_FINEST, NAN);
+    char *text = print(&plan, &s, TABLE_CSV);
+    holds(text, "Observed order at 0.05 s", false);
+    holds(text, "Observed order at 0.1 s: 3, of the difference", true);
+    free(text);
+    plan_clear(&plan);
+}
+
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
@@ -180,5 +230,6 @@ int main(int argc, char **argv)
     check_truth();
     check_without();
     check_rest();
+    check_words();
     return check_result();
 }

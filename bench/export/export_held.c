@@ -1,4 +1,4 @@
-#include "bench/export/export_held.h"
+#include "bench/export/export_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -186,7 +186,7 @@ static enum status find_supports(const struct export_sheet *s, struct supports *
     if (!uvw)
         return st;
     for (int n = 0; n < vertices; n++)
-        export_sheet_point(s, n % s->points[0], n / s->points[0], uvw[n], x);
+        export_sheet_vertex(s, n, uvw[n], x);
     st = supports_init(supports, s->scene, vertices, uvw, why);
     free(uvw);
     return st;
@@ -224,24 +224,17 @@ void export_held_clear(struct export_held *held)
     *held = (struct export_held){0};
 }
 
-enum status export_held_write(const struct export_sheet *s, const struct export_held *held,
-                              struct message *why)
+enum status export_held_csv(struct export_job *j, struct output *out)
 {
-    struct output *out = NULL;
-    enum status st;
-
-    TRY(export_sheet_open(s, "held.csv", &out, why));
     output_print(out, "vertex,u,v,x,y,z,fix,path,beside\n");
-    for (int n = 0; n < held->count; n++) {
-        const struct export_held_vertex *v = &held->vertex[n];
+    for (int n = 0; n < j->held.count; n++) {
+        const struct export_held_vertex *v = &j->held.vertex[n];
         double uvw[3], x[3];
-        export_sheet_point(s, v->i, v->j, uvw, x);
+        export_sheet_point(&j->sheet, v->i, v->j, uvw, x);
         output_print(out, "%d,%.17g,%.17g,%.17g,%.17g,%.17g,%s,", v->vertex, uvw[0], uvw[1],
                      x[0], x[1], x[2], export_sheet_axes(v->fix));
         output_print(out, v->path < 0 ? "," : "%d,", v->path);
         output_print(out, v->beside < 0 ? "\n" : "%d\n", v->beside);
     }
-    TRY(output_close(out, why));
-out:
-    return st;
+    return STATUS_OK;
 }

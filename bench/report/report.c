@@ -6,10 +6,9 @@
 
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
-#include "bench/report/report_claim.h"
 #include "bench/report/report_json.h"
 #include "bench/report/report_motion.h"
-#include "bench/report/report_part.h"
+#include "bench/report/report_summary.h"
 #include "models/reader/named_file.h"
 
 static const struct named_file_kind page_kind = {
@@ -47,14 +46,18 @@ static const struct report_found *find(const struct report_found *found, const c
 static enum status write_data(FILE *file, const char *folder,
                               const struct report_found *found)
 {
+    const struct report_found *compare = find(found, "compare");
+    struct report_tally claims = {0};
     enum status st;
 
     fputc('{', file);
     report_json_pair(file, "folder", folder);
     write_provenance(file);
     fputs("\"claims\":[", file);
-    report_claim_write(file, found);
-    fputs("],\"parts\":[", file);
+    report_claim_write(file, found, &claims);
+    fputs("],", file);
+    TRY(report_summary_write(file, &claims, compare, find(found, "verify")));
+    fputs("\"parts\":[", file);
     for (int n = 0; report_part_list[n].id; n++) {
         fputs(n ? "," : "", file);
         report_part_write(file, &report_part_list[n], &found[n]);
@@ -62,7 +65,7 @@ static enum status write_data(FILE *file, const char *folder,
     fputs("],\"truths\":[", file);
     TRY(report_motion_truths(file));
     fputs("],\"motions\":[", file);
-    TRY(report_motion_write(file, folder, find(found, "compare")));
+    TRY(report_motion_write(file, folder, compare));
     fputs("],\"pictures\":[", file);
 out:
     return st;

@@ -44,7 +44,7 @@ static unsigned held_whole(const struct export_sheet *s, int i, int j)
     return fix;
 }
 
-/* Whether all components of a direction are fixed. */
+/* Returns whether all components of a direction are fixed. */
 static bool has_direction(unsigned fix, const double from[3], const double to[3])
 {
     double length = 0;
@@ -57,7 +57,8 @@ static bool has_direction(unsigned fix, const double from[3], const double to[3]
     return all;
 }
 
-/* Whether the vertex's fixed components keep the sheet from turning towards `step`. */
+/* Returns whether the vertex's fixed components keep the sheet from turning towards `step`.
+ */
 static bool is_stiff(const struct export_sheet *s, int i, int j, const int step[2])
 {
     double uvw[3], here[3], there[3];
@@ -67,7 +68,7 @@ static bool is_stiff(const struct export_sheet *s, int i, int j, const int step[
     return has_direction(held_whole(s, i, j), here, there);
 }
 
-/* Whether the vertex is in the sheet and not fixed along its normal. */
+/* Returns whether the vertex is in the sheet and not fixed along its normal. */
 static bool may_leave(const struct export_sheet *s, int i, int j)
 {
     double uvw[3], low[3], high[3];

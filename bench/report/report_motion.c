@@ -216,7 +216,7 @@ static int nearest(const struct csv_table *t, const struct keys *k, int row)
     return best;
 }
 
-/* Whether a name is made of letters, so that it cannot lead out of the folder. */
+/* Returns whether a name is made of letters, so that it cannot lead out of the folder. */
 static bool is_plain(const char *name)
 {
     return *name && strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(name);

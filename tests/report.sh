@@ -72,6 +72,43 @@ sed '1s/^.*$/# clothbench table 4 --format csv --quick | commit/' "$results/tabl
 good changed
 has_quick || fail 'a quick command is not seen'
 
+# --- the three sentences on what was found, each turned by what is in the folder
+found() { # NUMBER, words that the sentence has
+    sed -n 's/.*"found":\[\([^]]*\)\].*/\1/p' page.html | sed 's/","/\n/g' | sed -n "${1}p" | grep -qF -- "$2" ||
+        fail "sentence $1 has not: $2"
+}
+good empty
+found 1 'claims 0 hold and 0 do not; '
+found 2 'Speed against error was not measured: clothbench compare edge_drop'
+found 3 'Nothing was held against closed forms: clothbench verify'
+rm -rf changed
+mkdir changed
+for verdict in holds holds 'does not hold' open; do
+    [ -s changed/study_mesh.csv ] || printf '# Sentences of the paper\nclaim,verdict,sentence\n' >changed/study_mesh.csv
+    echo "c,$verdict,s" >>changed/study_mesh.csv
+done
+cat >changed/compare.csv <<'TABLE'
+title,contestant,model,side,step_s,iterations,seconds,worst_rmse_over_length,front
+slow,a,one,5,0.005,,9,0.009,1
+quick,b,one,5,0.005,,1.26,0.01,1
+rough,c,one,5,0.005,,0.1,0.02,1
+other,d,two,5,0.005,,2.52,0.001,1
+far,e,three,5,0.005,,0.2,0.5,1
+none,f,four,5,0.005,,,0.001,0
+TABLE
+printf 'check,quantity,verdict\na,b,met\na,b,met\na,b,MISSED\na,b,died\na,b,no claim\n' >changed/verify.csv
+good changed
+found 1 ' claims 2 hold and 1 do not; '
+found 2 '1 % of the length on edge_drop is 1.3 s, by quick; the next model, other, takes 2 times as long.'
+found 3 ' 2 have it and 2 do not.'
+has '"best":["quick","other","far"]'
+sed -i 's/,0.001,1$/,0.5,1/' changed/compare.csv
+good changed
+found 2 ' is 1.3 s, by quick.'
+sed -i '/,one,/d' changed/compare.csv
+good changed
+found 2 'No run of edge_drop comes within 1 % of the length.'
+
 # --- damaged: told with file and line, and the other parts are there
 rm -rf changed
 mkdir changed

@@ -3,37 +3,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/export/export_held.h"
-#include "bench/export/export_numbers.h"
+#include "bench/export/export_parts.h"
 #include "bench/files/folder.h"
-#include "bench/truth/truth.h"
 #include "models/damping.h"
 #include "models/reader/scene_file.h"
 
 /* --- scene.yaml: what was set is in it, and what its truth changes; comments are not ----
  */
 
-/* Prints a number with as many digits as it takes to read it again; never -0. */
-static void put_number(struct output *out, double value)
+/* Prints a text in which each # stands for the next number, with as many digits as it takes
+ * to read it again; never -0. */
+static void put(struct output *out, const char *text, const double *value)
 {
-    output_print(out, "%.*g", output_digits(value), value + 0.0);
-}
-
-static void put_key(struct output *out, const char *key, double value)
-{
-    output_print(out, "%s: ", key);
-    put_number(out, value);
-}
-
-static void put_list(struct output *out, const char *before, int count, const double *value,
-                     const char *after)
-{
-    output_print(out, "%s[", before);
-    for (int n = 0; n < count; n++) {
-        output_print(out, "%s", n ? ", " : "");
-        put_number(out, value[n]);
-    }
-    output_print(out, "]%s", after);
+    for (; *text; text++)
+        if (*text != '#')
+            output_print(out, "%c", *text);
+        else
+            output_print(out, "%.*g", output_digits(*value), *value + 0.0), value++;
 }
 
 static void put_text(struct output *out, const char *key, const char *text)
@@ -46,56 +32,46 @@ static void put_text(struct output *out, const char *key, const char *text)
 
 static void put_sheet(const struct scene *s, struct output *out)
 {
-    put_key(out, "sheet: {length", s->length);
-    put_key(out, ", width", s->width);
-    put_key(out, ", thickness", s->thickness);
-    output_print(out, "}\n");
+    put(out, "sheet: {length: #, width: #, thickness: #}\n",
+        (double[]){s->length, s->width, s->thickness});
     output_print(out, "pose:\n  kind: %s\n", scene_shape_words[s->shape]);
-    put_list(out, "  origin: ", 3, s->origin, "\n");
-    put_list(out, "  u: ", 3, s->axis_u, "\n");
-    put_list(out, "  v: ", 3, s->axis_v, "\n");
-    if (s->shape == SCENE_CLOAK) {
-        put_key(out, "  opening", s->opening);
-        put_key(out, "\n  flare", s->flare);
-        output_print(out, "\n");
-    }
-    put_key(out, "material: {young", s->young);
-    put_key(out, ", poisson", s->poisson);
-    put_key(out, ", density", s->density);
-    output_print(out, "}\n");
+    put(out, "  origin: [#, #, #]\n", s->origin);
+    put(out, "  u: [#, #, #]\n", s->axis_u);
+    put(out, "  v: [#, #, #]\n", s->axis_v);
+    if (s->shape == SCENE_CLOAK)
+        put(out, "  opening: #\n  flare: #\n", (double[]){s->opening, s->flare});
+    put(out, "material: {young: #, poisson: #, density: #}\n",
+        (double[]){s->young, s->poisson, s->density});
 }
 
 static void put_forces(const struct scene *s, struct output *out)
 {
     const struct scene_damping *d = &s->damping;
 
-    put_list(out, "gravity: ", 3, s->gravity, "\n");
+    put(out, "gravity: [#, #, #]\n", s->gravity);
     if (s->drag > 0) {
-        put_key(out, "drag: {coefficient", s->drag);
-        put_list(out, ", wind: ", 3, s->wind, "}\n");
+        put(out, "drag: {coefficient: #", &s->drag);
+        put(out, ", wind: [#, #, #]}\n", s->wind);
     }
     output_print(out, "damping: {kind: %s", damping_words[d->kind]);
-    if (d->kind == DAMPING_RAYLEIGH) {
-        put_key(out, ", alpha", d->alpha);
-        put_key(out, ", beta", d->beta);
-    } else if (d->kind != DAMPING_NONE)
-        put_key(out, ", value", d->value);
+    if (d->kind == DAMPING_RAYLEIGH)
+        put(out, ", alpha: #, beta: #", (double[]){d->alpha, d->beta});
+    else if (d->kind != DAMPING_NONE)
+        put(out, ", value: #", &d->value);
     output_print(out, "}\n");
     if (scene_needs(s) & SCENE_NEED_INITIAL_MOTION) {
-        put_list(out, "motion: {velocity: ", 3, s->velocity, ", ");
-        put_list(out, "spin: ", 3, s->spin, "}\n");
+        put(out, "motion: {velocity: [#, #, #]", s->velocity);
+        put(out, ", spin: [#, #, #]}\n", s->spin);
     }
 }
 
+/* Begins an element of a list. */
 static void put_region(struct output *out, const double lo[3], const double hi[3])
 {
     output_print(out, "  - at: {");
     for (int c = 0; c < 3; c++) {
         output_print(out, "%s%c: ", c ? ", " : "", "uvw"[c]);
-        if (lo[c] == hi[c])
-            put_number(out, lo[c]);
-        else
-            put_list(out, "", 2, (double[]){lo[c], hi[c]}, "");
+        put(out, lo[c] == hi[c] ? "#" : "[#, #]", (double[]){lo[c], hi[c]});
     }
     output_print(out, "}\n");
 }
@@ -109,12 +85,12 @@ static void put_supports(const struct scene *s, struct output *out)
         output_print(out, "    fix: %s\n%s", export_sheet_axes(p->fix),
                      p->path_count ? "    path:\n" : "");
         for (int k = 0; k < p->path_count; k++)
-            put_list(out, "      - ", 4, p->path[k], "\n");
+            put(out, "      - [#, #, #, #]\n", p->path[k]);
     }
     for (int n = 0; n < s->load_count; n++) {
         output_print(out, "%s", n ? "" : "loads:\n");
         put_region(out, s->loads[n].lo, s->loads[n].hi);
-        put_list(out, "    force: ", 3, s->loads[n].force, "\n");
+        put(out, "    force: [#, #, #]\n", s->loads[n].force);
     }
 }
 
@@ -123,54 +99,40 @@ static void put_obstacles(const struct scene *s, struct output *out)
     for (int n = 0; n < s->obstacle_count; n++) {
         const struct scene_obstacle *o = &s->obstacles[n];
         const bool plane = o->kind == OBSTACLE_PLANE;
-        output_print(out, "%s  - %s:\n", n ? "" : "obstacles:\n",
-                     plane ? "plane" : "sphere");
-        put_list(out, plane ? "      point: " : "      center: ", 3, o->point, "\n");
-        if (plane)
-            put_list(out, "      normal: ", 3, o->normal, "\n");
-        else
-            put_key(out, "      radius", o->radius);
-        put_key(out, plane ? "      friction" : "\n      friction", o->friction);
-        output_print(out, "\n");
+        output_print(out, "%s", n ? "" : "obstacles:\n");
+        put(out,
+            plane ? "  - plane:\n      point: [#, #, #]\n"
+                  : "  - sphere:\n      center: [#, #, #]\n",
+            o->point);
+        put(out, plane ? "      normal: [#, #, #]\n" : "      radius: #\n",
+            plane ? o->normal : &o->radius);
+        put(out, "      friction: #\n", &o->friction);
     }
 }
 
-static enum status write_scene(const struct export_sheet *s, struct message *why)
+static enum status write_scene(struct export_job *j, struct output *out)
 {
-    const struct scene *scene = s->scene;
-    struct output *out = NULL;
-    enum status st;
+    const struct scene *scene = &j->scene;
 
-    TRY(export_sheet_open(s, "scene.yaml", &out, why));
     output_print(out, "name: %s\n", scene->name);
     put_text(out, "source", scene->source);
     put_sheet(scene, out);
     put_forces(scene, out);
     put_supports(scene, out);
     put_obstacles(scene, out);
-    put_key(out, "time: {step", scene->step);
-    put_key(out, ", end", scene->end);
-    output_print(out, "}\n");
-    if (scene->snapshot_count)
-        put_list(out, "snapshots: ", scene->snapshot_count, scene->snapshots, "\n");
-    TRY(output_close(out, why));
-out:
-    return st;
+    put(out, "time: {step: #, end: #}\n", (double[]){scene->step, scene->end});
+    for (int n = 0; n < scene->snapshot_count; n++)
+        put(out, n ? ", #" : "snapshots: [#", &scene->snapshots[n]);
+    output_print(out, "%s", scene->snapshot_count ? "]\n" : "");
+    return STATUS_OK;
 }
 
 /* --- README.md: the rules on one page ------------------------------------------------- */
 
-/* What README.md reports besides the sheet. */
-struct readme {
-    const struct export_held *held;
-    const struct truth *known; /* no times: no truth is known                     */
-    const char *misfit;        /* of the matched springs; empty: none             */
-    bool undamped;             /* the scene is damped by a factor a step          */
-};
-
-static void put_title(const struct export_sheet *s, struct output *out)
+static void put_title(const struct export_job *j, struct output *out)
 {
-    const struct scene *c = s->scene;
+    const struct scene *c = &j->scene;
+    const int *points = j->sheet.points;
     const double *g = c->gravity;
 
     output_print(
@@ -195,7 +157,7 @@ static void put_title(const struct export_sheet *s, struct output *out)
         ".\nVertex j %d + i is at u = i/%d, v = j/%d. Files count vertices from 0, "
         "OBJ from 1.\nTriangles are counter-clockwise seen from u x v; the diagonals "
         "alternate.\n\n",
-        s->points[0], s->points[0] - 1, s->points[1] - 1);
+        points[0], points[0] - 1, points[1] - 1);
 }
 
 static void put_damping(const struct scene *c, bool undamped, bool at_rest,
@@ -223,12 +185,13 @@ static void put_damping(const struct scene *c, bool undamped, bool at_rest,
                      d->value);
 }
 
-static void put_physics(const struct scene *c, const struct readme *r, struct output *out)
+static void put_physics(const struct export_job *j, struct output *out)
 {
+    const struct scene *c = &j->scene;
     const unsigned needs = scene_needs(c);
 
     output_print(out, "## Physics of the truth\n\n");
-    put_damping(c, r->undamped, r->known->closed && c->support_count, out);
+    put_damping(c, j->undamped, j->known.closed && c->support_count, out);
     output_print(out,
                  "- From t = 0 at rest in the rest shape%s, without stress; large "
                  "displacements; no self-contact.\n",
@@ -251,10 +214,8 @@ static void put_physics(const struct scene *c, const struct readme *r, struct ou
     output_print(out, "\n");
 }
 
-static void put_held(const struct readme *r, struct output *out)
+static void put_held(const struct export_held *h, struct output *out)
 {
-    const struct export_held *h = r->held;
-
     output_print(out, "## What is held\n\n");
     if (!h->count) {
         output_print(out, "Nothing.\n\n");
@@ -282,10 +243,9 @@ static void put_held(const struct readme *r, struct output *out)
     output_print(out, "%s%s\n\n", *h->doubt.text ? "\nNote: " : "", h->doubt.text);
 }
 
-static void put_parameters(const struct export_sheet *s, const char *misfit,
-                           struct output *out)
+static void put_parameters(const struct export_job *j, struct output *out)
 {
-    const bool flat = s->scene->shape == SCENE_FLAT;
+    const bool flat = j->scene.shape == SCENE_FLAT;
 
     output_print(
         out, "## Parameters\n\n"
@@ -310,14 +270,14 @@ static void put_parameters(const struct export_sheet *s, const char *misfit,
         "of first order in the cell; with this one of second.\n",
         flat ? " (`hinge u`, `hinge v`, `hinge diagonal`)" : "",
         flat ? " (`hinge u held`, `hinge v held`)" : "");
-    if (*misfit)
-        output_print(out, "\nSprings are no plane stress: %s.\n", misfit);
+    if (*j->misfit.text)
+        output_print(out, "\nSprings are no plane stress: %s.\n", j->misfit.text);
     output_print(out, "\n");
 }
 
-static void put_score(const struct export_sheet *s, const struct truth *known,
-                      struct output *out)
+static void put_score(const struct export_job *j, struct output *out)
 {
+    const struct truth *known = &j->known;
     struct message why = {""};
 
     output_print(out,
@@ -331,7 +291,7 @@ static void put_score(const struct export_sheet *s, const struct truth *known,
     else if (known->claimed)
         output_print(out, "The truth is known at %d times from %g to %g s", known->claimed,
                      known->time[0], known->time[known->claimed - 1]);
-    else if (truth_plan_check(s->scene, &why) == STATUS_OK)
+    else if (truth_plan_check(&j->scene, &why) == STATUS_OK)
         output_print(out,
                      "No truth is stored: `clothbench truth scene.yaml` makes one in "
                      "results/truths, where score\nfinds it if CLOTHBENCH_TRUTHS names "
@@ -349,49 +309,75 @@ static void put_score(const struct export_sheet *s, const struct truth *known,
              "error bar, and what\nyour net alone would cost.\n");
 }
 
-static enum status write_readme(const struct export_sheet *s, const struct readme *r,
-                                struct message *why)
+static enum status write_readme(struct export_job *j, struct output *out)
 {
-    struct output *out = NULL;
-    enum status st;
-
-    TRY(export_sheet_open(s, "README.md", &out, why));
-    put_title(s, out);
-    put_physics(s->scene, r, out);
-    put_held(r, out);
-    put_parameters(s, r->misfit, out);
-    put_score(s, r->known, out);
-    TRY(output_close(out, why));
-out:
-    return st;
+    put_title(j, out);
+    put_physics(j, out);
+    put_held(&j->held, out);
+    put_parameters(j, out);
+    put_score(j, out);
+    return STATUS_OK;
 }
 
 /* --- the command ---------------------------------------------------------------------- */
 
-struct job {
-    struct scene scene; /* as its truth moves                                          */
-    struct settings settings;
-    struct export_sheet sheet;
-    struct export_held held;
-    struct truth known;
-    unsigned formats;
-    bool undamped; /* the truth is, the scene is not                                   */
+/* The files in their order: README.md tells what materials.csv found. */
+static const struct {
+    const char *name;
+    const char *format; /* of --format that asks for it; NULL: it is always written      */
+    unsigned need;      /* of the scene, without which it is left out; 0: none           */
+    enum status (*write)(struct export_job *j, struct output *out);
+} files[] = {
+    {"rest.obj", "obj", 0, export_sheet_obj},
+    {"rest.ply", "ply", 0, export_sheet_ply},
+    {"rest.csv", "csv", 0, export_sheet_csv},
+    {"held.csv", NULL, 0, export_held_csv},
+    {"materials.csv", NULL, 0, export_numbers_materials},
+    {"times.csv", NULL, 0, export_numbers_times},
+    {"obstacles.csv", NULL, SCENE_NEED_CONTACT, export_numbers_obstacles},
+    {"paths.csv", NULL, SCENE_NEED_MOVING_SUPPORTS, export_numbers_paths},
+    {"loads.csv", NULL, SCENE_NEED_LOADS, export_numbers_loads},
+    {"velocities.csv", NULL, SCENE_NEED_INITIAL_MOTION, export_numbers_velocities},
+    {"scene.yaml", NULL, 0, write_scene},
+    {"README.md", NULL, 0, write_readme},
 };
+enum { FILES = sizeof files / sizeof *files };
 
-static enum status read_formats(const struct command_line *line, unsigned *formats,
-                                struct message *why)
+static enum status write_file(struct export_job *j, int n, const char *folder,
+                              struct message *why)
 {
-    static const char *const words[] = {"obj", "ply", "csv"};
-    const char *word = command_value(line, "--format");
+    struct output *out = NULL, *done;
+    char path[4096];
+    enum status st;
 
-    *formats = word ? 0 : EXPORT_SHEET_ALL;
-    for (int n = 0; word && n < 3; n++)
-        *formats |= strcmp(word, words[n]) ? 0 : 1u << n;
-    return *formats ? STATUS_OK
-                    : status_fail(why, STATUS_INPUT, "--format %s: obj, ply or csv", word);
+    if (snprintf(path, sizeof path, "%s/%s", folder, files[n].name) >= (int)sizeof path)
+        return status_fail(why, STATUS_FILE, "%.60s...: the path is too long", folder);
+    TRY(output_create(path, &out, why));
+    TRY(files[n].write(j, out));
+    done = out, out = NULL;
+    TRY(output_close(done, why));
+out:
+    output_discard(out);
+    return st;
 }
 
-static enum status read_scene(struct job *j, const struct command_line *line,
+/* Writes all files that the scene needs; `format` picks one of the rest mesh, NULL all. */
+static enum status write_all(struct export_job *j, const char *format, const char *folder,
+                             struct message *why)
+{
+    const unsigned needs = scene_needs(&j->scene);
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < FILES; n++) {
+        const bool picked = !format || !files[n].format || !strcmp(format, files[n].format);
+        if (picked && (!files[n].need || needs & files[n].need))
+            TRY(write_file(j, n, folder, why));
+    }
+out:
+    return st;
+}
+
+static enum status read_scene(struct export_job *j, const struct command_line *line,
                               struct message *why)
 {
     int count;
@@ -410,9 +396,10 @@ out:
 }
 
 /* Checks the whole request before anything is written. */
-static enum status prepare(struct job *j, const struct command_line *line,
+static enum status prepare(struct export_job *j, const struct command_line *line,
                            struct message *why)
 {
+    const char *format = command_value(line, "--format");
     enum status st;
 
     if (!command_given(line, "--points"))
@@ -421,7 +408,8 @@ static enum status prepare(struct job *j, const struct command_line *line,
     if (!command_given(line, "--out"))
         TRY(status_fail(why, STATUS_INPUT, "where to? --out FOLDER, a new one"));
     TRY(command_pair(line, "--points", 2, EXPORT_SHEET_MOST, j->sheet.points, why));
-    TRY(read_formats(line, &j->formats, why));
+    if (format && strcmp(format, "obj") && strcmp(format, "ply") && strcmp(format, "csv"))
+        TRY(status_fail(why, STATUS_INPUT, "--format %s: obj, ply or csv", format));
     TRY(read_scene(j, line, why));
     j->sheet.scene = &j->scene;
     TRY(export_held_find(&j->sheet, &j->held, why));
@@ -430,32 +418,16 @@ out:
     return st;
 }
 
-static enum status write_all(const struct job *j, struct message *why)
-{
-    struct message misfit = {""};
-    enum status st;
-
-    TRY(export_sheet_write(&j->sheet, j->formats, why));
-    TRY(export_held_write(&j->sheet, &j->held, why));
-    TRY(export_numbers_write(&j->sheet, &j->held, &j->known, &misfit, why));
-    TRY(write_scene(&j->sheet, why));
-    TRY(write_readme(&j->sheet,
-                     &(struct readme){&j->held, &j->known, misfit.text, j->undamped}, why));
-out:
-    return st;
-}
-
 static enum status run(const struct command_line *line, struct message *why)
 {
     const char *out = command_value(line, "--out");
     struct folder_aside aside = {0};
-    struct job j = {0};
+    struct export_job j = {0};
     enum status st;
 
     TRY(prepare(&j, line, why));
     TRY(folder_aside_open(out, &aside, why));
-    j.sheet.folder = aside.temporary;
-    TRY(write_all(&j, why));
+    TRY(write_all(&j, command_value(line, "--format"), aside.temporary, why));
     TRY(folder_aside_commit(&aside, why));
     if (*j.held.doubt.text)
         fprintf(stderr, "export: %s\n", j.held.doubt.text);

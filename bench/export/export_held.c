@@ -1,4 +1,4 @@
-#include "bench/export/export_held.h"
+#include "bench/export/export_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -44,7 +44,7 @@ static unsigned held_whole(const struct export_sheet *s, int i, int j)
     return fix;
 }
 
-/* Whether all components of a direction are fixed. */
+/* Returns whether all components of a direction are fixed. */
 static bool has_direction(unsigned fix, const double from[3], const double to[3])
 {
     double length = 0;
@@ -57,7 +57,8 @@ static bool has_direction(unsigned fix, const double from[3], const double to[3]
     return all;
 }
 
-/* Whether the vertex's fixed components keep the sheet from turning towards `step`. */
+/* Returns whether the vertex's fixed components keep the sheet from turning towards `step`.
+ */
 static bool is_stiff(const struct export_sheet *s, int i, int j, const int step[2])
 {
     double uvw[3], here[3], there[3];
@@ -67,7 +68,7 @@ static bool is_stiff(const struct export_sheet *s, int i, int j, const int step[
     return has_direction(held_whole(s, i, j), here, there);
 }
 
-/* Whether the vertex is in the sheet and not fixed along its normal. */
+/* Returns whether the vertex is in the sheet and not fixed along its normal. */
 static bool may_leave(const struct export_sheet *s, int i, int j)
 {
     double uvw[3], low[3], high[3];
@@ -186,7 +187,7 @@ static enum status find_supports(const struct export_sheet *s, struct supports *
     if (!uvw)
         return st;
     for (int n = 0; n < vertices; n++)
-        export_sheet_point(s, n % s->points[0], n / s->points[0], uvw[n], x);
+        export_sheet_vertex(s, n, uvw[n], x);
     st = supports_init(supports, s->scene, vertices, uvw, why);
     free(uvw);
     return st;
@@ -224,24 +225,17 @@ void export_held_clear(struct export_held *held)
     *held = (struct export_held){0};
 }
 
-enum status export_held_write(const struct export_sheet *s, const struct export_held *held,
-                              struct message *why)
+enum status export_held_csv(struct export_job *j, struct output *out)
 {
-    struct output *out = NULL;
-    enum status st;
-
-    TRY(export_sheet_open(s, "held.csv", &out, why));
     output_print(out, "vertex,u,v,x,y,z,fix,path,beside\n");
-    for (int n = 0; n < held->count; n++) {
-        const struct export_held_vertex *v = &held->vertex[n];
+    for (int n = 0; n < j->held.count; n++) {
+        const struct export_held_vertex *v = &j->held.vertex[n];
         double uvw[3], x[3];
-        export_sheet_point(s, v->i, v->j, uvw, x);
+        export_sheet_point(&j->sheet, v->i, v->j, uvw, x);
         output_print(out, "%d,%.17g,%.17g,%.17g,%.17g,%.17g,%s,", v->vertex, uvw[0], uvw[1],
                      x[0], x[1], x[2], export_sheet_axes(v->fix));
         output_print(out, v->path < 0 ? "," : "%d,", v->path);
         output_print(out, v->beside < 0 ? "\n" : "%d\n", v->beside);
     }
-    TRY(output_close(out, why));
-out:
-    return st;
+    return STATUS_OK;
 }

@@ -32,8 +32,4 @@ enum status export_held_find(const struct export_sheet *s, struct export_held *h
                              struct message *why);
 void export_held_clear(struct export_held *held); /* all-zero is allowed */
 
-/* Writes held.csv. */
-enum status export_held_write(const struct export_sheet *s, const struct export_held *held,
-                              struct message *why);
-
 #endif

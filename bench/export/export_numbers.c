@@ -1,9 +1,12 @@
+/* The numbers that a simulator needs besides the mesh: materials.csv, times.csv, and where
+ * the scene has them obstacles.csv, paths.csv, loads.csv, velocities.csv. */
 #include "bench/export/export_numbers.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/export/export_parts.h"
 #include "models/net/spring_net.h"
 #include "models/mechanics/dead_load.h"
 
@@ -195,34 +198,6 @@ out:
 /* --- as files ---------------------------------------------------------------------------
  */
 
-struct numbers {
-    const struct export_sheet *sheet;
-    const struct export_held *held;
-    const struct truth *known;
-    struct message *misfit;
-};
-struct file {
-    unsigned need; /* of the scene; 0: the file is always made                          */
-    const char *name, *header;
-    enum status (*rows)(const struct numbers *of, struct output *out);
-};
-
-static enum status write_file(const struct numbers *of, const struct file *file,
-                              struct message *why)
-{
-    struct output *out = NULL, *done;
-    enum status st;
-
-    TRY(export_sheet_open(of->sheet, file->name, &out, why));
-    output_print(out, "%s\n", file->header);
-    TRY(file->rows(of, out));
-    done = out, out = NULL;
-    TRY(output_close(done, why));
-out:
-    output_discard(out);
-    return st;
-}
-
 /* Prints a comma and a number, which may be missing. */
 static void print_cell(struct output *out, double value)
 {
@@ -244,26 +219,26 @@ static void take_line(void *context, const struct number *n)
     output_print(out, "\n");
 }
 
-static enum status material_rows(const struct numbers *of, struct output *out)
+enum status export_numbers_materials(struct export_job *j, struct output *out)
 {
-    return each(of->sheet, &(struct taker){take_line, out}, of->misfit);
+    output_print(out, "quantity,a,b,value,unit,rest_length,compliance\n");
+    return each(&j->sheet, &(struct taker){take_line, out}, &j->misfit);
 }
 
-static enum status time_rows(const struct numbers *of, struct output *out)
+enum status export_numbers_times(struct export_job *j, struct output *out)
 {
-    const struct truth *known = of->known;
-
-    output_print(out, "step,%.17g,\nend,%.17g,\n", of->sheet->scene->step,
-                 of->sheet->scene->end);
-    for (int n = 0; n < known->claimed; n++)
-        output_print(out, "truth,%.17g,%.17g\n", known->time[n], known->error[n]);
+    output_print(out, "what,time,bar\nstep,%.17g,\nend,%.17g,\n", j->scene.step,
+                 j->scene.end);
+    for (int n = 0; n < j->known.claimed; n++)
+        output_print(out, "truth,%.17g,%.17g\n", j->known.time[n], j->known.error[n]);
     return STATUS_OK;
 }
 
-static enum status obstacle_rows(const struct numbers *of, struct output *out)
+enum status export_numbers_obstacles(struct export_job *j, struct output *out)
 {
-    for (int n = 0; n < of->sheet->scene->obstacle_count; n++) {
-        const struct scene_obstacle *o = &of->sheet->scene->obstacles[n];
+    output_print(out, "kind,x,y,z,normal_x,normal_y,normal_z,radius,friction\n");
+    for (int n = 0; n < j->scene.obstacle_count; n++) {
+        const struct scene_obstacle *o = &j->scene.obstacles[n];
         const double *p = o->point, *m = o->normal;
         const double size = hypot(m[0], hypot(m[1], m[2]));
         if (o->kind == OBSTACLE_PLANE)
@@ -276,11 +251,12 @@ static enum status obstacle_rows(const struct numbers *of, struct output *out)
     return STATUS_OK;
 }
 
-static enum status path_rows(const struct numbers *of, struct output *out)
+enum status export_numbers_paths(struct export_job *j, struct output *out)
 {
-    for (int n = 0; n < of->sheet->scene->support_count; n++)
-        for (int k = 0; k < of->sheet->scene->supports[n].path_count; k++) {
-            const double *row = of->sheet->scene->supports[n].path[k];
+    output_print(out, "path,t,x,y,z\n");
+    for (int n = 0; n < j->scene.support_count; n++)
+        for (int k = 0; k < j->scene.supports[n].path_count; k++) {
+            const double *row = j->scene.supports[n].path[k];
             output_print(out, "%d,%.17g,%.17g,%.17g,%.17g\n", n, row[0], row[1], row[2],
                          row[3]);
         }
@@ -288,9 +264,9 @@ static enum status path_rows(const struct numbers *of, struct output *out)
 }
 
 /* Writes loads, distributed by the vertices' hat functions as springs and triangles do. */
-static enum status load_rows(const struct numbers *of, struct output *out)
+enum status export_numbers_loads(struct export_job *j, struct output *out)
 {
-    const struct export_sheet *s = of->sheet;
+    const struct export_sheet *s = &j->sheet;
     const struct dead_load_line line[3] = {
         {.n = s->points[0], .degree = 1}, {.n = s->points[1], .degree = 1}, {.n = 1}};
     double *force = calloc(3 * (size_t)export_sheet_vertices(s), sizeof *force);
@@ -299,9 +275,10 @@ static enum status load_rows(const struct numbers *of, struct output *out)
     if (!force)
         return st;
     TRY(dead_load_add(s->scene, line, force));
+    output_print(out, "vertex,x,y,z\n");
     for (int n = 0; n < export_sheet_vertices(s); n++) {
-        const int i = n % s->points[0], j = n / s->points[0];
-        const double *f = force + 3 * (i * s->points[1] + j);
+        const int along = n % s->points[0], across = n / s->points[0];
+        const double *f = force + 3 * (along * s->points[1] + across);
         if (f[0] != 0 || f[1] != 0 || f[2] != 0)
             output_print(out, "%d,%.17g,%.17g,%.17g\n", n, f[0], f[1], f[2]);
     }
@@ -310,44 +287,21 @@ out:
     return st;
 }
 
-static enum status velocity_rows(const struct numbers *of, struct output *out)
+enum status export_numbers_velocities(struct export_job *j, struct output *out)
 {
-    const struct export_sheet *s = of->sheet;
-    const struct export_held *held = of->held;
+    const struct export_held *held = &j->held;
     int next = 0; /* held vertices of the sheet come in their order */
 
-    for (int n = 0; n < export_sheet_vertices(s); n++) {
+    output_print(out, "vertex,x,y,z\n");
+    for (int n = 0; n < export_sheet_vertices(&j->sheet); n++) {
         const bool is_held = next < held->count && held->vertex[next].vertex == n;
         const unsigned fix = is_held ? held->vertex[next++].fix : 0;
         double uvw[3], x[3], v[3];
-        export_sheet_point(s, n % s->points[0], n / s->points[0], uvw, x);
-        scene_initial_velocity(s->scene, x, v);
+        export_sheet_vertex(&j->sheet, n, uvw, x);
+        scene_initial_velocity(&j->scene, x, v);
         for (int c = 0; c < 3; c++)
             v[c] = fix >> c & 1 ? 0 : v[c];
         output_print(out, "%d,%.17g,%.17g,%.17g\n", n, v[0], v[1], v[2]);
     }
     return STATUS_OK;
-}
-
-enum status export_numbers_write(const struct export_sheet *s,
-                                 const struct export_held *held, const struct truth *known,
-                                 struct message *misfit, struct message *why)
-{
-    static const struct file files[] = {
-        {0, "materials.csv", "quantity,a,b,value,unit,rest_length,compliance",
-         material_rows},
-        {0, "times.csv", "what,time,bar", time_rows},
-        {SCENE_NEED_CONTACT, "obstacles.csv",
-         "kind,x,y,z,normal_x,normal_y,normal_z,radius,friction", obstacle_rows},
-        {SCENE_NEED_MOVING_SUPPORTS, "paths.csv", "path,t,x,y,z", path_rows},
-        {SCENE_NEED_LOADS, "loads.csv", "vertex,x,y,z", load_rows},
-        {SCENE_NEED_INITIAL_MOTION, "velocities.csv", "vertex,x,y,z", velocity_rows}};
-    const struct numbers of = {s, held, known, misfit};
-    enum status st = STATUS_OK;
-
-    for (size_t n = 0; n < sizeof files / sizeof *files; n++)
-        if (!files[n].need || scene_needs(s->scene) & files[n].need)
-            TRY(write_file(&of, &files[n], why));
-out:
-    return st;
 }

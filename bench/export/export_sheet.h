@@ -1,5 +1,4 @@
-/* export_sheet.h - a scene's sheet as a net of vertices on its mid-surface, and the files
- * of its rest mesh.
+/* export_sheet.h - a scene's sheet as a net of vertices on its mid-surface.
  *
  * Vertex j n + i of n x m is at (u,v) = (i/(n-1), j/(m-1)): u fastest. Files of vertices
  * count from 0, OBJ from 1.
@@ -7,23 +6,14 @@
 #ifndef EXPORT_SHEET_H
 #define EXPORT_SHEET_H
 
-#include "bench/files/output.h"
 #include "models/scene.h"
 
 /* The most points a direction: a quarter of a million vertices and a million springs. */
 enum { EXPORT_SHEET_MOST = 500 };
 
-enum {
-    EXPORT_SHEET_OBJ = 1,
-    EXPORT_SHEET_PLY = 2,
-    EXPORT_SHEET_CSV = 4,
-    EXPORT_SHEET_ALL = 7
-};
-
 struct export_sheet {
     const struct scene *scene; /*                                             borrowed */
     int points[2];             /* n, m; >= 2                                           */
-    const char *folder;        /* where its files go                          borrowed */
 };
 
 int export_sheet_vertices(const struct export_sheet *s);
@@ -33,17 +23,13 @@ int export_sheet_vertices(const struct export_sheet *s);
 void export_sheet_point(const struct export_sheet *s, int i, int j, double uvw[3],
                         double xyz[3]);
 
+/* Returns the same of a vertex of the net. */
+void export_sheet_vertex(const struct export_sheet *s, int vertex, double uvw[3],
+                         double xyz[3]);
+
 /* Returns the part of the sheet that belongs to a vertex: half a cell to each side [m^2].
  * It is exact on flat sheets and cones; all add up to the sheet. */
 double export_sheet_area(const struct export_sheet *s, int vertex);
-
-/* Starts a file of the folder; output_close ends it. */
-enum status export_sheet_open(const struct export_sheet *s, const char *name,
-                              struct output **out, struct message *why);
-
-/* Writes those of rest.obj, rest.ply, rest.csv that `formats` has. */
-enum status export_sheet_write(const struct export_sheet *s, unsigned formats,
-                               struct message *why);
 
 /* Returns the words x, y, z of FIX_X... bits, in this order, for printing. */
 const char *export_sheet_axes(unsigned fix);

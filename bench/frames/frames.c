@@ -1,4 +1,4 @@
-#define _GNU_SOURCE /* versionsort */
+#define _GNU_SOURCE /* strverscmp, versionsort */
 #include "bench/frames/frames.h"
 
 #include <dirent.h>
@@ -31,16 +31,11 @@ static bool ends(const char *name, const char *ending)
 
 static const struct {
     const char *ending;
-    enum status (*open)(struct frames *f, const char *path, struct message *why);
-} kinds[] = {{".csv", frames_csv_open},
-             {".npz", frames_moving_open},
-             {".npy", frames_moving_open},
-             {".h5", frames_hdf5_open},
-             {".hdf5", frames_hdf5_open},
-             {".mdd", frames_cache_open},
-             {".pc2", frames_cache_open},
-             {".obj", NULL},
-             {".ply", NULL}};
+    const struct frames_reader *reader;
+} kinds[] = {
+    {".csv", &frames_csv},   {".npz", &frames_moving},   {".npy", &frames_moving},
+    {".h5", &frames_moving}, {".hdf5", &frames_moving},  {".mdd", &frames_cache},
+    {".pc2", &frames_cache}, {".obj", &frames_sequence}, {".ply", &frames_sequence}};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static int kind_of(const char *name)
@@ -54,32 +49,6 @@ static int kind_of(const char *name)
 bool frames_is_name(const char *name)
 {
     return kind_of(name) >= 0;
-}
-
-static enum status open_files(struct frames *f, int count, const char *const *paths,
-                              struct message *why)
-{
-    const int kind = kind_of(paths[0]);
-
-    if (kind < 0)
-        return status_fail(why, STATUS_INPUT,
-                           "%s: is of no kind that is read: .csv, .npz, .npy, .h5, .hdf5, "
-                           ".obj, .ply, .mdd, .pc2",
-                           paths[0]);
-    for (int n = 1; n < count; n++)
-        if (kind_of(paths[n]) != kind)
-            return status_fail(why, STATUS_INPUT,
-                               "%s: is of another kind than %s; a sequence is of one",
-                               paths[n], paths[0]);
-    if (!kinds[kind].open)
-        return frames_sequence_open(f, count, paths, why);
-    if (count > 1)
-        return status_fail(why, STATUS_INPUT,
-                           "%s: is one of %d files, and each %s has all frames; name one",
-                           paths[0], count, kinds[kind].ending);
-    free(f->path); /* one of a folder */
-    f->path = strdup(paths[0]);
-    return f->path ? kinds[kind].open(f, paths[0], why) : STATUS_MEMORY;
 }
 
 static int is_seen(const struct dirent *entry)
@@ -137,22 +106,74 @@ void frames_folder_keep(struct frames_folder *folder, bool (*keep)(const char *p
     folder->count = kept;
 }
 
-/* Opens a folder; its files are a sequence. */
-static enum status open_folder(struct frames *f, const char *path, struct message *why)
+static int compare_paths(const void *a, const void *b)
 {
-    struct frames_folder folder;
-    enum status st;
+    char *const *left = a, *const *right = b;
 
-    TRY(frames_folder_read(path, &folder, why));
-    frames_folder_keep(&folder, frames_is_name);
-    st = folder.count
-             ? open_files(f, folder.count, (const char *const *)folder.path, why)
-             : status_fail(why, STATUS_INPUT,
-                           "%s: has no frames in it; files that end in .obj, .ply, .csv, "
-                           ".npz or .h5 would be right",
-                           path);
+    return strverscmp(*left, *right);
+}
+
+/* Lists the files: those of a folder that may have frames, or those that are named. */
+static enum status list_files(struct frames *f, int count, const char *const *paths,
+                              struct message *why)
+{
+    struct stat about;
+    enum status st = STATUS_OK;
+
+    if (count == 1 && !stat(paths[0], &about) && S_ISDIR(about.st_mode)) {
+        TRY(frames_folder_read(paths[0], &f->files, why));
+        frames_folder_keep(&f->files, frames_is_name);
+        if (!f->files.count)
+            st = status_fail(why, STATUS_INPUT,
+                             "%s: has no frames in it; files that end in .obj, .ply, .csv, "
+                             ".npz or .h5 would be right",
+                             paths[0]);
+        return st;
+    }
+    f->files.path = calloc((size_t)count, sizeof *f->files.path);
+    TRY(f->files.path ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < count; n++) {
+        f->files.path[n] = strdup(paths[n]);
+        TRY(f->files.path[n] ? STATUS_OK : STATUS_MEMORY);
+        f->files.count++;
+    }
 out:
-    frames_folder_clear(&folder);
+    return st;
+}
+
+/* Finds the reader of the files, and opens them. */
+static enum status open_files(struct frames *f, struct message *why)
+{
+    char **path = f->files.path;
+    const int count = f->files.count, kind = kind_of(path[0]);
+    enum status st = STATUS_OK;
+
+    if (kind < 0)
+        return status_fail(why, STATUS_INPUT,
+                           "%s: is of no kind that is read: .csv, .npz, .npy, .h5, .hdf5, "
+                           ".obj, .ply, .mdd, .pc2",
+                           path[0]);
+    for (int n = 1; n < count; n++)
+        if (kind_of(path[n]) != kind)
+            return status_fail(why, STATUS_INPUT,
+                               "%s: is of another kind than %s; a sequence is of one",
+                               path[n], path[0]);
+    if (kinds[kind].reader != &frames_sequence) {
+        if (count > 1)
+            return status_fail(
+                why, STATUS_INPUT,
+                "%s: is one of %d files, and each %s has all frames; name one", path[0],
+                count, kinds[kind].ending);
+        free(f->path); /* one of a folder */
+        f->path = strdup(path[0]);
+        TRY(f->path ? STATUS_OK : STATUS_MEMORY);
+    }
+    qsort(path, (size_t)count, sizeof *path, compare_paths);
+    f->state = calloc(1, kinds[kind].reader->state);
+    TRY(f->state ? STATUS_OK : STATUS_MEMORY);
+    f->reader = kinds[kind].reader;
+    st = f->reader->open(f, why);
+out:
     return st;
 }
 
@@ -192,18 +213,15 @@ enum status frames_open(int count, const char *const *paths, const struct frames
                         struct frames **frames, struct message *why)
 {
     struct frames *f = calloc(1, sizeof *f);
-    struct stat about;
-    enum status st = STATUS_OK;
+    enum status st;
 
     if (!f)
         return STATUS_MEMORY;
     f->look = *look;
     f->path = strdup(paths[0]);
     TRY(f->path ? STATUS_OK : STATUS_MEMORY);
-    if (count == 1 && !stat(paths[0], &about) && S_ISDIR(about.st_mode))
-        TRY(open_folder(f, paths[0], why));
-    else
-        TRY(open_files(f, count, paths, why));
+    TRY(list_files(f, count, paths, why));
+    TRY(open_files(f, why));
     if (look->rest)
         TRY(take_rest(f, why));
     TRY(check_uv(f, why));
@@ -222,8 +240,10 @@ void frames_close(struct frames *f)
 {
     if (!f)
         return;
-    if (f->reader)
+    if (f->reader && f->reader->close)
         f->reader->close(f->state);
+    free(f->state);
+    frames_folder_clear(&f->files);
     free(f->path);
     free(f->net.uv);
     free(f->net.rest);

@@ -19,7 +19,6 @@ static void close_cache(void *state)
     frames_file_close(&c->file);
     free(c->times);
     free(c->bytes);
-    free(c);
 }
 
 static enum status next_cache(struct frames *f, double *t, struct message *why)
@@ -37,24 +36,19 @@ static enum status next_cache(struct frames *f, double *t, struct message *why)
     return STATUS_OK;
 }
 
-enum status frames_cache_open(struct frames *f, const char *path, struct message *why)
+static enum status open_cache(struct frames *f, struct message *why)
 {
-    static const struct frames_reader reader = {next_cache, close_cache};
-    struct cache *c = calloc(1, sizeof *c);
+    struct cache *c = f->state;
     unsigned char head[32];
     enum status st;
 
-    if (!c)
-        return STATUS_MEMORY;
-    f->state = c;
-    f->reader = &reader;
-    TRY(frames_file_open(path, &c->file, why));
+    TRY(frames_file_open(f->path, &c->file, why));
     c->big = !frames_file_read(&c->file, head, 12) || memcmp(head, "POINTCACHE2", 12) != 0;
     if (c->big)
         frames_file_go(&c->file, 0, 1);
     if (!(c->big ? frames_file_read(&c->file, head, 8)
                  : frames_file_read(&c->file, head + 12, 20)))
-        TRY(status_fail(why, STATUS_INPUT, "%s: ends within its header", path));
+        TRY(status_fail(why, STATUS_INPUT, "%s: ends within its header", f->path));
     const unsigned long points = frames_file_whole(head + (c->big ? 4 : 16), 4, c->big),
                         frames = frames_file_whole(head + (c->big ? 0 : 28), 4, c->big);
     const unsigned long long whole =
@@ -64,7 +58,7 @@ enum status frames_cache_open(struct frames *f, const char *path, struct message
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: counts %lu frames of %lu points, and has %lld bytes; as many "
                         "as it counts would be right",
-                        path, frames, points, c->file.size));
+                        f->path, frames, points, c->file.size));
     f->timed = c->big;
     f->count = (int)frames;
     TRY(frames_room(f, (long)points, why));
@@ -72,7 +66,10 @@ enum status frames_cache_open(struct frames *f, const char *path, struct message
     c->times = c->big ? malloc(4 * (size_t)frames) : NULL;
     TRY(c->bytes && (c->times || !c->big) ? STATUS_OK : STATUS_MEMORY);
     if (c->big && !frames_file_read(&c->file, c->times, 4 * (size_t)frames))
-        st = status_fail(why, STATUS_INPUT, "%s: ends within its times", path);
+        st = status_fail(why, STATUS_INPUT, "%s: ends within its times", f->path);
 out:
     return st;
 }
+
+const struct frames_reader frames_cache = {sizeof(struct cache), open_cache, next_cache,
+                                           close_cache};

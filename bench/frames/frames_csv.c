@@ -44,7 +44,6 @@ static void close_csv(void *state)
     free(c->run);
     free(c->key);
     free(c->seen);
-    free(c);
 }
 
 /* Reads lines up to the next that is neither blank nor a comment (strchr finds the end of a
@@ -295,20 +294,17 @@ out:
     return st;
 }
 
-enum status frames_csv_open(struct frames *f, const char *path, struct message *why)
+static enum status open_csv(struct frames *f, struct message *why)
 {
-    static const struct frames_reader reader = {next_csv, close_csv};
-    struct csv *c = calloc(1, sizeof *c);
+    struct csv *c = f->state;
     enum status st;
 
-    if (!c)
-        return STATUS_MEMORY;
-    f->state = c;
-    f->reader = &reader;
     f->timed = true;
-    TRY(frames_file_open(path, &c->file, why));
+    TRY(frames_file_open(f->path, &c->file, why));
     TRY(find_runs(f, c, why));
     TRY(take_net(f, c, why));
 out:
     return st;
 }
+
+const struct frames_reader frames_csv = {sizeof(struct csv), open_csv, next_csv, close_csv};

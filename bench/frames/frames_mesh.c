@@ -1,5 +1,4 @@
 /* Reads meshes, .obj or .ply, and sequences of them; count and faces are the first's. */
-#define _GNU_SOURCE /* strverscmp */
 #include "bench/frames/frames_parts.h"
 
 #include <stdlib.h>
@@ -56,34 +55,15 @@ out:
 }
 
 struct sequence {
-    int count;
-    char **path; /* [count] owned */
-    unsigned long long corner;
+    unsigned long long corner; /* of the first frame */
     int triangles;
 };
-
-static void close_sequence(void *state)
-{
-    struct sequence *s = state;
-
-    for (int n = 0; s->path && n < s->count; n++)
-        free(s->path[n]);
-    free(s->path);
-    free(s);
-}
-
-static int compare(const void *a, const void *b)
-{
-    char *const *left = a, *const *right = b;
-
-    return strverscmp(*left, *right);
-}
 
 static enum status check_same(const struct frames *f, const struct frames_mesh *mesh,
                               struct message *why)
 {
     const struct sequence *s = f->state;
-    const char *path = s->path[f->number - 1];
+    const char *path = f->files.path[f->number - 1];
 
     if (mesh->vertices != f->net.vertices)
         return status_fail(why, STATUS_INPUT,
@@ -101,12 +81,11 @@ static enum status check_same(const struct frames *f, const struct frames_mesh *
 
 static enum status next_mesh(struct frames *f, double *t, struct message *why)
 {
-    const struct sequence *s = f->state;
     struct frames_mesh mesh;
     enum status st;
 
     (void)t;
-    TRY(frames_mesh_read(s->path[f->number - 1], &mesh, why));
+    TRY(frames_mesh_read(f->files.path[f->number - 1], &mesh, why));
     st = check_same(f, &mesh, why);
     if (st == STATUS_OK)
         memcpy(f->xyz, mesh.xyz, (size_t)mesh.vertices * 3 * sizeof *f->xyz);
@@ -115,43 +94,24 @@ out:
     return st;
 }
 
-static enum status take_first(struct frames *f, struct sequence *s, struct message *why)
+static enum status open_sequence(struct frames *f, struct message *why)
 {
+    struct sequence *s = f->state;
     struct frames_mesh mesh;
     enum status st;
 
-    TRY(frames_mesh_read(s->path[0], &mesh, why));
-    TRY(frames_room(f, mesh.vertices, why));
+    f->count = f->files.count;
+    TRY(frames_mesh_read(f->files.path[0], &mesh, why));
     s->corner = mesh.corner;
     s->triangles = mesh.triangles;
     f->net.uv = mesh.uv, mesh.uv = NULL;
     f->net.triangle = mesh.triangle, mesh.triangle = NULL;
     f->net.triangles = mesh.triangles;
-out:
+    st = frames_room(f, mesh.vertices, why);
     frames_mesh_clear(&mesh);
-    return st;
-}
-
-enum status frames_sequence_open(struct frames *f, int count, const char *const *paths,
-                                 struct message *why)
-{
-    static const struct frames_reader reader = {next_mesh, close_sequence};
-    struct sequence *s = calloc(1, sizeof *s);
-    enum status st = STATUS_OK;
-
-    if (!s)
-        return STATUS_MEMORY;
-    f->state = s;
-    f->reader = &reader;
-    s->path = calloc((size_t)count, sizeof *s->path);
-    TRY(s->path ? STATUS_OK : STATUS_MEMORY);
-    for (s->count = 0; s->count < count; s->count++) {
-        s->path[s->count] = strdup(paths[s->count]);
-        TRY(s->path[s->count] ? STATUS_OK : STATUS_MEMORY);
-    }
-    qsort(s->path, (size_t)count, sizeof *s->path, compare);
-    f->count = count;
-    TRY(take_first(f, s, why));
 out:
     return st;
 }
+
+const struct frames_reader frames_sequence = {sizeof(struct sequence), open_sequence,
+                                              next_mesh, NULL};

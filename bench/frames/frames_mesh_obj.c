@@ -137,8 +137,7 @@ enum status frames_mesh_obj(struct frames_file *f, struct frames_mesh *mesh,
 
     TRY(take_lines(&o, false, why));
     TRY(take_lines(&o, true, why));
-    /* If no faces pair them, and there are as many vt as v, they belong together in
-     * order. */
+    /* As many vt as v that no faces pair belong together in order. */
     if (!mesh->triangles && o.vt_count == mesh->vertices)
         mesh->uv = o.vt, o.vt = NULL;
     for (int n = 0; mesh->uv && n < 2 * mesh->vertices; n++)

@@ -11,8 +11,10 @@
 #include "models/grid.h"
 
 struct moving {
-    struct frames_array *file; /* owned, at the next frame of xyz                       */
     double *t;                 /* [frames]; NULL: none                          owned   */
+    struct frames_array *file; /* at the next frame of xyz; NULL: it is our own owned   */
+    struct store_read *own;    /* our own, or NULL                              owned   */
+    double *field;             /* of a frame of our own                         owned   */
 };
 
 static void close_moving(void *state)
@@ -20,22 +22,31 @@ static void close_moving(void *state)
     struct moving *m = state;
 
     frames_array_close(m->file);
+    store_read_close(m->own);
+    free(m->field);
     free(m->t);
-    free(m);
 }
 
 static enum status next_moving(struct frames *f, double *t, struct message *why)
 {
     const struct moving *m = f->state;
+    const int count = 3 * f->net.vertices;
+    enum status st = STATUS_OK;
 
     if (m->t)
         *t = m->t[f->number - 1];
-    if (frames_array_read(m->file, 3 * (size_t)f->net.vertices, f->xyz))
-        return STATUS_OK;
-    return status_fail(why, STATUS_INPUT,
-                       "%s: frame %d: xyz is cut off or damaged; %d whole frames would be "
-                       "right",
-                       f->path, f->number, f->count);
+    if (m->own) {
+        TRY(store_read_frame(m->own, f->number - 1, m->field, why));
+        for (int n = 0; n < count; n++)
+            f->xyz[n] = .5 * (m->field[n] + m->field[count + n]);
+    } else if (!frames_array_read(m->file, (size_t)count, f->xyz)) {
+        st = status_fail(why, STATUS_INPUT,
+                         "%s: frame %d: xyz is cut off or damaged; %d whole frames would "
+                         "be right",
+                         f->path, f->number, f->count);
+    }
+out:
+    return st;
 }
 
 /* Begins to read xyz, and takes its sizes. */
@@ -79,77 +90,37 @@ static enum status take_small(struct frames_array *file, const char *name, int r
     return st == STATUS_UNSUPPORTED ? STATUS_OK : st;
 }
 
-enum status frames_moving_open(struct frames *f, const char *path, struct message *why)
+static enum status open_arrays(struct frames *f, struct message *why)
 {
-    static const struct frames_reader reader = {next_moving, close_moving};
-    struct moving *m = calloc(1, sizeof *m);
+    struct moving *m = f->state;
     enum status st;
 
-    if (!m)
-        return STATUS_MEMORY;
-    f->state = m;
-    f->reader = &reader;
-    TRY(frames_array_open(path, &m->file, why));
+    TRY(frames_array_open(f->path, &m->file, why));
     TRY(begin_xyz(f, m->file, why));
     TRY(frames_room(f, f->net.vertices, why));
     TRY(take_small(m->file, "uv", f->net.vertices, 2, &f->net.uv, why));
     TRY(take_small(m->file, "t", f->count, 1, &m->t, why));
     TRY(begin_xyz(f, m->file, why));
-    f->timed = m->t;
-out:
-    return st;
-}
-
-struct own {
-    struct store_read *file;
-    double *field, *t; /* owned */
-};
-
-static void close_own(void *state)
-{
-    struct own *o = state;
-
-    store_read_close(o->file);
-    free(o->field);
-    free(o->t);
-    free(o);
-}
-
-static enum status next_own(struct frames *f, double *t, struct message *why)
-{
-    struct own *o = f->state;
-    enum status st;
-
-    *t = o->t[f->number - 1];
-    TRY(store_read_frame(o->file, f->number - 1, o->field, why));
-    for (int n = 0; n < 3 * f->net.vertices; n++)
-        f->xyz[n] = .5 * (o->field[n] + o->field[3 * f->net.vertices + n]);
 out:
     return st;
 }
 
 static enum status open_own(struct frames *f, struct message *why)
 {
-    static const struct frames_reader reader = {next_own, close_own};
-    struct own *o = calloc(1, sizeof *o);
+    struct moving *m = f->state;
     int rows, columns;
     enum status st;
 
-    if (!o)
-        return STATUS_MEMORY;
-    f->state = o;
-    f->reader = &reader;
-    f->timed = true;
-    TRY(store_read_open(f->path, &o->file, why));
-    f->count = store_read_frames(o->file);
-    TRY(store_read_array(o->file, "xyz_time", &o->t, &rows, &columns, why));
+    TRY(store_read_open(f->path, &m->own, why));
+    f->count = store_read_frames(m->own);
+    TRY(store_read_array(m->own, "xyz_time", &m->t, &rows, &columns, why));
     if (rows != f->count || columns != 1)
         TRY(status_fail(why, STATUS_INPUT, "%s: xyz_time: has %d times of %d frames",
                         f->path, rows, f->count));
     TRY(frames_room(f, GRID_U * GRID_V, why));
-    o->field = malloc(3 * GRID_POINTS * sizeof *o->field);
+    m->field = malloc(3 * GRID_POINTS * sizeof *m->field);
     f->net.uv = malloc(2 * GRID_U * GRID_V * sizeof *f->net.uv);
-    TRY(o->field && f->net.uv ? STATUS_OK : STATUS_MEMORY);
+    TRY(m->field && f->net.uv ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < GRID_U * GRID_V; n++) {
         double uvw[3];
         grid_point(n, uvw);
@@ -159,8 +130,9 @@ out:
     return st;
 }
 
-/* Opens a file: the program's own is sealed; any other begins with HDF5's signature. */
-enum status frames_hdf5_open(struct frames *f, const char *path, struct message *why)
+/* Finds whether an HDF5 file is the program's own, which is sealed: any other begins with
+ * HDF5's signature. */
+static enum status find_own(const char *path, bool *own, struct message *why)
 {
     static const char signature[] = "\x89HDF\r\n\x1a\n";
     struct frames_file file;
@@ -168,10 +140,27 @@ enum status frames_hdf5_open(struct frames *f, const char *path, struct message 
     enum status st;
 
     TRY(frames_file_open(path, &file, why));
-    const bool foreign = frames_file_read(&file, head, 8) && !memcmp(head, signature, 8);
+    *own = !frames_file_read(&file, head, 8) || memcmp(head, signature, 8) != 0;
     frames_file_close(&file);
-    hdf5_file_start();
-    TRY(foreign ? frames_moving_open(f, path, why) : open_own(f, why));
 out:
     return st;
 }
+
+static enum status open_moving(struct frames *f, struct message *why)
+{
+    const struct moving *m = f->state;
+    const bool hdf5 = !strncmp(strrchr(f->path, '.'), ".h", 2);
+    bool own = false;
+    enum status st = STATUS_OK;
+
+    hdf5_file_start();
+    if (hdf5)
+        TRY(find_own(f->path, &own, why));
+    TRY(own ? open_own(f, why) : open_arrays(f, why));
+    f->timed = m->t;
+out:
+    return st;
+}
+
+const struct frames_reader frames_moving = {sizeof(struct moving), open_moving, next_moving,
+                                            close_moving};

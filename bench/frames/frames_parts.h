@@ -1,9 +1,10 @@
 /* frames_parts.h - shared by the readers of frames.h; private to them.
  *
- * A reader's `open` fills count, net.vertices, uv and faces as far as the file has them,
- * timed, `reader` and `state`; its `next` fills xyz of frame `number`, and *t where the
- * file has times. What all have in common (counting, times, finite numbers, --rest)
- * frames.c sees to. */
+ * A reader's `open` fills count, net.vertices (by frames_room), uv and faces as far as the
+ * file has them, and timed; its `next` fills xyz of frame `number`, and *t where the file
+ * has times. What all have in common (counting, times, finite numbers, --rest) frames.c
+ * sees to.
+ */
 #ifndef FRAMES_PARTS_H
 #define FRAMES_PARTS_H
 
@@ -11,33 +12,30 @@
 #include "bench/frames/frames_file.h"
 
 struct frames_reader {
+    size_t state; /* bytes of f->state, all zero before `open`                          */
+    enum status (*open)(struct frames *f, struct message *why);
     enum status (*next)(struct frames *f, double *t, struct message *why);
-    void (*close)(void *state);
+    void (*close)(void *state); /* frees what it holds; NULL: nothing                   */
 };
 
+extern const struct frames_reader frames_csv, frames_moving, frames_cache, frames_sequence;
+
 struct frames {
-    char *path; /* for sentences                                                  owned */
+    char *path;                 /* for sentences; the file, or the folder       owned   */
+    struct frames_folder files; /* one, or those of a sequence in their order           */
     struct frames_look look;
     struct frames_net net;
-    double *xyz; /* [vertices][3]                                                 owned */
+    double *xyz; /* [vertices][3]                                               owned   */
     int count;   /* of frames                                                           */
     int number;  /* number of the frame last read, from 1                               */
     double time; /* of it                                                               */
     bool timed;  /* the file has times                                                  */
     const struct frames_reader *reader;
-    void *state; /* owned by the reader */
+    void *state; /*                                                             owned   */
 };
 
 /* Allocates the vertices of the net. STATUS_INPUT: too many, none. */
 enum status frames_room(struct frames *f, long vertices, struct message *why);
-
-enum status frames_csv_open(struct frames *f, const char *path, struct message *why);
-enum status frames_moving_open(struct frames *f, const char *path, struct message *why);
-enum status frames_hdf5_open(struct frames *f, const char *path, struct message *why);
-enum status frames_cache_open(struct frames *f, const char *path, struct message *why);
-/* Opens files in the order given. */
-enum status frames_sequence_open(struct frames *f, int count, const char *const *paths,
-                                 struct message *why);
 
 /* One mesh: all of a net, and where it is. All-zero before; free with frames_mesh_clear. */
 struct frames_mesh {

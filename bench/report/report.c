@@ -6,11 +6,13 @@
 
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
-#include "bench/report/report_claim.h"
 #include "bench/report/report_json.h"
 #include "bench/report/report_motion.h"
-#include "bench/report/report_part.h"
+#include "bench/report/report_summary.h"
 #include "models/reader/named_file.h"
+
+/* The page is smaller than this [bytes]. */
+#define MOST 10000000
 
 static const struct named_file_kind page_kind = {
     .what = "page",
@@ -47,14 +49,18 @@ static const struct report_found *find(const struct report_found *found, const c
 static enum status write_data(FILE *file, const char *folder,
                               const struct report_found *found)
 {
+    const struct report_found *compare = find(found, "compare");
+    struct report_tally claims = {0};
     enum status st;
 
     fputc('{', file);
     report_json_pair(file, "folder", folder);
     write_provenance(file);
     fputs("\"claims\":[", file);
-    report_claim_write(file, found);
-    fputs("],\"parts\":[", file);
+    report_claim_write(file, found, &claims);
+    fputs("],", file);
+    TRY(report_summary_write(file, &claims, compare, find(found, "verify")));
+    fputs("\"parts\":[", file);
     for (int n = 0; report_part_list[n].id; n++) {
         fputs(n ? "," : "", file);
         report_part_write(file, &report_part_list[n], &found[n]);
@@ -62,7 +68,7 @@ static enum status write_data(FILE *file, const char *folder,
     fputs("],\"truths\":[", file);
     TRY(report_motion_truths(file));
     fputs("],\"motions\":[", file);
-    TRY(report_motion_write(file, folder, find(found, "compare")));
+    TRY(report_motion_write(file, folder, compare));
     fputs("],\"pictures\":[", file);
 out:
     return st;
@@ -91,16 +97,6 @@ out:
     return st;
 }
 
-static enum status find_all(const char *folder, struct report_found *found)
-{
-    enum status st = STATUS_OK;
-
-    for (int n = 0; report_part_list[n].id; n++)
-        TRY(report_part_find(folder, &report_part_list[n], &found[n]));
-out:
-    return st;
-}
-
 /* Composes the page's data in memory, since sizes are needed before a file is begun. */
 static enum status compose(const char *folder, const struct report_found *found,
                            char **text, size_t *size, struct message *why)
@@ -115,11 +111,11 @@ static enum status compose(const char *folder, const struct report_found *found,
         TRY(STATUS_MEMORY);
     fputs(page, file);
     TRY(write_data(file, folder, found));
-    const long room = REPORT_MOST - ftell(file) - (long)strlen(rest) - 64 * 1024;
+    const long room = MOST - ftell(file) - (long)strlen(rest) - 64 * 1024;
     if (room < 0)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: its tables alone make a page of more than %d bytes", folder,
-                        REPORT_MOST));
+                        MOST));
     TRY(report_part_pictures(file, folder, room));
     fputs("]}", file);
     fputs(rest, file);
@@ -132,7 +128,9 @@ out:
     return st;
 }
 
-enum status report_write(const char *folder, const char *path, struct message *why)
+/* Writes the page about `folder` at `path`. STATUS_INPUT: there is no such folder, no page
+ * of ours to fill in, or more than fits. */
+static enum status write_page(const char *folder, const char *path, struct message *why)
 {
     struct report_found *found = calloc(REPORT_PARTS_MOST, sizeof *found);
     struct output *out = NULL;
@@ -148,7 +146,8 @@ enum status report_write(const char *folder, const char *path, struct message *w
                         "%s: there is no such folder of results; clothbench table 1 makes "
                         "the first of them in results/",
                         folder));
-    TRY(find_all(folder, found));
+    for (int n = 0; report_part_list[n].id; n++)
+        TRY(report_part_find(folder, &report_part_list[n], &found[n]));
     TRY(compose(folder, found, &text, &size, why));
     TRY(output_create(path, &out, why));
     fwrite(text, 1, size, output_stream(out));
@@ -171,7 +170,7 @@ static enum status run(const struct command_line *line, struct message *why)
 
     if (snprintf(path, sizeof path, "%s/report.html", folder) >= (int)sizeof path)
         return status_fail(why, STATUS_INPUT, "%.60s...: the path is too long", folder);
-    return report_write(folder, out ? out : path, why);
+    return write_page(folder, out ? out : path, why);
 }
 
 static const struct command_option options[] = {

@@ -4,9 +4,15 @@
 
 #include "bench/report/report_part.h"
 
+/* Counts of claims. */
+struct report_tally {
+    int all, hold, fail;
+};
+
 /* Writes members of an array of JSON, {"part", "claim", "verdict", "text", "quick"}, a line
- * a claim; `found` is in the order of report_part_list. A part that was not run, or cannot
- * be read, has one line that says so. */
-void report_claim_write(FILE *file, const struct report_found *found);
+ * a claim, and counts them; `found` is in the order of report_part_list. A part that was
+ * not run, or cannot be read, has one line that says so. */
+void report_claim_write(FILE *file, const struct report_found *found,
+                        struct report_tally *tally);
 
 #endif

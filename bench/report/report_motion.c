@@ -15,7 +15,7 @@
 static const char *const scene = "edge_drop";
 
 enum {
-    SIDE = REPORT_MOTION_SIDE,
+    SIDE = 14, /* points a side of a sheet that is played */
     NUMBERS = SIDE * SIDE * 3,
     FRAMES_MOST = 400, /* of a truth                                                   */
     FRAME = NUMBERS * 2 * 4 / 3 + 16, /* a frame in the page [bytes]                   */
@@ -216,7 +216,7 @@ static int nearest(const struct csv_table *t, const struct keys *k, int row)
     return best;
 }
 
-/* Whether a name is made of letters, so that it cannot lead out of the folder. */
+/* Returns whether a name is made of letters, so that it cannot lead out of the folder. */
 static bool is_plain(const char *name)
 {
     return *name && strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(name);
@@ -297,49 +297,45 @@ static enum status write_own(struct player *p, const char *folder)
     return st;
 }
 
-/* Writes the stored truth, if one can be read; runs are played without it, too. */
-static enum status play_truth(struct player *p)
+/* Reads the stored truth of a scene; *why stays empty where there is none. */
+static enum status read_truth(const char *name, struct truth *made, struct message *why)
 {
-    struct truth made = {0};
-    struct message why = {""};
     char *path = NULL, *physics = NULL;
     enum status st;
 
-    TRY(named_file_find(&truth_file_kind, scene, &path, NULL));
-    st = truth_file_read(path, &made, &physics, &why);
-    if (st == STATUS_OK)
-        TRY(write_truth(p, &made));
-    else if (st != STATUS_MEMORY)
-        write_trouble(p, "truth", &why);
+    TRY(named_file_find(&truth_file_kind, name, &path, NULL));
+    TRY(truth_file_read(path, made, &physics, why));
 out:
-    truth_clear(&made);
     free(physics);
     free(path);
-    return st == STATUS_MEMORY ? st : STATUS_OK;
+    return st;
 }
 
 enum status report_motion_write(FILE *file, const char *folder,
                                 const struct report_found *compare)
 {
     struct player p = {.file = file, .room = ROOM};
-    enum status st;
+    struct truth made = {0};
+    struct message why = {""};
+    enum status st = read_truth(scene, &made, &why);
 
-    TRY(play_truth(&p));
+    if (st != STATUS_OK && *why.text)
+        write_trouble(&p, "truth", &why); /* runs are played without it, too */
+    TRY(st == STATUS_OK ? write_truth(&p, &made) : st == STATUS_MEMORY ? st : STATUS_OK);
     TRY(write_own(&p, folder));
     if (compare->count && compare->csv->count)
         TRY(write_runs(&p, folder, compare->csv->table));
 out:
+    truth_clear(&made);
     return st;
 }
 
 static enum status write_stored(FILE *file, const char *name, struct message *why)
 {
     struct truth made = {0};
-    char *path = NULL, *physics = NULL;
     enum status st;
 
-    TRY(named_file_find(&truth_file_kind, name, &path, why));
-    TRY(truth_file_read(path, &made, &physics, why));
+    TRY(read_truth(name, &made, why));
     const int times = made.times < FRAMES_MOST ? made.times : FRAMES_MOST;
     report_json_pair(file, "note", made.source);
     report_json_pair(file, "horizon", made.horizon);
@@ -349,8 +345,6 @@ static enum status write_stored(FILE *file, const char *name, struct message *wh
     fprintf(file, "\"claimed\":%d,", made.claimed);
 out:
     truth_clear(&made);
-    free(physics);
-    free(path);
     return st;
 }
 

@@ -7,9 +7,6 @@
 
 #include "bench/report/report_part.h"
 
-/* The points a side of a sheet that is played. */
-enum { REPORT_MOTION_SIDE = 14 };
-
 /* Writes members of an array of JSON: the stored truth of edge_drop, all its frames; every
  * result file of FOLDER/run_edge_drop; then the nearest run of every contestant of
  * `compare` that left its file in `folder`. {"name", "truth", "side", "stride", "scale",

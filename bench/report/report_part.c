@@ -104,7 +104,7 @@ static void join(char path[PATH], const char *folder, const char *name)
         *path = '\0'; /* no file has such a name */
 }
 
-/* Whether the file's folder is marked as that of a quick run. */
+/* Returns whether the file's folder is marked as that of a quick run. */
 static bool is_quick(const char *path)
 {
     char folder[PATH];

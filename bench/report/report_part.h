@@ -31,7 +31,7 @@ struct report_part {
 extern const struct report_part report_part_list[];
 enum { REPORT_PARTS_MOST = 48 };
 
-/* What was found of a part's files. */
+/* A part's files, as far as they are there. */
 struct report_found {
     bool there;         /* a file, damaged or not                                        */
     bool quick;         /* of a run with --quick                                         */

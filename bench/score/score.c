@@ -17,8 +17,8 @@
 
 enum { WINDOW = 4 };
 
-/* How well frames determine the positions at a time: not at all, by frames to one side of
- * it, by frames to both sides, by a frame of that very time. */
+/* Degrees to which frames determine the positions at a time: not at all, by frames to one
+ * side of it, by frames to both sides, by a frame of that very time. */
 enum { TELLS_NOT, TELLS_BESIDE, TELLS_BETWEEN, TELLS_ITSELF };
 
 struct window { /* the frames last read, the newest last */

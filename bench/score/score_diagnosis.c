@@ -59,7 +59,8 @@ struct turned {
 #define MUCH_BETTER 0.25
 #define WORTH_IT    0.02
 
-/* Of two candidates that fit equally well, the one that changes less is chosen. */
+/* Each change that a candidate makes counts as this much more error, so that of two which
+ * fit equally well the simpler one is chosen. */
 #define CHANGE_COSTS 0.02
 
 static const double scales[] = {1, 1e-3, 1e-2, 1e3, 1e2, 0.0254, 0.3048};
@@ -385,13 +386,14 @@ struct held_off {
     double shift[3]; /* [m]; else zero */
 };
 
-/* What is held is where the truth has it, to this share of the length: penalties yield. */
+/* Held points may be off by this share of the length: penalties yield. */
 #define HELD_MOST 0.01
 
 /* Reported displacements are rounded to this [m]. */
 #define DIGIT 1e-6
 
-/* All is shifted as a whole where offsets vary by less than this share of their mean. */
+/* The sheet is shifted as a whole where offsets vary by less than this share of their
+ * mean. */
 #define SAME 0.25
 
 /* Sums over points, of the components that their supports fix [m]. */

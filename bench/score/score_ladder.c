@@ -20,7 +20,7 @@ static const struct named_file_kind kind = {
     .in_source = LADDERS_IN_SOURCE,
 };
 
-/* Whether a scene has the same physics as the ladder's scene. */
+/* Finds whether a scene has the same physics as the ladder's scene. */
 static enum status serves(const struct scene *scene, bool *does)
 {
     struct settings settings = {0};

@@ -1,4 +1,4 @@
-/* What `export` writes, against the scene: areas, masses, springs, times, meshes that
+/* The files of `export` against the scene: areas, masses, springs, times, meshes that
  * agree, what is held under every kind of support, a scene file of the same physics, the
  * rules; and what it refuses, leaving nothing behind, nor taking anything away. */
 #include "bench/export/export.h"
@@ -19,7 +19,7 @@ static const double TOL_AREA = 2e-3; /* chords of 8 cells for 60 degrees of a co
 
 enum { MOST_ARGUMENTS = 16 };
 
-/* As main does. Words until NULL. */
+/* Runs the command as main does; words until NULL. */
 static enum status run_export(const char *const *words, struct message *why)
 {
     char *argv[MOST_ARGUMENTS];
@@ -215,7 +215,7 @@ static void world(void)
 /* --- the mesh ----------------------------------------------------------------------------
  */
 
-/* As everybody's frames are read, one of them. */
+/* A mesh that was read as others' frames are. */
 struct mesh {
     struct frames *frames;
     const struct frames_net *net;
@@ -469,7 +469,7 @@ static void check_refused(const char *const *words, enum status status, const ch
     CHECK(access("o", F_OK) != 0);
 }
 
-/* What vertices cannot say. */
+/* Checks refusals of supports that vertices cannot express. */
 static void bad_supports(void)
 {
     static const struct {

@@ -119,6 +119,7 @@ static void bad_texts(void)
         {"nan.csv", "0,0,0,0,0,0\n0,1,0,nan,0,0\n", "frame 1 (t = 0 s)",
          "vertex 2 has x = nan"},
         {"inf.csv", "0,0,0,0,0,0\n1,0,0,0,0,-inf\n", "frame 2 (t = 1 s)", "z = -inf"},
+        {"v.csv", "0,0,0,0,0,0\n0,0,nan,0,0,0\n", "v.csv: v of vertex 2", "is nan"},
         {"t.csv", "0,0,0,0,0,0\nnan,0,0,0,0,0\n", "line 2", "row of numbers"},
         {"more.csv", "0,0,0,0,0,0\n1,0,0,0,0,0\n1,1,0,0,0,0\n", "line 3: frame 2 (t = 1 s)",
          "u = 1, v = 0 that the first frame has not"},
@@ -131,7 +132,7 @@ static void bad_texts(void)
         {"f.obj", "v 0 0 0\nf 1 1 2\n", "line 2", "not there"},
         {"line.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3", "fewer than three"},
         {"seam.obj",
-         "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/2 2 3\n", "line 7",
+         "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf -3/2 -2 -1\n", "line 7",
          "second vt"},
         {"no.ply", "plz\n", "line 1", "`ply`"},
         {"end.ply", HEAD "element vertex 1\n" XYZ, "end.ply", "before end_header"},
@@ -225,6 +226,8 @@ static void bad_binaries(void)
         {"big.npy", "bare.npy", "", "little-endian", 0, "<f8", ">f8", 1},
         {"whole.npy", "bare.npy", "", "little-endian", 0, "<f8", "<i8", 1},
         {"cut.npy", "bare.npy", "", "cut off", 1000, NULL, "", 1},
+        {"turned.npz", "stored.npz", "uv", "has 40 numbers; 40, 20 rows of 2", 0,
+         "(20, 2), }", "(2, 20), }", 0},
         {"cut.npz", "stored.npz", "", "is cut off or no ZIP file", 1200, NULL, "", 0},
         {"cut.mdd", "c.mdd", "", "counts 3 frames of 20 points", 500, NULL, "", 1},
         {"cut.h5", "c.h5", "", "", 1000, NULL, "", 0}};
@@ -243,6 +246,8 @@ static void bad_binaries(void)
     write_changed("less.npz", "packed.npz", 0, IN_DIRECTORY, IN_DIRECTORY "\0\0\xd0\5\0",
                   12);
     check_refused("less.npz", 0, "less.npz: xyz", "cut off");
+    write_changed("zero.csv", "plain.csv", 0, "\n", "\0", 1); /* the last line's end */
+    check_refused("zero.csv", 0, "zero.csv: line", "is no row");
     check_refused(SAMPLES "rows.h5", 0, "rows.h5: uv", "has 38 numbers; 40");
 }
 

@@ -17,7 +17,7 @@ static double (*sound)[NET][3], (*hinged)[NET][3];
 #define STEP  0.005
 #define HINGE "supports=[{at: {u: 0, w: 0.5}, fix: xyz}]"
 
-/* What is to be said of frames. */
+/* The finding that frames must get. */
 struct want {
     enum score_kind kind; /* SCORE_SOUND: no flaw at all; SCORE_KINDS: nothing           */
     double value, tolerance;
@@ -91,7 +91,7 @@ static FILE *begin(const char *name)
 /* --- flaws of physics --------------------------------------------------------------------
  */
 
-/* To 0.5 s, with settings until NULL. */
+/* Runs edge_drop to 0.5 s, with settings until NULL. */
 static void run_to(int every, const char *const *given)
 {
     const struct run_keep keep = {
@@ -165,7 +165,7 @@ static void read_run(const char *setting, double (**frames)[NET][3])
     run_result_clear(&r);
 }
 
-/* What somebody made of the sound frames. */
+/* Changes of the sound frames. */
 struct made {
     double pace; /* frame k shows frame pace k + shift, or the nearest; 0: 1      */
     int shift;
@@ -256,7 +256,7 @@ static void frames_of_others(void)
 /* --- free falls --------------------------------------------------------------------------
  */
 
-/* Of a sheet under g at frames 10 ms apart; the physics of the scene are g t^2 / 2. */
+/* A fall under g in frames 10 ms apart; the scene falls by g t^2 / 2. */
 struct fall {
     double first_order, g, damping, late, above;
 };
@@ -304,9 +304,8 @@ static void falls(void)
 /* --- truths ------------------------------------------------------------------------------
  */
 
-/* What somebody made of a truth: so many times its displacement, then its width, then all
- * of it moved, with the edge that is held, then what is beyond `heap` along y lies there.
- */
+/* Changes of a truth: a factor on its displacement, then one on its width, then a shift of
+ * all of it with the edge that is held; then what is beyond `heap` along y lies there. */
 struct change {
     double way, wide, aside[2], heap;
 };
@@ -385,7 +384,7 @@ static void paced(void)
  * the floor of the stretch along u. */
 #define NARROWER .996
 
-/* What is said where nothing is fitted: by the truth's own stretch, by the shape of what
+/* Checks findings where nothing is fitted: by the truth's own stretch, by the shape of what
  * shrank, by the bar that hides it. */
 static void unfitted(void)
 {

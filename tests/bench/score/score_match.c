@@ -7,6 +7,7 @@
 
 #include "bench/score/score_print.h"
 #include "tests/scratch.h"
+#include "tests/truth_fixture.h"
 
 enum { SIDE = 24, NET = SIDE * SIDE, FRAMES = 6 };
 
@@ -164,7 +165,8 @@ static void printed(void)
 {
     static struct score_time times[] = {
         {.time = .1, .error = .01, .bar = .02, .floor = .03},
-        {.time = .3, .between = true, .error = .07, .bar = .08, .floor = .09}};
+        {.time = .3, .between = true, .error = .07, .bar = .08, .floor = .09},
+        {.time = .4}};
     static const struct {
         enum table_format format;
         const char *words;
@@ -175,12 +177,12 @@ static void printed(void)
         {TABLE_JSON, "\"error\": 0.01, \"bar\": 0.02, \"floor\": 0.029999999999999999}, "
                      "{\"scene\": \"drop\", \"time\": 0.29999999999999999"},
         {TABLE_JSON,
-         "truth at 3 times from 0.1 to 0.4 s; judged at the 2 where both exist, at 1 "
+         "truth at 3 times from 0.1 to 0.4 s; judged at the 3 where both exist, at 1 "
          "of them between frames"}};
     double known[] = {.1, .3, .4};
     const struct score s = {.truth.scene.name = (char[]){"drop"},
                             .grid = {.times = 3, .time = known},
-                            .times = 2,
+                            .times = 3,
                             .row = times,
                             .frames = 7,
                             .net.vertices = 9};
@@ -199,6 +201,24 @@ static void printed(void)
     }
 }
 
+/* A stored truth without times at which tables judge is held against at its last one. */
+static void chosen(void)
+{
+    static const char *const undamped[] = {"damping={kind: none}"};
+    struct truth made;
+    struct score_truth t;
+
+    REQUIRE(truth_init(&made, 2, 2, (double[]){.02, .04}) == STATUS_OK);
+    made.foreign = true;
+    REQUIRE(mkdir("truths", 0777) == 0);
+    write_truth("truths/edge_drop.h5", &made, 1, undamped);
+    truth_clear(&made);
+    REQUIRE(setenv("CLOTHBENCH_TRUTHS", "truths", 1) == 0);
+    REQUIRE(score_truth_read("edge_drop", &t, NULL) == STATUS_OK);
+    CHECK(t.times == 1 && t.at[0] == 1 && t.known.claimed == 2);
+    score_truth_clear(&t);
+}
+
 int main(void)
 {
     struct message why = {""};
@@ -210,5 +230,6 @@ int main(void)
     refused();
     score_truth_clear(&truth);
     printed();
+    chosen();
     return check_result();
 }

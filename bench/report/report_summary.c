@@ -1,0 +1,165 @@
+#include "bench/report/report_summary.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/report/report_json.h"
+
+/* An error of this share of the length is small enough to ask for the time to it. */
+#define ENOUGH 0.01
+
+enum { TEXT = 512 };
+
+/* A contestant's run. */
+struct point {
+    const char *title, *model;
+    double seconds, error; /* [s], over the length                                       */
+};
+
+/* Orders runs: those that are near enough by their seconds, then others by their error. */
+static int compare_points(const void *a, const void *b)
+{
+    const struct point *p = a, *q = b;
+    const bool near[2] = {p->error <= ENOUGH, q->error <= ENOUGH};
+
+    if (near[0] != near[1])
+        return near[0] ? -1 : 1;
+    const double x = near[0] ? p->seconds : p->error, y = near[0] ? q->seconds : q->error;
+    return (x > y) - (x < y);
+}
+
+/* Returns the table of speed against error; NULL: there is none. */
+static const struct csv_table *speed_table(const struct report_found *compare)
+{
+    static const char *const keys[] = {"title", "model", "seconds",
+                                       "worst_rmse_over_length", "front"};
+
+    for (int n = 0; n < compare->count; n++)
+        for (int i = 0; i < compare->csv[n].count; i++) {
+            const struct csv_table *t = &compare->csv[n].table[i];
+            size_t k = 0;
+            while (k < sizeof keys / sizeof *keys && csv_column(t, keys[k]) >= 0)
+                k++;
+            if (k == sizeof keys / sizeof *keys)
+                return t;
+        }
+    return NULL;
+}
+
+/* Finds the best run of each model, best first; returns their count. */
+static int find_best(const struct csv_table *t, struct point *best)
+{
+    int count = 0, models = 0;
+
+    for (int row = 0; row < t->rows; row++) {
+        const struct point p = {
+            csv_words(t, row, csv_column(t, "title")),
+            csv_words(t, row, csv_column(t, "model")),
+            csv_number(t, row, csv_column(t, "seconds")),
+            csv_number(t, row, csv_column(t, "worst_rmse_over_length"))};
+        if (p.seconds > 0 && p.error > 0)
+            best[count++] = p;
+    }
+    qsort(best, (size_t)count, sizeof *best, compare_points);
+    for (int n = 0; n < count; n++) {
+        int k = 0;
+        while (k < models && strcmp(best[k].model, best[n].model) != 0)
+            k++;
+        if (k == models)
+            best[models++] = best[n];
+    }
+    return models;
+}
+
+/* Rounds to two digits. */
+static double rounded(double value)
+{
+    char text[32];
+
+    snprintf(text, sizeof text, "%.1e", value);
+    return strtod(text, NULL);
+}
+
+static void tell_claims(const struct report_tally *t, char text[TEXT])
+{
+    const int left = t->all - t->hold - t->fail;
+    char more[64] = ".";
+
+    if (left)
+        snprintf(more, sizeof more, "; %d were not judged or not run.", left);
+    snprintf(text, TEXT, "Of the paper\u2019s %d claims %d hold and %d do not%s", t->all,
+             t->hold, t->fail, more);
+}
+
+static void tell_speed(const struct point *best, int models, char text[TEXT])
+{
+    char next[160] = ".";
+
+    if (!models || best->error > ENOUGH) {
+        snprintf(text, TEXT, "No run of edge_drop comes within 1 %% of the length.");
+        return;
+    }
+    if (models > 1 && best[1].error <= ENOUGH)
+        snprintf(next, sizeof next, "; the next model, %.80s, takes %.15g times as long.",
+                 best[1].title, rounded(best[1].seconds / best->seconds));
+    snprintf(text, TEXT,
+             "The least time to an error of 1 %% of the length on edge_drop is %.15g s, by "
+             "%.80s%s",
+             rounded(best->seconds), best->title, next);
+}
+
+static void tell_checks(const struct report_found *verify, char text[TEXT])
+{
+    int met = 0, missed = 0;
+
+    for (int n = 0; n < verify->count; n++)
+        for (int i = 0; i < verify->csv[n].count; i++) {
+            const struct csv_table *t = &verify->csv[n].table[i];
+            for (int row = 0; row < t->rows; row++) {
+                const char *verdict = csv_words(t, row, csv_column(t, "verdict"));
+                met += !strcmp(verdict, "met");
+                missed += !strcmp(verdict, "MISSED") || !strcmp(verdict, "died");
+            }
+        }
+    snprintf(text, TEXT,
+             "Of the results that were held against closed forms and other programs and "
+             "claim an accuracy, %d have it and %d do not.",
+             met, missed);
+}
+
+enum status report_summary_write(FILE *file, const struct report_tally *claims,
+                                 const struct report_found *compare,
+                                 const struct report_found *verify)
+{
+    const struct csv_table *speed = speed_table(compare);
+    struct point *best = malloc(((size_t)(speed ? speed->rows : 0) + 1) * sizeof *best);
+    char said[3][TEXT];
+
+    if (!best)
+        return STATUS_MEMORY;
+    const int models = speed ? find_best(speed, best) : 0;
+    tell_claims(claims, said[0]);
+    if (speed)
+        tell_speed(best, models, said[1]);
+    else
+        snprintf(said[1], TEXT,
+                 "Speed against error was not measured: clothbench compare edge_drop");
+    if (verify->count)
+        tell_checks(verify, said[2]);
+    else
+        snprintf(said[2], TEXT, "Nothing was held against closed forms: clothbench verify");
+    fputs("\"found\":", file);
+    for (int n = 0; n < 3; n++) {
+        fputc(n ? ',' : '[', file);
+        report_json_string(file, said[n]);
+    }
+    fputs("],\"best\":[", file);
+    for (int n = 0; n < models; n++) {
+        fputs(n ? "," : "", file);
+        report_json_string(file, best[n].title);
+    }
+    fputs("],", file);
+    free(best);
+    return STATUS_OK;
+}

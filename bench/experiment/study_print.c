@@ -162,23 +162,6 @@ static void note_motion(struct table *t, const struct study *s)
         table_note(t, "Truth: none; %s.", s->no_truth.text);
 }
 
-/* The truth's error bar at a time, across the levels' seconds. */
-static void draw_bar(struct chart *c, const struct study *s, int time)
-{
-    double low = INFINITY, high = -INFINITY;
-
-    chart_series(c, &(struct chart_series){.label = time ? NULL : "truth's error bar",
-                                           .style = CHART_LINE,
-                                           .colour = time + 1,
-                                           .second = true});
-    for (int n = 0; n < s->plan->level_count; n++) {
-        low = fmin(low, s->row[n].seconds);
-        high = fmax(high, s->row[n].seconds);
-    }
-    chart_point(c, low, bar_of(s, time));
-    chart_point(c, high, bar_of(s, time));
-}
-
 /* A line for each time, error (without truth: to the finest) against seconds. */
 static struct chart *chart_of(const struct study *s)
 {
@@ -197,9 +180,9 @@ static struct chart *chart_of(const struct study *s)
             const struct study_frame *f = &s->row[n].frame[time];
             chart_point(c, s->row[n].seconds, s->truth ? f->error : f->finest);
         }
-        if (s->truth)
-            draw_bar(c, s, time);
     }
+    if (s->truth)
+        chart_band(c, "truth's error bar", 0, bar_of(s, s->frames - 1));
     for (int n = 0; n < s->plan->level_count; n++) {
         const struct study_row *row = &s->row[n];
         chart_mark(c, row->seconds, s->truth ? row->frame[0].error : row->frame[0].finest,

@@ -249,7 +249,6 @@ static void write_look(FILE *file, const struct item *item, bool legend)
     static const struct {
         const char *with, *in_legend; /* NULL: the same */
     } forms[] = {[CHART_LINESPOINTS] = {"linespoints lw 1.6 ps scale*1.1", NULL},
-                 [CHART_LINE] = {"lines lw 1.8 dt (3,3)", NULL},
                  [CHART_POINTS] = {"points ps scale*1.2", NULL},
                  [CHART_SQUARES] = {"points pt 5 ps scale*1.6", NULL},
                  [CHART_CELLS] = {"boxxyerror fs solid 1", "points pt 5 ps scale*2"},
@@ -315,7 +314,7 @@ static int legend_rows(const struct chart *c, int width, int *columns)
 static void write_legend(FILE *file, const struct chart *c, int columns)
 {
     fprintf(file,
-            "unset object\nunset arrow\nunset label\nunset logscale\nunset border\n"
+            "unset object\nunset label\nunset logscale\nunset border\n"
             "unset tics\nunset grid\nunset title\nunset xlabel\nunset ylabel\n"
             "set lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n"
             "set key center center horizontal maxcols %d Left reverse samplen 3\n"
@@ -329,8 +328,6 @@ static void write_legend(FILE *file, const struct chart *c, int columns)
             fputs("NaN", file);
             if (kind == SERIES)
                 write_look(file, item, true);
-            else if (item->at->y_side[0] == item->at->y_side[1])
-                fputs(" with lines lw 1.5 dt (6,4) lc rgb '#808080'", file);
             else
                 fprintf(file, " with points pt 5 ps scale*2 lc rgb '%s'", band_rgb);
             fputs(" title ", file);
@@ -462,13 +459,6 @@ static void write_band(FILE *file, const struct item *item, bool log)
 
     if (isnan(low) || isnan(high) || (log && high <= 0))
         return;
-    if (low == high) {
-        fprintf(file,
-                "set arrow from graph 0, first %.9g to graph 1, first %.9g nohead "
-                "lw 1.5 dt (6,4) lc rgb '#808080' back\n",
-                low, high);
-        return;
-    }
     fputs("set object rectangle from graph 0, ", file);
     fprintf(file, log && low <= 0 ? "graph 0" : "first %.9g", low);
     fprintf(file, " to graph 1, first %.9g fc rgb '%s' fs solid noborder behind\n", high,
@@ -495,7 +485,7 @@ static void write_panel(FILE *file, const struct chart *c, int panel)
 {
     const struct item *item = c->item, *end = c->item + c->count;
 
-    fputs("unset object\nunset arrow\nunset label\nunset logscale\n"
+    fputs("unset object\nunset label\nunset logscale\n"
           "set autoscale\nset xtics autofreq\nset ytics autofreq\n"
           "set tics out nomirror\nset grid xtics ytics lt 1 lw 0.8 lc rgb '#d8d8d8'\n"
           "unset key\n",

@@ -45,7 +45,7 @@ struct chart_axis {
     const struct chart_tic *tics;
 };
 
-/* Sets the axes of all panels. */
+/* Sets the axes of all panels; before any points. */
 void chart_axes(struct chart *c, const struct chart_axis *x, const struct chart_axis *y);
 
 /* Starts the next panel; a first call before anything else names the first panel. */

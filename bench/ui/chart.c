@@ -80,9 +80,16 @@ static struct item *add_item(struct chart *c, enum item_kind kind,
     return item;
 }
 
+/* Returns whether a number has a place on an axis. */
+static bool is_on(const struct chart_axis *axis, double value)
+{
+    return isfinite(value) && !(axis->log && value <= 0);
+}
+
+/* Gives the last item a place, unless it lies on no axis. */
 static void add_place(struct chart *c, struct place place)
 {
-    if (!c || c->failed)
+    if (!c || c->failed || !is_on(&c->axis[0], place.x) || !is_on(&c->axis[1], place.y))
         return;
     struct item *item = &c->item[c->count - 1];
     struct place *at = one_more(c, &item->at, &item->count, sizeof *at);
@@ -159,14 +166,15 @@ static void write_fixed(FILE *file, char name, const struct chart_axis *axis)
 void chart_axes(struct chart *c, const struct chart_axis *x, const struct chart_axis *y)
 {
     for (int n = 0; c && n < 2; n++) {
+        const struct chart_axis *axis = n ? y : x;
         size_t size;
 
-        c->axis[n] = n ? *y : *x;
+        c->axis[n] = *axis;
         free(c->axis_text[n]);
         c->axis_text[n] = NULL;
         FILE *file = open_memstream(&c->axis_text[n], &size);
         if (file)
-            write_fixed(file, "xy"[n], &c -> axis[n]);
+            write_fixed(file, "xy"[n], axis);
         c->failed = !file || fclose(file) != 0 || c->failed;
     }
 }
@@ -222,7 +230,7 @@ void chart_cell(struct chart *c, double x, double y, const double x_side[2],
 void chart_band(struct chart *c, const char *label, double low, double high)
 {
     if (add_item(c, BAND, &(struct chart_series){label}))
-        add_place(c, (struct place){.y_side = {low, high}});
+        add_place(c, (struct place){1, 1, .y_side = {low, high}});
 }
 
 void chart_mark(struct chart *c, double x, double y, const char *text)
@@ -249,7 +257,6 @@ static void write_look(FILE *file, const struct item *item, bool legend)
     static const struct {
         const char *with, *in_legend; /* NULL: the same */
     } forms[] = {[CHART_LINESPOINTS] = {"linespoints lw 1.6 ps scale*1.1", NULL},
-                 [CHART_LINE] = {"lines lw 1.8 dt (3,3)", NULL},
                  [CHART_POINTS] = {"points ps scale*1.2", NULL},
                  [CHART_SQUARES] = {"points pt 5 ps scale*1.6", NULL},
                  [CHART_CELLS] = {"boxxyerror fs solid 1", "points pt 5 ps scale*2"},
@@ -276,15 +283,8 @@ static void write_look(FILE *file, const struct item *item, bool legend)
 
 /* Sizes in points of a screen: one panel alone, one of several, lines of text, a character,
  * the picture of a line in the legend with the room around it. */
-enum {
-    WIDE = 900,
-    HIGH = 520,
-    NARROW = 480,
-    LOW = 380,
-    LINE = 20,
-    CHARACTER = 8,
-    KEY = 70
-};
+enum { WIDE = 900, HIGH = 520, NARROW = 480, LOW = 380 };
+enum { LINE = 20, CHARACTER = 8, KEY = 70 };
 
 /* Returns whether the legend, which has each label once, takes it from this item. */
 static bool is_entry(const struct chart *c, int n, enum item_kind kind)
@@ -315,7 +315,7 @@ static int legend_rows(const struct chart *c, int width, int *columns)
 static void write_legend(FILE *file, const struct chart *c, int columns)
 {
     fprintf(file,
-            "unset object\nunset arrow\nunset label\nunset logscale\nunset border\n"
+            "unset object\nunset label\nunset logscale\nunset border\n"
             "unset tics\nunset grid\nunset title\nunset xlabel\nunset ylabel\n"
             "set lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n"
             "set key center center horizontal maxcols %d Left reverse samplen 3\n"
@@ -329,8 +329,6 @@ static void write_legend(FILE *file, const struct chart *c, int columns)
             fputs("NaN", file);
             if (kind == SERIES)
                 write_look(file, item, true);
-            else if (item->at->y_side[0] == item->at->y_side[1])
-                fputs(" with lines lw 1.5 dt (6,4) lc rgb '#808080'", file);
             else
                 fprintf(file, " with points pt 5 ps scale*2 lc rgb '%s'", band_rgb);
             fputs(" title ", file);
@@ -341,20 +339,6 @@ static void write_legend(FILE *file, const struct chart *c, int columns)
 }
 
 /* --- a panel -------------------------------------------------------------------------- */
-
-static bool is_drawn(const struct chart *c, const struct place *at)
-{
-    return isfinite(at->x) && isfinite(at->y) && !(c->axis[0].log && at->x <= 0) &&
-           !(c->axis[1].log && at->y <= 0);
-}
-
-static bool any_drawn(const struct chart *c, const struct item *item)
-{
-    for (int k = 0; k < item->count; k++)
-        if (is_drawn(c, &item->at[k]))
-            return true;
-    return false;
-}
 
 static bool has_cells(const struct item *item)
 {
@@ -368,14 +352,12 @@ static int by_x(const void *a, const void *b)
     return (left->x > right->x) - (left->x < right->x);
 }
 
-static void write_block(FILE *file, const struct chart *c, const struct item *item)
+static void write_block(FILE *file, const struct item *item)
 {
     if (item->as.sorted)
         qsort(item->at, (size_t)item->count, sizeof *item->at, by_x);
     fprintf(file, "$p%d_%d << EOD\n", item->panel, item->series);
     for (const struct place *at = item->at; at < item->at + item->count; at++) {
-        if (!is_drawn(c, at))
-            continue;
         fprintf(file, "%.9g %.9g", at->x, at->y);
         if (has_cells(item))
             fprintf(file, " %.9g %.9g %.9g %.9g", at->x_side[0], at->x_side[1],
@@ -393,12 +375,11 @@ static bool ends_of(const struct chart *c, int panel, int axis, double *low, dou
 
     *low = INFINITY, *high = -INFINITY;
     for (const struct item *item = c->item; item < c->item + c->count; item++)
-        for (int k = 0; k < item->count; k++) {
+        for (int k = 0; k < item->count && item->kind == SERIES && item->panel == panel;
+             k++) {
             const struct place *at = &item->at[k];
             const double value = axis ? at->y : at->x;
             const double *side = axis ? at->y_side : at->x_side;
-            if (item->kind != SERIES || item->panel != panel || !is_drawn(c, at))
-                continue;
             celled = celled || has_cells(item);
             *low = fmin(*low, has_cells(item) ? side[0] : value);
             *high = fmax(*high, has_cells(item) ? side[1] : value);
@@ -462,13 +443,6 @@ static void write_band(FILE *file, const struct item *item, bool log)
 
     if (isnan(low) || isnan(high) || (log && high <= 0))
         return;
-    if (low == high) {
-        fprintf(file,
-                "set arrow from graph 0, first %.9g to graph 1, first %.9g nohead "
-                "lw 1.5 dt (6,4) lc rgb '#808080' back\n",
-                low, high);
-        return;
-    }
     fputs("set object rectangle from graph 0, ", file);
     fprintf(file, log && low <= 0 ? "graph 0" : "first %.9g", low);
     fprintf(file, " to graph 1, first %.9g fc rgb '%s' fs solid noborder behind\n", high,
@@ -495,7 +469,7 @@ static void write_panel(FILE *file, const struct chart *c, int panel)
 {
     const struct item *item = c->item, *end = c->item + c->count;
 
-    fputs("unset object\nunset arrow\nunset label\nunset logscale\n"
+    fputs("unset object\nunset label\nunset logscale\n"
           "set autoscale\nset xtics autofreq\nset ytics autofreq\n"
           "set tics out nomirror\nset grid xtics ytics lt 1 lw 0.8 lc rgb '#d8d8d8'\n"
           "unset key\n",
@@ -511,12 +485,12 @@ static void write_panel(FILE *file, const struct chart *c, int panel)
             fputc('\n', file);
         } else if (item->kind == BAND) {
             write_band(file, item, c->axis[1].log);
-        } else if (item->kind == MARK && is_drawn(c, item->at)) {
+        } else if (item->kind == MARK && item->count) {
             write_mark(file, item);
         }
     fputs("plot \\\n", file);
     for (item = c->item; item < end; item++)
-        if (item->panel == panel && item->kind == SERIES && any_drawn(c, item))
+        if (item->panel == panel && item->kind == SERIES && item->count)
             write_series(file, item);
     fputs("NaN notitle\n", file);
 }
@@ -609,8 +583,8 @@ enum status chart_write(const struct chart *c, const char *folder, const char *n
                                name, lines_of(c, p), CHART_LINES_MOST);
     TRY(plot_begin(folder, name, &out, why));
     for (int n = 0; n < c->count; n++)
-        if (c->item[n].kind == SERIES && any_drawn(c, &c->item[n]))
-            write_block(output_stream(out), c, &c->item[n]);
+        if (c->item[n].kind == SERIES && c->item[n].count)
+            write_block(output_stream(out), &c->item[n]);
     for (int kind = 0; kind < PLOT_KINDS; kind++)
         write_page(output_stream(out), c, name, (enum plot_kind)kind);
     TRY(plot_end(folder, name, &out, why));

@@ -45,7 +45,7 @@ struct chart_axis {
     const struct chart_tic *tics;
 };
 
-/* Sets the axes of all panels. */
+/* Sets the axes of all panels; before any points. */
 void chart_axes(struct chart *c, const struct chart_axis *x, const struct chart_axis *y);
 
 /* Starts the next panel; a first call before anything else names the first panel. */
@@ -53,7 +53,6 @@ void chart_panel(struct chart *c, const char *title);
 
 enum chart_style {
     CHART_LINESPOINTS,
-    CHART_LINE, /* dotted, without points                                              */
     CHART_POINTS,
     CHART_SQUARES, /* for classes                                                      */
     CHART_CELLS,   /* boxes of chart_cell, for classes                                 */
@@ -77,7 +76,7 @@ void chart_point(struct chart *c, double x, double y);
 void chart_cell(struct chart *c, double x, double y, const double x_side[2],
                 const double y_side[2]);
 
-/* Adds a band across the panel, a truth's error bar; a line if low and high are equal. */
+/* Adds a band across the panel, such as a truth's error bar. */
 void chart_band(struct chart *c, const char *label, double low, double high);
 
 /* Writes words at a point. */

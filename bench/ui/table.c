@@ -21,6 +21,11 @@ struct table_cell {
     double value; /* of a number, as machines get it                                   */
 };
 
+struct table_row {
+    bool ruled; /* a rule above it */
+    struct table_cell cell[];
+};
+
 struct table {
     int column_count, row_count, note_count;
     int filled;                   /* cells of the last row                             */
@@ -29,12 +34,9 @@ struct table {
     bool flushed;                 /* table_flush has printed the keys                  */
     struct table_column *columns; /* [column_count], each with a key             owned */
     int *width;                   /* [column_count] of the widest text so far    owned */
-    struct table_row {
-        bool ruled; /* a rule above it                                                 */
-        struct table_cell cell[];
-    } * *rows;     /* [row_count]                                                owned */
-    char *caption; /*                                                            owned */
-    char **notes;  /* [note_count]                                               owned */
+    struct table_row **rows;      /* [row_count]                                 owned */
+    char *caption;                /*                                             owned */
+    char **notes;                 /* [note_count]                                owned */
 };
 
 /* The names of the values of enum table_format, in its order. */

@@ -118,7 +118,7 @@ static enum status settle(void *context, long number, const struct child_end *en
                           struct message *why)
 {
     const struct stress_job *job = (const struct stress_job *)context + number;
-    const struct stress_result dead = {.outcome = STRESS_DEAD,
+    const struct stress_result dead = {.end = STRESS_DIED,
                                        .error = NAN,
                                        .time = end->reached,
                                        .seconds = end->seconds,

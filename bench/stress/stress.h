@@ -81,19 +81,16 @@ enum stress_end {
 extern const char *const stress_end_name[STRESS_ENDS]; /* "accurate", ... */
 
 struct stress_result {
-    enum stress_outcome {
-        STRESS_RAN,
-        STRESS_SAID_NO,
-        STRESS_DEAD,
-    } outcome;
+    enum stress_end end;
     double error;   /* NaN unless it ran                                                  */
     double time;    /* of death, or until when the error was within the bound; NaN [s]    */
     double seconds; /* of processor time                                                  */
     struct message sentence; /* why it refused or died; remarks                           */
 };
 
-/* Returns how it ended. An error that is no number is a death. */
-enum stress_end stress_result_end(const struct stress_result *r, double bound);
+/* Returns the end of a run that was not refused and has this error: one that is no number
+ * is a death. */
+enum stress_end stress_result_end(double error, double bound);
 
 /* Write and read its file, FOLDER/CASE.CONTESTANT.txt. STATUS_FILE: it cannot be written,
  * there is none; STATUS_INPUT: it is damaged, or none of ours. */

@@ -197,6 +197,11 @@ static void check_learnt(void)
     for (int n = 0; n < 4; n++)
         CHECK(fresh_count(is, cases[n].ends) == 2);
     free(is);
+    for (int n = 0; n < TOLD; n++)
+        set(&rows, n, SWEEP_RAN, STATUS_OK, NAN, "done");
+    said = print(&rows, NULL);
+    holds("nothing measured", said, "\n  odd                      not judged: it was not");
+    free(said);
     end(&rows, &plan);
 }
 

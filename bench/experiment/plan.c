@@ -733,7 +733,7 @@ static const struct schema_key PLAN[] = {
     {"paper", "milliseconds of somebody else's frame, of such products", SCHEMA_SPECIAL,
      .read = read_products, .low = 1, .most = PLAN_STUDY_MOST, IN(plan, paper),
      .want = "a list of maps {AXIS: LABEL, paper_ms: NUMBER}"},
-    {"reference", "axis and label of what levels are compared with", SCHEMA_SPECIAL,
+    {"reference", "axis and label of the level, or key and value of the case, to compare with", SCHEMA_SPECIAL,
      .read = read_chosen, IN(plan, reference), .want = "a map {AXIS: LABEL}"},
     {"table", "one table of all studies", SCHEMA_SECTION, .keys = TABLE},
     {"chart", "a point for each level", SCHEMA_SECTION, .keys = CHART},
@@ -749,9 +749,8 @@ static enum status settle_studies(struct plan *plan, const struct yaml_tree *roo
     const bool alone =
         (plan->base.level_count || plan->base.axis_count) && !plan->study_count;
 
-    for (const char *const *key =
-             (const char *const[]){"times", "truth", "timed", "skip", "reference", "paper",
-                                   "table", "chart", NULL};
+    for (const char *const *key = (const char *const[]){"times", "truth", "timed", "skip",
+                                                        "paper", "table", "chart", NULL};
          *key && !given; key++)
         given = yaml_tree_find(root, *key);
     if (given && !alone && !plan->study_count)

@@ -164,7 +164,6 @@ enum status stress_print(const char *folder, const struct stress_choice *choice,
     const bool data = table_format_is_data(format);
     const struct contestant *at = NULL;
     int contestants = 0;
-    bool map = false;
     enum status st = STATUS_OK;
 
     while ((at = stress_choice_next(choice, at)))
@@ -186,9 +185,7 @@ enum status stress_print(const char *folder, const struct stress_choice *choice,
         else
             table_destroy(t.table[n]);
     free(rows);
-    if (st == STATUS_OK && stress_choice_map(choice))
-        st = stress_map_print(folder, format, runs && data ? NULL : file, &map, why);
-    if (st == STATUS_OK && !runs && !map)
+    if (st == STATUS_OK && !runs)
         st = status_fail(why, STATUS_INPUT, "%s holds no such results of `stress`", folder);
     return st;
 }

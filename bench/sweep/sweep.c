@@ -268,6 +268,7 @@ static enum status lead(struct sweep *s, struct message *why)
     char path[SWEEP_FOLDER_PATH];
     enum status st;
 
+    TRY(sweep_rows_check(s->plan, why));
     TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, o->start, why));
     s->pool.slots = s->pool.ranks ? 1 : o->jobs ? o->jobs : omp_get_num_procs();
     s->pool.quiet = o->quiet;
@@ -383,7 +384,7 @@ const struct command sweep_command = {
     .text =
         "Runs every case of a plan, each in a process of its own, judges them by the\n"
         "plan's rules and leaves one result file a case, table.csv with all keys and\n"
-        "measures, and map.png (needs gnuplot). PLAN is feasibility, table4,\n"
+        "measures, and map.png (needs gnuplot). PLAN is feasibility, stability, table4,\n"
         "refinement, refinement_nets, remedies or a YAML file; the other plans of\n"
         "clothbench list plans have levels and are for clothbench study.\n"
         "A case that dies, hangs or is refused is a row. Where the plan says what is to\n"

@@ -41,8 +41,8 @@ struct sweep_folder {
     unsigned long plan, program; /* sums of the plan with its scenes, of the program    */
 };
 
-/* The treatment of what is there: refused, continued, removed. */
-enum sweep_start { SWEEP_NEW, SWEEP_RESUME, SWEEP_AGAIN };
+/* The treatment of what is there: refused, continued. */
+enum sweep_start { SWEEP_NEW, SWEEP_RESUME };
 
 /* Fills in manifest and sums, for a process that works in a folder that another one leads;
  * free with sweep_folder_close. STATUS_INPUT: a scene cannot be read; STATUS_FILE: nor can
@@ -60,7 +60,8 @@ enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
                               struct message *why);
 void sweep_folder_close(struct sweep_folder *folder);
 
-/* Removes the files that killed processes left half done, when none is at work any more. */
+/* Removes the files that killed processes left half done, when none is at work any more,
+ * and links where the sweep will write. */
 void sweep_folder_tidy(const struct sweep_folder *folder);
 
 /* Writes the name of the file of case `number` (from 0), "h5" or "txt", into path. */
@@ -130,10 +131,12 @@ void sweep_rows_clear(struct sweep_rows *rows); /* all-zero is allowed */
 enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state,
                            const struct run_result *result, const char *why);
 
-/* Gives row `number`, which was filled, another label; copied. STATUS_MEMORY. */
-enum status sweep_rows_label(struct sweep_rows *rows, long number, const char *label);
+/* Refuses a reference that is no value of an axis, or whose fields are not kept:
+ * STATUS_INPUT with a sentence. */
+enum status sweep_rows_check(const struct plan *plan, struct message *why);
 
-/* Reads all rows from the files of their cases. STATUS_INPUT: one is of another sweep.
+/* Reads all rows from the files of their cases, and compares each with its reference if
+ * the plan has one. STATUS_INPUT: one is of another sweep.
  * *rows is overwritten; clear it in any case. */
 enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
                             const struct sweep_folder *folder, struct message *why);

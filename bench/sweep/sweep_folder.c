@@ -188,8 +188,7 @@ void sweep_folder_tidy(const struct sweep_folder *folder)
 }
 
 enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
-                              const struct plan *plan, enum sweep_start start,
-                              struct message *why)
+                              const struct plan *plan, bool resume, struct message *why)
 {
     enum status st;
 
@@ -202,7 +201,7 @@ enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
     TRY(lock(folder, why));
     sweep_folder_tidy(folder);
     TRY(sweep_folder_identify(folder, plan, why));
-    TRY(settle_manifest(folder, start == SWEEP_RESUME, why));
+    TRY(settle_manifest(folder, resume, why));
     TRY(open_file(folder, "log.txt", &folder->log, why));
 out:
     return st;

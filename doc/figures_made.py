@@ -3,6 +3,7 @@
 A function makes a table; BLOCKS at the end has their names.
 """
 import csv
+import itertools
 import math
 import re
 import statistics
@@ -534,14 +535,20 @@ def stress():
     return markdown([""] + [title for title, _ in STRESS], rows)
 
 
-def stress_map():
-    whole("stress_map")
+def stability():
+    """The largest step up to which all are feasible."""
     columns = ["1e3", "1e5", "1e7", "1e9"]
-    found = part("stress_map", "largest step", "died")
     titles = dict((model, title) for title, model in STRESS)
-    rows = [[titles.get(r["step_s_by_e_per_rho"], r["step_s_by_e_per_rho"])] +
-            [r[c] if r[c] == "none" else f"{1000 * float(r[c]):g} ms" for c in columns] +
-            [r["died"]] for r in found]
+    runs = part("stability", "", "labels")
+
+    def largest(model, stiffness):
+        of = [r for r in runs if (r["name"], r["young_over_density"]) == (model, stiffness)]
+        good = list(itertools.takewhile(lambda r: r["labels"] == "feasible", of))
+        return f"{1000 * float(good[-1]['time.step']):g} ms" if good else "none"
+
+    rows = [[titles.get(model, model)] + [largest(model, c) for c in columns] +
+            [str(sum(r["name"] == model and "died" in r["labels"] for r in runs))]
+            for model in dict.fromkeys(r["name"] for r in runs)]
     return markdown(["E/rho"] + columns + ["died"], rows)
 
 
@@ -730,7 +737,7 @@ BLOCKS = {"table1": table1, "table23": table23, "growth": growth, "table4": tabl
           "compare": compare, "compare_models": compare_models, "compare_plate": compare_plate,
           "compare_threads": compare_threads, "compare_scenes": compare_scenes,
           "known": known, "ensembles": ensembles, "truths": truths, "stress": stress,
-          "stress_map": stress_map,
+          "stability": stability,
           "mesh": mesh, "locking": locking, "cures": cures, "timestep": timestep,
           "peers": peers, "peers_drop": peers_drop,
           "peers_said": peers_said, "refinement": refinement, "refinement_nets": refinement_nets,

@@ -130,7 +130,7 @@ says out 't  ' 'cured of locking, p = 3, 12x12'
 good list studies
 says out mesh
 good list cases
-says out map thin_5 spinning_bar
+says out thin_5 spinning_bar
 refused "no case 'dance'" stress dance
 refused "no model or contestant 'ibm'" stress --models ibm
 refused 'one of the two' stress --out a --from b

@@ -57,14 +57,6 @@ grep -qE '^still +-( +ok [^ ]+){2} +damaged$' out || fail "damaged: $(<out)"
 run 2 thrown --models odd --from few
 grep -q 'few holds no such results of' err || fail "nothing: $(<err)"
 
-# the map, of its own sweep
-run 0 map --models odd --quick --out few
-[ "$(wc -l <few/map/stability.csv)" -eq 10 ] || fail "the map: $(<few/map/stability.csv)"
-is few/map/stability.csv 'odd,1e4,1e-3,reference,0'
-grep -q '^odd,1e8,0.1,degraded,' few/map/stability.csv || fail "$(<few/map/stability.csv)"
-grep -q '^Quick: 3 steps by 3 stiffnesses' out || fail "the map: $(<out)"
-[ ! -e few/thin_5.odd.txt ] || fail 'a case ran with the map'
-
 run 2 nowhere
 grep -q "there is no case 'nowhere'" err || fail "$(<err)"
 run 2 still --models nobody

@@ -98,23 +98,6 @@ row fine 'feasible,feasible,done$'
 row dies 'infeasible,"chaotic, penetration",.*died at t = 0.265 s: an element turned inside out (det J <= 0)$'
 row refused 'none,no result,.*degree'
 row unsupported 'none,unsupported,.*unsupported: no supports on part of the thickness'
-cp rows/table.csv rows.csv
-run rows.yaml --out rows --resume
-grep -q 'Nothing was left' out || fail 'a case that ended is run again'
-cmp rows/table.csv rows.csv || fail 'rows without result change when made again'
-
-# What was not measured is neither: not feasible, not free of crossings.
-sed '/^intersections/d' rows.yaml >blind.yaml
-run blind.yaml --out blind
-[ "$code" -eq 0 ] || fail "blind: exit $code: $(<err)"
-grep -q '^  feasible  *0$' out || fail "unmeasured is feasible: $(<out)"
-grep -q '^  penetration  *not judged: it was not measured$' out || fail "$(<out)"
-grep -q '^  not judged  *1   no label' out || fail "$(<out)"
-grep -q '^1,fine,.*,,,,.*,not judged,not judged: penetration,done$' blind/table.csv ||
-    fail "blind: $(<blind/table.csv)"
-grep -q '^2,dies,.*,infeasible,chaotic; not judged: penetration,' blind/table.csv ||
-    fail "blind: $(<blind/table.csv)"
-
 # --- distances to the truth, and what is to fall ------------------------------------------
 cat >falls.yaml <<'PLAN'
 name: falls

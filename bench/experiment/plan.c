@@ -695,7 +695,8 @@ static const struct schema_key PLAN[] = {
     {"paper", "milliseconds of a frame in the paper, for products of the axes", SCHEMA_SPECIAL,
      .read = read_products, .low = 1, .most = PLAN_STUDY_MOST, IN(plan, paper),
      .want = "a list of maps {AXIS: LABEL, paper_ms: NUMBER}"},
-    {"reference", "axis and label of the level that others are compared with", SCHEMA_SPECIAL,
+    {"reference", "axis and label of the level, or key and value of the"
+     " case, that others are compared with", SCHEMA_SPECIAL,
      .read = read_chosen, IN(plan, reference), .want = "a map {AXIS: LABEL}"},
     {"table", "one table of all studies", SCHEMA_SECTION, .keys = TABLE},
     {"chart", "a point for each level", SCHEMA_SECTION, .keys = CHART},
@@ -846,8 +847,8 @@ out:
 static enum status complete_studies(struct plan *plan, const struct yaml_tree *root,
                                     struct message *why)
 {
-    static const char *const keys[] = {"times",     "truth", "timed", "skip",
-                                       "reference", "paper", "table", "chart"};
+    static const char *const keys[] = {"times", "truth", "timed", "skip",
+                                       "paper", "table", "chart"};
     const struct yaml_tree *given = NULL, *node = yaml_tree_find(root, "studies");
     enum status st = STATUS_OK;
 

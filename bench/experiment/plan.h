@@ -205,8 +205,9 @@ struct plan {
     int study_count; /* 0: it is for sweeps                                     */
     struct plan_study *studies; /* owned                                               */
     struct plan_products skip, paper;
-    struct plan_settings reference; /* axis and label: levels are compared with the one
-                                       that has these and else their own labels        */
+    struct plan_settings reference; /* axis and label, or key and value: levels, or cases,
+                                       are compared with the one that has these and else
+                                       their own                                       */
     struct plan_table table;
     struct plan_chart chart;
     int key_count;

@@ -158,6 +158,7 @@ enum status looks_reduce(const struct looks *l, const struct scene *scene,
     reduce_series(l, scene, value);
     reduce_scene(scene, value);
     looks_reduce_truth(0, NULL, NULL, value);
+    value[MEASURE_REFERENCE_ERROR_MAX] = NAN;
     value[MEASURE_BLOWUP_TIME] = status_is_death(outcome) ? death_time
                                  : outcome == STATUS_OK   ? INFINITY
                                                           : NAN;

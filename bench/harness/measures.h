@@ -6,7 +6,8 @@
  * lived to see. A time that did not come is INFINITY; a number that does not exist
  * (penetration without obstacles, the energy of a scheme that has none, anything of a run
  * without looks) is NaN. The three of the truth are read from result files in which a sweep
- * has stored the distances (LOOKS_TRUTH); elsewhere they are NaN. */
+ * has stored the distances (LOOKS_TRUTH), and a sweep computes that to the reference;
+ * elsewhere they are NaN. */
 #define MEASURE_LIST(X)                                                                    \
     X(STRETCH_MAX, stretch_max, "1", "largest principal stretch of the mid-surface")       \
     X(STRETCH_END, stretch_end, "1", "the same at the end")                                \
@@ -36,7 +37,9 @@
     X(TRUTH_ERROR_MAX, truth_error_max, "1",                                               \
       "largest rms distance to the scene's known truth, over the length")                  \
     X(TRUTH_ERROR_END, truth_error_end, "1", "the same at the last time of that truth")    \
-    X(TRUTH_BAR_END, truth_bar_end, "1", "error bar of the truth then, over the length")
+    X(TRUTH_BAR_END, truth_bar_end, "1", "error bar of the truth then, over the length")   \
+    X(REFERENCE_ERROR_MAX, reference_error_max, "1",                                       \
+      "largest rms distance to a sweep's reference case, over the rms way of that one")
 
 enum measure {
 #define MEASURE_CODE(code, name, unit, sentence) MEASURE_##code,

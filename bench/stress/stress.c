@@ -23,22 +23,12 @@ struct options {
 /* --- the choice -------------------------------------------------------------------------
  */
 
-static bool has_word(const struct stress_choice *choice, const char *word)
-{
-    for (int n = 0; n < choice->word_count; n++)
-        if (!strcmp(choice->words[n], word))
-            return true;
-    return false;
-}
-
 bool stress_choice_case(const struct stress_choice *choice, const struct stress_case *c)
 {
-    return choice->word_count ? has_word(choice, c->item.name) : c->quick || !choice->quick;
-}
-
-bool stress_choice_map(const struct stress_choice *choice)
-{
-    return !choice->word_count || has_word(choice, "map");
+    for (int n = 0; n < choice->word_count; n++)
+        if (!strcmp(choice->words[n], c->item.name))
+            return true;
+    return !choice->word_count && (c->quick || !choice->quick);
 }
 
 const struct contestant *stress_choice_next(const struct stress_choice *choice,
@@ -117,7 +107,7 @@ static enum status settle(void *context, long number, const struct child_end *en
                           struct message *why)
 {
     const struct stress_job *job = (const struct stress_job *)context + number;
-    const struct stress_result dead = {.outcome = STRESS_DEAD,
+    const struct stress_result dead = {.end = STRESS_DIED,
                                        .error = NAN,
                                        .time = end->reached,
                                        .seconds = end->seconds,
@@ -198,9 +188,7 @@ static enum status measure(const struct options *o, struct message *why)
     TRY(folder_make(o->folder, why));
     TRY(scene_file_find(stress_case_scene, &path, why));
     list_jobs(o, path, no_truth, list);
-    TRY(run_jobs(o, count, list, done, why));
-    if (stress_choice_map(&o->choice))
-        TRY(stress_map_measure(o->folder, &o->choice, o->jobs, why));
+    st = run_jobs(o, count, list, done, why);
 out:
     free(list);
     free(done);

@@ -63,7 +63,7 @@ struct stress_case {
 };
 
 extern const char *const stress_case_scene; /* name of the scene that all start from      */
-/* The command's words: the map, then the cases; ends with NULL. */
+/* The command's words; ends with NULL. */
 extern const struct command_item *const stress_case_items[];
 
 /* Returns case n = 0, 1, ...; NULL past the last. */
@@ -81,19 +81,16 @@ enum stress_end {
 extern const char *const stress_end_name[STRESS_ENDS]; /* "accurate", ... */
 
 struct stress_result {
-    enum stress_outcome {
-        STRESS_RAN,
-        STRESS_SAID_NO,
-        STRESS_DEAD,
-    } outcome;
+    enum stress_end end;
     double error;   /* NaN unless it ran                                                  */
     double time;    /* of death, or until when the error was within the bound; NaN [s]    */
     double seconds; /* of processor time                                                  */
     struct message sentence; /* why it refused or died; remarks                           */
 };
 
-/* Returns how it ended. An error that is no number is a death. */
-enum stress_end stress_result_end(const struct stress_result *r, double bound);
+/* Returns the end of a run that was not refused and has this error: one that is no number
+ * is a death. */
+enum stress_end stress_result_end(double error, double bound);
 
 /* Write and read its file, FOLDER/CASE.CONTESTANT.txt. STATUS_FILE: it cannot be written,
  * there is none; STATUS_INPUT: it is damaged, or none of ours. */
@@ -135,7 +132,6 @@ struct stress_choice {
 };
 
 bool stress_choice_case(const struct stress_choice *choice, const struct stress_case *c);
-bool stress_choice_map(const struct stress_choice *choice);
 
 /* Returns the chosen contestant after `last`, the first after NULL; NULL: no more. */
 const struct contestant *stress_choice_next(const struct stress_choice *choice,
@@ -149,16 +145,6 @@ enum status stress_choice_check(const struct stress_choice *choice, struct messa
 /* Prints the tables of the chosen results in the folder (stress_print.c). */
 enum status stress_print(const char *folder, const struct stress_choice *choice,
                          enum table_format format, FILE *file, struct message *why);
-
-/* The stability map (stress_map.c): steps of 0.1 ms to 0.1 s by six decades of E/rho, on
- * small nets, for the contestants chosen. It is a sweep of its own in FOLDER/map. */
-enum status stress_map_measure(const char *folder, const struct stress_choice *choice,
-                               int jobs, struct message *why);
-
-/* Writes map.png and stability.csv in FOLDER/map and prints a table (file NULL: none);
- * *there: there is a map. */
-enum status stress_map_print(const char *folder, enum table_format format, FILE *file,
-                             bool *there, struct message *why);
 
 extern const struct command stress_command;
 

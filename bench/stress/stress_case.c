@@ -135,12 +135,8 @@ CASE(two_corners, "hung from two corners", .truth = STRESS_SHELL, /* Gamma = 50 
                  "time={step: 0.005, end: 0.3}"},
      .bound = 0.02, .why = "a fiftieth of the length");
 
-static const struct command_item map = {"map",
-                                        "every step by every stiffness: the stability map"};
-
 const struct command_item *const stress_case_items[] = {
     /* clang-format off */
-    &map,
     &thin_2.item, &thin_3.item, &thin_4.item, &thin_5.item, &poisson_0.item,
     &poisson_049.item, &poisson_04999.item, &narrow.item, &wide.item, &one_element.item,
     &graded_knots.item, &repeated_knots.item, &torn_knots.item, &folded_knots.item,
@@ -154,7 +150,7 @@ const struct command_item *const stress_case_items[] = {
 
 const struct stress_case *stress_case_at(int n)
 {
-    return (const struct stress_case *)stress_case_items[n + 1];
+    return (const struct stress_case *)stress_case_items[n];
 }
 
 const char *const stress_truth_text[STRESS_TRUTHS] = {

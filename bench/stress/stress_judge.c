@@ -13,27 +13,28 @@
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
-#include "models/metric/metric_rest.h"
 
 /* A run of a hard case, on its way to an error. */
 struct judged {
     const struct stress_job *job; /*                                          borrowed */
     struct run run;
+    double time; /* of the frame that was reached [s]                                  */
+    int frames;  /* up to it                                                           */
     struct stress_result *result; /* to be filled                             borrowed */
     struct message *why;          /* for the sentence of a failure            borrowed */
     double *xyz, *first;          /* fields (grid.h), room for judges        xyz owned */
     struct kirchhoff *plate;      /* of the judges that need it                  owned */
     double load;                  /* on that plate [N/m^2]                             */
-    struct energy *energies;      /* [frame_count + 1]                           owned */
-    int frames;                   /* of energies                                       */
+    struct energy *energies;      /* [frames of the scene + 1]                   owned */
     struct truth *truth;          /* of STRESS_SHELL                             owned */
 };
 
-/* How a case of a truth is judged; NULL: nothing is done. */
+/* The judge of a truth: it measures the error at rest, at the end of the motion, or at all
+ * frames, of which the largest counts. NULL: nothing to do. */
 struct judge {
+    enum { AT_REST, AT_END, AT_FRAMES } when;
     enum status (*begin)(struct judged *r);
-    bool rests; /* static equilibrium instead of motion */
-    enum status (*watch)(struct judged *r, const struct motion *m); /* at every frame */
+    double (*error)(struct judged *r);
     enum status (*end)(struct judged *r);
 };
 static const struct judge judges[STRESS_TRUTHS];
@@ -90,6 +91,19 @@ out:
     return st;
 }
 
+/* Takes the error at a frame: the largest is the run's, and its time is that of the first
+ * beyond the bound. */
+static void note(struct judged *r, double time, double error)
+{
+    struct stress_result *result = r->result;
+    const double bound = r->job->c->bound;
+
+    if (!(error <= bound) && !(result->error > bound))
+        result->time = time;
+    if (!(error <= result->error))
+        result->error = error;
+}
+
 static enum status watch(void *context, const struct motion *m, struct message *why)
 {
     struct judged *r = context;
@@ -97,7 +111,10 @@ static enum status watch(void *context, const struct motion *m, struct message *
 
     (void)why;
     child_reached(m->time); /* in case that it was the last */
-    return judge->watch ? judge->watch(r, m) : STATUS_OK;
+    r->time = m->time, r->frames = m->frames;
+    if (judge->when == AT_FRAMES)
+        note(r, m->time, judge->error(r));
+    return STATUS_OK;
 }
 
 /* Goes through the scene's motion; a death leaves its time and sentence. */
@@ -144,20 +161,6 @@ static void displacement(const struct judged *r, const double uvw[3], double d[3
         d[i] -= rest[i];
 }
 
-/* Takes the error at a frame: the largest is the run's, and its time is that of the first
- * beyond the bound. */
-static enum status note(struct judged *r, double time, double error)
-{
-    struct stress_result *result = r->result;
-    const double bound = r->job->c->bound;
-
-    if (!(error <= bound) && !(result->error > bound))
-        result->time = time;
-    if (!(error <= result->error))
-        result->error = error;
-    return STATUS_OK;
-}
-
 /* --- judges -----------------------------------------------------------------------------
  */
 
@@ -185,38 +188,35 @@ static double plate_tip(const struct judged *r)
     return kirchhoff_static(r->plate, r->load, s->length, s->width / 2);
 }
 
-static enum status end_plate(struct judged *r)
+static double measure_plate(struct judged *r)
 {
     double d[3];
 
     displacement(r, tip, d);
-    r->result->error = fabs(-d[2] / plate_tip(r) - 1);
-    return STATUS_OK;
+    return fabs(-d[2] / plate_tip(r) - 1);
 }
 
-static enum status watch_vibration(struct judged *r, const struct motion *m)
+static double measure_vibration(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
     double d[3];
 
     displacement(r, tip, d);
     const double true_tip =
-        kirchhoff_transient(r->plate, r->load, 0, m->time, s->length, s->width / 2);
-    return note(r, m->time, fabs(-d[2] - true_tip) / (2 * plate_tip(r)));
+        kirchhoff_transient(r->plate, r->load, 0, r->time, s->length, s->width / 2);
+    return fabs(-d[2] - true_tip) / (2 * plate_tip(r));
 }
 
-static enum status end_elastica(struct judged *r)
+static double measure_elastica(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
     struct elastica e;
     double d[3];
-    enum status st;
 
-    TRY(elastica_solve(scene_gamma(s), &e));
     displacement(r, tip, d);
-    r->result->error = hypot(d[0] / s->length + 1 - e.reach, d[2] / s->length + e.drop);
-out:
-    return st;
+    return elastica_solve(scene_gamma(s), &e) == STATUS_OK
+               ? hypot(d[0] / s->length + 1 - e.reach, d[2] / s->length + e.drop)
+               : NAN;
 }
 
 /* Expresses the scene in units of `length` metres, `mass` kilograms and `time` seconds. */
@@ -256,61 +256,57 @@ out:
 
 static enum status begin_energy(struct judged *r)
 {
+    const struct scene *s = &r->run.scene;
     struct energy rest = {NAN, NAN, NAN};
 
     if (r->run.model->energy)
         r->run.model->energy(r->run.state, &rest);
-    return isfinite(rest.elastic)
-               ? STATUS_OK
-               : status_fail(r->why, STATUS_UNSUPPORTED,
-                             "unsupported: no elastic energy that could be kept");
+    if (!isfinite(rest.elastic))
+        return status_fail(r->why, STATUS_UNSUPPORTED,
+                           "unsupported: no elastic energy that could be kept");
+    r->energies = calloc((size_t)(s->end / s->step) + 2, sizeof *r->energies);
+    return r->energies ? STATUS_OK : STATUS_MEMORY;
 }
 
-static enum status watch_energy(struct judged *r, const struct motion *m)
+/* Takes the energy; the drift is a share of the largest, which is known at the end. */
+static double take_energy(struct judged *r)
 {
-    if (!r->energies)
-        r->energies = calloc((size_t)m->frame_count + 1, sizeof *r->energies);
-    if (!r->energies)
-        return STATUS_MEMORY;
-    m->model->energy(m->state, &r->energies[r->frames++]);
-    return STATUS_OK;
+    r->run.model->energy(r->run.state, &r->energies[r->frames]);
+    return 0;
 }
 
 static enum status end_energy(struct judged *r)
 {
-    double *drift = malloc((size_t)r->frames * sizeof *drift), most = 0, least = 0;
+    double *drift = malloc((size_t)(r->frames + 1) * sizeof *drift), most = 0, least = 0;
 
     if (!drift)
         return STATUS_MEMORY;
-    metric_energy_drift(r->frames, r->energies, drift);
-    for (int n = 0; n < r->frames; n++) {
+    metric_energy_drift(r->frames + 1, r->energies, drift);
+    for (int n = 0; n <= r->frames; n++) {
         note(r, n * r->run.scene.step, fabs(drift[n]));
         most = fmax(most, drift[n]), least = fmin(least, drift[n]);
     }
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
              "%d steps: %.2g won at most, %.2g lost at most, of the energy in play",
-             r->frames - 1, most, fabs(least));
+             r->frames, most, fabs(least));
     free(drift);
     return STATUS_OK;
 }
 
-static enum status end_buckled(struct judged *r)
+static double measure_buckled(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
     double d[3], shift[3];
 
     scene_support_shift(&s->supports[s->support_count - 1], s->end, shift);
     displacement(r, middle, d);
-    r->result->error =
-        fabs(fabs(d[2]) / s->length - elastica_buckled(-shift[0] / s->length));
-    return STATUS_OK;
+    return fabs(fabs(d[2]) / s->length - elastica_buckled(-shift[0] / s->length));
 }
 
-static enum status watch_still(struct judged *r, const struct motion *m)
+static double measure_still(struct judged *r)
 {
-    m->model->sample(m->state, m->frames ? r->xyz : r->first);
-    return m->frames ? note(r, m->time, metric_rmse(r->xyz, r->first) / m->scene->length)
-                     : STATUS_OK;
+    r->run.model->sample(r->run.state, r->frames ? r->xyz : r->first);
+    return r->frames ? metric_rmse(r->xyz, r->first) / r->run.scene.length : 0;
 }
 
 static enum status begin_still_rest(struct judged *r)
@@ -321,20 +317,20 @@ static enum status begin_still_rest(struct judged *r)
                              "unsupported: no static equilibrium to start from");
 }
 
-static enum status end_shifted(struct judged *r)
+static double measure_shifted(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
-    double shift[3], *rest = metric_rest_field(s);
+    double shift[3], uvw[3], *rest = r->first;
 
-    if (!rest)
-        return STATUS_MEMORY;
     scene_support_shift(&s->supports[0], s->end, shift);
+    for (int n = 0; n < GRID_POINTS; n++) {
+        grid_point(n, uvw);
+        scene_rest_point(s, uvw, rest + 3 * n);
+        for (int i = 0; i < 3; i++)
+            rest[3 * n + i] += shift[i];
+    }
     r->run.model->sample(r->run.state, r->xyz);
-    for (int n = 0; n < 3 * GRID_POINTS; n++)
-        rest[n] += shift[n % 3];
-    r->result->error = metric_rmse(r->xyz, rest) / s->length;
-    free(rest);
-    return STATUS_OK;
+    return metric_rmse(r->xyz, rest) / s->length;
 }
 
 static enum status begin_shell(struct judged *r)
@@ -352,29 +348,28 @@ static enum status begin_shell(struct judged *r)
     return STATUS_OK;
 }
 
-static enum status watch_shell(struct judged *r, const struct motion *m)
+static double measure_shell(struct judged *r)
 {
-    const struct truth *truth = r->truth;
+    const struct scene *s = &r->run.scene;
+    const int n = truth_index(r->truth, r->truth->times, r->time);
 
-    for (int n = 0; n < truth->times; n++)
-        if (fabs(m->time - truth->time[n]) < m->scene->step / 4) {
-            m->model->sample(m->state, r->xyz);
-            note(r, m->time, metric_rmse(r->xyz, truth->xyz[n]) / m->scene->length);
-        }
-    return STATUS_OK;
+    if (n < 0)
+        return 0; /* between the times of the truth */
+    r->run.model->sample(r->run.state, r->xyz);
+    return metric_rmse(r->xyz, r->truth->xyz[n]) / s->length;
 }
 
 static const struct judge judges[STRESS_TRUTHS] = {
-    [STRESS_PLATE] = {make_plate, true, NULL, end_plate},
-    [STRESS_ELASTICA] = {NULL, true, NULL, end_elastica},
-    [STRESS_VIBRATION] = {make_plate, false, watch_vibration, NULL},
-    [STRESS_SIMILAR] = {NULL, false, NULL, end_similar},
-    [STRESS_ENERGY] = {begin_energy, false, watch_energy, end_energy},
-    [STRESS_BUCKLED] = {NULL, false, NULL, end_buckled},
-    [STRESS_STILL] = {NULL, false, watch_still, NULL},
-    [STRESS_STILL_REST] = {begin_still_rest, false, watch_still, NULL},
-    [STRESS_SHIFTED] = {NULL, false, NULL, end_shifted},
-    [STRESS_SHELL] = {begin_shell, false, watch_shell, NULL},
+    [STRESS_PLATE] = {AT_REST, make_plate, measure_plate, NULL},
+    [STRESS_ELASTICA] = {AT_REST, NULL, measure_elastica, NULL},
+    [STRESS_VIBRATION] = {AT_FRAMES, make_plate, measure_vibration, NULL},
+    [STRESS_SIMILAR] = {AT_END, NULL, NULL, end_similar},
+    [STRESS_ENERGY] = {AT_FRAMES, begin_energy, take_energy, end_energy},
+    [STRESS_BUCKLED] = {AT_END, NULL, measure_buckled, NULL},
+    [STRESS_STILL] = {AT_FRAMES, NULL, measure_still, NULL},
+    [STRESS_STILL_REST] = {AT_FRAMES, begin_still_rest, measure_still, NULL},
+    [STRESS_SHIFTED] = {AT_END, NULL, measure_shifted, NULL},
+    [STRESS_SHELL] = {AT_FRAMES, begin_shell, measure_shell, NULL},
 };
 
 /* --- one job ----------------------------------------------------------------------------
@@ -383,11 +378,15 @@ static const struct judge judges[STRESS_TRUTHS] = {
 static enum status judge(struct judged *r)
 {
     const struct judge *j = &judges[r->job->c->truth];
+    struct stress_result *result = r->result;
     enum status st;
 
     TRY(j->begin ? j->begin(r) : STATUS_OK);
-    TRY(j->rests ? settle(r) : move(r));
+    TRY(j->when == AT_REST ? settle(r) : move(r));
+    if (j->when != AT_FRAMES && j->error)
+        result->error = j->error(r);
     TRY(j->end ? j->end(r) : STATUS_OK);
+    result->end = stress_result_end(result->error, r->job->c->bound);
 out:
     return st;
 }
@@ -402,8 +401,8 @@ static enum status settle_result(enum status st, const struct message *said,
         return st;
     if (st == STATUS_FILE)
         return status_fail(why, st, "%s", text);
-    result->outcome =
-        st == STATUS_UNSUPPORTED || st == STATUS_INPUT ? STRESS_SAID_NO : STRESS_DEAD;
+    result->end =
+        st == STATUS_UNSUPPORTED || st == STATUS_INPUT ? STRESS_REFUSED : STRESS_DIED;
     result->error = NAN;
     snprintf(result->sentence.text, sizeof result->sentence.text, "%s", text);
     return STATUS_OK;

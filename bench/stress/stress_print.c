@@ -59,7 +59,7 @@ static struct tables create_tables(int contestants, const struct row *rows)
 }
 
 /* Fills the next cell of the overview. */
-static void add_word(struct table *t, const struct row *row, enum stress_end end)
+static void add_word(struct table *t, const struct row *row)
 {
     const struct stress_result *r = &row->r;
 
@@ -67,22 +67,21 @@ static void add_word(struct table *t, const struct row *row, enum stress_end end
         table_dash(t);
     else if (row->file == DAMAGED)
         table_text(t, "damaged");
-    else if (end == STRESS_ACCURATE || end == STRESS_DEGRADED)
-        table_text(t, "%s %.0e", end == STRESS_ACCURATE ? "ok" : "off", r->error);
-    else if (end == STRESS_DIED && isfinite(r->time))
+    else if (r->end == STRESS_ACCURATE || r->end == STRESS_DEGRADED)
+        table_text(t, "%s %.0e", r->end == STRESS_ACCURATE ? "ok" : "off", r->error);
+    else if (r->end == STRESS_DIED && isfinite(r->time))
         table_text(t, "died %.2g s", r->time);
     else
-        table_text(t, "%s", stress_end_name[end]);
+        table_text(t, "%s", stress_end_name[r->end]);
 }
 
-static void add_details(struct table *t, const struct stress_case *c, const struct row *row,
-                        enum stress_end end)
+static void add_details(struct table *t, const struct stress_case *c, const struct row *row)
 {
     table_row(t);
     table_text(t, "%s", c->item.name);
     table_text(t, "%s", row->contestant->name);
     table_number(t, c->bound, 1);
-    table_text(t, "%s", row->file == READ ? stress_end_name[end] : "damaged");
+    table_text(t, "%s", row->file == READ ? stress_end_name[row->r.end] : "damaged");
     table_number(t, isfinite(row->r.error) ? row->r.error : NAN, 3);
     table_number(t, row->r.time, 3);
     table_fixed(t, row->r.seconds, 2);
@@ -124,13 +123,12 @@ static void add_case(struct tables *t, const struct stress_case *c, int contesta
     table_row(t->table[OVERVIEW]);
     table_text(t->table[OVERVIEW], "%s", c->item.name);
     for (const struct row *row = rows; row < rows + contestants; row++) {
-        const enum stress_end end = stress_result_end(&row->r, c->bound);
-        add_word(t->table[OVERVIEW], row, end);
+        add_word(t->table[OVERVIEW], row);
         if (row->file == ABSENT)
             continue;
-        add_details(t->table[DETAILS], c, row, end);
+        add_details(t->table[DETAILS], c, row);
         t->damaged += row->file == DAMAGED;
-        t->count[end] += row->file == READ;
+        t->count[row->r.end] += row->file == READ;
     }
     add_truth(t->table[TRUTHS], c);
     table_rule(t->table[DETAILS]);
@@ -166,7 +164,6 @@ enum status stress_print(const char *folder, const struct stress_choice *choice,
     const bool data = table_format_is_data(format);
     const struct contestant *at = NULL;
     int contestants = 0;
-    bool map = false;
     enum status st = STATUS_OK;
 
     while ((at = stress_choice_next(choice, at)))
@@ -188,9 +185,7 @@ enum status stress_print(const char *folder, const struct stress_choice *choice,
         else
             table_destroy(t.table[n]);
     free(rows);
-    if (st == STATUS_OK && stress_choice_map(choice))
-        st = stress_map_print(folder, format, runs && data ? NULL : file, &map, why);
-    if (st == STATUS_OK && !runs && !map)
+    if (st == STATUS_OK && !runs)
         st = status_fail(why, STATUS_INPUT, "%s holds no such results of `stress`", folder);
     return st;
 }

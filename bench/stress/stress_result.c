@@ -8,20 +8,14 @@
 
 enum { PATH = 4096 };
 
-static const char *const outcome_words[] = {
-    [STRESS_RAN] = "ran", [STRESS_SAID_NO] = "refused", [STRESS_DEAD] = "died"};
-enum { OUTCOMES = sizeof outcome_words / sizeof *outcome_words };
-
 const char *const stress_end_name[STRESS_ENDS] = {"accurate", "degraded", "refused",
                                                   "died"};
 
-enum stress_end stress_result_end(const struct stress_result *r, double bound)
+enum stress_end stress_result_end(double error, double bound)
 {
-    if (r->outcome == STRESS_SAID_NO)
-        return STRESS_REFUSED;
-    if (r->outcome == STRESS_DEAD || !isfinite(r->error))
-        return STRESS_DIED;
-    return r->error <= bound ? STRESS_ACCURATE : STRESS_DEGRADED;
+    return !isfinite(error) ? STRESS_DIED
+           : error <= bound ? STRESS_ACCURATE
+                            : STRESS_DEGRADED;
 }
 
 static void find_file(const char *folder, const struct stress_case *c,
@@ -38,8 +32,8 @@ enum status stress_result_write(const char *folder, const struct stress_case *c,
 
     find_file(folder, c, contestant, path);
     snprintf(text, sizeof text,
-             "outcome %s\nerror %.17g\ntime %.17g\nseconds %.17g\nsentence %s\n",
-             outcome_words[r->outcome], r->error, r->time, r->seconds, r->sentence.text);
+             "end %s\nerror %.17g\ntime %.17g\nseconds %.17g\nsentence %s\n",
+             stress_end_name[r->end], r->error, r->time, r->seconds, r->sentence.text);
     return seal_text_write(path, text, why);
 }
 
@@ -47,18 +41,18 @@ enum status stress_result_write(const char *folder, const struct stress_case *c,
 static bool read_text(const char *text, struct stress_result *r)
 {
     char word[16];
-    int outcome = 0, used = 0;
+    int end = 0, used = 0;
 
-    if (sscanf(text, "outcome %15s error %lf time %lf seconds %lf sentence%n", word,
-               &r->error, &r->time, &r->seconds, &used) != 4 ||
+    if (sscanf(text, "end %15s error %lf time %lf seconds %lf sentence%n", word, &r->error,
+               &r->time, &r->seconds, &used) != 4 ||
         text[used] != ' ')
         return false;
-    while (outcome < OUTCOMES && strcmp(outcome_words[outcome], word))
-        outcome++;
-    r->outcome = (enum stress_outcome)outcome;
+    while (end < STRESS_ENDS && strcmp(stress_end_name[end], word))
+        end++;
+    r->end = (enum stress_end)end;
     snprintf(r->sentence.text, sizeof r->sentence.text, "%.*s",
              (int)strcspn(text + used + 1, "\n"), text + used + 1);
-    return outcome < OUTCOMES;
+    return end < STRESS_ENDS;
 }
 
 enum status stress_result_read(const char *folder, const struct stress_case *c,

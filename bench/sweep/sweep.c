@@ -15,9 +15,9 @@
 /* A sweep, as all of its processes know it. */
 struct sweep {
     const char *word; /* the plan, as the command line has it                           */
-    struct sweep_options options;
-    struct plan own; /* the plan that the command reads                                 */
-    const struct plan *plan;
+    const char *out;  /* the folder that was asked for; NULL: results/sweep_NAME        */
+    bool resume, quiet;
+    struct plan plan;
     struct sweep_folder folder;
     struct pool pool;
 };
@@ -55,7 +55,7 @@ static enum status work(void *context, long number, struct message *why)
     char path[SWEEP_FOLDER_PATH], made_for[SWEEP_FOLDER_MADE_FOR];
     enum status st;
 
-    TRY(plan_case_open(s->plan, number, &c, why));
+    TRY(plan_case_open(&s->plan, number, &c, why));
     TRY(plan_case_scene(&c, &scene, why));
     truth.length = scene.length;
     /* A factor a step is no physics that a truth could have: nothing needs to be read. */
@@ -63,19 +63,19 @@ static enum status work(void *context, long number, struct message *why)
         TRY(truth_judged(&scene, &truth.made, why));
     const struct run_plan run = plan_case_run(&c);
     sweep_folder_file(&s->folder, number, "h5", path);
-    sweep_folder_made_for(&s->folder, s->plan, &c, made_for);
-    struct run_keep keep = {
-        .file = path,
-        .made_for = made_for,
-        .every = s->plan->look ? s->plan->look : 10,
-        .times = scene.snapshot_count,
-        .time = scene.snapshots,
-        .fields = s->plan->keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES : RUN_FIELDS_NONE,
-        .intersections = s->plan->intersections,
-        .own_count = truth.made.claimed ? LOOKS_TRUTH : 0,
-        .own = own,
-        .own_look = look,
-        .context = &truth};
+    sweep_folder_made_for(&s->folder, &s->plan, &c, made_for);
+    struct run_keep keep = {.file = path,
+                            .made_for = made_for,
+                            .every = s->plan.look ? s->plan.look : 10,
+                            .times = scene.snapshot_count,
+                            .time = scene.snapshots,
+                            .fields = s->plan.keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES
+                                                                          : RUN_FIELDS_NONE,
+                            .intersections = s->plan.intersections,
+                            .own_count = truth.made.claimed ? LOOKS_TRUTH : 0,
+                            .own = own,
+                            .own_look = look,
+                            .context = &truth};
     for (int n = 0; n < LOOKS_TRUTH; n++)
         own[n] = (struct run_own){looks_truth[n], "1"};
     st = run_file_write(&run, &keep, NULL, why);
@@ -104,8 +104,8 @@ static enum status settle(void *context, long number, const struct child_end *en
 
     if (end->outcome == CHILD_DONE)
         return sweep_folder_log(&s->folder, "end", number, why);
-    TRY(plan_case_given(s->plan, number, &c));
-    sweep_folder_made_for(&s->folder, s->plan, &c, made_for);
+    TRY(plan_case_given(&s->plan, number, &c));
+    sweep_folder_made_for(&s->folder, &s->plan, &c, made_for);
     TRY(sweep_folder_write(&s->folder, number, made_for,
                            end->outcome == CHILD_CUT ? SWEEP_CUT : SWEEP_FAILED,
                            end->why.text, why));
@@ -124,7 +124,7 @@ static enum status scan(const struct sweep *s, bool **done, struct message *why)
     struct sweep_rows rows = {0};
     enum status st;
 
-    TRY(sweep_rows_read(&rows, s->plan, &s->folder, why));
+    TRY(sweep_rows_read(&rows, &s->plan, &s->folder, why));
     *done = calloc((size_t)rows.count, sizeof **done);
     TRY(*done ? STATUS_OK : STATUS_MEMORY);
     for (long n = 0; n < rows.count; n++) {
@@ -140,8 +140,8 @@ out:
 /* Returns the folder that was asked for, or else the usual one in path[]. */
 static const char *folder_of(const struct sweep *s, char path[SWEEP_FOLDER_PATH])
 {
-    snprintf(path, SWEEP_FOLDER_PATH, "results/sweep_%s", s->plan->name);
-    return s->options.folder ? s->options.folder : path;
+    snprintf(path, SWEEP_FOLDER_PATH, "results/sweep_%s", s->plan.name);
+    return s->out ? s->out : path;
 }
 
 /* Runs the cases that are not done. */
@@ -153,9 +153,9 @@ static enum status run_all(struct sweep *s, struct message *why)
     enum status st;
 
     TRY(scan(s, &done, why));
-    pool->count = plan_case_count(s->plan);
+    pool->count = plan_case_count(&s->plan);
     pool->done = done;
-    pool->time_limit = s->plan->time_limit;
+    pool->time_limit = s->plan.time_limit;
     st = pool_run(pool, &reason);
     if (!pool->ranks || (st == STATUS_OK && !pool->stopped_by)) /* else others still work */
         sweep_folder_tidy(&s->folder);
@@ -202,7 +202,7 @@ static double file_size(const struct sweep *s)
     double sum = 0;
     long count = 0;
 
-    for (long n = 0; n < plan_case_count(s->plan); n++) {
+    for (long n = 0; n < plan_case_count(&s->plan); n++) {
         char path[SWEEP_FOLDER_PATH];
         struct stat info;
 
@@ -225,8 +225,8 @@ static void print_cost(const struct sweep *s, const char *plot)
     else
         printf("Nothing was left to run.\n");
     printf("%s: table.csv, seconds.csv, %s%sa file a case, %.3g kB on average.\n",
-           s->folder.path, s->plan->falls.along ? "falls.csv, " : "",
-           s->plan->map.x && !*plot ? "map.png, " : "", file_size(s));
+           s->folder.path, s->plan.falls.along ? "falls.csv, " : "",
+           s->plan.map.x && !*plot ? "map.png, " : "", file_size(s));
     if (*plot)
         printf("%s\n", plot);
 }
@@ -240,13 +240,13 @@ static enum status collect(const struct sweep *s, struct message *why)
     struct message plot = {""};
     enum status st;
 
-    TRY(sweep_rows_read(&rows, s->plan, &s->folder, why));
+    TRY(sweep_rows_read(&rows, &s->plan, &s->folder, why));
     TRY(sweep_rows_save(&rows, folder, why));
     TRY(sweep_falls_judge(&falls, &rows));
     if (falls.table)
         TRY(table_save(falls.table, folder, "falls", why));
     TRY(draw(&rows, folder, &plot, why));
-    if (!s->options.quiet) {
+    if (!s->quiet) {
         sweep_rows_print(&rows, stdout);
         TRY(sweep_falls_print(&falls, stdout));
         print_cost(s, plot.text);
@@ -254,7 +254,7 @@ static enum status collect(const struct sweep *s, struct message *why)
     }
     if (falls.grown)
         st = status_fail(why, STATUS_FAILED, "%s grows along %s in %ld of %ld rows",
-                         measure_name(s->plan->falls.measure), s->plan->falls.along,
+                         measure_name(s->plan.falls.measure), s->plan.falls.along,
                          falls.grown, falls.rows);
 out:
     sweep_falls_clear(&falls);
@@ -264,36 +264,16 @@ out:
 
 static enum status lead(struct sweep *s, struct message *why)
 {
-    const struct sweep_options *o = &s->options;
     char path[SWEEP_FOLDER_PATH];
     enum status st;
 
-    TRY(sweep_folder_open(&s->folder, folder_of(s, path), s->plan, o->start, why));
-    s->pool.slots = s->pool.ranks ? 1 : o->jobs ? o->jobs : omp_get_num_procs();
-    s->pool.quiet = o->quiet;
+    TRY(sweep_rows_check(&s->plan, why));
+    TRY(sweep_folder_open(&s->folder, folder_of(s, path), &s->plan, s->resume, why));
+    s->pool.quiet = s->quiet;
     TRY(run_all(s, why));
     st = collect(s, why);
 out:
-    sweep_folder_close(&s->folder);
     return st;
-}
-
-static struct sweep sweep_of(const char *word)
-{
-    return (struct sweep){.word = word,
-                          .folder = {.lock = -1, .log = -1},
-                          .pool = {.work = work, .begin = begin, .settle = settle}};
-}
-
-enum status sweep_run(const struct plan *plan, const struct sweep_options *options,
-                      struct message *why)
-{
-    struct sweep s = sweep_of(plan->path);
-
-    s.plan = plan;
-    s.options = *options;
-    s.pool.context = &s;
-    return lead(&s, why);
 }
 
 /* Reads, on another rank, what it needs for any case. */
@@ -301,19 +281,24 @@ static enum status prepare(void *context, struct message *why)
 {
     struct sweep *s = context;
     char path[SWEEP_FOLDER_PATH];
-    enum status st = plan_read(s->word, &s->own, why);
+    const enum status st = plan_read(s->word, &s->plan, why);
 
     if (st != STATUS_OK)
         return st;
-    s->pool.time_limit = s->own.time_limit;
+    s->pool.time_limit = s->plan.time_limit;
     snprintf(s->folder.path, sizeof s->folder.path, "%s", folder_of(s, path));
-    return sweep_folder_identify(&s->folder, s->plan, why);
+    return sweep_folder_identify(&s->folder, &s->plan, why);
 }
 
 static enum status run(const struct command_line *line, struct message *why)
 {
+    struct sweep s = {.word = line->words[0],
+                      .out = command_value(line, "--out"),
+                      .resume = command_given(line, "--resume"),
+                      .quiet = command_given(line, "--quiet"),
+                      .folder = {.lock = -1, .log = -1},
+                      .pool = {.work = work, .begin = begin, .settle = settle}};
     const struct ranks *ranks = NULL;
-    struct sweep s = sweep_of(line->words[0]);
     char *path = NULL;
     long jobs = 0;
     enum status st;
@@ -321,12 +306,8 @@ static enum status run(const struct command_line *line, struct message *why)
     omp_set_num_threads(1);
     signal(SIGXFSZ, SIG_IGN); /* a limit on file sizes is a full disk, not a death */
     TRY(ranks_start(&ranks, why));
-    s.plan = &s.own;
     s.pool.context = &s;
     s.pool.ranks = ranks;
-    s.options.folder = command_value(line, "--out");
-    s.options.start = command_given(line, "--resume") ? SWEEP_RESUME : SWEEP_NEW;
-    s.options.quiet = command_given(line, "--quiet");
     if (ranks && ranks->rank) { /* rank 0 tells what is wrong, if something is */
         named_file_find(&plan_kind, s.word, &path, NULL);
         s.word = path ? path : s.word;
@@ -334,14 +315,14 @@ static enum status run(const struct command_line *line, struct message *why)
         goto out;
     }
     TRY(command_integer(line, "--jobs", 1, 1024, &jobs, why));
-    s.options.jobs = (int)jobs;
+    s.pool.slots = ranks ? 1 : jobs ? (int)jobs : omp_get_num_procs();
     if (jobs && ranks)
         TRY(status_fail(why, STATUS_INPUT,
                         "--jobs: under mpirun every rank runs one case at a time; say "
                         "how many with mpirun -n"));
     TRY(named_file_find(&plan_kind, s.word, &path, why));
-    TRY(plan_read(path, &s.own, why));
-    if (s.own.study_count)
+    TRY(plan_read(path, &s.plan, why));
+    if (s.plan.study_count)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: the plan has levels, so it is no sweep; clothbench study runs "
                         "it",
@@ -353,7 +334,7 @@ out:
         pool_dismiss(ranks);
     if (ranks)
         ranks->finish();
-    plan_clear(&s.own);
+    plan_clear(&s.plan);
     free(path);
     return st;
 }
@@ -384,8 +365,8 @@ const struct command sweep_command = {
     .text =
         "Runs every case of a plan, each in a process of its own, judges them by the\n"
         "plan's rules, and writes one result file a case, table.csv with all keys and\n"
-        "measures, and map.png (needs gnuplot). PLAN is feasibility, table4, refinement,\n"
-        "refinement_nets, remedies or a YAML file; the other plans of `clothbench list\n"
+        "measures, and map.png (needs gnuplot). PLAN is feasibility, stability, table4,\n"
+        "refinement, refinement_nets, remedies or a YAML file; the other plans of `clothbench list\n"
         "plans` have levels and are for `clothbench study`. A case that dies, hangs or\n"
         "is refused is a row, too. If the plan names a measure that has to fall along an\n"
         "axis (refinement, remedies), falls.csv lists it, and the exit code is 1 where\n"

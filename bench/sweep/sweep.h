@@ -41,9 +41,6 @@ struct sweep_folder {
     unsigned long plan, program; /* sums of the plan with its scenes, of the program    */
 };
 
-/* The treatment of what is there: refused, continued, removed. */
-enum sweep_start { SWEEP_NEW, SWEEP_RESUME, SWEEP_AGAIN };
-
 /* Fills in manifest and sums, for a process that works in a folder that another one leads;
  * free with sweep_folder_close. STATUS_INPUT: a scene cannot be read; STATUS_FILE: nor can
  * the program's own file. */
@@ -56,11 +53,11 @@ enum status sweep_folder_identify(struct sweep_folder *folder, const struct plan
  * files that a killed sweep left half done. *folder is overwritten; close it in any case.
  */
 enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
-                              const struct plan *plan, enum sweep_start start,
-                              struct message *why);
+                              const struct plan *plan, bool resume, struct message *why);
 void sweep_folder_close(struct sweep_folder *folder);
 
-/* Removes the files that killed processes left half done, when none is at work any more. */
+/* Removes the files that killed processes left half done, when none is at work any more,
+ * and links where the sweep will write. */
 void sweep_folder_tidy(const struct sweep_folder *folder);
 
 /* Writes the name of the file of case `number` (from 0), "h5" or "txt", into path. */
@@ -130,10 +127,12 @@ void sweep_rows_clear(struct sweep_rows *rows); /* all-zero is allowed */
 enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state,
                            const struct run_result *result, const char *why);
 
-/* Gives row `number`, which was filled, another label; copied. STATUS_MEMORY. */
-enum status sweep_rows_label(struct sweep_rows *rows, long number, const char *label);
+/* Refuses a reference that is no value of an axis, or whose fields are not kept:
+ * STATUS_INPUT with a sentence. */
+enum status sweep_rows_check(const struct plan *plan, struct message *why);
 
-/* Reads all rows from the files of their cases. STATUS_INPUT: one is of another sweep.
+/* Reads all rows from the files of their cases, and compares each with its reference if
+ * the plan has one. STATUS_INPUT: one is of another sweep.
  * *rows is overwritten; clear it in any case. */
 enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
                             const struct sweep_folder *folder, struct message *why);
@@ -175,22 +174,6 @@ enum status sweep_falls_print(const struct sweep_falls *f, FILE *file);
  * *chart is NULL for a plan that asks for none. `best`: the label that comes first in the
  * legend, even if no case has it. STATUS_INPUT: a mark; STATUS_MEMORY. */
 enum status sweep_map(const struct sweep_rows *rows, const char *best, struct chart **chart,
-                      struct message *why);
-
-/* --- The sweep. */
-
-struct sweep_options {
-    const char *folder; /* NULL: results/sweep_NAME                                    */
-    enum sweep_start start;
-    int jobs;   /* cases at a time; 0: as many as there are processors                 */
-    bool quiet; /* no progress bar, no summary                                         */
-};
-
-/* Runs what is not done yet of a plan, writes table.csv, seconds.csv, falls.csv and the
- * map, prints a summary, without the ranks of mpirun. STATUS_FAILED: a measure that is to
- * fall grows; STATUS_FILE: a result could not be written; what is done stays. A signal that
- * asks to stop ends the program as ever, after a sentence. */
-enum status sweep_run(const struct plan *plan, const struct sweep_options *options,
                       struct message *why);
 
 extern const struct command sweep_command;

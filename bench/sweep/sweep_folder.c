@@ -158,54 +158,37 @@ static enum status lock(const struct sweep_folder *folder, struct message *why)
                        folder->path);
 }
 
-/* The names of files that a sweep writes; the second group: of a case; the last: a file
- * that is half done, `NAME.PID-N.part` (atomic_file.h). */
+/* The names of files that a sweep writes, and of those that are half done,
+ * `NAME.PID-N.part` (atomic_file.h), whose ending is the last group. */
 static const char OWN[] =
-    "^((case_[0-9]{6,}\\.(h5|xdmf|txt))|(manifest|log)\\.txt|(table|seconds|falls)\\.csv|"
+    "^(case_[0-9]{6,}\\.(h5|xdmf|txt)|(manifest|log)\\.txt|(table|seconds|falls)\\.csv|"
     "map\\.(gp|png|svg|pdf))(\\.[0-9]+-[0-9]+\\.part)?$";
-enum { OF_CASE = 2, PART = 7, GROUPS };
+enum { PART = 6, GROUPS };
 
-/* Says if an entry of the folder is removed before a sweep begins: a file that a killed one
- * was writing, a link where it will write and, with `all`, cases and manifest. */
-static bool is_removed(const regex_t *own, const char *name, const char *path, bool all)
-{
-    regmatch_t group[GROUPS];
-    struct stat info;
-
-    if (regexec(own, name, GROUPS, group, 0) != 0)
-        return false;
-    return group[PART].rm_so >= 0 || (lstat(path, &info) == 0 && S_ISLNK(info.st_mode)) ||
-           (all && (group[OF_CASE].rm_so >= 0 || !strcmp(name, "manifest.txt")));
-}
-
-static enum status remove_files(const struct sweep_folder *folder, bool all)
+void sweep_folder_tidy(const struct sweep_folder *folder)
 {
     const struct dirent *file;
+    regmatch_t group[GROUPS];
+    struct stat info;
     regex_t own;
 
     if (regcomp(&own, OWN, REG_EXTENDED) != 0)
-        return STATUS_MEMORY;
+        return;
     DIR *directory = opendir(folder->path);
     while (directory && (file = readdir(directory))) {
         char path[SWEEP_FOLDER_PATH + 257];
         snprintf(path, sizeof path, "%s/%s", folder->path, file->d_name);
-        if (is_removed(&own, file->d_name, path, all))
+        if (regexec(&own, file->d_name, GROUPS, group, 0) == 0 &&
+            (group[PART].rm_so >= 0 || (lstat(path, &info) == 0 && S_ISLNK(info.st_mode))))
             unlink(path);
     }
     if (directory)
         closedir(directory);
     regfree(&own);
-    return STATUS_OK;
-}
-
-void sweep_folder_tidy(const struct sweep_folder *folder)
-{
-    remove_files(folder, false);
 }
 
 enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
-                              const struct plan *plan, enum sweep_start start,
-                              struct message *why)
+                              const struct plan *plan, bool resume, struct message *why)
 {
     enum status st;
 
@@ -216,9 +199,9 @@ enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
     TRY(folder_make(folder->path, why));
     TRY(open_file(folder, "lock", &folder->lock, why));
     TRY(lock(folder, why));
-    TRY(remove_files(folder, start == SWEEP_AGAIN));
+    sweep_folder_tidy(folder);
     TRY(sweep_folder_identify(folder, plan, why));
-    TRY(settle_manifest(folder, start == SWEEP_RESUME, why));
+    TRY(settle_manifest(folder, resume, why));
     TRY(open_file(folder, "log.txt", &folder->log, why));
 out:
     return st;

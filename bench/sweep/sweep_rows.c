@@ -5,9 +5,8 @@
 #include <string.h>
 
 #include "bench/files/output.h"
-
-/* --- reading ---------------------------------------------------------------------------
- */
+#include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
 
 enum status sweep_rows_init(struct sweep_rows *rows, const struct plan *plan)
 {
@@ -71,46 +70,142 @@ enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_stat
     return row->label && row->why ? STATUS_OK : STATUS_MEMORY;
 }
 
-enum status sweep_rows_label(struct sweep_rows *rows, long number, const char *label)
-{
-    struct sweep_row *row = &rows->row[number];
+/* --- the reference of a case: the one that has the plan's `reference` on its axes and else
+ * the values of the case ----------------------------------------------------------------
+ */
 
-    free(row->label);
-    row->label = strdup(label);
-    return row->label ? STATUS_OK : STATUS_MEMORY;
+enum status sweep_rows_check(const struct plan *plan, struct message *why)
+{
+    for (int n = 0; n < plan->reference.count; n++) {
+        const struct plan_setting *s = &plan->reference.list[n];
+        bool known = false;
+        for (int k = 0; k < plan->axis_count; k++)
+            for (int v = 0; v < plan->axes[k].values.count; v++)
+                known |= !strcmp(plan->axes[k].key, s->key) &&
+                         !strcmp(plan->axes[k].values.list[v].value, s->value);
+        if (!known || plan->keep != PLAN_KEEP_SNAPSHOTS)
+            return plan_case_refuse(plan, s->line, why,
+                                    known ? "a plan with a reference must keep snapshots"
+                                          : "the reference has %.40s: %.60s, which is no "
+                                            "value of an axis",
+                                    s->key, s->value);
+    }
+    return STATUS_OK;
 }
 
-static enum status read_row(struct sweep_rows *rows, long number,
-                            const struct sweep_folder *folder, struct message *why)
+static long reference_of(const struct plan *plan, long number)
 {
+    long stride = 1, found = number;
+
+    for (int n = plan->axis_count - 1; n >= 0; n--) {
+        const struct plan_axis *axis = &plan->axes[n];
+        const struct plan_setting *s = plan_settings_find(&plan->reference, axis->key);
+        int k = (int)(number / stride % axis->values.count);
+        found -= k * stride;
+        for (int v = axis->values.count - 1; s && v >= 0; v--)
+            if (!strcmp(axis->values.list[v].value, s->value))
+                k = v;
+        found += k * stride;
+        stride *= axis->values.count;
+    }
+    return found;
+}
+
+/* The reference that was read last. */
+struct reference {
+    long number;              /* its case; -1: none                                    */
+    struct run_result result; /* with fields; empty unless it lived to the end         */
+    bool died;                /* or came to no result                                  */
+    double *rest;             /* its sheet at rest (grid.h) [m]                  owned */
+};
+
+static enum status read_reference(struct reference *ref, const struct plan *plan,
+                                  long number, const struct sweep_folder *folder,
+                                  struct message *why)
+{
+    struct plan_case c = {0};
+    struct scene scene = {0};
+    struct message sentence;
+    enum sweep_state state;
+    enum status st;
+
+    run_result_clear(&ref->result);
+    free(ref->rest), ref->rest = NULL;
+    ref->number = number;
+    TRY(sweep_folder_read(folder, number, NULL, true, &state, &ref->result, &sentence));
+    ref->died = state == SWEEP_FAILED || status_is_death(ref->result.outcome);
+    if (state != SWEEP_RAN || ref->result.outcome != STATUS_OK) {
+        run_result_clear(&ref->result);
+        goto out;
+    }
+    TRY(plan_case_open(plan, number, &c, why));
+    TRY(plan_case_scene(&c, &scene, why));
+    ref->rest = metric_rest_field(&scene);
+    st = ref->rest ? STATUS_OK : STATUS_MEMORY;
+out:
+    plan_case_clear(&c);
+    scene_clear(&scene);
+    return st;
+}
+
+/* Returns the error at the worst of the kept times; infinite where one of the two died, NaN
+ * where nobody knows the reference or the model refused. */
+static double compare(const struct run_result *r, const struct reference *ref)
+{
+    const bool died = status_is_death(r->outcome);
+    double worst = died || (r->outcome == STATUS_OK && ref->died) ? INFINITY : NAN;
+
+    for (int n = 0; r->outcome == STATUS_OK && n < ref->result.frames; n++)
+        worst = fmax(worst, metric_rmse(r->xyz[n], ref->result.xyz[n]) /
+                                metric_rmse(ref->result.xyz[n], ref->rest));
+    return worst;
+}
+
+/* --- reading ---------------------------------------------------------------------------
+ */
+
+static enum status read_row(struct sweep_rows *rows, long number,
+                            const struct sweep_folder *folder, struct reference *ref,
+                            struct message *why)
+{
+    const struct plan *plan = rows->plan;
+    const bool compared = plan->reference.count > 0;
+    const long other = compared ? reference_of(plan, number) : -1;
     char made_for[SWEEP_FOLDER_MADE_FOR];
     struct plan_case c = {0};
-    struct run_result result = {0};
+    struct run_result r = {0};
     struct message sentence = {""};
     enum sweep_state state;
     enum status st;
 
-    TRY(plan_case_given(rows->plan, number, &c));
-    sweep_folder_made_for(folder, rows->plan, &c, made_for);
-    TRY(sweep_folder_read(folder, number, made_for, false, &state, &result, &sentence));
+    TRY(plan_case_given(plan, number, &c));
+    sweep_folder_made_for(folder, plan, &c, made_for);
+    TRY(sweep_folder_read(folder, number, made_for, compared, &state, &r, &sentence));
     if (state == SWEEP_FOREIGN)
         TRY(status_fail(why, STATUS_INPUT, "%s", sentence.text));
-    st = sweep_rows_set(rows, number, state, &result, sentence.text);
+    if (compared && ref->number != other)
+        TRY(read_reference(ref, plan, other, folder, why));
+    if (compared && state == SWEEP_RAN)
+        r.value[MEASURE_REFERENCE_ERROR_MAX] = compare(&r, ref);
+    st = sweep_rows_set(rows, number, state, &r, sentence.text);
 out:
     plan_case_clear(&c);
-    run_result_clear(&result);
+    run_result_clear(&r);
     return st;
 }
 
 enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
                             const struct sweep_folder *folder, struct message *why)
 {
+    struct reference ref = {.number = -1};
     enum status st;
 
     TRY(sweep_rows_init(rows, plan));
     for (long n = 0; n < rows->count; n++)
-        TRY(read_row(rows, n, folder, why));
+        TRY(read_row(rows, n, folder, &ref, why));
 out:
+    run_result_clear(&ref.result);
+    free(ref.rest);
     return st;
 }
 

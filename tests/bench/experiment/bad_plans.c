@@ -104,7 +104,6 @@ static const struct wrong BAD[] = {
     {16, "timed: 3", "timed is for studies, but the plan has no levels"},
     {16, "table: {columns: [drop]}", "table is for studies, but the plan has no levels"},
     {16, "skip: [{study: edge}]", "skip is for studies, but the plan has no levels"},
-    {16, "reference: {study: edge}", "reference is for studies, but the plan has no"},
     {16, "- x", "not YAML"},
 };
 

@@ -65,7 +65,7 @@ static void check_plate(void)
     begin();
     struct stress_result r = judge(&c);
     CHECK_RELATIVE(r.error, resting / sag + 1, tol_plate); /* it rises */
-    CHECK(r.outcome == STRESS_RAN && isnan(r.time) && !strcmp(script_log, "I"));
+    CHECK(r.end == STRESS_DEGRADED && isnan(r.time) && !strcmp(script_log, "I"));
     other.equilibrium = NULL; /* then it moves to the end */
     r = judge(&c);
     CHECK_RELATIVE(r.error, FRAMES * rise / sag + 1, tol_plate);
@@ -126,11 +126,11 @@ static void check_similar(void)
     begin();
     other.advance = die_when_short;
     const struct stress_result r = judge(&c);
-    CHECK(r.outcome == STRESS_DEAD && isnan(r.error));
+    CHECK(r.end == STRESS_DIED && isnan(r.error));
     CHECK_NEAR(r.time, 4 * step, tol); /* in the case's seconds */
     begin();
     script.create = STATUS_UNSUPPORTED, script.refuse_after = 1;
-    CHECK(judge(&c).outcome == STRESS_SAID_NO);
+    CHECK(judge(&c).end == STRESS_REFUSED);
 }
 
 static void energy_won(const void *state, struct energy *energy)
@@ -162,10 +162,10 @@ static void check_energy(void)
         CHECK_NEAR(r.time, 3 * step, tol);
     }
     begin(); /* of two parts, one is not known; none is */
-    CHECK(judge(&c).outcome == STRESS_SAID_NO);
+    CHECK(judge(&c).end == STRESS_REFUSED);
     other.energy = NULL;
     const struct stress_result r = judge(&c);
-    CHECK(r.outcome == STRESS_SAID_NO && strstr(r.sentence.text, "no elastic energy"));
+    CHECK(r.end == STRESS_REFUSED && strstr(r.sentence.text, "no elastic energy"));
 }
 
 /* Those that need no truth but the rest shape and a number. */
@@ -204,7 +204,7 @@ static void check_shapes(void)
     begin();
     other.equilibrium = NULL;
     const struct stress_result r = judge(&known[2].c);
-    CHECK(r.outcome == STRESS_SAID_NO && strstr(r.sentence.text, "no static equilibrium"));
+    CHECK(r.end == STRESS_REFUSED && strstr(r.sentence.text, "no static equilibrium"));
 }
 
 /* Deaths, refusals and failures each in their words. */
@@ -223,21 +223,21 @@ static void check_ends(void)
         const struct stress_case *c;
         int dies;
         enum status create, equilibrium;
-        enum stress_outcome outcome;
+        enum stress_end end;
         double time;
         const char *text;
     } known[] = {
-        {&moves, 4, STATUS_OK, STATUS_OK, STRESS_DEAD, 0.02,
+        {&moves, 4, STATUS_OK, STATUS_OK, STRESS_DIED, 0.02,
          "a position is no longer a numb"},
-        {&rests, 0, STATUS_OK, STATUS_DIVERGED, STRESS_DEAD, 0, "scripted: no rest"},
-        {&rests, 0, STATUS_OK, STATUS_UNSUPPORTED, STRESS_SAID_NO, NAN,
+        {&rests, 0, STATUS_OK, STATUS_DIVERGED, STRESS_DIED, 0, "scripted: no rest"},
+        {&rests, 0, STATUS_OK, STATUS_UNSUPPORTED, STRESS_REFUSED, NAN,
          "scripted: no rest"},
-        {&moves, 0, STATUS_UNSUPPORTED, STATUS_OK, STRESS_SAID_NO, NAN,
+        {&moves, 0, STATUS_UNSUPPORTED, STATUS_OK, STRESS_REFUSED, NAN,
          "scripted: would not"},
-        {&moves, 0, STATUS_INPUT, STATUS_OK, STRESS_SAID_NO, NAN, "scripted: would not"},
-        {&moves, 0, STATUS_MEMORY, STATUS_OK, STRESS_DEAD, NAN, "scripted: would not"},
-        {&wrong, 0, STATUS_OK, STATUS_OK, STRESS_SAID_NO, NAN, "length is '-1'"},
-        {&shell, 0, STATUS_OK, STATUS_OK, STRESS_SAID_NO, NAN,
+        {&moves, 0, STATUS_INPUT, STATUS_OK, STRESS_REFUSED, NAN, "scripted: would not"},
+        {&moves, 0, STATUS_MEMORY, STATUS_OK, STRESS_DIED, NAN, "scripted: would not"},
+        {&wrong, 0, STATUS_OK, STATUS_OK, STRESS_REFUSED, NAN, "length is '-1'"},
+        {&shell, 0, STATUS_OK, STATUS_OK, STRESS_REFUSED, NAN,
          "no truth to hold it against: "},
     };
 
@@ -248,9 +248,9 @@ static void check_ends(void)
         const struct stress_result r = judge(known[n].c);
         const bool timed =
             isnan(known[n].time) ? isnan(r.time) : fabs(r.time - known[n].time) < tol;
-        if (!CHECK(r.outcome == known[n].outcome && isnan(r.error) && timed &&
+        if (!CHECK(r.end == known[n].end && isnan(r.error) && timed &&
                    strstr(r.sentence.text, known[n].text)))
-            printf("  row %zu: %d at %g: %s\n", n, r.outcome, r.time, r.sentence.text);
+            printf("  row %zu: %d at %g: %s\n", n, r.end, r.time, r.sentence.text);
     }
     begin(); /* a truth that could not be made says why, one that was says nothing */
     struct message lost = {"timed out"};
@@ -300,7 +300,7 @@ static void check_nets(void)
             contestant.degree = known[n].degree;
             c.side = known[n].side;
             c.weight_ratio = weighted ? 10 : 0;
-            CHECK(judge(&c).outcome == STRESS_RAN);
+            CHECK(judge(&c).end == STRESS_DEGRADED);
             CHECK(!strcmp(script_log, known[n].log));
             CHECK(weights == (weighted ? known[n].weights : 0) && rows_right == weights);
         }

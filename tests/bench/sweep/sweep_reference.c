@@ -1,0 +1,172 @@
+/* Cases that are held against a reference, from made-up files: errors that are known, every
+ * way a case can end, files that are damaged, gone or cut short; references that are none.
+ */
+#include <unistd.h>
+
+#include "bench/harness/run_file.h"
+#include "bench/sweep/sweep.h"
+#include "tests/fresh.h"
+#include "tests/scripted_model.h"
+
+#define PLAN                                                                               \
+    "name: stability\nsource: a test\nscene: cantilever\n"                                 \
+    "settings: {time.end: 0.3, snapshots: [0.1, 0.2, 0.3]}\n"                              \
+    "cases:\n  - {name: a}\n  - {name: b}\n  - {name: c}\n"                                \
+    "axes:\n"                                                                              \
+    "  - {key: young_over_density, scale: log, values: [1e4, 1e6]}\n"                      \
+    "  - {key: time.step, scale: log, values: [0.01, 0.05, 0.1]}\n"                        \
+    "verdicts: [{label: off, measure: reference_error_max, above: 0.05, why: seen}]\n"
+
+enum kind { RAN, DIES, REFUSES, FAILED, DAMAGED, GONE, CUT };
+
+/* Each case, in the order of the sweep: `off`: by what share of its height at the worst of
+ * three times; the label, and the error. */
+static const struct {
+    enum kind kind;
+    double off;
+    const char *label;
+    double error;
+} cases[] = {
+    {RAN, 0, "feasible", 0},
+    {RAN, 0.04, "feasible", 0.04},
+    {RAN, 0.06, "off", 0.06},
+    {RAN, 0, "feasible", 0},
+    {RAN, 0.2, "off", 0.2},
+    {RAN, -0.01, "feasible", 0.01},
+    {DIES, 0, "off", INFINITY},
+    {RAN, 0, "off", INFINITY}, /* lives where the finest step died */
+    {REFUSES, 0, "unsupported", NAN},
+    {RAN, 0, "feasible", 0},
+    {DIES, 0.01, "off", INFINITY},
+    {FAILED, 0, "no result", NAN},
+    {FAILED, 0, "no result", NAN},
+    {RAN, 0, "off", INFINITY},
+    {GONE, 0, "run again", NAN},
+    {DAMAGED, 0, "run again", NAN},
+    {RAN, 0, "not judged: off", NAN},
+    {CUT, 0, "run again", NAN},
+};
+enum { CASES = sizeof cases / sizeof *cases };
+static const double TOL_DOUBLE = 1e-12;
+
+static double off; /* of the height at the second of the times */
+
+/* A sheet that rises with 1 m/s, but for the second time. */
+static void sample(const void *state, double *xyz)
+{
+    const struct scripted *s = state;
+    const double t = s->frame * s->scene->step;
+
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        scene_rest_point(s->scene, uvw, xyz + 3 * n);
+        xyz[3 * n + 2] += t * (fabs(t - 0.2) < 1e-9 ? 1 + off : 1);
+    }
+}
+
+static void make_case(const struct sweep_folder *folder, const struct plan *plan, int n)
+{
+    static const double times[] = {0.1, 0.2, 0.3};
+    struct model model = scripted_model;
+    const struct contestant contestant = {.name = "made up", .model = &model, .degree = 1};
+    char path[SWEEP_FOLDER_PATH], made_for[SWEEP_FOLDER_MADE_FOR];
+    struct plan_case c;
+
+    REQUIRE(plan_case_open(plan, n, &c, NULL) == STATUS_OK);
+    sweep_folder_made_for(folder, plan, &c, made_for);
+    if (cases[n].kind == FAILED || cases[n].kind == CUT)
+        REQUIRE(sweep_folder_write(folder, n, made_for,
+                                   cases[n].kind == CUT ? SWEEP_CUT : SWEEP_FAILED, "ended",
+                                   NULL) == STATUS_OK);
+    script_reset();
+    model.sample = sample;
+    off = cases[n].off;
+    script.dies = cases[n].kind == DIES ? 2 : 0;
+    script.death = STATUS_NAN;
+    script.create = cases[n].kind == REFUSES ? STATUS_UNSUPPORTED : STATUS_OK;
+    settings_set(&c.settings, "discretization.points=[4,4]");
+    sweep_folder_file(folder, n, "h5", path);
+    if (cases[n].kind < FAILED || cases[n].kind == DAMAGED)
+        REQUIRE(run_file_write(&(struct run_plan){c.path, &contestant, &c.settings, 0},
+                               &(struct run_keep){.file = path,
+                                                  .made_for = made_for,
+                                                  .times = 3,
+                                                  .time = times,
+                                                  .doubles = true},
+                               NULL, NULL) == STATUS_OK);
+    if (cases[n].kind == DAMAGED)
+        REQUIRE(truncate(path, 4000) == 0);
+    plan_case_clear(&c);
+}
+
+static void plan_of(const char *text, struct plan *plan)
+{
+    struct message why = {""};
+    FILE *file = fopen("plan.yaml", "w");
+
+    REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
+    if (!CHECK(plan_read("plan.yaml", plan, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+}
+
+static void check_errors(void)
+{
+    struct sweep_folder folder = {.path = ".", .lock = -1, .log = -1};
+    struct sweep_rows rows;
+    struct plan plan;
+
+    plan_of(PLAN "keep: snapshots\nreference: {time.step: 0.01}\n", &plan);
+    REQUIRE(sweep_rows_check(&plan, NULL) == STATUS_OK);
+    REQUIRE(sweep_folder_identify(&folder, &plan, NULL) == STATUS_OK);
+    for (int n = 0; n < CASES; n++)
+        make_case(&folder, &plan, n);
+    REQUIRE(sweep_rows_read(&rows, &plan, &folder, NULL) == STATUS_OK);
+    REQUIRE(rows.count == CASES);
+    for (int n = 0; n < CASES; n++) {
+        const double is = rows.row[n].value[MEASURE_REFERENCE_ERROR_MAX];
+        const double want = cases[n].error;
+        if (!CHECK(!strcmp(rows.row[n].label, cases[n].label)) ||
+            !CHECK(isfinite(want) ? fabs(is - want) < TOL_DOUBLE
+                                  : isnan(is) == isnan(want) && isinf(is) == isinf(want)))
+            printf("  case %d: %s, %g: %s\n", n, rows.row[n].label, is, rows.row[n].why);
+    }
+    sweep_rows_clear(&rows);
+    sweep_folder_close(&folder);
+    plan_clear(&plan);
+}
+
+static void check_refusals(void)
+{
+    static const struct {
+        const char *end, *text;
+    } known[] = {
+        {"keep: snapshots\nreference: {time.step: 0.02}\n",
+         "has time.step: 0.02, which is"},
+        {"keep: snapshots\nreference: {time.end: 0.3}\n", "has time.end: 0.3, which is no"},
+        {"reference: {time.step: 0.05}\n",
+         "plan.yaml:13: a plan with a reference must keep"},
+    };
+
+    for (int n = 0; n < 3; n++) {
+        struct message why = {""};
+        struct plan plan;
+        char text[2048];
+        snprintf(text, sizeof text, "%s%s", PLAN, known[n].end);
+        plan_of(text, &plan);
+        CHECK(sweep_rows_check(&plan, &why) == STATUS_INPUT);
+        if (!CHECK(strstr(why.text, known[n].text)))
+            printf("  %s\n", why.text);
+        plan_clear(&plan);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    REQUIRE(argc == 2);
+    fresh_folder(argv[1]);
+    REQUIRE(chdir(argv[1]) == 0);
+    check_errors();
+    check_refusals();
+    return check_result();
+}

@@ -15,7 +15,7 @@ const double contest_target[CONTEST_TARGETS] = {0.03, 0.02, 0.01, 0.005, 0.002};
 const char *const contest_rule = "Settings are the same on every scene: stiffnesses, "
                                  "compliances and stable steps follow "
                                  "from E, nu, rho, h and the net by each model's own rule; "
-                                 "net, step and iterations alone "
+                                 "only net, step and iterations "
                                  "are searched.";
 
 /* --- refinements --- */

@@ -248,16 +248,11 @@ static void say_command(const struct advise_search *s, const struct contest_row 
                         FILE *file)
 {
     const struct compare_job *j = s->job;
-    const struct contestant *who = r->at.contestant;
     struct settings all = {0};
-    const int along = r->at.size[CONTEST_NET], across = r->at.size[CONTEST_ACROSS];
 
-    contestant_points(who, along, across, &all);
-    settings_number(&all, "time.step", scene_of(s)->step / r->at.size[CONTEST_STEP]);
-    if (r->at.size[CONTEST_ITERATIONS])
-        settings_integer(&all, "discretization.iterations", r->at.size[CONTEST_ITERATIONS]);
+    contest_settings(&j->contest, &r->at, &all);
     settings_append(&all, &j->truth);
-    fprintf(file, "    clothbench run %s --model %s", j->path, who->name);
+    fprintf(file, "    clothbench run %s --model %s", j->path, r->at.contestant->name);
     for (int n = 0; n < all.count; n++)
         fprintf(file, " --set '%s'", all.text[n]);
     fputs("\n\n", file);

@@ -98,6 +98,17 @@ static struct contest_at moved_to_fit(const struct contest *c, const struct cont
     return contest_moved(c, at, axis, contest_fit(c, at->contestant, axis, size));
 }
 
+void contest_settings(const struct contest *c, const struct contest_at *at,
+                      struct settings *s)
+{
+    const int *size = at->size;
+
+    contestant_points(at->contestant, size[CONTEST_NET], size[CONTEST_ACROSS], s);
+    settings_number(s, "time.step", c->scene->step / size[CONTEST_STEP]);
+    if (size[CONTEST_ITERATIONS])
+        settings_integer(s, "discretization.iterations", size[CONTEST_ITERATIONS]);
+}
+
 /* Returns the length of a list that zeros end, `most` at most. */
 static int length(const int *list, int most)
 {

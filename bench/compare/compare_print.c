@@ -62,37 +62,28 @@ static const struct contestant *best_of(const struct contest *c, const struct mo
     return best ? best->at.contestant : NULL;
 }
 
-static struct chart *chart_best(const struct contest *c, const struct table *runs)
+/* Draws a line for each model's best contestant or, with a panel a model, for all. */
+static struct chart *draw(const struct contest *c, const struct table *runs, bool all)
 {
-    struct chart *chart = create_chart(c, runs, "of each model's best contestant");
+    struct chart *chart = create_chart(
+        c, runs, all ? "of each contestant" : "of each model's best contestant");
     const struct model *model;
+    const struct contestant *who;
+    int colour = 0, lines = 0;
 
-    chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
-    for (int m = 0, lines = 0; (model = contestant_model(m)); m++) {
-        const struct contestant *who = best_of(c, model);
-        if (!who || lines++ == CHART_LINES_MOST)
-            continue;
-        add_series(chart, runs, who->title, who->name, lines);
-    }
-    return chart;
-}
-
-static struct chart *chart_models(const struct contest *c, const struct table *runs)
-{
-    struct chart *chart = create_chart(c, runs, "of each contestant");
-    const struct model *model;
-    int colour = 0;
-
+    if (!all)
+        chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
     for (int m = 0; (model = contestant_model(m)); m++) {
-        int lines = 0;
-        const struct contestant *who;
+        const struct contestant *best = best_of(c, model);
+        lines = all ? 0 : lines;
         for (int k = 0; (who = contest_entrant(c, k)); k++) {
-            if (who->model != model || lines == CHART_LINES_MOST)
+            if (who->model != model || !(all || who == best) || lines == CHART_LINES_MOST)
                 continue;
-            if (!lines++) {
+            if (all && !lines) {
                 chart_panel(chart, model->title);
                 chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
             }
+            lines++;
             add_series(chart, runs, who->title, who->name, ++colour);
         }
     }
@@ -238,8 +229,8 @@ static enum status print_runs(const struct contest *c, const char *folder,
     }
     TRY(table_save(t, folder, "compare", why));
     if (c->truth->xyz) {
-        TRY(chart_save(chart_best(c, t), folder, "compare", why));
-        TRY(chart_save(chart_models(c, t), folder, "compare_models", why));
+        TRY(chart_save(draw(c, t, false), folder, "compare", why));
+        TRY(chart_save(draw(c, t, true), folder, "compare_models", why));
     }
     add_bar(t, c);
 out:

@@ -309,7 +309,8 @@ static enum status run_group(struct bar *bar, int count, struct measurement_case
         struct run_file *file = jobs[n].file;
         jobs[n].file = NULL;
         if (file)
-            TRY(run_file_close(file, jobs[n].motion.model ? &jobs[n].motion : NULL, NULL, why));
+            TRY(run_file_close(file, jobs[n].motion.model ? &jobs[n].motion : NULL, NULL,
+                               why));
         cases[n].done = true;
     }
 out:

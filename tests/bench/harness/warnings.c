@@ -137,6 +137,8 @@ static void check_numbers(void)
         {"mass_spring", "", "takes 3.7 % of a swing in every second"},
         {"iga_linear", "discretization.points=[18,12,2]", "here 85:"},
         {"shell", CLAMP "discretization.points=[5,9]", "; 6 x 9 points have lines there"},
+        {"mass_spring", "supports=[{at: {u: 0.12345, v: 0.5}, fix: xyz}]", "21x21 1 % ("},
+        {"mass_spring", "supports=[{at: {u: 0.5, v: 0.12345}, fix: xyz}]", "21x21 1 % ("},
         {"shell_selective_3", SHEET LIGHT "gravity=[0,0,-6000]",
          "spans of 0.14 m, but at this Gamma a sheet may bend within 0.017 m"},
     };

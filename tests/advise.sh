@@ -19,7 +19,7 @@ grep -q "^mass-spring.* yes " answer.txt || fail "springs do not serve"
 
 # What is asked of a run is the error less the truth's bar, not more.
 tr '\n' ' ' <answer.txt >line.txt
-asked=$(grep -o '[0-9.]* % is asked of a run' line.txt | cut -d' ' -f 1)
+asked=$(grep -o 'must come within [0-9.]* %' line.txt | cut -d' ' -f 4)
 bar=$(grep -o "error bar, [0-9.]* %" line.txt | cut -d' ' -f 3)
 awk -v asked="$asked" -v bar="$bar" \
     'BEGIN { off = asked - (3 - bar); exit !(bar > 0 && off < 0.01 && off > -0.01) }' ||
@@ -41,7 +41,7 @@ bar() { tr '\n' ' ' <"$1" | grep -o 'truth leaves [0-9.]* %'; }
 # A truth that is blunter than the question; a slow build's budget ends before it is found.
 "$program" "${ask[@]}" --error 0.0001% --budget 30 --out blunt >blunt.txt 2>log.txt
 [[ $? == 1 ]] || fail "blunt: not exit 1"
-tr '\n' ' ' <blunt.txt | grep -Eq "Cannot be decided: (the truth is known to .* is asked for|.* was stopped at t = .* the budget is over)" ||
+tr '\n' ' ' <blunt.txt | grep -Eq "Cannot be decided: (the truth is known to .* is requested|.* was stopped at t = .* the budget is over)" ||
     { cat blunt.txt; fail "blunt: not said"; }
 
 # A budget ends runs in flight; a scene of one's own has no stored truth, which is no error.

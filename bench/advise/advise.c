@@ -214,16 +214,17 @@ static void note_method(struct table *t, const struct advise_search *s)
     const double bar = contest_largest_bar(&s->job->contest);
 
     table_note(t,
-               "Error: rms over the sheet at the worst of %d times, over the length. To "
-               "serve for sure, %.3g %% is asked of a run: %.3g %% less the %s, %.2g %%. "
-               "Truth: %s.",
+               "The error is the rms over the sheet at the worst of %d times, over the "
+               "length. To be sure, a run must come within %.3g %%: %.3g %% less the %s, "
+               "%.2g %%. Truth: %s.",
                s->job->times, 100 * s->target, 100 * s->wish.error,
                truth_bar_name(s->job->contest.truth), 100 * bar,
                s->job->contest.truth->source);
-    table_note(t, "Time: set-up and stepping, one thread. Runs up to %.2g s were tried%s.",
+    table_note(t,
+               "Time is set-up and stepping on one thread. Runs up to %.2g s were tried%s.",
                s->longest,
-               s->end == ADVISE_BUDGET ? "; there the budget (--budget) ended"
-                                       : ", far dearer ones than the best are not");
+               s->end == ADVISE_BUDGET ? "; then the budget (--budget) ended"
+                                       : "; far dearer ones than the best were not");
 }
 
 /* --- the answer --- */
@@ -238,7 +239,7 @@ static void say_needs(const struct advise_search *s, FILE *file)
     table_say(
         file,
         "%s: a sheet of %g x %g m, %g mm thick; Gamma = %.3g, weight against bending; "
-        "what it asks of a model beyond bending and stretching: %s. Motion: %s.",
+        "beyond bending and stretching a model needs: %s. Motion: %s.",
         scene->name, scene->length, scene->width, 1e3 * scene->thickness,
         scene_gamma(scene), needs ? text : "nothing", s->job->contest.physics);
 }
@@ -247,16 +248,11 @@ static void say_command(const struct advise_search *s, const struct contest_row 
                         FILE *file)
 {
     const struct compare_job *j = s->job;
-    const struct contestant *who = r->at.contestant;
     struct settings all = {0};
-    const int along = r->at.size[CONTEST_NET], across = r->at.size[CONTEST_ACROSS];
 
-    contestant_points(who, along, across, &all);
-    settings_number(&all, "time.step", scene_of(s)->step / r->at.size[CONTEST_STEP]);
-    if (r->at.size[CONTEST_ITERATIONS])
-        settings_integer(&all, "discretization.iterations", r->at.size[CONTEST_ITERATIONS]);
+    contest_settings(&j->contest, &r->at, &all);
     settings_append(&all, &j->truth);
-    fprintf(file, "    clothbench run %s --model %s", j->path, who->name);
+    fprintf(file, "    clothbench run %s --model %s", j->path, r->at.contestant->name);
     for (int n = 0; n < all.count; n++)
         fprintf(file, " --set '%s'", all.text[n]);
     fputs("\n\n", file);
@@ -305,8 +301,8 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
     }
     if (!is_fast(s, best))
         table_say(file,
-                  "None of those within %.3g %% is as fast as was asked, %.3g s for a "
-                  "second of motion; the fastest:",
+                  "None of those within %.3g %% takes at most %.3g s for a second of "
+                  "motion; the fastest:",
                   100 * s->wish.error, s->wish.rate);
     if (distrust(scene_of(s), best->result.value, &doubt))
         table_say(file, "%s", doubt.text);
@@ -391,7 +387,7 @@ static bool is_undecidable(const struct advise_search *s, const struct message *
         table_say(
             stdout,
             "Cannot be decided: the truth is known to %.2g %% of the length, and %.3g "
-            "%% is asked for. A later --budget or an earlier --until may tell. Truth: "
+            "%% is requested. A larger --budget or an earlier --until may tell. Truth: "
             "%s.",
             100 * contest_largest_bar(c), 100 * s->wish.error, c->truth->source);
     return !decidable;

@@ -127,18 +127,6 @@ enum status compare_job_truth(struct compare_job *j, const struct truth_wish *wi
 
 /* --- runs --- */
 
-static void set_refinement(const struct contest *c, const struct contest_at *at,
-                           struct settings *s)
-{
-    const int *size = at->size;
-
-    contestant_settings(at->contestant, s); /* again: what the user set may not change it */
-    contestant_points(at->contestant, size[CONTEST_NET], size[CONTEST_ACROSS], s);
-    settings_number(s, "time.step", c->scene->step / size[CONTEST_STEP]);
-    if (size[CONTEST_ITERATIONS])
-        settings_integer(s, "discretization.iterations", size[CONTEST_ITERATIONS]);
-}
-
 /* Adds a row's run to a batch. Its file is named after the points along u, the steps, the
  * iterations and the threads beyond one; after the points across, too, where cells are not
  * about square. */
@@ -163,7 +151,9 @@ static void plan_row(struct compare_job *j, const struct contest_row *row, int t
     c->timed = row->probe ? MEASUREMENT_UNTIMED : MEASUREMENT_WHOLE;
     settings_append(batch_settings(batch),
                     contestant_is_paper_scheme(at->contestant) ? &j->user : &j->truth);
-    set_refinement(&j->contest, at, batch_settings(batch));
+    /* again: the user's settings do not change what defines it */
+    contestant_settings(at->contestant, batch_settings(batch));
+    contest_settings(&j->contest, at, batch_settings(batch));
 }
 
 static void show(void *context, const char *what, int done, int total)

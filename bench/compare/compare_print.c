@@ -69,37 +69,28 @@ static const struct contestant *best_of(const struct contest *c, const struct mo
     return best ? best->at.contestant : NULL;
 }
 
-static struct chart *chart_best(const struct contest *c)
+/* Draws a line for each model's best contestant or, with a panel a model, for all. */
+static struct chart *draw(const struct contest *c, bool all)
 {
-    struct chart *chart = create_chart(c, "of each model's best contestant");
+    struct chart *chart =
+        create_chart(c, all ? "of each contestant" : "of each model's best contestant");
     const struct model *model;
+    const struct contestant *who;
+    int colour = 0, lines = 0;
 
-    chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
-    for (int m = 0, lines = 0; (model = contestant_model(m)); m++) {
-        const struct contestant *who = best_of(c, model);
-        if (!who || lines++ == CHART_LINES_MOST)
-            continue;
-        add_series(chart, c, who, lines);
-    }
-    return chart;
-}
-
-static struct chart *chart_models(const struct contest *c)
-{
-    struct chart *chart = create_chart(c, "of each contestant");
-    const struct model *model;
-    int colour = 0;
-
+    if (!all)
+        chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
     for (int m = 0; (model = contestant_model(m)); m++) {
-        int lines = 0;
-        const struct contestant *who;
+        const struct contestant *best = best_of(c, model);
+        lines = all ? 0 : lines;
         for (int k = 0; (who = contest_entrant(c, k)); k++) {
-            if (who->model != model || lines == CHART_LINES_MOST)
+            if (who->model != model || !(all || who == best) || lines == CHART_LINES_MOST)
                 continue;
-            if (!lines++) {
+            if (all && !lines) {
                 chart_panel(chart, model->title);
                 chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
             }
+            lines++;
             add_series(chart, c, who, ++colour);
         }
     }
@@ -213,15 +204,18 @@ static void add_bar(struct table *t, const struct contest *c)
         table_dash(t);
     for (int n = 0; n < c->truth->times; n++)
         table_number(t, contest_bar(c, n), 3);
-    table_note(t, "Truth: %s. One thread; seconds are medians of the repeats%s.",
+    table_note(t, "Truth: %s. Runs use one thread; seconds are medians of the repeats.%s",
                c->truth->source,
-               known ? "; runs without are not timed: they show what limits" : "");
-    table_note(t, "Memory: what the model holds after its last step, by malloc's books. %s",
-               contest_rule);
+               known ? " Runs without repeats were not timed; they only show what limits "
+                       "the error."
+                     : "");
+    table_note(
+        t, "Memory is what the model holds after its last step, as malloc counts it. %s",
+        contest_rule);
     if (c->budget > 0)
         table_note(t,
-                   "Budget: %g s of runs, cheap ones first; %.3g s were taken. Left "
-                   "because of it (contestant, runs): %s.",
+                   "Budget: %g s of runs, cheap ones first; they took %.3g s. It left out "
+                   "(contestant, runs): %s.",
                    c->budget, contest_spent(c), *c->unsearched ? c->unsearched : "nothing");
 }
 
@@ -242,8 +236,8 @@ static enum status print_runs(const struct contest *c, const char *folder,
     }
     TRY(table_save(t, folder, "compare", why));
     if (c->truth->xyz) {
-        TRY(chart_save(chart_best(c), folder, "compare", why));
-        TRY(chart_save(chart_models(c), folder, "compare_models", why));
+        TRY(chart_save(draw(c, false), folder, "compare", why));
+        TRY(chart_save(draw(c, true), folder, "compare_models", why));
     }
     add_bar(t, c);
 out:
@@ -335,10 +329,12 @@ static enum status print_targets(const struct contest *c, const char *folder,
     }
     table_note(
         t,
-        "40x12/16: 40 points along u and 12 across, 16 steps to the scene's frame of %.3g "
-        "ms; a third number: iterations.",
+        "40x12/16 means 40 points along u, 12 across and 16 steps to the scene's frame of "
+        "%.3g ms; a third number counts iterations.",
         1e3 * c->scene->step);
-    table_note(t, "Growth p: seconds go as error^-p along the best runs (three or more).");
+    table_note(
+        t,
+        "Growth is p where seconds grow as error^-p along the best runs (three or more).");
     return table_publish(t, folder, "compare_targets", format, file, why);
 }
 
@@ -388,11 +384,12 @@ static enum status print_limits(const struct contest *c, const char *folder,
         add_limit(t, c, who);
     table_note(
         t,
-        "In real time: of the runs that took no longer, set-up included, than the "
-        "%.3g s that they show. Limited by: from the lowest, a net with half as many "
-        "points again (both ways, if its cells are about square, else along u), half as "
-        "many again across, half the step, or twice the iterations, one at a time; less "
-        "than %.0f %% is nothing. The truth: up to its error bar, %.2g %% at most.",
+        "In real time: the runs that took no longer, set-up included, than the %.3g s "
+        "that they show. Limited by: the lowest run was refined in one thing at a time, "
+        "to half as many points again (both ways if its cells are about square, else "
+        "along u), half as many again across, half the step, or twice the iterations; "
+        "gains below %.0f %% are ignored. \"The truth\" means that the error lies within "
+        "its bar, %.2g %% at most.",
         c->truth->time[c->truth->times - 1], 100 * CONTEST_LEAST_GAIN,
         100 * contest_largest_bar(c));
     return table_publish(t, folder, "compare_limits", format, file, why);
@@ -457,10 +454,10 @@ static enum status print_teams(const struct contest *c, const char *folder,
             if (c->rows[n].at.contestant == who && contest_is_best(c, &c->rows[n]))
                 add_best(t, c, &c->rows[n]);
     if (isfinite(c->team_longest))
-        table_note(t, "Those that take up to %.2g s, as far as the budget goes.",
-                   c->team_longest);
-    table_note(t, "Times: of the seconds on one thread. Same bits: all errors are the same "
-                  "numbers with every number of threads.");
+        table_note(t, "The budget pays for runs of up to %.2g s.", c->team_longest);
+    table_note(t,
+               "Times are shares of the seconds on one thread. Same bits: all errors are "
+               "the same numbers with every number of threads.");
     return table_publish(t, folder, "compare_threads", format, file, why);
 }
 

@@ -15,7 +15,7 @@ const double contest_target[CONTEST_TARGETS] = {0.03, 0.02, 0.01, 0.005, 0.002};
 const char *const contest_rule = "Settings are the same on every scene: stiffnesses, "
                                  "compliances and stable steps follow "
                                  "from E, nu, rho, h and the net by each model's own rule; "
-                                 "net, step and iterations alone "
+                                 "only net, step and iterations "
                                  "are searched.";
 
 /* --- refinements --- */
@@ -96,6 +96,17 @@ static struct contest_at moved_to_fit(const struct contest *c, const struct cont
                                       enum contest_axis axis, int size)
 {
     return contest_moved(c, at, axis, contest_fit(c, at->contestant, axis, size));
+}
+
+void contest_settings(const struct contest *c, const struct contest_at *at,
+                      struct settings *s)
+{
+    const int *size = at->size;
+
+    contestant_points(at->contestant, size[CONTEST_NET], size[CONTEST_ACROSS], s);
+    settings_number(s, "time.step", c->scene->step / size[CONTEST_STEP]);
+    if (size[CONTEST_ITERATIONS])
+        settings_integer(s, "discretization.iterations", size[CONTEST_ITERATIONS]);
 }
 
 /* Returns the length of a list that zeros end, `most` at most. */

@@ -85,6 +85,10 @@ struct contest_at contest_moved(const struct contest *c, const struct contest_at
 int contest_fit(const struct contest *c, const struct contestant *who,
                 enum contest_axis axis, int size);
 
+/* Adds the settings of a refinement. */
+void contest_settings(const struct contest *c, const struct contest_at *at,
+                      struct settings *s);
+
 /* Fills at[] with the rungs of a contestant's ladder, from cheap to dear; returns how
  * many. */
 int contest_ladder(const struct contest *c, const struct contestant *who,

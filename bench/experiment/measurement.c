@@ -31,51 +31,9 @@ struct job {
     struct run run;
     struct motion motion;
     struct run_file *file;
-    bool built, moved;
-    char made_for[MADE_FOR]; /* key_of                                                  */
+    char made_for[MADE_FOR]; /* what its file is of                                     */
     struct timing_case *timing; /* NULL: it is not timed                                */
 };
-
-static enum status rest(struct job *j, struct message *said, struct message *why)
-{
-    struct counters work = {0};
-    const enum status st = run_settle(&j->run, &work, said);
-
-    if (st == STATUS_OK)
-        return run_file_rest(j->file, &work, why);
-    if (!run_file_is_refusal(st))
-        return status_fail(why, st, "%s", said->text);
-    run_file_refuse(j->file, st, said);
-    j->built = false;
-    return STATUS_OK;
-}
-
-/* Opens a case and follows it; what the model says to it is a result. */
-static enum status follow(struct job *j, const struct measurement_case *c,
-                          struct message *why)
-{
-    struct message said = {""};
-    enum status st, built;
-
-    j->asked = c;
-    TRY(run_read(&j->run, &c->plan, why));
-    built = run_build(&j->run, &said);
-    if (built && !run_file_is_refusal(built))
-        TRY(status_fail(why, built, "%s", said.text));
-    j->built = built == STATUS_OK;
-    TRY(run_file_open(&j->run, &j->keep, &j->file, why));
-    if (!j->built) {
-        run_file_refuse(j->file, built, &said);
-        return STATUS_OK;
-    }
-    if (c->rest)
-        return rest(j, &said, why);
-    TRY(motion_init(&j->motion, j->run.model, &j->run.scene, j->run.state));
-    j->moved = true;
-    st = motion_run(&j->motion, run_file_watch, j->file, true, why);
-out:
-    return st;
-}
 
 /* Frees the state of a case that waits to be timed, which takes fresh ones. */
 static enum status put_away(struct job *j, struct message *why)
@@ -90,7 +48,8 @@ static enum status put_away(struct job *j, struct message *why)
 /* Whether a case is timed; one that died in its first frames has nothing to be timed. */
 static bool is_timed(const struct job *j)
 {
-    return j->built && j->asked->timed != MEASUREMENT_UNTIMED &&
+    return j->file && !run_file_refused(j->file) &&
+           j->asked->timed != MEASUREMENT_UNTIMED &&
            (j->asked->rest || j->motion.frames > WARMUP);
 }
 
@@ -335,7 +294,9 @@ static enum status run_group(struct bar *bar, int count, struct measurement_case
         j->keep.made_for = j->made_for;
         if (cases[*next].done)
             continue;
-        TRY(follow(j, &cases[*next], why));
+        j->asked = &cases[*next];
+        TRY(run_file_follow(&j->asked->plan, &j->keep, j->asked->rest, &j->run, &j->motion,
+                            &j->file, why));
         TRY(put_away(j, why));
         timing += expected(bar->options, j);
         report(bar, *next - first + 1, 0);
@@ -347,7 +308,8 @@ static enum status run_group(struct bar *bar, int count, struct measurement_case
         struct run_file *file = jobs[n].file;
         jobs[n].file = NULL;
         if (file)
-            TRY(run_file_close(file, jobs[n].moved ? &jobs[n].motion : NULL, NULL, why));
+            TRY(run_file_close(file, jobs[n].motion.model ? &jobs[n].motion : NULL, NULL,
+                               why));
         cases[n].done = true;
     }
 out:

@@ -6,25 +6,19 @@ static const struct {
 #define MEASURE_WORDS(code, name, unit, sentence) {#name, unit, sentence},
     MEASURE_LIST(MEASURE_WORDS)
 #undef MEASURE_WORDS
-        {"unknown", "", ""},
 };
-
-static int known(int measure)
-{
-    return 0 <= measure && measure < MEASURES ? measure : MEASURES;
-}
 
 const char *measure_name(int measure)
 {
-    return words[known(measure)].name;
+    return words[measure].name;
 }
 
 const char *measure_unit(int measure)
 {
-    return words[known(measure)].unit;
+    return words[measure].unit;
 }
 
 const char *measure_sentence(int measure)
 {
-    return words[known(measure)].sentence;
+    return words[measure].sentence;
 }

@@ -48,7 +48,7 @@ enum measure {
         MEASURES
 };
 
-/* Return a measure's words; "unknown" beyond the last. Static storage. */
+/* Return the words of a measure (enum measure). Static storage. */
 const char *measure_name(int measure);
 const char *measure_unit(int measure);
 const char *measure_sentence(int measure);

@@ -158,7 +158,7 @@ static enum status hand_out(struct work *w, struct message *why)
             continue;
         }
         w->busy[rank] = true;
-        p->ranks->send(rank, &(struct ranks_message){.kind = MESSAGE_JOB, .number = job});
+        p->ranks->send(rank, &(struct ranks_message){.kind = MESSAGE_JOB, .job = job});
     }
 out:
     return st;
@@ -183,10 +183,7 @@ static enum status gather(struct work *w, bool *some, struct message *why)
         assert(message.kind == MESSAGE_END);
         *some = true;
         w->busy[from] = false;
-        end = (struct child_end){.outcome = (enum child_outcome)message.code,
-                                 .seconds = message.seconds,
-                                 .why = message.text};
-        TRY(settle(w, message.number, &end, why));
+        TRY(settle(w, message.job, &message.end, why));
     }
 out:
     return st;
@@ -230,11 +227,8 @@ void pool_dismiss(const struct ranks *ranks)
 
 static void answer(const struct pool *pool, long job, const struct child_end *end)
 {
-    pool->ranks->send(0, &(struct ranks_message){.kind = MESSAGE_END,
-                                                 .code = (int)end->outcome,
-                                                 .number = job,
-                                                 .seconds = end->seconds,
-                                                 .text = end->why});
+    pool->ranks->send(
+        0, &(struct ranks_message){.kind = MESSAGE_END, .job = job, .end = *end});
 }
 
 enum status pool_serve(struct pool *pool,
@@ -256,8 +250,8 @@ enum status pool_serve(struct pool *pool,
             if (message.kind != MESSAGE_JOB)
                 continue;
             ready = ready || prepare(pool->context, &end.why) == STATUS_OK;
-            if (!ready || start(&slot, message.number, &end.why) != STATUS_OK)
-                answer(pool, message.number, &end);
+            if (!ready || start(&slot, message.job, &end.why) != STATUS_OK)
+                answer(pool, message.job, &end);
         } else if (slot.child.pid && child_poll(&slot.child, &end)) {
             answer(pool, slot.job, &end);
         } else {

@@ -7,15 +7,13 @@
 
 #include <stdbool.h>
 
-#include "models/status.h"
+#include "bench/harness/child.h"
 
 /* A message is sent as bytes: all machines are of one kind. */
 struct ranks_message {
-    int kind; /* of the sender's making                                                */
-    int code;
-    long number;
-    double seconds;
-    struct message text;
+    int kind; /* pool.c says which there are                                           */
+    long job;
+    struct child_end end; /* of the job, if it has ended                               */
 };
 
 struct ranks {

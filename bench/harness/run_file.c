@@ -341,35 +341,66 @@ out:
     return st;
 }
 
-bool run_file_is_refusal(enum status st)
+bool run_file_refused(const struct run_file *f)
 {
-    return st == STATUS_UNSUPPORTED || st == STATUS_INPUT || status_is_death(st);
+    return f->refused != STATUS_OK;
+}
+
+/* Stores a refusal of the model as a result; fails with what is a failure of ours. */
+static enum status refuse(struct run_file *f, enum status st, const struct message *said,
+                          struct message *why)
+{
+    if (st != STATUS_UNSUPPORTED && st != STATUS_INPUT && !status_is_death(st))
+        return status_fail(why, st, "%s", said->text);
+    run_file_refuse(f, st, said);
+    return STATUS_OK;
+}
+
+static enum status settle(struct run *run, struct run_file *f, struct message *why)
+{
+    struct counters work = {0};
+    struct message said = {""};
+    const enum status st = run_settle(run, &work, &said);
+
+    return st ? refuse(f, st, &said, why) : run_file_rest(f, &work, why);
+}
+
+enum status run_file_follow(const struct run_plan *plan, const struct run_keep *keep,
+                            bool rest, struct run *run, struct motion *m,
+                            struct run_file **file, struct message *why)
+{
+    struct run_file *f = NULL;
+    struct message said = {""};
+    enum status st, built;
+
+    TRY(run_read(run, plan, why));
+    built = run_build(run, &said);
+    TRY(run_file_open(run, keep, &f, why));
+    if (built) {
+        TRY(refuse(f, built, &said, why));
+    } else if (rest) {
+        TRY(settle(run, f, why));
+    } else {
+        TRY(motion_init(m, run->model, &run->scene, run->state));
+        TRY(motion_run(m, run_file_watch, f, true, why));
+    }
+    *file = f, f = NULL;
+out:
+    run_file_discard(f);
+    return st;
 }
 
 enum status run_file_write(const struct run_plan *plan, const struct run_keep *keep,
                            struct run_result *result, struct message *why)
 {
     struct run run = {0};
-    struct run_file *f = NULL;
+    struct run_file *f;
     struct motion m = {0};
-    struct message said = {""};
-    enum status st, built;
+    enum status st;
 
-    TRY(run_read(&run, plan, why));
-    built = run_build(&run, &said);
-    if (built && !run_file_is_refusal(built))
-        TRY(status_fail(why, built, "%s", said.text));
-    TRY(run_file_open(&run, keep, &f, why));
-    TRY(motion_init(&m, run.model, &run.scene, run.state));
-    if (built)
-        run_file_refuse(f, built, &said);
-    else
-        TRY(motion_run(&m, run_file_watch, f, true, why));
-    struct run_file *done = f;
-    f = NULL;
-    TRY(run_file_close(done, built ? NULL : &m, result, why));
+    TRY(run_file_follow(plan, keep, false, &run, &m, &f, why));
+    TRY(run_file_close(f, m.model ? &m : NULL, result, why));
 out:
-    run_file_discard(f);
     motion_clear(&m);
     run_close(&run);
     return st;

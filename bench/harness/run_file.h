@@ -85,13 +85,20 @@ enum status run_file_close(struct run_file *file, const struct motion *m,
                            struct run_result *result, struct message *why);
 void run_file_discard(struct run_file *file); /* gives it up; NULL is allowed */
 
-/* Returns whether a status of run_build is a result, told in the file, and no failure of
- * ours. */
-bool run_file_is_refusal(enum status st);
+/* Returns whether the model refused the run, or died before its first step. */
+bool run_file_refused(const struct run_file *file);
 
-/* Does the whole run: a death is a result, and so is a model that refuses. The bits are the
- * same with and without file, fields kept or not, but for the last look of RUN_FIELDS_ALL.
- * STATUS_INPUT: scene or settings are impossible. */
+/* Reads, builds and follows a run to its end, or to its equilibrium: a death is a result,
+ * and so is a model that refuses. *run and *m are all-zero before; `run` must outlive
+ * *file, and m->model stays NULL if nothing moved. STATUS_INPUT: scene or settings are
+ * impossible; on failure there is no file, and run_close and motion_clear are the caller's
+ * still. */
+enum status run_file_follow(const struct run_plan *plan, const struct run_keep *keep,
+                            bool rest, struct run *run, struct motion *m,
+                            struct run_file **file, struct message *why);
+
+/* Does the whole run: run_file_follow, then run_file_close. The bits are the same with and
+ * without file, fields kept or not, but for the last look of RUN_FIELDS_ALL. */
 enum status run_file_write(const struct run_plan *plan, const struct run_keep *keep,
                            struct run_result *result, struct message *why);
 

@@ -8,13 +8,16 @@
 
 #include "bench/harness/run.h"
 
+enum { WARNINGS_NUMBERS = 2 };
+
 struct warnings_rule {
     const char *name;
-    const char *source; /* source of the rule                                          */
+    const char *source; /* who measured or proved it                                 */
 
-    /* Returns whether the rule applies to a run (as of run_read); then with its
-     * sentence. */
-    bool (*holds)(const struct run *run, struct message *sentence);
+    /* Returns whether the rule applies to a run (as of run_read); then with the numbers of
+     * its sentence. */
+    bool (*holds)(const struct run *run, double number[WARNINGS_NUMBERS]);
+    const char *sentence; /* as of printf, for these numbers                        */
 };
 
 /* name NULL ends. */

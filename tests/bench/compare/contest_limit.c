@@ -102,51 +102,49 @@ static void limit(void)
     }
 }
 
-/* What is tried next: half as many points again, half the step, twice the iterations. */
+/* What is tried next: half as many points again, half the step, twice the iterations; cells
+ * that are square stay so; nothing where there is a finer run, or no such axis. */
+static const struct probe_case {
+    struct run_of best;
+    int substeps; /* of ten steps that the model made; 0: it did not say */
+    enum contest_axis axis;
+    int next[CONTEST_AXES]; /* zeros: nothing */
+    struct run_of other;
+} probe_cases[] = {
+    {{20, 4, 10, 1, 0.1, 0}, 0, CONTEST_NET, {30, 30, 4, 10}, {0}},
+    {{20, 4, 10, 1, 0.1, 0}, 0, CONTEST_ACROSS, {20, 30, 4, 10}, {0}},
+    {{20, 4, 10, 1, 0.1, 0}, 0, CONTEST_STEP, {20, 20, 8, 10}, {0}},
+    {{20, 4, 10, 1, 0.1, 0}, 0, CONTEST_ITERATIONS, {20, 20, 4, 20}, {0}},
+    {{5, 1, 0, 1, 0.1, 0}, 0, CONTEST_NET, {8, 8, 1, 0}, {0}},
+    {{5, 1, 0, 1, 0.1, 0}, 0, CONTEST_ITERATIONS, {0}, {0}},
+    /* steps that the model divides by itself, by 29 on the average, or each by two */
+    {{20, 4, 10, 1, 0.1, 0}, 293, CONTEST_STEP, {20, 20, 4 * 2 * 29, 10}, {0}},
+    {{20, 4, 10, 1, 0.1, 0}, 20, CONTEST_STEP, {20, 20, 4 * 2 * 2, 10}, {0}},
+    {{20, 4, 10, 1, 0.1, 0}, 0, CONTEST_STEP, {0}, {20, 16, 10, 1, 0.2, 0}},
+    {{20, 4, 10, 1, 0.1, 0}, 0, CONTEST_NET, {30, 30, 4, 10}, {20, 16, 10, 1, 0.2, 0}},
+    {{21, 4, 10, 1, 0.1, 0, 5}, 0, CONTEST_NET, {32, 5, 4, 10}, {0}},
+    {{21, 4, 10, 1, 0.1, 0, 5}, 0, CONTEST_ACROSS, {21, 8, 4, 10}, {0}},
+};
+
 static void probes(void)
 {
-    static const struct run_of first = {20, 4, 10, 1, 0.1, 0}, odd = {5, 1, 0, 1, 0.1, 0},
-                               finer = {20, 16, 10, 1, 0.2, 0},
-                               strip = {21, 4, 10, 1, 0.1, 0, 5};
-    struct contest c = make();
-    struct contest_at at;
-    int tried = 0;
-
-    add(&c, "projective_dynamics", &first);
-    add(&c, "iga_linear", &odd);
-    for (int axis = 0; axis < CONTEST_AXES; axis++) {
-        static const int finest[] = {30, 30, 8, 20};
-        CHECK(contest_probe(&c, &c.rows[0], (enum contest_axis)axis, &at));
-        CHECK(at.contestant == named("projective_dynamics"));
-        for (int i = 0; i < CONTEST_AXES; i++) /* cells are square, and stay so */
-            CHECK(at.size[i] == (i == axis || (axis == CONTEST_NET && i == CONTEST_ACROSS)
-                                     ? finest[i]
-                                     : c.rows[0].at.size[i]));
+    for (int n = 0; n < LENGTH(probe_cases); n++) {
+        const struct probe_case *p = &probe_cases[n];
+        struct contest c = make();
+        struct contest_at at;
+        add(&c, "projective_dynamics", &p->best);
+        if (p->other.side)
+            add(&c, "projective_dynamics", &p->other);
+        c.rows[0].result.work.steps = p->substeps ? 10 : 0;
+        c.rows[0].result.work.substeps = p->substeps;
+        const bool some = contest_probe(&c, &c.rows[0], p->axis, &at);
+        if (!CHECK(some == (p->next[0] > 0) &&
+                   (!some || !memcmp(at.size, p->next, sizeof at.size)) &&
+                   at.contestant == named("projective_dynamics")))
+            printf("  probe %d: %dx%d/%d/%d\n", n, at.size[0], at.size[1], at.size[2],
+                   at.size[3]);
+        unmake(&c);
     }
-    for (int axis = 0; axis < CONTEST_AXES; axis++)
-        if (contest_probe(&c, &c.rows[1], (enum contest_axis)axis, &at))
-            tried |= 1 << axis;
-    CHECK(tried == (1 << CONTEST_NET | 1 << CONTEST_ACROSS |
-                    1 << CONTEST_STEP)); /* it has no iterations */
-    REQUIRE(contest_probe(&c, &c.rows[1], CONTEST_NET, &at));
-    CHECK(at.size[CONTEST_NET] == 8);
-    /* steps that the model divides by itself, by 29 on the average */
-    c.rows[0].result.work.steps = 10, c.rows[0].result.work.substeps = 293;
-    REQUIRE(contest_probe(&c, &c.rows[0], CONTEST_STEP, &at));
-    CHECK(at.size[CONTEST_STEP] == 4 * 2 * 29);
-    c.rows[0].result.work.substeps = 20; /* or each by two */
-    REQUIRE(contest_probe(&c, &c.rows[0], CONTEST_STEP, &at));
-    CHECK(at.size[CONTEST_STEP] == 4 * 2 * 2);
-    add(&c, "projective_dynamics", &finer); /* no need: it was run */
-    CHECK(!contest_probe(&c, &c.rows[0], CONTEST_STEP, &at));
-    CHECK(contest_probe(&c, &c.rows[0], CONTEST_NET, &at));
-    add(&c, "projective_dynamics", &strip);
-    const struct contest_row *row = &c.rows[c.count - 1];
-    REQUIRE(contest_probe(&c, row, CONTEST_NET, &at));
-    CHECK(at.size[CONTEST_NET] == 32 && at.size[CONTEST_ACROSS] == 5);
-    REQUIRE(contest_probe(&c, row, CONTEST_ACROSS, &at));
-    CHECK(at.size[CONTEST_NET] == 21 && at.size[CONTEST_ACROSS] == 8);
-    unmake(&c);
 }
 
 /* --- Nets. */

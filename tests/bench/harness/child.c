@@ -181,6 +181,10 @@ static const struct {
      "killed by signal 10 (User defined signal 1), not by itself"},
     {crash, &processor, CHILD_CUT, false, 0.25,
      "killed by signal 24 (CPU time limit exceeded), not by itself"},
+    {crash_limited, &killed, CHILD_CUT, false, 0.25,
+     "killed by signal 9 (Killed), not by itself"},
+    {crash_limited, &processor, CHILD_CUT, false, 0.25,
+     "killed by signal 24 (CPU time limit exceeded), not by itself"},
     /* one that asks it to end */
     {crash, &terminate, CHILD_ASKED, false, 0.25, ""},
     {crash, &hang_up, CHILD_ASKED, false, 0.25, ""},

@@ -99,26 +99,25 @@ static void read_row(const char *contestant, const char *settings, struct run *r
     settings_clear(&set);
 }
 
+/* A rule is told by the beginning of its sentence, and with its source. */
 static void check_rule(const struct row *row)
 {
     const struct warnings_rule *rule = warnings_rules;
-    struct message sentence = {""};
+    char begin[24];
     struct run run;
     struct said s;
 
     while (rule->name && strcmp(rule->name, row->rule))
         rule++;
     REQUIRE(rule->name);
+    snprintf(begin, sizeof begin, "say: %.*s", (int)strcspn(rule->sentence, "%"),
+             rule->sentence);
     read_row(row->contestant, row->settings, &run);
-    bool good = CHECK(rule->holds(&run, &sentence) == row->warned);
-    good &= CHECK(!*sentence.text == !row->warned);
     said_open(&s);
     warnings_print(&run, "say: ", s.file);
     said_close(&s, true);
-    if (row->warned)
-        good &= CHECK(strstr(s.text, sentence.text) && !strncmp(s.text, "say: ", 5) &&
-                      strstr(s.text, rule->source));
-    if (!good)
+    const char *line = strstr(s.text, begin);
+    if (!CHECK(!line == !row->warned) || !CHECK(!line || strstr(line, rule->source)))
         printf("%s of %s, %s: %s\n", row->rule, row->contestant, row->settings, s.text);
     said_clear(&s);
     run_close(&run);
@@ -138,6 +137,8 @@ static void check_numbers(void)
         {"mass_spring", "", "takes 3.7 % of a swing in every second"},
         {"iga_linear", "discretization.points=[18,12,2]", "here 85:"},
         {"shell", CLAMP "discretization.points=[5,9]", "; 6 x 9 points have lines there"},
+        {"mass_spring", "supports=[{at: {u: 0.12345, v: 0.5}, fix: xyz}]", "21x21 1 % ("},
+        {"mass_spring", "supports=[{at: {u: 0.5, v: 0.12345}, fix: xyz}]", "21x21 1 % ("},
         {"shell_selective_3", SHEET LIGHT "gravity=[0,0,-6000]",
          "spans of 0.14 m, but at this Gamma a sheet may bend within 0.017 m"},
     };

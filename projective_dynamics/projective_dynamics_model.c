@@ -17,7 +17,8 @@ static const struct schema_key options[] = {
                        OPTION(SOLVER_SUPERNODAL) | OPTION(SOLVER_CHOLMOD)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_BDF2) |
                            OPTION(INTEGRATOR_MIDPOINT)},
-    {"constraint", "constraints that resist stretching", SCHEMA_WORD, .words = pd_energy_constraints,
+    {"constraint", "constraints that resist stretching", SCHEMA_WORD,
+     .words = pd_energy_constraints,
      OPTION_OWN(pd_own, constraint)},
     {"acceleration", "acceleration of the iterations",
      OPTION_WORDS([ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev",

@@ -210,7 +210,8 @@ out:
 static const struct schema_key PLANE[] = {
     {"point", "a point on the plane [m]", SCHEMA_VECTOR, .required = true, PLACE,
      IN(scene_obstacle, point)},
-    {"normal", "direction away from the obstacle", SCHEMA_VECTOR, .required = true, PLACE, IN(scene_obstacle, normal)},
+    {"normal", "direction away from the obstacle", SCHEMA_VECTOR, .required = true, PLACE,
+     IN(scene_obstacle, normal)},
     {"friction", "Coulomb coefficient", SCHEMA_NUMBER, .low = 0, .high = 1e3,
      IN(scene_obstacle, friction)},
     {NULL}};
@@ -315,7 +316,8 @@ static const struct schema_key DAMPING[] = {
     {NULL}};
 
 static const struct schema_key MOTION[] = {
-    {"velocity", "velocity of the sheet at the start [m/s]", SCHEMA_VECTOR, PLACE, IN(scene, velocity)},
+    {"velocity", "velocity of the sheet at the start [m/s]", SCHEMA_VECTOR, PLACE,
+     IN(scene, velocity)},
     {"spin", "angular velocity about the origin at the start [rad/s]", SCHEMA_VECTOR, PLACE,
      IN(scene, spin)},
     {NULL}};

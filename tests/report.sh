@@ -80,7 +80,7 @@ found() { # NUMBER, words that the sentence has
 good empty
 found 1 'claims 0 hold and 0 do not; '
 found 2 'Speed against error was not measured: clothbench compare edge_drop'
-found 3 'Nothing was held against closed forms: clothbench verify'
+found 3 'Nothing was compared with closed forms: clothbench verify'
 rm -rf changed
 mkdir changed
 for verdict in holds holds 'does not hold' open; do

@@ -123,8 +123,8 @@ static void tell_checks(const struct report_found *verify, char text[TEXT])
             }
         }
     snprintf(text, TEXT,
-             "Of the results that were held against closed forms and other programs and "
-             "claim an accuracy, %d have it and %d do not.",
+             "Of the results that claim an accuracy and were compared with closed forms "
+             "and other programs, %d have it and %d do not.",
              met, missed);
 }
 
@@ -148,7 +148,8 @@ enum status report_summary_write(FILE *file, const struct report_tally *claims,
     if (verify->count)
         tell_checks(verify, said[2]);
     else
-        snprintf(said[2], TEXT, "Nothing was held against closed forms: clothbench verify");
+        snprintf(said[2], TEXT,
+                 "Nothing was compared with closed forms: clothbench verify");
     fputs("\"found\":", file);
     for (int n = 0; n < 3; n++) {
         fputc(n ? ',' : '[', file);

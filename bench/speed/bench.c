@@ -10,10 +10,15 @@
 #include "models/reader/scene_file.h"
 
 static const struct command_item *const items[] = {
-    &bench_part_solids.item,      &bench_part_baselines.item,
-    &bench_part_projective.item,  &bench_part_nonlinear.item,
-    &bench_part_swings.item,      &bench_part_bandwidth.item,
-    &bench_part_contestants.item, NULL,
+    &bench_part_solids.item,
+    &bench_part_baselines.item,
+    &bench_part_projective.item,
+    &bench_part_nonlinear.item,
+    &bench_part_swings.item,
+    &bench_part_bandwidth.item,
+    &bench_part_intersection.item,
+    &bench_part_contestants.item,
+    NULL,
 };
 
 void bench_part_times(struct table *t, const struct clock_summary *s)
@@ -194,8 +199,8 @@ static const struct command_option options[] = {
     {"--out", "DIR", false, "folder of all repeats (results/bench)"},
     {"--from", "DIR", false, "print again from the files of an earlier run"},
     {"--quick", NULL, false,
-     "three repeats of everything, and the smaller matrices\n"
-     "and nets"},
+     "three repeats of everything, and the smaller matrices,\n"
+     "surfaces and nets"},
     {NULL, NULL, false, NULL},
 };
 

@@ -8,7 +8,7 @@ static const double SMALL_SWING = 1e-7;
 /* Newton's tolerance, and the square of a strain of 1.5e-5. */
 static const double HANGING = 1e-7;
 
-/* How many of the 300 unknowns of 10 x 10 points, eight spans a side, are held. */
+/* Counts the held ones of the 300 unknowns of 10 x 10 points, eight spans a side. */
 static void check_held(void)
 {
     static const struct {

@@ -159,9 +159,9 @@ static void check_seen(int degree, int spans, int knots)
     bspline_clear(&b);
 }
 
-/* What the points of the rule lose turns a strip under the moment x^k as much as the layer
- * does, int c^2 exp(-x / l) x^k dx, k = 0 and 1: on spans longer and shorter than l, at all
- * four edges. */
+/* The loss at the points of the rule turns a strip under the moment x^k as much as the
+ * layer does, int c^2 exp(-x / l) x^k dx, k = 0 and 1: on spans longer and shorter than l,
+ * at all four edges. */
 static void check_clamp(int points, double thickness, int i, bool end)
 {
     const double nu = 0.49, c = nu / (1 - nu), l = thickness * sqrt((1 - nu) / 120);

@@ -38,7 +38,7 @@ static void check_same_shape(const struct patch *before, const struct patch *aft
         CHECK(after->weight[a] > 0.0);
 }
 
-/* How often u occurs among the knots. */
+/* Counts how often u occurs among the knots. */
 static int multiplicity(const struct bspline *b, double u)
 {
     int count = 0;

@@ -29,9 +29,9 @@ static double distance(const double a[3], const double b[3])
     return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
-/* Of the distance that the tip goes: the implicit steps' own error at half a millisecond,
- * of second order (2e-5 was measured), and the shell's membrane's lag, which takes the
- * ringing that the kinks of a path bring (4e-4 of p = 2). */
+/* Shares of the distance that the tip goes: the implicit steps' own error at half a
+ * millisecond, of second order (2e-5 was measured), and the shell's membrane's lag, which
+ * takes the ringing that the kinks of a path bring (4e-4 of p = 2). */
 static const double IMPLICIT = 5e-5, IMPLICIT_MOVED = 8e-4;
 
 /* The implicit model's mass becomes the explicit one's. */
@@ -141,12 +141,12 @@ static void check_watched(const struct kind *k)
     run_close(&run);
 }
 
-/* Of the second frequency, that row sums take from it on 10x10 points, at most: 2.7 and 4.2
+/* Shares that row sums take from the second frequency on 10x10 points, at most: 2.7 and 4.2
  * of a hundred were measured for p = 2 and 3. The part falls with the square of the spans,
  * as that of a chain of lumped masses does. */
 static const double LOW[] = {[2] = 0.03, [3] = 0.05}, SECOND_ORDER = 0.5;
 
-/* What lumping takes from edge_drop's second mode. */
+/* Returns the share that lumping takes from edge_drop's second mode. */
 static double lost(const char *name, const char *points)
 {
     enum { MODES = 2 };

@@ -11,7 +11,7 @@
 static const double TOL_FLIGHT = 1e-5;
 static const double g = 9.81;
 
-/* How far backward Euler falls too far: dt / t of the way. */
+/* Returns by how much backward Euler falls too far: dt / t of the way. */
 static double lag(const struct run *run)
 {
     return strcmp(run->model->name, "mass_spring") &&
@@ -132,7 +132,7 @@ static void check_spun(const struct model *model)
     run_close(&run);
 }
 
-/* What carries a sheet away as a whole is no blow-up, as far as it can: by rows. */
+/* A sheet that is carried away as a whole, as far as its row allows, is no blow-up. */
 enum { GRAVITY = 8, LOAD, WIND, PATH, HELD_XZ, HELD };
 static const struct {
     int with; /* bits 1 << the above                                               */

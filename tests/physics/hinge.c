@@ -110,7 +110,8 @@ static void check_line(const struct row *row)
     check_held(row, (const char *const[]){PLATE, MATERIAL, FAR, NULL}, still);
 }
 
-/* Of a metre: round-off of a few solves of condition (L / h)^2; the cloak is the thinner.
+/* Shares of a metre: round-off of a few solves of condition (L / h)^2; the cloak is
+ * thinner.
  */
 static const double ALIKE = 1e-12, ALIKE_THIN = 1e-10;
 

@@ -5,7 +5,7 @@
  * load and frequencies: `clothbench verify navier`.) */
 #include "fem_ref/reference.h"
 #include "models/solid/solid_model.h"
-#include "tests/plate_fixture.h"
+#include "tests/opened_run.h"
 
 /* The table has ten digits, good to 1e-9. Splines of degree 5 on four spans of a quarter
  * wave miss it by (pi / 16)^10 = 1e-7 of the energy at most; a product of lambda / mu <= 50
@@ -17,17 +17,6 @@ static const double TOL_THIN_SINE = 3e-6;
 /* Degree 5 through the thickness leaves (h / a)^6 of exact elasticity, times about 0.1. */
 #define TOL_EXACT(h) (TOL_SINE + 0.2 * pow(h, 6))
 static const double PI = 3.14159265358979323846;
-
-/* The quarter u, v <= 1/2 of the plate. */
-static void quarter_scene(double h, double nu, struct scene *scene)
-{
-    plate_scene(scene, h, nu);
-    scene->length = scene->width = 0.5;
-    plate_hold(scene, 0, 0, FIX_Y | FIX_Z);
-    plate_hold(scene, 1, 0, FIX_X | FIX_Z);
-    plate_hold(scene, 0, 1, FIX_X);
-    plate_hold(scene, 1, 1, FIX_Y);
-}
 
 /* load_a = int force(x, y) N_a dV in z, force = -sin(pi x) sin(pi y) / h: a unit load. */
 static void sine_load(struct solid_motion *m, double h)
@@ -56,25 +45,29 @@ static void sine_load(struct solid_motion *m, double h)
     solid_element_clear(&e);
 }
 
-/* w(centre) D / (q a^4) under the sine load, one span of degree r through the thickness. */
+/* Returns w(centre) D / (q a^4) under the sine load, one span of degree r through the
+ * thickness, from the quarter u, v <= 1/2 of the plate. */
 static double sine_deflection(double h, double nu, int r)
 {
     static const double centre[3] = {1, 1, 0.5};
-    struct discretization d = plate_degrees(5, 5, r, 9, 9, r + 1);
-    struct counters counters = {0};
-    struct message why = {""};
-    struct scene scene;
+    char text[4][96];
+    struct run run;
     double xyz[3];
-    void *state = NULL;
 
-    quarter_scene(h, nu, &scene);
-    REQUIRE(plate_model.create(&scene, &d, &state, &why) == STATUS_OK);
-    sine_load(state, h); /* a solid's state begins with its motion: solid_model.h */
-    CHECK(plate_model.equilibrium(state, &counters, &why) == STATUS_OK);
-    plate_model.probe(state, 1, centre, xyz);
-    plate_model.destroy(state);
-    double D = scene_bending_stiffness(&scene);
-    scene_clear(&scene);
+    snprintf(text[0], sizeof *text, "sheet={length: 0.5, width: 0.5, thickness: %.17g}", h);
+    snprintf(text[1], sizeof *text, "material={young: 1e5, poisson: %.17g, density: 1}",
+             nu);
+    snprintf(text[2], sizeof *text, "discretization.degree=[5,5,%d]", r);
+    snprintf(text[3], sizeof *text, "discretization.points=[9,9,%d]", r + 1);
+    OPENED_RUN(
+        &run, "cantilever", "iga_linear", text[0], text[1], text[2], text[3],
+        "supports=[{at: {u: 0}, fix: yz}, {at: {v: 0}, fix: xz}, {at: {u: 1}, fix: x}, "
+        "{at: {v: 1}, fix: y}]");
+    sine_load(run.state, h); /* a solid's state begins with its motion: solid_model.h */
+    opened_settle(&run);
+    run.model->probe(run.state, 1, centre, xyz);
+    const double D = scene_bending_stiffness(&run.scene);
+    run_close(&run);
     return -xyz[2] * D;
 }
 

@@ -1,4 +1,4 @@
-/* What `printed` kinematics is: not an elastic sheet. Its angle beside undamped
+/* `printed` kinematics is no elastic sheet: its angle beside undamped
  * `incremental`, and the row of the paper's Table 4 that blows
  * up. (How it falls: fall.c.)
  */

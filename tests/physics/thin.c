@@ -4,7 +4,7 @@
 #include <float.h>
 
 #include "models/solid/solid_model.h"
-#include "tests/plate_fixture.h"
+#include "tests/opened_run.h"
 
 /* With control points the condition is 1e2 (L / h)^4: 1e-16 of it leaves two digits at
  * h / L = 1e-3 and none from here on. */
@@ -14,31 +14,24 @@ static const double NO_DIGITS = 1e-4;
  * of the steepest Legendre polynomial here, times a few. The same at every thickness. */
 #define TOL_DROPPED (100 * DBL_EPSILON)
 
-static void cantilever(double h, double young, struct scene *scene)
-{
-    plate_scene(scene, h, 0.3);
-    plate_hold(scene, 0, 0, FIX_XYZ);
-    scene->young = young;
-    scene->gravity[2] = -1e-3;
-}
+#define MATERIAL "material={young: 1e5, poisson: 0.3, density: 1}"
+enum { TEXT = 96 };
 
 static void check_points_refused(void)
 {
-    struct discretization d = plate_degrees(4, 4, 2, 20, 12, 3);
-
-    d.unknowns = UNKNOWNS_POINTS;
     for (double h = NO_DIGITS; h > 5e-6; h /= 10) {
-        struct counters counters = {0};
+        struct counters work = {0};
         struct message why = {""};
-        struct scene scene;
-        void *state = NULL;
+        struct run run;
+        char thickness[TEXT];
 
-        cantilever(h, 1e5, &scene);
-        REQUIRE(plate_model.create(&scene, &d, &state, &why) == STATUS_OK);
-        CHECK(plate_model.equilibrium(state, &counters, &why) == STATUS_INDEFINITE);
+        snprintf(thickness, TEXT, "sheet.thickness=%.17g", h);
+        OPENED_RUN(&run, "cantilever", "iga_linear", thickness, MATERIAL,
+                   "gravity=[0,0,-1e-3]", "discretization.degree=[4,4,2]",
+                   "discretization.points=[20,12,3]", "discretization.unknowns=points");
+        CHECK(run_settle(&run, &work, &why) == STATUS_INDEFINITE);
         CHECK(strstr(why.text, "unknowns=thickness"));
-        plate_model.destroy(state);
-        scene_clear(&scene);
+        run_close(&run);
     }
 }
 
@@ -70,26 +63,28 @@ static double largest_dropped(const struct solid_assembly *s, const unsigned cha
     return worst;
 }
 
-static void check_parity(const struct model *model, const struct discretization *d,
+static void check_parity(const char *name, const int degree[3], const int points[3],
                          double h, int normal)
 {
-    struct message why = {""};
-    struct scene scene;
-    void *state = NULL;
+    static const char *const pose[] = {"pose={origin: [0,0,0], u: [0,1,0], v: [0,0,1]}",
+                                       "pose={origin: [0,0,0], u: [0,0,1], v: [1,0,0]}",
+                                       "pose={origin: [0,0,0], u: [1,0,0], v: [0,1,0]}"};
+    struct run run;
     long count = 0;
+    char text[3][TEXT];
 
-    plate_scene(&scene, h, 0.3);
-    for (int i = 0; i < 3; i++) {
-        scene.axis_u[i] = i == (normal + 1) % 3;
-        scene.axis_v[i] = i == (normal + 2) % 3;
-    }
-    REQUIRE(model->create(&scene, d, &state, &why) == STATUS_OK);
-    const struct solid_motion *m = state; /* solid_model.h: a state begins with it */
+    snprintf(text[0], TEXT, "sheet.thickness=%.17g", h);
+    snprintf(text[1], TEXT, "discretization.points=[%d,%d,%d]", points[0], points[1],
+             points[2]);
+    snprintf(text[2], TEXT, "discretization.degree=[%d,%d,%d]", degree[0], degree[1],
+             degree[2]);
+    OPENED_RUN(&run, "cantilever", name, MATERIAL, "supports=[]", "gravity=[0,0,0]",
+               pose[normal], text[0], text[1], degree[2] ? text[2] : NULL);
+    const struct solid_motion *m = run.state; /* solid_model.h: a state begins with it */
     REQUIRE(m->space->parity);
     CHECK_NEAR(largest_dropped(&m->assembly, m->space->parity, &count), 0, TOL_DROPPED);
     CHECK(3 * count > 9 * m->assembly.graph.start[m->space->nodes]); /* near half */
-    model->destroy(state);
-    scene_clear(&scene);
+    run_close(&run);
 }
 
 int main(void)
@@ -99,16 +94,12 @@ int main(void)
     check_points_refused();
     for (double h = 0.1; h > 5e-6; h /= 10)
         for (int normal = 0; normal < 3; normal++) {
-            struct discretization d = plate_degrees(1, 1, 1, 6, 5, 2);
-            d.model = &hex_model;
-            check_parity(&hex_model, &d, h, normal);
-            d.remedy = REMEDY_INCOMPATIBLE;
-            check_parity(&hex_model, &d, h, normal);
-            for (size_t n = 0; n < sizeof degree / sizeof *degree; n++) {
-                const int *p = degree[n];
-                d = plate_degrees(p[0], p[1], p[2], 6, 7, p[2] + 1);
-                check_parity(&plate_model, &d, h, normal);
-            }
+            check_parity("hex_linear", (int[3]){0}, (int[]){6, 5, 2}, h, normal);
+            check_parity("hex_incompatible_linear", (int[3]){0}, (int[]){6, 5, 2}, h,
+                         normal);
+            for (size_t n = 0; n < sizeof degree / sizeof *degree; n++)
+                check_parity("iga_linear", degree[n], (int[]){6, 7, degree[n][2] + 1}, h,
+                             normal);
         }
     return check_result();
 }

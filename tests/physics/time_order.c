@@ -6,7 +6,7 @@
 #include "tests/opened_run.h"
 #include "triangles/tri_motion.h"
 
-/* Of an order, seen between two changes of the step. */
+/* Tolerance of an order, seen between two changes of the step. */
 static const double TOL_ORDER = 0.3;
 
 enum { FRAMES = 12, EXTRA = 4 };

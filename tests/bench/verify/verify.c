@@ -16,7 +16,7 @@ static const struct verify_subject entries[] = {
     {NULL}};
 static const struct verify_field field = {.subject = entries};
 
-/* What the rows of `first` do. */
+/* The script of the rows of `first`. */
 static struct {
     double value, truth, bar;
     enum verify_verdict end; /* VERIFY_VERDICTS: it is judged                            */
@@ -179,7 +179,7 @@ static void check_several(void)
         !strcmp(o.why.text, "verify: there is no check 'fourth'; there are first, second"));
 }
 
-/* What is printed: each remark once, the truth, what was claimed before; and again, the
+/* Each remark is printed once, the truth, and what was claimed before; and again, the
  * same, from the file. */
 static void check_printed(void)
 {
@@ -205,7 +205,7 @@ static void check_printed(void)
     CHECK(strstr(o.text, "2 % before"));
 }
 
-/* What is no judgement is no verdict: the sentence of what failed. */
+/* A failure of another kind is no verdict: its sentence is told. */
 static void check_torn(void)
 {
     script.status = STATUS_LIBRARY;
@@ -319,7 +319,8 @@ static void check_failure(void)
     verify_sheet_clear(&sheet);
 }
 
-/* What a table's row leaves out is the field's or the contestant's; title and settings. */
+/* A table's row takes what it leaves out from the field or the contestant; its title and
+ * settings. */
 static void check_subject(void)
 {
     static const struct verify_subject rows[] = {{"shell_3",
@@ -429,7 +430,7 @@ static void check_file(void)
     CHECK(verify_file_read(&rows_check, "/proc/nowhere", &read, &why) == STATUS_FILE);
 }
 
-/* What is no such file is refused. */
+/* Other files are refused. */
 static void check_refusals(void)
 {
     static const char *const text[] = {

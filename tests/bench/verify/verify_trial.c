@@ -35,7 +35,7 @@ static struct verify_subject subject_of(double tolerance)
                                    .degree = 1};
 }
 
-/* What was created is destroyed by then. */
+/* Starts anew; everything that was created is destroyed by then. */
 static void reset(void)
 {
     CHECK(destroyed == script_creates);
@@ -202,7 +202,7 @@ static void check_nets(void)
     CHECK(!verify_trial_nets(&t, value_of, dead, 1, 0) && t.row->verdict == VERIFY_DIED);
 }
 
-/* Of several numbers the worst is judged, with its own order; one that is none stays. */
+/* The worst of several numbers is judged, with its own order; NaN stays. */
 static void check_worst(void)
 {
     const struct verify_subject s = subject_of(0.1);

@@ -44,8 +44,8 @@ int truth_plan_times(double until, double longest, const struct scene *scene, do
     return kept;
 }
 
-/* Whether so many spans a side have a knot at every edge of what is loaded; at those of
- * what is held splines have knots by themselves. */
+/* Returns whether so many spans a side have a knot at every edge of what is loaded; at
+ * those of what is held splines have knots by themselves. */
 static bool fits(const struct scene *scene, int spans)
 {
     bool good = true;
@@ -118,8 +118,8 @@ static double seconds_of(const struct run_result *r)
 
 /* --- What runs show --- */
 
-/* Whether a run is, up to a time, as near to the truth as one that is claimed, so that what
- * it says of the growth of a change counts. */
+/* Returns whether a run is, up to a time, as near to the truth as one that is claimed, so
+ * that what it says of the growth of a change counts. */
 static bool is_near(const struct truth_family *f, const struct run_result *run,
                     const struct truth *made, double until, double length)
 {
@@ -185,7 +185,7 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
     return o;
 }
 
-/* Whether both models' own bars leave no room for their difference. */
+/* Returns whether both models' own bars leave no room for their difference. */
 static bool are_apart(const struct truth_wish *wish, const struct truth_outlook *o)
 {
     const struct truth_seen *m = o->model;
@@ -293,7 +293,7 @@ out:
     return st;
 }
 
-/* Whether a model that came to this leaves the other one alone. */
+/* Returns whether a model that came to this leaves the other one alone. */
 static bool leaves_other(enum status st)
 {
     return st == STATUS_UNSUPPORTED || st == STATUS_LATE || status_is_death(st);

@@ -105,7 +105,7 @@ enum status truth_doubt(const struct scene *scene, struct truth *t);
 
 /* --- The maker --- */
 
-/* What the runs of a model show; all-zero: it refuses the scene. */
+/* The results of the runs of a model; all-zero: it refuses the scene. */
 struct truth_seen {
     int runs;
     double bar;     /* own bar over the length, the largest of all times               */

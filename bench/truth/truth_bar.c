@@ -68,11 +68,6 @@ void truth_family_clear(struct truth_family *f)
         run_result_clear(&f->run[n]);
 }
 
-const struct run_result *truth_bar_finest(const struct truth_family *f)
-{
-    return &f->run[f->count - 1];
-}
-
 static double between(const struct truth_family *f, int a, int b, int time)
 {
     return metric_rmse(f->run[a].xyz[time], f->run[b].xyz[time]);

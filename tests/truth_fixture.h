@@ -80,7 +80,7 @@ static inline void asked_close(struct asked *a)
     free(a->path);
 }
 
-/* By somebody who knows of the seal. */
+/* Changes a text, as somebody does who knows of the seal; NULL: removes it. */
 static inline void change(const char *file, const char *group, const char *key,
                           const char *text)
 {

@@ -206,7 +206,7 @@ static enum status from_kirchhoff(const struct scene *scene, bool linear, struct
                                   struct message *why)
 {
     const double gamma = scene_gamma(scene);
-    /* What linear theory leaves out (TRUTH_GAMMA), and what Kirchhoff's does. */
+    /* Linear theory leaves out the second term (TRUTH_GAMMA), Kirchhoff's the third. */
     const double relative = KIRCHHOFF_TRANSIENT_ERROR +
                             (linear ? 0 : 0.0125 * gamma * gamma) +
                             2 * pow(scene->thickness / scene->length, 2);

@@ -37,7 +37,7 @@ struct truth_level {
     int repeats;      /* of the points, for knots that repeat at supports' ends        */
 };
 
-/* What all runs of a scene share; borrowed. */
+/* The common part of all runs of a scene; borrowed. */
 struct truth_runs {
     const char *path; /* of the scene                                                  */
     const struct settings *settings;
@@ -89,8 +89,8 @@ enum status truth_plan_scene(const char *path, struct settings *settings,
  * the start on. */
 enum status truth_plan_check(const struct scene *scene, struct message *why);
 
-/* Whether tables judge at a time of a truth: every tenth of a second, and the scene's
- * snapshots, however many frames are stored. */
+/* Returns whether tables judge at a time of a truth: every tenth of a second, and the
+ * scene's snapshots, however many frames are stored. */
 bool truth_plan_judges(const struct scene *scene, double time);
 
 /* The time between frames of a truth that is stored [s]. */
@@ -130,7 +130,7 @@ enum truth_column {
     TRUTH_COLUMN_LIST(TRUTH_COLUMN_CODE)
 #undef TRUTH_COLUMN_CODE
         TRUTH_STORED,
-    /* From the file beside it (truth_file_read), NaN where there is none: */
+    /* Read from the file beside it (truth_file_read), NaN where there is none: */
     TRUTH_THIRD = TRUTH_STORED, /* how far it is [m]                                    */
     TRUTH_THIRD_BAR,            /* its own error bar [m]                                */
     TRUTH_COLUMNS

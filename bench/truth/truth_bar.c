@@ -68,11 +68,6 @@ void truth_family_clear(struct truth_family *f)
         run_result_clear(&f->run[n]);
 }
 
-const struct run_result *truth_bar_finest(const struct truth_family *f)
-{
-    return &f->run[f->count - 1];
-}
-
 static double between(const struct truth_family *f, int a, int b, int time)
 {
     return metric_rmse(f->run[a].xyz[time], f->run[b].xyz[time]);
@@ -152,10 +147,10 @@ static double apart(const struct field *a, const struct field *b)
     return sqrt(sum / GRID_POINTS);
 }
 
-/* From this many runs on a family shows whether its limits have settled. */
+/* The number of runs from which on a family shows whether its limits have settled. */
 enum { SETTLED = 4 };
 
-/* What a family shows at a time, and what it carries on to the next. */
+/* The results of a family at a time, and sums that it carries on to the next. */
 struct judged {
     double moved;             /* sum of squares of how far the limit moved            */
     struct three now, before; /* the last three runs, and the three before them       */
@@ -178,10 +173,10 @@ static double confirm(const double h[3], const struct truth_order *o,
     return o->bar / now * left_by(h, fmin(fmin(o->order, before->order), PROMISED));
 }
 
-/* Where the last three runs show an order, and the three before one that goes the same way,
- * the limit hardly moved: how far it did bars it, and where that is the smaller bar, the
- * limit is the family's field. Errors that are not yet of an order move it by more than
- * they are (wrinkles, contact). */
+/* Settles bar and field. Where the last three runs show an order, and the three before one
+ * that goes the same way, the limit hardly moved: how far it did bars it, and where that is
+ * the smaller bar, the limit is the family's field. Errors that are not yet of an order
+ * move it by more than they are (wrinkles, contact). */
 static void settle(const struct truth_family *f, int time, struct judged *j)
 {
     const int last = f->count - 1;

@@ -39,8 +39,8 @@ static const struct {
 };
 enum { COLUMNS = sizeof columns / sizeof *columns };
 
-/* Whether a truth has such numbers at all: nobody ran a closed form, and of somebody else's
- * runs an order and a bar are known. */
+/* Returns whether a truth has such numbers at all: nobody ran a closed form, and of
+ * somebody else's runs an order and a bar are known. */
 static bool has_column(const struct truth *made, int value)
 {
     if (value < 0)
@@ -259,7 +259,7 @@ enum { PATH = 4000, FRAMES_MOST = 1000 /* points a direction */ };
  * may take. */
 static const double ERROR = 0.01, BUDGET = 3600;
 
-/* With --quick: until when the motion is known, and what its runs may take [s]. */
+/* The end of the motion with --quick, and what its runs may take [s]. */
 static const double QUICK_UNTIL = 0.2, QUICK_BUDGET = 60;
 
 struct job {

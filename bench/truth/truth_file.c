@@ -185,7 +185,7 @@ void truth_pack(struct truth *t, double length)
     }
 }
 
-/* Whether 32-bit floats hold all positions as they are. */
+/* Returns whether 32-bit floats hold all positions as they are. */
 static bool is_single(const struct truth *t)
 {
     for (int n = 0; n < t->claimed; n++)

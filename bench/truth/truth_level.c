@@ -98,7 +98,7 @@ enum status truth_level_settings(const struct truth_runs *runs,
                             : STATUS_OK;
 }
 
-/* Whether a run has these times, and perhaps later ones. */
+/* Returns whether a run has these times, and perhaps later ones. */
 static bool has_times(const struct run_result *r, const struct truth_runs *runs)
 {
     for (int n = 0; n < runs->times; n++)

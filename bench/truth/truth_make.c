@@ -44,8 +44,8 @@ int truth_plan_times(double until, double longest, const struct scene *scene, do
     return kept;
 }
 
-/* Whether so many spans a side have a knot at every edge of what is loaded; at those of
- * what is held splines have knots by themselves. */
+/* Returns whether so many spans a side have a knot at every edge of what is loaded; at
+ * those of what is held splines have knots by themselves. */
 static bool fits(const struct scene *scene, int spans)
 {
     bool good = true;
@@ -118,12 +118,17 @@ static double seconds_of(const struct run_result *r)
 
 /* --- What runs show --- */
 
-/* Whether a run is, up to a time, as near to the truth as one that is claimed, so that what
- * it says of the growth of a change counts. */
+static const struct run_result *finest(const struct truth_family *f)
+{
+    return &f->run[f->count - 1];
+}
+
+/* Returns whether a run is, up to a time, as near to the truth as one that is claimed, so
+ * that what it says of the growth of a change counts. */
 static bool is_near(const struct truth_family *f, const struct run_result *run,
                     const struct truth *made, double until, double length)
 {
-    const struct run_result *fine = truth_bar_finest(f);
+    const struct run_result *fine = finest(f);
 
     for (int n = 0; n < made->times && made->time[n] <= until; n++)
         if (!(metric_rmse(run->xyz[n], fine->xyz[n]) + made->error[n] <=
@@ -179,13 +184,13 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
         o.model[m].finest = f->count == TRUTH_FAMILY_MOST ||
                             !truth_plan_rung(scene, frame, f->count, &next);
         if (f->count)
-            o.model[m].seconds = seconds_of(truth_bar_finest(f));
+            o.model[m].seconds = seconds_of(finest(f));
     }
     see_push(family, push, made, length, &o);
     return o;
 }
 
-/* Whether both models' own bars leave no room for their difference. */
+/* Returns whether both models' own bars leave no room for their difference. */
 static bool are_apart(const struct truth_wish *wish, const struct truth_outlook *o)
 {
     const struct truth_seen *m = o->model;
@@ -210,24 +215,23 @@ static enum truth_model choose(const struct truth_wish *wish, const struct truth
     return solid->bar > shell->bar ? TRUTH_SOLID : TRUTH_SHELL;
 }
 
-enum truth_answer truth_make_judge(const struct truth_wish *wish,
-                                   const struct truth_outlook *o, enum truth_model *next)
+/* Returns what comes next, with TRUTH_GO a run of that model. */
+static enum truth_answer decide(const struct truth_wish *wish,
+                                const struct truth_outlook *o, enum truth_model next)
 {
-    *next = choose(wish, o);
-    if (isfinite(o->lost) && (!o->blunt || o->model[*next].finest))
+    if (isfinite(o->lost) && (!o->blunt || o->model[next].finest))
         return TRUTH_LOST;
     if (o->error <= wish->error && !isfinite(o->lost))
         return TRUTH_MET;
     if (are_apart(wish, o))
         return TRUTH_APART;
-    if (o->model[*next].finest)
+    if (o->model[next].finest)
         return TRUTH_FINEST;
-    return o->spent + o->model[*next].seconds > wish->seconds ? TRUTH_DEAR : TRUTH_GO;
+    return o->spent + o->model[next].seconds > wish->seconds ? TRUTH_DEAR : TRUTH_GO;
 }
 
-void truth_make_tell(const struct truth_wish *wish, const struct truth_outlook *o,
-                     enum truth_answer answer, enum truth_model next,
-                     char text[TRUTH_END_TEXT])
+static void tell(const struct truth_wish *wish, const struct truth_outlook *o,
+                 enum truth_answer answer, enum truth_model next, char text[TRUTH_END_TEXT])
 {
     const double wanted = 100 * wish->error, found = 100 * o->error;
     char known[96];
@@ -272,6 +276,16 @@ void truth_make_tell(const struct truth_wish *wish, const struct truth_outlook *
     }
 }
 
+enum truth_answer truth_make_judge(const struct truth_wish *wish,
+                                   const struct truth_outlook *o, enum truth_model *next,
+                                   char text[TRUTH_END_TEXT])
+{
+    *next = choose(wish, o);
+    const enum truth_answer a = decide(wish, o, *next);
+    tell(wish, o, a, *next, text);
+    return a;
+}
+
 /* --- Runs --- */
 
 /* Makes one more run of a model. */
@@ -293,7 +307,7 @@ out:
     return st;
 }
 
-/* Whether a model that came to this leaves the other one alone. */
+/* Returns whether a model that came to this leaves the other one alone. */
 static bool leaves_other(enum status st)
 {
     return st == STATUS_UNSUPPORTED || st == STATUS_LATE || status_is_death(st);
@@ -426,15 +440,14 @@ static enum status work(struct maker *k, struct truth *made, struct truth_outloo
 
     for (;;) {
         TRY(look_again(k, made, o, why));
-        end->answer = truth_make_judge(k->wish, o, &next);
-        truth_make_tell(k->wish, o, end->answer, next, end->text);
+        end->answer = truth_make_judge(k->wish, o, &next, end->text);
         if (end->answer == TRUTH_GO) {
             if (k->runs->say)
                 fprintf(k->runs->say, "truth: %s\n", end->text);
             st = add_run(k, next, why);
             if (st == STATUS_LATE) {
                 end->answer = TRUTH_DEAR;
-                truth_make_tell(k->wish, o, end->answer, next, end->text);
+                tell(k->wish, o, end->answer, next, end->text);
                 return STATUS_OK;
             }
             TRY(st);

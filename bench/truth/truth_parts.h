@@ -86,9 +86,6 @@ void truth_bar_judge(const struct truth_family family[TRUTH_MODELS],
  * order is believed (truth_order), else where the finest is: xyz (grid.h). */
 void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz);
 
-/* Returns the finest run of a family that is not empty. */
-const struct run_result *truth_bar_finest(const struct truth_family *f);
-
 enum { TRUTH_BAR_LEVEL = 128 };
 
 /* Describes a run; `own`: the truth's; else one beside it. */
@@ -105,7 +102,7 @@ enum status truth_doubt(const struct scene *scene, struct truth *t);
 
 /* --- The maker --- */
 
-/* What the runs of a model show; all-zero: it refuses the scene. */
+/* The results of the runs of a model; all-zero: it refuses the scene. */
 struct truth_seen {
     int runs;
     double bar;     /* own bar over the length, the largest of all times               */
@@ -162,14 +159,11 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
 
 /* Returns what comes next, with TRUTH_GO a run of `next`: of two models whose bars are too
  * large the one whose finest run took less time, else the one with the larger bar. No run
- * is begun that the budget has no time for if it took as long as the one before it. */
+ * is begun that the budget has no time for if it took as long as the one before it. Writes
+ * the answer as a sentence, too. */
 enum truth_answer truth_make_judge(const struct truth_wish *wish,
-                                   const struct truth_outlook *o, enum truth_model *next);
-
-/* Writes that as a sentence. */
-void truth_make_tell(const struct truth_wish *wish, const struct truth_outlook *o,
-                     enum truth_answer answer, enum truth_model next,
-                     char text[TRUTH_END_TEXT]);
+                                   const struct truth_outlook *o, enum truth_model *next,
+                                   char text[TRUTH_END_TEXT]);
 
 /* --- The third mechanics --- */
 

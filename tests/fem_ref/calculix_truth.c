@@ -5,16 +5,17 @@
 #include "tests/opened_run.h"
 #include "tests/solid_fixture.h"
 
-/* Of the largest entry. 14 digits are written; ours and theirs round a dozen times each. */
+/* A part of the largest entry. 14 digits are written; ours and theirs round a dozen times
+ * each. */
 static const double TOL_MATRIX = 1e-12;
 
 /* Cubics, and reduced quadratics at spans of L / 20 (measured 2e-3). */
 static const double TOL_TIP = 4e-3;
 
-/* Asked of answers that share nothing [L]. */
+/* The distance allowed of answers that share nothing [L]. */
 static const double TOL_SWING = 1e-3;
 
-/* As the deck has it: no angle stays right. */
+/* Moves a node as the deck does: no angle stays right. */
 static void distort(double x[3])
 {
     x[0] += 0.25 * x[1] * x[2] + 0.125 * x[1];

@@ -158,9 +158,9 @@ static void check_reader(void)
 
 /* ------------------------------------------------------------------ accuracy -------- */
 
-/* What Kirchhoff leaves out of a clamped plate under uniform load: transverse shear, at the
- * tip q L^2 / (2 (5/6) G h) = 1.14 (h / L)^2 of the bending deflection at nu = 0.3; the
- * motion bends on lengths shorter than L. */
+/* Bounds what Kirchhoff leaves out of a clamped plate under uniform load: transverse shear,
+ * at the tip q L^2 / (2 (5/6) G h) = 1.14 (h / L)^2 of the bending deflection at nu = 0.3;
+ * the motion bends on lengths shorter than L. */
 static double model_bar(double thickness, double most)
 {
     return 3 * thickness * thickness * most;

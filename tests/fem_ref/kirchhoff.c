@@ -214,8 +214,7 @@ static void sample(const struct kirchhoff *k, double t, double w[SIDE * SIDE])
     REQUIRE(!kirchhoff_grid(k, weight(&sheet), 0, t, SIDE, x, SIDE, x, w, wx, wy));
 }
 
-/* What kirchhoff.h claims: the answer with KIRCHHOFF_TERMS against one with more.
- */
+/* Holds the answer with KIRCHHOFF_TERMS against one with more. */
 static void check_convergence(const struct kirchhoff *k)
 {
     struct kirchhoff *fine = make(&sheet, KIRCHHOFF_TERMS + 8);

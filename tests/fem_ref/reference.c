@@ -85,7 +85,7 @@ static void check_refusals(void)
     CHECK(t == NULL);
 }
 
-/* What is asked for and is not there: an answer all the same, and the first one is told. */
+/* A query of what is not there gets an answer all the same, and the first one is told. */
 static void check_faults(void)
 {
     static const char text[] = "# a note\nname,x\nfirst,1.5\nsecond,nan\n";

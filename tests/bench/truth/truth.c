@@ -115,8 +115,8 @@ static size_t width_of(const char *file, long *bytes)
     return width;
 }
 
-/* Of a sheet of 1 m: steps below a tenth of the bar and 16 bits of the length, which come
- * back bit for bit. */
+/* Packs a sheet of 1 m: steps below a tenth of the bar and 16 bits of the length, which
+ * come back bit for bit. */
 static void packs(void)
 {
     static const struct {
@@ -173,7 +173,7 @@ static enum status find(const char *scene, int count, const char *const *setting
     return st;
 }
 
-/* How many times are stored of at most `most` up to `end`; the last of them. */
+/* Returns how many times are stored of at most `most` up to `end`; the last of them. */
 static int stored(int count, const char *const *settings, double end, int most,
                   double *last)
 {
@@ -222,7 +222,7 @@ static void who_gets_it(const struct truth *made)
     CHECK(stored(2, other, 0.5, 1, &last) == 0);
 }
 
-/* What is stored under a name, for whom; and what it says of its making. */
+/* Checks what is stored under a name, for whom; and what it says of its making. */
 static void find_stored(const struct truth *made)
 {
     struct provenance here;
@@ -279,7 +279,7 @@ static char *level_file(void)
     return file;
 }
 
-/* Whether a run that is kept was taken as it is. */
+/* Returns whether a run that is kept was taken as it is. */
 static bool takes(const struct truth_runs *runs, const struct truth_level *level)
 {
     struct run_result run = {0};

@@ -52,7 +52,7 @@ static void fill(struct truth_family *f, enum truth_model model, int count, doub
     }
 }
 
-/* What a test is about: runs, one of them pushed, and what is made of them. */
+/* The subject of a test: runs, one of them pushed, and what is made of them. */
 static struct truth_family family[TRUTH_MODELS];
 static struct run_result apart;
 static struct truth_push push;
@@ -321,7 +321,7 @@ static const struct choice {
     {{.2, .01}, {.3, .01}, .001, {0}, "oo", 0}, /* nothing is claimed again             */
 };
 
-/* On a sheet of 2 m: 5 % are 0.1 m. */
+/* The sheet has 2 m, of which 5 % are 0.1 m. */
 static void check_choices(void)
 {
     for (size_t n = 0; n < sizeof choices / sizeof *choices; n++) {

@@ -35,7 +35,7 @@ static void read_scene(const char *name, const char *const *set, struct scene *s
     free(path);
 }
 
-/* Its field at t, freed by the caller. */
+/* Returns its field at t, freed by the caller. */
 static double *field_at(const struct scene *s, double t, double *error)
 {
     double *xyz = malloc(FIELD * sizeof *xyz);
@@ -49,7 +49,7 @@ static double *field_at(const struct scene *s, double t, double *error)
 /* --- falls -------------------------------------------------------------------------------
  */
 
-/* How far along each axis, by classical Runge-Kutta steps. */
+/* Computes how far it falls along each axis, by classical Runge-Kutta steps. */
 static void step_fall(const struct scene *s, double alpha, double end, double x[3])
 {
     const double k = s->drag / s->density + alpha;
@@ -114,7 +114,7 @@ static void falls(void)
 /* --- at rest -----------------------------------------------------------------------------
  */
 
-/* By differences of the field: each row carries what hangs below it. */
+/* Checks, by differences of the field, that each row carries what hangs below it. */
 static void hanging(void)
 {
     struct scene s;

@@ -23,7 +23,7 @@ static const double BLUNT = 5e-3;
 
 static const char *const own[] = {"material.young=2e5", "damping={kind: none}"};
 
-/* Of physics that no stored truth is of. */
+/* Makes a truth of physics that no stored one has. */
 static struct truth *made(const char *folder, double error, double seconds)
 {
     struct asked a;
@@ -70,7 +70,7 @@ static void list(const char *folder, struct files *f)
     closedir(directory);
 }
 
-/* Of those that were there, how many are there as they were. */
+/* Returns how many of those that were there are as they were. */
 static int kept(const struct files *before, const struct files *after)
 {
     int same = 0;
@@ -161,7 +161,7 @@ static int count_solids(const char *folder)
     return solids;
 }
 
-/* How fast a change grows is told of the third of the finest solids, not of the second that
+/* The growth of a change is told of the third of the finest solids, not of the second that
  * was made. */
 static void push_finer(const char *folder)
 {
@@ -233,8 +233,7 @@ static void check_answers(void)
     for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
         char text[TRUTH_END_TEXT];
         enum truth_model next;
-        const enum truth_answer answer = truth_make_judge(&wish, &rows[n].o, &next);
-        truth_make_tell(&wish, &rows[n].o, answer, next, text);
+        const enum truth_answer answer = truth_make_judge(&wish, &rows[n].o, &next, text);
         if (!CHECK(answer == rows[n].answer && next == rows[n].next &&
                    strstr(text, rows[n].said)))
             printf("row %zu: answer %d, next %d; %s\n", n, (int)answer, (int)next, text);

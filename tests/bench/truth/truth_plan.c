@@ -1,5 +1,4 @@
-/* What a truth is made of and told at: frames, nets, times at which tables judge; and what
- * has no truth. */
+/* The plan of a truth: frames, nets, times at which tables judge; and what has no truth. */
 #include "bench/truth/truth_parts.h"
 
 #include "tests/truth_fixture.h"
@@ -11,7 +10,7 @@ static bool same(double a, double b)
     return isnan(a) || isnan(b) ? isnan(a) && isnan(b) : fabs(a - b) <= SUM * fabs(b);
 }
 
-/* What tables judge at, of times that are more; the last that is claimed, if it is none. */
+/* Tables judge at some of many times; at the last that is claimed, if there is none. */
 static void check_thin(void)
 {
     static const double time[5] = {.06, .1, .16, .2, .22};

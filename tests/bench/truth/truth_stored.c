@@ -1,4 +1,4 @@
-/* Whether the truths that come with the program hold: models that had no part in them lie
+/* The truths that come with the program hold: models that had no part in them lie
  * within their error bars and the models' own errors. (truth_make.c: how they are made.) */
 #include <dirent.h>
 
@@ -20,7 +20,8 @@ static const double FLOAT = 1.04e-7;
 enum { TIMES = 2 };
 static const double times[TIMES] = {0.1, 0.2};
 
-/* Of two nets the finer one's error, if it falls at least in proportion to the spans. */
+/* Returns the error of the finer of two nets, if it falls at least in proportion to the
+ * spans. */
 static double own_error(const struct truth_level *fine, const struct truth_level *coarse,
                         double difference)
 {

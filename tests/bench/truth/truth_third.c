@@ -8,7 +8,7 @@
 #include "models/grid.h"
 #include "tests/truth_fixture.h"
 
-/* Of sums near 1 m, and of orders that are halved. */
+/* Roundings of sums near 1 m, and of orders that are halved. */
 static const double SINGLE = 1e-6, ORDER = 1e-5;
 static const double LIMIT = 1e-9; /* of an order halved to 1e-9 or so */
 

@@ -182,7 +182,7 @@ const struct plan_setting *plan_settings_find(const struct plan_settings *settin
     return NULL;
 }
 
-void plan_settings_clear(struct plan_settings *settings)
+static void clear_settings(struct plan_settings *settings)
 {
     for (int n = 0; n < settings->count; n++) {
         free(settings->list[n].key);
@@ -717,8 +717,8 @@ static void clear_level(struct plan_level *level)
 {
     free(level->label);
     free(level->name);
-    plan_settings_clear(&level->settings);
-    plan_settings_clear(&level->quick);
+    clear_settings(&level->settings);
+    clear_settings(&level->quick);
     *level = (struct plan_level){0};
 }
 
@@ -884,7 +884,7 @@ static void clear_study(struct plan_study *study)
         free(study->axis[n].levels);
         free(study->axis[n].name);
     }
-    plan_settings_clear(&study->settings);
+    clear_settings(&study->settings);
     free(study->levels);
     free(study->times);
     free(study->quick_times);
@@ -979,7 +979,7 @@ const struct named_file_kind plan_study_kind = {
 static void clear_products(struct plan_products *products)
 {
     for (int n = 0; n < products->count; n++)
-        plan_settings_clear(&products->list[n].labels);
+        clear_settings(&products->list[n].labels);
     free(products->list);
 }
 
@@ -988,16 +988,16 @@ void plan_clear(struct plan *plan)
     for (int n = 0; n < plan->axis_count; n++) {
         free(plan->axes[n].key);
         free(plan->axes[n].by);
-        plan_settings_clear(&plan->axes[n].values);
+        clear_settings(&plan->axes[n].values);
     }
     for (int n = 0; n < plan->listed_count; n++) {
         free(plan->listed[n].name);
-        plan_settings_clear(&plan->listed[n].settings);
+        clear_settings(&plan->listed[n].settings);
     }
     for (int n = 0; n < plan->map.mark_count; n++) {
         free(plan->map.marks[n].text);
         free(plan->map.marks[n].label);
-        plan_settings_clear(&plan->map.marks[n].settings);
+        clear_settings(&plan->map.marks[n].settings);
     }
     for (int n = 0; n < plan->study_count; n++)
         clear_study(&plan->studies[n]);
@@ -1007,7 +1007,7 @@ void plan_clear(struct plan *plan)
         &plan->settings,       &plan->reference,   &plan->table.columns, &plan->table.shown,
         &plan->table.pictures, &plan->chart.panel, &plan->chart.line,    &plan->chart.y};
     for (size_t n = 0; n < sizeof settings / sizeof *settings; n++)
-        plan_settings_clear(settings[n]);
+        clear_settings(settings[n]);
     void *const owned[] = {
         plan->table.note, plan->table.file, plan->chart.x,     plan->studies, plan->axes,
         plan->listed,     plan->map.marks,  plan->falls.along, plan->map.x,   plan->map.y,

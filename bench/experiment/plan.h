@@ -46,8 +46,6 @@ struct plan_settings {
 const struct plan_setting *plan_settings_find(const struct plan_settings *settings,
                                               const char *key);
 
-void plan_settings_clear(struct plan_settings *settings); /* all-zero is allowed */
-
 /* --- Axes: a key and its values, listed or from ... to. */
 
 enum { PLAN_AXIS_MOST = 10000 }; /* values */

@@ -145,9 +145,8 @@ static void test_short_text(void)
     REQUIRE(read_rules(good, &rules, NULL) == STATUS_OK);
     r.value[MEASURE_STRETCH_MAX] = 2;
     r.value[MEASURE_INTERSECTION_TIME] = 0;
-    CHECK(!strcmp(
-        verdict_text(&rules, verdict_apply(&rules, r.outcome, r.value), text, sizeof text),
-        "over-st"));
+    CHECK(!strcmp(verdict_text(&rules, verdict_of(&rules, &r), text, sizeof text),
+                  "over-st"));
     verdict_clear(&rules);
 }
 

@@ -280,23 +280,23 @@ enum { ENSEMBLE_OPTIONS = 3 }; /* the first, which tables do not have */
 static const struct command_option options[] = {
     {"--models", "A,B,...", false, "contestants (study ensemble)"},
     {"--runs", "N", false,
-     "runs of each, every one pushed another way (study ensemble: 32)"},
-    {"--until", "S", false, "seconds of motion (study ensemble: the scene's)"},
-    {"--format", TABLE_FORMATS, false, "how to print (text)"},
+     "runs of each, each pushed in another direction (study\nensemble: 32)"},
+    {"--until", "S", false, "end of the motion in seconds (study ensemble: the scene's)"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false,
-     "where result files, plots and pictures go\n"
+     "folder of result files, plots and pictures\n"
      "(results/table1, results/study_mesh, ...)"},
-    {"--from", "DIR", false, "print again from result files of an earlier run"},
-    {"--quick", NULL, false, "a smaller job of the same shape"},
+    {"--from", "DIR", false, "print again from the result files of an earlier run"},
+    {"--quick", NULL, false, "the same on smaller nets and shorter times"},
     {NULL, NULL, false, NULL},
 };
 
 const struct command studies_table_command = {
     .name = "table",
-    .summary = "recompute a table of the paper, its numbers beside ours",
+    .summary = "recompute a table of the paper and print its numbers beside ours",
     .arguments = "NUMBER [OPTION]...",
     .text =
-        "Runs every case of the table, keeps a result file of each and makes the tables\n"
+        "Runs every case of the table, stores a result file of each and makes the tables\n"
         "from these files. Times are medians of interleaved repeats on one thread.\n",
     .examples =
         "table 1\ntable 1 --quick --format markdown\ntable 1 --from results/table1\n",
@@ -310,15 +310,16 @@ const struct command studies_table_command = {
 
 const struct command studies_command = {
     .name = "study",
-    .summary = "what a net, a degree or a parameter does to a scene's motion",
+    .summary = "vary the net, the degree or a parameter of a scene",
     .arguments = "NAME|PLAN [SCENE]... [OPTION]...",
     .text =
-        "Runs a scene at several levels of one parameter, keeps a result file of each and\n"
-        "prints from these files: what differs between the levels, the error against\n"
-        "truth where there is one, the cost, and whether the paper's sentence holds.\n"
-        "CSV, plots and pictures go into the folder. Most are plans (YAML) with levels;\n"
-        "one of yours is run and printed likewise, without the sentence: clothbench help\n"
-        "plan has the keys. Of them all, study ensemble takes scenes.\n",
+        "Runs a scene at several levels of one parameter, stores a result file of each\n"
+        "and prints from these files how the levels differ, their errors against the\n"
+        "truth if there is one, their cost, and whether the paper's statement holds.\n"
+        "CSV, plots and pictures go into the folder. Most studies are plans (YAML) with\n"
+        "levels. A plan of yours is run and printed in the same way, without a\n"
+        "statement; `clothbench help plan` has the keys. Only `study ensemble` takes\n"
+        "scenes.\n",
     .examples = "study mesh\nstudy mesh --quick --out mesh\n"
                 "study mesh --from results/study_mesh --format csv\nstudy mine.yaml\n"
                 "study ensemble flag --models mass_spring_single,triangles_explicit\n",

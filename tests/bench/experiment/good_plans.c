@@ -30,6 +30,18 @@ static void check_studies(void)
     plan_clear(&plan);
 }
 
+/* A study with times of its own has none of the plan's for a quick run. */
+static void check_quick_times(void)
+{
+    struct plan plan;
+
+    REQUIRE(read_plan(STUDIES, STUDY_LINES, STUDY_LINES + 1, "quick_times: [0.05]", &plan,
+                      NULL) == STATUS_OK);
+    CHECK(plan.studies[0].quick_count == 1 && plan.studies[0].quick_times[0] == 0.05);
+    CHECK(plan.studies[1].quick_count == 0);
+    plan_clear(&plan);
+}
+
 /* A name is the same in both quotes and in none, wherever a plan may have it. */
 static void check_quotes(void)
 {
@@ -282,6 +294,7 @@ int main(void)
     check_values();
     check_first();
     check_studies();
+    check_quick_times();
     check_quotes();
     check_bare_study();
     check_lists();

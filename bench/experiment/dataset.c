@@ -17,7 +17,7 @@ const char *dataset_label(const struct study *s, int level, const char *axis)
     for (int n = 0; n < s->plan->axis_count; n++)
         if (!strcmp(axis, s->plan->axis[n].name))
             return s->row[level].level->part[n]->label;
-    return s->plan->axis_count || strcmp(axis, "level") ? NULL : s->row[level].level->label;
+    return NULL;
 }
 
 /* Whether a row has all of these labels and, if they name no time, is at the last. */
@@ -276,8 +276,8 @@ static void find_axes(struct view *v)
         v->axis[v->axes++] = "caption", v->axis[v->axes++] = "study";
     for (int k = 0; k < v->d->count; k++) {
         const struct plan_study *plan = v->d->study[k].plan;
-        for (int n = 0; n < plan->axis_count || n == 0; n++) {
-            const char *name = plan->axis_count ? plan->axis[n].name : "level";
+        for (int n = 0; n < plan->axis_count; n++) {
+            const char *name = plan->axis[n].name;
             int at = 0;
             while (at < v->axes && strcmp(v->axis[at], name))
                 at++;
@@ -657,7 +657,7 @@ static enum status draw_sheets(const struct study *s, const char *folder,
     return picture_save(folder, name, columns, count, panels, why);
 }
 
-/* Draws the studies that the plan names; it names none: those without axes. */
+/* Draws the studies that the plan names; it names none: those with listed levels. */
 static enum status draw_some(const struct view *v, const char *folder, struct message *why)
 {
     const struct plan_settings *named = &v->d->plan->table.pictures;
@@ -665,8 +665,9 @@ static enum status draw_some(const struct view *v, const char *folder, struct me
 
     for (int n = 0; n < v->d->count && st == STATUS_OK; n++) {
         const struct study *s = &v->d->study[n];
-        if (v->alone || (named->count ? plan_settings_find(named, s->plan->name) != NULL
-                                      : !s->plan->axis_count && s->time))
+        if (v->alone ||
+            (named->count ? plan_settings_find(named, s->plan->name) != NULL
+                          : !strcmp(s->plan->axis->name, PLAN_LEVEL_AXIS) && s->time))
             st = draw_sheets(s, folder, why);
     }
     return st;

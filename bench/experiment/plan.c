@@ -350,35 +350,26 @@ out:
     return st;
 }
 
-/* Reads a map of axes. */
-static enum status read_level_axes(const struct schema_key *key,
-                                   const struct yaml_tree *node, struct plan_study *study,
-                                   struct message *why)
-{
-    enum status st = STATUS_OK;
-
-    if (node->count < 1 || node->count > PLAN_STUDY_AXES)
-        return schema_refuse(key, node, why);
-    for (const struct yaml_tree *n = node->first; n; n = n->next) {
-        struct plan_study_axis *axis = &study->axis[study->axis_count++];
-        axis->name = strdup(n->key);
-        TRY(axis->name ? STATUS_OK : STATUS_MEMORY);
-        axis->levels =
-            read_list(key, n, sizeof *axis->levels, &axis->count, read_level, &st, why);
-        TRY(st);
-    }
-out:
-    return st;
-}
-
-LIST_READER(read_level_list, plan_study, levels, level_count, read_level)
-
+/* Reads a map of axes, or a list of levels, which is one axis. */
 static enum status read_levels(const struct schema_key *key, const struct yaml_tree *node,
                                void *target, struct message *why)
 {
-    return node->kind == YAML_TREE_MAP
-               ? read_level_axes(key, node, (void *)((char *)target + key->offset), why)
-               : read_level_list(key, node, target, why);
+    struct plan_study *study = (void *)((char *)target + key->offset);
+    const bool map = node->kind == YAML_TREE_MAP;
+    enum status st = STATUS_OK;
+
+    if (map && (node->count < 1 || node->count > PLAN_STUDY_AXES))
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *n = map ? node->first : node; n && st == STATUS_OK;
+         n = map ? n->next : NULL) {
+        struct plan_study_axis *axis = &study->axis[study->axis_count++];
+        axis->name = strdup(map ? n->key : PLAN_LEVEL_AXIS);
+        TRY(axis->name ? STATUS_OK : STATUS_MEMORY);
+        axis->levels =
+            read_list(key, n, sizeof *axis->levels, &axis->count, read_level, &st, why);
+    }
+out:
+    return st;
 }
 
 /* The keys that both plan and study may have, read into the struct plan_study that begins
@@ -831,8 +822,6 @@ static enum status complete(struct plan_study *study, const struct yaml_tree *ro
             TRY(schema_value(key, plans, study, why));
     }
     study->times_line = line_of(own_times ? node : root, "times", 0);
-    for (int n = 0; n < study->level_count; n++)
-        study->levels[n].part[0] = &study->levels[n];
     if (study->axis_count)
         TRY(multiply_all(study, plan, why));
     if (!study->caption)

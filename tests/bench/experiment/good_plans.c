@@ -1,7 +1,7 @@
-/* What a good plan is taken apart into: cases, ranges, values, studies, stand-ins. */
+/* Good plans are taken apart into cases, ranges, values, studies, stand-ins. */
 #include "tests/plan_fixture.h"
 
-/* What a study has of its own, and what of the plan. */
+/* A study has its own keys, and others of the plan. */
 static void check_studies(void)
 {
     struct plan plan;
@@ -83,7 +83,7 @@ static void check_quotes(void)
     }
 }
 
-/* What nobody gives: at rest, no truth, not timed, nobody else's milliseconds. */
+/* A study without keys is at rest, has no truth, is not timed. */
 static void check_bare_study(void)
 {
     static const char *const text[] = {"name: bare", "source: a test", "scene: edge_drop",

@@ -317,8 +317,8 @@ static void test_apart(void)
     CHECK(isnan(distribution_apart(1, a, 4, b, 0)));
 }
 
-/* How many of LOTS pairs are told apart, whose second is shifted and spread; by means, or
- * by spreads. */
+/* Counts how many of LOTS pairs are told apart, whose second is shifted and spread; by
+ * means, or by spreads. */
 static int told(double shift, double spread, bool by_spread)
 {
     const double bound = distribution_bound(1, RUNS);
@@ -338,8 +338,8 @@ static int told(double shift, double spread, bool by_spread)
     return count;
 }
 
-/* Of one distribution 5 of 100 are told apart, four sigma of 400 about that; a mean that is
- * one standard deviation off, and a spread that is twice as wide, nearly always. */
+/* 5 of 100 pairs of one distribution are told apart, four sigma of 400 about that; a mean
+ * that is one standard deviation off, and a spread that is twice as wide, nearly always. */
 static void test_power(void)
 {
     const double sigma = sqrt(LOTS * 0.05 * 0.95);

@@ -28,7 +28,7 @@ static const char *const GOOD[] = {
 };
 enum { LINES = sizeof GOOD / sizeof *GOOD };
 
-/* Likewise of studies. */
+/* A good plan of studies. */
 static const char *const STUDIES[] = {
     "name: studies",
     "source: a test",

@@ -14,7 +14,7 @@
 
 static const char *study_folder;
 
-/* Where files go and plans come from; gnuplot is not found. */
+/* Chooses where files go and plans come from; gnuplot is not found. */
 static inline void study_begin(int count, char **arguments)
 {
     REQUIRE(count == 2);
@@ -46,7 +46,7 @@ static inline void study_wants(const char *text, const char *want)
         printf("  wanted: %s\n  in: %s\n", want, text);
 }
 
-/* What goes to a stream in memory. */
+/* A stream in memory. */
 struct study_printed {
     char *text;
     size_t size;

@@ -17,7 +17,8 @@ const struct claim *claim_find(const char *plan)
     return NULL;
 }
 
-enum status claim_print(const struct study_results *d, FILE *file)
+/* Prints a line on each claim of the plan. */
+static enum status print_claims(const struct study_results *d, FILE *file)
 {
     for (const struct claim *c = claim_find(d->plan->name); c && c->quote; c++) {
         char *because = NULL;
@@ -47,7 +48,7 @@ enum status claim_tell(const struct study_results *d, const char *folder,
     if (claim_find(d->plan->name) == claim_table4)
         TRY(claim_table4_print(d, format, file));
     if (table_format_is_prose(format)) {
-        TRY(claim_print(d, file));
+        TRY(print_claims(d, file));
         measurement_machine(d->machine, file);
     }
 out:

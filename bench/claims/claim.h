@@ -28,9 +28,6 @@ struct claim {
 /* Returns the claims on the plan of this name, up to one without a quote; NULL: none. */
 const struct claim *claim_find(const char *plan);
 
-/* Prints a line on each claim of the plan; a report gets them, too (judge_keep). */
-enum status claim_print(const struct study_results *d, FILE *file);
-
 /* Prints the plan's tables (dataset_print) and, for people, the claims and the machine. */
 enum status claim_tell(const struct study_results *d, const char *folder,
                        enum table_format format, FILE *file, struct message *why);

@@ -69,9 +69,17 @@ static enum status prepare(const struct batch *b, int count, struct message *why
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why)
 {
-    const enum status st = prepare(b, b->count, why);
+    struct measurement_options how = *options;
+    struct measurement_taken here = {0};
+    enum status st;
 
-    return st ? st : measurement_run(options, b->count, b->cases, why);
+    if (!how.taken)
+        how.taken = &here;
+    TRY(prepare(b, b->count, why));
+    st = measurement_run(&how, b->count, b->cases, why);
+    measurement_tell(options->what, &here, b->folder);
+out:
+    return st;
 }
 
 struct apart {
@@ -82,10 +90,8 @@ struct apart {
 static enum status run_one(void *context, long n, struct message *why)
 {
     const struct apart *all = context;
-    struct measurement_options options = *all->options;
 
-    options.taken = &(struct measurement_taken){0};
-    return measurement_run(&options, 1, &all->b->cases[n], why);
+    return measurement_run(all->options, 1, &all->b->cases[n], why);
 }
 
 /* The end of a case is in its file; a case without a file ends all. */

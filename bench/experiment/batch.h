@@ -35,7 +35,8 @@ struct measurement_case *batch_add(struct batch *b, const char *path,
 /* Returns the settings of the case added last, on top of the contestant's. */
 struct settings *batch_settings(struct batch *b);
 
-/* Makes the folder and measures all cases. Errors as measurement_run. */
+/* Makes the folder and measures all cases; says how many were taken from earlier calls
+ * unless options->taken is there. Errors as measurement_run. */
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why);
 

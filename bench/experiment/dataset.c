@@ -17,7 +17,7 @@ const char *dataset_label(const struct study *s, int level, const char *axis)
     for (int n = 0; n < s->plan->axis_count; n++)
         if (!strcmp(axis, s->plan->axis[n].name))
             return s->row[level].level->part[n]->label;
-    return s->plan->axis_count || strcmp(axis, "level") ? NULL : s->row[level].level->label;
+    return NULL;
 }
 
 /* Whether a row has all of these labels and, if they name no time, is at the last. */
@@ -237,14 +237,9 @@ out:
 }
 
 /* Returns one of a list of quantities. */
-static const struct quantity_row *quantity_of(const struct plan_settings *list, int n)
+static enum quantity quantity_of(const struct plan_settings *list, int n)
 {
-    return &quantity_table[quantity_find(list->list[n].key)];
-}
-
-static double value_of(const struct place *p, const struct quantity_row *q)
-{
-    return quantity_at(p, (enum quantity)(q - quantity_table));
+    return (enum quantity)quantity_find(list->list[n].key);
 }
 
 enum { AXES = 12 }; /* most label columns */
@@ -253,20 +248,20 @@ enum { AXES = 12 }; /* most label columns */
  * machines, all. */
 enum part { PART_RUN, PART_TIMES, PART_ALL };
 
-static bool is_in(enum part part, const struct quantity_row *q)
+static bool is_in(enum part part, enum quantity q)
 {
-    return part == PART_ALL || q->moves == (part == PART_TIMES);
+    return part == PART_ALL || quantity_table[q].moves == (part == PART_TIMES);
 }
 
-/* What is printed together: all studies in the plan's table, or one of them alone where the
- * plan has none. */
+/* The rows and columns that are printed together: all studies in the plan's table, or one
+ * of them alone where the plan has none. */
 struct view {
     const struct study_results *d; /* borrowed                                          */
     bool alone, timed;             /* timed: with a column of the time                  */
     const char *name, *caption;    /* of files and table; borrowed                      */
     int axes, columns;
     const char *axis[AXES];
-    const struct quantity_row *column[PLAN_TABLE_COLUMNS];
+    enum quantity column[PLAN_TABLE_COLUMNS];
 };
 
 /* Adds the axes that some study has, each once; people see captions, machines the names. */
@@ -276,8 +271,8 @@ static void find_axes(struct view *v)
         v->axis[v->axes++] = "caption", v->axis[v->axes++] = "study";
     for (int k = 0; k < v->d->count; k++) {
         const struct plan_study *plan = v->d->study[k].plan;
-        for (int n = 0; n < plan->axis_count || n == 0; n++) {
-            const char *name = plan->axis_count ? plan->axis[n].name : "level";
+        for (int n = 0; n < plan->axis_count; n++) {
+            const char *name = plan->axis[n].name;
             int at = 0;
             while (at < v->axes && strcmp(v->axis[at], name))
                 at++;
@@ -309,7 +304,7 @@ static struct view view_of(const struct study_results *d)
     find_axes(&v);
     v.columns = v.alone ? USUAL : asked->count;
     for (int n = 0; n < v.columns; n++)
-        v.column[n] = v.alone ? &quantity_table[usual[n]] : quantity_of(asked, n);
+        v.column[n] = v.alone ? usual[n] : quantity_of(asked, n);
     return v;
 }
 
@@ -323,12 +318,11 @@ static bool has_part(const struct view *v, enum part part)
 }
 
 /* Whether people see a quantity: a study alone without a truth has no errors. */
-static bool is_seen(const struct view *v, const struct quantity_row *q)
+static bool is_seen(const struct view *v, enum quantity q)
 {
-    const bool error =
-        q == &quantity_table[QUANTITY_ERROR] || q == &quantity_table[QUANTITY_BAR];
+    const bool error = q == QUANTITY_ERROR || q == QUANTITY_BAR;
 
-    return *q->head && !(v->alone && error && !v->d->study->truth);
+    return *quantity_table[q].head && !(v->alone && error && !v->d->study->truth);
 }
 
 /* Adds a level at a time; behind the levels of a study stands its truth. */
@@ -353,13 +347,15 @@ static void add_row(struct table *t, const struct view *v, enum part part,
     if (part != PART_RUN && v->timed)
         table_number(t, p->s->time ? p->s->time[p->time] : NAN, 4);
     for (int n = 0; n < v->columns; n++) {
-        const struct quantity_row *q = v->column[n];
-        if (is_in(part, q) && q->digits)
-            table_number(t, value_of(p, q), q->digits);
+        const enum quantity q = v->column[n];
+        if (is_in(part, q) && quantity_table[q].digits)
+            table_number(t, quantity_at(p, q), quantity_table[q].digits);
         else if (is_in(part, q))
-            table_fixed(t, value_of(p, q), 0);
+            table_fixed(t, quantity_at(p, q), 0);
     }
-    if (rules->count && part != PART_TIMES)
+    if (rules->count && part != PART_TIMES && truth)
+        table_dash(t);
+    else if (rules->count && part != PART_TIMES)
         table_text(
             t, "%s",
             verdict_text(rules, verdict_of(rules, &row->result), words, sizeof words));
@@ -417,12 +413,12 @@ static struct table *fill(const struct view *v, enum part part, bool people,
             "time", "s",
             .readers = v->alone && !d->study->time ? TABLE_MACHINES : TABLE_ALL};
     for (int n = 0; n < v->columns; n++) {
-        const struct quantity_row *q = v->column[n];
+        const struct quantity_row *q = &quantity_table[v->column[n]];
         const bool length = v->alone && q->unit && !strcmp(q->unit, "L");
-        if (is_in(part, q))
+        if (is_in(part, v->column[n]))
             columns[count++] = (struct table_column){
                 q->head, q->unit, .key = length ? NULL : q->name, /* error_over_length */
-                .readers = is_seen(v, q) ? TABLE_ALL : TABLE_MACHINES};
+                .readers = is_seen(v, v->column[n]) ? TABLE_ALL : TABLE_MACHINES};
     }
     if (d->plan->verdicts.count && part != PART_TIMES)
         columns[count++] = (struct table_column){"by the rules", NULL, TABLE_LEFT};
@@ -484,9 +480,9 @@ static void add_notes(struct table *t, const struct view *v)
     char text[2048] = "";
 
     for (int n = 0; n < v->columns; n++) {
-        const struct quantity_row *q = v->column[n];
+        const struct quantity_row *q = &quantity_table[v->column[n]];
         const size_t used = strlen(text);
-        if (is_seen(v, q))
+        if (is_seen(v, v->column[n]))
             snprintf(text + used, sizeof text - used, "%s%s: %s", n ? "; " : "", q->head,
                      q->help);
     }
@@ -526,19 +522,11 @@ static void write_labels(const struct study *s, int level, const struct plan_set
     }
 }
 
-/* Returns the quantity that x of the chart is; NULL: the size of levels. */
-static const struct quantity_row *x_of(const struct plan_chart *plan)
-{
-    const int n = quantity_find(plan->x);
-
-    return n < 0 ? NULL : &quantity_table[n];
-}
-
 /* Finds every level that has a place in the chart; freed by the receiver. */
 static struct dot *find_dots(const struct study_results *d, const struct plan_chart *plan,
                              int *count)
 {
-    const struct quantity_row *x = x_of(plan);
+    const int x = quantity_find(plan->x); /* -1: the size of levels */
     struct dot *dots = NULL;
     size_t most = 1;
 
@@ -550,15 +538,15 @@ static struct dot *find_dots(const struct study_results *d, const struct plan_ch
             for (int n = 0; n < d->study[k].plan->level_count; n++) {
                 const struct study *s = &d->study[k];
                 const struct place at = {d, s, n, s->frames - 1};
-                const struct quantity_row *of = quantity_of(&plan->y, i);
+                const enum quantity of = quantity_of(&plan->y, i);
                 struct dot *dot = &dots[*count];
-                dot->x = x ? value_of(&at, x) : s->row[n].level->size;
-                dot->y = value_of(&at, of);
+                dot->x = x < 0 ? s->row[n].level->size : quantity_at(&at, (enum quantity)x);
+                dot->y = quantity_at(&at, of);
                 if (!isnan(plan->from))
                     dot->y = fabs(dot->y - plan->from);
                 write_labels(s, n, &plan->panel, "", dot->panel);
-                write_labels(s, n, &plan->line, plan->y.count > 1 ? of->head : "",
-                             dot->line);
+                write_labels(s, n, &plan->line,
+                             plan->y.count > 1 ? quantity_table[of].head : "", dot->line);
                 *count += dot->x > 0 && dot->y > 0 && isfinite(dot->y);
             }
     return dots;
@@ -580,7 +568,9 @@ static bool is_first(const struct dot *dots, const struct dot *dot, bool line)
 static struct chart *chart_of(const struct study_results *d, const struct plan_chart *plan,
                               const char *title)
 {
-    const struct quantity_row *q = quantity_of(&plan->y, 0), *x = x_of(plan);
+    const int column = quantity_find(plan->x);
+    const struct quantity_row *q = &quantity_table[quantity_of(&plan->y, 0)];
+    const struct quantity_row *x = column < 0 ? NULL : &quantity_table[column];
     struct chart *c = chart_create(title);
     char y[128];
     int count = 0;
@@ -657,7 +647,7 @@ static enum status draw_sheets(const struct study *s, const char *folder,
     return picture_save(folder, name, columns, count, panels, why);
 }
 
-/* Draws the studies that the plan names; it names none: those without axes. */
+/* Draws the studies that the plan names; it names none: those with listed levels. */
 static enum status draw_some(const struct view *v, const char *folder, struct message *why)
 {
     const struct plan_settings *named = &v->d->plan->table.pictures;
@@ -665,8 +655,9 @@ static enum status draw_some(const struct view *v, const char *folder, struct me
 
     for (int n = 0; n < v->d->count && st == STATUS_OK; n++) {
         const struct study *s = &v->d->study[n];
-        if (v->alone || (named->count ? plan_settings_find(named, s->plan->name) != NULL
-                                      : !s->plan->axis_count && s->time))
+        if (v->alone ||
+            (named->count ? plan_settings_find(named, s->plan->name) != NULL
+                          : !strcmp(s->plan->axis->name, PLAN_LEVEL_AXIS) && s->time))
             st = draw_sheets(s, folder, why);
     }
     return st;

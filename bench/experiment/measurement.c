@@ -186,14 +186,13 @@ void measurement_tell(const char *what, const struct measurement_taken *taken,
                 taken->taken, taken->cases, folder);
 }
 
-/* Marks the cases that are done whose files are there. */
+/* Marks the cases that are done, whose files are there. */
 static enum status take(const struct measurement_options *o, int count,
                         struct measurement_case *cases, struct job *jobs,
                         struct message *why)
 {
     struct measurement_taken here = {0, count};
     unsigned long program;
-    char folder[4096] = "";
     enum status st;
 
     TRY(sum_of_program(&program, why));
@@ -201,13 +200,8 @@ static enum status take(const struct measurement_options *o, int count,
         TRY(key_of(o, &cases[n], program, jobs[n].made_for, why));
         cases[n].done = !o->again && is_kept(&cases[n], jobs[n].made_for);
         here.taken += cases[n].done;
-        snprintf(folder, sizeof folder, "%s", cases[n].keep.file);
     }
-    if (strrchr(folder, '/'))
-        *strrchr(folder, '/') = '\0';
-    if (!o->taken)
-        measurement_tell(o->what, &here, folder);
-    else
+    if (o->taken)
         o->taken->taken += here.taken, o->taken->cases += count;
 out:
     return st;
@@ -338,13 +332,8 @@ out:
     return st;
 }
 
-void measurement_share(double processor, double all, FILE *file)
-{
-    fprintf(file, "; a processor for %.0f %% of the time", 100 * processor / all);
-    if (processor < ENOUGH * all)
-        fprintf(file, ": the machine was busy, the milliseconds are too long");
-}
-
+/* Prints for how much of the time there was a processor: milliseconds of a busy machine are
+ * too long. */
 static void tell_share(const struct store_read *run, FILE *file)
 {
     double *all = NULL, *ours = NULL;
@@ -352,8 +341,11 @@ static void tell_share(const struct store_read *run, FILE *file)
 
     if (store_read_array(run, "seconds/timed", &all, &rows, &columns, NULL) == STATUS_OK &&
         store_read_array(run, "seconds/processor", &ours, &rows, &columns, NULL) ==
-            STATUS_OK)
-        measurement_share(*ours, *all, file);
+            STATUS_OK) {
+        fprintf(file, "; a processor for %.0f %% of the time", 100 * *ours / *all);
+        if (*ours < ENOUGH * *all)
+            fprintf(file, ": the machine was busy, the milliseconds are too long");
+    }
     free(all);
     free(ours);
 }

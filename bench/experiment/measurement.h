@@ -39,7 +39,7 @@ struct measurement_options {
     void (*progress)(void *context, const char *what, int done, int total); /* or NULL */
     void *context;
     bool again; /* files of earlier calls are not taken                                */
-    struct measurement_taken *taken; /* is added to; NULL: told on standard error      */
+    struct measurement_taken *taken; /* is added to; NULL: not told                    */
 };
 
 /* Runs and times all cases. Deaths and refusals are results. Files of an earlier call are
@@ -54,10 +54,6 @@ enum status measurement_run(const struct measurement_options *options, int count
  */
 void measurement_tell(const char *what, const struct measurement_taken *taken,
                       const char *folder);
-
-/* Prints for how much of `all` seconds there was a processor: milliseconds of a busy
- * machine are too long. */
-void measurement_share(double processor, double all, FILE *file);
 
 /* Prints a line on where the run in a result file was measured; nothing if it cannot be
  * read. */

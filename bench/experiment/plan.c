@@ -182,7 +182,7 @@ const struct plan_setting *plan_settings_find(const struct plan_settings *settin
     return NULL;
 }
 
-void plan_settings_clear(struct plan_settings *settings)
+static void clear_settings(struct plan_settings *settings)
 {
     for (int n = 0; n < settings->count; n++) {
         free(settings->list[n].key);
@@ -350,35 +350,26 @@ out:
     return st;
 }
 
-/* Reads a map of axes. */
-static enum status read_level_axes(const struct schema_key *key,
-                                   const struct yaml_tree *node, struct plan_study *study,
-                                   struct message *why)
-{
-    enum status st = STATUS_OK;
-
-    if (node->count < 1 || node->count > PLAN_STUDY_AXES)
-        return schema_refuse(key, node, why);
-    for (const struct yaml_tree *n = node->first; n; n = n->next) {
-        struct plan_study_axis *axis = &study->axis[study->axis_count++];
-        axis->name = strdup(n->key);
-        TRY(axis->name ? STATUS_OK : STATUS_MEMORY);
-        axis->levels =
-            read_list(key, n, sizeof *axis->levels, &axis->count, read_level, &st, why);
-        TRY(st);
-    }
-out:
-    return st;
-}
-
-LIST_READER(read_level_list, plan_study, levels, level_count, read_level)
-
+/* Reads a map of axes, or a list of levels, which is one axis. */
 static enum status read_levels(const struct schema_key *key, const struct yaml_tree *node,
                                void *target, struct message *why)
 {
-    return node->kind == YAML_TREE_MAP
-               ? read_level_axes(key, node, (void *)((char *)target + key->offset), why)
-               : read_level_list(key, node, target, why);
+    struct plan_study *study = (void *)((char *)target + key->offset);
+    const bool map = node->kind == YAML_TREE_MAP;
+    enum status st = STATUS_OK;
+
+    if (map && (node->count < 1 || node->count > PLAN_STUDY_AXES))
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *n = map ? node->first : node; n && st == STATUS_OK;
+         n = map ? n->next : NULL) {
+        struct plan_study_axis *axis = &study->axis[study->axis_count++];
+        axis->name = strdup(map ? n->key : PLAN_LEVEL_AXIS);
+        TRY(axis->name ? STATUS_OK : STATUS_MEMORY);
+        axis->levels =
+            read_list(key, n, sizeof *axis->levels, &axis->count, read_level, &st, why);
+    }
+out:
+    return st;
 }
 
 /* The keys that both plan and study may have, read into the struct plan_study that begins
@@ -721,8 +712,8 @@ static void clear_level(struct plan_level *level)
 {
     free(level->label);
     free(level->name);
-    plan_settings_clear(&level->settings);
-    plan_settings_clear(&level->quick);
+    clear_settings(&level->settings);
+    clear_settings(&level->quick);
     *level = (struct plan_level){0};
 }
 
@@ -835,8 +826,6 @@ static enum status complete(struct plan_study *study, const struct yaml_tree *ro
             TRY(schema_value(key, plans, study, why));
     }
     study->times_line = line_of(own_times ? node : root, "times", 0);
-    for (int n = 0; n < study->level_count; n++)
-        study->levels[n].part[0] = &study->levels[n];
     if (study->axis_count)
         TRY(multiply_all(study, plan, why));
     if (!study->caption)
@@ -888,7 +877,7 @@ static void clear_study(struct plan_study *study)
         free(study->axis[n].levels);
         free(study->axis[n].name);
     }
-    plan_settings_clear(&study->settings);
+    clear_settings(&study->settings);
     free(study->levels);
     free(study->times);
     free(study->quick_times);
@@ -983,7 +972,7 @@ const struct named_file_kind plan_study_kind = {
 static void clear_products(struct plan_products *products)
 {
     for (int n = 0; n < products->count; n++)
-        plan_settings_clear(&products->list[n].labels);
+        clear_settings(&products->list[n].labels);
     free(products->list);
 }
 
@@ -992,16 +981,16 @@ void plan_clear(struct plan *plan)
     for (int n = 0; n < plan->axis_count; n++) {
         free(plan->axes[n].key);
         free(plan->axes[n].by);
-        plan_settings_clear(&plan->axes[n].values);
+        clear_settings(&plan->axes[n].values);
     }
     for (int n = 0; n < plan->listed_count; n++) {
         free(plan->listed[n].name);
-        plan_settings_clear(&plan->listed[n].settings);
+        clear_settings(&plan->listed[n].settings);
     }
     for (int n = 0; n < plan->map.mark_count; n++) {
         free(plan->map.marks[n].text);
         free(plan->map.marks[n].label);
-        plan_settings_clear(&plan->map.marks[n].settings);
+        clear_settings(&plan->map.marks[n].settings);
     }
     for (int n = 0; n < plan->study_count; n++)
         clear_study(&plan->studies[n]);
@@ -1011,7 +1000,7 @@ void plan_clear(struct plan *plan)
         &plan->settings,       &plan->reference,   &plan->table.columns, &plan->table.shown,
         &plan->table.pictures, &plan->chart.panel, &plan->chart.line,    &plan->chart.y};
     for (size_t n = 0; n < sizeof settings / sizeof *settings; n++)
-        plan_settings_clear(settings[n]);
+        clear_settings(settings[n]);
     void *const owned[] = {
         plan->table.note, plan->table.file, plan->chart.x,     plan->studies, plan->axes,
         plan->listed,     plan->map.marks,  plan->falls.along, plan->map.x,   plan->map.y,

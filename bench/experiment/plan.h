@@ -46,8 +46,6 @@ struct plan_settings {
 const struct plan_setting *plan_settings_find(const struct plan_settings *settings,
                                               const char *key);
 
-void plan_settings_clear(struct plan_settings *settings); /* all-zero is allowed */
-
 /* --- Axes: a key and its values, listed or from ... to. */
 
 enum { PLAN_AXIS_MOST = 10000 }; /* values */
@@ -83,13 +81,15 @@ struct plan_level {
     struct plan_settings quick; /* on top of them in a quick run                       */
     int timed; /* repeats; 0: not timed; -1: as the study has it                       */
     bool slow; /* a quick run leaves it out                                            */
-    /* The levels that it is the product of, one on each axis of its study, or itself,
-       where levels are listed; borrowed. Their settings are its settings. */
+    /* The levels that it is the product of, one on each axis of its study; borrowed.
+       Their settings are its settings. */
     const struct plan_level *part[PLAN_STUDY_AXES];
     int line;
 };
 
-/* Labelled levels whose products with those of the other axes are the levels of a study. */
+/* Labelled levels whose products with those of the other axes are the levels of a study.
+ * A list of levels is one axis of this name. */
+#define PLAN_LEVEL_AXIS "level"
 struct plan_study_axis {
     char *name; /* owned                                                                */
     int count;
@@ -117,8 +117,8 @@ struct plan_study {
     char *caption; /* of its tables                                             owned  */
     struct plan_settings settings;
     int level_count;
-    struct plan_level *levels; /* [level_count]                                 owned  */
-    int axis_count;            /* 0: its levels are listed; else products of these     */
+    struct plan_level *levels; /* [level_count], products of the axes           owned  */
+    int axis_count;
     struct plan_study_axis axis[PLAN_STUDY_AXES];
     int time_count;  /* 0: static equilibrium, as the only frame                   */
     double *times;   /* [time_count] [s]                                        owned  */

@@ -88,16 +88,17 @@ const char *const verdict_kind_word[VERDICT_KINDS] = {
     [VERDICT_NONE] = "none",
 };
 
-struct verdict verdict_apply(const struct verdict_rules *rules, enum status outcome,
-                             const double *measure)
+struct verdict verdict_of(const struct verdict_rules *rules, const struct run_result *r)
 {
-    struct verdict v = {.died = status_is_death(outcome)};
+    struct verdict v = {.died = status_is_death(r->outcome)};
 
-    if (outcome != STATUS_OK && !v.died)
+    if (r->quick)
+        return (struct verdict){.kind = VERDICT_UNJUDGED, .quick = true};
+    if (r->outcome != STATUS_OK && !v.died)
         return (struct verdict){.kind = VERDICT_NONE};
     for (int n = 0; n < rules->count; n++) {
         const struct verdict_rule *rule = &rules->rule[n];
-        const double value = measure[rule->measure];
+        const double value = r->value[rule->measure];
         if (isnan(value))
             v.unmeasured |= 1u << n;
         else if (rule->above ? value > rule->bound : value < rule->bound)
@@ -107,12 +108,6 @@ struct verdict verdict_apply(const struct verdict_rules *rules, enum status outc
              : v.unmeasured    ? VERDICT_UNJUDGED
                                : VERDICT_FEASIBLE;
     return v;
-}
-
-struct verdict verdict_of(const struct verdict_rules *rules, const struct run_result *r)
-{
-    return r->quick ? (struct verdict){.kind = VERDICT_UNJUDGED, .quick = true}
-                    : verdict_apply(rules, r->outcome, r->value);
 }
 
 /* Whether a rule among these bits has the label. */

@@ -58,10 +58,6 @@ struct verdict {
     bool quick;          /* not judged: the run was cut short by --quick               */
 };
 
-/* Applies the rules to a run that ended so, with measure[MEASURES]. */
-struct verdict verdict_apply(const struct verdict_rules *rules, enum status outcome,
-                             const double *measure);
-
 /* Applies the rules to a result; one of a quick run is never judged. */
 struct verdict verdict_of(const struct verdict_rules *rules, const struct run_result *r);
 

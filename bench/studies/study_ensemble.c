@@ -133,7 +133,7 @@ static enum status add_run(struct job *job, int ensemble, int member, struct mes
                                   .own = own,
                                   .own_look = look};
     contestant_points(c, side_of(job, ensemble, 0), side_of(job, ensemble, 1), s);
-    /* As compare has it: a factor on the velocity is the paper's scheme's alone. */
+    /* A factor on the velocity belongs to the paper's scheme alone, as in compare. */
     if (damping && !contestant_is_paper_scheme(c))
         settings_set(s, damping);
     settings_number(s, "time.step", frame);

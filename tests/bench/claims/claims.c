@@ -322,6 +322,24 @@ static void has_the_papers_rows(void)
     study_unmake(&made);
 }
 
+/* A quick run judges no claim that needs a full one, and says so. */
+static void judges_quick_runs(void)
+{
+    struct study_made made;
+    struct study_printed p;
+
+    study_make(&made, "solvers");
+    made.r.quick = true;
+    REQUIRE(claim_tell(&made.r, study_folder, TABLE_TEXT, study_print_to(&p), NULL) ==
+            STATUS_OK);
+    char *text = study_squeeze(study_printed_text(&p));
+    study_wants(text, "frame below 1.25\": not judged: quick. Up to 20x20x2 a frame grows");
+    study_wants(text, "pays on every net\": holds. New ones in each");
+    study_wants(text, "same motion\": not judged: quick. A quick run leaves out what");
+    free(text);
+    study_unmake(&made);
+}
+
 /* --- claims.txt. */
 
 /* Cuts text before `mark` and returns what stands behind it; NULL: it has none. */
@@ -391,6 +409,7 @@ int main(int argc, char **argv)
 
     study_begin(argc, argv);
     has_the_papers_rows();
+    judges_quick_runs();
     char *text = fresh_text(SOURCE_DIR "/tests", "claims.txt");
     for (char *at = text; (at = strstr(at, "\n  "));)
         memmove(at, at + 2, strlen(at + 2) + 1), *at = ' ';

@@ -70,9 +70,12 @@ static void read_second(struct cells *c)
     if (!CHECK(reference_open(REFERENCE_DIR "/paper_tables.csv", &r, &why) == STATUS_OK))
         printf("%s\n", why.text);
     REQUIRE(r);
-    for (int n = 0; n < reference_rows(r); n++)
-        ADD(c, atoi(reference_text(r, n, "table")), reference_text(r, n, "row"),
-            reference_text(r, n, "column"), "%s", reference_text(r, n, "value"));
+    for (int n = 0; n < reference_rows(r); n++) {
+        const char *column = reference_text(r, n, "column");
+        if (strcmp(column, "figure") && strcmp(column, "scene")) /* words, not numbers */
+            ADD(c, atoi(reference_text(r, n, "table")), reference_text(r, n, "row"), column,
+                "%s", reference_text(r, n, "value"));
+    }
     reference_close(r);
 }
 
@@ -148,28 +151,6 @@ static void net_of(const struct plan *plan, const struct plan_study *s,
     *points = to[0] * to[1] * to[2];
 }
 
-/* "Fig. 12b, 13a" is of 12b+13a; "Fig. 7, edge fixed" of 7, and a scene with a name. */
-static void figure_of(const struct plan_study *s, const char *scene, char figure[WORD],
-                      char what[WORD])
-{
-    static const char *const words[][2] = {{"edge_drop", "edge fixed"},
-                                           {"corners_drop", "two corners fixed"},
-                                           {"ground", "ground contact"},
-                                           {"flag", "falling flag"}};
-    char rest[WORD] = "";
-
-    *what = '\0';
-    REQUIRE(sscanf(s->caption, "Fig. %63[^,:], %63[^:]", figure, rest) >= 1);
-    if (*rest >= '0' && *rest <= '9')
-        snprintf(figure + strlen(figure), WORD - strlen(figure), "+%.*s", WORD / 2, rest);
-    else if (*rest)
-        for (int n = 0; n < 4; n++)
-            if (!strcmp(words[n][0], scene)) {
-                CHECK(!strncmp(words[n][1], rest, strlen(rest)));
-                snprintf(what, WORD, "%s", words[n][1]);
-            }
-}
-
 static void add_second(struct cells *c)
 {
     struct plan plan;
@@ -178,16 +159,13 @@ static void add_second(struct cells *c)
     REQUIRE(plan.study_count == PAPER_TABLE2_ROWS);
     for (int n = 0; n < PAPER_TABLE2_ROWS; n++) {
         const struct plan_study *s = &plan.studies[n];
-        char row[WORD], degree[WORD], net[WORD], figure[WORD], what[WORD];
+        char row[WORD], degree[WORD], net[WORD];
         struct scene scene;
         int points;
         scene_of(&plan, s, &scene);
         const struct plan_level *printed = &s->levels[0];
         net_of(&plan, s, printed, strchr(s->caption, '('), degree, net, &points);
-        figure_of(s, scene.name, figure, what);
         snprintf(row, WORD, "%d", n + 1);
-        ADD(c, 2, row, "figure", "%s", figure);
-        ADD(c, 2, row, "scene", "%s", what);
         ADD(c, 2, row, "degree", "%s", degree);
         ADD(c, 2, row, "net", "%s", net);
         ADD(c, 2, row, "E", "%.17g", scene.young);

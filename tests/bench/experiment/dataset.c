@@ -1,5 +1,5 @@
-/* What is printed of a plan without a table, from made-up numbers: each in its cell, with
- * truth, without, at rest; levels that died or were refused; below it only what holds. */
+/* A plan without a table is printed from made-up numbers: each in its cell, with truth,
+ * without, at rest; levels that died or were refused; notes below. */
 #include "bench/experiment/dataset.h"
 
 #include <unistd.h>

@@ -85,7 +85,7 @@ static long tries(const struct plan *plan)
     return sum;
 }
 
-/* Its cases are tried one by one: what has many of them is only parsed. */
+/* Plans of more cases are only parsed, since cases are tried one by one. */
 enum { TRIES_MOST = 10 };
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

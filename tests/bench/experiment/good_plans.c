@@ -1,7 +1,7 @@
-/* What a good plan is taken apart into: cases, ranges, values, studies, stand-ins. */
+/* Good plans are taken apart into cases, ranges, values, studies, stand-ins. */
 #include "tests/plan_fixture.h"
 
-/* What a study has of its own, and what of the plan. */
+/* A study has its own keys, and others of the plan. */
 static void check_studies(void)
 {
     struct plan plan;
@@ -27,6 +27,18 @@ static void check_studies(void)
         CHECK(strstr(c.path, "corners_drop.yaml"));
         plan_case_clear(&c);
     }
+    plan_clear(&plan);
+}
+
+/* A study with times of its own has none of the plan's for a quick run. */
+static void check_quick_times(void)
+{
+    struct plan plan;
+
+    REQUIRE(read_plan(STUDIES, STUDY_LINES, STUDY_LINES + 1, "quick_times: [0.05]", &plan,
+                      NULL) == STATUS_OK);
+    CHECK(plan.studies[0].quick_count == 1 && plan.studies[0].quick_times[0] == 0.05);
+    CHECK(plan.studies[1].quick_count == 0);
     plan_clear(&plan);
 }
 
@@ -71,7 +83,7 @@ static void check_quotes(void)
     }
 }
 
-/* What nobody gives: at rest, no truth, not timed, nobody else's milliseconds. */
+/* A study without keys is at rest, has no truth, is not timed. */
 static void check_bare_study(void)
 {
     static const char *const text[] = {"name: bare", "source: a test", "scene: edge_drop",
@@ -282,6 +294,7 @@ int main(void)
     check_values();
     check_first();
     check_studies();
+    check_quick_times();
     check_quotes();
     check_bare_study();
     check_lists();

@@ -145,9 +145,8 @@ static void test_short_text(void)
     REQUIRE(read_rules(good, &rules, NULL) == STATUS_OK);
     r.value[MEASURE_STRETCH_MAX] = 2;
     r.value[MEASURE_INTERSECTION_TIME] = 0;
-    CHECK(!strcmp(
-        verdict_text(&rules, verdict_apply(&rules, r.outcome, r.value), text, sizeof text),
-        "over-st"));
+    CHECK(!strcmp(verdict_text(&rules, verdict_of(&rules, &r), text, sizeof text),
+                  "over-st"));
     verdict_clear(&rules);
 }
 
@@ -218,7 +217,7 @@ static void fits(void)
     expect(odd, top, LEARN_ABOVE, 3.5, INFINITY, 5);
 }
 
-/* What a lone one alone taught is not known without it. */
+/* A bound that one answer alone taught is not known without it. */
 static void leaves_out(void)
 {
     const double value[] = {2.5, 1, 2, 5, 4, 6};
@@ -277,7 +276,7 @@ static const struct {
               {NAN, 1, JUDGE_OPEN},      {1, NAN, JUDGE_OPEN}, {-2, -1, JUDGE_HOLDS},
               {1, INFINITY, JUDGE_HOLDS}};
 
-/* Of two, in either order. */
+/* Two judgements, in either order, and the joint one. */
 static const enum judge both[][3] = {
     {JUDGE_HOLDS, JUDGE_HOLDS, JUDGE_HOLDS}, {JUDGE_HOLDS, JUDGE_FAILS, JUDGE_FAILS},
     {JUDGE_HOLDS, JUDGE_OPEN, JUDGE_OPEN},   {JUDGE_FAILS, JUDGE_OPEN, JUDGE_FAILS},

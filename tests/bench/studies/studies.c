@@ -103,7 +103,7 @@ static void check_done(size_t n)
         return;
     }
     char *kept = fresh_text(folder, KEPT_NAME), *out = fresh_text(".", "out");
-    bool fine = strstr(kept, "# clothbench study") && strstr(kept, "a test");
+    bool fine = strstr(kept, "# clothbench study") && strstr(kept, "a test: cost");
     fine = fine && strstr(out, done[n].words);
     fine = fine && repeats_of(folder) == done[n].repeats;
     fine = fine && judge_marked(folder) == done[n].quick;

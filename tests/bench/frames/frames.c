@@ -105,8 +105,10 @@ static void check_refused(const char *path, double dt, const char *where, const 
 
 static void bad_texts(void)
 {
-#define HEAD "ply\nformat ascii 1.0\n"
-#define XYZ  "property float x\nproperty float y\nproperty float z\n"
+#define HEAD   "ply\nformat ascii 1.0\n"
+#define XYZ    "property float x\nproperty float y\nproperty float z\n"
+#define VERTEX "element vertex 1\n" XYZ
+#define FACE   "element face 1\nproperty list uchar int vertex_indices\n"
     static const struct {
         const char *name, *text, *where, *what;
     } row[] = {
@@ -132,8 +134,8 @@ static void bad_texts(void)
         {"f.obj", "v 0 0 0\nf 1 1 2\n", "line 2", "not there"},
         {"line.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3", "fewer than three"},
         {"seam.obj",
-         "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf -3/2 -2 -1\n", "line 7",
-         "second vt"},
+         "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf -3/2 -2 -1\n",
+         "line 7", "second vt"},
         {"no.ply", "plz\n", "line 1", "`ply`"},
         {"end.ply", HEAD "element vertex 1\n" XYZ, "end.ply", "before end_header"},
         {"huge.ply", HEAD "element vertex 4000000000\n" XYZ "end_header\n", "line 3",
@@ -144,10 +146,15 @@ static void bad_texts(void)
          "x, y and z"},
         {"few.ply", HEAD "element vertex 2\n" XYZ "end_header\n0 0 0\n0 0\n", "few.ply",
          "fewer than its header counts"},
-        {"far.ply",
-         HEAD "element vertex 1\n" XYZ "element face 1\nproperty list uchar int "
-              "vertex_indices\nend_header\n0 0 0\n3 0 0 1\n",
-         "far.ply", "not there"},
+        {"far.ply", HEAD VERTEX FACE "end_header\n0 0 0\n3 0 0 1\n", "far.ply",
+         "not there"},
+        {"list.ply", HEAD "element vertex 1\nproperty list float int vertex_indices\n",
+         "line 4", "no whole number"},
+        {"two.ply", HEAD VERTEX FACE "end_header\n0 0 0\n2 0 0\n", "line 10",
+         "fewer than 3"},
+        {"open.ply", HEAD VERTEX FACE "end_header\n0 0 0\n3 0 0\n", "open.ply",
+         "within a list"},
+        {"vt.obj", "v 0 0 0\nvt 0 0\nf 1/1 1/2 1/1\n", "line 3", "texture points"},
         {"no.npz", "not a zip file, but long enough", "no.npz", "no ZIP file"},
         {"no.npy", "not an array", "no.npy", "no array of NumPy"},
         {"no.mdd", "abcdefghij", "no.mdd", "as many as it counts"},
@@ -183,7 +190,10 @@ static void bad_sequences(void)
         write_text(row[n].file, row[n].text);
         check_refused(row[n].name, 1, row[n].where, row[n].what);
     }
-    REQUIRE(mkdir("nothing", 0777) == 0);
+    REQUIRE(mkdir("two", 0777) == 0 && mkdir("nothing", 0777) == 0);
+    write_text("two/a.csv", "0,0,0,0,0,0\n");
+    write_text("two/b.csv", "1,0,0,0,0,0\n");
+    check_refused("two", 1, "two/a.csv: is one of 2 files", "each .csv has all frames");
     check_refused("nothing", 1, "nothing", "has no frames in it");
     check_refused("absent", 1, "absent", "");
     check_refused(SAMPLES "objs", 0, "objs", "--dt");

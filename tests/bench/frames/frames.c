@@ -150,7 +150,7 @@ static void bad_texts(void)
          "not there"},
         {"list.ply", HEAD "element vertex 1\nproperty list float int vertex_indices\n",
          "line 4", "no whole number"},
-        {"two.ply", HEAD VERTEX FACE "end_header\n0 0 0\n2 0 0\n", "line 10",
+        {"two.ply", HEAD VERTEX FACE "end_header\n0 0 0\n2 0 0\n", "line 11",
          "fewer than 3"},
         {"open.ply", HEAD VERTEX FACE "end_header\n0 0 0\n3 0 0\n", "open.ply",
          "within a list"},

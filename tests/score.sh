@@ -58,6 +58,14 @@ code=0
 grep -q "sphere: Nothing wrong" "$scratch/out" || fail "bad frames end the sheet"
 grep -q "hanging.*refused" "$scratch/out" || fail "bad frames are no row"
 grep -q "^clothbench: .*hanging.csv: line 1" "$scratch/err" || fail "bad frames are not told at the end"
+"$program" score "$scratch/all" --format json 2>/dev/null |
+    grep -qF '"scene": "hanging", "rows": [], "diagnosis": [], "refused": "' || fail "bad frames are no JSON"
+
+# A light cantilever has an exact solution, which is known at any time.
+sed 's/density: 0.5/density: 1.0e-4/' "$2/models/scenes/edge_drop.yaml" >"$scratch/light.yaml"
+awk 'BEGIN { for (k = 0; k < 5; k++) for (n = 0; n < 4; n++)
+    printf "%g,%d,%d,%d,%d,0\n", k / 10, n % 2, int(n / 2), n % 2, int(n / 2) }' >"$scratch/still.csv"
+says "truth at 42 times from 0.1 to 4.2 s" "$scratch/light.yaml" "$scratch/still.csv"
 
 echo "0,0,0,0,0,0" >"$scratch/one.csv"
 refuses "No such file" edge_drop "$scratch/absent.csv"

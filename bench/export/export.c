@@ -328,9 +328,9 @@ static const struct {
     unsigned need;      /* of the scene, without which it is left out; 0: none           */
     enum status (*write)(struct export_job *j, struct output *out);
 } files[] = {
-    {"rest.obj", "obj", 0, export_sheet_obj},
-    {"rest.ply", "ply", 0, export_sheet_ply},
-    {"rest.csv", "csv", 0, export_sheet_csv},
+    {"rest.obj", "obj", 0, export_mesh_obj},
+    {"rest.ply", "ply", 0, export_mesh_ply},
+    {"rest.csv", "csv", 0, export_mesh_csv},
     {"held.csv", NULL, 0, export_held_csv},
     {"materials.csv", NULL, 0, export_numbers_materials},
     {"times.csv", NULL, 0, export_numbers_times},

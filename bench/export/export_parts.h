@@ -1,10 +1,37 @@
-/* export_parts.h - what an export is made of; private to this room. */
+/* export_parts.h - what an export is made of; private to this room.
+ *
+ * Vertices outside the sheet make a clamp of an edge: where bending is an angle between
+ * elements, a held row alone is a hinge. A support through the whole thickness that holds
+ * the direction from an edge into the sheet keeps the edge from turning. A vertex whose
+ * neighbour inside is free and that has none on the other side gets one there, where the
+ * mid-surface would go on, held as it is. A patch of several rows needs none.
+ */
 #ifndef EXPORT_PARTS_H
 #define EXPORT_PARTS_H
 
-#include "bench/export/export_held.h"
+#include "bench/export/export_sheet.h"
 #include "bench/files/output.h"
 #include "bench/truth/truth.h"
+
+struct export_held_vertex {
+    int vertex, i, j; /* its number, from n m on for those outside; its place           */
+    unsigned fix;     /* FIX_X...                                                       */
+    int path;         /* the support whose path it follows; -1: it does not move        */
+    int beside;       /* outside: the held vertex that it stands beside; else -1        */
+};
+
+struct export_held {
+    int count, outside;
+    struct export_held_vertex *vertex; /* [count], those of the sheet first      owned */
+    struct message doubt; /* where the net holds too little; empty: nowhere            */
+};
+
+/* Finds the held vertices. STATUS_UNSUPPORTED with a sentence: vertices cannot express how
+ * the scene holds the sheet, STATUS_INPUT: a support holds none of them. Free with
+ * export_held_clear. */
+enum status export_held_find(const struct export_sheet *s, struct export_held *held,
+                             struct message *why);
+void export_held_clear(struct export_held *held); /* all-zero is allowed */
 
 struct export_job {
     struct scene scene; /* as its truth moves                                            */
@@ -17,9 +44,9 @@ struct export_job {
 };
 
 /* Write one file each. STATUS_MEMORY; output.h says what cannot be written. */
-enum status export_sheet_obj(struct export_job *j, struct output *out);
-enum status export_sheet_ply(struct export_job *j, struct output *out);
-enum status export_sheet_csv(struct export_job *j, struct output *out);
+enum status export_mesh_obj(struct export_job *j, struct output *out);
+enum status export_mesh_ply(struct export_job *j, struct output *out);
+enum status export_mesh_csv(struct export_job *j, struct output *out);
 enum status export_held_csv(struct export_job *j, struct output *out);
 enum status export_numbers_materials(struct export_job *j, struct output *out);
 enum status export_numbers_times(struct export_job *j, struct output *out);

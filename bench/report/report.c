@@ -36,30 +36,16 @@ static void write_provenance(FILE *file)
     fputs("\"by\":\"clothbench report\"},", file);
 }
 
-static const struct report_found *find(const struct report_found *found, const char *id)
-{
-    int n = 0;
-
-    while (strcmp(report_part_list[n].id, id))
-        n++;
-    return &found[n];
-}
-
 /* Writes all data but the pictures, without the last brace. */
 static enum status write_data(FILE *file, const char *folder,
                               const struct report_found *found)
 {
-    const struct report_found *compare = find(found, "compare");
-    struct report_tally claims = {0};
     enum status st;
 
     fputc('{', file);
     report_json_pair(file, "folder", folder);
     write_provenance(file);
-    fputs("\"claims\":[", file);
-    report_claim_write(file, found, &claims);
-    fputs("],", file);
-    TRY(report_summary_write(file, &claims, compare, find(found, "verify")));
+    TRY(report_summary_write(file, found));
     fputs("\"parts\":[", file);
     for (int n = 0; report_part_list[n].id; n++) {
         fputs(n ? "," : "", file);
@@ -68,7 +54,7 @@ static enum status write_data(FILE *file, const char *folder,
     fputs("],\"truths\":[", file);
     TRY(report_motion_truths(file));
     fputs("],\"motions\":[", file);
-    TRY(report_motion_write(file, folder, compare));
+    TRY(report_motion_write(file, folder, report_part_found(found, "compare")));
     fputs("],\"pictures\":[", file);
 out:
     return st;

@@ -4,40 +4,14 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Returns the bytes of the character of UTF-8 at `c`; 0: none begins there. Overlong forms
- * and halves of pairs, which readers refuse, are recognized by their first two bytes. */
-static size_t character(const unsigned char *c)
-{
-    const size_t size = c[0] < 0x80                   ? 1
-                        : c[0] >= 0xc2 && c[0] < 0xe0 ? 2
-                        : c[0] >= 0xe0 && c[0] < 0xf0 ? 3
-                        : c[0] >= 0xf0 && c[0] < 0xf5 ? 4
-                                                      : 0;
-
-    for (size_t n = 1; n < size; n++)
-        if ((c[n] & 0xc0) != 0x80)
-            return 0;
-    if ((c[0] == 0xe0 && c[1] < 0xa0) || (c[0] == 0xed && c[1] > 0x9f) ||
-        (c[0] == 0xf0 && c[1] < 0x90) || (c[0] == 0xf4 && c[1] > 0x8f))
-        return 0;
-    return size;
-}
-
 void report_json_string(FILE *file, const char *text)
 {
-    const unsigned char *c = (const unsigned char *)text;
-
     fputc('"', file);
-    while (*c) {
-        const size_t size = character(c);
-        if (size == 0)
-            fputs("\\ufffd", file);
-        else if (size == 1 && (*c < ' ' || *c == 127 || strchr("<>&\"\\'", *c)))
+    for (const unsigned char *c = (const unsigned char *)text; *c; c++)
+        if (*c < ' ' || *c == 127 || strchr("<>&\"\\'", *c))
             fprintf(file, "\\u%04x", *c);
         else
-            fwrite(c, 1, size, file);
-        c += size ? size : 1;
-    }
+            fputc(*c, file);
     fputc('"', file);
 }
 

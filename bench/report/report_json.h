@@ -7,8 +7,8 @@
 
 #include "bench/files/csv.h"
 
-/* Writes a string in quotes. `<`, `>`, `&` and control characters become \u00XX; bytes that
- * are not UTF-8 become the replacement character. */
+/* Writes a string in quotes. `<`, `>`, `&`, quotes and control characters become \u00XX;
+ * bytes that are not UTF-8 stay, which browsers show as the replacement character. */
 void report_json_string(FILE *file, const char *text);
 
 /* Writes "KEY": "TEXT", and a comma. */

@@ -185,6 +185,16 @@ void report_part_clear(struct report_found *found)
     found->count = 0;
 }
 
+const struct report_found *report_part_found(const struct report_found *found,
+                                             const char *id)
+{
+    int n = 0;
+
+    while (strcmp(report_part_list[n].id, id) != 0)
+        n++;
+    return &found[n];
+}
+
 const struct csv_table *report_part_table(const struct report_found *found,
                                           const char *words)
 {

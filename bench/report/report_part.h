@@ -47,6 +47,10 @@ enum status report_part_find(const char *folder, const struct report_part *part,
                              struct report_found *found);
 void report_part_clear(struct report_found *found); /* all-zero is allowed */
 
+/* Returns the files of the part `id` of all, which are in the order of report_part_list. */
+const struct report_found *report_part_found(const struct report_found *found,
+                                             const char *id);
+
 /* Returns the table whose caption has these words; NULL: there is none. */
 const struct csv_table *report_part_table(const struct report_found *found,
                                           const char *words);

@@ -4,12 +4,68 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/kept.h"
 #include "bench/report/report_json.h"
 
 /* An error of this share of the length is small enough to ask for the time to it. */
 #define ENOUGH 0.01
 
 enum { TEXT = 512 };
+
+/* Counts of claims. */
+struct tally {
+    int all, hold, fail;
+};
+
+static void write_claim(FILE *file, struct tally *tally, const struct report_part *part,
+                        const char *claim, const char *verdict, const char *text,
+                        bool quick)
+{
+    fputs(tally->all++ ? ",{" : "{", file);
+    report_json_pair(file, "part", part->id);
+    report_json_pair(file, "claim", claim);
+    report_json_pair(file, "verdict", verdict);
+    report_json_pair(file, "text", text);
+    fprintf(file, "\"quick\":%s}", quick ? "true" : "false");
+    tally->hold += !strcmp(verdict, "holds");
+    tally->fail += !strcmp(verdict, "does not hold");
+}
+
+/* Writes the claims that the command itself judged; returns how many. */
+static int write_kept(FILE *file, struct tally *tally, const struct report_part *part,
+                      const struct report_found *found)
+{
+    const struct csv_table *t = report_part_table(found, KEPT_SENTENCES);
+
+    for (int n = 0; t && n < t->rows; n++)
+        write_claim(file, tally, part, csv_words(t, n, csv_column(t, "claim")),
+                    csv_words(t, n, csv_column(t, "verdict")),
+                    csv_words(t, n, csv_column(t, "sentence")), found->quick);
+    return t ? t->rows : 0;
+}
+
+/* Writes members of an array of JSON, {"part", "claim", "verdict", "text", "quick"}, one a
+ * claim, and counts them. A part that was not run, or cannot be read, has one that says so.
+ */
+static void write_claims(FILE *file, const struct report_found *found, struct tally *tally)
+{
+    char text[128];
+
+    for (int n = 0; report_part_list[n].id; n++) {
+        const struct report_part *part = &report_part_list[n];
+        const struct report_found *f = &found[n];
+        if (!part->paper)
+            continue;
+        if (!f->there || *f->trouble) {
+            snprintf(text, sizeof text, "clothbench %.100s", part->command);
+            write_claim(file, tally, part, part->title, f->there ? "damaged" : "not run",
+                        f->there ? f->trouble : text, false);
+        } else if (!write_kept(file, tally, part, f)) {
+            write_claim(file, tally, part, part->title, "cannot be judged",
+                        "The file has none of the paper's sentences.", f->quick);
+        }
+    }
+}
 
 /* A contestant's run. */
 struct point {
@@ -81,7 +137,7 @@ static double rounded(double value)
     return strtod(text, NULL);
 }
 
-static void tell_claims(const struct report_tally *t, char text[TEXT])
+static void tell_claims(const struct tally *t, char text[TEXT])
 {
     const int left = t->all - t->hold - t->fail;
     char more[64] = ".";
@@ -128,18 +184,21 @@ static void tell_checks(const struct report_found *verify, char text[TEXT])
              met, missed);
 }
 
-enum status report_summary_write(FILE *file, const struct report_tally *claims,
-                                 const struct report_found *compare,
-                                 const struct report_found *verify)
+enum status report_summary_write(FILE *file, const struct report_found *found)
 {
-    const struct csv_table *speed = speed_table(compare);
+    const struct report_found *verify = report_part_found(found, "verify");
+    const struct csv_table *speed = speed_table(report_part_found(found, "compare"));
     struct point *best = malloc(((size_t)(speed ? speed->rows : 0) + 1) * sizeof *best);
+    struct tally claims = {0};
     char said[3][TEXT];
 
     if (!best)
         return STATUS_MEMORY;
+    fputs("\"claims\":[", file);
+    write_claims(file, found, &claims);
+    fputs("],", file);
     const int models = speed ? find_best(speed, best) : 0;
-    tell_claims(claims, said[0]);
+    tell_claims(&claims, said[0]);
     if (speed)
         tell_speed(best, models, said[1]);
     else

@@ -103,13 +103,23 @@ static void check_refused(const char *path, double dt, const char *where, const 
                what);
 }
 
+/* A file with this text, and what its refusal has. */
+struct bad_text {
+    const char *name, *text, *where, *what;
+};
+
+static void check_texts(size_t count, const struct bad_text *row)
+{
+    for (size_t n = 0; n < count; n++) {
+        write_text(row[n].name, row[n].text);
+        check_refused(row[n].name, strstr(row[n].name, ".csv") ? 0 : 1, row[n].where,
+                      row[n].what);
+    }
+}
+
 static void bad_texts(void)
 {
-#define HEAD "ply\nformat ascii 1.0\n"
-#define XYZ  "property float x\nproperty float y\nproperty float z\n"
-    static const struct {
-        const char *name, *text, *where, *what;
-    } row[] = {
+    static const struct bad_text row[] = {
         {"empty.csv", "", "empty.csv", "is empty"},
         {"words.csv", "t,u,v,x,y,z\n0,0,0,0,0,0\n0,1,0,one,0,0\n", "line 3",
          "row of numbers"},
@@ -127,6 +137,24 @@ static void bad_texts(void)
          "has 1 vertices, the first frame 2"},
         {"twice.csv", "0,0,0,0,0,0\n0,1,0,0,0,0\n1,0,0,0,0,0\n1,0,0,0,0,0\n",
          "line 4: frame 2", "twice"},
+        {"no.npz", "not a zip file, but long enough", "no.npz", "no ZIP file"},
+        {"no.npy", "not an array", "no.npy", "no array of NumPy"},
+        {"no.mdd", "abcdefghij", "no.mdd", "as many as it counts"},
+        {"short.pc2", "POINTCACHE2", "short.pc2", "counts"},
+        {"no.h5", "not sealed, and no HDF5 of others", "no.h5", ""},
+        {"no.txt", "frames", "no.txt", "of no kind that is read"},
+    };
+
+    check_texts(sizeof row / sizeof *row, row);
+}
+
+static void bad_meshes(void)
+{
+#define HEAD   "ply\nformat ascii 1.0\n"
+#define XYZ    "property float x\nproperty float y\nproperty float z\n"
+#define VERTEX "element vertex 1\n" XYZ
+#define FACE   "element face 1\nproperty list uchar int vertex_indices\n"
+    static const struct bad_text row[] = {
         {"none.obj", "# nothing\n", "none.obj", "has no vertices"},
         {"v.obj", "v 1 2\n", "line 1", "no vertex"},
         {"f.obj", "v 0 0 0\nf 1 1 2\n", "line 2", "not there"},
@@ -144,23 +172,18 @@ static void bad_texts(void)
          "x, y and z"},
         {"few.ply", HEAD "element vertex 2\n" XYZ "end_header\n0 0 0\n0 0\n", "few.ply",
          "fewer than its header counts"},
-        {"far.ply",
-         HEAD "element vertex 1\n" XYZ "element face 1\nproperty list uchar int "
-              "vertex_indices\nend_header\n0 0 0\n3 0 0 1\n",
-         "far.ply", "not there"},
-        {"no.npz", "not a zip file, but long enough", "no.npz", "no ZIP file"},
-        {"no.npy", "not an array", "no.npy", "no array of NumPy"},
-        {"no.mdd", "abcdefghij", "no.mdd", "as many as it counts"},
-        {"short.pc2", "POINTCACHE2", "short.pc2", "counts"},
-        {"no.h5", "not sealed, and no HDF5 of others", "no.h5", ""},
-        {"no.txt", "frames", "no.txt", "of no kind that is read"},
+        {"far.ply", HEAD VERTEX FACE "end_header\n0 0 0\n3 0 0 1\n", "far.ply",
+         "not there"},
+        {"list.ply", HEAD "element vertex 1\nproperty list float int vertex_indices\n",
+         "line 4", "no whole number"},
+        {"two.ply", HEAD VERTEX FACE "end_header\n0 0 0\n2 0 0\n", "line 11",
+         "fewer than 3"},
+        {"open.ply", HEAD VERTEX FACE "end_header\n0 0 0\n3 0 0\n", "open.ply",
+         "within a list"},
+        {"vt.obj", "v 0 0 0\nvt 0 0\nf 1/1 1/2 1/1\n", "line 3", "texture points"},
     };
 
-    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
-        write_text(row[n].name, row[n].text);
-        check_refused(row[n].name, strstr(row[n].name, ".csv") ? 0 : 1, row[n].where,
-                      row[n].what);
-    }
+    check_texts(sizeof row / sizeof *row, row);
 }
 
 static void bad_sequences(void)
@@ -183,7 +206,10 @@ static void bad_sequences(void)
         write_text(row[n].file, row[n].text);
         check_refused(row[n].name, 1, row[n].where, row[n].what);
     }
-    REQUIRE(mkdir("nothing", 0777) == 0);
+    REQUIRE(mkdir("two", 0777) == 0 && mkdir("nothing", 0777) == 0);
+    write_text("two/a.csv", "0,0,0,0,0,0\n");
+    write_text("two/b.csv", "1,0,0,0,0,0\n");
+    check_refused("two", 1, "two/a.csv: is one of 2 files", "each .csv has all frames");
     check_refused("nothing", 1, "nothing", "has no frames in it");
     check_refused("absent", 1, "absent", "");
     check_refused(SAMPLES "objs", 0, "objs", "--dt");
@@ -257,6 +283,7 @@ int main(void)
     REQUIRE(chdir(scratch) == 0);
     come_back();
     bad_texts();
+    bad_meshes();
     bad_sequences();
     bad_binaries();
     return check_result();

@@ -19,6 +19,7 @@ static struct score_truth truth;
 
 struct net {
     bool outside, jitter, shuffle, faces, told; /* told: uv stand in the file           */
+    bool holed;                                 /* faces are missing along v = 0        */
     double span;                                /* u runs to it; 0: 1                   */
     int first;                                  /* of the frames                        */
 };
@@ -66,7 +67,7 @@ static void write_mesh(const struct net *net, const char *name, int k)
         if (net->told)
             fprintf(file, "vt %.17g %.17g\n", uv[0], uv[1]);
     }
-    for (int n = 0; net->faces && n < NET - SIDE; n++) {
+    for (int n = net->holed ? SIDE : 0; net->faces && n < NET - SIDE; n++) {
         const int corner[6] = {n, n + 1, n + SIDE, n + 1, n + SIDE + 1, n + SIDE};
         for (int c = 0; c < 6 && n % SIDE < SIDE - 1; c++) {
             const int v = at[corner[c]];
@@ -145,6 +146,10 @@ static void refused(void)
         {"half", NULL, {.told = true, .span = .5}, "u runs from 0 to 0.5; from 0 to 1"},
         {"loose", NULL, {.told = true, .jitter = true}, "one at each crossing, or faces"},
         {"other", "grid.obj", {.told = true}, "has 3 vertices, "},
+        {"holed",
+         NULL,
+         {.told = true, .jitter = true, .faces = true, .holed = true},
+         "faces leave u = 0, v = 0 of the sheet bare"},
     };
     FILE *file = fopen("grid.obj", "w");
 
@@ -178,7 +183,8 @@ static void printed(void)
                      "{\"scene\": \"drop\", \"time\": 0.29999999999999999"},
         {TABLE_JSON,
          "truth at 3 times from 0.1 to 0.4 s; judged at the 3 where both exist, at 1 "
-         "of them between frames"}};
+         "of them between frames"},
+        {TABLE_TEXT, "is said of the motion leaves 40 %"}};
     double known[] = {.1, .3, .4};
     const struct score s = {.truth.scene.name = (char[]){"drop"},
                             .grid = {.times = 3, .time = known},
@@ -186,13 +192,13 @@ static void printed(void)
                             .row = times,
                             .frames = 7,
                             .net.vertices = 9};
-    const struct score_diagnosis none = {.count = 0};
+    const struct score_diagnosis some = {.left = .4};
 
     for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
         char text[4096] = "";
         struct score_print sheet = {.format = row[n].format,
                                     .file = fmemopen(text, sizeof text, "w")};
-        score_print_add(&sheet, &s, &none);
+        score_print_add(&sheet, &s, &some);
         CHECK(score_print_end(&sheet) == STATUS_OK);
         score_print_clear(&sheet);
         fclose(sheet.file);

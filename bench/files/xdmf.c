@@ -8,17 +8,6 @@
 #include "bench/files/output.h"
 #include "models/grid.h"
 
-static char *path_beside(const char *result_path)
-{
-    const size_t length = strlen(result_path);
-    const bool is_h5 = length > 3 && !strcmp(result_path + length - 3, ".h5");
-    char *path;
-
-    if (asprintf(&path, "%.*s.xdmf", (int)length - 3 * is_h5, result_path) < 0)
-        return NULL;
-    return path;
-}
-
 /* Prints the positions' reference; it has the result file's name as XML text, without its
  * folder: XDMF looks in its own. */
 static void print_positions(struct output *out, const char *path, int frame)
@@ -54,11 +43,14 @@ static void print_frame(struct output *out, const char *path, int frame, double 
 enum status xdmf_write(const char *result_path, const double *time, int frames,
                        struct message *why)
 {
-    enum status st = STATUS_OK;
+    const size_t length = strlen(result_path);
+    const bool is_h5 = length > 3 && !strcmp(result_path + length - 3, ".h5");
     struct output *out = NULL;
-    char *path = path_beside(result_path);
+    char *path = NULL;
+    enum status st;
 
-    TRY(path ? STATUS_OK : STATUS_MEMORY);
+    if (asprintf(&path, "%.*s.xdmf", (int)length - 3 * is_h5, result_path) < 0)
+        return STATUS_MEMORY;
     TRY(output_create(path, &out, why));
     output_print(out, "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
                       "<Grid Name=\"run\" GridType=\"Collection\" "
@@ -67,9 +59,7 @@ enum status xdmf_write(const char *result_path, const double *time, int frames,
         print_frame(out, result_path, frame, time[frame]);
     output_print(out, "</Grid>\n</Domain>\n</Xdmf>\n");
     st = output_close(out, why);
-    out = NULL;
 out:
-    output_discard(out);
     free(path);
     return st;
 }

@@ -4,8 +4,8 @@
  * it: so our readers meet what a file may hold and not the library's own faults, from which
  * the seal keeps them:
  *
- *     run                          or run+fields, or truth, or seal and any bytes, or
- *                                  frames: an HDF5 file of somebody else's
+ *     run                          or run+fields, or truth, or frames: an HDF5 file of
+ *                                  somebody else's
  *     @outcome s - done            an attribute: a text of fixed length
  *     time d 3 0 0.1 0.2           three doubles; fewer values are repeated
  *     xyz d 1,2,100,100,3 0        kinds: d double, s text, v text of any length, x bytes
@@ -14,14 +14,11 @@
  * What the library does not make a file of is left out. Beyond crashes, leaks (of what is
  * open in a file, too) and undefined behaviour it stops at: a refusal without a printable
  * sentence that names the file; a result that holds less than it says. */
-#define _GNU_SOURCE /* memfd_create */
+#define _GNU_SOURCE /* strsep */
 #include <hdf5.h>
 #include <math.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include "bench/files/hdf5_file.h"
-#include "bench/files/seal.h"
 #include "bench/frames/frames.h"
 #include "bench/frames/frames_file.h"
 #include "bench/harness/run_result.h"
@@ -242,26 +239,6 @@ static void check_frames(void)
     frames_close(f);
 }
 
-enum status __real_seal_check(const char *path, long *size, struct message *why);
-
-static void check_seal(const char *bytes, size_t size)
-{
-    static int file = -1;
-    static char path[64];
-    struct message why = {""};
-    long sealed;
-
-    if (file < 0)
-        file = memfd_create("fuzz", 0);
-    snprintf(path, sizeof path, "/proc/self/fd/%d", file);
-    MUST(file >= 0 && ftruncate(file, 0) == 0);
-    MUST(pwrite(file, bytes, size, 0) == (ssize_t)size);
-    if (__real_seal_check(path, &sealed, &why) != STATUS_OK)
-        fuzz_check_sentence(&why, path);
-    else
-        MUST(sealed == (long)size);
-}
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     char *copy = malloc(size + 1), *text = copy, *what;
@@ -272,9 +249,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     copy[size] = '\0';
     what = strsep(&text, "\n");
     file_size = 8 * (long)size;
-    if (text && !strcmp(what, "seal"))
-        check_seal(text, (size_t)(copy + size - text));
-    else if (text && !strncmp(what, "run", 3))
+    if (text && !strncmp(what, "run", 3))
         play(text), check_run(!strcmp(what, "run+fields")), end_play();
     else if (text && !strcmp(what, "truth"))
         play(text), check_truth(), end_play();

@@ -140,6 +140,12 @@ static void test_given_up(void)
     output_discard(out);
     output_discard(NULL);
     CHECK(scratch_files(scratch) == 0);
+    /* nor of one of which a write failed, though the last ones did not */
+    struct message why;
+    REQUIRE(output_create(scratch_path("none.txt"), &out, NULL) == STATUS_OK);
+    CHECK(fgetc(output_stream(out)) == EOF); /* it is not for reading */
+    CHECK(output_close(out, &why) == STATUS_FILE && strstr(why.text, "Input/output"));
+    CHECK(scratch_files(scratch) == 0);
     /* what is written in place stays: it was there before */
     const char *pipe = scratch_path("pipe");
     REQUIRE(mkfifo(pipe, 0600) == 0);

@@ -733,8 +733,8 @@ static const struct schema_key PLAN[] = {
     {"paper", "milliseconds of somebody else's frame, of such products", SCHEMA_SPECIAL,
      .read = read_products, .low = 1, .most = PLAN_STUDY_MOST, IN(plan, paper),
      .want = "a list of maps {AXIS: LABEL, paper_ms: NUMBER}"},
-    {"reference", "axis and label of the level, or key and value of the case, to compare with", SCHEMA_SPECIAL,
-     .read = read_chosen, IN(plan, reference), .want = "a map {AXIS: LABEL}"},
+    {"reference", "axis and label, or key and value, of what levels or cases are compared with",
+     SCHEMA_SPECIAL, .read = read_chosen, IN(plan, reference), .want = "a map {AXIS: LABEL}"},
     {"table", "one table of all studies", SCHEMA_SECTION, .keys = TABLE},
     {"chart", "a point for each level", SCHEMA_SECTION, .keys = CHART},
     {NULL}};

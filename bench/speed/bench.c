@@ -177,7 +177,7 @@ static const struct command_option options[] = {
     {"--out", "DIR", false, "where every repeat is kept (results/bench)"},
     {"--from", "DIR", false, "print again what an earlier run kept"},
     {"--quick", NULL, false,
-     "three repeats of everything; matrices and nets:\nthe smaller ones"},
+     "three repeats of everything; matrices, surfaces and\nnets: the smaller ones"},
     {NULL, NULL, false, NULL},
 };
 

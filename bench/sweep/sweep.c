@@ -364,7 +364,7 @@ const struct command sweep_command = {
     .text =
         "Runs every case of a plan, each in a process of its own, judges them by the\n"
         "plan's rules and leaves one result file a case, table.csv with all keys and\n"
-        "measures, and map.png (needs gnuplot). PLAN is feasibility, stability, table4,\n"
+        "measures, and map.png (needs gnuplot). PLAN is feasibility, table4,\n"
         "refinement, refinement_nets, remedies or a YAML file; the other plans of\n"
         "clothbench list plans have levels and are for clothbench study.\n"
         "A case that dies, hangs or is refused is a row. Where the plan says what is to\n"

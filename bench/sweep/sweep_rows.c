@@ -28,17 +28,6 @@ void sweep_rows_clear(struct sweep_rows *rows)
     *rows = (struct sweep_rows){0};
 }
 
-static bool is_open(const struct sweep_row *row)
-{
-    return row->state == SWEEP_GONE || row->state == SWEEP_DAMAGED ||
-           row->state == SWEEP_CUT;
-}
-
-bool sweep_rows_open(const struct sweep_rows *rows, long number)
-{
-    return is_open(&rows->row[number]);
-}
-
 enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state,
                            const struct run_result *result, const char *why)
 {
@@ -57,7 +46,7 @@ enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_stat
                               .learnt = {.kind = VERDICT_NONE}};
     for (int n = 0; n < MEASURES; n++)
         row->value[n] = ran ? result->value[n] : NAN;
-    snprintf(label, sizeof label, "%s", is_open(row) ? "run again" : "no result");
+    snprintf(label, sizeof label, "%s", state == SWEEP_OPEN ? "run again" : "no result");
     if (ran) {
         row->verdict = verdict_of(&plan->verdicts, result);
         verdict_text(&plan->verdicts, row->verdict, label, sizeof label);
@@ -385,7 +374,7 @@ void sweep_rows_print(const struct sweep_rows *rows, FILE *file)
         ends[1].count += row->verdict.died;
         ends[2].count += row->outcome == STATUS_UNSUPPORTED;
         ends[3].count += row->state == SWEEP_FAILED;
-        ends[4].count += is_open(row);
+        ends[4].count += row->state == SWEEP_OPEN;
     }
     print_plan(plan, file);
     if (plan->verdicts.count)

@@ -21,23 +21,6 @@ static const struct command_item *const items[] = {
     NULL,
 };
 
-void bench_part_times(struct table *t, const struct clock_summary *s)
-{
-    table_number(t, 1e3 * s->median, 3);
-    table_number(t, 1e3 * s->min, 3);
-    table_number(t, 1e3 * s->lower, 3);
-    table_number(t, 1e3 * s->upper, 3);
-    table_integer(t, s->count);
-}
-
-void bench_part_aim(struct table *t, const struct clock_summary *s, double aim)
-{
-    if (aim <= 0)
-        return;
-    table_number(t, aim, 3);
-    table_text(t, "%s", 1e3 * s->median <= aim ? "yes" : "no");
-}
-
 /* The end of a short run [s]: twenty frames after two of warm-up (measurement.h). */
 static const double SOME = 0.11;
 

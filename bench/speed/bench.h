@@ -54,19 +54,4 @@ extern const struct bench_part bench_part_solids, bench_part_baselines,
 enum status bench_part_add(struct bench *b, const struct bench_row *row,
                            struct message *why);
 
-/* The cells of a row of seconds: median, least, quartiles, number of repeats; the aim, and
- * whether the median reaches it. */
-#define BENCH_PART_TIMES                                                                   \
-    {"median", "ms"}, {"min", "ms"}, {"lower", "ms"}, {"upper", "ms"},                     \
-    {                                                                                      \
-        "repeats"                                                                          \
-    }
-#define BENCH_PART_AIM                                                                     \
-    {"aim", "ms"},                                                                         \
-    {                                                                                      \
-        "reached", NULL, TABLE_LEFT                                                        \
-    }
-void bench_part_times(struct table *t, const struct clock_summary *s);
-void bench_part_aim(struct table *t, const struct clock_summary *s, double aim);
-
 #endif

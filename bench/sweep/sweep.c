@@ -5,7 +5,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "bench/harness/looks.h"
 #include "bench/harness/run_file.h"
@@ -106,8 +105,7 @@ static enum status settle(void *context, long number, const struct child_end *en
         return sweep_folder_log(&s->folder, "end", number, why);
     TRY(plan_case_given(&s->plan, number, &c));
     sweep_folder_made_for(&s->folder, &s->plan, &c, made_for);
-    TRY(sweep_folder_write(&s->folder, number, made_for,
-                           end->outcome == CHILD_CUT ? SWEEP_CUT : SWEEP_FAILED,
+    TRY(sweep_folder_write(&s->folder, number, made_for, end->outcome == CHILD_CUT,
                            end->why.text, why));
     st = sweep_folder_log(&s->folder, "failed", number, why);
 out:
@@ -128,7 +126,7 @@ static enum status scan(const struct sweep *s, bool **done, struct message *why)
     *done = calloc((size_t)rows.count, sizeof **done);
     TRY(*done ? STATUS_OK : STATUS_MEMORY);
     for (long n = 0; n < rows.count; n++) {
-        (*done)[n] = !sweep_rows_open(&rows, n);
+        (*done)[n] = rows.row[n].state != SWEEP_OPEN;
         if (!(*done)[n])
             sweep_folder_remove(&s->folder, n);
     }
@@ -196,23 +194,6 @@ out:
     return st;
 }
 
-/* Returns the mean size of a result file [kB]. */
-static double file_size(const struct sweep *s)
-{
-    double sum = 0;
-    long count = 0;
-
-    for (long n = 0; n < plan_case_count(&s->plan); n++) {
-        char path[SWEEP_FOLDER_PATH];
-        struct stat info;
-
-        sweep_folder_file(&s->folder, n, "h5", path);
-        if (stat(path, &info) == 0)
-            sum += 1e-3 * (double)info.st_size, count++;
-    }
-    return count ? sum / (double)count : 0;
-}
-
 static void print_cost(const struct sweep *s, const char *plot)
 {
     const struct pool *p = &s->pool;
@@ -224,9 +205,9 @@ static void print_cost(const struct sweep *s, const char *plot)
                100 * p->seconds / (p->wall * p->hands));
     else
         printf("Nothing was left to run.\n");
-    printf("%s: table.csv, seconds.csv, %s%sa file a case, %.3g kB on average.\n",
-           s->folder.path, s->plan.falls.along ? "falls.csv, " : "",
-           s->plan.map.x && !*plot ? "map.png, " : "", file_size(s));
+    printf("%s: table.csv, seconds.csv, %s%sa file a case.\n", s->folder.path,
+           s->plan.falls.along ? "falls.csv, " : "",
+           s->plan.map.x && !*plot ? "map.png, " : "");
     if (*plot)
         printf("%s\n", plot);
 }
@@ -366,13 +347,12 @@ const struct command sweep_command = {
         "Runs every case of a plan, each in a process of its own, judges them by the\n"
         "plan's rules, and writes one result file a case, table.csv with all keys and\n"
         "measures, and map.png (needs gnuplot). PLAN is feasibility, stability, table4,\n"
-        "refinement, refinement_nets, remedies or a YAML file; the other plans of "
-        "`clothbench list\n"
-        "plans` have levels and are for `clothbench study`. A case that dies, hangs or\n"
-        "is refused is a row, too. If the plan names a measure that has to fall along an\n"
-        "axis (refinement, remedies), falls.csv lists it, and the exit code is 1 where\n"
-        "it grows. This plan has two by three cases; `clothbench help plan` has all\n"
-        "keys:\n"
+        "refinement, refinement_nets, remedies or a YAML file; the other plans of\n"
+        "`clothbench list plans` have levels and are for `clothbench study`. A case that\n"
+        "dies, hangs or is refused is a row, too. If the plan names a measure that has\n"
+        "to fall along an axis (refinement, remedies), falls.csv lists it, and the exit\n"
+        "code is 1 where it grows. This plan has two by three cases; `clothbench help\n"
+        "plan` has all keys:\n"
         "\n" SWEEP_PLAN "\n"
         "Ctrl-C, SIGKILL or a full disk cost only the cases that are running; --resume\n"
         "continues. It repeats cases that were killed or suspended, ran out of memory,\n"

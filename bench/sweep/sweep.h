@@ -77,12 +77,11 @@ const char *sweep_folder_made_for(const struct sweep_folder *folder,
                                   char text[SWEEP_FOLDER_MADE_FOR]);
 
 enum sweep_state {
-    SWEEP_GONE,    /* there is no file                                                 */
-    SWEEP_DAMAGED, /* it is no longer as it was written                                */
-    SWEEP_FOREIGN, /* it was made for another case or plan, or by another program      */
-    SWEEP_CUT,     /* killed, suspended, out of memory: says nothing of the case       */
-    SWEEP_FAILED,  /* no result: timed out, crashed, impossible to set up              */
-    SWEEP_RAN,     /* there is a result                                                */
+    SWEEP_OPEN,    /* there is no file, it is damaged, or the case was cut short: killed,
+                      suspended, out of memory; a sweep that is resumed runs it          */
+    SWEEP_FOREIGN, /* its file was made for another case or plan, or by another program */
+    SWEEP_FAILED,  /* no result: timed out, crashed, impossible to set up               */
+    SWEEP_RAN,     /* there is a result                                                 */
 };
 
 /* Reads case `number`: its result, empty unless it ran (free with run_result_clear), with
@@ -92,11 +91,11 @@ enum status sweep_folder_read(const struct sweep_folder *folder, long number,
                               const char *made_for, bool fields, enum sweep_state *state,
                               struct run_result *result, struct message *sentence);
 
-/* Keeps the sentence of a case that came to no result, SWEEP_FAILED or _CUT. STATUS_FILE.
+/* Keeps the sentence of a case that came to no result, or was `cut` short. STATUS_FILE.
  */
 enum status sweep_folder_write(const struct sweep_folder *folder, long number,
-                               const char *made_for, enum sweep_state state,
-                               const char *sentence, struct message *why);
+                               const char *made_for, bool cut, const char *sentence,
+                               struct message *why);
 
 /* Removes the files of a case that is to be run again. */
 void sweep_folder_remove(const struct sweep_folder *folder, long number);
@@ -136,9 +135,6 @@ enum status sweep_rows_check(const struct plan *plan, struct message *why);
  * *rows is overwritten; clear it in any case. */
 enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
                             const struct sweep_folder *folder, struct message *why);
-
-/* Returns whether a sweep that is resumed runs the case. */
-bool sweep_rows_open(const struct sweep_rows *rows, long number);
 
 /* Writes FOLDER/table.csv, every key and measure to 17 digits, verdict, labels and end, and
  * FOLDER/seconds.csv, which stands apart so that the table is the same bits however it came

@@ -272,7 +272,8 @@ static bool is_foreign(const char *path, const char *is, const char *want,
     return true;
 }
 
-/* Reads the file of a case without a result: made for, "cut" or "failed", a sentence. */
+/* Reads the file of a case without a result: what it is made for, "cut" or "failed", the
+ * sentence. */
 static enum sweep_state read_sentence(char *text, const char *path, const char *made_for,
                                       struct message *sentence)
 {
@@ -282,12 +283,12 @@ static enum sweep_state read_sentence(char *text, const char *path, const char *
     const bool cut = words && !strcmp(state, "cut");
 
     if (!words || (!cut && strcmp(state, "failed") != 0))
-        return SWEEP_DAMAGED;
+        return SWEEP_OPEN;
     if (is_foreign(path, is, made_for, sentence))
         return SWEEP_FOREIGN;
     snprintf(sentence->text, sizeof sentence->text, "%s%s", words,
              cut ? "; --resume runs it again" : "");
-    return cut ? SWEEP_CUT : SWEEP_FAILED;
+    return cut ? SWEEP_OPEN : SWEEP_FAILED;
 }
 
 static enum sweep_state read_result(const char *path, const char *made_for,
@@ -305,12 +306,13 @@ enum status sweep_folder_read(const struct sweep_folder *folder, long number,
                               const char *made_for, bool fields, enum sweep_state *state,
                               struct run_result *result, struct message *sentence)
 {
-    static const char *const lost[] = {[SWEEP_GONE] = "gone", [SWEEP_DAMAGED] = "damaged"};
+    static const char again[] = "its file is %s; --resume runs it again";
     char path[SWEEP_FOLDER_PATH], *text = NULL;
     enum status st;
 
     *result = (struct run_result){0};
-    *state = SWEEP_DAMAGED;
+    *state = SWEEP_OPEN;
+    snprintf(sentence->text, sizeof sentence->text, again, "damaged");
     sweep_folder_file(folder, number, "h5", path);
     if (access(path, F_OK) == 0) {
         st = run_result_read(path, fields, result, NULL);
@@ -322,24 +324,20 @@ enum status sweep_folder_read(const struct sweep_folder *folder, long number,
         if (st == STATUS_OK)
             *state = read_sentence(text, path, made_for, sentence);
         else if (access(path, F_OK) != 0)
-            *state = SWEEP_GONE;
+            snprintf(sentence->text, sizeof sentence->text, again, "gone");
     }
     free(text);
-    if (*state == SWEEP_GONE || *state == SWEEP_DAMAGED)
-        snprintf(sentence->text, sizeof sentence->text,
-                 "its file is %s; --resume runs it again", lost[*state]);
     return st == STATUS_MEMORY ? st : STATUS_OK;
 }
 
 enum status sweep_folder_write(const struct sweep_folder *folder, long number,
-                               const char *made_for, enum sweep_state state,
-                               const char *sentence, struct message *why)
+                               const char *made_for, bool cut, const char *sentence,
+                               struct message *why)
 {
     char path[SWEEP_FOLDER_PATH], text[SWEEP_FOLDER_MADE_FOR + sizeof why->text + 16];
 
     sweep_folder_file(folder, number, "txt", path);
-    snprintf(text, sizeof text, "%s\n%s\n%s\n", made_for,
-             state == SWEEP_CUT ? "cut" : "failed", sentence);
+    snprintf(text, sizeof text, "%s\n%s\n%s\n", made_for, cut ? "cut" : "failed", sentence);
     return seal_text_write(path, text, why);
 }
 

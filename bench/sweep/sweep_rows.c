@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/output.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
@@ -29,17 +28,6 @@ void sweep_rows_clear(struct sweep_rows *rows)
     *rows = (struct sweep_rows){0};
 }
 
-static bool is_open(const struct sweep_row *row)
-{
-    return row->state == SWEEP_GONE || row->state == SWEEP_DAMAGED ||
-           row->state == SWEEP_CUT;
-}
-
-bool sweep_rows_open(const struct sweep_rows *rows, long number)
-{
-    return is_open(&rows->row[number]);
-}
-
 enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state,
                            const struct run_result *result, const char *why)
 {
@@ -58,7 +46,7 @@ enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_stat
                               .learnt = {.kind = VERDICT_NONE}};
     for (int n = 0; n < MEASURES; n++)
         row->value[n] = ran ? result->value[n] : NAN;
-    snprintf(label, sizeof label, "%s", is_open(row) ? "run again" : "no result");
+    snprintf(label, sizeof label, "%s", state == SWEEP_OPEN ? "run again" : "no result");
     if (ran) {
         row->verdict = verdict_of(&plan->verdicts, result);
         verdict_text(&plan->verdicts, row->verdict, label, sizeof label);
@@ -266,64 +254,40 @@ static void add_case(struct table *t, const struct plan *plan, const struct plan
     table_text(t, "%s", learnt);
 }
 
-static void add_seconds(struct table *t, const struct plan *plan, const struct plan_case *c,
-                        const struct sweep_row *row)
+static void add_seconds(struct table *t, long number, const struct sweep_row *row)
 {
-    (void)plan;
     if (row->state != SWEEP_RAN)
         return;
     table_row(t);
-    table_integer(t, c->number + 1);
+    table_integer(t, number + 1);
     table_number(t, row->create_seconds, 6);
     table_number(t, row->step_seconds, 6);
     table_number(t, row->look_seconds, 6);
 }
 
-/* Writes FOLDER/NAME.csv case by case, since the text of many cases is longer than memory;
- * frees the table. */
-static enum status save(const struct sweep_rows *rows, const char *folder, const char *name,
-                        struct table *t,
-                        void (*add)(struct table *t, const struct plan *plan,
-                                    const struct plan_case *c, const struct sweep_row *row),
-                        struct message *why)
-{
-    struct plan_case c;
-    struct output *out = NULL, *whole;
-    char path[SWEEP_FOLDER_PATH + 16];
-    enum status st;
-
-    snprintf(path, sizeof path, "%s/%s.csv", folder, name);
-    TRY(output_create(path, &out, why));
-    for (long n = 0; n < rows->count; n++) {
-        TRY(plan_case_given(rows->plan, n, &c));
-        add(t, rows->plan, &c, &rows->row[n]);
-        plan_case_clear(&c);
-        table_flush(t, output_stream(out)); /* output_close tells of a full disk */
-    }
-    const enum status filled = table_flush(t, output_stream(out)); /* no row: the keys */
-    whole = out, out = NULL;
-    TRY(output_close(whole, why));
-    st = filled;
-out:
-    output_discard(out);
-    table_destroy(t);
-    return st;
-}
-
 enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
                             struct message *why)
 {
-    static const struct table_column seconds[] = {{"case"},
+    static const struct table_column columns[] = {{"case"},
                                                   {"create", "s", .key = "create"},
                                                   {"steps", "s", .key = "steps"},
                                                   {"looks", "s", .key = "looks"}};
+    struct table *t = create_table(rows->plan);
+    struct table *seconds = table_create(sizeof columns / sizeof *columns, columns, NULL);
+    struct plan_case c;
     enum status st;
 
-    TRY(save(rows, folder, "table", create_table(rows->plan), add_case, why));
-    st = save(rows, folder, "seconds",
-              table_create(sizeof seconds / sizeof *seconds, seconds, NULL), add_seconds,
-              why);
+    for (long n = 0; n < rows->count; n++) {
+        TRY(plan_case_given(rows->plan, n, &c));
+        add_case(t, rows->plan, &c, &rows->row[n]);
+        add_seconds(seconds, n, &rows->row[n]);
+        plan_case_clear(&c);
+    }
+    TRY(table_save(t, folder, "table", why));
+    st = table_save(seconds, folder, "seconds", why);
 out:
+    table_destroy(t);
+    table_destroy(seconds);
     return st;
 }
 
@@ -410,7 +374,7 @@ void sweep_rows_print(const struct sweep_rows *rows, FILE *file)
         ends[1].count += row->verdict.died;
         ends[2].count += row->outcome == STATUS_UNSUPPORTED;
         ends[3].count += row->state == SWEEP_FAILED;
-        ends[4].count += is_open(row);
+        ends[4].count += row->state == SWEEP_OPEN;
     }
     print_plan(plan, file);
     if (plan->verdicts.count)

@@ -76,8 +76,7 @@ static void make_case(const struct sweep_folder *folder, const struct plan *plan
     REQUIRE(plan_case_open(plan, n, &c, NULL) == STATUS_OK);
     sweep_folder_made_for(folder, plan, &c, made_for);
     if (cases[n].kind == FAILED || cases[n].kind == CUT)
-        REQUIRE(sweep_folder_write(folder, n, made_for,
-                                   cases[n].kind == CUT ? SWEEP_CUT : SWEEP_FAILED, "ended",
+        REQUIRE(sweep_folder_write(folder, n, made_for, cases[n].kind == CUT, "ended",
                                    NULL) == STATUS_OK);
     script_reset();
     model.sample = sample;

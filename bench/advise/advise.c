@@ -186,7 +186,7 @@ static struct table *create(const struct advise_search *s, char caption[TEXT])
         {"memory", "MB", .key = "model_bytes", .key_unit = "B", .scale = 1e-6},
         {"why not", NULL, TABLE_LEFT, .key = "reason"}};
 
-    snprintf(caption, TEXT, "Who serves %s within %.3g %% of its length, to %.3g s",
+    snprintf(caption, TEXT, "Contestants on %s within %.3g %% of its length, to %.3g s",
              scene_of(s)->name, 100 * s->wish.error, s->job->time[s->job->times - 1]);
     return table_create(sizeof columns / sizeof *columns, columns, caption);
 }
@@ -215,16 +215,18 @@ static void note_method(struct table *t, const struct advise_search *s)
 
     table_note(t,
                "The error is the rms over the sheet at the worst of %d times, over the "
-               "length. To be sure, a run must come within %.3g %%: %.3g %% less the %s, "
-               "%.2g %%. Truth: %s.",
+               "length. A run is accurate enough below %.3g %%: that is %.3g %% less the "
+               "%s, %.2g %%. Truth: %s.",
                s->job->times, 100 * s->target, 100 * s->wish.error,
                truth_bar_name(s->job->contest.truth), 100 * bar,
                s->job->contest.truth->source);
     table_note(t,
-               "Time is set-up and stepping on one thread. Runs up to %.2g s were tried%s.",
+               "The time is that of set-up and stepping on one thread. Runs up to %.2g s "
+               "were tried%s.",
                s->longest,
-               s->end == ADVISE_BUDGET ? "; then the budget (--budget) ended"
-                                       : "; far dearer ones than the best were not");
+               s->end == ADVISE_BUDGET
+                   ? "; then the budget (--budget) ended"
+                   : "; much more expensive ones than the best were not");
 }
 
 /* --- the answer --- */
@@ -239,7 +241,7 @@ static void say_needs(const struct advise_search *s, FILE *file)
     table_say(
         file,
         "%s: a sheet of %g x %g m, %g mm thick; Gamma = %.3g, weight against bending; "
-        "beyond bending and stretching a model needs: %s. Motion: %s.",
+        "what it requires of a model beyond bending and stretching: %s. Motion: %s.",
         scene->name, scene->length, scene->width, 1e3 * scene->thickness,
         scene_gamma(scene), needs ? text : "nothing", s->job->contest.physics);
 }
@@ -278,10 +280,11 @@ static enum status say_net(const struct advise_search *s, const struct contest_r
     if (!table_format_is_prose(format))
         goto out;
     st = table_finish(t, format, file), t = NULL;
-    fprintf(file,
-            "Every vertex and spring of it:\n\n    clothbench export %s "
-            "--points %d,%d --out DIR\n\n",
-            s->job->path, sheet.points[0], sheet.points[1]);
+    fprintf(
+        file,
+        "This command writes every vertex and spring of it:\n\n    clothbench export %s "
+        "--points %d,%d --out DIR\n\n",
+        s->job->path, sheet.points[0], sheet.points[1]);
 out:
     table_destroy(t);
     return st;
@@ -301,16 +304,17 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
     }
     if (!is_fast(s, best))
         table_say(file,
-                  "None of those within %.3g %% takes at most %.3g s for a second of "
-                  "motion; the fastest:",
+                  "None of the contestants within %.3g %% is as fast as required, %.3g s "
+                  "for a second of motion; this is the fastest:",
                   100 * s->wish.error, s->wish.rate);
     if (distrust(scene_of(s), best->result.value, &doubt))
         table_say(file, "%s", doubt.text);
-    table_say(file,
-              "%s: error %.2g %% of the length, of which the truth leaves %.2g %% open; "
-              "%.2g s for a second of motion; %.2g MB.",
-              best->at.contestant->title, 100 * best->worst, 100 * bar,
-              advise_search_rate(s, best), 1e-6 * best->result.bytes);
+    table_say(
+        file,
+        "%s: error %.2g %% of the length, which the truth leaves uncertain by %.2g %%; "
+        "%.2g s for a second of motion; %.2g MB.",
+        best->at.contestant->title, 100 * best->worst, 100 * bar,
+        advise_search_rate(s, best), 1e-6 * best->result.bytes);
     say_command(s, best, file);
 }
 
@@ -384,12 +388,13 @@ static bool is_undecidable(const struct advise_search *s, const struct message *
         table_say(stdout, "Cannot be decided: %s Truth: %s.", c->truth->unresolved,
                   c->truth->source);
     else if (!decidable)
-        table_say(
-            stdout,
-            "Cannot be decided: the truth is known to %.2g %% of the length, and %.3g "
-            "%% is requested. A larger --budget or an earlier --until may tell. Truth: "
-            "%s.",
-            100 * contest_largest_bar(c), 100 * s->wish.error, c->truth->source);
+        table_say(stdout,
+                  "Nothing can be decided: the truth is known to %.2g %% of the length "
+                  "only, and an "
+                  "error of %.3g %% is required. A larger --budget or an earlier --until "
+                  "may help. "
+                  "Truth: %s.",
+                  100 * contest_largest_bar(c), 100 * s->wish.error, c->truth->source);
     return !decidable;
 }
 

@@ -26,7 +26,8 @@ static const double DEARER = 30, SHORT = 0.2;
 /* Share of the budget left that a run may take, with its judging and its repeats. */
 static const double SHARE = 1.0 / 20;
 
-double advise_search_rate(const struct advise_search *s, const struct contest_row *row)
+/* Returns the seconds that a row takes for a second of motion. */
+static double rate_of(const struct advise_search *s, const struct contest_row *row)
 {
     return row->seconds / s->job->time[s->job->times - 1];
 }
@@ -38,15 +39,18 @@ static const struct contest_row *cheapest(const struct advise_search *s,
     return contest_cheapest(&s->job->contest, who, s->target);
 }
 
-int advise_search_ranking(const struct advise_search *s,
-                          const struct contest_row *row[ADVISE_MOST])
+enum { MOST = 128 };
+
+/* Fills row[] with each contestant's cheapest row within the target, from cheap to dear;
+ * returns how many. */
+static int rank(const struct advise_search *s, const struct contest_row *row[MOST])
 {
     const struct contestant *who;
     int count = 0;
 
     for (int k = 0; (who = contest_entrant(&s->job->contest, k)); k++) {
         const struct contest_row *r = cheapest(s, who);
-        if (!r || count == ADVISE_MOST)
+        if (!r || count == MOST)
             continue;
         int n = count++;
         for (; n > 0 && row[n - 1]->seconds > r->seconds; n--)
@@ -59,10 +63,10 @@ int advise_search_ranking(const struct advise_search *s,
 /* Returns the seconds of the longest run that is still worth a try. */
 static double most_seconds(const struct advise_search *s, double left)
 {
-    const struct contest_row *ranked[ADVISE_MOST];
+    const struct contest_row *ranked[MOST];
     double most = fmax(0, SHARE * left);
 
-    if (advise_search_ranking(s, ranked))
+    if (rank(s, ranked))
         most = fmin(most, fmax(SHORT, DEARER * ranked[0]->seconds));
     return most;
 }
@@ -144,7 +148,7 @@ static void tell_reason(const struct advise_search *s, const struct contestant *
 
 static bool is_fast(const struct advise_search *s, const struct contest_row *row)
 {
-    return advise_search_rate(s, row) <= s->wish.rate;
+    return rate_of(s, row) <= s->wish.rate;
 }
 
 static void add_row(struct table *t, const struct advise_search *s,
@@ -165,7 +169,7 @@ static void add_row(struct table *t, const struct advise_search *s,
     table_number(t, r ? scene_of(s)->step / size[CONTEST_STEP] : NAN, 3);
     table_fixed(t, size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
     table_number(t, r ? r->worst : NAN, 2);
-    table_number(t, r ? advise_search_rate(s, r) : NAN, 2);
+    table_number(t, r ? rate_of(s, r) : NAN, 2);
     table_number(t, r ? r->result.bytes : NAN, 2);
     if (!serves)
         tell_reason(s, who, &reason);
@@ -195,10 +199,10 @@ static struct table *create(const struct advise_search *s, char caption[TEXT])
  * contest. */
 static void fill(struct table *t, const struct advise_search *s)
 {
-    const struct contest_row *best[ADVISE_MOST];
+    const struct contest_row *best[MOST];
     const struct contest *c = &s->job->contest;
     const struct contestant *who;
-    const int serving = advise_search_ranking(s, best);
+    const int serving = rank(s, best);
 
     for (int n = 0; n < serving; n++)
         add_row(t, s, best[n]->at.contestant, best[n]);
@@ -313,8 +317,8 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
         file,
         "%s: error %.2g %% of the length, which the truth leaves uncertain by %.2g %%; "
         "%.2g s for a second of motion; %.2g MB.",
-        best->at.contestant->title, 100 * best->worst, 100 * bar,
-        advise_search_rate(s, best), 1e-6 * best->result.bytes);
+        best->at.contestant->title, 100 * best->worst, 100 * bar, rate_of(s, best),
+        1e-6 * best->result.bytes);
     say_command(s, best, file);
 }
 
@@ -323,8 +327,8 @@ enum status advise_print(const struct advise_search *s, enum table_format format
 {
     char caption[TEXT];
     struct table *t = create(s, caption);
-    const struct contest_row *ranked[ADVISE_MOST];
-    const struct contest_row *best = advise_search_ranking(s, ranked) ? ranked[0] : NULL;
+    const struct contest_row *ranked[MOST];
+    const struct contest_row *best = rank(s, ranked) ? ranked[0] : NULL;
     enum status st;
 
     if (table_format_is_prose(format)) {

@@ -77,7 +77,7 @@ twice() { # NAME, ARGUMENTS
     cmp -s "$folder.txt" "$folder.again" || fail "--from prints something else of $1"
 }
 twice thrifty --budget 1e-6
-tr '\n' ' ' <"$folder.txt" | grep -q "Budget: 1e-06 s .*It left out (contestant, runs): iga_selective_3 1, mass_spring_single 1\." ||
+tr '\n' ' ' <"$folder.txt" | grep -q "The budget was 1e-06 s .*It left out (contestant, runs): iga_selective_3 1, mass_spring_single 1\." ||
     fail "what the budget left is not told"
 awk -F, "$rows"' { n++; if ($at["model_bytes"] == "") bad++ } END { exit !(n == 2 && !bad) }' "$folder/thrifty/compare.csv" ||
     fail "a budget that is not kept, or no memory"

@@ -26,7 +26,8 @@ static const double DEARER = 30, SHORT = 0.2;
 /* Share of the budget left that a run may take, with its judging and its repeats. */
 static const double SHARE = 1.0 / 20;
 
-double advise_search_rate(const struct advise_search *s, const struct contest_row *row)
+/* Returns the seconds that a row takes for a second of motion. */
+static double rate_of(const struct advise_search *s, const struct contest_row *row)
 {
     return row->seconds / s->job->time[s->job->times - 1];
 }
@@ -38,15 +39,18 @@ static const struct contest_row *cheapest(const struct advise_search *s,
     return contest_cheapest(&s->job->contest, who, s->target);
 }
 
-int advise_search_ranking(const struct advise_search *s,
-                          const struct contest_row *row[ADVISE_MOST])
+enum { MOST = 128 };
+
+/* Fills row[] with each contestant's cheapest row within the target, from cheap to dear;
+ * returns how many. */
+static int rank(const struct advise_search *s, const struct contest_row *row[MOST])
 {
     const struct contestant *who;
     int count = 0;
 
     for (int k = 0; (who = contest_entrant(&s->job->contest, k)); k++) {
         const struct contest_row *r = cheapest(s, who);
-        if (!r || count == ADVISE_MOST)
+        if (!r || count == MOST)
             continue;
         int n = count++;
         for (; n > 0 && row[n - 1]->seconds > r->seconds; n--)
@@ -59,10 +63,10 @@ int advise_search_ranking(const struct advise_search *s,
 /* Returns the seconds of the longest run that is still worth a try. */
 static double most_seconds(const struct advise_search *s, double left)
 {
-    const struct contest_row *ranked[ADVISE_MOST];
+    const struct contest_row *ranked[MOST];
     double most = fmax(0, SHARE * left);
 
-    if (advise_search_ranking(s, ranked))
+    if (rank(s, ranked))
         most = fmin(most, fmax(SHORT, DEARER * ranked[0]->seconds));
     return most;
 }
@@ -144,7 +148,7 @@ static void tell_reason(const struct advise_search *s, const struct contestant *
 
 static bool is_fast(const struct advise_search *s, const struct contest_row *row)
 {
-    return advise_search_rate(s, row) <= s->wish.rate;
+    return rate_of(s, row) <= s->wish.rate;
 }
 
 static void add_row(struct table *t, const struct advise_search *s,
@@ -165,7 +169,7 @@ static void add_row(struct table *t, const struct advise_search *s,
     table_number(t, r ? scene_of(s)->step / size[CONTEST_STEP] : NAN, 3);
     table_fixed(t, size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
     table_number(t, r ? r->worst : NAN, 2);
-    table_number(t, r ? advise_search_rate(s, r) : NAN, 2);
+    table_number(t, r ? rate_of(s, r) : NAN, 2);
     table_number(t, r ? r->result.bytes : NAN, 2);
     if (!serves)
         tell_reason(s, who, &reason);
@@ -186,7 +190,7 @@ static struct table *create(const struct advise_search *s, char caption[TEXT])
         {"memory", "MB", .key = "model_bytes", .key_unit = "B", .scale = 1e-6},
         {"why not", NULL, TABLE_LEFT, .key = "reason"}};
 
-    snprintf(caption, TEXT, "Who serves %s within %.3g %% of its length, to %.3g s",
+    snprintf(caption, TEXT, "Contestants on %s within %.3g %% of its length, to %.3g s",
              scene_of(s)->name, 100 * s->wish.error, s->job->time[s->job->times - 1]);
     return table_create(sizeof columns / sizeof *columns, columns, caption);
 }
@@ -195,10 +199,10 @@ static struct table *create(const struct advise_search *s, char caption[TEXT])
  * contest. */
 static void fill(struct table *t, const struct advise_search *s)
 {
-    const struct contest_row *best[ADVISE_MOST];
+    const struct contest_row *best[MOST];
     const struct contest *c = &s->job->contest;
     const struct contestant *who;
-    const int serving = advise_search_ranking(s, best);
+    const int serving = rank(s, best);
 
     for (int n = 0; n < serving; n++)
         add_row(t, s, best[n]->at.contestant, best[n]);
@@ -215,16 +219,18 @@ static void note_method(struct table *t, const struct advise_search *s)
 
     table_note(t,
                "The error is the rms over the sheet at the worst of %d times, over the "
-               "length. To be sure, a run must come within %.3g %%: %.3g %% less the %s, "
-               "%.2g %%. Truth: %s.",
+               "length. A run is accurate enough below %.3g %%: that is %.3g %% less the "
+               "%s, %.2g %%. Truth: %s.",
                s->job->times, 100 * s->target, 100 * s->wish.error,
                truth_bar_name(s->job->contest.truth), 100 * bar,
                s->job->contest.truth->source);
     table_note(t,
-               "Time is set-up and stepping on one thread. Runs up to %.2g s were tried%s.",
+               "The time is that of set-up and stepping on one thread. Runs up to %.2g s "
+               "were tried%s.",
                s->longest,
-               s->end == ADVISE_BUDGET ? "; then the budget (--budget) ended"
-                                       : "; far dearer ones than the best were not");
+               s->end == ADVISE_BUDGET
+                   ? "; then the budget (--budget) ended"
+                   : "; much more expensive ones than the best were not");
 }
 
 /* --- the answer --- */
@@ -239,7 +245,7 @@ static void say_needs(const struct advise_search *s, FILE *file)
     table_say(
         file,
         "%s: a sheet of %g x %g m, %g mm thick; Gamma = %.3g, weight against bending; "
-        "beyond bending and stretching a model needs: %s. Motion: %s.",
+        "what it requires of a model beyond bending and stretching: %s. Motion: %s.",
         scene->name, scene->length, scene->width, 1e3 * scene->thickness,
         scene_gamma(scene), needs ? text : "nothing", s->job->contest.physics);
 }
@@ -278,10 +284,11 @@ static enum status say_net(const struct advise_search *s, const struct contest_r
     if (!table_format_is_prose(format))
         goto out;
     st = table_finish(t, format, file), t = NULL;
-    fprintf(file,
-            "Every vertex and spring of it:\n\n    clothbench export %s "
-            "--points %d,%d --out DIR\n\n",
-            s->job->path, sheet.points[0], sheet.points[1]);
+    fprintf(
+        file,
+        "This command writes every vertex and spring of it:\n\n    clothbench export %s "
+        "--points %d,%d --out DIR\n\n",
+        s->job->path, sheet.points[0], sheet.points[1]);
 out:
     table_destroy(t);
     return st;
@@ -301,16 +308,17 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
     }
     if (!is_fast(s, best))
         table_say(file,
-                  "None of those within %.3g %% takes at most %.3g s for a second of "
-                  "motion; the fastest:",
+                  "None of the contestants within %.3g %% is as fast as required, %.3g s "
+                  "for a second of motion; this is the fastest:",
                   100 * s->wish.error, s->wish.rate);
     if (distrust(scene_of(s), best->result.value, &doubt))
         table_say(file, "%s", doubt.text);
-    table_say(file,
-              "%s: error %.2g %% of the length, of which the truth leaves %.2g %% open; "
-              "%.2g s for a second of motion; %.2g MB.",
-              best->at.contestant->title, 100 * best->worst, 100 * bar,
-              advise_search_rate(s, best), 1e-6 * best->result.bytes);
+    table_say(
+        file,
+        "%s: error %.2g %% of the length, which the truth leaves uncertain by %.2g %%; "
+        "%.2g s for a second of motion; %.2g MB.",
+        best->at.contestant->title, 100 * best->worst, 100 * bar, rate_of(s, best),
+        1e-6 * best->result.bytes);
     say_command(s, best, file);
 }
 
@@ -319,8 +327,8 @@ enum status advise_print(const struct advise_search *s, enum table_format format
 {
     char caption[TEXT];
     struct table *t = create(s, caption);
-    const struct contest_row *ranked[ADVISE_MOST];
-    const struct contest_row *best = advise_search_ranking(s, ranked) ? ranked[0] : NULL;
+    const struct contest_row *ranked[MOST];
+    const struct contest_row *best = rank(s, ranked) ? ranked[0] : NULL;
     enum status st;
 
     if (table_format_is_prose(format)) {
@@ -384,12 +392,13 @@ static bool is_undecidable(const struct advise_search *s, const struct message *
         table_say(stdout, "Cannot be decided: %s Truth: %s.", c->truth->unresolved,
                   c->truth->source);
     else if (!decidable)
-        table_say(
-            stdout,
-            "Cannot be decided: the truth is known to %.2g %% of the length, and %.3g "
-            "%% is requested. A larger --budget or an earlier --until may tell. Truth: "
-            "%s.",
-            100 * contest_largest_bar(c), 100 * s->wish.error, c->truth->source);
+        table_say(stdout,
+                  "Nothing can be decided: the truth is known to %.2g %% of the length "
+                  "only, and an "
+                  "error of %.3g %% is required. A larger --budget or an earlier --until "
+                  "may help. "
+                  "Truth: %s.",
+                  100 * contest_largest_bar(c), 100 * s->wish.error, c->truth->source);
     return !decidable;
 }
 

@@ -29,15 +29,6 @@ struct advise_search {
     enum advise_end end;
 };
 
-/* Returns the seconds that a row takes for a second of motion. */
-double advise_search_rate(const struct advise_search *s, const struct contest_row *row);
-
-/* Fills row[] with each contestant's cheapest row within the target, from cheap to dear;
- * returns how many. */
-enum { ADVISE_MOST = 128 };
-int advise_search_ranking(const struct advise_search *s,
-                          const struct contest_row *row[ADVISE_MOST]);
-
 /* Prints the table of all contestants, best first, to `file` and as advise.csv in the
  * folder; in prose formats with the answer above it, and the parameters of the best one's
  * net, if that is one of points; they are advise_net.csv in the folder. */

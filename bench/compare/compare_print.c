@@ -204,19 +204,22 @@ static void add_bar(struct table *t, const struct contest *c)
         table_dash(t);
     for (int n = 0; n < c->truth->times; n++)
         table_number(t, contest_bar(c, n), 3);
-    table_note(t, "Truth: %s. Runs use one thread; seconds are medians of the repeats.%s",
+    table_note(t,
+               "Truth: %s. All runs used one thread, and seconds are medians of the "
+               "repeats%s.",
                c->truth->source,
-               known ? " Runs without repeats were not timed; they only show what limits "
-                       "the error."
+               known ? ". Runs without repeats were not timed; they only show what limits "
+                       "the error"
                      : "");
-    table_note(
-        t, "Memory is what the model holds after its last step, as malloc counts it. %s",
-        contest_rule);
+    table_note(t,
+               "Memory is what the model holds after its last step, counted by malloc. %s",
+               contest_rule);
     if (c->budget > 0)
-        table_note(t,
-                   "Budget: %g s of runs, cheap ones first; they took %.3g s. It left out "
-                   "(contestant, runs): %s.",
-                   c->budget, contest_spent(c), *c->unsearched ? c->unsearched : "nothing");
+        table_note(
+            t,
+            "The budget was %g s of runs, cheap ones first, and %.3g s were used. It "
+            "left out (contestant, runs): %s.",
+            c->budget, contest_spent(c), *c->unsearched ? c->unsearched : "nothing");
 }
 
 static enum status print_runs(const struct contest *c, const char *folder,
@@ -329,12 +332,12 @@ static enum status print_targets(const struct contest *c, const char *folder,
     }
     table_note(
         t,
-        "40x12/16 means 40 points along u, 12 across and 16 steps to the scene's frame of "
-        "%.3g ms; a third number counts iterations.",
+        "40x12/16 means 40 points along u and 12 across, and 16 steps to the scene's frame "
+        "of %.3g ms; a third number counts iterations.",
         1e3 * c->scene->step);
     table_note(
-        t,
-        "Growth is p where seconds grow as error^-p along the best runs (three or more).");
+        t, "Growth is the power p with which seconds grow as error^-p along the best runs "
+           "(three or more).");
     return table_publish(t, folder, "compare_targets", format, file, why);
 }
 
@@ -384,12 +387,14 @@ static enum status print_limits(const struct contest *c, const char *folder,
         add_limit(t, c, who);
     table_note(
         t,
-        "In real time: the runs that took no longer, set-up included, than the %.3g s "
-        "that they show. Limited by: the lowest run was refined in one thing at a time, "
-        "to half as many points again (both ways if its cells are about square, else "
-        "along u), half as many again across, half the step, or twice the iterations; "
-        "gains below %.0f %% are ignored. \"The truth\" means that the error lies within "
-        "its bar, %.2g %% at most.",
+        "The column `in real time` is the lowest error of runs that took no longer, set-up "
+        "included, than the %.3g s that they simulate. The column `limited by` follows "
+        "from "
+        "repeating the most accurate run with half as many points more (in both directions "
+        "if its cells are about square, else along u), with half as many more across, with "
+        "half the step, or with twice the iterations, one at a time: it names the change "
+        "that lowers the error most, by %.0f %% at least. `The truth` means that the error "
+        "is within the truth's bar, %.2g %% at most.",
         c->truth->time[c->truth->times - 1], 100 * CONTEST_LEAST_GAIN,
         100 * contest_largest_bar(c));
     return table_publish(t, folder, "compare_limits", format, file, why);
@@ -454,10 +459,12 @@ static enum status print_teams(const struct contest *c, const char *folder,
             if (c->rows[n].at.contestant == who && contest_is_best(c, &c->rows[n]))
                 add_best(t, c, &c->rows[n]);
     if (isfinite(c->team_longest))
-        table_note(t, "The budget pays for runs of up to %.2g s.", c->team_longest);
+        table_note(
+            t, "These are the runs that take up to %.2g s, as far as the budget allows.",
+            c->team_longest);
     table_note(t,
-               "Times are shares of the seconds on one thread. Same bits: all errors are "
-               "the same numbers with every number of threads.");
+               "The column `times` is the ratio to the seconds on one thread. `Same bits` "
+               "means that all errors are the same numbers with every number of threads.");
     return table_publish(t, folder, "compare_threads", format, file, why);
 }
 

@@ -93,8 +93,8 @@ static void note_winner(struct table *t, const struct contest *c)
     if (isnan(bar))
         table_note(t, "%s cannot be decided: it has no truth.", scene);
     else if (isnan(target))
-        table_note(t, "%s cannot be decided: its truth is known to %.2g %%.", scene,
-                   100 * bar);
+        table_note(t, "%s cannot be decided, because its truth is known to %.2g %% only.",
+                   scene, 100 * bar);
     else if (!first)
         table_note(t, "%s: nobody reaches %g %%.", scene, 100 * target);
     else if (!second)

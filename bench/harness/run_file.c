@@ -188,12 +188,6 @@ enum status run_file_rest(struct run_file *f, const struct counters *work,
     return take(f, f->keep->fields != RUN_FIELDS_NONE, why);
 }
 
-void run_file_refuse(struct run_file *f, enum status st, const struct message *said)
-{
-    f->refused = st;
-    f->sentence = *said;
-}
-
 enum status run_file_seconds(struct run_file *f, const char *phase, const double *seconds,
                              int repeats, int columns, struct message *why)
 {
@@ -352,7 +346,8 @@ static enum status refuse(struct run_file *f, enum status st, const struct messa
 {
     if (st != STATUS_UNSUPPORTED && st != STATUS_INPUT && !status_is_death(st))
         return status_fail(why, st, "%s", said->text);
-    run_file_refuse(f, st, said);
+    f->refused = st;
+    f->sentence = *said;
     return STATUS_OK;
 }
 

@@ -63,9 +63,6 @@ enum status run_file_watch(void *file, const struct motion *m, struct message *w
 enum status run_file_rest(struct run_file *file, const struct counters *work,
                           struct message *why);
 
-/* Stores that the model could not be built: the status of run_build and its sentence. */
-void run_file_refuse(struct run_file *file, enum status st, const struct message *said);
-
 /* Ends the looks: the run's state may then be destroyed, and little memory is held any
  * more. run_file_close does it itself. */
 enum status run_file_end(struct run_file *file, struct message *why);

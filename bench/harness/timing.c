@@ -10,28 +10,23 @@
 #include "bench/harness/motion.h"
 #include "models/clock.h"
 
-int timing_pin(void)
-{
-    cpu_set_t set;
-    int cpu = sched_getcpu();
-
-    if (cpu < 0)
-        return -1;
-    CPU_ZERO(&set);
-    CPU_SET(cpu, &set);
-    return sched_setaffinity(0, sizeof set, &set) == 0 ? cpu : -1;
-}
-
 /* The processors that this program may use, before it was pinned to one of them. */
 static cpu_set_t everywhere;
 static bool everywhere_known;
 
 void timing_alone(void)
 {
+    const int cpu = sched_getcpu();
+    cpu_set_t here;
+
     omp_set_num_threads(1);
     if (!everywhere_known)
         everywhere_known = sched_getaffinity(0, sizeof everywhere, &everywhere) == 0;
-    timing_pin();
+    if (cpu < 0)
+        return;
+    CPU_ZERO(&here);
+    CPU_SET(cpu, &here);
+    sched_setaffinity(0, sizeof here, &here);
 }
 
 void timing_threads(int count)

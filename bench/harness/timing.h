@@ -36,10 +36,6 @@ enum status timing_run(const struct timing_plan *plan, int count, struct timing_
                        struct message *why);
 void timing_clear(struct timing_case *c);
 
-/* Keeps this thread on the processor it runs on; returns its number, -1 if that is refused.
- */
-int timing_pin(void);
-
 /* Limits the program to one thread on one processor: timings compare models, not
  * schedulers. */
 void timing_alone(void);

@@ -8,8 +8,6 @@
 #include "tests/fresh.h"
 #include "tests/check.h"
 
-static const double TOL_SUM = 1e-15; /* one division */
-
 enum { TEXT = 1 << 16 };
 
 static struct {
@@ -87,23 +85,28 @@ static bool in_order(const char *text, const char *a, const char *b)
     return first && strstr(first, b);
 }
 
+/* Those that serve for sure, each by its cheapest row, from cheap to dear; then the others.
+ */
 static void ranking(const char *folder)
 {
+    static const char *const rows[] = {"\ntriangles,triangles,yes,8x6,0.001,,0.012,0.8",
+                                       "\n\"mass-spring, matched\",mass_spring,yes,20x18,",
+                                       ",iga_selective_3,yes,10x8,", ",shell_3,no,,"};
     struct advise_search s = make(folder);
-    const struct contest_row *row[ADVISE_MOST];
 
-    CHECK(advise_search_ranking(&s, row) == 0);
     add("iga_selective_3", 10, 3, 0.015);
     add("mass_spring", 10, 1, 0.0161); /* within the error, not for sure */
     add("mass_spring", 20, 2, 0.016);
     add("triangles", 10, 0.5, 0.01);
     add("triangles", 8, 0.4, 0.012);
     add("shell_3", 8, 0.1, NAN); /* it died */
-    CHECK(advise_search_ranking(&s, row) == 3);
-    CHECK_NEAR(row[0]->seconds, 0.4, TOL_SUM);
-    CHECK_NEAR(row[1]->seconds, 2, TOL_SUM);
-    CHECK_NEAR(row[2]->seconds, 3, TOL_SUM);
-    CHECK_NEAR(advise_search_rate(&s, row[0]), 0.8, TOL_SUM); /* 0.4 s for 0.5 s */
+    const char *at = printed(&s, TABLE_CSV);
+    for (int n = 0; n < 4; n++) {
+        const char *row = strstr(at, rows[n]);
+        if (!CHECK(row))
+            printf("  '%s' is not in\n%s\n", rows[n], at);
+        at = row ? row : at;
+    }
     world.job.found = NULL;
     compare_job_close(&world.job);
 }
@@ -140,21 +143,21 @@ static void words(const char *folder)
     CHECK(strstr(text, "hinge v 7.00000e-06 N m - 142857 -"));
     CHECK(strstr(text, "spring v ") && strstr(text, " N/m 0.348759 ") &&
           strstr(text, " 70 "));
-    CHECK(strstr(text, "triangles: error 1.2 % of the length, of which the truth leaves "
-                       "0.4 %"));
+    CHECK(strstr(text, "triangles: error 1.2 % of the length, which the truth leaves "
+                       "uncertain by 0.4 %"));
     CHECK(strstr(text, "0.8 s for a second of motion; 2.5 MB"));
     CHECK(in_order(text, "triangles yes ", "IGA, selective"));
     CHECK(in_order(text, "IGA, selective", "mass-spring, matched"));
     CHECK(strstr(text, "holds no node"));
-    CHECK(!strstr(text, "too slow") && !strstr(text, "None of those"));
-    CHECK(strstr(text, "far dearer ones") && !strstr(text, "the budget"));
+    CHECK(!strstr(text, "too slow") && !strstr(text, "None of the"));
+    CHECK(strstr(text, "more expensive ones") && !strstr(text, "the budget"));
     s.wish.rate = 1, s.end = ADVISE_BUDGET;
     text = printed(&s, TABLE_TEXT);
-    CHECK(strstr(text, "too slow") && !strstr(text, "None of those"));
-    CHECK(!strstr(text, "far dearer ones") && strstr(text, "the budget"));
+    CHECK(strstr(text, "too slow") && !strstr(text, "None of the"));
+    CHECK(!strstr(text, "more expensive ones") && strstr(text, "the budget"));
     s.wish.rate = 0.7;
     text = printed(&s, TABLE_TEXT);
-    CHECK(strstr(text, "None of those within 2 % takes at most 0.7 s"));
+    CHECK(strstr(text, "None of the contestants within 2 % is as fast as required, 0.7 s"));
     text = printed(&s, TABLE_CSV);
     CHECK(strstr(text, "\ntriangles,triangles,too slow,8x6,0.001"));
     CHECK(!strstr(text, "clothbench") && !strstr(text, "hinge"));

@@ -132,7 +132,7 @@ int main(int argc, char **argv)
         "0.2 %    1.5 %      5 %   0.1 %     none\n",
         "near: mass-spring, leapfrog, single precision, 200 times less than",
         "vague: IGA, selective, nonlinear, p = 3, and no other model reaches 2 %.\n",
-        "blunt cannot be decided: its truth is known to 5 %.\n",
+        "blunt cannot be decided, because its truth is known to 5 % only.\n",
         "far: nobody reaches 1 %.\n",
         "unknown cannot be decided: it has no truth.\n"};
     for (int n = 0; n < LENGTH(rows); n++)

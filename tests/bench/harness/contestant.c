@@ -5,27 +5,14 @@
 
 #include "bench/harness/run.h"
 #include "models/grid.h"
-#include "tests/check.h"
-
-#define DROP SOURCE_DIR "/models/scenes/edge_drop.yaml"
-
-static const struct contestant *find(const char *name)
-{
-    const struct contestant *c = NULL;
-    struct message why = {""};
-
-    if (!CHECK(contestant_find(name, &c, &why) == STATUS_OK))
-        printf("  %s\n", why.text);
-    REQUIRE(c);
-    return c;
-}
+#include "tests/run_fixture.h"
 
 static void test_names(void)
 {
     for (const struct contestant *c = contestant_table; c->name; c++) {
         for (const char *at = c->name; *at; at++)
             CHECK(islower(*at) || isdigit(*at) || *at == '_');
-        CHECK(find(c->name) == c); /* no other of this name stands before it */
+        CHECK(named(c->name) == c); /* no other of this name stands before it */
         for (const struct contestant *o = contestant_table; o < c; o++) {
             if (!CHECK(strcmp(o->title, c->title) && strcmp(o->column, c->column)))
                 printf("  %s and %s look the same in tables\n", o->name, c->name);
@@ -41,30 +28,39 @@ static void test_models(void)
     int count = 0;
 
     for (; contestant_model(count); count++)
-        CHECK(find(contestant_model(count)->name)->model == contestant_model(count));
+        CHECK(named(contestant_model(count)->name)->model == contestant_model(count));
     CHECK(count >= 5 && !contestant_model(count + 1));
     for (const struct contestant *c = contestant_table; c->name; c++)
-        CHECK(find(c->model->name)->model == c->model);
+        CHECK(named(c->model->name)->model == c->model);
 }
 
-/* Settings parse, have their effect, and the model takes them, on the coarsest net. */
+/* Opens a contestant on its coarsest net, with a setting. */
+static int open_row(const struct contestant *c, const char *setting, struct run *run)
+{
+    const int points =
+        c->points[0] < contestant_least(c) ? contestant_least(c) : c->points[0];
+    struct settings s = {0};
+    struct message why = {""};
+
+    contestant_points(c, points, points, &s);
+    settings_set(&s, setting);
+    if (!CHECK(run_open(run, &(struct run_plan){DROP, c, &s, 0}, &why) == STATUS_OK))
+        printf("  %s: %s\n", c->name, why.text);
+    settings_clear(&s);
+    return points;
+}
+
+/* Settings parse, have their effect, and the model takes them. */
 static void test_rows(void)
 {
     for (const struct contestant *c = contestant_table; c->name; c++) {
-        const int points =
-            contestant_least(c) > c->points[0] ? contestant_least(c) : c->points[0];
-        struct settings s = {0};
-        struct message why = {""};
         struct run run;
-        contestant_points(c, points, points, &s);
-        if (!CHECK(run_open(&run, &(struct run_plan){DROP, c, &s, 0}, &why) == STATUS_OK))
-            printf("  %s: %s\n", c->name, why.text);
+        const int points = open_row(c, "name=edge_drop", &run);
         CHECK(run.discretization.points[0] == points);
-        CHECK(c->layers ? run.discretization.points[2] == c->layers : !c->layers);
+        CHECK(!c->layers || run.discretization.points[2] == c->layers);
         CHECK(run.discretization.degree[0] == c->degree);
         CHECK(run.model == c->model && run.contestant == c);
         run_close(&run);
-        settings_clear(&s);
         const int *const ladders[] = {c->points, c->divisors, c->iterations};
         for (int n = 1; n < CONTESTANT_STEPS; n++)
             for (int i = 0; i < 3; i++)
@@ -73,23 +69,17 @@ static void test_rows(void)
     }
 }
 
-/* Two frames of a contestant on its coarsest net, with a setting that is no physics. */
+/* Two frames of a contestant, with a setting that is no physics. */
 static void two_frames(const struct contestant *c, const char *setting, double *xyz)
 {
-    const int points =
-        contestant_least(c) > c->points[0] ? contestant_least(c) : c->points[0];
-    struct settings s = {0};
     struct counters work = {0};
     struct run run;
 
-    contestant_points(c, points, points, &s);
-    settings_set(&s, setting);
-    REQUIRE(run_open(&run, &(struct run_plan){DROP, c, &s, 0}, NULL) == STATUS_OK);
+    open_row(c, setting, &run);
     for (int n = 0; n < 2; n++)
         CHECK(run.model->advance(run.state, &work) == STATUS_OK);
     run.model->sample(run.state, xyz);
     run_close(&run);
-    settings_clear(&s);
 }
 
 /* Nobody is tuned to a scene: a contestant is made of discretization alone, and on a scene
@@ -145,8 +135,8 @@ static void test_settings(void)
                 {"iga", "discretization.kinematics", NULL},
                 {"shell_3", "discretization.degree", "[3,3]"}};
 
-    for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
-        const char *value = contestant_setting(find(want[n].name), want[n].key);
+    for (int n = 0; n < LENGTH(want); n++) {
+        const char *value = contestant_setting(named(want[n].name), want[n].key);
         CHECK(want[n].value ? value && !strcmp(value, want[n].value) : !value);
     }
     for (const struct contestant *c = contestant_table; c->name; c++)
@@ -180,11 +170,11 @@ static void test_choice(void)
     CHECK(chosen(NULL, CONTESTANT_COMPARE) == compare && compare > 5);
     /* a model's name: its entries there, not the row of the same name */
     CHECK(chosen("iga", CONTESTANT_COMPARE) == iga && iga > 1);
-    CHECK(!contestant_chosen(find("iga"), "iga", CONTESTANT_COMPARE));
+    CHECK(!contestant_chosen(named("iga"), "iga", CONTESTANT_COMPARE));
     CHECK(chosen("hex", CONTESTANT_COMPARE | CONTESTANT_STRESS) > 1);
     CHECK(chosen("mass_spring_paper", CONTESTANT_COMPARE) == 1); /* enters nowhere else */
     CHECK(chosen("mass_spring_paper,iga", CONTESTANT_COMPARE) == iga + 1);
-    CHECK(find("mass_spring_explicit")->enters & CONTESTANT_COMPARE); /* springs' best */
+    CHECK(named("mass_spring_explicit")->enters & CONTESTANT_COMPARE); /* springs' best */
     CHECK(chosen("iga_pap", 0) == 0 && chosen("", 0) == 0);
 }
 

@@ -1,9 +1,7 @@
 /* Settings: in order, the last wins, numbers to the bit, and no memory is told. */
 #include "bench/harness/contestant.h"
 
-#include "tests/check.h"
-
-#define DROP SOURCE_DIR "/models/scenes/edge_drop.yaml"
+#include "tests/run_fixture.h"
 
 /* The linker sends this program's allocations here (CMakeLists.txt). */
 void *__real_realloc(void *old, size_t size);

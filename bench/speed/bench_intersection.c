@@ -106,11 +106,9 @@ out:
 
 static enum status print(const struct bench *b, struct message *why)
 {
-    static const struct table_column columns[] = {{"surface", NULL, TABLE_LEFT},
-                                                  {"pairs"},
-                                                  BENCH_PART_TIMES,
-                                                  {"every pair", "ms"},
-                                                  {"gain"}};
+    static const struct table_column columns[] = {
+        {"surface", NULL, TABLE_LEFT}, {"pairs"}, {"tree", "ms"},
+        {"every pair", "ms"},          {"gain"},  {"repeats"}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Counting a sheet's self-intersections");
 
@@ -122,9 +120,10 @@ static enum status print(const struct bench *b, struct message *why)
         table_row(t);
         table_text(t, "%s", name);
         table_fixed(t, samples_number(&b->samples, name, "pairs"), 0);
-        bench_part_times(t, &tree);
+        table_number(t, 1e3 * tree.median, 3);
         table_number(t, 1e3 * all, 3);
         table_number(t, all / tree.median, 3);
+        table_integer(t, tree.count);
     }
     table_note(t,
                "The surfaces are made up and have %.0f x %.0f points. The column `every "

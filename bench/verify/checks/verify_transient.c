@@ -78,7 +78,7 @@ static enum status transient_init(struct transient *t, struct message *why)
     TRY(contestant_read_scene(&(struct settings){0}, scene, &t->scene, why));
     for (int n = 0; n < TIMES; n++)
         plate[n] = t->truth + 3 * GRID_POINTS * n;
-    TRY(truth_plate_fields(&t->scene, TIMES, times, plate, why));
+    TRY(kirchhoff_field(&t->scene, KIRCHHOFF_TERMS, TIMES, times, plate, why));
     rest = metric_rest_field(&t->scene);
     TRY(rest ? STATUS_OK : STATUS_MEMORY);
     TRY(reference_path("freefem_transient_h1177um", &solid, why));

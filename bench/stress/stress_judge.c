@@ -177,7 +177,7 @@ static enum status end_plate(struct judged *r)
 static enum status end_elastica(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
-    struct elastica e;
+    struct elastica_point e;
     double d[3];
     enum status st;
 

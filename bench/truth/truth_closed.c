@@ -297,7 +297,7 @@ double truth_plate_drop(const struct scene *scene, bool linear)
     const double L = scene->length, W = scene->width, gamma = scene_gamma(scene);
     struct kirchhoff_plate plate;
     struct kirchhoff *k = NULL;
-    struct elastica e;
+    struct elastica_point e;
     double drop = NAN;
 
     if (kirchhoff_field_plate(scene, &plate, NULL) != STATUS_OK)

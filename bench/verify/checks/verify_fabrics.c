@@ -18,7 +18,7 @@ enum { MOST_TRIES = 12 };
 static double gamma_wanted(struct verify_sheet *sheet)
 {
     double low = 7, high = 9, gamma = NAN;
-    struct elastica e;
+    struct elastica_point e;
 
     for (int n = 0; n < 40; n++) {
         gamma = (low + high) / 2;

@@ -96,22 +96,6 @@ static bool is_known(double gamma)
     return gamma >= ELASTICA_MIN && gamma <= ELASTICA_MAX;
 }
 
-enum status elastica_solve(double gamma, struct elastica *e)
-{
-    const double end = cbrt(gamma), right_angle = acos(0);
-    struct state a;
-
-    if (!is_known(gamma))
-        return STATUS_INPUT;
-    const double log_psi = aim(gamma);
-    shoot(log_psi, end, &a);
-    e->tip_angle = right_angle - exp(log_psi);
-    e->root_curvature = a.slope * end;
-    e->drop = a.down / end;
-    e->reach = a.across / end;
-    return STATUS_OK;
-}
-
 enum status elastica_curve(double gamma, int count, const double *s,
                            struct elastica_point *point)
 {
@@ -131,6 +115,11 @@ enum status elastica_curve(double gamma, int count, const double *s,
         point[n].drop = (a.down - point[n].drop) / end;
     }
     return STATUS_OK;
+}
+
+enum status elastica_solve(double gamma, struct elastica_point *tip)
+{
+    return elastica_curve(gamma, 1, (double[]){1}, tip);
 }
 
 /* Computes the complete elliptic integrals K and E of modulus k (arithmetic-geometric

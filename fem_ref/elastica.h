@@ -16,24 +16,20 @@
 #define ELASTICA_MIN 1e-4
 #define ELASTICA_MAX 1e6
 
-struct elastica {
-    double drop, reach;    /* of the tip, over L                                      */
-    double tip_angle;      /* below the horizontal                             [rad]  */
-    double root_curvature; /* times L                                                 */
-};
-
-/* Solves for ELASTICA_MIN <= gamma <= ELASTICA_MAX; otherwise STATUS_INPUT. Relative error
- * below 1e-10 (tests/fem_ref/elastica.c). At most 0.3 s; allocates nothing. */
-enum status elastica_solve(double gamma, struct elastica *e);
-
-/* The shape of the strip: where each s[count], increasing from 0 (the clamp) to 1 (the
- * tip), is out and below, over L, and how far it has turned. STATUS and error as
- * elastica_solve. */
+/* A point of the strip: how far it is out and below, over L, and how far it has turned
+ * below the horizontal [rad]. */
 struct elastica_point {
     double reach, drop, angle;
 };
+
+/* Solves for the points at s[count], increasing from 0 (the clamp) to 1 (the tip), with
+ * ELASTICA_MIN <= gamma <= ELASTICA_MAX; otherwise STATUS_INPUT. Relative error below 1e-10
+ * (tests/fem_ref/elastica.c). At most 0.3 s; allocates nothing. */
 enum status elastica_curve(double gamma, int count, const double *s,
                            struct elastica_point *point);
+
+/* Solves for the tip alone. */
+enum status elastica_solve(double gamma, struct elastica_point *tip);
 
 /* Returns how far the middle stands out, over L, of an inextensible strip without weight
  * whose ends, clamped or hinged, are nearer by shortening L, 0 < shortening <= 0.9:

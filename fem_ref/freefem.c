@@ -1,5 +1,4 @@
 #include "fem_ref/freefem.h"
-#include "fem_ref/kirchhoff_field.h"
 #include "fem_ref/reference.h"
 #include "models/grid.h"
 
@@ -15,29 +14,6 @@ _Static_assert((FREEFEM_SIDE - 1) * STRIDE == GRID_U - 1 && GRID_U == GRID_V,
 
 /* Held unknowns have pivots of 1e30 and move by less than any displacement's rounding. */
 #define HELD 1e-20
-
-enum status freefem_job_of(const struct scene *scene, struct freefem_job *job,
-                           struct message *why)
-{
-    enum status st;
-    struct kirchhoff_plate plate;
-    double e_w[3];
-
-    TRY(kirchhoff_field_plate(scene, &plate, why));
-    if (plate.length != 1 || plate.width != 1 || scene->damping.kind != DAMPING_NONE)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "the FreeFEM truth is an undamped sheet of 1 m x 1 m");
-    job->thickness = plate.thickness;
-    job->young = plate.young;
-    job->poisson = plate.poisson;
-    job->density = plate.density;
-    job->gravity = 0;
-    scene_normal(scene, e_w);
-    for (int c = 0; c < 3; c++)
-        job->gravity -= scene->gravity[c] * e_w[c];
-out:
-    return st;
-}
 
 /* --- Reading --- */
 
@@ -106,41 +82,13 @@ static enum status take_table(const struct reference *table, const char *path,
     return reference_fault(table, why);
 }
 
-static enum status same_job(const struct reference *table, const char *path,
-                            const struct freefem_job *job, struct message *why)
-{
-    const struct {
-        const char *key;
-        double value;
-    } want[] = {{"thickness", job->thickness},
-                {"young", job->young},
-                {"poisson", job->poisson},
-                {"density", job->density},
-                {"gravity", job->gravity}};
-
-    for (int i = 0; i < 5; i++) {
-        const char *note = reference_note(table, want[i].key);
-        if (!note || strtod(note, NULL) != want[i].value)
-            return status_fail(why, STATUS_UNSUPPORTED,
-                               "%s: %s is %s, not %.17g: no stored FreeFEM field for this",
-                               path, want[i].key, note ? note : "not told", want[i].value);
-    }
-    if ((reference_column(table, "t") >= 0) != job->moving)
-        return status_fail(why, STATUS_UNSUPPORTED, "%s: not a %s field", path,
-                           job->moving ? "transient" : "static");
-    return STATUS_OK;
-}
-
-enum status freefem_read(const char *path, const struct freefem_job *job,
-                         struct freefem_field *field, struct message *why)
+enum status freefem_read(const char *path, struct freefem_field *field, struct message *why)
 {
     enum status st;
     struct freefem_field f = {0};
     struct reference *table = NULL;
 
     TRY(reference_open(path, &table, why));
-    if (job)
-        TRY(same_job(table, path, job, why));
     TRY(take_table(table, path, &f, why));
     *field = f;
 out:

@@ -13,15 +13,6 @@
 
 enum { FREEFEM_SIDE = 12, FREEFEM_TIMES = 4 };
 
-/* Sheet 1 m x 1 m, edge u = 0 clamped. */
-struct freefem_job {
-    double thickness;      /*                                                 [m] > 0 */
-    double young, poisson; /*                                                 [Pa, 1] */
-    double density;        /*                                                [kg/m^3] */
-    double gravity;        /* along -e_w                                      [m/s^2] */
-    bool moving;           /* to 0.4 s; otherwise the static answer                    */
-};
-
 struct freefem_field {
     int times;                  /* FREEFEM_TIMES, or 1: static                       */
     double time[FREEFEM_TIMES]; /* 0.1 .. 0.4 [s]; INFINITY: static                  */
@@ -29,17 +20,11 @@ struct freefem_field {
     double error[FREEFEM_TIMES]; /* error bar (rms) [m]; NaN: not known              */
 };
 
-/* Finds the job of a scene: what kirchhoff_field_plate accepts, 1 m x 1 m, undamped; the
- * caller decides whether it moves. STATUS_UNSUPPORTED and a sentence otherwise. */
-enum status freefem_job_of(const struct scene *scene, struct freefem_job *job,
-                           struct message *why);
-
-/* Reads the stored field of `job`, whose physics must equal the file's notes
- * (STATUS_UNSUPPORTED); NULL: of any. Refuses (STATUS_INPUT, with file and line or row)
- * missing or surplus rows, other points or times, anything not finite, a clamped edge that
- * moves, nothing that moves. Without notes of the error its bar is NaN. */
-enum status freefem_read(const char *path, const struct freefem_job *job,
-                         struct freefem_field *field, struct message *why);
+/* Reads a field. Refuses (STATUS_INPUT, with file and line or row) missing or surplus rows,
+ * other points or times, anything not finite, a clamped edge that moves, nothing that
+ * moves. Without notes of the error its bar is NaN. */
+enum status freefem_read(const char *path, struct freefem_field *field,
+                         struct message *why);
 
 /* Returns the rms over the points, at time number t, of |a - b| [m]. */
 double freefem_difference(const struct freefem_field *a, const struct freefem_field *b,

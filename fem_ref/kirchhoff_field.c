@@ -44,27 +44,25 @@ enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_pl
     return STATUS_OK;
 }
 
-enum status kirchhoff_field_sample(const struct kirchhoff *k, const struct scene *scene,
-                                   double t, double *xyz, struct message *why)
+static enum status sample(const struct kirchhoff *k, const struct scene *scene, double t,
+                          double *xyz)
 {
     enum status st;
     static const double half[GRID_W] = {-0.5, 0.5};
     double w[GRID_V][GRID_U], wx[GRID_V][GRID_U], wy[GRID_V][GRID_U]; /* 240 kB */
     double x[GRID_U], y[GRID_V], n[3];
-    struct kirchhoff_plate plate;
 
-    TRY(kirchhoff_field_plate(scene, &plate, why));
     scene_normal(scene, n);
-    const double q = plate.density * plate.thickness * dot(scene->gravity, n);
+    const double q = scene->density * scene->thickness * dot(scene->gravity, n);
     const double alpha = scene->damping.kind == DAMPING_MASS ? scene->damping.value : 0;
     for (int i = 0; i < GRID_U; i++)
-        x[i] = plate.length * i / (GRID_U - 1);
+        x[i] = scene->length * i / (GRID_U - 1);
     for (int j = 0; j < GRID_V; j++)
-        y[j] = plate.width * j / (GRID_V - 1);
+        y[j] = scene->width * j / (GRID_V - 1);
     TRY(kirchhoff_grid(k, q, alpha, t, GRID_U, x, GRID_V, y, w[0], wx[0], wy[0]));
     for (int p = 0; p < GRID_POINTS; p++) {
         int i = p % GRID_U, j = p / GRID_U % GRID_V;
-        double uvw[3], z = half[p / (GRID_U * GRID_V)] * plate.thickness;
+        double uvw[3], z = half[p / (GRID_U * GRID_V)] * scene->thickness;
         grid_point(p, uvw);
         scene_rest_point(scene, uvw, xyz + 3 * p);
         for (int c = 0; c < 3; c++)
@@ -72,5 +70,21 @@ enum status kirchhoff_field_sample(const struct kirchhoff *k, const struct scene
                                                     wy[j][i] * scene->axis_v[c]);
     }
 out:
+    return st;
+}
+
+enum status kirchhoff_field(const struct scene *scene, int terms, int times,
+                            const double *time, double *const *xyz, struct message *why)
+{
+    struct kirchhoff_plate plate;
+    struct kirchhoff *k = NULL;
+    enum status st;
+
+    TRY(kirchhoff_field_plate(scene, &plate, why));
+    TRY(kirchhoff_create(&plate, terms, &k));
+    for (int n = 0; n < times; n++)
+        TRY(sample(k, scene, time[n], xyz[n]));
+out:
+    kirchhoff_destroy(k);
     return st;
 }

@@ -12,11 +12,11 @@
 enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_plate *plate,
                                   struct message *why);
 
-/* Computes positions xyz[GRID_W][GRID_V][GRID_U][3] [m] (grid.h) of such a scene at time t
- * >= 0 (INFINITY: in equilibrium under its weight) by Kirchhoff's linear kinematics: a
- * point z above the mid-surface moves by w e_w - z grad w. k must be made from the scene's
- * plate. */
-enum status kirchhoff_field_sample(const struct kirchhoff *k, const struct scene *scene,
-                                   double t, double *xyz, struct message *why);
+/* Computes positions xyz[times][GRID_W][GRID_V][GRID_U][3] [m] (grid.h) of such a scene at
+ * time[times] >= 0 (INFINITY: in equilibrium under its weight) by Kirchhoff's linear
+ * kinematics: a point z above the mid-surface moves by w e_w - z grad w. `terms` as for
+ * kirchhoff_create. Statuses of both. */
+enum status kirchhoff_field(const struct scene *scene, int terms, int times,
+                            const double *time, double *const *xyz, struct message *why);
 
 #endif

@@ -9,18 +9,20 @@
 
 #include "models/reader/named_file.h"
 
-/* Cells and comments point into the text of the whole file. */
-struct reference {
-    char *path, *text;
-    char **comment; /* [comments] without the #          */
-    char **name;    /* [columns]                         */
-    char **cell;    /* [rows][columns]                   */
-    int *line;      /* [rows] in the file                */
-    int comments, columns, rows, head;
-    struct message *fault; /* of the first wrong query; "" */
+/* A line of cells, each with a NUL at its end, one behind the other. */
+struct line {
+    char *cells;
+    int number; /* in the file                                                          */
 };
 
-static const char NO_MEMORY[] = "out of memory";
+/* Lines and comments point into the text of the whole file, and have room for all of it. */
+struct reference {
+    char *path, *text;
+    char **comment; /* [comments] without the #                                         */
+    struct line names, *row; /* [rows]                                                  */
+    int comments, columns, rows;
+    struct message *fault; /* of the first wrong query; ""                              */
+};
 
 /* Reads up to the first byte 0, which no table has. */
 static enum status slurp(const char *path, char **text, struct message *why)
@@ -42,18 +44,18 @@ static enum status slurp(const char *path, char **text, struct message *why)
     return st;
 }
 
-/* Cuts a line at its commas in place; cells beyond `room` are counted, not stored. */
-static int split(char *line, char **cell, int room)
+static const char *next_cell(const char *cell)
 {
-    int count = 0;
-    for (char *at = line; at; count++) {
-        char *comma = strchr(at, ',');
-        if (comma)
-            *comma = 0;
-        if (count < room)
-            cell[count] = at;
-        at = comma ? comma + 1 : NULL;
-    }
+    return cell + strlen(cell) + 1;
+}
+
+/* Cuts a line at its commas in place; returns how many cells it has. */
+static int split(char *line)
+{
+    int count = 1;
+
+    for (; (line = strchr(line, ',')); count++)
+        *line++ = '\0';
     return count;
 }
 
@@ -67,76 +69,56 @@ static const char *cell_fault(const char *cell)
     return NULL;
 }
 
-static const char *names_fault(char **name, int columns)
+static const char *names_fault(const struct reference *t)
 {
-    for (int i = 0; i < columns; i++) {
-        if (!*name[i])
+    const char *name = t->names.cells;
+
+    for (int i = 0; i < t->columns; i++, name = next_cell(name)) {
+        if (!*name)
             return "a column without a name";
-        for (int j = 0; j < i; j++)
-            if (!strcmp(name[i], name[j]))
-                return "two columns of one name";
+        if (reference_column(t, name) < i)
+            return "two columns of one name";
     }
     return NULL;
 }
 
-/* Adds a row, which stands in this line of the file. NULL without memory. */
-static char **add_row(struct reference *t, int line)
-{
-    const size_t rows = (size_t)t->rows + 1;
-    int *lines = realloc(t->line, rows * sizeof *lines);
-
-    if (!lines)
-        return NULL;
-    t->line = lines, lines[t->rows] = line;
-    char **cells = realloc(t->cell, rows * (size_t)t->columns * sizeof *cells);
-    if (!cells)
-        return NULL;
-    t->cell = cells;
-    return cells + (size_t)t->rows++ * (size_t)t->columns;
-}
-
 /* Takes a line; returns NULL, or what is wrong with it. */
-static const char *take_line(struct reference *t, char *line, int number)
+static const char *take_line(struct reference *t, char *text, int number)
 {
-    char **cell = NULL;
-    const char *fault = NULL;
-    int count;
+    const struct line line = {text, number};
+    const char *fault = NULL, *cell = text;
+    const bool names = !t->columns;
 
-    if (!*line)
+    if (!*text)
         return "a blank line";
-    if (*line == '#') {
-        t->comment[t->comments++] = line + 1;
+    if (*text == '#') {
+        t->comment[t->comments++] = text + 1;
         return NULL;
     }
-    if (!t->columns) {
-        t->columns = 1, t->head = number;
-        for (const char *at = line; (at = strchr(at, ',')); at++)
-            t->columns++;
-        t->name = cell = calloc(t->columns, sizeof *cell);
-    } else {
-        cell = add_row(t, number);
-    }
-    if (!cell)
-        return NO_MEMORY;
-    count = split(line, cell, t->columns);
+    const int count = split(text);
+    if (names)
+        t->names = line, t->columns = count;
+    else
+        t->row[t->rows++] = line;
     if (count != t->columns)
         return count < t->columns ? "too few cells" : "too many cells";
-    for (int i = 0; i < count && !fault; i++)
-        fault = cell_fault(cell[i]);
-    return fault || cell != t->name ? fault : names_fault(t->name, t->columns);
+    for (int i = 0; i < count && !fault; i++, cell = next_cell(cell))
+        fault = cell_fault(cell);
+    return fault || !names ? fault : names_fault(t);
 }
 
 static enum status parse(struct reference *t, const char *path, struct message *why)
 {
     char *next = t->text;
+    size_t lines = 1;
     int line = 1;
 
     for (const char *at = t->text; (at = strchr(at, '\n')); at++)
-        t->comments++;
-    t->comment = calloc(t->comments + 1, sizeof *t->comment);
-    if (!t->comment)
+        lines++;
+    t->comment = calloc(lines, sizeof *t->comment);
+    t->row = calloc(lines, sizeof *t->row);
+    if (!t->comment || !t->row)
         return STATUS_MEMORY;
-    t->comments = 0;
     for (; *next; line++) {
         char *end = strchr(next, '\n');
         const char *fault = end ? NULL : "the last line has no end: cut short?";
@@ -147,8 +129,7 @@ static enum status parse(struct reference *t, const char *path, struct message *
             fault = take_line(t, next, line);
         }
         if (fault)
-            return status_fail(why, fault == NO_MEMORY ? STATUS_MEMORY : STATUS_INPUT,
-                               "%s:%d: %s", path, line, fault);
+            return status_fail(why, STATUS_INPUT, "%s:%d: %s", path, line, fault);
         next = end + 1;
     }
     if (!t->rows)
@@ -162,11 +143,9 @@ void reference_close(struct reference *t)
         return;
     free(t->path);
     free(t->fault);
-    free(t->line);
     free(t->text);
     free(t->comment);
-    free(t->name);
-    free(t->cell);
+    free(t->row);
     free(t);
 }
 
@@ -195,8 +174,10 @@ int reference_rows(const struct reference *t)
 
 int reference_column(const struct reference *t, const char *name)
 {
-    for (int i = 0; i < t->columns; i++)
-        if (!strcmp(t->name[i], name))
+    const char *own = t->names.cells;
+
+    for (int i = 0; i < t->columns; i++, own = next_cell(own))
+        if (!strcmp(own, name))
             return i;
     return -1;
 }
@@ -224,15 +205,21 @@ enum status reference_fault(const struct reference *t, struct message *why)
 const char *reference_text(const struct reference *t, int row, const char *column)
 {
     const int c = reference_column(t, column);
+    const char *cell;
 
-    if (c < 0)
-        blame(t, t->head, "there is no column '%s'", column);
-    else if (row < 0 || row >= t->rows)
-        blame(t, t->line[t->rows - 1], "the last of %d rows, but there should be a row %d",
-              t->rows, row + 1);
-    else
-        return t->cell[(size_t)row * (size_t)t->columns + (size_t)c];
-    return "";
+    if (c < 0) {
+        blame(t, t->names.number, "there is no column '%s'", column);
+        return "";
+    }
+    if (row < 0 || row >= t->rows) {
+        blame(t, t->row[t->rows - 1].number,
+              "the last of %d rows, but there should be a row %d", t->rows, row + 1);
+        return "";
+    }
+    cell = t->row[row].cells;
+    for (int i = 0; i < c; i++)
+        cell = next_cell(cell);
+    return cell;
 }
 
 double reference_number(const struct reference *t, int row, const char *column)
@@ -247,7 +234,7 @@ double reference_number(const struct reference *t, int row, const char *column)
         number = strtod(text, &end);
     if (end && !*end && isfinite(number))
         return number;
-    blame(t, t->line[row], "%s is '%.40s', but must be a number", column, text);
+    blame(t, t->row[row].number, "%s is '%.40s', but must be a number", column, text);
     return NAN;
 }
 

@@ -210,7 +210,7 @@ static double measure_vibration(struct judged *r)
 static double measure_elastica(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
-    struct elastica e;
+    struct elastica_point e;
     double d[3];
 
     displacement(r, tip, d);

@@ -214,7 +214,7 @@ static enum status from_kirchhoff(const struct scene *scene, bool linear, struct
     enum status st = rest ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
-    TRY(truth_plate_fields(scene, t->times, t->time, t->xyz, why));
+    TRY(kirchhoff_field(scene, KIRCHHOFF_TERMS, t->times, t->time, t->xyz, why));
     for (int n = 0; n < t->times; n++)
         t->error[n] = relative * metric_rmse(t->xyz[n], rest);
     snprintf(t->source, sizeof t->source,

@@ -251,11 +251,6 @@ enum status truth_closed_fields(const struct scene *scene, struct truth *t);
  * truth_clear. */
 enum status truth_closed_make(const struct scene *scene, struct truth *t);
 
-/* Computes fields xyz[times] (grid.h) of an undamped cantilever as a Kirchhoff plate at
- * time[times]; INFINITY: in equilibrium. STATUS_UNSUPPORTED with a sentence: it is none. */
-enum status truth_plate_fields(const struct scene *scene, int times, const double *time,
-                               double *const *xyz, struct message *why);
-
 /* Returns where the middle of the free edge is along z in a field [m]: the mean of the two
  * grid points nearest it, in both layers. */
 double truth_plate_edge(const double *xyz);

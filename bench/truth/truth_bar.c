@@ -73,15 +73,6 @@ static double between(const struct truth_family *f, int a, int b, int time)
     return metric_rmse(f->run[a].xyz[time], f->run[b].xyz[time]);
 }
 
-/* Fills the sizes of three successive runs, the last of them number `last`. */
-static void sizes(const struct truth_family *f, int last, double h[3])
-{
-    for (int k = 0; k < 3; k++) {
-        const struct truth_level *l = &f->level[last - 2 + k];
-        h[k] = 1.0 / (l->side - l->degree - l->repeats);
-    }
-}
-
 /* Three successive runs: sizes, and sums of squares of both differences from time to time.
  */
 struct three {
@@ -98,7 +89,10 @@ static struct truth_order judge_three(const struct truth_family *f, int last, in
     const double first = between(f, last - 2, last - 1, time);
     const double second = between(f, last - 1, last, time);
 
-    sizes(f, last, t->h);
+    for (int k = 0; k < 3; k++) {
+        const struct truth_level *l = &f->level[last - 2 + k];
+        t->h[k] = 1.0 / (l->side - l->degree - l->repeats);
+    }
     t->first += first * first;
     t->second += second * second;
     const double rms = sqrt(t->second / (time + 1));
@@ -208,7 +202,9 @@ static void judge_family(const struct truth_family *f, int time, struct judged *
     const struct truth_order o = judge_three(f, last, time, &j->now);
     j->order = o.order;
     j->bar = o.bar;
-    if (f->count >= SETTLED)
+    if (f->goes_on)
+        j->field = limit_of(f, last, j->now.h, o.order, time);
+    else if (f->count >= SETTLED)
         settle(f, time, j);
 }
 
@@ -305,15 +301,6 @@ void truth_bar_judge(const struct truth_family family[TRUTH_MODELS],
         share[TRUTH_SOLID].times >= share[TRUTH_SHELL].times ? TRUTH_SOLID : TRUTH_SHELL;
     made->level = family[most].level[family[most].count - 1];
     tell(family, share, most, made);
-}
-
-void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz)
-{
-    double h[3];
-
-    sizes(f, f->count - 1, h);
-    const struct field limit = limit_of(f, f->count - 1, h, order, time);
-    evaluate(&limit, xyz);
 }
 
 /* --- Words --- */

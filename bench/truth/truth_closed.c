@@ -281,22 +281,6 @@ out:
 
 /* --- The plate --- */
 
-enum status truth_plate_fields(const struct scene *scene, int times, const double *time,
-                               double *const *xyz, struct message *why)
-{
-    struct kirchhoff_plate plate;
-    struct kirchhoff *k = NULL;
-    enum status st;
-
-    TRY(kirchhoff_field_plate(scene, &plate, why));
-    TRY(kirchhoff_create(&plate, KIRCHHOFF_TERMS, &k));
-    for (int n = 0; n < times; n++)
-        TRY(kirchhoff_field_sample(k, scene, time[n], xyz[n], why));
-out:
-    kirchhoff_destroy(k);
-    return st;
-}
-
 double truth_plate_edge(const double *xyz)
 {
     double sum = 0;
@@ -313,7 +297,7 @@ double truth_plate_drop(const struct scene *scene, bool linear)
     const double L = scene->length, W = scene->width, gamma = scene_gamma(scene);
     struct kirchhoff_plate plate;
     struct kirchhoff *k = NULL;
-    struct elastica e;
+    struct elastica_point e;
     double drop = NAN;
 
     if (kirchhoff_field_plate(scene, &plate, NULL) != STATUS_OK)

@@ -38,7 +38,9 @@ enum { TRUTH_FAMILY_MOST = 9 };
 
 /* Runs of one model, whose nets and steps shrink alike. */
 struct truth_family {
-    int count; /* 0: the model refuses the scene                                        */
+    int count;    /* 0: the model refuses the scene                                     */
+    bool goes_on; /* its field is where the last three are going, if their order is
+                     believed (truth_order), however many there are                     */
     struct truth_level level[TRUTH_FAMILY_MOST];
     struct run_result run[TRUTH_FAMILY_MOST];
 };
@@ -81,10 +83,6 @@ struct truth_order truth_order(const double h[3], double first, double second,
  * TRUTH_MOST_ERROR or TRUTH_MOST_GROWTH is passed. */
 void truth_bar_judge(const struct truth_family family[TRUTH_MODELS],
                      const struct truth_push *push, double length, struct truth *made);
-
-/* Computes where the last three runs of a family are going at an index of time, if the
- * order is believed (truth_order), else where the finest is: xyz (grid.h). */
-void truth_bar_limit(const struct truth_family *f, double order, int time, double *xyz);
 
 enum { TRUTH_BAR_LEVEL = 128 };
 

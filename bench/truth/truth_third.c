@@ -129,6 +129,7 @@ enum status truth_third_make(const char *folder, double length, struct truth *th
     enum status st;
 
     memset(third, 0, sizeof *third);
+    f->goes_on = true;
     TRY(read_nets(folder, f, why));
     const int times = common_times(f);
     if (!times)
@@ -138,8 +139,6 @@ enum status truth_third_make(const char *folder, double length, struct truth *th
     /* Nobody pushed it: nothing is known of the growth. */
     truth_bar_judge(family, &(struct truth_push){.plain = f->run, .pushed = f->run}, length,
                     third);
-    for (int n = 0; n < times; n++)
-        truth_bar_limit(f, third->value[n][TRUTH_SHELL_SPACE], n, third->xyz[n]);
     TRY(read_note(folder, third, why));
     snprintf(third->horizon, sizeof third->horizon, "not watched");
 out:

@@ -24,7 +24,7 @@ static double tip_error(const struct row *row, int points, double gamma)
 {
     const double h = 1e-3, D = 1e5 * h * h * h / (12 * (1 - row->poisson * row->poisson));
     char text[4][96];
-    struct elastica want;
+    struct elastica_point want;
     struct run run;
     double tip[3];
 

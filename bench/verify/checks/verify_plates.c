@@ -11,7 +11,7 @@ bool verify_plates_read(struct verify_sheet *sheet, const char *name,
     const bool there =
         verify_sheet_table(sheet, name) &&
         verify_sheet_holds(sheet, reference_path(name, &path, &sheet->why)) &&
-        verify_sheet_holds(sheet, freefem_read(path, NULL, f, &sheet->why));
+        verify_sheet_holds(sheet, freefem_read(path, f, &sheet->why));
 
     free(path);
     return there;

@@ -73,19 +73,16 @@ static enum status transient_init(struct transient *t, struct message *why)
     enum status st;
     char *scene = NULL, *solid = NULL;
     double *plate[TIMES], *rest = NULL;
-    struct freefem_job job;
 
     TRY(scene_file_find(SCENE, &scene, why));
     TRY(contestant_read_scene(&(struct settings){0}, scene, &t->scene, why));
     for (int n = 0; n < TIMES; n++)
         plate[n] = t->truth + 3 * GRID_POINTS * n;
-    TRY(truth_plate_fields(&t->scene, TIMES, times, plate, why));
+    TRY(kirchhoff_field(&t->scene, KIRCHHOFF_TERMS, TIMES, times, plate, why));
     rest = metric_rest_field(&t->scene);
     TRY(rest ? STATUS_OK : STATUS_MEMORY);
-    TRY(freefem_job_of(&t->scene, &job, why));
-    job.moving = true;
     TRY(reference_path("freefem_transient_h1177um", &solid, why));
-    TRY(freefem_read(solid, &job, &t->solid, why));
+    TRY(freefem_read(solid, &t->solid, why));
     for (int n = 0; n < GRID_POINTS; n++)
         grid_point(n, t->uvw + 3 * n);
     for (int n = 0; n < TIMES; n++) {

@@ -79,7 +79,7 @@ static void check_elastica(void)
                                   .gamma = 8,
                                   .physics = {SHEET, TIME},
                                   .bound = 1};
-    struct elastica e;
+    struct elastica_point e;
 
     begin();
     REQUIRE(elastica_solve(8, &e) == STATUS_OK);

@@ -102,13 +102,6 @@ static void falls(void)
             free(xyz);
             scene_clear(&s);
         }
-    struct scene s;
-    double error, *xyz;
-    read_scene("free_fall", NULL, &s);
-    xyz = field_at(&s, 0.3, &error);
-    CHECK_NEAR(xyz[2], -9.81 * 0.045 - s.thickness / 2, TOL_EXACT); /* g t^2 / 2 */
-    free(xyz);
-    scene_clear(&s);
 }
 
 /* --- at rest -----------------------------------------------------------------------------

@@ -127,24 +127,17 @@ void chart_destroy(struct chart *c)
     free(c);
 }
 
-static void write_tics(FILE *file, char name, const struct chart_axis *axis)
+/* Returns whether the ends of an axis are given. */
+static bool is_fixed(const struct chart_axis *axis)
 {
-    fprintf(file, "set %ctics (", name);
-    for (int n = 0; n < axis->tic_count; n++) {
-        char number[32];
-        snprintf(number, sizeof number, "%g", axis->tics[n].at);
-        fputs(n ? "," : "", file);
-        plot_line(file, axis->tics[n].text ? axis->tics[n].text : number);
-        fprintf(file, " %.9g", axis->tics[n].at);
-    }
-    fputs(")\n", file);
+    return axis->low < axis->high;
 }
 
 /* Writes what is the same in all panels. */
 static void write_fixed(FILE *file, char name, const struct chart_axis *axis)
 {
     const bool unit = axis->unit && strcmp(axis->unit, "1") != 0;
-    char label[256], ends[2][32] = {"*", "*"};
+    char label[256];
 
     snprintf(label, sizeof label, unit ? "%s [%s]" : "%s", axis->name ? axis->name : "",
              axis->unit);
@@ -153,14 +146,16 @@ static void write_fixed(FILE *file, char name, const struct chart_axis *axis)
     fprintf(file, "\nset format %c '%%g'\n", name);
     if (axis->log)
         fprintf(file, "set logscale %c\n", name);
-    if (!isnan(axis->low))
-        snprintf(ends[0], sizeof ends[0], "%.9g", axis->low);
-    if (!isnan(axis->high))
-        snprintf(ends[1], sizeof ends[1], "%.9g", axis->high);
-    if (axis->low != axis->high)
-        fprintf(file, "set %crange [%s:%s]\n", name, ends[0], ends[1]);
+    if (is_fixed(axis))
+        fprintf(file, "set %crange [%.9g:%.9g]\n", name, axis->low, axis->high);
     if (axis->tic_count)
-        write_tics(file, name, axis);
+        fprintf(file, "set %ctics ", name);
+    for (int n = 0; n < axis->tic_count; n++) {
+        fputc(n ? ',' : '(', file);
+        plot_line(file, axis->tics[n].text);
+        fprintf(file, " %.9g", axis->tics[n].at);
+    }
+    fputs(axis->tic_count ? ")\n" : "", file);
 }
 
 void chart_axes(struct chart *c, const struct chart_axis *x, const struct chart_axis *y)
@@ -426,12 +421,10 @@ static void write_axis(FILE *file, const struct chart *c, int panel, int n)
     const bool celled = ends_of(c, panel, n, &low, &high);
 
     fputs(c->axis_text[n], file);
-    if (axis->low == axis->high) {
+    if (is_fixed(axis))
+        low = axis->low, high = axis->high;
+    else
         write_range(file, "xy"[n], celled, low, high);
-    } else {
-        low = isnan(axis->low) ? low : axis->low;
-        high = isnan(axis->high) ? high : axis->high;
-    }
     if (axis->log && !axis->tic_count)
         write_decade_tics(file, "xy"[n], low, high);
 }

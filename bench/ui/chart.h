@@ -33,14 +33,14 @@ void chart_destroy(struct chart *c); /* NULL is allowed */
 
 struct chart_tic {
     double at;
-    const char *text; /* NULL: the number */
+    const char *text;
 };
 
 struct chart_axis {
     const char *name; /* for people, no key                                              */
     const char *unit; /* stands in brackets behind it; NULL, "1": none */
     bool log;
-    double low, high; /* equal: as the data; NaN at one end: that end as the data        */
+    double low, high; /* low < high: its ends; else as the data                          */
     int tic_count;    /* 0: gnuplot's                                                    */
     const struct chart_tic *tics;
 };

@@ -75,11 +75,11 @@ static void styles_and_panels(void)
 {
     static const char *const with[] = {"linespoints", "points", "points pt 5 ps", "boxxy",
                                        "boxxy"};
-    static const struct chart_tic tics[] = {{1, "one"}, {5, NULL}};
+    static const struct chart_tic tics[] = {{1, "one"}, {5, "V"}};
     struct chart *c = chart_create(NULL);
     char text[64];
 
-    chart_axes(c, &(struct chart_axis){"x", "m", .high = NAN},
+    chart_axes(c, &(struct chart_axis){"x", "m", .high = 9},
                &(struct chart_axis){"y", .tic_count = 2, .tics = tics});
     for (int panel = 0; panel < 2; panel++) {
         chart_panel(c, panel ? "right" : "left");
@@ -104,8 +104,8 @@ static void styles_and_panels(void)
     check_script((struct wanted[]){{"$p0_3 << EOD\n1 2 0.5 1.5 1.5 2.5\nEOD\n", 1},
                                    {"set title 'right'", 3},
                                    {"set xlabel 'x [m]'", 2 * 3},
-                                   {"set xrange [0:*]", 2 * 3},
-                                   {"set ytics ('one' 1,'5' 5)", 2 * 3},
+                                   {"set xrange [0:9]", 2 * 3},
+                                   {"set ytics ('one' 1,'V' 5)", 2 * 3},
                                    {"$p1_5", 0}, /* nothing to be drawn */
                                    {NULL}});
 }

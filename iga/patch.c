@@ -189,64 +189,6 @@ void patch_point(const struct patch *patch, const double uvw[3], double x[3],
     }
 }
 
-/* Solves the positive definite A s = b by Cholesky; false if it is not definite. */
-static bool solve_definite(double A[3][3], const double b[3], double s[3])
-{
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j <= i; j++) {
-            double sum = A[i][j];
-            for (int k = 0; k < j; k++)
-                sum -= A[i][k] * A[j][k];
-            if (i == j && !(sum > 0.0))
-                return false;
-            A[i][j] = i == j ? sqrt(sum) : sum / A[j][j];
-        }
-    for (int i = 0; i < 3; i++) {
-        s[i] = b[i];
-        for (int k = 0; k < i; k++)
-            s[i] -= A[i][k] * s[k];
-        s[i] /= A[i][i];
-    }
-    for (int i = 2; i >= 0; i--) {
-        for (int k = i + 1; k < 3; k++)
-            s[i] -= A[k][i] * s[k];
-        s[i] /= A[i][i];
-    }
-    return true;
-}
-
-/* Takes one Newton step, damped (Levenberg-Marquardt in columns of unit length, so that a
- * thin patch is no harder than a cube): (J^T J + damping I) s = J^T r. Parameters that sit
- * on a bound and would leave stay. Writes the clamped new parameters. */
-static bool step(double J[3][3], const double r[3], double damping, const double uvw[3],
-                 double new[3])
-{
-    double A[3][3], g[3], s[3], length[3];
-    bool stays[3];
-
-    for (int i = 0; i < 3; i++) {
-        length[i] = hypot(hypot(J[0][i], J[1][i]), J[2][i]);
-        if (!(length[i] > 0.0))
-            length[i] = 1.0;
-        g[i] = (J[0][i] * r[0] + J[1][i] * r[1] + J[2][i] * r[2]) / length[i];
-        stays[i] = (uvw[i] <= 0.0 && g[i] < 0.0) || (uvw[i] >= 1.0 && g[i] > 0.0);
-        if (stays[i])
-            g[i] = 0.0;
-    }
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            double dot = J[0][i] * J[0][j] + J[1][i] * J[1][j] + J[2][i] * J[2][j];
-            A[i][j] = stays[i] || stays[j] ? 0.0 : dot / (length[i] * length[j]);
-            if (i == j)
-                A[i][j] = stays[i] ? 1.0 : A[i][j] + damping;
-        }
-    if (!solve_definite(A, g, s))
-        return false;
-    for (int i = 0; i < 3; i++)
-        new[i] = fmin(fmax(uvw[i] + s[i] / length[i], 0.0), 1.0);
-    return true;
-}
-
 /* Computes r = x - V(uvw), returns its length. */
 static double residual(const struct patch *patch, const double x[3], const double uvw[3],
                        double r[3], double J[3][3])
@@ -259,25 +201,45 @@ static double residual(const struct patch *patch, const double x[3], const doubl
     return hypot(hypot(r[0], r[1]), r[2]);
 }
 
+/* Solves J s = r by cofactors; s is not finite where J is singular. */
+static void solve(double J[3][3], const double r[3], double s[3])
+{
+    double determinant = 0;
+
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        double C[3]; /* cofactors of column i */
+        for (int a = 0; a < 3; a++) {
+            const int b = (a + 1) % 3, c = (a + 2) % 3;
+            C[a] = J[b][j] * J[c][k] - J[c][j] * J[b][k];
+        }
+        s[i] = C[0] * r[0] + C[1] * r[1] + C[2] * r[2];
+        determinant = C[0] * J[0][i] + C[1] * J[1][i] + C[2] * J[2][i];
+    }
+    for (int i = 0; i < 3; i++)
+        s[i] /= determinant;
+}
+
 enum status patch_invert(const struct patch *patch, const double x[3], double tolerance,
                          double uvw[3])
 {
     enum { STEPS = 50 };
-    double J[3][3], r[3], damping = 0.0, distance;
+    double J[3][3], r[3], s[3], share = 1, distance;
 
     for (int i = 0; i < 3; i++)
         uvw[i] = fmin(fmax(uvw[i], 0.0), 1.0);
     distance = residual(patch, x, uvw, r, J);
-    for (int i = 0; i < STEPS && distance > tolerance; i++) {
-        double try[3], try_r[3], try_J[3][3], try_distance = INFINITY;
-        if (step(J, r, damping, uvw, try))
-            try_distance = residual(patch, x, try, try_r, try_J);
+    for (int n = 0; n < STEPS && distance > tolerance; n++) {
+        double try[3], try_r[3], try_J[3][3];
+        solve(J, r, s);
+        for (int i = 0; i < 3; i++)
+            try[i] = fmin(fmax(uvw[i] + share * s[i], 0.0), 1.0);
+        const double try_distance = residual(patch, x, try, try_r, try_J);
         if (!(try_distance < distance)) {
-            damping = fmax(10.0 * damping, 1e-3);
+            share /= 2;
             continue;
         }
-        damping = damping > 1e-6 ? 0.1 * damping : 0.0;
-        distance = try_distance;
+        share = 1, distance = try_distance;
         memcpy(uvw, try, sizeof try);
         memcpy(r, try_r, sizeof r);
         memcpy(J, try_J, sizeof J);

@@ -42,9 +42,9 @@ void patch_basis(const struct patch *patch, const double uvw[3], int span[3], do
 void patch_point(const struct patch *patch, const double uvw[3], double x[3],
                  double J[3][3]);
 
-/* Finds the parameters of the point x: damped Newton from the start value in uvw, kept in
- * [0,1]^3. STATUS_DIVERGED if |V(uvw) - x| > tolerance [m] after 50 steps; uvw is then the
- * nearest point met. */
+/* Finds the parameters of the point x: Newton from the start value in uvw, with shorter
+ * steps where they do not help, kept in [0,1]^3. STATUS_DIVERGED if |V(uvw) - x| >
+ * tolerance [m] after 50 tries; uvw is then the best one. */
 enum status patch_invert(const struct patch *patch, const double x[3], double tolerance,
                          double uvw[3]);
 

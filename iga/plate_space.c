@@ -46,47 +46,6 @@ static const double *values(const struct line_table *t, int e, int q)
     return t->value + (size_t)(e * t->most + q) * 2 * (size_t)t->order;
 }
 
-static size_t product_size(const struct plate_tables *t)
-{
-    const struct line_table *v = &t->direction[1], *w = &t->direction[2];
-
-    return (size_t)(v->most * w->most) * 3 * (size_t)(v->order * w->order);
-}
-
-/* Fills N_v N_w, N_v' N_w, N_v N_w' of one pair of spans. */
-static void fill_product(const struct plate_tables *t, int ev, int ew, double *out)
-{
-    const struct line_table *v = &t->direction[1], *w = &t->direction[2];
-    int count = v->order * w->order;
-
-    for (int q = 0; q < v->most; q++)
-        for (int s = 0; s < w->most; s++, out += 3 * count) {
-            const double *V = values(v, ev, q), *dV = V + v->order;
-            const double *W = values(w, ew, s), *dW = W + w->order;
-            for (int b = 0; b < v->order; b++)
-                for (int c = 0; c < w->order; c++) {
-                    int n = b * w->order + c;
-                    out[n] = V[b] * W[c];
-                    out[count + n] = dV[b] * W[c];
-                    out[2 * count + n] = V[b] * dW[c];
-                }
-        }
-}
-
-static enum status make_products(struct plate_tables *t)
-{
-    const struct line_table *v = &t->direction[1], *w = &t->direction[2];
-    size_t one = product_size(t);
-
-    t->product = malloc((size_t)(v->spans * w->spans) * one * sizeof *t->product);
-    if (!t->product)
-        return STATUS_MEMORY;
-    for (int ev = 0; ev < v->spans; ev++)
-        for (int ew = 0; ew < w->spans; ew++)
-            fill_product(t, ev, ew, t->product + (size_t)(ev * w->spans + ew) * one);
-    return STATUS_OK;
-}
-
 /* Computes R_a = w_a N_a / W and its gradient at one Gauss point, in place. In the
  * thickness basis, weights are equal through a column and its first function, 1, represents
  * the sum of all. */
@@ -111,35 +70,51 @@ static void make_rational(const struct solid_space *space, int element, double *
     }
 }
 
+/* Computes N_v N_w, N_v' N_w and N_v N_w' at a point of v and one of w. */
+static void multiply(const struct line_table *v, const double *V,
+                     const struct line_table *w, const double *W,
+                     double vw[3][BSPLINE_MAX_ORDER * BSPLINE_MAX_ORDER])
+{
+    const double *dV = V + v->order, *dW = W + w->order;
+
+    for (int b = 0, n = 0; b < v->order; b++)
+        for (int c = 0; c < w->order; c++, n++) {
+            vw[0][n] = V[b] * W[c];
+            vw[1][n] = dV[b] * W[c];
+            vw[2][n] = V[b] * dW[c];
+        }
+}
+
 static void functions(const struct solid_space *space, int element,
                       struct solid_functions *out)
 {
     const struct plate_tables *t = space->tables;
     const struct line_table *u = &t->direction[0], *v = &t->direction[1],
                             *w = &t->direction[2];
-    int eu = element / (v->spans * w->spans), evw = element % (v->spans * w->spans);
-    int ev = evw / w->spans, ew = evw % w->spans, count = v->order * w->order;
-    int row = SOLID_PADDED(space->local);
-    double *N = out->N, *G = out->G, *weight = out->weight;
+    const int eu = element / (v->spans * w->spans), ev = element / w->spans % v->spans,
+              ew = element % w->spans, across = v->most * w->most;
+    const int count = v->order * w->order, row = SOLID_PADDED(space->local);
+    double vw[3][BSPLINE_MAX_ORDER * BSPLINE_MAX_ORDER];
 
-    for (int q = 0; q < u->most; q++) {
-        const double *Nu = values(u, eu, q), *dNu = Nu + u->order;
-        const double *vw = t->product + (size_t)evw * product_size(t);
-        for (int s = 0; s < v->most * w->most; s++, vw += 3 * count) {
+    for (int s = 0; s < across; s++) {
+        const int qv = s / w->most, qw = s % w->most;
+        multiply(v, values(v, ev, qv), w, values(w, ew, qw), vw);
+        for (int q = 0; q < u->most; q++) {
+            const double *Nu = values(u, eu, q), *dNu = Nu + u->order;
+            const int point = q * across + s;
+            double *N = out->N + point * row, *G = out->G + 3 * point * row;
             for (int a = 0; a < u->order; a++)
                 for (int n = 0; n < count; n++) {
-                    N[a * count + n] = Nu[a] * vw[n];
-                    G[a * count + n] = dNu[a] * vw[n];
-                    G[row + a * count + n] = Nu[a] * vw[count + n];
-                    G[2 * row + a * count + n] = Nu[a] * vw[2 * count + n];
+                    N[a * count + n] = Nu[a] * vw[0][n];
+                    G[a * count + n] = dNu[a] * vw[0][n];
+                    G[row + a * count + n] = Nu[a] * vw[1][n];
+                    G[2 * row + a * count + n] = Nu[a] * vw[2][n];
                 }
-            *weight++ =
-                u->weight[eu * u->most + q] * (v->weight[ev * v->most + s / w->most] *
-                                               w->weight[ew * w->most + s % w->most]);
+            out->weight[point] =
+                u->weight[eu * u->most + q] *
+                (v->weight[ev * v->most + qv] * w->weight[ew * w->most + qw]);
             if (t->point_weight)
                 make_rational(space, element, N, G, row);
-            N += row;
-            G += 3 * row;
         }
     }
 }
@@ -215,7 +190,6 @@ void plate_space_clear(struct solid_space *space, struct plate_tables *tables)
     for (int l = 0; l < PLATE_LINES; l++)
         for (int i = 0; i < 2; i++)
             line_rule_table_clear(&tables->cure[l][i]);
-    free(tables->product);
     memset(tables, 0, sizeof *tables);
 }
 
@@ -234,7 +208,6 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
         TRY(line_rule_table(&t.direction[i], b, st, &rule, 2,
                             thickness && i == 2 ? legendre : bspline_eval));
     }
-    TRY(make_products(&t));
     new.elements = d[0].spans *d[1].spans *d[2].spans;
     new.gauss = d[0].most *d[1].most *d[2].most;
     new.thickness_basis = thickness;

@@ -13,10 +13,7 @@
 enum { PLATE_REDUCED, PLATE_GREVILLE, PLATE_BENDING, PLATE_LINES };
 
 struct plate_tables {
-    struct line_table direction[3]; /* values and slopes, as of `cure` */
-    /* Products over v and w, [spans v][spans w][most v][most w][3][order v * order w]:
-     * N N, N' N, N N'. */
-    double *product; /*                                                    owned   */
+    struct line_table direction[3];         /* values and slopes, as of `cure` */
     struct line_table cure[PLATE_LINES][2]; /* u, v of a cure; else all zero           */
     double layer[2][2]; /* its functions through the thickness at w = 1/2: N, dN/dw    */
     const double *point_weight; /* [nodes] NURBS weights or NULL; borrowed from patch  */

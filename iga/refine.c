@@ -161,32 +161,11 @@ out:
     return st;
 }
 
-static int knot_count(const struct bspline *b)
+static int ascending(const void *a, const void *b)
 {
-    return b->n + b->p + 1;
-}
+    const double x = *(const double *)a, y = *(const double *)b;
 
-/* Fills T with every distinct knot `by` times more often; returns their number. */
-static int repeat_knots(const struct bspline *b, int by, double *T)
-{
-    int count = 0;
-
-    for (int i = 0; i < knot_count(b); i++) {
-        T[count++] = b->U[i];
-        if (i + 1 == knot_count(b) || b->U[i + 1] > b->U[i])
-            for (int extra = 0; extra < by; extra++)
-                T[count++] = b->U[i];
-    }
-    return count;
-}
-
-/* Merges u[more] into T[count], both ascending; T has the room. */
-static void merge_knots(double *T, int count, const double *u, int more)
-{
-    int from = count - 1, to = count + more - 1;
-
-    for (int k = more - 1; k >= 0; to--)
-        T[to] = from >= 0 && T[from] > u[k] ? T[from--] : u[k--];
+    return (x > y) - (x < y);
 }
 
 /* Elevates by `by` and inserts u[count], in one step: it succeeds or nothing happens. */
@@ -194,18 +173,22 @@ static enum status refine(struct patch *patch, int direction, int by, int count,
                           const double *u, struct message *why)
 {
     const struct bspline *b = &patch->basis[direction];
-    enum status st = STATUS_OK;
+    const int old = b->n + b->p + 1;
+    enum status st;
     double *T;
-    int knots;
 
     if (!by && !count)
         return STATUS_OK;
-    T = malloc(((size_t)knot_count(b) * (1 + (size_t)by) + (size_t)count) * sizeof *T);
+    T = malloc(((size_t)old * (1 + (size_t)by) + (size_t)count) * sizeof *T);
     if (!T)
         return status_fail(why, STATUS_MEMORY, "no memory for the knots");
-    knots = repeat_knots(b, by, T);
-    merge_knots(T, knots, u, count);
-    TRY(change_space(patch, direction, b->p + by, knots + count, T, why));
+    if (count)
+        memcpy(T, u, (size_t)count * sizeof *T);
+    for (int i = 0; i < old; i++) /* the last of equal ones stands for those gained */
+        for (int k = 0; k < (i + 1 == old || b->U[i + 1] > b->U[i] ? 1 + by : 1); k++)
+            T[count++] = b->U[i];
+    qsort(T, (size_t)count, sizeof *T, ascending);
+    TRY(change_space(patch, direction, b->p + by, count, T, why));
 out:
     free(T);
     return st;

@@ -97,20 +97,17 @@ out:
  * normal, NULL elsewhere. */
 static enum status find_parity(struct shell_motion *m)
 {
-    const double *rest = m->space->rest, *u = m->scene->axis_u, *v = m->scene->axis_v;
-    int nodes = m->space->nodes, normal = -1;
+    const struct scene *s = m->scene;
+    const int count = 3 * m->space->nodes;
+    int normal = -1;
 
-    for (int i = 0; i < 3; i++) {
-        bool flat = u[i] == 0 && v[i] == 0;
-        for (int a = 0; flat && a < nodes; a++)
-            flat = rest[3 * a + i] == rest[i];
-        if (flat)
+    for (int i = 0; i < 3 && s->shape == SCENE_FLAT; i++)
+        if (s->axis_u[i] == 0 && s->axis_v[i] == 0)
             normal = i;
-    }
     if (normal < 0)
         return STATUS_OK;
-    m->parity = malloc(3 * (size_t)nodes);
-    for (int t = 0; m->parity && t < 3 * nodes; t++)
+    m->parity = malloc((size_t)count);
+    for (int t = 0; m->parity && t < count; t++)
         m->parity[t] = t % 3 == normal;
     return m->parity ? STATUS_OK : STATUS_MEMORY;
 }

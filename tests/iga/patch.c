@@ -176,28 +176,6 @@ static void check_inverse(const struct patch *patch, double steepest)
     }
 }
 
-/* A point outside ends at the nearest point of the patch: no point of a grid over the
- * parameters is nearer. */
-static void check_nearest(const struct patch *patch, uint64_t *state)
-{
-    enum { GRID = 20 };
-    double x[3], y[3], uvw[3] = {0.5, 0.5, 0.5}, nearest = INFINITY;
-
-    for (int d = 0; d < 3; d++)
-        x[d] = 4.0 * random_unit(state) - 1.0;
-    if (patch_invert(patch, x, TOL_RESIDUAL, uvw) == STATUS_OK)
-        return;
-    for (int i = 0; i < (GRID + 1) * (GRID + 1) * (GRID + 1); i++) {
-        double at[3] = {(double)(i % (GRID + 1)) / GRID,
-                        (double)(i / (GRID + 1) % (GRID + 1)) / GRID,
-                        (double)(i / (GRID + 1) / (GRID + 1)) / GRID};
-        patch_point(patch, at, y, NULL);
-        nearest = fmin(nearest, hypot(hypot(x[0] - y[0], x[1] - y[1]), x[2] - y[2]));
-    }
-    patch_point(patch, uvw, y, NULL);
-    CHECK(hypot(hypot(x[0] - y[0], x[1] - y[1]), x[2] - y[2]) <= nearest + TOL_RESIDUAL);
-}
-
 static void check_inverses(void)
 {
     static const double origin[3] = {0};
@@ -213,8 +191,6 @@ static void check_inverses(void)
     check_inverse(&patch, 1.1e3);
     patch_set_box(&patch, origin, skewed[0], skewed[1], skewed[2]);
     check_inverse(&patch, 4.0);
-    for (int s = 0; s < SAMPLES; s++)
-        check_nearest(&patch, &state);
     /* A start outside is brought inside; a point outside, or none, has no parameters. */
     patch_point(&patch, (double[]){0.2, 0.4, 0.6}, x, NULL);
     CHECK(patch_invert(&patch, x, TOL_RESIDUAL, uvw) == STATUS_OK);

@@ -30,6 +30,7 @@ static void pattern_clear(struct pattern *p)
     free(p->entry);
 }
 
+/* Finds the pattern; to be cleared also on failure. */
 static enum status pattern_init(struct pattern *p, const struct blocks *graph,
                                 const struct supports *held, const unsigned char *parity)
 {
@@ -39,10 +40,8 @@ static enum status pattern_init(struct pattern *p, const struct blocks *graph,
     p->start = malloc(((size_t)held->free_count + 1) * sizeof *p->start);
     p->row = malloc((entries + 1) * sizeof *p->row);
     p->entry = malloc((entries + 1) * sizeof *p->entry);
-    if (!p->start || !p->row || !p->entry) {
-        pattern_clear(p);
+    if (!p->start || !p->row || !p->entry)
         return STATUS_MEMORY;
-    }
     for (int a = 0; a < graph->nodes; a++)
         for (int i = 0; i < 3; i++) {
             if (held->free_index[3 * a + i] >= 0)

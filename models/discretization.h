@@ -79,11 +79,11 @@ enum { DISCRETIZATION_ROOM = 32 }; /* for a model's own choices [bytes] */
 struct model;
 
 struct discretization {
-    const struct model *model; /* whose it is; NULL: nobody's, to read a scene with    */
+    const struct model *model; /* the model it is for; NULL: none, to read a scene with */
     /* The n-th of the models whose own choices may be named, too, as long as that changes
      * nothing; NULL past the last. NULL: none. */
     const struct model *(*others)(int n);
-    const struct schema_key *foreign; /* that was to change another's                  */
+    const struct schema_key *foreign; /* a choice that was to change another model's   */
 
     int points[3]; /* control points or nodes along u, v, w; 0: left open, as AUTO     */
     int degree[3]; /* p, q, r                            1..5; 0: left open, as AUTO   */
@@ -123,13 +123,14 @@ void discretization_clear(struct discretization *d);
 enum status discretization_copy(const struct discretization *from,
                                 struct discretization *to);
 
-/* Conjugate gradients or GMRES. */
+/* Tells whether it is conjugate gradients or GMRES. */
 static inline bool solver_iterates(int solver)
 {
     return solver == SOLVER_CG || solver == SOLVER_GMRES;
 }
 
-/* The paper's schemes, which assemble on the present shape in every step. Cured sheets die
+/* Tells whether it is one of the paper's schemes, which assemble on the present shape in
+ * every step. Cured sheets die
  * of them (edge_drop, undamped incremental: 0.5 s; printed: 0.55 s). */
 static inline bool kinematics_rebuilds(int kinematics)
 {

@@ -43,7 +43,7 @@ enum status model_refuse(const struct scene *scene, unsigned serves, struct mess
     return st == STATUS_OK ? refuse_depth(scene, why) : st;
 }
 
-/* "integrator=bdf2: shell has implicit, leapfrog" */
+/* Refuses as in "integrator=bdf2: shell has implicit, leapfrog". */
 static enum status refuse_word(const struct schema_key *option, unsigned only, int value,
                                const struct model *model, struct message *why)
 {

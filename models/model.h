@@ -49,25 +49,25 @@ struct matrix {
 };
 void matrix_clear(struct matrix *m);
 
-/* STATUS_UNSUPPORTED with a sentence naming what is missing, if the scene needs more than
- * `serves`, SCENE_NEED_* bits. model_refuse_net: for a net of points on the mid-surface,
- * points=[n,m,1], than d->model serves; a support on part of the thickness is served if it
- * takes the mid-surface: it holds the points, and the sheet may turn about them. And
- * model_refuse_options. */
+/* Refuse a scene that needs more than `serves`, SCENE_NEED_* bits: STATUS_UNSUPPORTED with
+ * a sentence that names what is missing. model_refuse_net: more than d->model serves by a
+ * net of points on the mid-surface, points=[n,m,1]; a support on part of the thickness is
+ * served if it takes the mid-surface: it holds the points, and the sheet may turn about
+ * them. It calls model_refuse_options, too. */
 enum status model_refuse(const struct scene *scene, unsigned serves, struct message *why);
 enum status model_refuse_net(const struct scene *scene, const struct discretization *d,
                              struct message *why);
 
-/* A sentence if a choice is made that d->model does not have (STATUS_INPUT), or not so
- * (STATUS_UNSUPPORTED). */
+/* Refuses, with a sentence, a choice that d->model does not have (STATUS_INPUT), or has
+ * with other words only (STATUS_UNSUPPORTED). */
 enum status model_refuse_options(const struct discretization *d, struct message *why);
 
-/* *d as the model has it by default. */
+/* Fills *d with the model's defaults. */
 void model_defaults(const struct model *model, struct discretization *d);
 
-/* Points, degrees and the remedy depend on each other. model_open fills *d with the model's
- * defaults, these left open; model_complete, once settings were read into it, fills in what
- * is still open: the defaults, or what suits the rest, with a sentence (else empty). */
+/* Fill *d with the model's defaults, but for points, degrees and the remedy, which depend
+ * on each other; and, once settings were read into it, fill in those that are still open:
+ * with the defaults, or with what suits the rest, which *told then says (else empty). */
 void model_open(const struct model *model, struct discretization *d);
 void model_complete(const struct model *model, const struct scene *scene,
                     struct discretization *d, struct message *told);

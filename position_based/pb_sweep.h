@@ -90,7 +90,7 @@ void pb_sweep_form(double s, double gain, double sum, double *strength, double *
 void pb_sweep_put(struct pb_sweep *sweep, int first, int count, const double *values);
 void pb_sweep_get(const struct pb_sweep *sweep, int first, int count, double *values);
 
-/* The parts of a step: d <- keep d + kick, lambda <- 0 if `recalls`; held components to
+/* Do the parts of a step: d <- keep d + kick, lambda <- 0 if `recalls`; held components to
  * where they shall be; iterations, with bending or with springs alone; x <- x + d. */
 void pb_sweep_predict(struct pb_sweep *sweep, bool recalls);
 void pb_sweep_hold(struct pb_sweep *sweep, int node, int component, double x);

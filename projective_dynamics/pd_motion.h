@@ -72,10 +72,10 @@ void pd_motion_energy(const void *motion, struct energy *energy);
 void pd_motion_size(const void *motion, struct model_size *size);
 void pd_motion_contact(const void *motion, struct model_contact *contact);
 
-/* The parts of a step, for tests and measurements. begin computes its constants (base, and
- * the free flight as first guess in m->x, the old positions in m->start); iterate does one
- * local and global step `number` = 0, 1, ..., and finds how far a node moved at most [m] (0
- * if NULL). */
+/* Do the parts of a step, for tests and measurements. begin computes its constants (base,
+ * and the free flight as first guess in m->x, the old positions in m->start); iterate does
+ * one local and global step `number` = 0, 1, ..., and finds how far a node moved at most
+ * [m] (0 if NULL). */
 void pd_motion_begin(struct pd_motion *m);
 enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved);
 

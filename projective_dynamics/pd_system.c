@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/linalg/order.h"
+#include "models/room.h"
 
 /* The lower part of a 5 x 5 stencil: node (i,j) with (i+di, j+dj) behind it. */
 enum { REACH = 2, COUPLINGS = 13 };
@@ -153,11 +154,8 @@ static enum status make_group(struct pd_system *s, const struct factor_pattern *
 
     for (int k = 0; k < s->net->nodes; k++)
         most += held[k] ? 24 : 0; /* 5 x 5 less itself */
-    g->coupling_free = malloc((most + 1) * sizeof *g->coupling_free);
-    g->coupling_held = malloc((most + 1) * sizeof *g->coupling_held);
-    g->coupling = malloc((most + 1) * sizeof *g->coupling);
-    if (!g->coupling_free || !g->coupling_held || !g->coupling)
-        return STATUS_MEMORY;
+    TRY(room_cut(&g->room, ROOM(g->coupling_free, most), ROOM(g->coupling_held, most),
+                 ROOM(g->coupling, most)));
     TRY(factor_create(pattern, solver, &g->factor));
     fill(s, g, held);
     TRY(factor_refactor(g->factor));
@@ -206,14 +204,11 @@ void pd_system_clear(struct pd_system *s)
 {
     for (int g = 0; g < s->group_count; g++) {
         factor_destroy(s->group[g].factor);
-        free(s->group[g].coupling_free);
-        free(s->group[g].coupling_held);
-        free(s->group[g].coupling);
+        free(s->group[g].room);
     }
-    free(s->stencil);
     if (s->net)
         pd_net_free_fields(s->net, s->constant);
-    free(s->held);
+    free(s->room);
     memset(s, 0, sizeof *s);
 }
 
@@ -221,15 +216,14 @@ enum status pd_system_init(struct pd_system *s, const struct pd_energy *energy,
                            const struct supports *supports, double mass_factor,
                            double factor, double stretch, enum solver solver)
 {
-    enum status st = STATUS_MEMORY;
+    enum status st;
     size_t nodes = (size_t)energy->net.nodes;
     struct pd_system new = {.net = &energy->net};
 
-    new.stencil = calloc(nodes * COUPLINGS, sizeof *new.stencil);
-    new.constant = pd_net_fields(new.net, 3);
-    new.held = calloc(3 * nodes, sizeof *new.held);
-    if (!new.stencil || !new.constant || !new.held)
-        goto out;
+    TRY(room_cut(&new.room, ROOM(new.stencil, nodes * COUPLINGS),
+                 ROOM(new.held, 3 * nodes)));
+    if (!(new.constant = pd_net_fields(new.net, 3)))
+        TRY(STATUS_MEMORY);
     for (int k = 0; k < new.net->nodes; k++)
         add(&new, k, k, mass_factor * energy->mass[k]);
     add_edges(&new, energy, factor * stretch);

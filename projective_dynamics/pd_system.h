@@ -16,19 +16,20 @@
 struct pd_group {
     struct factor *factor; /* owned                                                    */
     int first, count;      /* components first .. first + count - 1                    */
+    void *room;            /* memory of the couplings                        owned     */
     int coupling_count;
-    int *coupling_free, *coupling_held; /* [coupling_count] nodes            owned     */
-    double *coupling;                   /* [coupling_count]                  owned     */
+    int *coupling_free, *coupling_held; /* [coupling_count] nodes                      */
+    double *coupling;                   /* [coupling_count]                            */
 };
 
 struct pd_system {
     const struct pd_net *net; /*                                             borrowed  */
-    double *stencil;          /* [nodes][13] lower part of A: couplings of k to k + offset
-                                 for pd_system_offset                        owned     */
+    void *room;               /* memory of stencil and held                  owned     */
+    double *stencil;          /* [nodes][13] lower part of A: k's couplings, itself first */
     int group_count;
     struct pd_group group[3];
     double *constant; /* [3] fields: factor sum w c target                  owned     */
-    bool *held;       /* [3][nodes]                                         owned     */
+    bool *held;       /* [3][nodes]                                                   */
 };
 
 /* Makes the system, times dt^2: mass_factor = 1 + alpha dt, factor = dt^2; stretch edges

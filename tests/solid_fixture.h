@@ -29,7 +29,7 @@ struct solid {
     struct solid_assembly assembly;
 };
 
-/* What a test case asks for. Degrees are 1 for hexahedra. */
+/* A test case. Degrees are 1 for hexahedra. */
 struct solid_case {
     enum solid_kind kind;
     int degree[3], points[3];

@@ -8,11 +8,13 @@
 #include "models/linalg/blas_kernel.h"
 #include "models/linalg/factor_part.h"
 #include "models/linalg/tile_three.h"
+#include "models/room.h"
 
 /* The layout: parts one after the other, in the values (first_slot) and in the permuted
  * right-hand side (first_row). One slot behind all is the dump. */
 struct factor {
     int n, part_count;
+    void *room, *part_room;   /* memory of part_of and place, and of the parts' arrays */
     struct factor_part *part; /* [part_count]                                          */
     int *first_row;           /* [part_count + 1] multiples of 8                       */
     ptrdiff_t *first_slot;    /* [part_count + 1] multiples of 8                       */
@@ -129,14 +131,11 @@ out:
 static enum status create_parts(struct factor *f, const struct factor_pattern *a,
                                 enum solver method)
 {
-    enum status st = STATUS_OK;
-    int *unknown = malloc((a->n + 1) * sizeof *unknown);
-    int *local = malloc((a->n + 1) * sizeof *local);
-    int *begin = calloc(f->part_count + 1, sizeof *begin);
-    if (!unknown || !local || !begin) {
-        st = STATUS_MEMORY;
-        goto out;
-    }
+    enum status st;
+    void *room;
+    int *unknown, *local, *begin;
+    TRY(room_cut(&room, ROOM(unknown, a->n), ROOM(local, a->n),
+                 ROOM(begin, f->part_count + 1)));
     for (int i = 0; i < a->n; i++)
         begin[f->part_of[i] + 1]++;
     for (int p = 0; p < f->part_count; p++)
@@ -152,9 +151,7 @@ static enum status create_parts(struct factor *f, const struct factor_pattern *a
     for (int i = 0; i < a->n; i++)
         f->straight = f->straight && f->place[i] == i;
 out:
-    free(begin);
-    free(unknown);
-    free(local);
+    free(room);
     return st;
 }
 
@@ -165,11 +162,8 @@ void factor_destroy(struct factor *f)
     for (int p = 0; f->part && p < f->part_count; p++)
         if (f->part[p].method)
             f->part[p].method->destroy(&f->part[p]);
-    free(f->part);
-    free(f->first_row);
-    free(f->first_slot);
-    free(f->part_of);
-    free(f->place);
+    free(f->part_room);
+    free(f->room);
     free(f->value);
     free(f->work);
     free(f->work_three);
@@ -179,24 +173,18 @@ void factor_destroy(struct factor *f)
 enum status factor_create(const struct factor_pattern *a, enum solver method,
                           struct factor **out)
 {
-    enum status st = STATUS_MEMORY;
+    enum status st;
     struct factor *f = calloc(1, sizeof *f);
-    const size_t room = (size_t)a->n + 1; /* n = 0: held everywhere */
 
     if (!f)
-        return st;
+        return STATUS_MEMORY;
     blas_kernel_set_threads(1);
-    f->n = a->n;
-    f->part_of = malloc(room * sizeof *f->part_of);
-    f->place = malloc(room * sizeof *f->place);
-    if (!f->part_of || !f->place)
-        goto out;
+    f->n = a->n; /* 0: held everywhere */
+    TRY(room_cut(&f->room, ROOM(f->part_of, a->n), ROOM(f->place, a->n)));
     f->part_count = factor_pattern_parts(a, f->place, f->part_of);
-    f->part = calloc(f->part_count + 1, sizeof *f->part);
-    f->first_row = calloc(f->part_count + 1, sizeof *f->first_row);
-    f->first_slot = calloc(f->part_count + 1, sizeof *f->first_slot);
-    if (!f->part || !f->first_row || !f->first_slot)
-        goto out;
+    TRY(room_cut(&f->part_room, ROOM(f->part, f->part_count),
+                 ROOM(f->first_row, f->part_count + 1),
+                 ROOM(f->first_slot, f->part_count + 1)));
     TRY(create_parts(f, a, method));
     f->value = factor_numbers(f->first_slot[f->part_count] + 1);
     f->work = factor_numbers(f->first_row[f->part_count]);

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/room.h"
+
 static int root_of(int *parent, int i)
 {
     while (parent[i] != i)
@@ -30,9 +32,7 @@ int factor_pattern_parts(const struct factor_pattern *a, int *parent, int *part_
 
 void factor_pattern_clear(struct factor_pattern_part *p)
 {
-    free(p->start);
-    free(p->row);
-    free(p->order);
+    free(p->room);
     memset(p, 0, sizeof *p);
 }
 
@@ -40,28 +40,23 @@ enum status factor_pattern_restrict(const struct factor_pattern *a, const int *u
                                     int n, const int *local, const int *part_of,
                                     struct factor_pattern_part *p)
 {
-    long entries = 0;
+    enum status st;
+    long entries = 0, end = 0, *start;
+    int *row, *order;
     for (int k = 0; k < n; k++)
         entries += a->start[unknown[k] + 1] - a->start[unknown[k]];
-    memset(p, 0, sizeof *p);
-    p->start = malloc((n + 1) * sizeof *p->start);
-    p->row = malloc(entries * sizeof *p->row);
-    p->order = a->order ? malloc(n * sizeof *p->order) : NULL;
-    if (!p->start || !p->row || (a->order && !p->order)) {
-        factor_pattern_clear(p);
-        return STATUS_MEMORY;
-    }
-    long end = 0;
+    TRY(room_cut(&p->room, ROOM(start, n + 1), ROOM(row, entries),
+                 ROOM(order, a->order ? n : 0)));
     for (int k = 0; k < n; k++) {
-        p->start[k] = end;
+        start[k] = end;
         for (long s = a->start[unknown[k]]; s < a->start[unknown[k] + 1]; s++)
-            p->row[end++] = local[a->row[s]];
+            row[end++] = local[a->row[s]];
     }
-    p->start[n] = end;
+    start[n] = end;
     for (int k = 0, next = 0; a->order && k < a->n; k++)
         if (part_of[a->order[k]] == part_of[unknown[0]])
-            p->order[next++] = local[a->order[k]];
-    p->pattern = (struct factor_pattern){
-        .n = n, .start = p->start, .row = p->row, .order = p->order};
-    return STATUS_OK;
+            order[next++] = local[a->order[k]];
+    p->pattern = (struct factor_pattern){n, start, row, order};
+out:
+    return st;
 }

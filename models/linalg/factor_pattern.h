@@ -20,11 +20,10 @@ struct factor_pattern {
  * Returns their number. */
 int factor_pattern_parts(const struct factor_pattern *a, int *parent, int *part_of);
 
-/* The pattern of one part alone. Arrays owned. */
+/* The pattern of one part alone. */
 struct factor_pattern_part {
     struct factor_pattern pattern;
-    long *start;
-    int *row, *order;
+    void *room; /* memory of its arrays                                      owned     */
 };
 
 /* Restricts to a part; unknown[n]: its unknowns, ascending; local: their inverse. */

@@ -68,7 +68,8 @@ bool NAME(front_factor)(const struct front *f)
     return true;
 }
 
-/* target[place[r]] += source[r] for the rows of one tile; `first` cuts off rows above it.
+/* Adds source[r] to target[place[r]] for the rows of one tile; `first` cuts off rows above
+ * it.
  */
 TILE_INLINE void NAME(add_rows)(REAL *target, const REAL *source, const int *place,
                                 int first, int rows)

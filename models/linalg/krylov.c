@@ -24,14 +24,14 @@ static double longest(int n, const double *a)
     return sqrt(most);
 }
 
-/* y += part x. */
+/* Adds part x to y. */
 static void add(int n, double part, const double *x, double *y)
 {
     for (int t = 0; t < n; t++)
         y[t] += part * x[t];
 }
 
-/* r = b - A x; r does not overlap the others. */
+/* Computes r = b - A x; r does not overlap the others. */
 static void residual(const struct krylov *k, const double *b, const double *x, double *r)
 {
     k->multiply(k->self, x, r);

@@ -36,7 +36,8 @@ TILE_INLINE void NAME(tile_update)(int first, int count, NAME(tile_registers) c,
         }
 }
 
-/* c[r] = c[r] l^-T: l lower triangular, `inverse` the reciprocals of its diagonal. */
+/* Computes c[r] <- c[r] l^-T: l lower triangular, `inverse` the reciprocals of its
+ * diagonal. */
 TILE_INLINE void NAME(tile_divide)(int count, NAME(tile_registers) c, const REAL *l,
                                    const REAL *inverse)
 {
@@ -75,7 +76,7 @@ TILE_INLINE void NAME(tile_store)(int count, NAME(tile_registers) c, REAL *to)
         ((NAME(tile_word) *)(to + r * TILE_SIZE + j * TILE))[w] = c[r][j][w];
 }
 
-/* y -= a x on one column. */
+/* Subtracts a x from y on one column. */
 TILE_INLINE void NAME(tile_column)(const REAL *a, REAL x, REAL *y)
 {
     TILE_UNROLL
@@ -103,7 +104,8 @@ TILE_INLINE bool NAME(tile_cholesky)(REAL *a, REAL *inverse)
     return true;
 }
 
-/* x = l^-1 x on one tile: number by number, where the chain of operations is shortest. */
+/* Computes x <- l^-1 x on one tile: number by number, where the chain of operations is
+ * shortest. */
 TILE_INLINE void NAME(tile_forward)(const REAL *l, const REAL *inverse, REAL *x)
 {
     REAL value[TILE];
@@ -122,7 +124,7 @@ TILE_INLINE void NAME(tile_forward)(const REAL *l, const REAL *inverse, REAL *x)
         x[j] = value[j];
 }
 
-/* x = l^-T x on one tile. */
+/* Computes x <- l^-T x on one tile. */
 TILE_INLINE void NAME(tile_backward)(const REAL *l, const REAL *inverse, REAL *x)
 {
     REAL value[TILE];
@@ -141,7 +143,7 @@ TILE_INLINE void NAME(tile_backward)(const REAL *l, const REAL *inverse, REAL *x
         x[j] = value[j];
 }
 
-/* y -= a x for `count` tiles one under the other; y[count * TILE]. */
+/* Subtracts a x from y for `count` tiles one under the other; y[count * TILE]. */
 TILE_INLINE void NAME(tile_subtract)(ptrdiff_t count, const REAL *a, const REAL *x, REAL *y)
 {
     for (ptrdiff_t t = 0; t < count; t++)
@@ -159,7 +161,7 @@ TILE_INLINE void NAME(tile_subtract)(ptrdiff_t count, const REAL *a, const REAL 
     }
 }
 
-/* x -= a^T y for `count` tiles one under the other. */
+/* Subtracts a^T y from x for `count` tiles one under the other. */
 TILE_INLINE void NAME(tile_subtract_transposed)(ptrdiff_t count, const REAL *a,
                                                 const REAL *y, REAL *x)
 {

@@ -40,7 +40,7 @@ static inline void tile_invert(const double *l, const double *inverse, double *p
         }
 }
 
-/* y[c] += a x[c] on one tile and one block. */
+/* Adds a x[c] to y[c] on one tile and one block. */
 TILE_INLINE void tile_three_product(const double *a, const double *x, tile_line y[SIDES])
 {
 #pragma GCC unroll 8
@@ -52,7 +52,7 @@ TILE_INLINE void tile_three_product(const double *a, const double *x, tile_line 
     }
 }
 
-/* x = a x on one block. */
+/* Computes x <- a x on one block. */
 TILE_INLINE void tile_three_apply(const double *a, double *x)
 {
     tile_line y[SIDES] = {{0}};
@@ -62,7 +62,8 @@ TILE_INLINE void tile_three_apply(const double *a, double *x)
         *(tile_line *)(x + c * TILE) = y[c];
 }
 
-/* y[t] -= a[t] x for `pass` tiles (a constant): x is broadcast once for all of them. */
+/* Subtracts a[t] x from y[t] for `pass` tiles (a constant): x is broadcast once for all of
+ * them. */
 TILE_INLINE void tile_three_subtract_pass(int pass, const double *a, const double *x,
                                           double *y)
 {
@@ -83,7 +84,8 @@ TILE_INLINE void tile_three_subtract_pass(int pass, const double *a, const doubl
             *(tile_line *)(y + t * BLOCK + c * TILE) -= sum[t][c];
 }
 
-/* y -= a x for `count` tiles one under the other; y[count * BLOCK], x[BLOCK]. */
+/* Subtracts a x from y for `count` tiles one under the other; y[count * BLOCK], x[BLOCK].
+ */
 TILE_INLINE void tile_three_subtract(ptrdiff_t count, const double *a, const double *x,
                                      double *y)
 {
@@ -93,7 +95,7 @@ TILE_INLINE void tile_three_subtract(ptrdiff_t count, const double *a, const dou
         tile_three_subtract_pass(1, a, x, y);
 }
 
-/* x -= the sums of eight lines' lanes. */
+/* Subtracts the sums of eight lines' lanes from x. */
 TILE_INLINE void tile_subtract_lanes(const tile_line s[TILE], tile_line *x)
 {
     tile_line two[4], four[2];
@@ -111,7 +113,7 @@ TILE_INLINE void tile_subtract_lanes(const tile_line s[TILE], tile_line *x)
           __builtin_shufflevector(four[0], four[1], 4, 5, 6, 7, 12, 13, 14, 15);
 }
 
-/* x -= a^T y for `count` tiles one under the other. */
+/* Subtracts a^T y from x for `count` tiles one under the other. */
 TILE_INLINE void tile_three_subtract_transposed(ptrdiff_t count, const double *a,
                                                 const double *y, double *x)
 {

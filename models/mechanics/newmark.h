@@ -53,7 +53,7 @@ enum status newmark_step(struct newmark *n, struct system *s, const double (*K)[
                          const double *M, const double *load,
                          const struct newmark_held *held);
 
-/* The two halves of a step, for callers that solve between them: the right-hand side of
+/* Do the two halves of a step, for callers that solve between them: the right-hand side of
  *   (newmark_k K + newmark_m M) w = rhs,   newmark_k w = d + beta v at the end of the step,
  * is left in n->work[nodes][3], without the part of held unknowns; then w (which may
  * be n->work; held entries are not read) becomes the new d, v, a. */

@@ -152,7 +152,7 @@ static struct strain strain_of(const struct spring_stencil *s, int a, int n, dou
                            stiffness * r / (l * q)};
 }
 
-/* Bending is computed from displacements: the rest shape has none, and rotation cancels. */
+/* Computes bending from displacements: the rest shape has none, and rotation cancels. */
 double spring_stencil_energy(const struct spring_stencil *s, const double *x)
 {
     double energy = 0, edge[3], rest[3];

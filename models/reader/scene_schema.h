@@ -16,7 +16,7 @@ enum status scene_schema_read(const struct yaml_tree *root, struct scene *scene,
 enum status scene_schema_read_numerics(const struct yaml_tree *root,
                                        struct discretization *d, struct message *why);
 
-/* A discretization spelled the way --set takes it: lines `discretization.key=value`, every
+/* Prints a discretization the way --set takes it: lines `discretization.key=value`, every
  * key that models share and the model's own, 17 digits; *text is freed by the receiver. */
 enum status scene_schema_print(const struct discretization *d, char **text);
 

@@ -31,7 +31,7 @@ static const char *word_of(const struct schema_key *key, int value)
     return word && strcmp(word, NO_WORD) ? word : NULL;
 }
 
-/* " a, b, c": the words of an enum or the listed keys of a section. */
+/* Appends " a, b, c": the words of an enum or the listed keys of a section. */
 static void write_names(char *text, size_t size, const struct schema_key *key)
 {
     size_t used = strlen(text);

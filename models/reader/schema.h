@@ -17,7 +17,7 @@ enum status schema_read(const struct schema_key *keys, const struct yaml_tree *n
 enum status schema_value(const struct schema_key *key, const struct yaml_tree *node,
                          void *target, struct message *why);
 
-/* For special readers: a finite number inside the key's range, or the sentence. */
+/* Reads, for special readers, a finite number inside the key's range. Errors likewise. */
 enum status schema_number(const struct schema_key *key, const struct yaml_tree *node,
                           double *value, struct message *why);
 

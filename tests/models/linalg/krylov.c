@@ -7,7 +7,7 @@
 
 enum { MOST = 400 };
 
-/* Of krylov.h's tolerance; the residual of the net's dominant matrices is not far above it.
+/* The iterations' tolerance; the residual of the net's dominant matrices is not far above.
  */
 #define TOLERANCE 1e-10
 #define SLACK     100

@@ -245,7 +245,7 @@ static void test_threads(void)
     work.keep_pairs = false;
 }
 
-/* What is no number, and work that is used again for another grid. */
+/* Points that are no numbers, and work that is used again for another grid. */
 static void test_reuse(void)
 {
     static const double bad[] = {NAN, INFINITY, -INFINITY};

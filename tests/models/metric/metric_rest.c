@@ -115,7 +115,8 @@ static void test_middle(void)
     scene_clear(&s);
 }
 
-/* Of part of a half cylinder of radius 1/2: on its ridge, at its rims, at either end. */
+/* The height of part of a half cylinder of radius 1/2: on its ridge, at its rims, at either
+ * end. */
 static void test_highest(void)
 {
     static const struct {

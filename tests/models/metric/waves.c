@@ -1,4 +1,4 @@
-/* What ensembles add to metrics: the mean drop; waves of known length and height. */
+/* The metrics of ensembles: the mean drop; waves of known length and height. */
 #include "models/metric/waves.h"
 
 #include "models/metric/metric.h"

@@ -32,7 +32,8 @@ static const double SOLID_IN_PLANE[] = {[2] = 0.9, [3] = 0.7, [4] = 0.25, [5] = 
 enum state { REST, BENT, COMPRESSED, TWISTED, STATES };
 static const char *const state_name[STATES] = {"at rest", "bent", "compressed", "twisted"};
 
-/* Where the material point (s, t) [m] of the mid-surface is, and the normal there. */
+/* Computes the place of the material point (s, t) [m] of the mid-surface, and the normal.
+ */
 static void surface(enum state state, double s, double t, double x[3], double n[3])
 {
     const double radius = 1, twist = 0.8;

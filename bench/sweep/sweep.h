@@ -167,9 +167,8 @@ enum status sweep_falls_print(const struct sweep_falls *f, FILE *file);
  * value of a third, with the plan's marks on it; hatched where the plan's second opinion,
  * if it has one, finds nothing against a case.
  *
- * *chart is NULL for a plan that asks for none. `best`: the label that comes first in the
- * legend, even if no case has it. STATUS_INPUT: a mark; STATUS_MEMORY. */
-enum status sweep_map(const struct sweep_rows *rows, const char *best, struct chart **chart,
+ * *chart is NULL for a plan that asks for none. STATUS_INPUT: a mark; STATUS_MEMORY. */
+enum status sweep_map(const struct sweep_rows *rows, struct chart **chart,
                       struct message *why);
 
 extern const struct command sweep_command;

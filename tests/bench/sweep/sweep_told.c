@@ -316,7 +316,7 @@ static char *draw(const struct sweep_rows *rows)
 {
     struct chart *chart = NULL;
 
-    REQUIRE(sweep_map(rows, "feasible", &chart, NULL) == STATUS_OK);
+    REQUIRE(sweep_map(rows, &chart, NULL) == STATUS_OK);
     if (!chart)
         return NULL;
     CHECK(chart_write(chart, ".", "map", NULL) == STATUS_UNSUPPORTED);

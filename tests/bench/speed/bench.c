@@ -3,7 +3,6 @@
 #include "bench/speed/bench.h"
 
 #include "bench/files/folder.h"
-#include "bench/speed/peers.h"
 #include "fem_ref/reference.h"
 #include "tests/run_fixture.h"
 #include "tests/said.h"

@@ -273,36 +273,32 @@ static void draw_spots(const struct map *m, struct chart *c, int panel, int labe
     }
 }
 
-static void draw_label(const struct map *m, struct chart *c, int panel, int label)
+/* Draws the labels of a panel in colours, and over them where the second opinion has
+ * nothing against a sheet. */
+static void draw_cases(const struct map *m, struct chart *c, int panel)
 {
-    const char *name = m->labels.name[label];
+    const bool cells = has_cells(m);
+    long learnt = 0;
     char text[256];
 
-    snprintf(text, sizeof text, "%s: %ld", name, m->labels.uses[label]);
-    chart_series(c,
-                 &(struct chart_series){.label = text,
-                                        .style = has_cells(m) ? CHART_CELLS : CHART_SQUARES,
-                                        .rgb = colour_of(name, label)});
-    draw_spots(m, c, panel, label);
-}
-
-/* Draws over the colours where the second opinion has nothing against a sheet. */
-static void draw_learnt(const struct map *m, struct chart *c, int panel)
-{
-    long learnt = 0;
-    char text[128];
-
+    for (int n = 0; n < m->labels.count; n++) {
+        snprintf(text, sizeof text, "%s: %ld", m->labels.name[n], m->labels.uses[n]);
+        chart_series(c, &(struct chart_series){.label = text,
+                                               .style = cells ? CHART_CELLS : CHART_SQUARES,
+                                               .rgb = colour_of(m->labels.name[n], n)});
+        draw_spots(m, c, panel, n);
+    }
     if (!m->plan->learnt.count)
         return;
     for (long n = 0; n < m->count; n++)
         learnt += m->spot[n].learnt;
     snprintf(text, sizeof text, "feasible by bounds learnt from the paper's words: %ld",
              learnt);
-    chart_series(c, &(struct chart_series){.label = text,
-                                           .style = has_cells(m) ? CHART_HATCHED_CELLS
-                                                                 : CHART_POINTS,
-                                           .second = true,
-                                           .rgb = "#000000"});
+    chart_series(c,
+                 &(struct chart_series){.label = text,
+                                        .style = cells ? CHART_HATCHED_CELLS : CHART_POINTS,
+                                        .second = true,
+                                        .rgb = "#000000"});
     draw_spots(m, c, panel, -1);
 }
 
@@ -387,9 +383,7 @@ enum status sweep_map(const struct sweep_rows *rows, struct chart **chart,
     chart_axes(c, &x, &y);
     for (int panel = 0; panel < m.panels.count; panel++) {
         name_panel(&m, c, panel);
-        for (int label = 0; label < m.labels.count; label++)
-            draw_label(&m, c, panel, label);
-        draw_learnt(&m, c, panel);
+        draw_cases(&m, c, panel);
         TRY(draw_marks(&m, c, panel, why));
     }
     *chart = c, c = NULL;

@@ -1,6 +1,6 @@
-/* Cases that are held against a reference, from made-up files: errors that are known, every
- * way a case can end, files that are damaged, gone or cut short; references that are none.
- */
+/* Tests the comparison of cases with a reference, from made-up files: known errors, every
+ * way a case can end, files that are damaged, missing or cut short; references that are
+ * none. */
 #include <unistd.h>
 
 #include "bench/harness/run_file.h"
@@ -19,8 +19,8 @@
 
 enum kind { RAN, DIES, REFUSES, FAILED, DAMAGED, GONE, CUT };
 
-/* Each case, in the order of the sweep: `off`: by what share of its height at the worst of
- * three times; the label, and the error. */
+/* The cases in the order of the sweep: by what share of its height a sheet is off at the
+ * worst of three times; the label, and the error. */
 static const struct {
     enum kind kind;
     double off;
@@ -43,7 +43,7 @@ static const double TOL_DOUBLE = 1e-12;
 
 static double off; /* of the height at the second of the times */
 
-/* A sheet that rises with 1 m/s, but for the second time. */
+/* Samples a sheet that rises with 1 m/s, but for the second time. */
 static void sample(const void *state, double *xyz)
 {
     const struct scripted *s = state;

@@ -217,8 +217,8 @@ static void check_sentences(void)
 
     for (size_t n = 0; n < sizeof text / sizeof *text; n++) {
         REQUIRE(seal_text_write("case_000001.txt", text[n], NULL) == STATUS_OK);
-        REQUIRE(sweep_folder_read(&here, 0, NULL, false, &state, &result, &sentence) ==
-                STATUS_OK);
+        REQUIRE(sweep_folder_read(&here, 0, NULL, false, &state, &result, &sentence,
+                                  NULL) == STATUS_OK);
         CHECK(state == (n == 2 ? SWEEP_FAILED : SWEEP_OPEN));
     }
     sweep_folder_remove(&here, 0);

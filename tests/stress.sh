@@ -54,6 +54,7 @@ echo >>few/still.odd.txt
 rm few/still.mass_spring.txt
 run 0 still --models odd,mass_spring --from few
 grep -qE '^still +-( +ok [^ ]+){2} +damaged$' out || fail "damaged: $(<out)"
+grep -q '^Damaged files, no longer as they were written: 1\.' out || fail "damaged: $(<out)"
 run 2 thrown --models odd --from few
 grep -q 'few holds no such results of' err || fail "nothing: $(<err)"
 

@@ -13,7 +13,7 @@ enum { CONTESTANT_SETTINGS = 4, CONTESTANT_STEPS = 4 };
 /* The commands that a contestant enters by default; bits. By name it enters any of them. */
 enum {
     CONTESTANT_COMPARE = 1, /* speed against error                                     */
-    CONTESTANT_STRESS = 2,  /* hard cases, and the map of steps and stiffness          */
+    CONTESTANT_STRESS = 2,  /* hard cases                                              */
     CONTESTANT_SMALL = 4,   /* verify: plates and strips at small strains              */
     CONTESTANT_LARGE = 8,   /* verify: those that bend far                             */
     CONTESTANT_SPEED = 16,  /* the timing table of `bench`                             */

@@ -88,7 +88,7 @@ const struct report_part report_part_list[] = {
      false, "|case|model|end|error|until_s|in_words|", {{0}}},
     {"stability", "Which step serves which stiffness", "sweep stability",
      {"sweep_stability/table.csv", "stability.csv"}, "sweep_stability", "tables", false,
-     NULL, {{"map.png", NULL}}},
+     "|name|young_over_density|time.step|reference_error_max|labels|", {{"map.png", NULL}}},
     {"feasibility", "Feasibility map: which sheets look like cloth", "sweep feasibility",
      {"sweep_feasibility/table.csv", "sweep_feasibility.csv"}, "sweep_feasibility", "tables",
      false, NULL, {{"map.png", NULL}}},

@@ -12,7 +12,7 @@
 
 extern const struct command bench_command;
 
-/* A run on edge_drop, with the time it should reach [ms] (0: no aim). peers.h has what
+/* A run on edge_drop, with the time it should reach [ms] (0: no aim). peers.csv has what
  * other programs take for the work of its title. */
 struct bench_row {
     const char *title, *contestant;

@@ -129,6 +129,7 @@ out:
 static enum status make(struct bench *b, const struct bench_row *row, struct baseline *m,
                         struct message *why)
 {
+    struct model_size size;
     enum status st;
 
     TRY(bench_part_add(b, row, why));
@@ -136,6 +137,10 @@ static enum status make(struct bench *b, const struct bench_row *row, struct bas
     TRY(run_open(&m->ours, plan, why));
     settings_set(batch_settings(&b->batch), "discretization.solver=cholmod");
     TRY(run_open(&m->theirs, plan, why));
+    m->theirs.model->size(m->theirs.state, &size);
+    if (strcmp(size.solver, "cholmod") != 0)
+        TRY(status_fail(why, STATUS_LIBRARY, "%s: solved by %s, not by CHOLMOD", row->title,
+                        size.solver));
     TRY(bench_solid_run(m->ours.state, BENCH_SOLID_ASSEMBLE));
     TRY(bench_solid_run(m->theirs.state, BENCH_SOLID_ASSEMBLE));
     TRY(bench_solid_matrix(m->ours.state, &m->n, &m->start, &m->row, &m->value));

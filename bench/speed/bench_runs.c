@@ -1,10 +1,11 @@
 /* Times runs on edge_drop: frames and phases against aims, and a frame of each contestant.
  */
 #include <math.h>
+#include <string.h>
 
 #include "bench/experiment/bench_solid.h"
 #include "bench/speed/bench.h"
-#include "bench/speed/peers.h"
+#include "bench/truth/truth_table.h"
 
 #define LEN(array) (sizeof array / sizeof *array)
 
@@ -52,6 +53,49 @@ static const struct bench_row projective[] = {
 };
 /* clang-format on */
 
+enum { WORDS = 2048 };
+
+/* Appends the words of a row of peers.csv: "PetIGA cc362e1 (AIJ + CHOLMOD) 9.05 ms"; where
+ * another kind of work begins, its name and our time come first. */
+static void add_peer(const struct reference *r, int row, int before, char text[WORDS])
+{
+    const char *what = reference_text(r, row, "what");
+    const char *version = reference_text(r, row, "version");
+    const char *solver = reference_text(r, row, "solver");
+    const bool next = before < 0 || strcmp(what, reference_text(r, before, "what")) != 0;
+    size_t used = strlen(text);
+
+    if (next)
+        snprintf(text + used, WORDS - used, "%s%s, ours %s ms:", used ? "; " : "", what,
+                 reference_text(r, row, "ours_ms"));
+    used = strlen(text);
+    snprintf(text + used, WORDS - used, "%s %s%s%s%s%s%s %s ms", next ? "" : ",",
+             reference_text(r, row, "peer"), *version ? " " : "", version,
+             *solver ? " (" : "", solver, *solver ? ")" : "", reference_text(r, row, "ms"));
+}
+
+/* Adds a note on the programs of other people that did the work `name`: their times in
+ * tests/reference/peers.csv, measured elsewhere side by side with ours, with version and
+ * solver, and never in a ratio with what is measured here; nothing if there are none. */
+static enum status note_peers(struct table *t, const char *name, struct message *why)
+{
+    struct reference *r = NULL;
+    char text[WORDS] = "";
+    enum status st;
+
+    TRY(truth_table_open("peers", &r, why));
+    for (int row = reference_find(r, 0, "case", name), before = -1; row >= 0;
+         before = row, row = reference_find(r, row + 1, "case", name))
+        add_peer(r, row, before, text);
+    if (*text)
+        table_note(t, "%s elsewhere, %s, %s, beside %s. %s.", name,
+                   reference_note(r, "source"), reference_note(r, "date"),
+                   reference_note(r, "ours"), text);
+out:
+    reference_close(r);
+    return st;
+}
+
 static void add_phase(struct table *t, const struct bench_row *row, const char *phase,
                       const struct clock_summary *s, double aim)
 {
@@ -81,7 +125,7 @@ static enum status add_run(struct table *t, const struct bench_row *row,
         table_note(t, "%s: %s.", row->title, r->sentence.text);
     table_note(t, "%s: %.0f unknowns, %.0f numbers in L, set-up %.3g ms.", row->title,
                r->unknowns, r->factor_entries, 1e3 * r->create.median);
-    return peers_note(t, row->title, why);
+    return note_peers(t, row->title, why);
 }
 
 static enum status print_runs(const struct bench *b, struct message *why)
@@ -103,7 +147,7 @@ static enum status print_runs(const struct bench *b, struct message *why)
     if (b->part->note)
         table_note(t, "%s", b->part->note);
     if (b->part->peers)
-        TRY(peers_note(t, b->part->peers, why));
+        TRY(note_peers(t, b->part->peers, why));
     return table_finish(t, b->format, b->file);
 out:
     table_destroy(t);

@@ -181,7 +181,7 @@ static enum status draw(const struct sweep_rows *rows, const char *folder,
     struct chart *chart = NULL;
     enum status st;
 
-    TRY(sweep_map(rows, "feasible", &chart, why));
+    TRY(sweep_map(rows, &chart, why));
     if (!chart)
         return STATUS_OK;
     st = chart_write(chart, folder, "map", plot);

@@ -77,19 +77,20 @@ const char *sweep_folder_made_for(const struct sweep_folder *folder,
                                   char text[SWEEP_FOLDER_MADE_FOR]);
 
 enum sweep_state {
-    SWEEP_OPEN,    /* there is no file, it is damaged, or the case was cut short: killed,
+    SWEEP_OPEN,   /* there is no file, it is damaged, or the case was cut short: killed,
                       suspended, out of memory; a sweep that is resumed runs it          */
-    SWEEP_FOREIGN, /* its file was made for another case or plan, or by another program */
-    SWEEP_FAILED,  /* no result: timed out, crashed, impossible to set up               */
-    SWEEP_RAN,     /* there is a result                                                 */
+    SWEEP_FAILED, /* no result: timed out, crashed, impossible to set up               */
+    SWEEP_RAN,    /* there is a result                                                 */
 };
 
 /* Reads case `number`: its result, empty unless it ran (free with run_result_clear), with
  * its fields or without, and the sentence on how it ended or why there is nothing.
- * `made_for` NULL: whatever it is made for. STATUS_MEMORY: nothing is known of its file. */
+ * STATUS_INPUT with a sentence: the file is made for something else than `made_for` (NULL:
+ * anything); STATUS_MEMORY: nothing is known of it. */
 enum status sweep_folder_read(const struct sweep_folder *folder, long number,
                               const char *made_for, bool fields, enum sweep_state *state,
-                              struct run_result *result, struct message *sentence);
+                              struct run_result *result, struct message *sentence,
+                              struct message *why);
 
 /* Keeps the sentence of a case that came to no result, or was `cut` short. STATUS_FILE.
  */
@@ -167,9 +168,8 @@ enum status sweep_falls_print(const struct sweep_falls *f, FILE *file);
  * value of a third, with the plan's marks on it; hatched where the plan's second opinion,
  * if it has one, finds nothing against a case.
  *
- * *chart is NULL for a plan that asks for none. `best`: the label that comes first in the
- * legend, even if no case has it. STATUS_INPUT: a mark; STATUS_MEMORY. */
-enum status sweep_map(const struct sweep_rows *rows, const char *best, struct chart **chart,
+ * *chart is NULL for a plan that asks for none. STATUS_INPUT: a mark; STATUS_MEMORY. */
+enum status sweep_map(const struct sweep_rows *rows, struct chart **chart,
                       struct message *why);
 
 extern const struct command sweep_command;

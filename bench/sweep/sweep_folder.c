@@ -252,59 +252,56 @@ const char *sweep_folder_made_for(const struct sweep_folder *folder,
     return text;
 }
 
-/* Says if a file is made for another case than it is wanted for, with the sentence on it.
- */
-static bool is_foreign(const char *path, const char *is, const char *want,
-                       struct message *sentence)
+/* Refuses a file that is made for something else than it is wanted for. */
+static enum status check_made_for(const char *path, const char *is, const char *want,
+                                  struct message *why)
 {
     unsigned long a[3] = {0}, b[3] = {0};
 
     if (!want || !strcmp(is, want))
-        return false;
+        return STATUS_OK;
     sscanf(is, MADE_FOR, &a[0], &a[1], &a[2]);
     sscanf(want, MADE_FOR, &b[0], &b[1], &b[2]);
-    status_fail(sentence, STATUS_INPUT,
-                "%s: is of another %s; take it away, or give another folder with --out",
-                path,
-                a[2] != b[2]   ? "build of the program"
-                : a[1] != b[1] ? "plan or scene"
-                               : "case");
-    return true;
+    return status_fail(
+        why, STATUS_INPUT,
+        "%s: is of another %s; take it away, or give another folder with --out", path,
+        a[2] != b[2]   ? "build of the program"
+        : a[1] != b[1] ? "plan or scene"
+                       : "case");
 }
 
-/* Reads the file of a case without a result: what it is made for, "cut" or "failed", the
+/* Takes the file of a case without a result: what it is made for, "cut" or "failed", the
  * sentence. */
-static enum sweep_state read_sentence(char *text, const char *path, const char *made_for,
-                                      struct message *sentence)
+static enum status take_sentence(char *text, const char *path, const char *made_for,
+                                 enum sweep_state *state, struct message *sentence,
+                                 struct message *why)
 {
     char *rest = text;
-    const char *is = strsep(&rest, "\n"), *state = strsep(&rest, "\n");
+    const char *is = strsep(&rest, "\n"), *word = strsep(&rest, "\n");
     const char *words = strsep(&rest, "\n");
-    const bool cut = words && !strcmp(state, "cut");
+    const bool cut = words && !strcmp(word, "cut");
 
-    if (!words || (!cut && strcmp(state, "failed") != 0))
-        return SWEEP_OPEN;
-    if (is_foreign(path, is, made_for, sentence))
-        return SWEEP_FOREIGN;
+    if (!words || (!cut && strcmp(word, "failed") != 0))
+        return STATUS_OK; /* it is damaged */
+    *state = cut ? SWEEP_OPEN : SWEEP_FAILED;
     snprintf(sentence->text, sizeof sentence->text, "%s%s", words,
              cut ? "; --resume runs it again" : "");
-    return cut ? SWEEP_OPEN : SWEEP_FAILED;
+    return check_made_for(path, is, made_for, why);
 }
 
-static enum sweep_state read_result(const char *path, const char *made_for,
-                                    struct run_result *result, struct message *sentence)
+static enum status take_result(const char *path, const char *made_for,
+                               enum sweep_state *state, const struct run_result *result,
+                               struct message *sentence, struct message *why)
 {
-    if (is_foreign(path, result->made_for, made_for, sentence)) {
-        run_result_clear(result);
-        return SWEEP_FOREIGN;
-    }
+    *state = result->outcome == STATUS_INPUT ? SWEEP_FAILED : SWEEP_RAN;
     *sentence = result->sentence;
-    return result->outcome == STATUS_INPUT ? SWEEP_FAILED : SWEEP_RAN;
+    return check_made_for(path, result->made_for, made_for, why);
 }
 
 enum status sweep_folder_read(const struct sweep_folder *folder, long number,
                               const char *made_for, bool fields, enum sweep_state *state,
-                              struct run_result *result, struct message *sentence)
+                              struct run_result *result, struct message *sentence,
+                              struct message *why)
 {
     static const char again[] = "its file is %s; --resume runs it again";
     char path[SWEEP_FOLDER_PATH], *text = NULL;
@@ -317,16 +314,18 @@ enum status sweep_folder_read(const struct sweep_folder *folder, long number,
     if (access(path, F_OK) == 0) {
         st = run_result_read(path, fields, result, NULL);
         if (st == STATUS_OK)
-            *state = read_result(path, made_for, result, sentence);
+            return take_result(path, made_for, state, result, sentence, why);
     } else {
         sweep_folder_file(folder, number, "txt", path);
-        st = seal_text_read(path, &text, NULL);
-        if (st == STATUS_OK)
-            *state = read_sentence(text, path, made_for, sentence);
-        else if (access(path, F_OK) != 0)
+        if (access(path, F_OK) != 0)
             snprintf(sentence->text, sizeof sentence->text, again, "gone");
+        st = seal_text_read(path, &text, NULL);
+        if (st == STATUS_OK) {
+            st = take_sentence(text, path, made_for, state, sentence, why);
+            free(text);
+            return st;
+        }
     }
-    free(text);
     return st == STATUS_MEMORY ? st : STATUS_OK;
 }
 

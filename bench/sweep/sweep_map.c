@@ -166,8 +166,8 @@ out:
     return st;
 }
 
-/* Places all cases. */
-static enum status make(struct map *m, const struct sweep_rows *rows, const char *best)
+/* Places all cases; the good ones come first in the legend, even if there are none. */
+static enum status make(struct map *m, const struct sweep_rows *rows)
 {
     const struct plan *plan = rows->plan;
     enum status st;
@@ -177,7 +177,7 @@ static enum status make(struct map *m, const struct sweep_rows *rows, const char
                       .y = find_dimension(plan, plan->map.y),
                       .panel = find_dimension(plan, plan->map.panel)};
     m->spot = calloc((size_t)rows->count, sizeof *m->spot);
-    TRY(m->spot && add_name(&m->labels, best) == 0 ? STATUS_OK : STATUS_MEMORY);
+    TRY(m->spot && add_name(&m->labels, "feasible") == 0 ? STATUS_OK : STATUS_MEMORY);
     m->labels.uses[0] = 0;
     for (long n = 0; n < rows->count; n++)
         TRY(add_spot(m, &rows->row[n], n));
@@ -206,9 +206,8 @@ static const char *colour_of(const char *label, int n)
     static const struct {
         const char *label, *colour;
     } known[] = {
-        {"feasible", "#8cd17d"},  {"accurate", "#8cd17d"},    {"reference", "#c9e8c0"},
-        {"degraded", "#edc948"},  {"died", "#444444"},        {"refused", "#d9d9d9"},
-        {"no result", "#d9d9d9"}, {"unsupported", "#d9d9d9"}, {"run again", "#d9d9d9"},
+        {"feasible", "#8cd17d"},    {"degraded", "#edc948"},  {"died", "#444444"},
+        {"unsupported", "#d9d9d9"}, {"no result", "#d9d9d9"}, {"run again", "#d9d9d9"},
     };
     static const char *const palette[] = {
         "#e15759", "#f28e2b", "#edc948", "#4e79a7", "#b07aa1", "#76b7b2", "#9c755f",
@@ -274,36 +273,32 @@ static void draw_spots(const struct map *m, struct chart *c, int panel, int labe
     }
 }
 
-static void draw_label(const struct map *m, struct chart *c, int panel, int label)
+/* Draws the labels of a panel in colours, and over them where the second opinion has
+ * nothing against a sheet. */
+static void draw_cases(const struct map *m, struct chart *c, int panel)
 {
-    const char *name = m->labels.name[label];
+    const bool cells = has_cells(m);
+    long learnt = 0;
     char text[256];
 
-    snprintf(text, sizeof text, "%s: %ld", name, m->labels.uses[label]);
-    chart_series(c,
-                 &(struct chart_series){.label = text,
-                                        .style = has_cells(m) ? CHART_CELLS : CHART_SQUARES,
-                                        .rgb = colour_of(name, label)});
-    draw_spots(m, c, panel, label);
-}
-
-/* Draws over the colours where the second opinion has nothing against a sheet. */
-static void draw_learnt(const struct map *m, struct chart *c, int panel)
-{
-    long learnt = 0;
-    char text[128];
-
+    for (int n = 0; n < m->labels.count; n++) {
+        snprintf(text, sizeof text, "%s: %ld", m->labels.name[n], m->labels.uses[n]);
+        chart_series(c, &(struct chart_series){.label = text,
+                                               .style = cells ? CHART_CELLS : CHART_SQUARES,
+                                               .rgb = colour_of(m->labels.name[n], n)});
+        draw_spots(m, c, panel, n);
+    }
     if (!m->plan->learnt.count)
         return;
     for (long n = 0; n < m->count; n++)
         learnt += m->spot[n].learnt;
     snprintf(text, sizeof text, "feasible by bounds learnt from the paper's words: %ld",
              learnt);
-    chart_series(c, &(struct chart_series){.label = text,
-                                           .style = has_cells(m) ? CHART_HATCHED_CELLS
-                                                                 : CHART_POINTS,
-                                           .second = true,
-                                           .rgb = "#000000"});
+    chart_series(c,
+                 &(struct chart_series){.label = text,
+                                        .style = cells ? CHART_HATCHED_CELLS : CHART_POINTS,
+                                        .second = true,
+                                        .rgb = "#000000"});
     draw_spots(m, c, panel, -1);
 }
 
@@ -368,7 +363,7 @@ static void name_panel(const struct map *m, struct chart *c, int panel)
     chart_panel(c, text);
 }
 
-enum status sweep_map(const struct sweep_rows *rows, const char *best, struct chart **chart,
+enum status sweep_map(const struct sweep_rows *rows, struct chart **chart,
                       struct message *why)
 {
     struct chart_tic *tics = NULL;
@@ -379,7 +374,7 @@ enum status sweep_map(const struct sweep_rows *rows, const char *best, struct ch
     *chart = NULL;
     if (!rows->plan->map.x)
         return st;
-    TRY(make(&m, rows, best));
+    TRY(make(&m, rows));
     tics = calloc(2 * PLAN_AXIS_MOST, sizeof *tics);
     TRY(tics ? STATUS_OK : STATUS_MEMORY);
     const struct chart_axis x = axis_of(&m.x, tics),
@@ -388,9 +383,7 @@ enum status sweep_map(const struct sweep_rows *rows, const char *best, struct ch
     chart_axes(c, &x, &y);
     for (int panel = 0; panel < m.panels.count; panel++) {
         name_panel(&m, c, panel);
-        for (int label = 0; label < m.labels.count; label++)
-            draw_label(&m, c, panel, label);
-        draw_learnt(&m, c, panel);
+        draw_cases(&m, c, panel);
         TRY(draw_marks(&m, c, panel, why));
     }
     *chart = c, c = NULL;

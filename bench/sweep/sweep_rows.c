@@ -120,7 +120,8 @@ static enum status read_reference(struct reference *ref, const struct plan *plan
     run_result_clear(&ref->result);
     free(ref->rest), ref->rest = NULL;
     ref->number = number;
-    TRY(sweep_folder_read(folder, number, NULL, true, &state, &ref->result, &sentence));
+    TRY(sweep_folder_read(folder, number, NULL, true, &state, &ref->result, &sentence,
+                          why));
     ref->died = state == SWEEP_FAILED || status_is_death(ref->result.outcome);
     if (state != SWEEP_RAN || ref->result.outcome != STATUS_OK) {
         run_result_clear(&ref->result);
@@ -168,9 +169,7 @@ static enum status read_row(struct sweep_rows *rows, long number,
 
     TRY(plan_case_given(plan, number, &c));
     sweep_folder_made_for(folder, plan, &c, made_for);
-    TRY(sweep_folder_read(folder, number, made_for, compared, &state, &r, &sentence));
-    if (state == SWEEP_FOREIGN)
-        TRY(status_fail(why, STATUS_INPUT, "%s", sentence.text));
+    TRY(sweep_folder_read(folder, number, made_for, compared, &state, &r, &sentence, why));
     if (compared && ref->number != other)
         TRY(read_reference(ref, plan, other, folder, why));
     if (compared && state == SWEEP_RAN)

@@ -1,20 +1,19 @@
-/* What `bench` prints, from made-up seconds: every cell of its parts, and that others'
+/* Tests the tables of `bench`, cell by cell from made-up seconds, and that others'
  * milliseconds are those of tests/reference/peers.csv. */
 #include "bench/speed/bench.h"
 
 #include "bench/files/folder.h"
-#include "bench/speed/peers.h"
 #include "fem_ref/reference.h"
 #include "tests/run_fixture.h"
 #include "tests/said.h"
 
-/* Seconds of a repeat, each summary number another. */
+/* Returns a summary of which each number is another. */
 static struct clock_summary seconds(double median)
 {
     return (struct clock_summary){9, median / 2, median / 1.25, median, median * 1.25, 1};
 }
 
-/* Of the n-th run a frame takes n + 1 ms; its phases 2, 3 and 4 times that. */
+/* Returns the n-th run: a frame takes n + 1 ms, its phases 2, 3 and 4 times that. */
 static struct run_result result(int n)
 {
     struct run_result r = {.unknowns = 100 + n, .factor_entries = 200 + n};
@@ -28,7 +27,7 @@ static struct run_result result(int n)
     return r;
 }
 
-/* The n-th row's title has another: seconds of nine repeats that end in `median`. */
+/* Adds the seconds of nine repeats around a median. */
 static void add(struct samples *s, const char *name, const char *what, double median)
 {
     for (int k = -4; k <= 4; k++)
@@ -139,7 +138,8 @@ static void test_cells(void)
     }
 }
 
-/* Short ones are timed over twenty frames and their phases apart, whole motions whole. */
+/* Checks that short runs are timed over twenty frames and their phases apart, and whole
+ * motions whole. */
 static void test_plans(void)
 {
     static const struct {
@@ -169,8 +169,8 @@ static void test_plans(void)
     }
 }
 
-/* Every row of the file is printed, with peer, version, solver and milliseconds, by the
- * part whose work it is. */
+/* Checks that every row of the file is printed, with peer, version, solver and
+ * milliseconds, by the part that does the same work. */
 static void test_peers(void)
 {
     struct reference *r = NULL;
@@ -208,7 +208,7 @@ static void test_peers(void)
     reference_close(r);
 }
 
-/* Kept and read again; what is no file of samples is told. */
+/* Checks that samples are stored and read again, and what is no file of samples. */
 static void test_samples(const char *folder)
 {
     struct samples s = {0}, again = {0};
@@ -247,7 +247,8 @@ static enum status fails(void *context)
     return STATUS_MEMORY;
 }
 
-/* Short calls: three repeats after a warm-up if quick, each of as many as fill its time. */
+/* Checks short calls: three repeats after a warm-up if quick, each of as many calls as fill
+ * its time. */
 static void test_time(void)
 {
     struct samples s = {0};

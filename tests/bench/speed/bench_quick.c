@@ -1,5 +1,5 @@
-/* Quick runs of `bench`, by what does not depend on seconds: which rows there are, counts,
- * repeats; that the same is printed again from what was kept.
+/* Tests quick runs of `bench` by what does not depend on seconds: rows, counts, repeats,
+ * and that the same is printed again from the files.
  *
  *   bench_quick FOLDER
  */
@@ -11,7 +11,7 @@
 #include "tests/said.h"
 #include "tests/scratch.h"
 
-/* `bench` with these words: its exit status and what it prints. */
+/* Runs `bench` with these words; returns its status and what it prints. */
 static enum status bench(struct said *s, const char *words, struct message *why)
 {
     char text[4096], *word[16];
@@ -40,7 +40,7 @@ static enum status bench(struct said *s, const char *words, struct message *why)
     return st;
 }
 
-/* A row of CSV: the cell of a column, counted from 0, behind the row's name. */
+/* Returns a cell of the row with this name; columns are counted from 0 behind the name. */
 static double cell(const struct said *s, const char *row, int column)
 {
     char begin[128];
@@ -57,8 +57,8 @@ static double cell(const struct said *s, const char *row, int column)
     return strtod(at, NULL);
 }
 
-/* What is timed is kept in a folder of the part's, which is made, and printed again from
- * there; machines get the table alone. */
+/* Runs a part twice, the second time from its files, which have to give the same text;
+ * machines get the table alone. */
 static void twice(struct said *first, const char *part, const char *folder)
 {
     char words[4300];
@@ -75,8 +75,8 @@ static void twice(struct said *first, const char *part, const char *folder)
     said_clear(&s);
 }
 
-/* Nets that the machine moves at a rate that it has: a node's bytes as told, and steps that
- * grow with the points, which waves along the sheet ask for. */
+/* Checks that rates follow from a node's bytes and times, and that steps grow with the
+ * points, as waves along the sheet require. */
 static void test_bandwidth(const char *folder)
 {
     struct said s;
@@ -96,7 +96,7 @@ static void test_bandwidth(const char *folder)
     said_clear(&s);
 }
 
-/* Three nets by two libraries, each phase with its repeats. */
+/* Checks that three nets have a row for both libraries, each with its repeats. */
 static void test_libraries(const char *folder)
 {
     static const char *const library[] = {"CHOLMOD", "LAPACK band"};
@@ -115,7 +115,8 @@ static void test_libraries(const char *folder)
     said_clear(&s);
 }
 
-/* A part made of runs. People are told of the machine too, and of memory where it ran. */
+/* Checks a part that is made of runs; people are told of the machine, and of memory where
+ * it ran. */
 static void test_runs(const char *folder)
 {
     char words[4300];
@@ -145,7 +146,7 @@ static void test_runs(const char *folder)
     said_clear(&s);
 }
 
-/* That folders are made, too, is tried. */
+/* Removes an earlier run's folder, since making it is tested, too. */
 static void remove_earlier(const char *folder)
 {
     char path[4096];

@@ -1,6 +1,5 @@
-/* Hard cases. unit: which of the four ends a result is, files, what is
- * printed, the cases as data; run: ends
- * that are known beforehand, and that each run has exactly one. */
+/* Tests hard cases. unit: ends, files, tables, the cases as data; run: ends that are known
+ * beforehand. */
 #include "bench/stress/stress.h"
 
 #include <unistd.h>
@@ -30,7 +29,7 @@ static const struct contestant *contestant_of(const char *name)
     return c;
 }
 
-/* An error that is no number is a death: no silence. */
+/* Checks the ends by the error; one that is no number is a death. */
 static void check_ends(void)
 {
     CHECK(stress_result_end(0, bound) == STRESS_ACCURATE);
@@ -66,7 +65,8 @@ static void check_file(const char *folder)
     CHECK(stress_result_read(folder, c, other, &r, &why) == STATUS_FILE && *why.text);
 }
 
-/* Sealed, but no result of ours; damaged: a byte changed, the end cut off. */
+/* Checks files that are sealed but no results, and damaged ones: a byte changed, the end
+ * cut off. */
 static void check_broken(const char *folder)
 {
     static const char *const sealed[] = {
@@ -101,7 +101,8 @@ static void check_broken(const char *folder)
     unlink(path);
 }
 
-/* A case that no model can read would be refused by all, and say nothing. */
+/* Checks that a case can be read and says all that it needs; otherwise all models would
+ * refuse it. */
 static void check_case(const struct stress_case *c, const char *path)
 {
     struct scene scene = {0};
@@ -124,7 +125,7 @@ static void check_case(const struct stress_case *c, const char *path)
     discretization_clear(&d);
 }
 
-/* How many contestants are chosen. */
+/* Counts the contestants that are chosen. */
 static int chosen(const struct stress_choice *choice)
 {
     const struct contestant *c = NULL;
@@ -165,7 +166,7 @@ static void check_choice(void)
           strstr(why.text, "'ig'"));
 }
 
-/* --- What is printed: a cell for each way to end, and counts. */
+/* --- tables: a cell for each way to end, and counts --- */
 
 static const struct told {
     const char *c;
@@ -219,7 +220,7 @@ static void check_print(const char *folder)
     }
 }
 
-/* A result, whatever it is, says all that its end asks for. */
+/* Runs a case and checks its end, and that a refusal or a death says why. */
 static struct stress_result check_run(const char *path, const char *folder, const char *c,
                                       const char *contestant, enum stress_end want)
 {
@@ -283,8 +284,8 @@ static void check_runs(const char *path, const char *folder)
         check_run(path, folder, known[n].c, known[n].contestant, known[n].want);
 }
 
-/* Statics of `printed` are linear: one parabola gives 2/3 of the tip, Gamma / 12 for
- * Gamma / 8, but for shear, (h/L)^2 of it. */
+/* Checks one parabola in the linear statics of `printed`: it gives 2/3 of the tip, Gamma /
+ * 12 for Gamma / 8, but for shear, (h/L)^2 of it. */
 static void check_parabola(const char *path, const char *folder)
 {
     const double TOL_SHEAR = 1e-3;

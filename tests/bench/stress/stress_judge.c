@@ -1,5 +1,5 @@
-/* The errors of hard cases, exactly: a sheet that rises by a millimetre a frame, ten
- * frames, seven millimetres at rest, is held against each kind of truth. */
+/* Tests the errors of hard cases exactly: a sheet that rises by a millimetre a frame for
+ * ten frames, and by seven millimetres at rest, is held against each kind of truth. */
 #include "bench/stress/stress.h"
 #include "fem_ref/elastica.h"
 #include "fem_ref/kirchhoff.h"
@@ -40,7 +40,7 @@ static void begin(void)
     other = scripted_model;
 }
 
-/* The plate of the scene, E from Gamma = 0.05. */
+/* Makes the plate of the scene, E from Gamma = 0.05. */
 static struct kirchhoff *make_plate(double *load)
 {
     struct kirchhoff *k = NULL;
@@ -168,7 +168,7 @@ static void check_energy(void)
     CHECK(r.end == STRESS_REFUSED && strstr(r.sentence.text, "no elastic energy"));
 }
 
-/* Those that need no truth but the rest shape and a number. */
+/* Checks the truths that are the rest shape and a number. */
 static void check_shapes(void)
 {
 #define AT(u, end) "{at: {u: " u "}, fix: xyz" end "}"
@@ -207,7 +207,7 @@ static void check_shapes(void)
     CHECK(r.end == STRESS_REFUSED && strstr(r.sentence.text, "no static equilibrium"));
 }
 
-/* Deaths, refusals and failures each in their words. */
+/* Checks the words of deaths, refusals and failures. */
 static void check_ends(void)
 {
     const struct stress_case
@@ -281,7 +281,7 @@ static enum status count_weights(const struct scene *scene, const struct discret
     return scripted_create(scene, d, state, why);
 }
 
-/* Nets: ten points a side, one element, as many as the case says; and their weights. */
+/* Checks nets and weights: ten points a side, one element, as many as the case says. */
 static void check_nets(void)
 {
     static const struct {

@@ -1,6 +1,6 @@
-/* Cases that are held against a reference, from made-up files: errors that are known, every
- * way a case can end, files that are damaged, gone or cut short; references that are none.
- */
+/* Tests the comparison of cases with a reference, from made-up files: known errors, every
+ * way a case can end, files that are damaged, missing or cut short; references that are
+ * none. */
 #include <unistd.h>
 
 #include "bench/harness/run_file.h"
@@ -14,36 +14,28 @@
     "cases:\n  - {name: a}\n  - {name: b}\n  - {name: c}\n"                                \
     "axes:\n"                                                                              \
     "  - {key: young_over_density, scale: log, values: [1e4, 1e6]}\n"                      \
-    "  - {key: time.step, scale: log, values: [0.01, 0.05, 0.1]}\n"                        \
+    "  - {key: time.step, scale: log, values: [0.05, 0.01, 0.1]}\n"                        \
     "verdicts: [{label: off, measure: reference_error_max, above: 0.05, why: seen}]\n"
 
 enum kind { RAN, DIES, REFUSES, FAILED, DAMAGED, GONE, CUT };
 
-/* Each case, in the order of the sweep: `off`: by what share of its height at the worst of
- * three times; the label, and the error. */
+/* The cases in the order of the sweep: by what share of its height a sheet is off at the
+ * worst of three times; the label, and the error. */
 static const struct {
     enum kind kind;
     double off;
     const char *label;
     double error;
 } cases[] = {
-    {RAN, 0, "feasible", 0},
-    {RAN, 0.04, "feasible", 0.04},
-    {RAN, 0.06, "off", 0.06},
-    {RAN, 0, "feasible", 0},
-    {RAN, 0.2, "off", 0.2},
-    {RAN, -0.01, "feasible", 0.01},
-    {DIES, 0, "off", INFINITY},
+    {RAN, 0.04, "feasible", 0.04},    {RAN, 0, "feasible", 0},
+    {RAN, 0.06, "off", 0.06},         {RAN, 0.2, "off", 0.2},
+    {RAN, 0, "feasible", 0},          {RAN, -0.01, "feasible", 0.01},
     {RAN, 0, "off", INFINITY}, /* lives where the finest step died */
-    {REFUSES, 0, "unsupported", NAN},
-    {RAN, 0, "feasible", 0},
-    {DIES, 0.01, "off", INFINITY},
-    {FAILED, 0, "no result", NAN},
-    {FAILED, 0, "no result", NAN},
-    {RAN, 0, "off", INFINITY},
-    {GONE, 0, "run again", NAN},
-    {DAMAGED, 0, "run again", NAN},
-    {RAN, 0, "not judged: off", NAN},
+    {DIES, 0, "off", INFINITY},       {REFUSES, 0, "unsupported", NAN},
+    {DIES, 0.01, "off", INFINITY},    {RAN, 0, "feasible", 0},
+    {FAILED, 0, "no result", NAN},    {RAN, 0, "off", INFINITY},
+    {FAILED, 0, "no result", NAN},    {GONE, 0, "run again", NAN},
+    {RAN, 0, "not judged: off", NAN}, {DAMAGED, 0, "run again", NAN},
     {CUT, 0, "run again", NAN},
 };
 enum { CASES = sizeof cases / sizeof *cases };
@@ -51,7 +43,7 @@ static const double TOL_DOUBLE = 1e-12;
 
 static double off; /* of the height at the second of the times */
 
-/* A sheet that rises with 1 m/s, but for the second time. */
+/* Samples a sheet that rises with 1 m/s, but for the second time. */
 static void sample(const void *state, double *xyz)
 {
     const struct scripted *s = state;

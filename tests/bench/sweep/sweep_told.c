@@ -1,6 +1,6 @@
-/* What a sweep tells: its table, cell by cell and row by row; the map, from the script that
- * draws it; whether a measure falls along an axis. (sweep.sh, sweep_ends.sh: its summary,
- * files that are damaged or of others.) */
+/* Tests the tables, the map and the falls of a sweep: the table cell by cell, the map from
+ * the script that draws it. (sweep.sh, sweep_ends.sh: the command, files that are damaged
+ * or of others.) */
 #include <unistd.h>
 
 #include "bench/files/seal.h"
@@ -49,7 +49,7 @@ static void holds(const char *what, const char *text, const char *part)
         printf("  %s: no '%s' in\n%s", what, part, text);
 }
 
-/* The summary of people, freed by the caller. */
+/* Returns the summary for people, freed by the caller. */
 static char *print(const struct sweep_rows *rows, const struct sweep_falls *falls)
 {
     char *text = NULL;
@@ -75,7 +75,7 @@ static const char plan_text[] =
     "  - {label: odd, measure: speed_max, below: 0.1, why: a test}\n"
     "  - {label: big, measure: stretch_max, above: 2, why: a test}\n";
 
-/* --- The table. */
+/* --- the table --- */
 
 static const char header[] =
     "case,name,scene,time.end,discretization.points,model,material.density,damping.value,"
@@ -86,7 +86,7 @@ static const char header[] =
     "gamma_measured,young_over_density_measured,hanging_strain,truth_error_max,"
     "truth_error_end,truth_bar_end,reference_error_max,verdict,labels,outcome\n";
 
-/* A value that all measures have, and with it every one of them in the table. */
+/* The cells of all measures, which have one value. */
 #define ALL(x)                                                                             \
     x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x  \
       "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x ","
@@ -164,7 +164,7 @@ static void check_table(void)
     end(&rows, &plan);
 }
 
-/* A second opinion has a column, a count, and its bounds in the summary. */
+/* Checks the column of a second opinion, its count and its bounds in the summary. */
 static void check_learnt(void)
 {
     static const struct {
@@ -204,8 +204,8 @@ static void check_learnt(void)
     end(&rows, &plan);
 }
 
-/* Sealed, but no sentence of ours. (sweep_ends.sh: files of other cases, plans and builds,
- * damaged ones, those that are gone.) */
+/* Checks files that are sealed but hold no sentence of a sweep. (sweep_ends.sh: files of
+ * other cases, plans and builds, damaged and missing ones.) */
 static void check_sentences(void)
 {
     static const char *const text[] = {"", "case\n", "case\nfailed\n",
@@ -217,15 +217,16 @@ static void check_sentences(void)
 
     for (size_t n = 0; n < sizeof text / sizeof *text; n++) {
         REQUIRE(seal_text_write("case_000001.txt", text[n], NULL) == STATUS_OK);
-        REQUIRE(sweep_folder_read(&here, 0, NULL, false, &state, &result, &sentence) ==
-                STATUS_OK);
+        REQUIRE(sweep_folder_read(&here, 0, NULL, false, &state, &result, &sentence,
+                                  NULL) == STATUS_OK);
         CHECK(state == (n == 2 ? SWEEP_FAILED : SWEEP_OPEN));
     }
     sweep_folder_remove(&here, 0);
     CHECK(access("case_000001.txt", F_OK) != 0);
 }
 
-/* --- The map: which key lies on which axis, on what scale, in which panel and colour. */
+/* --- the map: which key lies on which axis, on what scale, in which panel and colour ---
+ */
 
 #define PLAN                                                                               \
     "name: test\nsource: a test\nscene: edge_drop\n"                                       \
@@ -236,8 +237,8 @@ static void check_sentences(void)
 
 #define LEARNT "learnt: [{label: c, measure: drop_max, above: 9, why: a test}]\n"
 
-/* Measures of case n are n + 1; the cases' labels in turn: feasible, a, b; the second
- * opinion passes those that have b. */
+/* Plans with maps, and what is in their scripts. The measures of case n are n + 1; the
+ * labels are, in turn, feasible, a and b; the second opinion passes those that have b. */
 static const struct {
     const char *plan;
     const char *holds[8], *lacks[3];
@@ -316,7 +317,7 @@ static char *draw(const struct sweep_rows *rows)
 {
     struct chart *chart = NULL;
 
-    REQUIRE(sweep_map(rows, "feasible", &chart, NULL) == STATUS_OK);
+    REQUIRE(sweep_map(rows, &chart, NULL) == STATUS_OK);
     if (!chart)
         return NULL;
     CHECK(chart_write(chart, ".", "map", NULL) == STATUS_UNSUPPORTED);
@@ -324,7 +325,7 @@ static char *draw(const struct sweep_rows *rows)
     return fresh_text(".", "map.gp");
 }
 
-/* The same of runs whose measures are 1, 2, ... and that have these labels in turn. */
+/* Draws runs whose measures are 1, 2, ... and that have these labels in turn. */
 static char *draw_labels(struct sweep_rows *rows, const char *const *labels, int count)
 {
     for (long n = 0; n < rows->count; n++) {
@@ -357,8 +358,8 @@ static void check_maps(void)
     }
 }
 
-/* What is good is green even where nothing is good; each label has its colour and number;
- * the 25th and all after it are one. */
+/* Checks that the feasible are green even if there are none, that each label has its colour
+ * and number, and that the 25th label and all after it are one. */
 static void check_labels(void)
 {
     static const char *const some[] = {"a", "died", "no result", "run again", "a", "b"};
@@ -389,8 +390,8 @@ static void check_labels(void)
     end(&rows, &plan);
 }
 
-/* Rows without a result lie where their keys say, and nowhere on a measure; a plan that
- * asks for no map has none. */
+/* Checks that rows without a result lie where their keys say and nowhere on a measure, and
+ * that a plan that asks for no map has none. */
 static void check_no_result(void)
 {
     static const struct {
@@ -415,12 +416,12 @@ static void check_no_result(void)
     end(&rows, &plan);
 }
 
-/* --- Whether a measure falls along an axis. */
+/* --- a measure that falls along an axis --- */
 
 enum { VALUES = 4 };
 enum { DIED = -1, REFUSED = -2, TIMED_OUT = -3, BLANK = -4 };
 
-/* A row of made-up errors against a bar of 0.25, and where it grows. */
+/* Rows of made-up errors against a bar of 0.25, and where they grow. */
 static const struct {
     double error[VALUES];
     const char *cells, *grows, *grows_at_all; /* the last: without a bar                */
@@ -444,7 +445,7 @@ static const char head[] =
     "  - {key: damping.value, values: [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8]}\n";
 #define FALLS "falls: {measure: truth_error_end, along: discretization.points"
 
-/* By the bar or not. Of the rows only the last has not two values to compare. */
+/* Checks all rows, with the bar or without; all but the last have two values to compare. */
 static void check_falls(bool bar)
 {
     struct plan plan;
@@ -481,8 +482,8 @@ static void check_falls(bool bar)
     end(&rows, &plan);
 }
 
-/* Names of listed cases stand for their keys; without all names the keys are told; a plan
- * may say of nothing that it falls. */
+/* Checks that the names of listed cases stand for their keys, that without all names the
+ * keys are shown, and that a plan without `falls` has no table. */
 static void check_names(void)
 {
     static const char *const cases[][2] = {

@@ -12,6 +12,7 @@
 
 #include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
+#include "bench/ui/table.h"
 
 struct where {
     const char *axis, *label; /* "!LABEL": any other; "WORD*": any that begins so      */

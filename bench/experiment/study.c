@@ -185,23 +185,35 @@ static double theory_of(const struct study *s, const struct study_row *row)
     return s->time ? NAN : truth_plate_drop(scene, linear);
 }
 
+/* Reads scene and discretization of a level; NULL: those that all levels have. */
+static enum status read_run(const struct plan *plan, const struct plan_study *study,
+                            const struct plan_level *level, struct run *run,
+                            struct message *why)
+{
+    struct plan_case c;
+    enum status st = plan_case_level(plan, study, level, false, &c, why);
+
+    if (st != STATUS_OK)
+        return st;
+    const struct run_plan what = plan_case_run(&c);
+    st = run_read(run, &what, why);
+    plan_case_clear(&c);
+    return st;
+}
+
 static enum status read_row(const struct plan *plan, const struct plan_study *study,
                             const struct plan_level *level, const char *folder,
                             struct study_row *row, struct message *why)
 {
-    struct plan_case c = {0};
     char path[PATH];
-    enum status st;
+    enum status st = STATUS_OK;
 
     if (row->left_out)
         return STATUS_OK;
     file_of(study, level, folder, path);
     TRY(run_result_read(path, true, &row->result, why));
-    TRY(plan_case_level(plan, study, level, false, &c, why));
-    const struct run_plan what = plan_case_run(&c);
-    TRY(run_read(&row->run, &what, why));
+    TRY(read_run(plan, study, level, &row->run, why));
 out:
-    plan_case_clear(&c);
     return st;
 }
 
@@ -228,7 +240,6 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
                             const char *folder, bool quick, struct study *s,
                             struct message *why)
 {
-    struct plan_case all = {0};
     struct study_row *row;
     enum status st;
 
@@ -249,13 +260,11 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
     row += study->level_count;
     row->level = &of_truth;
     row->left_out = true;
-    TRY(plan_case_level(plan, study, NULL, false, &all, why));
-    TRY(plan_case_scene(&all, &row->run.scene, why));
+    TRY(read_run(plan, study, NULL, &row->run, why));
     s->gamma = scene_gamma(&row->run.scene);
     s->length = row->run.scene.length;
     TRY(read_truth(plan, folder, s, why));
 out:
-    plan_case_clear(&all);
     return st;
 }
 

@@ -4,14 +4,10 @@
 #ifndef STUDY_H
 #define STUDY_H
 
-#include <stddef.h>
-
 #include "bench/experiment/measurement.h"
 #include "bench/experiment/plan.h"
-#include "bench/harness/run.h"
 #include "bench/harness/run_result.h"
 #include "bench/truth/truth.h"
-#include "bench/ui/table.h"
 
 /* --- Quantities (quantity.c): every number that can be read off the levels of a study is
  * defined once: a plan names it as a column, claims ask for it, CSV and JSON have it under

@@ -21,7 +21,6 @@ enum { COARSE, FINE, TRUTHS, NUMBERS = STUDY_ENSEMBLE_NUMBERS };
 enum { FIELD = 3 * GRID_POINTS, FIELDS = STUDY_ENSEMBLE_FIELDS };
 enum { RUNS = 32, FEW = 4 }; /* runs of each; enough of them to see a change grow       */
 enum { WINDOWS = 3 };        /* of time, beyond the horizon                             */
-enum { BY_NAME = 1 << 30 };  /* no command's: models are chosen by their names alone    */
 
 /* The numbers that are compared, by their places in a run's file. */
 static const char *const numbers[NUMBERS] = {
@@ -60,6 +59,27 @@ struct job {
     struct batch batch; /* all first runs, one of each ensemble, all second ones, ...   */
 };
 
+/* Reads names of contestants, "a,b", behind the truths. */
+static enum status choose_models(const char *names, struct job *job, struct message *why)
+{
+    int *count = &job->e.count;
+    enum status st = STATUS_OK;
+
+    for (const char *at = names; *at; at += strcspn(at, ","), at += *at == ',') {
+        char name[64];
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(at, ","), at);
+        if (*count == STUDY_ENSEMBLE_MOST)
+            return status_fail(why, STATUS_INPUT, "--models: too many contestants");
+        TRY(contestant_find(name, &job->model[*count], why));
+        for (int k = TRUTHS; k < *count; k++)
+            if (job->model[k] == job->model[*count])
+                return status_fail(why, STATUS_INPUT, "--models: %s is given twice", name);
+        ++*count;
+    }
+out:
+    return st;
+}
+
 static enum status choose(const struct study_ensemble_options *o, const char *scene,
                           struct job *job, struct message *why)
 {
@@ -68,13 +88,7 @@ static enum status choose(const struct study_ensemble_options *o, const char *sc
 
     *e = (struct study_ensemble){.quick = o->quick, .count = TRUTHS};
     job->model[COARSE] = job->model[FINE] = truth_level_contestant(TRUTH_SHELL);
-    TRY(contestant_check(o->models, why));
-    for (const struct contestant *c = contestant_table; c->name; c++)
-        if (contestant_chosen(c, o->models, BY_NAME)) {
-            if (e->count == STUDY_ENSEMBLE_MOST)
-                return status_fail(why, STATUS_INPUT, "--models: too many contestants");
-            job->model[e->count++] = c;
-        }
+    TRY(choose_models(o->models, job, why));
     TRY(scene_file_find(scene, &job->path, why));
     TRY(contestant_read_scene(&(struct settings){0}, job->path, &job->scene, why));
     snprintf(e->scene, sizeof e->scene, "%s", job->scene.name);

@@ -42,6 +42,30 @@ static void check_quick_times(void)
     plan_clear(&plan);
 }
 
+/* Levels are products of axes, the last changing fastest, and have what a part has. */
+static void check_products(void)
+{
+    static const char *const text[] = {
+        "name: products",
+        "source: a test",
+        "scene: edge_drop",
+        "levels: {net: [{label: A, size: 0.3, timed: 5}, {label: B, paper_ms: 7}],",
+        "         step: [{label: 1 s}, {label: 2 s, phases: true}]}",
+        "skip: [{net: A, step: 1 s}, {net: B, step: 2 s, quick: true}]"};
+    struct plan plan;
+
+    REQUIRE(read_plan(text, 6, 0, "", &plan, NULL) == STATUS_OK);
+    const struct plan_level *level = plan.studies->levels;
+    REQUIRE(plan.studies->level_count == 3);
+    CHECK(!strcmp(level[0].label, "A, 2 s") && !strcmp(level[0].name, "a_2_s"));
+    CHECK(level[0].size == 0.3 && level[0].timed == 5 && isnan(level[0].paper_ms));
+    CHECK(level[0].phases == 1 && level[1].phases == 0);
+    CHECK(!strcmp(level[1].label, "B, 1 s") && level[1].size == 0);
+    CHECK(level[1].timed == -1 && level[1].paper_ms == 7);
+    CHECK(!level[0].slow && !level[1].slow && level[2].slow);
+    plan_clear(&plan);
+}
+
 /* A name is the same in both quotes and in none, wherever a plan may have it. */
 static void check_quotes(void)
 {
@@ -295,6 +319,7 @@ int main(void)
     check_first();
     check_studies();
     check_quick_times();
+    check_products();
     check_quotes();
     check_bare_study();
     check_lists();

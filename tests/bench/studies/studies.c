@@ -141,6 +141,8 @@ static const struct {
      STATUS_INPUT},
     {"study ensemble --models nobody --out c", "no model or contestant 'nobody'",
      STATUS_INPUT},
+    {"study ensemble --models shell_3,shell_3 --out c", "shell_3 is given twice",
+     STATUS_INPUT},
     {"study ensemble --from nowhere", "nowhere/ensemble.txt", STATUS_FILE},
 };
 

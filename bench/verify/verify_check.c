@@ -236,7 +236,7 @@ int verify_sheet_subjects(struct verify_sheet *sheet, const struct verify_field 
             if (contestant_chosen(c, sheet->models, 0) && !(row->dear && sheet->quick))
                 all[count++] = filled(row, field, sheet, c);
         }
-    for (c = contestant_table; c->name; c++)
+    for (c = contestant_table; c->name && count < VERIFY_MOST; c++)
         if (!named[c - contestant_table] && comes_in(sheet, field, c))
             all[count++] = filled(&nothing, field, sheet, c);
     return sheet->status == STATUS_OK ? count : 0;

@@ -79,7 +79,7 @@ static void step(enum law law, double dt, double f, double rate, double mu, stru
         p->x += dt * (v + p->v) / 2;
         break;
     case LEAPFROG: /* v is that of half a step ago */
-        p->v = p->moving ? ((1 - s) * v + dt * f) / (1 + s) : v + dt / 2 * f;
+        p->v = p->moving ? ((1 - s) * v + dt * f) / (1 + s) : (1 - s) * v + dt / 2 * f;
         p->x += dt * p->v;
         break;
     case INCREMENTAL: /* it starts without acceleration */
@@ -110,7 +110,7 @@ static const struct air {
      "damping={kind: none}", NULL, 0, 2},
     {"drag={coefficient: 1, wind: [1.5,-0.7,0.4]}",
      "damping={kind: rayleigh, alpha: 3, beta: 1e-4}", "damping={kind: mass, value: 3}",
-     NULL, 3, 0},
+     "motion={velocity: [1,-2,3]}", 3, 0},
 };
 enum { AIRS = sizeof airs / sizeof *airs };
 

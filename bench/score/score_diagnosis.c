@@ -42,6 +42,18 @@
 #define SOUND_MOST  0.005
 #define SOUND_SHARE 0.05
 
+static double distance(const double a[3], const double b[3])
+{
+    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+
+    return sqrt(x * x + y * y + z * z);
+}
+
+static double length_of(const double v[3])
+{
+    return distance((double[3]){0}, v);
+}
+
 /* --- other axes, units or orders -------------------------------------------------------
  */
 
@@ -136,12 +148,9 @@ static double nearest(const struct score_time *row, double length)
     for (int k = 0; k < SCORE_FEW; k++) {
         const double *a = row->got + 3 * score_truth_few(k);
         double least = INFINITY;
-        for (int p = 0; p < SCORE_POINTS; p++) {
-            const double *b = row->truth + 3 * p;
-            const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-            least = fmin(least, x * x + y * y + z * z);
-        }
-        sum += least;
+        for (int p = 0; p < SCORE_POINTS; p++)
+            least = fmin(least, distance(a, row->truth + 3 * p));
+        sum += least * least;
     }
     return sqrt(sum / SCORE_FEW) / length;
 }
@@ -250,6 +259,7 @@ static struct pace compare(const struct score *s, double speed)
     return pace;
 }
 
+/* Returns the share of the error that another pace leaves; 1: there is none. */
 static double share(const struct pace *p)
 {
     return p->as_is > 0 ? p->error / p->as_is : 1;
@@ -300,10 +310,7 @@ struct lines {
 
 static double piece(const double *field, int point, int to)
 {
-    const double *a = field + 3L * point, *b = field + 3L * to;
-    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
-
-    return sqrt(x * x + y * y + z * z);
+    return distance(field + 3L * point, field + 3L * to);
 }
 
 /* Returns the share by which lines are longer than the truth's. */
@@ -425,20 +432,15 @@ static void add_points(const struct scene_support *held, const struct score_time
 /* Fills by[3] with the mean offset; returns its length. */
 static double mean(const struct sums *sums, double by[3])
 {
-    double square = 0;
-
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; c++)
         by[c] = sums->points ? sums->off[c] / sums->points : 0;
-        square += by[c] * by[c];
-    }
-    return sqrt(square);
+    return length_of(by);
 }
 
 /* Reports, for a sheet that nothing holds, a shift that it begins with. */
 static void begins_off(const struct score *s, struct held_off *support)
 {
-    const double *by = s->begin, length = s->truth.scene.length,
-                 far = sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
+    const double *by = s->begin, length = s->truth.scene.length, far = length_of(by);
 
     support->steady = far > HELD_MOST * length && s->start - far < SAME * far;
     support->most = support->steady ? far / length : 0;
@@ -633,11 +635,9 @@ static bool say_scattered(const struct score *s, struct score_diagnosis *d)
 static void say_lead(const struct score *s, double lead, const double shift[3],
                      struct score_diagnosis *d)
 {
-    const double *g = s->truth.scene.gravity,
-                 fall = .5 * lead * lead * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    const double far =
-        sqrt(shift[0] * shift[0] + shift[1] * shift[1] + shift[2] * shift[2]);
-    const bool ahead = fabs(s->start - far) > .5 * fall; /* NaN, no frame at 0: not known */
+    const double fall = .5 * lead * lead * length_of(s->truth.scene.gravity);
+    const bool ahead =
+        fabs(s->start - length_of(shift)) > .5 * fall; /* NaN, no frame at 0: not known */
 
     if (lead > 0 && !ahead && lead < HALF_STEP * s->interval)
         say(d, SCORE_FIRST_ORDER_STEP, 2 * lead,
@@ -652,11 +652,6 @@ static void say_lead(const struct score *s, double lead, const double shift[3],
                        "rest (explicit Euler).");
 }
 
-static double left_by(const struct pace *pace)
-{
-    return pace->speed == 1 ? 1 : pace->error / pace->as_is;
-}
-
 /* Reports another pace where it explains far more than the fitted flaws. Nothing else is
  * then said, as the fit compared the frames with wrong times. */
 static bool say_pace(const struct score *s, const struct pace *pace,
@@ -665,7 +660,7 @@ static bool say_pace(const struct score *s, const struct pace *pace,
     const bool slow = pace->speed < 1;
     char repeats[64] = "", gravity[64] = "";
 
-    if (left_by(pace) > PACE_MOST || PACE_BETTER * left_by(pace) > fit->left)
+    if (share(pace) > PACE_MOST || PACE_BETTER * share(pace) > fit->left)
         return false;
     if (s->repeats)
         snprintf(repeats, sizeof repeats, " (%d are as the one before)", s->repeats);
@@ -687,7 +682,7 @@ static void say_gravity(const struct score *s, double g, const struct pace *pace
                         const struct score_fit *fit, struct score_diagnosis *d)
 {
     const double speed = !s->truth.moves ? sqrt(fmax(g, 0))
-                         : left_by(pace) < PACE_BETTER * fit->left && fit->count == 1
+                         : share(pace) < PACE_BETTER * fit->left && fit->count == 1
                              ? pace->speed
                              : 1;
     char other[64] = "";

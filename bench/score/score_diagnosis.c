@@ -54,8 +54,7 @@ static double length_of(const double v[3])
     return distance((double[3]){0}, v);
 }
 
-/* --- other axes, units or orders -------------------------------------------------------
- */
+/* --- other axes, units or orders --- */
 
 struct turned {
     int axis[3];    /* the scene's x, y, z are the frames' so many-th */
@@ -188,8 +187,7 @@ static struct turned best_turn(const struct score *s)
     return changes(&best) && is_better(best.error, as_is.error) ? best : as_is;
 }
 
-/* --- another pace ----------------------------------------------------------------------
- */
+/* --- another pace --- */
 
 struct pace {
     double speed; /* frames show at t what the truth does at t times this; 1: no other   */
@@ -287,8 +285,7 @@ static struct pace best_pace(const struct score *s)
                                              : (struct pace){1, best.as_is, best.as_is};
 }
 
-/* --- lengths of lines ------------------------------------------------------------------
- */
+/* --- lengths of lines --- */
 
 /* Lines along u or along v: their lengths, and how much the frames' pieces differ. */
 struct lines {
@@ -381,8 +378,7 @@ static double find_stretch(const struct score *s, struct lines *most)
     return when;
 }
 
-/* --- supports --------------------------------------------------------------------------
- */
+/* --- supports --- */
 
 struct held_off {
     int which;   /* the support that is farthest off:                                    */
@@ -483,8 +479,7 @@ static struct held_off find_support(const struct score *s)
     return support;
 }
 
-/* --- sentences -------------------------------------------------------------------------
- */
+/* --- sentences --- */
 
 static const char *const names[SCORE_KINDS] = {
 #define SCORE_NAME(code, name) name,
@@ -510,8 +505,7 @@ say(struct score_diagnosis *d, enum score_kind kind, double value, const char *f
     va_end(args);
 }
 
-/* --- before anything is fitted ----------------------------------------------------------
- */
+/* --- before anything is fitted --- */
 
 static bool say_still(const struct score *s, struct score_diagnosis *d)
 {
@@ -626,8 +620,7 @@ static bool say_scattered(const struct score *s, struct score_diagnosis *d)
     return true;
 }
 
-/* --- what was fitted ---------------------------------------------------------------------
- */
+/* --- what was fitted --- */
 
 /* Reports a lead or a lag. Frames that lead from the very first one show a later time;
  * those that begin at rest and lead by half a step or less had g dt as their first

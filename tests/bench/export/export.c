@@ -89,8 +89,7 @@ static double sum_column(const char *column)
     return sum;
 }
 
-/* --- numbers -----------------------------------------------------------------------------
- */
+/* --- numbers --- */
 
 static double sum_of(const char *quantity)
 {
@@ -212,8 +211,7 @@ static void world(void)
     CHECK(cell(5, "x") == 0 && cell(6, "x") == 1);
 }
 
-/* --- the mesh ----------------------------------------------------------------------------
- */
+/* --- the mesh --- */
 
 /* A mesh that was read as others' frames are. */
 struct mesh {
@@ -315,8 +313,7 @@ static void formats(void)
     }
 }
 
-/* --- what is held ------------------------------------------------------------------------
- */
+/* --- what is held --- */
 
 static void held_rows(void)
 {
@@ -382,8 +379,7 @@ static void clamps_are_mirrors(void)
     said_clear(&s);
 }
 
-/* --- the scene ---------------------------------------------------------------------------
- */
+/* --- the scene --- */
 
 /* Read again it has the physics that its truth has, to the last bit, and the times. */
 static void scenes_come_back(void)
@@ -456,8 +452,7 @@ static void rules(void)
     }
 }
 
-/* --- what is refused ---------------------------------------------------------------------
- */
+/* --- what is refused --- */
 
 static void check_refused(const char *const *words, enum status status, const char *says)
 {

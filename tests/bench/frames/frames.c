@@ -80,8 +80,7 @@ static void come_back(void)
     }
 }
 
-/* --- what is refused ---------------------------------------------------------------------
- */
+/* --- what is refused --- */
 
 static void write_text(const char *name, const char *text)
 {

@@ -46,7 +46,6 @@ void frames_file_close(struct frames_file *f)
 enum status frames_file_line(struct frames_file *f, bool *more, struct message *why)
 {
     f->at = f->next;
-    errno = 0;
     ssize_t length = getline(&f->text, &f->room, f->file);
     *more = length >= 0;
     if (!*more)

@@ -49,7 +49,7 @@ enum status frames_file_line(struct frames_file *f, bool *more, struct message *
     ssize_t length = getline(&f->text, &f->room, f->file);
     *more = length >= 0;
     if (!*more)
-        return errno == 0        ? STATUS_OK
+        return feof(f->file)     ? STATUS_OK
                : errno == ENOMEM ? STATUS_MEMORY
                                  : fail(f->path, why);
     f->line++;

@@ -212,6 +212,8 @@ static void bad_sequences(void)
     check_refused("nothing", 1, "nothing", "has no frames in it");
     check_refused("absent", 1, "absent", "");
     check_refused(SAMPLES "objs", 0, "objs", "--dt");
+    check_refused(SAMPLES "bare.npy", 0, "bare.npy", "--dt");
+    check_refused(SAMPLES "c.pc2", 0, "c.pc2", "--dt");
 }
 
 /* A sample with other bytes in the last place that has some, or cut. */

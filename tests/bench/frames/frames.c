@@ -276,6 +276,7 @@ static void bad_binaries(void)
     write_changed("zero.csv", "plain.csv", 0, "\n", "\0", 1); /* the last line's end */
     check_refused("zero.csv", 0, "zero.csv: line", "is no row");
     check_refused(SAMPLES "rows.h5", 0, "rows.h5: uv", "has 38 numbers; 40");
+    check_refused(SAMPLES "huge.h5", 0, "huge.h5", "has 4295098369 vertices");
 }
 
 int main(void)

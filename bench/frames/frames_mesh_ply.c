@@ -173,7 +173,7 @@ static enum status take_list(struct ply *p, const struct property *q, struct mes
         return bad(p, ends, why);
     if (face && (count < 3 || count > CORNERS))
         return bad(p, "is a face of fewer than 3 or more than 64 vertices", why);
-    for (int n = 0; n < count; n++) {
+    for (long n = 0; n < count; n++) {
         TRY(take_number(p, q->size, q->is_float, &x, ends, why));
         if (!face)
             continue;

@@ -321,10 +321,10 @@ static enum status write_readme(struct export_job *j, struct output *out)
 
 /* --- the command --- */
 
-/* The files in their order: README.md tells what materials.csv found. */
+/* The files in their order: README.md prints what materials.csv found. */
 static const struct {
     const char *name;
-    const char *format; /* of --format that asks for it; NULL: it is always written      */
+    const char *format; /* of --format that picks it; NULL: it is always written         */
     unsigned need;      /* of the scene, without which it is left out; 0: none           */
     enum status (*write)(struct export_job *j, struct output *out);
 } files[] = {

@@ -1,5 +1,5 @@
 /* Reads lines t,u,v,x,y,z. A first pass over the times finds runs of rows of one time,
- * which alone are kept in memory; the runs of a frame are then read wherever they stand. */
+ * which alone stay in memory; the runs of a frame are then read wherever they stand. */
 #define _DEFAULT_SOURCE /* strsep */
 #include "bench/frames/frames_parts.h"
 

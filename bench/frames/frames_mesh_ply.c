@@ -135,7 +135,8 @@ out:
     return st;
 }
 
-/* Reads the next number, from text or bytes; `what` is said where there is none. */
+/* Reads the next number, from text or bytes; `what` goes into the sentence where there is
+ * none. */
 static enum status take_number(struct ply *p, int size, bool is_float, double *x,
                                const char *what, struct message *why)
 {

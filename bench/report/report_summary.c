@@ -7,7 +7,7 @@
 #include "bench/experiment/kept.h"
 #include "bench/report/report_json.h"
 
-/* An error of this share of the length is small enough to ask for the time to it. */
+/* The least time to an error of this share of the length is reported. */
 #define ENOUGH 0.01
 
 enum { TEXT = 512 };

@@ -646,7 +646,7 @@ static void say_lead(const struct score *s, double lead, const double shift[3],
 }
 
 /* Reports another pace where it explains far more than the fitted flaws. Nothing else is
- * then said, as the fit compared the frames with wrong times. */
+ * then reported, as the fit compared the frames with wrong times. */
 static bool say_pace(const struct score *s, const struct pace *pace,
                      const struct score_fit *fit, struct score_diagnosis *d)
 {

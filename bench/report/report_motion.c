@@ -322,8 +322,8 @@ enum status report_motion_write(FILE *file, const char *folder,
         write_trouble(&p, "truth", &why); /* runs are played without it, too */
     TRY(st == STATUS_OK ? write_truth(&p, &made) : st == STATUS_MEMORY ? st : STATUS_OK);
     TRY(write_own(&p, folder));
-    if (compare->count && compare->csv->count)
-        TRY(write_runs(&p, folder, compare->csv->table));
+    if (compare->tables)
+        TRY(write_runs(&p, folder, compare->table[0]));
 out:
     truth_clear(&made);
     return st;

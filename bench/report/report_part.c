@@ -112,7 +112,7 @@ static bool is_quick(const char *path)
 
 static enum status read_one(const char *path, struct report_found *found)
 {
-    struct csv *csv = &found->csv[found->count];
+    struct csv *csv = &found->csv[found->files];
     struct message why = {""};
     enum status st = csv_read(path, csv, &why);
 
@@ -120,9 +120,17 @@ static enum status read_one(const char *path, struct report_found *found)
         snprintf(why.text, sizeof why.text, "%.900s has no table in it", path);
     if (*why.text && !*found->trouble)
         snprintf(found->trouble, sizeof found->trouble, "%s", why.text);
-    if (st == STATUS_OK)
-        found->count++;
-    return st == STATUS_MEMORY ? st : STATUS_OK;
+    if (st != STATUS_OK)
+        return st == STATUS_MEMORY ? st : STATUS_OK;
+    found->files++;
+    const size_t count = (size_t)(found->tables + csv->count) + 1;
+    const struct csv_table **more = realloc(found->table, count * sizeof *more);
+    if (!more)
+        return STATUS_MEMORY;
+    found->table = more;
+    for (int n = 0; n < csv->count; n++)
+        found->table[found->tables++] = &csv->table[n];
+    return STATUS_OK;
 }
 
 static int is_csv(const struct dirent *entry)
@@ -142,7 +150,7 @@ static enum status read_folder(const char *folder, struct report_found *found)
 
     found->there = count > 0;
     for (int n = 0; n < count; n++) {
-        if (st == STATUS_OK && found->count < REPORT_MANY &&
+        if (st == STATUS_OK && found->files < REPORT_MANY &&
             snprintf(path, sizeof path, "%s%s", folder, entry[n]->d_name) <
                 (int)sizeof path)
             st = read_one(path, found);
@@ -166,17 +174,18 @@ enum status report_part_find(const char *folder, const struct report_part *part,
             TRY(read_one(found->path, found));
     }
     found->quick = found->there && is_quick(found->path);
-    if (found->count && found->csv->count) /* or the command above it says so */
-        found->quick |= strstr(found->csv->table->caption, " --quick ") != NULL;
+    if (found->tables) /* or the command above it says so */
+        found->quick |= strstr(found->table[0]->caption, " --quick ") != NULL;
 out:
     return st;
 }
 
 void report_part_clear(struct report_found *found)
 {
-    for (int n = 0; n < found->count; n++)
+    for (int n = 0; n < found->files; n++)
         csv_clear(&found->csv[n]);
-    found->count = 0;
+    free(found->table);
+    *found = (struct report_found){0};
 }
 
 const struct report_found *report_part_found(const struct report_found *found,
@@ -192,10 +201,9 @@ const struct report_found *report_part_found(const struct report_found *found,
 const struct csv_table *report_part_table(const struct report_found *found,
                                           const char *words)
 {
-    for (int n = 0; n < found->count; n++)
-        for (int i = 0; i < found->csv[n].count; i++)
-            if (strstr(found->csv[n].table[i].caption, words))
-                return &found->csv[n].table[i];
+    for (int n = 0; n < found->tables; n++)
+        if (strstr(found->table[n]->caption, words))
+            return found->table[n];
     return NULL;
 }
 
@@ -211,12 +219,10 @@ void report_part_write(FILE *file, const struct report_part *part,
     report_json_pair(file, "path", found->there ? found->path : "");
     fprintf(file, "\"there\":%s,\"quick\":%s,\"tables\":[", found->there ? "true" : "false",
             found->quick ? "true" : "false");
-    const char *comma = "";
-    for (int n = 0; n < found->count; n++)
-        for (int i = 0; i < found->csv[n].count; i++, comma = ",") {
-            fputs(comma, file);
-            report_json_table(file, &found->csv[n].table[i], part->keys, TABLE_MOST);
-        }
+    for (int n = 0; n < found->tables; n++) {
+        fputs(n ? "," : "", file);
+        report_json_table(file, found->table[n], part->keys, TABLE_MOST);
+    }
     fputs("]}", file);
 }
 

@@ -38,8 +38,9 @@ struct report_found {
     bool quick;         /* of a run with --quick                                         */
     char trouble[1024]; /* why it cannot be read; "": it can                             */
     char path[4096];    /* of the file or the folder                                     */
-    int count;
-    struct csv csv[REPORT_MANY]; /* [count] owned                                        */
+    int files, tables;
+    struct csv csv[REPORT_MANY];    /* [files]                                    owned  */
+    const struct csv_table **table; /* [tables] of all files                      owned  */
 };
 
 /* Reads what there is of a part. A damaged file is a finding; only STATUS_MEMORY is a

@@ -96,7 +96,9 @@ other,d,two,5,0.005,,2.52,0.001,1
 far,e,three,5,0.005,,0.2,0.5,1
 none,f,four,5,0.005,,,0.001,0
 TABLE
-printf 'check,quantity,verdict\na,b,met\na,b,met\na,b,MISSED\na,b,died\na,b,no claim\n' >changed/verify.csv
+mkdir changed/verify
+printf 'check,quantity,verdict\na,b,met\na,b,MISSED\n' >changed/verify/a.csv
+printf 'check,quantity,verdict\na,b,met\na,b,died\na,b,no claim\n' >changed/verify/b.csv
 good changed
 found 1 ' claims 2 hold and 1 do not; '
 found 2 '1 % of the length on edge_drop is 1.3 s, by quick; the next model, other, takes 2 times as long.'

@@ -83,10 +83,6 @@ refuses "u runs from 0 to 100; uv of the sheet must run from 0 to 1" \
 refuses "--up q" edge_drop "$scratch/one.csv" --up q
 refuses "--dt -1" edge_drop "$scratch/one.csv" --dt -1
 refuses "--scale no" edge_drop "$scratch/one.csv" --scale no
-awk 'BEGIN { for (k = 0; k < 40; k++) for (n = 0; n < 4; n++)
-    printf "%g,%d,%d,%g,0,0\n", k, n % 2, int(n / 2), k == 36 && n == 2 ? "nan" : 1
-    }' >"$scratch/nan.csv"
-refuses "frame 37 (t = 36 s): vertex 3 has x = nan" edge_drop "$scratch/nan.csv"
 awk 'BEGIN { for (k = 2; k < 4; k++) for (n = 0; n < 4; n++)
     printf "%g,%d,%d,1,0,0\n", k, n % 2, int(n / 2) }' >"$scratch/late.csv"
 refuses "frames run from 2 to 3 s" edge_drop "$scratch/late.csv"

@@ -8,7 +8,7 @@
 #include "models/damping.h"
 #include "models/reader/scene_file.h"
 
-/* --- scene.yaml: what was set is in it, and what its truth changes; comments are not ----
+/* --- scene.yaml: what was set is in it, and what its truth changes; comments are not ---
  */
 
 /* Prints a text in which each # stands for the next number, with as many digits as it takes
@@ -127,7 +127,7 @@ static enum status write_scene(struct export_job *j, struct output *out)
     return STATUS_OK;
 }
 
-/* --- README.md: the rules on one page ------------------------------------------------- */
+/* --- README.md: the rules on one page --- */
 
 static void put_title(const struct export_job *j, struct output *out)
 {
@@ -319,12 +319,12 @@ static enum status write_readme(struct export_job *j, struct output *out)
     return STATUS_OK;
 }
 
-/* --- the command ---------------------------------------------------------------------- */
+/* --- the command --- */
 
-/* The files in their order: README.md tells what materials.csv found. */
+/* The files in their order: README.md prints what materials.csv found. */
 static const struct {
     const char *name;
-    const char *format; /* of --format that asks for it; NULL: it is always written      */
+    const char *format; /* of --format that picks it; NULL: it is always written         */
     unsigned need;      /* of the scene, without which it is left out; 0: none           */
     enum status (*write)(struct export_job *j, struct output *out);
 } files[] = {

@@ -122,8 +122,7 @@ static enum status each(const struct export_sheet *s, const struct taker *t,
     return put_springs(s, t, misfit);
 }
 
-/* --- as a table: what is the same is a row ----------------------------------------------
- */
+/* --- as a table: what is the same is a row --- */
 
 enum { KINDS = 32 };
 struct kinds {
@@ -195,8 +194,7 @@ out:
     return st;
 }
 
-/* --- as files ---------------------------------------------------------------------------
- */
+/* --- as files --- */
 
 /* Prints a comma and a number, which may be missing. */
 static void print_cell(struct output *out, double value)

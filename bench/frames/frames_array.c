@@ -271,6 +271,8 @@ enum status frames_array_begin(struct frames_array *a, const char *name,
     memset(a->size, 0, sizeof a->size);
     const enum status st = a->hdf5 < 0 ? begin_numpy(a, name, why) : begin_hdf5(a, name);
     memcpy(size, a->size, sizeof a->size);
+    if (st == STATUS_UNSUPPORTED)
+        status_fail(why, st, "%s: has no array %s", a->path, name);
     return st;
 }
 

@@ -16,7 +16,7 @@ enum status frames_array_open(const char *path, struct frames_array **file,
 void frames_array_close(struct frames_array *file); /* NULL is allowed */
 
 /* Begins to read an array; size[8] are its sizes, 0 behind the last. STATUS_UNSUPPORTED:
- * there is none of that name; STATUS_INPUT with a sentence. */
+ * there is none of that name; STATUS_INPUT; with a sentence each. */
 enum status frames_array_begin(struct frames_array *file, const char *name,
                                unsigned long long size[8], struct message *why);
 

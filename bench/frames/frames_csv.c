@@ -1,9 +1,8 @@
 /* Reads lines t,u,v,x,y,z. A first pass over the times finds runs of rows of one time,
- * which alone are kept in memory; the runs of a frame are then read wherever they stand. */
+ * which alone stay in memory; the runs of a frame are then read wherever they stand. */
 #define _DEFAULT_SOURCE /* strsep */
 #include "bench/frames/frames_parts.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -85,25 +84,19 @@ static enum status bad_row(const struct csv *c, struct message *why)
                        c->file.path, c->file.line);
 }
 
-/* Returns whether a cell of a line begins with a letter: it is one of names. */
-static bool has_names(const char *line)
-{
-    while (line && !isalpha((unsigned char)line[strspn(line, " \"")])) {
-        line = strchr(line, ',');
-        line += line != NULL;
-    }
-    return line;
-}
-
-/* Finds the columns in the first line; *named: it is one of names. */
+/* Finds the columns in the first line; *named: it is one of names, not a row. */
 static enum status take_names(struct csv *c, bool *named, struct message *why)
 {
     char *text = c->file.text, *word;
+    double t;
 
-    *named = has_names(text);
     for (int n = 0; n < COLUMNS; n++)
-        c->cell[n] = *named ? -1 : n;
-    for (int cell = 0; *named && (word = strsep(&text, ",")); cell++) {
+        c->cell[n] = n;
+    *named = !take_number(c, T, &t);
+    if (!*named)
+        return STATUS_OK;
+    memset(c->cell, -1, sizeof c->cell);
+    for (int cell = 0; (word = strsep(&text, ",")); cell++) {
         word += strspn(word, " \"");
         const size_t size = strcspn(word, " \"");
         const char *name = size == 1 ? strchr(names, *word | 32) : NULL;

@@ -46,11 +46,10 @@ void frames_file_close(struct frames_file *f)
 enum status frames_file_line(struct frames_file *f, bool *more, struct message *why)
 {
     f->at = f->next;
-    errno = 0;
     ssize_t length = getline(&f->text, &f->room, f->file);
     *more = length >= 0;
     if (!*more)
-        return errno == 0        ? STATUS_OK
+        return feof(f->file)     ? STATUS_OK
                : errno == ENOMEM ? STATUS_MEMORY
                                  : fail(f->path, why);
     f->line++;

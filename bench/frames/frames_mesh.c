@@ -14,9 +14,6 @@ void frames_mesh_clear(struct frames_mesh *mesh)
 
 enum status frames_mesh_face(struct frames_mesh *mesh, int count, const long *vertex)
 {
-    for (int n = 0; n < count; n++)
-        mesh->corner =
-            (mesh->corner ^ (unsigned long long)(vertex[n] + 1)) * 0x100000001b3ULL;
     for (int n = 2; n < count; n++) {
         int(*more)[3] = frames_file_grow(mesh->triangle, &mesh->triangle_room,
                                          mesh->triangles, sizeof *more);
@@ -39,7 +36,7 @@ enum status frames_mesh_read(const char *path, struct frames_mesh *mesh,
     struct frames_file file = {NULL};
     enum status st;
 
-    *mesh = (struct frames_mesh){.corner = 0xcbf29ce484222325ULL};
+    *mesh = (struct frames_mesh){0};
     TRY(frames_file_open(path, &file, why));
     if (!ply && !(ending && !strcmp(ending, ".obj")))
         TRY(status_fail(why, STATUS_INPUT, "%s: is no mesh; an .obj or .ply would be right",
@@ -54,9 +51,9 @@ out:
     return st;
 }
 
+/* A sequence; its first frame's faces are the net's, unless it has none and --rest does. */
 struct sequence {
-    unsigned long long corner; /* of the first frame */
-    int triangles;
+    int triangles; /* of the first frame */
 };
 
 static enum status check_same(const struct frames *f, const struct frames_mesh *mesh,
@@ -70,7 +67,9 @@ static enum status check_same(const struct frames *f, const struct frames_mesh *
                            "%s: frame %d has %d vertices, the first frame %d; the same "
                            "would be right",
                            path, f->number, mesh->vertices, f->net.vertices);
-    if (mesh->triangles != s->triangles || mesh->corner != s->corner)
+    if (mesh->triangles != s->triangles ||
+        (s->triangles && memcmp(mesh->triangle, f->net.triangle,
+                                (size_t)s->triangles * sizeof *mesh->triangle) != 0))
         return status_fail(why, STATUS_INPUT,
                            "%s: frame %d has other faces than the first frame: vertices "
                            "were renumbered or the net was remeshed; the same faces in "
@@ -102,7 +101,6 @@ static enum status open_sequence(struct frames *f, struct message *why)
 
     f->count = f->files.count;
     TRY(frames_mesh_read(f->files.path[0], &mesh, why));
-    s->corner = mesh.corner;
     s->triangles = mesh.triangles;
     f->net.uv = mesh.uv, mesh.uv = NULL;
     f->net.triangle = mesh.triangle, mesh.triangle = NULL;

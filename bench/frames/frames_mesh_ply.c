@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ELEMENTS = 8, PROPERTIES = 32, CORNERS = 64, WORD = 32 };
+enum { ELEMENTS = 8, PROPERTIES = 32, CORNERS = 64, WORD = 256 };
 enum use { USE_NONE, USE_X, USE_Y, USE_Z, USE_U, USE_V, USE_FACE };
 
 struct property {
@@ -74,12 +74,12 @@ static enum status take_property(struct ply *p, struct message *why)
         return bad(p, "is a property of no element, or one too many", why);
     struct property *q = &e->property[e->properties++];
     *q = (struct property){USE_NONE};
-    if (sscanf(line, " property list %31s %31s %31s", count, type, name) > 0) {
+    if (sscanf(line, " property list %255s %255s %255s", count, type, name) > 0) {
         q->count_size = size_of(count, &is_float);
         if (!q->count_size || is_float)
             return bad(p, "is a list whose length is no whole number", why);
     } else {
-        sscanf(line, " property %31s %31s", type, name);
+        sscanf(line, " property %255s %255s", type, name);
     }
     q->size = size_of(type, &q->is_float);
     if (!q->size)
@@ -98,7 +98,7 @@ static enum status take_element(struct ply *p, struct message *why)
 
     if (p->elements == ELEMENTS)
         return bad(p, "is one element too many", why);
-    sscanf(p->file->text, " element %31s %lf", name, &count);
+    sscanf(p->file->text, " element %255s %lf", name, &count);
     if (!(count >= 0 && count <= (double)p->file->size))
         return bad(p, "counts more than the file can hold", why);
     p->element[p->elements++] =
@@ -116,7 +116,7 @@ static enum status take_header(struct ply *p, struct message *why)
         TRY(frames_file_line(p->file, &more, why));
         if (!more)
             return bad(p, "ends before end_header", why);
-        sscanf(p->file->text, "%31s %31s", word, format);
+        sscanf(p->file->text, "%255s %255s", word, format);
         if (p->file->line == 1 && strcmp(word, "ply") != 0)
             return bad(p, "is not `ply`, with which such a file begins", why);
         if (!strcmp(word, "end_header"))
@@ -135,7 +135,8 @@ out:
     return st;
 }
 
-/* Reads the next number, from text or bytes; `what` is said where there is none. */
+/* Reads the next number, from text or bytes; `what` goes into the sentence where there is
+ * none. */
 static enum status take_number(struct ply *p, int size, bool is_float, double *x,
                                const char *what, struct message *why)
 {
@@ -173,7 +174,7 @@ static enum status take_list(struct ply *p, const struct property *q, struct mes
         return bad(p, ends, why);
     if (face && (count < 3 || count > CORNERS))
         return bad(p, "is a face of fewer than 3 or more than 64 vertices", why);
-    for (int n = 0; n < count; n++) {
+    for (long n = 0; n < count; n++) {
         TRY(take_number(p, q->size, q->is_float, &x, ends, why));
         if (!face)
             continue;

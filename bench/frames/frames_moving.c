@@ -49,8 +49,8 @@ out:
     return st;
 }
 
-/* Begins to read xyz, and takes its sizes. */
-static enum status begin_xyz(struct frames *f, struct frames_array *file,
+/* Begins to read xyz, and takes its frames and vertices. */
+static enum status begin_xyz(struct frames *f, struct frames_array *file, long *vertices,
                              struct message *why)
 {
     unsigned long long size[8];
@@ -75,7 +75,7 @@ static enum status begin_xyz(struct frames *f, struct frames_array *file,
                         "right",
                         f->path, rank, size[rank - 1]));
     f->count = (int)size[0];
-    f->net.vertices = (int)(size[1] * (rank == 4 ? size[2] : 1));
+    *vertices = (long)(size[1] * (rank == 4 ? size[2] : 1));
 out:
     return st;
 }
@@ -93,14 +93,15 @@ static enum status take_small(struct frames_array *file, const char *name, int r
 static enum status open_arrays(struct frames *f, struct message *why)
 {
     struct moving *m = f->state;
+    long vertices;
     enum status st;
 
     TRY(frames_array_open(f->path, &m->file, why));
-    TRY(begin_xyz(f, m->file, why));
-    TRY(frames_room(f, f->net.vertices, why));
+    TRY(begin_xyz(f, m->file, &vertices, why));
+    TRY(frames_room(f, vertices, why));
     TRY(take_small(m->file, "uv", f->net.vertices, 2, &f->net.uv, why));
     TRY(take_small(m->file, "t", f->count, 1, &m->t, why));
-    TRY(begin_xyz(f, m->file, why));
+    TRY(begin_xyz(f, m->file, &vertices, why)); /* from the start again */
 out:
     return st;
 }

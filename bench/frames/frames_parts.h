@@ -40,11 +40,9 @@ enum status frames_room(struct frames *f, long vertices, struct message *why);
 /* One mesh: all of a net, and where it is. All-zero before; free with frames_mesh_clear. */
 struct frames_mesh {
     int vertices, triangles, room, triangle_room;
-    double *xyz;               /* [vertices][3]                                   owned */
-    double *uv;                /* [vertices][2]; NULL: none                       owned */
-    int (*triangle)[3];        /* polygons are fans of them                       owned */
-    unsigned long long corner; /* of the faces' vertices, in order (FNV-1a): same faces,
-                                  same number */
+    double *xyz;        /* [vertices][3]                                   owned */
+    double *uv;         /* [vertices][2]; NULL: none                       owned */
+    int (*triangle)[3]; /* polygons are fans of them                       owned */
 };
 enum status frames_mesh_read(const char *path, struct frames_mesh *mesh,
                              struct message *why);

@@ -83,18 +83,14 @@ out:
     return st;
 }
 
-/* Composes the page's data in memory, since sizes are needed before a file is begun. */
-static enum status compose(const char *folder, const struct report_found *found,
-                           char **text, size_t *size, struct message *why)
+/* Writes the page with all data, and pictures as far as there is room for them. */
+static enum status write_page(FILE *file, const char *folder,
+                              const struct report_found *found, struct message *why)
 {
-    char *page = NULL, *rest = NULL;
-    FILE *file = NULL;
+    char *page = NULL, *rest;
     enum status st;
 
     TRY(read_page(&page, &rest, why));
-    file = open_memstream(text, size);
-    if (!file)
-        TRY(STATUS_MEMORY);
     fputs(page, file);
     TRY(write_data(file, folder, found));
     const long room = MOST - ftell(file) - (long)strlen(rest) - 64 * 1024;
@@ -105,24 +101,18 @@ static enum status compose(const char *folder, const struct report_found *found,
     TRY(report_part_pictures(file, folder, room));
     fputs("]}", file);
     fputs(rest, file);
-    if (ferror(file)) /* a page in memory */
-        TRY(STATUS_MEMORY);
 out:
-    if (file && fclose(file) != 0 && st == STATUS_OK)
-        st = STATUS_MEMORY;
     free(page);
     return st;
 }
 
-/* Writes the page about `folder` at `path`. STATUS_INPUT: there is no such folder, no page
+/* Makes the page about `folder` at `path`. STATUS_INPUT: there is no such folder, no page
  * of ours to fill in, or more than fits. */
-static enum status write_page(const char *folder, const char *path, struct message *why)
+static enum status make_page(const char *folder, const char *path, struct message *why)
 {
     struct report_found *found = calloc(REPORT_PARTS_MOST, sizeof *found);
-    struct output *out = NULL;
+    struct output *out = NULL, *done;
     struct stat what;
-    char *text = NULL;
-    size_t size = 0;
     enum status st = STATUS_OK;
 
     if (!found)
@@ -134,17 +124,17 @@ static enum status write_page(const char *folder, const char *path, struct messa
                         folder));
     for (int n = 0; report_part_list[n].id; n++)
         TRY(report_part_find(folder, &report_part_list[n], &found[n]));
-    TRY(compose(folder, found, &text, &size, why));
     TRY(output_create(path, &out, why));
-    fwrite(text, 1, size, output_stream(out));
-    st = output_close(out, why);
-    if (st == STATUS_OK)
-        printf("%s: one page, %zu kB\n", path, size / 1000);
+    TRY(write_page(output_stream(out), folder, found, why));
+    const long size = ftell(output_stream(out));
+    done = out, out = NULL;
+    TRY(output_close(done, why));
+    printf("%s: one page, %ld kB\n", path, size / 1000);
 out:
+    output_discard(out);
     for (int n = 0; found && report_part_list[n].id; n++)
         report_part_clear(&found[n]);
     free(found);
-    free(text);
     return st;
 }
 
@@ -156,7 +146,7 @@ static enum status run(const struct command_line *line, struct message *why)
 
     if (snprintf(path, sizeof path, "%s/report.html", folder) >= (int)sizeof path)
         return status_fail(why, STATUS_INPUT, "%.60s...: the path is too long", folder);
-    return write_page(folder, out ? out : path, why);
+    return make_page(folder, out ? out : path, why);
 }
 
 static const struct command_option options[] = {

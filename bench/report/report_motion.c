@@ -196,21 +196,27 @@ static enum status write_file(struct player *p, const char *path, const char *na
     return st == STATUS_MEMORY ? st : STATUS_OK;
 }
 
-struct keys {
-    int title, contestant, side, across, step, iterations, worst;
-};
+static double number(const struct csv_table *t, int row, const char *key)
+{
+    return csv_number(t, row, csv_column(t, key));
+}
+
+static const char *contestant(const struct csv_table *t, int row)
+{
+    return csv_words(t, row, csv_column(t, "contestant"));
+}
+
+static const char worst[] = "worst_rmse_over_length";
 
 /* Returns the row of row's contestant that is nearest to the truth; -1: none lived. */
-static int nearest(const struct csv_table *t, const struct keys *k, int row)
+static int nearest(const struct csv_table *t, int row)
 {
-    const char *who = csv_words(t, row, k->contestant);
     double least = INFINITY;
     int best = -1;
 
     for (int n = 0; n < t->rows; n++)
-        if (!strcmp(csv_words(t, n, k->contestant), who) &&
-            csv_number(t, n, k->worst) < least) {
-            least = csv_number(t, n, k->worst);
+        if (!strcmp(contestant(t, n), contestant(t, row)) && number(t, n, worst) < least) {
+            least = number(t, n, worst);
             best = n;
         }
     return best;
@@ -222,50 +228,43 @@ static bool is_plain(const char *name)
     return *name && strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(name);
 }
 
+/* Writes the run of a row; `frame` is the scene's, and the longest step [s]. */
 static enum status write_run(struct player *p, const char *folder,
-                             const struct csv_table *t, const struct keys *k, int row,
-                             double frame)
+                             const struct csv_table *t, int row, double frame)
 {
-    const double iterations = csv_number(t, row, k->iterations);
-    const double steps = frame / csv_number(t, row, k->step);
-    const double side = csv_number(t, row, k->side), across = csv_number(t, row, k->across);
+    const char *who = contestant(t, row);
+    const double iterations = number(t, row, "iterations"), side = number(t, row, "side"),
+                 across = number(t, row, "across"),
+                 steps = frame / number(t, row, "step_s");
     char path[PATH], name[128], net[32];
 
     /* A table written before nets could differ across has no such column; then the sheet is
      * square, and so are the cells that the file's name leaves out. */
     snprintf(net, sizeof net, isnan(across) || across == side ? "%.0f" : "%.0fx%.0f", side,
              across);
-    if (!is_plain(csv_words(t, row, k->contestant)) || !(steps < 1e6) ||
-        snprintf(path, sizeof path, "%s/compare_%s/%s_%s_%.0f_%.0f.h5", folder, scene,
-                 csv_words(t, row, k->contestant), net, steps,
-                 iterations > 0 ? iterations : 0) >= (int)sizeof path)
+    if (!is_plain(who) || !(steps < 1e6) ||
+        snprintf(path, sizeof path, "%s/compare_%s/%s_%s_%.0f_%.0f.h5", folder, scene, who,
+                 net, steps, iterations > 0 ? iterations : 0) >= (int)sizeof path)
         return STATUS_OK;
     snprintf(name, sizeof name, "%.60s, %.0fx%.0f points, %.3g %% off",
-             csv_words(t, row, k->title), side, isnan(across) ? side : across,
-             100 * csv_number(t, row, k->worst));
+             csv_words(t, row, csv_column(t, "title")), side, isnan(across) ? side : across,
+             100 * number(t, row, worst));
     return write_file(p, path, name);
 }
 
 static enum status write_runs(struct player *p, const char *folder,
                               const struct csv_table *t)
 {
-    const struct keys k = {csv_column(t, "title"),
-                           csv_column(t, "contestant"),
-                           csv_column(t, "side"),
-                           csv_column(t, "across"),
-                           csv_column(t, "step_s"),
-                           csv_column(t, "iterations"),
-                           csv_column(t, "worst_rmse_over_length")};
-    double frame = 0; /* the scene's, and the longest step */
+    double frame = 0;
     enum status st = STATUS_OK;
 
     for (int n = 0; n < t->rows; n++) {
-        frame = fmax(frame, csv_number(t, n, k.step));
-        p->runs += nearest(t, &k, n) == n;
+        frame = fmax(frame, number(t, n, "step_s"));
+        p->runs += nearest(t, n) == n;
     }
     for (int n = 0; n < t->rows; n++)
-        if (nearest(t, &k, n) == n)
-            TRY(write_run(p, folder, t, &k, n, frame));
+        if (nearest(t, n) == n)
+            TRY(write_run(p, folder, t, n, frame));
 out:
     return st;
 }
@@ -323,8 +322,8 @@ enum status report_motion_write(FILE *file, const char *folder,
         write_trouble(&p, "truth", &why); /* runs are played without it, too */
     TRY(st == STATUS_OK ? write_truth(&p, &made) : st == STATUS_MEMORY ? st : STATUS_OK);
     TRY(write_own(&p, folder));
-    if (compare->count && compare->csv->count)
-        TRY(write_runs(&p, folder, compare->csv->table));
+    if (compare->tables)
+        TRY(write_runs(&p, folder, compare->table[0]));
 out:
     truth_clear(&made);
     return st;

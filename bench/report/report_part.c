@@ -13,24 +13,6 @@
 enum { PATH = 4096, TABLE_MOST = 300000 /* bytes of a table's words */ };
 enum { PICTURE_MOST = 4 << 20 };
 
-#define TABLE(n, what, ...)                                                                \
-    {                                                                                      \
-        "table" n, "Table " n ": " what, "table " n,                                       \
-            {"table" n "/" KEPT_NAME, "table" n ".csv"}, "table" n, "tables", true, NULL,  \
-        {                                                                                  \
-            __VA_ARGS__                                                                    \
-        }                                                                                  \
-    }
-#define STUDY(name, what, of_paper, ...)                                                   \
-    {                                                                                      \
-        "study_" name, what, "study " name,                                                \
-            {"study_" name "/" KEPT_NAME, "study_" name ".csv"}, "study_" name, "tables",  \
-            of_paper, NULL,                                                                \
-        {                                                                                  \
-            __VA_ARGS__                                                                    \
-        }                                                                                  \
-    }
-
 #define FIG12                                                                              \
     "Fig. 12, nets of 5, 10, 15 and 20 points at 1.025 s: the denser the control "         \
     "net, the more wrinkles"
@@ -41,67 +23,81 @@ enum { PICTURE_MOST = 4 << 20 };
 
 const struct report_part report_part_list[] = {
     /* clang-format off */
-    TABLE("1", "cost at comparable looks", {0}),
-    TABLE("2", "milliseconds a frame", {"cost.png", NULL}),
-    TABLE("3", "cost of degree and net", {"cost.png", NULL}),
-    TABLE("4", "which E, rho and mu give cloth", {0}),
-    STUDY("drops", "Falling sheets (Figs. 7 and 8)", true,
-          {"edge_sheets.png", "Fig. 7, top edge fixed, at 0.5, 1.5, 2.0, 3.25, 3.5 and "
-           "4.25 s: the sheet starts at rest, falls, swings through, and back"},
-          {"corners_sheets.png", "Fig. 8, two top corners fixed, at the same times"}),
-    STUDY("mesh", "Denser nets (Fig. 12)", true, {"corners_sheets.png", FIG12},
-          {"edge_sheets.png", FIG12}),
-    STUDY("degree", "Higher degrees (Fig. 13)", true, {"corners_sheets.png", FIG13},
-          {"edge_sheets.png", FIG13}),
-    STUDY("mesh-degree", "Net and degree together (Fig. 14)", true,
-          {"corners_sheets.png", FIG14}, {"edge_sheets.png", FIG14}),
-    STUDY("thickness", "A thicker cloak (Fig. 10)", true,
-          {"printed_sheets.png", "Fig. 10, leather cloak, 1 mm and 5 mm: the thinner one "
-           "swings more"}, {"thickness.png", NULL}),
-    STUDY("thickness-degree", "Degree through the thickness (Fig. 11)", true,
-          {"cloak_sheets.png", "Fig. 11, degree 1, 2 and 3 through the thickness: little "
-           "difference to the linear basis"}),
-    STUDY("contact", "Onto the ground (Fig. 9)", false,
-          {"contact_sheets.png", "Fig. 9, cloth onto the ground: collision and "
-           "self-contact are detected on the control net"}),
-    STUDY("flag", "A falling flag (Fig. 15)", false,
-          {"flag_sheets.png", "Fig. 15, flag falling, at 0.75, 1.0 and 2.075 s"}),
-    STUDY("artefacts", "Artefacts (Fig. 16)", false,
-          {"flag_sheets.png", "Fig. 16: normal, super-elongation, floating, penetration"}),
-    STUDY("fig6", "Three models side by side (Fig. 6)", true,
-          {"fig6_sheets.png", "Fig. 6: mass-spring, projective dynamics and IGA"}),
-    STUDY("locking", "Locking", false, {"locking.png", NULL}),
-    STUDY("cures", "Cures of locking", false, {"cures.png", NULL}),
-    STUDY("timestep", "Ever shorter steps", false, {"timestep.png", NULL}),
-    STUDY("ensemble", "Beyond the horizon", false, {0}),
-    {"compare", "Speed against error: edge_drop", "compare edge_drop",
-     {"compare_edge_drop/compare.csv", "compare.csv"}, NULL, "speed", false,
-     "|title|model|side|across|step_s|iterations|seconds|worst_rmse_over_length|front|outcome|",
-     {{0}}},
+    {"table1", "Table 1: cost at comparable looks", "table 1", .paper = true},
+    {"table2", "Table 2: milliseconds a frame", "table 2", .paper = true,
+     .picture = {{"cost.png"}}},
+    {"table3", "Table 3: cost of degree and net", "table 3", .paper = true,
+     .picture = {{"cost.png"}}},
+    {"table4", "Table 4: which E, rho and mu give cloth", "table 4", .paper = true},
+    {"study_drops", "Falling sheets (Figs. 7 and 8)", "study drops", .paper = true,
+     .picture = {{"edge_sheets.png", "Fig. 7, top edge fixed, at 0.5, 1.5, 2.0, 3.25, 3.5 and "
+                  "4.25 s: the sheet starts at rest, falls, swings through, and back"},
+                 {"corners_sheets.png", "Fig. 8, two top corners fixed, at the same times"}}},
+    {"study_mesh", "Denser nets (Fig. 12)", "study mesh", .paper = true,
+     .picture = {{"corners_sheets.png", FIG12}, {"edge_sheets.png", FIG12}}},
+    {"study_degree", "Higher degrees (Fig. 13)", "study degree", .paper = true,
+     .picture = {{"corners_sheets.png", FIG13}, {"edge_sheets.png", FIG13}}},
+    {"study_mesh-degree", "Net and degree together (Fig. 14)", "study mesh-degree",
+     .paper = true, .picture = {{"corners_sheets.png", FIG14}, {"edge_sheets.png", FIG14}}},
+    {"study_thickness", "A thicker cloak (Fig. 10)", "study thickness", .paper = true,
+     .picture = {{"printed_sheets.png", "Fig. 10, leather cloak, 1 mm and 5 mm: the thinner "
+                  "one swings more"}, {"thickness.png"}}},
+    {"study_thickness-degree", "Degree through the thickness (Fig. 11)",
+     "study thickness-degree", .paper = true,
+     .picture = {{"cloak_sheets.png", "Fig. 11, degree 1, 2 and 3 through the thickness: "
+                  "little difference to the linear basis"}}},
+    {"study_contact", "Onto the ground (Fig. 9)", "study contact",
+     .picture = {{"contact_sheets.png", "Fig. 9, cloth onto the ground: collision and "
+                  "self-contact are detected on the control net"}}},
+    {"study_flag", "A falling flag (Fig. 15)", "study flag",
+     .picture = {{"flag_sheets.png", "Fig. 15, flag falling, at 0.75, 1.0 and 2.075 s"}}},
+    {"study_artefacts", "Artefacts (Fig. 16)", "study artefacts",
+     .picture = {{"flag_sheets.png", "Fig. 16: normal, super-elongation, floating, "
+                  "penetration"}}},
+    {"study_fig6", "Three models side by side (Fig. 6)", "study fig6", .paper = true,
+     .picture = {{"fig6_sheets.png", "Fig. 6: mass-spring, projective dynamics and IGA"}}},
+    {"study_locking", "Locking", "study locking", .picture = {{"locking.png"}}},
+    {"study_cures", "Cures of locking", "study cures", .picture = {{"cures.png"}}},
+    {"study_timestep", "Ever shorter steps", "study timestep", .picture = {{"timestep.png"}}},
+    {"study_ensemble", "Beyond the horizon", "study ensemble"},
+    {"compare", "Speed against error: edge_drop", "compare edge_drop", .show = "speed",
+     .file = {"compare_edge_drop/compare.csv", "compare.csv"},
+     .keys = "|title|model|side|across|step_s|iterations|seconds|worst_rmse_over_length|front|"
+             "outcome|"},
     {"scenes", "Who wins where", "compare edge_drop corners_patch flag sphere strip_swing "
-     "thick stiff", {"compare_scenes.csv"}, ".", "scenes", false,
-     "|scene|contestant|seconds|target_rmse_over_length|lowest_rmse_over_length|refused|",
-     {{"compare_scenes.png", NULL}}},
-    {"verify", "Verification", "verify", {"verify/", "verify.csv"}, NULL, "verify", false,
-     "|check|quantity|model|value|truth|error|tolerance|verdict|", {{0}}},
-    {"stress", "Hard cases", "stress", {"stress/" KEPT_NAME, "stress.csv"}, NULL, "ends",
-     false, "|case|model|end|error|until_s|in_words|", {{0}}},
+     "thick stiff", .show = "scenes", .file = {"compare_scenes.csv"}, .folder = ".",
+     .keys = "|scene|contestant|seconds|target_rmse_over_length|lowest_rmse_over_length|"
+             "refused|", .picture = {{"compare_scenes.png"}}},
+    {"verify", "Verification", "verify", .show = "verify", .file = {"verify/", "verify.csv"},
+     .keys = "|check|quantity|model|value|truth|error|tolerance|verdict|"},
+    {"stress", "Hard cases", "stress", .show = "ends",
+     .keys = "|case|model|end|error|until_s|in_words|"},
     {"stability", "Which step serves which stiffness", "sweep stability",
-     {"sweep_stability/table.csv", "stability.csv"}, "sweep_stability", "tables", false,
-     "|name|young_over_density|time.step|reference_error_max|labels|", {{"map.png", NULL}}},
+     .folder = "sweep_stability", .file = {"sweep_stability/table.csv", "stability.csv"},
+     .keys = "|name|young_over_density|time.step|reference_error_max|labels|",
+     .picture = {{"map.png"}}},
     {"feasibility", "Feasibility map: which sheets look like cloth", "sweep feasibility",
-     {"sweep_feasibility/table.csv", "sweep_feasibility.csv"}, "sweep_feasibility", "tables",
-     false, NULL, {{"map.png", NULL}}},
+     .file = {"sweep_feasibility/table.csv", "sweep_feasibility.csv"},
+     .folder = "sweep_feasibility", .picture = {{"map.png"}}},
     {"peers", "Other people's simulators", "peers/run all",
-     {"peers/baselines.csv", "../peers/baselines.csv"}, NULL, "tables", false, NULL, {{0}}},
+     .file = {"peers/baselines.csv", "../peers/baselines.csv"}},
     /* clang-format on */
     {0},
 };
 
-static void join(char path[PATH], const char *folder, const char *name)
+/* Writes the path of the part's n-th file in the folder; "" behind the last, and where the
+ * path is too long. */
+static void path_of(const struct report_part *part, int n, const char *folder,
+                    char path[PATH])
 {
-    if (snprintf(path, PATH, "%s/%s", folder, name) >= PATH)
-        *path = '\0'; /* no file has such a name */
+    int size = PATH;
+
+    if (part->file[n])
+        size = snprintf(path, PATH, "%s/%s", folder, part->file[n]);
+    else if (!part->file[0])
+        size = snprintf(path, PATH, n ? "%s/%s.csv" : "%s/%s/" KEPT_NAME, folder, part->id);
+    if (size >= PATH)
+        *path = '\0';
 }
 
 /* Returns whether the file's folder is marked as that of a quick run. */
@@ -118,7 +114,7 @@ static bool is_quick(const char *path)
 
 static enum status read_one(const char *path, struct report_found *found)
 {
-    struct csv *csv = &found->csv[found->count];
+    struct csv *csv = &found->csv[found->files];
     struct message why = {""};
     enum status st = csv_read(path, csv, &why);
 
@@ -126,9 +122,17 @@ static enum status read_one(const char *path, struct report_found *found)
         snprintf(why.text, sizeof why.text, "%.900s has no table in it", path);
     if (*why.text && !*found->trouble)
         snprintf(found->trouble, sizeof found->trouble, "%s", why.text);
-    if (st == STATUS_OK)
-        found->count++;
-    return st == STATUS_MEMORY ? st : STATUS_OK;
+    if (st != STATUS_OK)
+        return st == STATUS_MEMORY ? st : STATUS_OK;
+    found->files++;
+    const size_t count = (size_t)(found->tables + csv->count) + 1;
+    const struct csv_table **more = realloc(found->table, count * sizeof *more);
+    if (!more)
+        return STATUS_MEMORY;
+    found->table = more;
+    for (int n = 0; n < csv->count; n++)
+        found->table[found->tables++] = &csv->table[n];
+    return STATUS_OK;
 }
 
 static int is_csv(const struct dirent *entry)
@@ -148,7 +152,7 @@ static enum status read_folder(const char *folder, struct report_found *found)
 
     found->there = count > 0;
     for (int n = 0; n < count; n++) {
-        if (st == STATUS_OK && found->count < REPORT_MANY &&
+        if (st == STATUS_OK && found->files < REPORT_MANY &&
             snprintf(path, sizeof path, "%s%s", folder, entry[n]->d_name) <
                 (int)sizeof path)
             st = read_one(path, found);
@@ -164,25 +168,26 @@ enum status report_part_find(const char *folder, const struct report_part *part,
     enum status st = STATUS_OK;
 
     *found = (struct report_found){0};
-    for (int n = 0; n < REPORT_FILES && part->file[n] && !found->there; n++) {
-        join(found->path, folder, part->file[n]);
-        if (part->file[n][strlen(part->file[n]) - 1] == '/')
+    for (int n = 0; n < REPORT_FILES && !found->there; n++) {
+        path_of(part, n, folder, found->path);
+        if (*found->path && found->path[strlen(found->path) - 1] == '/')
             TRY(read_folder(found->path, found));
         else if ((found->there = access(found->path, F_OK) == 0))
             TRY(read_one(found->path, found));
     }
     found->quick = found->there && is_quick(found->path);
-    if (found->count && found->csv->count) /* or the command above it says so */
-        found->quick |= strstr(found->csv->table->caption, " --quick ") != NULL;
+    if (found->tables) /* or the command above it says so */
+        found->quick |= strstr(found->table[0]->caption, " --quick ") != NULL;
 out:
     return st;
 }
 
 void report_part_clear(struct report_found *found)
 {
-    for (int n = 0; n < found->count; n++)
+    for (int n = 0; n < found->files; n++)
         csv_clear(&found->csv[n]);
-    found->count = 0;
+    free(found->table);
+    *found = (struct report_found){0};
 }
 
 const struct report_found *report_part_found(const struct report_found *found,
@@ -198,10 +203,9 @@ const struct report_found *report_part_found(const struct report_found *found,
 const struct csv_table *report_part_table(const struct report_found *found,
                                           const char *words)
 {
-    for (int n = 0; n < found->count; n++)
-        for (int i = 0; i < found->csv[n].count; i++)
-            if (strstr(found->csv[n].table[i].caption, words))
-                return &found->csv[n].table[i];
+    for (int n = 0; n < found->tables; n++)
+        if (strstr(found->table[n]->caption, words))
+            return found->table[n];
     return NULL;
 }
 
@@ -212,17 +216,15 @@ void report_part_write(FILE *file, const struct report_part *part,
     report_json_pair(file, "id", part->id);
     report_json_pair(file, "title", part->title);
     report_json_pair(file, "command", part->command);
-    report_json_pair(file, "show", part->show);
+    report_json_pair(file, "show", part->show ? part->show : "tables");
     report_json_pair(file, "trouble", found->trouble);
     report_json_pair(file, "path", found->there ? found->path : "");
     fprintf(file, "\"there\":%s,\"quick\":%s,\"tables\":[", found->there ? "true" : "false",
             found->quick ? "true" : "false");
-    const char *comma = "";
-    for (int n = 0; n < found->count; n++)
-        for (int i = 0; i < found->csv[n].count; i++, comma = ",") {
-            fputs(comma, file);
-            report_json_table(file, &found->csv[n].table[i], part->keys, TABLE_MOST);
-        }
+    for (int n = 0; n < found->tables; n++) {
+        fputs(n ? "," : "", file);
+        report_json_table(file, found->table[n], part->keys, TABLE_MOST);
+    }
     fputs("]}", file);
 }
 
@@ -293,15 +295,15 @@ enum status report_part_pictures(FILE *file, const char *folder, long room)
 {
     enum status st = STATUS_OK;
     const char *comma = "";
-    char within[PATH], path[PATH];
+    char path[PATH];
 
     for (const struct report_part *part = report_part_list; part->id; part++)
-        for (int n = 0; part->folder && n < REPORT_PICTURES && part->picture[n].file; n++) {
-            if (snprintf(within, sizeof within, "%s/%s", part->folder,
-                         part->picture[n].file) >= (int)sizeof within)
-                continue;
-            join(path, folder, within);
+        for (int n = 0; n < REPORT_PICTURES && part->picture[n].file; n++) {
             long used;
+            if (snprintf(path, sizeof path, "%s/%s/%s", folder,
+                         part->folder ? part->folder : part->id,
+                         part->picture[n].file) >= (int)sizeof path)
+                continue;
             TRY(write_picture(file, part, path, &part->picture[n], comma, room, &used));
             room -= used;
             comma = used ? "," : comma;

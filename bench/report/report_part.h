@@ -17,14 +17,15 @@ struct report_picture {
 
 struct report_part {
     const char *id, *title;
-    const char *command;            /* that makes it, without the program's name       */
-    const char *file[REPORT_FILES]; /* in the report's folder: the first that is there;
-                                       "FOLDER/": all *.csv of it                      */
-    const char *folder;             /* with pictures; NULL: none                       */
-    const char *show;               /* how: "tables", "speed", "scenes", ...        */
-    bool paper;                     /* has claims of the paper                         */
-    const char *keys;               /* columns that are shown, "|A|B|"; NULL: all      */
+    const char *command; /* that makes it, without the program's name                   */
+    bool paper;          /* has claims of the paper                                     */
     struct report_picture picture[REPORT_PICTURES];
+    const char *file[REPORT_FILES]; /* in the report's folder: the first that is there;
+                                       "FOLDER/": all *.csv of it; NULL: ID/printed.csv
+                                       and ID.csv                                       */
+    const char *folder;             /* with pictures; NULL: ID                          */
+    const char *show;               /* how: "speed", "scenes", ...; NULL: "tables"      */
+    const char *keys;               /* columns that are shown, "|A|B|"; NULL: all       */
 };
 
 /* All parts, in the order of the page; ends with id NULL. */
@@ -37,8 +38,9 @@ struct report_found {
     bool quick;         /* of a run with --quick                                         */
     char trouble[1024]; /* why it cannot be read; "": it can                             */
     char path[4096];    /* of the file or the folder                                     */
-    int count;
-    struct csv csv[REPORT_MANY]; /* [count] owned                                        */
+    int files, tables;
+    struct csv csv[REPORT_MANY];    /* [files]                                    owned  */
+    const struct csv_table **table; /* [tables] of all files                      owned  */
 };
 
 /* Reads what there is of a part. A damaged file is a finding; only STATUS_MEMORY is a

@@ -7,7 +7,7 @@
 #include "bench/experiment/kept.h"
 #include "bench/report/report_json.h"
 
-/* An error of this share of the length is small enough to ask for the time to it. */
+/* The least time to an error of this share of the length is reported. */
 #define ENOUGH 0.01
 
 enum { TEXT = 512 };
@@ -91,15 +91,14 @@ static const struct csv_table *speed_table(const struct report_found *compare)
     static const char *const keys[] = {"title", "model", "seconds",
                                        "worst_rmse_over_length", "front"};
 
-    for (int n = 0; n < compare->count; n++)
-        for (int i = 0; i < compare->csv[n].count; i++) {
-            const struct csv_table *t = &compare->csv[n].table[i];
-            size_t k = 0;
-            while (k < sizeof keys / sizeof *keys && csv_column(t, keys[k]) >= 0)
-                k++;
-            if (k == sizeof keys / sizeof *keys)
-                return t;
-        }
+    for (int n = 0; n < compare->tables; n++) {
+        size_t k = 0;
+        while (k < sizeof keys / sizeof *keys &&
+               csv_column(compare->table[n], keys[k]) >= 0)
+            k++;
+        if (k == sizeof keys / sizeof *keys)
+            return compare->table[n];
+    }
     return NULL;
 }
 
@@ -169,15 +168,14 @@ static void tell_checks(const struct report_found *verify, char text[TEXT])
 {
     int met = 0, missed = 0;
 
-    for (int n = 0; n < verify->count; n++)
-        for (int i = 0; i < verify->csv[n].count; i++) {
-            const struct csv_table *t = &verify->csv[n].table[i];
-            for (int row = 0; row < t->rows; row++) {
-                const char *verdict = csv_words(t, row, csv_column(t, "verdict"));
-                met += !strcmp(verdict, "met");
-                missed += !strcmp(verdict, "MISSED") || !strcmp(verdict, "died");
-            }
+    for (int n = 0; n < verify->tables; n++) {
+        const struct csv_table *t = verify->table[n];
+        for (int row = 0; row < t->rows; row++) {
+            const char *verdict = csv_words(t, row, csv_column(t, "verdict"));
+            met += !strcmp(verdict, "met");
+            missed += !strcmp(verdict, "MISSED") || !strcmp(verdict, "died");
         }
+    }
     snprintf(text, TEXT,
              "Of the results that claim an accuracy and were compared with closed forms "
              "and other programs, %d have it and %d do not.",
@@ -204,7 +202,7 @@ enum status report_summary_write(FILE *file, const struct report_found *found)
     else
         snprintf(said[1], TEXT,
                  "Speed against error was not measured: clothbench compare edge_drop");
-    if (verify->count)
+    if (verify->tables)
         tell_checks(verify, said[2]);
     else
         snprintf(said[2], TEXT,

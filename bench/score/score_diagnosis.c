@@ -42,8 +42,19 @@
 #define SOUND_MOST  0.005
 #define SOUND_SHARE 0.05
 
-/* --- other axes, units or orders -------------------------------------------------------
- */
+static double distance(const double a[3], const double b[3])
+{
+    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+
+    return sqrt(x * x + y * y + z * z);
+}
+
+static double length_of(const double v[3])
+{
+    return distance((double[3]){0}, v);
+}
+
+/* --- other axes, units or orders --- */
 
 struct turned {
     int axis[3];    /* the scene's x, y, z are the frames' so many-th */
@@ -136,12 +147,9 @@ static double nearest(const struct score_time *row, double length)
     for (int k = 0; k < SCORE_FEW; k++) {
         const double *a = row->got + 3 * score_truth_few(k);
         double least = INFINITY;
-        for (int p = 0; p < SCORE_POINTS; p++) {
-            const double *b = row->truth + 3 * p;
-            const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-            least = fmin(least, x * x + y * y + z * z);
-        }
-        sum += least;
+        for (int p = 0; p < SCORE_POINTS; p++)
+            least = fmin(least, distance(a, row->truth + 3 * p));
+        sum += least * least;
     }
     return sqrt(sum / SCORE_FEW) / length;
 }
@@ -179,8 +187,7 @@ static struct turned best_turn(const struct score *s)
     return changes(&best) && is_better(best.error, as_is.error) ? best : as_is;
 }
 
-/* --- another pace ----------------------------------------------------------------------
- */
+/* --- another pace --- */
 
 struct pace {
     double speed; /* frames show at t what the truth does at t times this; 1: no other   */
@@ -250,6 +257,7 @@ static struct pace compare(const struct score *s, double speed)
     return pace;
 }
 
+/* Returns the share of the error that another pace leaves; 1: there is none. */
 static double share(const struct pace *p)
 {
     return p->as_is > 0 ? p->error / p->as_is : 1;
@@ -277,8 +285,7 @@ static struct pace best_pace(const struct score *s)
                                              : (struct pace){1, best.as_is, best.as_is};
 }
 
-/* --- lengths of lines ------------------------------------------------------------------
- */
+/* --- lengths of lines --- */
 
 /* Lines along u or along v: their lengths, and how much the frames' pieces differ. */
 struct lines {
@@ -300,10 +307,7 @@ struct lines {
 
 static double piece(const double *field, int point, int to)
 {
-    const double *a = field + 3L * point, *b = field + 3L * to;
-    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
-
-    return sqrt(x * x + y * y + z * z);
+    return distance(field + 3L * point, field + 3L * to);
 }
 
 /* Returns the share by which lines are longer than the truth's. */
@@ -374,8 +378,7 @@ static double find_stretch(const struct score *s, struct lines *most)
     return when;
 }
 
-/* --- supports --------------------------------------------------------------------------
- */
+/* --- supports --- */
 
 struct held_off {
     int which;   /* the support that is farthest off:                                    */
@@ -425,20 +428,15 @@ static void add_points(const struct scene_support *held, const struct score_time
 /* Fills by[3] with the mean offset; returns its length. */
 static double mean(const struct sums *sums, double by[3])
 {
-    double square = 0;
-
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; c++)
         by[c] = sums->points ? sums->off[c] / sums->points : 0;
-        square += by[c] * by[c];
-    }
-    return sqrt(square);
+    return length_of(by);
 }
 
 /* Reports, for a sheet that nothing holds, a shift that it begins with. */
 static void begins_off(const struct score *s, struct held_off *support)
 {
-    const double *by = s->begin, length = s->truth.scene.length,
-                 far = sqrt(by[0] * by[0] + by[1] * by[1] + by[2] * by[2]);
+    const double *by = s->begin, length = s->truth.scene.length, far = length_of(by);
 
     support->steady = far > HELD_MOST * length && s->start - far < SAME * far;
     support->most = support->steady ? far / length : 0;
@@ -481,8 +479,7 @@ static struct held_off find_support(const struct score *s)
     return support;
 }
 
-/* --- sentences -------------------------------------------------------------------------
- */
+/* --- sentences --- */
 
 static const char *const names[SCORE_KINDS] = {
 #define SCORE_NAME(code, name) name,
@@ -508,8 +505,7 @@ say(struct score_diagnosis *d, enum score_kind kind, double value, const char *f
     va_end(args);
 }
 
-/* --- before anything is fitted ----------------------------------------------------------
- */
+/* --- before anything is fitted --- */
 
 static bool say_still(const struct score *s, struct score_diagnosis *d)
 {
@@ -624,8 +620,7 @@ static bool say_scattered(const struct score *s, struct score_diagnosis *d)
     return true;
 }
 
-/* --- what was fitted ---------------------------------------------------------------------
- */
+/* --- what was fitted --- */
 
 /* Reports a lead or a lag. Frames that lead from the very first one show a later time;
  * those that begin at rest and lead by half a step or less had g dt as their first
@@ -633,11 +628,9 @@ static bool say_scattered(const struct score *s, struct score_diagnosis *d)
 static void say_lead(const struct score *s, double lead, const double shift[3],
                      struct score_diagnosis *d)
 {
-    const double *g = s->truth.scene.gravity,
-                 fall = .5 * lead * lead * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    const double far =
-        sqrt(shift[0] * shift[0] + shift[1] * shift[1] + shift[2] * shift[2]);
-    const bool ahead = fabs(s->start - far) > .5 * fall; /* NaN, no frame at 0: not known */
+    const double fall = .5 * lead * lead * length_of(s->truth.scene.gravity);
+    const bool ahead =
+        fabs(s->start - length_of(shift)) > .5 * fall; /* NaN, no frame at 0: not known */
 
     if (lead > 0 && !ahead && lead < HALF_STEP * s->interval)
         say(d, SCORE_FIRST_ORDER_STEP, 2 * lead,
@@ -652,20 +645,15 @@ static void say_lead(const struct score *s, double lead, const double shift[3],
                        "rest (explicit Euler).");
 }
 
-static double left_by(const struct pace *pace)
-{
-    return pace->speed == 1 ? 1 : pace->error / pace->as_is;
-}
-
 /* Reports another pace where it explains far more than the fitted flaws. Nothing else is
- * then said, as the fit compared the frames with wrong times. */
+ * then reported, as the fit compared the frames with wrong times. */
 static bool say_pace(const struct score *s, const struct pace *pace,
                      const struct score_fit *fit, struct score_diagnosis *d)
 {
     const bool slow = pace->speed < 1;
     char repeats[64] = "", gravity[64] = "";
 
-    if (left_by(pace) > PACE_MOST || PACE_BETTER * left_by(pace) > fit->left)
+    if (share(pace) > PACE_MOST || PACE_BETTER * share(pace) > fit->left)
         return false;
     if (s->repeats)
         snprintf(repeats, sizeof repeats, " (%d are as the one before)", s->repeats);
@@ -687,7 +675,7 @@ static void say_gravity(const struct score *s, double g, const struct pace *pace
                         const struct score_fit *fit, struct score_diagnosis *d)
 {
     const double speed = !s->truth.moves ? sqrt(fmax(g, 0))
-                         : left_by(pace) < PACE_BETTER * fit->left && fit->count == 1
+                         : share(pace) < PACE_BETTER * fit->left && fit->count == 1
                              ? pace->speed
                              : 1;
     char other[64] = "";

@@ -58,8 +58,7 @@ static void add_time(struct sums *s, int points, double weight, double noise)
     s->noise += points * weight * weight * noise * noise;
 }
 
-/* --- on the ladder ----------------------------------------------------------------------
- */
+/* --- on the ladder --- */
 
 /* Fills rate[LADDER_POINTS][3] with the velocity of the ladder's base [m/s]. */
 static void find_rate(const struct score_ladder *l, int time, const double *rest,
@@ -130,8 +129,7 @@ static void add_ladder(const struct score *s, const double shift[3], struct sums
             add_ladder_time(s, time, rest, shift, sums);
 }
 
-/* --- in free fall -----------------------------------------------------------------------
- */
+/* --- in free fall --- */
 
 static bool falls_free(const struct scene *scene)
 {
@@ -170,8 +168,7 @@ static void add_fall(const struct score *s, const double shift[3], struct sums *
     }
 }
 
-/* --- least squares ----------------------------------------------------------------------
- */
+/* --- least squares --- */
 
 struct trial {
     double left; /* squared difference */

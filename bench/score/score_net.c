@@ -44,8 +44,7 @@ void score_net_sample(int nu, int nv, const double *field, const double uv[2],
     }
 }
 
-/* --- material coordinates ---------------------------------------------------------------
- */
+/* --- material coordinates --- */
 
 /* Projects a point on the flat rest shape, uv are its coordinates; returns its distance. */
 static double place(const struct scene *s, const double xyz[3], double uv[2])
@@ -107,8 +106,7 @@ void score_net_clear(struct score_net *net)
     *net = (struct score_net){0};
 }
 
-/* --- rows and columns -------------------------------------------------------------------
- */
+/* --- rows and columns --- */
 
 /* A vertex at its material coordinates. */
 struct point {
@@ -197,8 +195,7 @@ static void map_rows(const struct point *p, int columns, int rows, struct score_
     }
 }
 
-/* --- triangles --------------------------------------------------------------------------
- */
+/* --- triangles --- */
 
 static double cross(const double *a, const double *b, const double *c)
 {

@@ -89,8 +89,7 @@ static double sum_column(const char *column)
     return sum;
 }
 
-/* --- numbers -----------------------------------------------------------------------------
- */
+/* --- numbers --- */
 
 static double sum_of(const char *quantity)
 {
@@ -212,8 +211,7 @@ static void world(void)
     CHECK(cell(5, "x") == 0 && cell(6, "x") == 1);
 }
 
-/* --- the mesh ----------------------------------------------------------------------------
- */
+/* --- the mesh --- */
 
 /* A mesh that was read as others' frames are. */
 struct mesh {
@@ -315,8 +313,7 @@ static void formats(void)
     }
 }
 
-/* --- what is held ------------------------------------------------------------------------
- */
+/* --- what is held --- */
 
 static void held_rows(void)
 {
@@ -382,8 +379,7 @@ static void clamps_are_mirrors(void)
     said_clear(&s);
 }
 
-/* --- the scene ---------------------------------------------------------------------------
- */
+/* --- the scene --- */
 
 /* Read again it has the physics that its truth has, to the last bit, and the times. */
 static void scenes_come_back(void)
@@ -406,30 +402,30 @@ static void scenes_come_back(void)
     };
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        char path[32], *first = NULL;
+        char path[32], *first = NULL, *text[2];
         struct scene s[2] = {0};
         struct settings given = settings_of(cases[n].count, cases[n].set), none = {0};
 
         snprintf(path, sizeof path, "%s/scene.yaml",
                  exported(cases[n].name, "11,11", cases[n].set));
-        char *was = physics_of(cases[n].name, cases[n].count, cases[n].set),
-             *now = physics_of(path, 0, NULL);
-        if (!CHECK(!strcmp(was, now)))
-            printf("%s\n%s\nis\n%s\n", cases[n].name, was, now);
         REQUIRE(scene_file_find(cases[n].name, &first, NULL) == STATUS_OK);
         REQUIRE(contestant_read_scene(&given, first, &s[0], NULL) == STATUS_OK);
         REQUIRE(contestant_read_scene(&none, path, &s[1], NULL) == STATUS_OK);
+        for (int k = 0; k < 2; k++)
+            REQUIRE(truth_physics(&s[k], &text[k]) == STATUS_OK);
+        if (!CHECK(!strcmp(text[0], text[1])))
+            printf("%s\n%s\nis\n%s\n", cases[n].name, text[0], text[1]);
         CHECK(s[0].step == s[1].step && s[0].end == s[1].end);
         CHECK(!strcmp(s[0].name, s[1].name) && !strcmp(s[0].source, s[1].source));
         if (CHECK(s[0].snapshot_count == s[1].snapshot_count) && s[0].snapshot_count)
             CHECK(!memcmp(s[0].snapshots, s[1].snapshots,
                           (size_t)s[0].snapshot_count * sizeof *s->snapshots));
-        for (int k = 0; k < 2; k++)
+        for (int k = 0; k < 2; k++) {
             scene_clear(&s[k]);
+            free(text[k]);
+        }
         settings_clear(&given);
         free(first);
-        free(was);
-        free(now);
     }
 }
 
@@ -456,8 +452,7 @@ static void rules(void)
     }
 }
 
-/* --- what is refused ---------------------------------------------------------------------
- */
+/* --- what is refused --- */
 
 static void check_refused(const char *const *words, enum status status, const char *says)
 {
@@ -506,7 +501,6 @@ static void bad_input(void)
     static const struct {
         const char *words[8], *says;
     } cases[] = {
-        {{"edge_drop"}, "how many vertices?"},
         {{"edge_drop", "--points", "5,5"}, "where to?"},
         {{"edge_drop", "--out", "o"}, "how many vertices?"},
         {{"nobody", "--points", "5,5", "--out", "o"}, "nobody"},
@@ -514,10 +508,6 @@ static void bad_input(void)
         {{"edge_drop", "--points", "5,5", "--out", "o", "--format", "stl"}, "ply or csv"},
         {{"edge_drop", "--points", "5,5", "--out", "o", "--set", "sheet.length=-1"},
          "length"},
-        {{"edge_drop", "--points", "5,5", "--out", "o", "--set", "material"}, "material"},
-        {{"edge_drop", "flag", "--points", "5,5", "--out", "o"}, "one word too many"},
-        {{"--points", "5,5", "--out", "o"}, "needs an argument"},
-        {{"edge_drop", "--points", "5,5", "--out", "o", "--quick"}, "--quick"},
     };
 
     for (size_t n = 0; n < sizeof points / sizeof *points; n++)

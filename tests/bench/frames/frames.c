@@ -80,8 +80,7 @@ static void come_back(void)
     }
 }
 
-/* --- what is refused ---------------------------------------------------------------------
- */
+/* --- what is refused --- */
 
 static void write_text(const char *name, const char *text)
 {
@@ -213,6 +212,8 @@ static void bad_sequences(void)
     check_refused("nothing", 1, "nothing", "has no frames in it");
     check_refused("absent", 1, "absent", "");
     check_refused(SAMPLES "objs", 0, "objs", "--dt");
+    check_refused(SAMPLES "bare.npy", 0, "bare.npy", "--dt");
+    check_refused(SAMPLES "c.pc2", 0, "c.pc2", "--dt");
 }
 
 /* A sample with other bytes in the last place that has some, or cut. */
@@ -275,6 +276,7 @@ static void bad_binaries(void)
     write_changed("zero.csv", "plain.csv", 0, "\n", "\0", 1); /* the last line's end */
     check_refused("zero.csv", 0, "zero.csv: line", "is no row");
     check_refused(SAMPLES "rows.h5", 0, "rows.h5: uv", "has 38 numbers; 40");
+    check_refused(SAMPLES "huge.h5", 0, "huge.h5", "has 4295098369 vertices");
 }
 
 int main(void)

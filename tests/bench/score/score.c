@@ -88,8 +88,7 @@ static FILE *begin(const char *name)
     return file;
 }
 
-/* --- flaws of physics --------------------------------------------------------------------
- */
+/* --- flaws of physics --- */
 
 /* Runs edge_drop to 0.5 s, with settings until NULL. */
 static void run_to(int every, const char *const *given)
@@ -144,8 +143,7 @@ static void physics(void)
     }
 }
 
-/* --- flaws of time and space ------------------------------------------------------------
- */
+/* --- flaws of time and space --- */
 
 static void read_run(const char *setting, double (**frames)[NET][3])
 {
@@ -253,8 +251,7 @@ static void frames_of_others(void)
     }
 }
 
-/* --- free falls --------------------------------------------------------------------------
- */
+/* --- free falls --- */
 
 /* A fall under g in frames 10 ms apart; the scene falls by g t^2 / 2. */
 struct fall {
@@ -301,8 +298,7 @@ static void falls(void)
     }
 }
 
-/* --- truths ------------------------------------------------------------------------------
- */
+/* --- truths --- */
 
 /* Changes of a truth: a factor on its displacement, then one on its width, then a shift of
  * all of it with the edge that is held; then what is beyond `heap` along y lies there. */

@@ -225,6 +225,23 @@ static void chosen(void)
     score_truth_clear(&t);
 }
 
+/* A ladder of truths that lacks an array is refused; a scene that has none is not. */
+static void ladders(void)
+{
+    struct score_ladder ladder;
+    struct message why = {""};
+
+    REQUIRE(mkdir("ladders", 0777) == 0);
+    REQUIRE(symlink(SOURCE_DIR "/tests/samples/stored.npz",
+                    "ladders/edge_drop_ladder.npz") == 0);
+    REQUIRE(setenv("CLOTHBENCH_LADDERS", "ladders", 1) == 0);
+    CHECK(score_ladder_read(&truth.scene, &ladder, &why) == STATUS_INPUT &&
+          strstr(why.text, "edge_drop_ladder.npz: has no array scale"));
+    truth.scene.young *= 2;
+    CHECK(score_ladder_read(&truth.scene, &ladder, &why) == STATUS_OK && !ladder.times);
+    REQUIRE(unsetenv("CLOTHBENCH_LADDERS") == 0);
+}
+
 int main(void)
 {
     struct message why = {""};
@@ -234,6 +251,7 @@ int main(void)
     REQUIRE(score_truth_read("edge_drop", &truth, &why) == STATUS_OK);
     found();
     refused();
+    ladders();
     score_truth_clear(&truth);
     printed();
     chosen();

@@ -1,5 +1,5 @@
-/* What compare reads off runs, on scripted ones: errors and seconds of a row, who is
- * nearest and cheapest, each way round, and where each stands in tables and CSV. */
+/* Tests the numbers that compare reads off scripted runs: errors and seconds of a row, who
+ * is nearest and cheapest, each way round, and where each stands in tables and CSV. */
 #include "bench/compare/compare.h"
 #include "bench/files/csv.h"
 #include "tests/contest_fixture.h"
@@ -186,7 +186,7 @@ static char *print(const struct contest *c, const char *folder)
     return text;
 }
 
-/* What is drawn: a line through the best of a contestant, its others as points, axes that
+/* The charts have a line through the best of a contestant, its others as points, axes that
  * hold all of them and the truth's bar. */
 static void charts(const char *folder)
 {

@@ -211,7 +211,7 @@ const struct warnings_rule warnings_rules[] = {
      "times, 15 %% at 3 times; finer spans, or knots_u and knots_v that are dense where it "
      "bends"},
     {"gravity", "key gravity, m/s^2", weighs_nothing, "the scene has no gravity"},
-    {NULL, NULL, NULL, ""},
+    {NULL},
 };
 
 void warnings_print(const struct run *run, const char *before, FILE *file)

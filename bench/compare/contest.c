@@ -1,6 +1,5 @@
 #include "bench/compare/contest.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -512,7 +511,8 @@ struct tries {
     try {
         struct contest_at at;
         double seconds; /* expected of one repeat */
-        int order;      /* among those of equal seconds: rungs of ladders come first */
+        bool rung;      /* of a ladder: comes first among those of equal seconds */
+        int order;
     }
     *list; /* owned */
 };
@@ -571,9 +571,8 @@ static double predicted(const struct contest *c, const struct contest_at *at)
 
 static void add_try(struct tries *t, const struct contest_at *at, bool rung)
 {
-    const int order = rung ? t->count - INT_MAX : t->count;
-
-    t->list[t->count++] = (struct try){*at, predicted(t->contest, at), order};
+    t->list[t->count] = (struct try){*at, predicted(t->contest, at), rung, t->count};
+    t->count++;
 }
 
 static void propose(struct tries *t, const struct contest_row *from,
@@ -746,7 +745,8 @@ static int compare_seconds(const void *a, const void *b)
 
     if (left->seconds != right->seconds)
         return left->seconds > right->seconds ? 1 : -1;
-    return left->order > right->order ? 1 : -1;
+    return left->rung == right->rung ? left->order - right->order
+                                     : right->rung - left->rung;
 }
 
 /* Adds rows of the tries that can be paid, cheap ones first. */

@@ -32,12 +32,13 @@ enum status looks_init(struct looks *l, int room)
     const size_t size = (size_t)room + 1;
 
     *l = (struct looks){.room = room};
-    l->time = malloc((1 + LOOKS_SERIES) * size * sizeof *l->time);
+    l->time = malloc((2 + LOOKS_SERIES) * size * sizeof *l->time);
     l->energy = malloc(size * sizeof *l->energy);
     if (!l->time || !l->energy)
         return STATUS_MEMORY;
     for (size_t n = 0; n < LOOKS_SERIES; n++)
         l->series[n] = l->time + (n + 1) * size;
+    l->drift = l->time + (1 + LOOKS_SERIES) * size;
     return STATUS_OK;
 }
 
@@ -116,19 +117,6 @@ static void reduce_series(const struct looks *l, const struct scene *scene, doub
     value[MEASURE_END_TIME] = last(l->count, l->time);
 }
 
-static enum status reduce_energy(const struct looks *l, double *value)
-{
-    double *drift = malloc((size_t)(l->count + 1) * sizeof *drift);
-
-    if (!drift)
-        return STATUS_MEMORY;
-    metric_energy_drift(l->count, l->energy, drift);
-    value[MEASURE_ENERGY_DRIFT_MAX] = largest(l->count, drift);
-    value[MEASURE_ENERGY_DRIFT_END] = last(l->count, drift);
-    free(drift);
-    return STATUS_OK;
-}
-
 static void reduce_scene(const struct scene *scene, double *value)
 {
     const double *g = scene->gravity;
@@ -152,8 +140,8 @@ void looks_reduce_truth(int count, const double *error, const double *bar, doubl
         }
 }
 
-enum status looks_reduce(const struct looks *l, const struct scene *scene,
-                         enum status outcome, double death_time, double *value)
+void looks_reduce(struct looks *l, const struct scene *scene, enum status outcome,
+                  double death_time, double *value)
 {
     reduce_series(l, scene, value);
     reduce_scene(scene, value);
@@ -162,5 +150,7 @@ enum status looks_reduce(const struct looks *l, const struct scene *scene,
     value[MEASURE_BLOWUP_TIME] = status_is_death(outcome) ? death_time
                                  : outcome == STATUS_OK   ? INFINITY
                                                           : NAN;
-    return reduce_energy(l, value);
+    metric_energy_drift(l->count, l->energy, l->drift);
+    value[MEASURE_ENERGY_DRIFT_MAX] = largest(l->count, l->drift);
+    value[MEASURE_ENERGY_DRIFT_END] = last(l->count, l->drift);
 }

@@ -32,6 +32,7 @@ struct looks {
     int count, room;
     double *time;                 /* [count] [s]; owned, with the series behind it     */
     double *series[LOOKS_SERIES]; /* [count]                                           */
+    double *drift;                /* [count] of the energy, once it is reduced         */
     struct energy *energy;        /* [count]; NaN: the model has none          owned   */
 };
 
@@ -52,9 +53,9 @@ extern const char *const looks_truth[LOOKS_TRUTH];
 /* Fills the three measures of the truth from these [count] numbers. */
 void looks_reduce_truth(int count, const double *error, const double *bar, double *value);
 
-/* Computes value[MEASURES] of a run that ended so (STATUS_OK, a death at death_time, or
- * STATUS_UNSUPPORTED); those of the truth are NaN. */
-enum status looks_reduce(const struct looks *looks, const struct scene *scene,
-                         enum status outcome, double death_time, double *value);
+/* Computes the drift, and value[MEASURES] of a run that ended so (STATUS_OK, a death at
+ * death_time, or STATUS_UNSUPPORTED); those of the truth are NaN. */
+void looks_reduce(struct looks *looks, const struct scene *scene, enum status outcome,
+                  double death_time, double *value);
 
 #endif

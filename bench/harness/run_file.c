@@ -18,7 +18,7 @@ struct run_file {
     struct looks looks;
     struct store *store;  /* NULL: none                                              */
     double *xyz, *before; /* this look's field and the last one's                    */
-    double *own;          /* [looks' room][own_count]                                 */
+    double *own;          /* [looks' room][own_count], and room for one of all looks */
     int next;             /* of keep->time                                           */
     bool waits;           /* xyz is of a frame that is no look, at:                  */
     double time;
@@ -87,7 +87,7 @@ enum status run_file_open(const struct run *run, const struct run_keep *keep,
     TRY(f->xyz && f->before ? STATUS_OK : STATUS_MEMORY);
     TRY(looks_init(&f->looks,
                    (keep->every ? (int)(frames / keep->every) : 0) + keep->times + 2));
-    f->own = calloc((size_t)(f->looks.room * keep->own_count) + 1, sizeof *f->own);
+    f->own = calloc((size_t)(f->looks.room * (keep->own_count + 1)) + 1, sizeof *f->own);
     TRY(f->own ? STATUS_OK : STATUS_MEMORY);
     TRY(open_store(f, why));
     *file = f, f = NULL;
@@ -202,10 +202,11 @@ enum status run_file_bytes(struct run_file *f, double bytes, struct message *why
     return f->store ? store_number(f->store, "model_bytes", bytes, why) : STATUS_OK;
 }
 
-/* Stores the caller's numbers; `value` has room for one of all looks. */
-static enum status store_own(struct run_file *f, double *value, struct message *why)
+/* Stores the caller's numbers, through the room behind them. */
+static enum status store_own(struct run_file *f, struct message *why)
 {
     const int count = f->keep->own_count, looks = f->looks.count;
+    double *value = f->own + f->looks.room * count;
     enum status st = STATUS_OK;
 
     for (int i = 0; i < count && st == STATUS_OK; i++) {
@@ -220,19 +221,15 @@ static enum status store_own(struct run_file *f, double *value, struct message *
 static enum status store_series(struct run_file *f, struct message *why)
 {
     const struct looks *l = &f->looks;
-    double *drift = malloc((size_t)(l->count + 1) * sizeof *drift);
-    enum status st = drift ? STATUS_OK : STATUS_MEMORY;
+    enum status st = STATUS_OK;
 
     for (int n = 0; n < LOOKS_SERIES && st == STATUS_OK; n++)
         st = store_metric(f->store, looks_series[n].name, looks_series[n].unit,
                           l->series[n], l->count, why);
-    TRY(st);
-    TRY(store_own(f, drift, why));
-    metric_energy_drift(l->count, l->energy, drift);
-    if (f->run->model->energy)
-        st = store_metric(f->store, "energy_drift", "1", drift, l->count, why);
-out:
-    free(drift);
+    if (st == STATUS_OK)
+        st = store_own(f, why);
+    if (st == STATUS_OK && f->run->model->energy)
+        st = store_metric(f->store, "energy_drift", "1", l->drift, l->count, why);
     return st;
 }
 
@@ -325,7 +322,7 @@ enum status run_file_close(struct run_file *f, const struct motion *m,
     r.steps = m ? m->steps : 0;
     r.work = f->work;
     run_result_tell(&r, f->sentence.text);
-    TRY(looks_reduce(&f->looks, &f->run->scene, r.outcome, r.death_time, r.value));
+    looks_reduce(&f->looks, &f->run->scene, r.outcome, r.death_time, r.value);
     if (f->store)
         TRY(complete(f, m, &r, why));
     if (result)

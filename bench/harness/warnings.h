@@ -17,7 +17,7 @@ struct warnings_rule {
     /* Returns whether the rule applies to a run (as of run_read); then with the numbers of
      * its sentence. */
     bool (*holds)(const struct run *run, double number[WARNINGS_NUMBERS]);
-    const char *sentence; /* as of printf, for these numbers                        */
+    char sentence[320]; /* as of printf, for these numbers */
 };
 
 /* name NULL ends. */

@@ -1,4 +1,4 @@
-/* What `advise` reads off measured rows, on made-up ones: who serves, in which order,
+/* Tests what `advise` reads off rows, on made-up ones: who serves, in which order,
  * whether fast enough, what is said of the others; each way round. */
 #include "bench/advise/advise.h"
 

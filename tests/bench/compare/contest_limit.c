@@ -1,6 +1,6 @@
-/* What limits a contestant, on made-up runs, each way round, and what is run to tell it;
- * nets: points across, what a net becomes when it is moved along an axis, and lines where
- * supports begin and end. */
+/* Tests the limit of a contestant on made-up runs, each way round, and the runs that tell
+ * it; nets: points across, what a net becomes when it is moved along an axis, and lines
+ * where supports begin and end. */
 #include "tests/contest_fixture.h"
 
 enum { RUNS = 7 };
@@ -102,8 +102,8 @@ static void limit(void)
     }
 }
 
-/* What is tried next: half as many points again, half the step, twice the iterations; cells
- * that are square stay so; nothing where there is a finer run, or no such axis. */
+/* The next runs to try: half as many points again, half the step, twice the iterations;
+ * cells that are square stay so; nothing where there is a finer run, or no such axis. */
 static const struct probe_case {
     struct run_of best;
     int substeps; /* of ten steps that the model made; 0: it did not say */
@@ -168,7 +168,7 @@ static void across(void)
     }
 }
 
-/* What a net becomes when it is moved along u: square cells stay square, a strip keeps its
+/* A net that is moved along u: square cells stay square, a strip keeps its
  * points across and never has more than square cells, what has more never fewer. */
 static void moved(void)
 {
@@ -233,7 +233,7 @@ static void supported(void)
     }
 }
 
-/* Its ladder and what is proposed are such nets, none twice. */
+/* The ladder and the proposals are such nets, none twice. */
 static void supported_search(void)
 {
     static const int sides[] = {11, 21, 41}, probe = 71;

@@ -12,7 +12,7 @@ enum { MOST_ROWS = 300 };
 
 static const double LONGEST = 3;
 
-/* What a run costs beyond the least possible: a tenth more points along and across, twice
+/* Seconds of a run over the least possible: a tenth more points along and across, twice
  * the steps, twice the iterations, and as much again where one axis is searched after
  * another. */
 static const double WASTE = 1.1 * 1.1 * 1.1 * 2 * 2 * 1.5;
@@ -203,10 +203,10 @@ static void proposes(int count, const int size[][CONTEST_AXES])
     fill(NULL, first, NULL);
 }
 
-/* From 10x10 points, than which nothing is nearer: fewer across first, then from there the
- * net and the step, then from 10x10, last across alone; and from there at once where fewer
- * across are far worse. A vague truth is not run after; a search that may cost nothing
- * proposes nothing, nor does one of a run that died. */
+/* Proposals from 10x10 points, than which nothing is nearer: fewer across first, then from
+ * there the net and the step, then from 10x10, last across alone; and from there at once
+ * where fewer across are far worse. A vague truth is not run after; a search that may cost
+ * nothing proposes nothing, nor does one of a run that died. */
 static void proposals(void)
 {
     static const int strips[][CONTEST_AXES] = {{10, 5, 1, 0}, {10, 4, 1, 0}},
@@ -263,7 +263,7 @@ static void growth(void)
 
 /* --- a budget --- */
 
-/* As near to the least seconds of each target as without a budget. */
+/* The search came as near to the least seconds of each target as without a budget. */
 static bool is_whole(const struct rule *r)
 {
     bool whole = true;

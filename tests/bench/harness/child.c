@@ -147,7 +147,7 @@ static int segfault = SIGSEGV, abort_ = SIGABRT, division = SIGFPE, bus = SIGBUS
 static struct ending diverged = {STATUS_DIVERGED, "it went round in circles"},
                      silent = {STATUS_NAN, NULL}, full = {STATUS_FILE, "no room"},
                      poor = {STATUS_MEMORY, NULL};
-/* What becomes of work, how far it was, and the words. */
+/* Work, and how it ends: outcome, how far it was, and the words. */
 static const struct {
     enum status (*work)(void *, struct message *);
     void *context;
@@ -210,7 +210,7 @@ static void check_ends(void)
     }
 }
 
-/* What still runs does not outlive child_clear. */
+/* A child that still runs does not outlive child_clear. */
 static void check_clear(void)
 {
     struct child c;

@@ -113,7 +113,7 @@ static int chosen(const char *choice, unsigned where)
     return count;
 }
 
-/* How many of a model do. */
+/* Counts the contestants of a model that enter there. */
 static int enter(const struct model *model, unsigned where)
 {
     int count = 0;
@@ -123,7 +123,7 @@ static int enter(const struct model *model, unsigned where)
     return count;
 }
 
-/* What a row sets, by its key; nothing for what another row sets, or none. */
+/* The value that a row sets a key to; nothing for keys that another row sets, or none. */
 static void test_settings(void)
 {
     static const struct {

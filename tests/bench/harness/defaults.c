@@ -1,5 +1,5 @@
-/* What a model by its own name is: large displacements and a cured net; what is left open
- * gives way to what is set, and a sentence says so. */
+/* Tests the defaults of models: large displacements and a cured net; a choice that is left
+ * open gives way to those that are set, and a sentence says so. */
 #include "bench/harness/run.h"
 #include "tests/run_fixture.h"
 
@@ -85,7 +85,7 @@ static const struct row {
      "[10,10,2] [3,3,1] nonlinear selective", NULL},
     {"iga", "hinge", "supports=[{at: {u: 0, w: 0}, fix: xyz}]",
      "[10,10,2] [3,3,1] nonlinear selective", NULL},
-    /* Where knots repeat, as many spans as elsewhere. */
+    /* Nets whose knots repeat have as many spans as others. */
     {"iga", "corners_patch", "",
      "[13,16,2] [3,3,1] nonlinear selective",
      "points=[13,16,2], not the defaults: knots repeat at the ends of supports"},

@@ -11,7 +11,7 @@
 #include "models/clock.h"
 #include "tests/scratch.h"
 
-/* Of a few seconds, in any order. */
+/* Sums of a few seconds, in any order. */
 static const double TOL_SUM = 1e-12;
 
 enum { JOBS = 12, CRASHES = 3, FAILS = 5, KILLED = 7, DONE_BEFORE = 9, HANGS = 10 };
@@ -217,7 +217,7 @@ static void check_signals(void)
         signal(numbers[n], SIG_DFL);
 }
 
-/* Who was stopped ends by that signal, whatever was to be done about it. */
+/* A program that was stopped ends by that signal, whatever its handler was. */
 static void check_raise(void)
 {
     int outcome = 0;

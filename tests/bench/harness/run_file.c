@@ -36,7 +36,7 @@ static void read_back(bool fields, struct run_result *r)
         printf("  %s\n", why.text), exit(1);
 }
 
-/* What is read back from a file is what the run itself gave. */
+/* Writes a run and reads it back: the numbers are those that the run itself gave. */
 static void write_run(const struct run_plan *plan, const struct run_keep *keep,
                       struct run_result *r)
 {
@@ -163,7 +163,7 @@ static void test_last_frame(void)
     CHECK(r.value[MEASURE_END_TIME] == 10 * 0.005);
 }
 
-/* What the file says of how and for whom it was made; nothing where nobody said so. */
+/* The file says how and for whom it was made; nothing where nobody said so. */
 static void test_made_for(void)
 {
     static const char *const made_for[] = {NULL, "case 12 of a test"};
@@ -214,7 +214,7 @@ static void test_times(void)
     CHECK(r.outcome == STATUS_NAN && r.death_time == 0.005 && r.steps == 1);
 }
 
-/* At rest: one look, at 0 s, and nothing that moved. */
+/* A sheet at rest has one look, at 0 s, and nothing that moved. */
 static void test_rest(void)
 {
     const struct measurement_options options = {.again = true};
@@ -281,7 +281,7 @@ static void test_refusals(void)
     CHECK(strstr(r.sentence.text, "died at t = 0 s"));
 }
 
-/* What is no result leaves no file, and a sentence. */
+/* A failure that is no result leaves a sentence and no file. */
 static void test_failures(void)
 {
     struct settings s = LIST("discretization.degree=[9,9,1]");
@@ -406,7 +406,7 @@ static enum status read_with(int count, const struct array *arrays, const char *
     return run_result_read(file, true, r, why);
 }
 
-/* Of each repeat the mean of its steps; a death leaves some out, or all. */
+/* Seconds are summaries of each repeat's mean step; a death leaves some out, or all. */
 static void test_seconds(void)
 {
     static const struct array arrays[] = {

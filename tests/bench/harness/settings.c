@@ -58,7 +58,7 @@ static void test_order(void)
     CHECK(s.count == 0 && !s.text && !settings_value(&s, "a"));
 }
 
-/* Through the text and the reader of scenes, the same double. */
+/* A double is the same after the text and the reader of scenes. */
 static void test_bits(void)
 {
     const double value[] = {1.0 / 3, 5e4 + 1e-11, 1e-3, 123456.123456789, 0.1};
@@ -80,7 +80,7 @@ static void test_bits(void)
     settings_clear(&s);
 }
 
-/* Far longer than any array of characters that it used to be printed into. */
+/* A setting of many numbers is long. */
 static void test_long(void)
 {
     enum { MANY = 2000 };
@@ -112,7 +112,7 @@ static void test_refusals(void)
     settings_clear(&s);
 }
 
-/* No memory at the n-th allocation: nothing is read as if it had not been said. */
+/* Without memory at the n-th allocation nothing is read as if it had not been set. */
 static void test_memory(void)
 {
     for (int n = 0; n < 4; n++) {

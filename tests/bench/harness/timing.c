@@ -245,7 +245,7 @@ static void test_together(void)
     CHECK(scratch_files(scratch) == 0);
 }
 
-/* What a reader of milliseconds should know, from the file: how busy the machine was. */
+/* The line on the machine says how busy it was. */
 static void test_machine(void)
 {
     static const struct {

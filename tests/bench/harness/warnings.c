@@ -1,4 +1,4 @@
-/* What is warned of before a run, and what is not: each rule on either side of its bound;
+/* Tests the warnings before a run: each rule on either side of its bound;
  * what a model doubts of what it did; which results cannot be right: numbers on either side
  * of each bound, alone and together, and of fields. */
 #include <math.h>

@@ -5,7 +5,7 @@
 
 #include "bench/experiment/bench_solid.h"
 #include "bench/speed/bench.h"
-#include "bench/truth/truth_table.h"
+#include "fem_ref/reference.h"
 
 #define LEN(array) (sizeof array / sizeof *array)
 
@@ -83,7 +83,7 @@ static enum status note_peers(struct table *t, const char *name, struct message 
     char text[WORDS] = "";
     enum status st;
 
-    TRY(truth_table_open("peers", &r, why));
+    TRY(reference_open_named("peers", &r, why));
     for (int row = reference_find(r, 0, "case", name), before = -1; row >= 0;
          before = row, row = reference_find(r, row + 1, "case", name))
         add_peer(r, row, before, text);

@@ -328,7 +328,7 @@ static void check_death(const struct run_plan *plan, enum status death, int fram
 {
     const double late[] = {0.4, 0.5};
     struct run_keep keep = {.times = 2, .time = late};
-    const struct measurement_options quick = {.quick = true, .repeats = 1};
+    const struct measurement_options quick = {.quick = true};
     struct run_result r;
 
     for (int n = 0; n < 2; n++) { /* looked at before it dies, or kept and not */
@@ -341,7 +341,8 @@ static void check_death(const struct run_plan *plan, enum status death, int fram
                 : isnan(r.value[MEASURE_END_TIME]));
     }
     keep.file = file;
-    struct measurement_case c = {.plan = *plan, .keep = keep, .timed = MEASUREMENT_WHOLE};
+    struct measurement_case c = {
+        .plan = *plan, .keep = keep, .timed = MEASUREMENT_WHOLE, .repeats = 1};
     REQUIRE(measurement_run(&quick, 1, &c, NULL) == STATUS_OK);
     read_back(false, &r);
     check_told(&r, death, frame, sentence);

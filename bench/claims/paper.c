@@ -1,8 +1,6 @@
 #include "bench/claims/paper.h"
 
 /* clang-format off */
-const double paper_table2_ms[PAPER_TABLE2_ROWS] = {89,  102,  403, 10,  82,
-                                                   408, 1281, 173, 276, 405};
 
 enum {
     STRETCHED = 1 << PAPER_OVER_STRETCHED,

@@ -213,13 +213,13 @@ static enum status print(const struct bench *b, struct message *why)
     (void)why;
     for (int k = 0; k < CASES; k++)
         add_row(t, b, k);
-    table_note(
-        t,
-        "Leapfrog on edge_drop, undamped. Moved: what a step must read and write of a "
-        "node, positions and velocities, %d numbers; what neighbours and coefficients "
-        "add stays in cache. Triad: a = b + 3 c (STREAM) on as many bytes as the net "
-        "holds; near 100 %% of it the net waits for memory, far below it computes.",
-        MOVED);
+    table_note(t,
+               "Leapfrog on edge_drop, undamped. The column `moved` counts what a step "
+               "must read and write for a node, positions and velocities, %d numbers; "
+               "neighbours and coefficients stay in cache. The triad is a = b + 3 c "
+               "(STREAM) on as many bytes as the net holds; near 100 %% of it the net "
+               "waits for memory, far below it computes.",
+               MOVED);
     table_note(t, "Memory's: a triad on %.3g MB, %.3g GB/s; the last cache has %.3g MB.",
                1e-6 * TRIAD_MOVED * sizeof(double) *
                    samples_number(&b->samples, "memory", "elements"),

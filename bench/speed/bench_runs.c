@@ -165,9 +165,8 @@ const struct bench_part bench_part_solids = {
 const struct bench_part bench_part_nonlinear = {
     .item = {"nonlinear", "shell, springs and nonlinear solids over whole motions"},
     .caption = "Frames of the models that iterate, edge_drop to 0.4 s, undamped",
-    .note =
-        "A repeat counts with its mean frame: frames differ, as iterations grow where the "
-        "sheet buckles.",
+    .note = "A repeat counts with its mean frame, because frames differ: iterations "
+            "grow where the sheet buckles.",
     .peers = "shell 10x10",
     .count = LEN(motions),
     .rows = motions,
@@ -183,7 +182,7 @@ const struct bench_part bench_part_projective = {
 const struct bench_part bench_part_swings = {
     .item = {"swings", "a second of nonlinear solids on 20x20x2 points of degree 3"},
     .caption = "A swing of 1 s, 200 frames, edge_drop, undamped",
-    .note = "The aim is 60 s for the swing. The first is the baseline.",
+    .note = "The aim is 60 s for the swing. The first row is the baseline.",
     .count = LEN(swings),
     .rows = swings,
     .print = print_runs};
@@ -264,9 +263,9 @@ static enum status print_contestants(const struct bench *b, struct message *why)
 
     for (int n = 0; n < b->batch.count; n++)
         add_contestant(t, b->batch.cases[n].plan.contestant, &b->result[n]);
-    table_note(t,
-               "Medians of the repeats; undamped, but for the paper's own scheme. "
-               "Iterations: Newton's, or local and global steps; none: one solve a frame.");
+    table_note(t, "Times are medians of the repeats. Motions are undamped except for the "
+                  "paper's own scheme. Iterations are Newton's, or local and global steps; "
+                  "none means one solve a frame.");
     return table_finish(t, b->format, b->file);
 }
 

@@ -144,8 +144,9 @@ static int add_notes(const struct tables *t)
     for (int n = 0; n < STRESS_ENDS; n++)
         runs += count[n];
     table_note(overview,
-               "ok: accurate, the error is within the case's bound; off: degraded, beyond "
-               "it. %d runs: %d accurate, %d degraded, %d refused, %d died.",
+               "`ok` means accurate: the error is within the case's bound. `off` means "
+               "degraded: the error is beyond it. %d runs: %d accurate, %d degraded, %d "
+               "refused, %d died.",
                runs, count[0], count[1], count[2], count[3]);
     if (t->damaged)
         table_note(overview,
@@ -153,8 +154,8 @@ static int add_notes(const struct tables *t)
                    "their cases again.",
                    t->damaged);
     table_note(t->table[DETAILS],
-               "Until: the time in the scene at which the run died, or at which its error "
-               "first went beyond the bound.");
+               "The column `until` is the time in the scene at which the run died, or "
+               "at which its error first exceeded the bound.");
     return runs + t->damaged;
 }
 

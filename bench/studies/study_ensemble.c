@@ -476,21 +476,21 @@ enum status study_ensemble_tell(const struct study_ensemble *e, const char *fold
         tell_case(e, &w, file);
     for (int k = 0; k < e->count; k++)
         tell_one(e, &w, k, t, prose ? file : NULL);
-    table_note(
-        t,
-        "Points: mean positions off the truth's, rms over L, at the horizon, where a "
-        "change has grown %g-fold on both of the truth's nets (without one, at the "
-        "end). Growth: rms spread of points at the end over %g L.",
-        TRUTH_MOST_GROWTH, TRUTH_PERTURBATION);
+    table_note(t,
+               "The column of points is the rms distance of mean positions from the "
+               "truth's, over L, at the horizon, where a change has grown %g-fold on "
+               "both of the truth's nets (without a horizon, at the end). Growth is the "
+               "rms spread of points at the end over %g L.",
+               TRUTH_MOST_GROWTH, TRUTH_PERTURBATION);
     if (w.count)
-        table_note(
-            t,
-            "Other numbers (> L: heights of waves longer than that): how far their "
-            "means are from the truth's, and the worst of their spreads, in standard "
-            "errors, in the worst of %d windows from %.3g to %.3g s. What the truth's "
-            "nets differ by beyond chance is an error of its own. Right: none beyond "
-            "%.3g, which %d comparisons with a right one pass in 5 of 100 cases.",
-            w.count, w.begin, w.end, w.bound, 2 * NUMBERS * w.count);
+        table_note(t,
+                   "The other columns (> L: heights of waves longer than that) are the "
+                   "distances of means from the truth's, and the largest distance of "
+                   "spreads, in standard errors, in the worst of %d windows from %.3g to "
+                   "%.3g s. The difference of the truth's two nets beyond chance counts as "
+                   "an additional error. A model is right if none exceeds %.3g, which %d "
+                   "comparisons with a right model exceed in 5 of 100 cases.",
+                   w.count, w.begin, w.end, w.bound, 2 * NUMBERS * w.count);
     const enum status st = table_publish(t, folder, name, format, file, why);
     return st == STATUS_OK && table_format_is_data(format)
                ? table_finish(fill_growth(e), format, file)

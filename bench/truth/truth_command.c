@@ -107,19 +107,19 @@ static void add_notes(struct table *t, const struct truth *made, double length)
         table_note(t, "Horizon: %s.", made->horizon);
         return;
     }
-    table_note(
-        t,
-        "Orders are of the rms over the material grid, over three nets and over three "
-        "steps, or over three runs of which both shrink; a dash: the differences do not "
-        "shrink. A model's bar is what its orders leave, with a factor of safety. Growth: "
-        "rms change after gravity was changed by 1e-6 in the direction (1,1,1), over 1e-6 "
-        "of the length.");
+    table_note(t, "Orders are of the rms over the material grid, over three nets and over "
+                  "three steps, or over three runs of which both shrink; a dash means that "
+                  "the differences do not shrink. A model's bar is the error that its "
+                  "orders predict, times a factor of safety. Growth is the rms change "
+                  "after gravity was changed by 1e-6 in the direction (1,1,1), over 1e-6 "
+                  "of the length.");
     note_horizon(t, made, length);
     if (*made->third)
-        table_note(t,
-                   "The third mechanics: %s. Its distance is from the truth's middle "
-                   "surface, its bar what its own order leaves.",
-                   made->third);
+        table_note(
+            t,
+            "The third mechanics is %s. Its distance is that from the truth's middle "
+            "surface, and its bar is the error that its own order predicts.",
+            made->third);
     if (*made->commit)
         table_note(t, "Made at commit %s with %s changed files.", made->commit,
                    made->changed);

@@ -156,8 +156,7 @@ static void add_second(struct cells *c)
     struct plan plan;
 
     open_plan(SOURCE_DIR "/bench/plans/table2.yaml", &plan);
-    REQUIRE(plan.study_count == PAPER_TABLE2_ROWS);
-    for (int n = 0; n < PAPER_TABLE2_ROWS; n++) {
+    for (int n = 0; n < plan.study_count; n++) {
         const struct plan_study *s = &plan.studies[n];
         char row[WORD], degree[WORD], net[WORD];
         struct scene scene;
@@ -173,8 +172,7 @@ static void add_second(struct cells *c)
         ADD(c, 2, row, "rho", "%.17g", scene.density);
         ADD(c, 2, row, "mu", "%.17g", scene.damping.value);
         ADD(c, 2, row, "control points", "%d", points);
-        ADD(c, 2, row, "ms", "%.17g", paper_table2_ms[n]);
-        CHECK(printed->paper_ms == paper_table2_ms[n]);
+        ADD(c, 2, row, "ms", "%.17g", printed->paper_ms);
         scene_clear(&scene);
     }
     plan_clear(&plan);

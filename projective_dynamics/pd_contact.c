@@ -198,7 +198,7 @@ static bool held_whole(const struct pd_contact *c, int node)
     return held[node] && held[c->nodes + node] && held[2 * c->nodes + node];
 }
 
-/* Whether touch t pulls, or is open and below its plane. */
+/* Returns whether touch t pulls, or is open and below its plane. */
 static bool is_wrong(const struct pd_contact *c, int t, const double *from, const double *x)
 {
     const struct pd_touch *touch = &c->touch[t];

@@ -272,7 +272,7 @@ out:
 
 /* --- The claims. */
 
-/* Whether there are verdicts that can be counted. */
+/* Returns whether there are verdicts that can be counted. */
 static bool has_verdicts(const struct study_results *d, FILE *because)
 {
     if (d->quick)
@@ -312,7 +312,7 @@ static enum judge words_are_the_same(const struct study_results *d, FILE *becaus
     return of_all(flag.same, flag.judged);
 }
 
-/* Whether a label is physics: elastic models of the same sheet give it, too. */
+/* Returns whether a label is physics: elastic models of the same sheet give it, too. */
 static enum judge physics(const struct study_results *d, enum paper_label label,
                           FILE *because)
 {

@@ -20,7 +20,8 @@ const char *dataset_label(const struct study *s, int level, const char *axis)
     return NULL;
 }
 
-/* Whether a row has all of these labels and, if they name no time, is at the last. */
+/* Returns whether a row has all of these labels and, if they name no time, is at the last.
+ */
 static bool is_named(const struct place *p, const struct where *where)
 {
     const double *time = p->s->time;
@@ -317,7 +318,7 @@ static bool has_part(const struct view *v, enum part part)
     return any;
 }
 
-/* Whether people see a quantity: a study alone without a truth has no errors. */
+/* Returns whether people see a quantity: a study alone without a truth has no errors. */
 static bool is_seen(const struct view *v, enum quantity q)
 {
     const bool error = q == QUANTITY_ERROR || q == QUANTITY_BAR;
@@ -361,7 +362,7 @@ static void add_row(struct table *t, const struct view *v, enum part part,
             verdict_text(rules, verdict_of(rules, &row->result), words, sizeof words));
 }
 
-/* Whether people see a level. */
+/* Returns whether people see a level. */
 static bool is_shown(const struct study_results *d, const struct study *s, int level)
 {
     const struct plan_settings *shown = &d->plan->table.shown;
@@ -557,7 +558,7 @@ static bool are_alike(const struct dot *a, const struct dot *b, bool line)
     return !strcmp(a->panel, b->panel) && (!line || !strcmp(a->line, b->line));
 }
 
-/* Whether no dot before it is of the same panel or line. */
+/* Returns whether no dot before it is of the same panel or line. */
 static bool is_first(const struct dot *dots, const struct dot *dot, bool line)
 {
     while (!are_alike(dots, dot, line))

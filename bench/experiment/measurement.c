@@ -45,7 +45,8 @@ static enum status put_away(struct job *j, struct message *why)
     return st;
 }
 
-/* Whether a case is timed; one that died in its first frames has nothing to be timed. */
+/* Returns whether a case is timed; one that died in its first frames has nothing to be
+ * timed. */
 static bool is_timed(const struct job *j)
 {
     return j->file && !run_file_refused(j->file) &&
@@ -53,7 +54,7 @@ static bool is_timed(const struct job *j)
            (j->asked->rest || j->motion.frames > WARMUP);
 }
 
-/* Whether frames cost more at some times of a motion than at others. */
+/* Returns whether frames cost more at some times of a motion than at others. */
 static bool is_uneven(const struct job *j)
 {
     return j->run.discretization.kinematics == KINEMATICS_NONLINEAR ||

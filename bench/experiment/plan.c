@@ -79,7 +79,8 @@ static enum status check_key(const char *key, const struct yaml_tree *node,
                                   yaml_tree_quote(key).text);
 }
 
-/* Whether the value of a key is looked up as it is; others are YAML, as --set takes it. */
+/* Returns whether the value of a key is looked up as it is; others are YAML, as --set takes
+ * it. */
 static bool is_name(const char *key)
 {
     return !strcmp(key, "scene") || !strcmp(key, "model");
@@ -717,7 +718,7 @@ static void clear_level(struct plan_level *level)
     *level = (struct plan_level){0};
 }
 
-/* Whether a level of a study is among these products. */
+/* Returns whether a level of a study is among these products. */
 static bool is_among(const struct plan_product *product, const struct plan_study *study,
                      const struct plan_level *level)
 {
@@ -1283,7 +1284,7 @@ out:
     return st;
 }
 
-/* Whether some study has an axis of this name, and this label on it. */
+/* Returns whether some study has an axis of this name, and this label on it. */
 static bool has_label(const struct plan *plan, const char *axis, const char *label,
                       bool *known)
 {

@@ -65,8 +65,8 @@ out:
     return st;
 }
 
-/* Whether a scene has no truth, which is told with the numbers and ends nothing: none is
- * claimed, or the run that was to be it died. */
+/* Returns whether a scene has no truth, which is told with the numbers and ends nothing:
+ * none is claimed, or the run that was to be it died. */
 static bool has_none(enum status st)
 {
     return st == STATUS_UNSUPPORTED || status_is_death(st);

@@ -110,7 +110,7 @@ struct verdict verdict_of(const struct verdict_rules *rules, const struct run_re
     return v;
 }
 
-/* Whether a rule among these bits has the label. */
+/* Returns whether a rule among these bits has the label. */
 static bool among(const struct verdict_rules *rules, unsigned bits, const char *label)
 {
     for (int n = 0; n < rules->count; n++)

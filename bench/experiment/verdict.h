@@ -67,12 +67,12 @@ struct verdict verdict_of(const struct verdict_rules *rules, const struct run_re
 const char *verdict_text(const struct verdict_rules *rules, struct verdict verdict,
                          char *text, int size);
 
-/* Whether the case has this label, by any rule. */
+/* Returns whether the case has this label, by any rule. */
 bool verdict_has(const struct verdict_rules *rules, struct verdict verdict,
                  const char *label);
 
-/* Whether it is open if the case has this label: no rule gives it, and one that could had
- * nothing to judge by. */
+/* Returns whether it is open if the case has this label: no rule gives it, and one that
+ * could had nothing to judge by. */
 bool verdict_lacks(const struct verdict_rules *rules, struct verdict verdict,
                    const char *label);
 

@@ -81,7 +81,7 @@ void contact_set_remember(struct contact_set *c);
 /* Notes that the system's matrix is no longer the one that was factored. */
 void contact_set_forget(struct contact_set *c);
 
-/* Whether an obstacle carries any node. */
+/* Returns whether an obstacle carries any node. */
 bool contact_set_any(const struct contact_set *c);
 
 /* Computes v <- P v for P[nodes][9], c->projector or the like, v[nodes][3]. */

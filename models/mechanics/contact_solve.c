@@ -145,8 +145,8 @@ static double free_normal(const struct contact_set *c, int a, int o, double *bes
     return sqrt(dot(free, free));
 }
 
-/* Whether the pair should change: an active one if it pulls or adds no direction, another
- * if its node is too far; by more than `slack`, as a value of x. */
+/* Returns whether the pair should change: an active one if it pulls or adds no direction,
+ * another if its node is too far; by more than `slack`, as a value of x. */
 static bool violated(const struct contact_set *c, const struct system *s,
                      const struct contact_problem *p, const double *x, int a, int o,
                      double slack)

@@ -20,7 +20,7 @@
 #include "models/mechanics/contact_set.h"
 #include "models/mechanics/system.h"
 
-/* How long a solve iterates on friction: until it settles; one pass, for an outer iteration
+/* The time that a solve iterates on friction: until it settles; one pass, for an outer iteration
  * that continues from call to call until contact_set is `settled`; or not at all, with the
  * present drags, for such an iteration that does not end. */
 enum contact_friction {

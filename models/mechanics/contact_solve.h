@@ -20,9 +20,9 @@
 #include "models/mechanics/contact_set.h"
 #include "models/mechanics/system.h"
 
-/* The time that a solve iterates on friction: until it settles; one pass, for an outer iteration
- * that continues from call to call until contact_set is `settled`; or not at all, with the
- * present drags, for such an iteration that does not end. */
+/* The passes of a solve over friction: until it settles; one, for an outer iteration that
+ * continues from call to call until contact_set is `settled`; or none, with the present
+ * drags, for such an iteration that does not end. */
 enum contact_friction {
     CONTACT_FRICTION_SETTLES,
     CONTACT_FRICTION_ONCE,

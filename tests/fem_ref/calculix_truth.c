@@ -118,9 +118,8 @@ static void check_tips(void)
 
         snprintf(height, sizeof height, "sheet.thickness=%.17g",
                  reference_number(table, n, "thickness"));
-        OPENED_RUN(&run, "cantilever", "iga", height, "material.density=0.5",
-                   "discretization.points=[13,13,3]", "discretization.degree=[3,3,2]",
-                   "discretization.remedy=none");
+        OPENED_RUN(&run, "cantilever", "iga_paper", height, "material.density=0.5",
+                   "discretization.points=[13,13,3]", "discretization.degree=[3,3,2]");
         opened_settle(&run);
         run.model->probe(run.state, 2, uvw[0], x[0]);
         for (int c = 0; c < 2; c++)

@@ -432,8 +432,9 @@ static enum judge it_flows(const struct study_results *d, FILE *because)
 
     fprintf(
         because,
-        "Boards, not cloth: Gamma, weight against bending, is %.3g to %.3g in these rows "
-        "and 5e4 or more in measured fabrics of 1 m. The undamped shell, an elastic sheet "
+        "These sheets are boards and not cloth: Gamma, weight against bending, is %.3g to "
+        "%.3g in these rows and 5e4 or more in measured fabrics of 1 m. The undamped "
+        "shell, an elastic sheet "
         "with these numbers, sinks with its middle line by %.2g degrees at most on flag "
         "in row 4, the printed one's by %.3g.",
         dataset_least(d, QUANTITY_GAMMA, rows), dataset_most(d, QUANTITY_GAMMA, rows),
@@ -451,11 +452,12 @@ static enum judge words_teach(const struct study_results *d, FILE *because)
         learn_from(d, n, answer);
         agree[n] = right(0, answer->left_out);
     }
-    fprintf(because,
-            "Yes or no, of rows that the bounds were not learnt from: %d of 18 right from "
-            "what the runs on flag show, %d on edge_drop, %d from E/rho alone, %d by `no` "
-            "to all.",
-            agree[FLAG], agree[DROP], agree[RATIO], no);
+    fprintf(
+        because,
+        "For rows that the bounds were not learnt from, the answer is right for %d of 18 "
+        "rows by what the runs on flag show, for %d on edge_drop, for %d by E/rho "
+        "alone, and for %d by `no` to all.",
+        agree[FLAG], agree[DROP], agree[RATIO], no);
     return agree[FLAG] > no || agree[DROP] > no ? JUDGE_HOLDS : JUDGE_FAILS;
 }
 
@@ -493,8 +495,9 @@ const struct claim claim_table4[] = {
     {"Too fine wrinkles come from E, rho and mu", PAPER, wrinkles_are_physics},
     {"Row 7 alone is chaotic", PAPER, row_7_is_chaos},
     {"E and rho are one parameter", "", false, one_parameter},
-    {"Crossings tell the paper's rows from the others", "", true, crossings_tell},
+    {"Self-intersections distinguish the paper's rows from the others", "", true,
+     crossings_tell},
     {"The printed scheme has no elastic memory, and flows", "", true, it_flows},
-    {"What the runs show teaches the paper's eye", "", true, words_teach},
-    {"Maps draw what the paper's words teach", "", true, maps_draw_it},
+    {"The paper's judgements can be learnt from what the runs show", "", true, words_teach},
+    {"The maps draw the bounds that the paper's words teach", "", true, maps_draw_it},
     {0}};

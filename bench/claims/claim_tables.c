@@ -28,7 +28,7 @@ enum { NETS = 8 };
 
 static enum judge criterion(const struct study_results *d, FILE *because)
 {
-    const char *net[NETS], *first = "no net";
+    const char *net[NETS], *first = "none";
     const double there = dataset_at(d, QUANTITY_APART_MOST, FEM);
 
     for (int n = dataset_labels(d, "net", NETS, net) - 1; n >= 0; n--)
@@ -36,7 +36,8 @@ static enum judge criterion(const struct study_results *d, FILE *because)
             PAPER_TABLE1_RMSE)
             first = net[n];
     fprintf(because,
-            "At all four times first at %s; " PAPER_TABLE1_NET " is up to %.3g L away.",
+            "The first net that is so near at all four times: %s. " PAPER_TABLE1_NET
+            " is up to %.3g L away.",
             first, there);
     return isnan(there)                       ? JUDGE_OPEN
            : !strcmp(first, PAPER_TABLE1_NET) ? JUDGE_HOLDS

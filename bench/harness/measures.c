@@ -1,5 +1,7 @@
 #include "bench/harness/measures.h"
 
+#include <stddef.h>
+
 static const struct {
     const char *name, *unit, *sentence;
 } words[] = {
@@ -10,7 +12,7 @@ static const struct {
 
 const char *measure_name(int measure)
 {
-    return words[measure].name;
+    return measure < MEASURES ? words[measure].name : NULL;
 }
 
 const char *measure_unit(int measure)

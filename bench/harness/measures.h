@@ -48,7 +48,8 @@ enum measure {
         MEASURES
 };
 
-/* Return the words of a measure (enum measure). Static storage. */
+/* Return the words of a measure (enum measure). Static storage. The name behind the last is
+ * NULL, with which lists of words end. */
 const char *measure_name(int measure);
 const char *measure_unit(int measure);
 const char *measure_sentence(int measure);

@@ -227,15 +227,19 @@ enum { SHARE = 256 };
  * made of. */
 static void tell_share(const struct truth_family *f, int limits, bool own, char text[SHARE])
 {
-    const struct truth_level *l = &f->level[f->count - (limits ? SETTLED : 1)];
     char level[TRUTH_BAR_LEVEL];
 
+    *text = '\0';
+    if (!f->count) /* the truth is the other model's alone */
+        return;
     truth_bar_level(&f->level[f->count - 1], own, level);
     const int used = snprintf(text, SHARE, "%s", level);
-    if (limits)
+    if (limits) {
+        const struct truth_level *l = &f->level[f->count - SETTLED];
         snprintf(text + used, SHARE - (size_t)used,
                  ", %d times extrapolated from %dx%d, %dx%d, %dx%d and that", limits,
                  l[0].side, l[0].side, l[1].side, l[1].side, l[2].side, l[2].side);
+    }
 }
 
 static void tell(const struct truth_family family[TRUTH_MODELS],

@@ -229,12 +229,9 @@ static void tell_share(const struct truth_family *f, int limits, bool own, char 
 {
     char level[TRUTH_BAR_LEVEL];
 
-    *text = '\0';
-    if (!f->count) /* the truth is the other model's alone */
-        return;
     truth_bar_level(&f->level[f->count - 1], own, level);
     const int used = snprintf(text, SHARE, "%s", level);
-    if (limits) {
+    if (limits && f->count >= SETTLED) { /* a third's limit is described in its note */
         const struct truth_level *l = &f->level[f->count - SETTLED];
         snprintf(text + used, SHARE - (size_t)used,
                  ", %d times extrapolated from %dx%d, %dx%d, %dx%d and that", limits,

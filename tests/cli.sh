@@ -234,6 +234,13 @@ done
 
 good run sphere --model mass_spring --set time.end=0.5
 [[ $err == 'Do not trust this result: an obstacle is '* ]] || fail "opens otherwise: $err"
+# on a terminal a long run has a bar, which goes at its end
+if command -v script >/dev/null; then
+    out=$(script -qec "$program run edge_drop --set time.end=5" /dev/null </dev/null)
+    says out '] ' ' %, ' ' s left'
+    out=$(script -qec "$program run edge_drop --set time.end=5 --quiet" /dev/null </dev/null)
+    [ -z "$out" ] || fail "--quiet says on a terminal: $out"
+fi
 good run sphere --model mass_spring --set time.end=0.5 --quiet
 [ -z "$err" ] || fail "words for nobody: $err"
 

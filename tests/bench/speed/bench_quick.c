@@ -115,6 +115,25 @@ static void test_libraries(const char *folder)
     said_clear(&s);
 }
 
+/* Checks the pairs that made surfaces have, the gain and the repeats. */
+static void test_intersection(const char *folder)
+{
+    static const struct {
+        const char *surface;
+        double pairs;
+    } rows[] = {{"flat", 0}, {"rolled up", 0}, {"folded", 515}, {"doubled", 8112}};
+    struct said s;
+
+    twice(&s, "intersection", folder);
+    for (int n = 0; n < LENGTH(rows); n++) {
+        const char *name = rows[n].surface;
+        CHECK(cell(&s, name, 0) == rows[n].pairs);
+        CHECK_NEAR(cell(&s, name, 1) * cell(&s, name, 3) / cell(&s, name, 2), 1, 1e-9);
+        CHECK(cell(&s, name, 4) == TIMING_REPEATS_QUICK);
+    }
+    said_clear(&s);
+}
+
 /* Checks a part that is made of runs; people are told of the machine, and of memory where
  * it ran. */
 static void test_runs(const char *folder)
@@ -160,6 +179,7 @@ int main(int argc, char **argv)
     REQUIRE(argc == 2);
     remove_earlier(argv[1]);
     test_bandwidth(argv[1]);
+    test_intersection(argv[1]);
     test_libraries(argv[1]);
     test_runs(argv[1]);
     return check_result();

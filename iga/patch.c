@@ -31,26 +31,6 @@ out:
     return st;
 }
 
-enum status patch_copy(const struct patch *from, struct patch *to)
-{
-    enum status st = STATUS_OK;
-    struct patch new = {0};
-    size_t nodes = (size_t)patch_nodes(from);
-
-    TRY(patch_init(&new, from->basis));
-    memcpy(new.point, from->point, nodes * 3 * sizeof *new.point);
-    if (from->weight) {
-        new.weight = malloc(nodes * sizeof *new.weight);
-        if (!new.weight)
-            TRY(STATUS_MEMORY);
-        memcpy(new.weight, from->weight, nodes * sizeof *new.weight);
-    }
-    *to = new, new = (struct patch){0};
-out:
-    patch_clear(&new);
-    return st;
-}
-
 void patch_clear(struct patch *patch)
 {
     if (!patch)

@@ -20,7 +20,6 @@ int patch_local(const struct patch *p); /* (p+1)(q+1)(r+1) functions per element
 
 /* Copies the bases; control points are zero, weights NULL. */
 enum status patch_init(struct patch *patch, const struct bspline basis[3]);
-enum status patch_copy(const struct patch *from, struct patch *to);
 void patch_clear(struct patch *patch);
 
 /* Sets the box origin + a u + b v + c w with parameter = affine coordinate: control points

@@ -138,7 +138,7 @@ static enum judge is_viscous(const struct study_results *d, FILE *because)
     return judge_both(judge_below(fall, VISCOUS), judge_below(creep, VISCOUS));
 }
 
-/* If a motion has a limit, a halving moves it as far as all later ones together. */
+/* Judges a rate by a limit's sign: a halving moves as far as all later ones together. */
 static enum judge rate_has_limit(const struct study_results *d, FILE *because)
 {
     const double rate = exponent(d, QUANTITY_NEXT, "nonlinear_rate");

@@ -31,7 +31,7 @@ static const struct truth_wish wish = {.error = 0.005, .seconds = 240, .alone = 
                                quick_wish = {.error = TRUTH_MOST_ERROR, .alone = true};
 
 /* Finds the truth of a study, which depends on its physics and not on its nets and steps.
- * With a wish it is made where nothing is known. */
+ * It is made where nothing is known and a wish is given. */
 static enum status find_truth(const struct plan *plan, const struct plan_study *study,
                               int times, const double *time, const char *folder,
                               const struct truth_wish *made_by, struct truth **truth,

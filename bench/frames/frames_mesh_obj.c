@@ -137,7 +137,7 @@ enum status frames_mesh_obj(struct frames_file *f, struct frames_mesh *mesh,
 
     TRY(take_lines(&o, false, why));
     TRY(take_lines(&o, true, why));
-    /* As many vt as v that no faces pair belong together in order. */
+    /* Texture points that no face pairs with vertices belong to them in order. */
     if (!mesh->triangles && o.vt_count == mesh->vertices)
         mesh->uv = o.vt, o.vt = NULL;
     for (int n = 0; mesh->uv && n < 2 * mesh->vertices; n++)

@@ -11,7 +11,8 @@
  * alpha is a linear function of E, so that nothing has to be iterated or remembered
  * (Klinkel, Wagner 1997); at small displacements it is the incompatible element.
  *
- * In a space with a layer (solid_layer.h) all but the room is solid_green_layer.h's.
+ * solid_green_layer.h does all of this but the room in a space with a layer
+ * (solid_layer.h).
  */
 #ifndef SOLID_GREEN_ELEMENT_H
 #define SOLID_GREEN_ELEMENT_H

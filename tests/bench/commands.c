@@ -1,4 +1,4 @@
-/* How many words each command takes is what its usage line says: "SCENE [OPTION]..." takes
+/* Commands take as many words as their usage lines say: "SCENE [OPTION]..." takes
  * one, "[CASE]... [OPTION]..." any number of its items. More and fewer are refused. */
 #include "bench/commands.h"
 

@@ -38,8 +38,7 @@ static void check_box(const struct patch *shape)
     uint64_t state = 2;
     struct patch box = {0};
 
-    REQUIRE(patch_copy(shape, &box) == STATUS_OK);
-    free(box.weight), box.weight = NULL;
+    REQUIRE(patch_init(&box, shape->basis) == STATUS_OK);
     patch_set_box(&box, origin, edge[0], edge[1], edge[2]);
     for (int s = 0; s < SAMPLES; s++) {
         double uvw[3], x[3], again[3], J[3][3];
@@ -216,16 +215,11 @@ static void check_life_cycle(void)
 
     quarter_annulus(1, 2, 1, &patch);
     CHECK(patch_nodes(&patch) == 12 && patch_local(&patch) == 12);
-    REQUIRE(patch_copy(&patch, &copy) == STATUS_OK);
-    CHECK(copy.point != patch.point && copy.weight != patch.weight);
-    CHECK(copy.basis[0].U != patch.basis[0].U);
-    CHECK(!memcmp(copy.point, patch.point, 36 * sizeof(double)));
-    CHECK(!memcmp(copy.weight, patch.weight, 12 * sizeof(double)));
-    patch_clear(&copy);
-    CHECK(!memcmp(&copy, &zero, sizeof zero));
     REQUIRE(patch_init(&copy, patch.basis) == STATUS_OK);
+    CHECK(copy.basis[0].U != patch.basis[0].U);
     CHECK(!copy.weight && copy.point[0] == 0.0 && copy.point[35] == 0.0);
     patch_clear(&copy);
+    CHECK(!memcmp(&copy, &zero, sizeof zero));
     patch_clear(&patch);
     patch_clear(NULL);
 }

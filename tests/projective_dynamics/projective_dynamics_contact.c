@@ -7,12 +7,12 @@ static const double SOLVED = 1e-10;
 /* Conjugate gradients stop at gaps of PD_CONTACT_CLOSED in each iteration. */
 static const double SAME = 1e-8;
 
-/* By how much friction may exceed mu times a normal force that still changes: after ten
+/* Excess of friction over mu times a normal force that still changes: after ten
  * iterations a step, and where they went on to the end. */
 static const double FEW = 0.3, CONVERGED = 1e-3;
 
-/* What bears force touches: planes are those of the iterate before, so that the gap to a
- * ball is the square of the last iteration's way over its diameter. */
+/* Gap of a node that bears force: planes are those of the iterate before, so that the gap
+ * to a ball is the square of the last iteration's way over its diameter. */
 static const double CLOSED = 1e-9;
 
 static void ball_scene(struct scene *scene, double friction)

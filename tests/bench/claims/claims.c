@@ -95,7 +95,7 @@ static void set(const struct study *s, struct study_row *row, int time, double *
     }
 }
 
-/* Whether it is one of "A or B or C". */
+/* Returns whether it is one of "A or B or C". */
 static bool is_among(const char *label, const char *all)
 {
     const size_t size = strlen(label);
@@ -174,7 +174,8 @@ static const struct claim *claim_of(const char *plan, const char *quote)
     return NULL;
 }
 
-/* Whether a number goes on beyond `size` letters of a text, or has begun before it. */
+/* Returns whether a number goes on beyond `size` letters of a text, or has begun before it.
+ */
 static bool cuts_number(const char *begin, const char *at, size_t size)
 {
     const char *const end = at + size;
@@ -184,7 +185,8 @@ static bool cuts_number(const char *begin, const char *at, size_t size)
     return isdigit(end[-1]) && (isdigit(*end) || (*end == '.' && isdigit(end[1])));
 }
 
-/* Whether the parts between " ... " stand in a text in this order, no number cut. */
+/* Returns whether the parts between " ... " stand in a text in this order, no number cut.
+ */
 static bool has_words(const char *text, char *words)
 {
     const char *const begin = text;

@@ -11,7 +11,7 @@
  *     xyz d 1,2,100,100,3 0        kinds: d double, s text, v text of any length, x bytes
  *     @scene s - name: a|...       | is a line break
  *
- * What the library does not make a file of is left out. Beyond crashes, leaks (of what is
+ * Input of which the library makes no file is left out. Beyond crashes, leaks (of what is
  * open in a file, too) and undefined behaviour it stops at: a refusal without a printable
  * sentence that names the file; a result that holds less than it says. */
 #define _GNU_SOURCE /* strsep */

@@ -447,7 +447,7 @@ static void test_full_disk(struct fixture *f)
     rmdir(disk);
 }
 
-/* With a path: only writes a run there, for external_paraview.py. */
+/* Given a path, it only writes a run there, for external_paraview.py. */
 int main(int count, char **arguments)
 {
     struct fixture f;

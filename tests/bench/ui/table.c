@@ -15,7 +15,7 @@ static const struct table_column columns[] = {
     {"p", .readers = TABLE_MACHINES},
     {"unknowns"}};
 
-/* With what a format takes for its own, in headers, cells and captions. */
+/* Makes a table whose headers, cells and captions have characters that formats use. */
 static struct table *make(void)
 {
     struct table *t = table_create(6, columns, "50 % & #1");

@@ -10,7 +10,7 @@ static const double rounding = 1e-11;
 static const double dragged = 1e-8;
 /* Friction is repeated to 1e-7 of the largest force (contact_solve.c). */
 static const double settled = 1e-6;
-/* What sticks creeps by 1e-7 of g dt^2 = 1 here. */
+/* A node that sticks creeps by 1e-7 of g dt^2 = 1 here. */
 static const double creep = 1e-7;
 
 static unsigned long long seed = 1;

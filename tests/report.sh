@@ -98,11 +98,11 @@ none,f,four,5,0.005,,,0.001,0
 TABLE
 mkdir changed/verify
 printf 'check,quantity,verdict\na,b,met\na,b,MISSED\n' >changed/verify/a.csv
-printf 'check,quantity,verdict\na,b,met\na,b,died\na,b,no claim\n' >changed/verify/b.csv
+printf 'check,quantity,verdict\na,b,met\na,b,died\na,b,met\na,b,no claim\n' >changed/verify/b.csv
 good changed
 found 1 ' claims 2 hold and 1 do not; '
 found 2 '1 % of the length on edge_drop is 1.3 s, by quick; the next model, other, takes 2 times as long.'
-found 3 ' 2 have it and 2 do not.'
+found 3 ' 3 have it and 2 do not.'
 has '"best":["quick","other","far"]'
 sed -i 's/,0.001,1$/,0.5,1/' changed/compare.csv
 good changed

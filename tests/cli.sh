@@ -94,6 +94,18 @@ for name in $names; do
     [ -z "$out$err" ] || fail "run $name --quiet says $out$err"
 done
 good list truths
+# a truth's bar is the smaller one of both models or, if larger, their difference; its packing is some
+# of that, but a tenth at most
+good truth flag --stored --format csv
+awk -F, '/^time_s,/ { for (n = 1; n <= NF; n++) at[$n] = n }
+    /^[0-9]/ {
+        a = $at["solid_bar_over_length"]; b = $at["shell_bar_over_length"]; rows++
+        own = a < b ? a : b; apart = $at["difference_over_length"]
+        bar = $at["error_bar_over_length"]; packing = $at["packing_over_length"]
+        want = own > apart ? own : apart
+        if ((bar - want) ^ 2 > 1e-12 * bar ^ 2 || packing <= 0 || packing > 0.1001 * bar) wrong = 1
+    }
+    END { exit wrong || rows < 4 }' out || fail "columns of a truth: $out"
 sed 's/^name:.*/name: mine/' "$2/models/scenes/edge_drop.yaml" >mine.yaml
 refused "no truth 'mine'" truth mine.yaml --stored
 refused 'corners_drop has no truth: support 0 holds a point' truth corners_drop --stored

@@ -52,14 +52,46 @@ struct scene_load {
     double force[3]; /* in all                                                [N]     */
 };
 
-enum obstacle_kind { OBSTACLE_PLANE, OBSTACLE_SPHERE };
+/* How the sheet meets bodies and itself (models/contact/contact_law.h); 0: by rule. */
+struct scene_contact {
+    bool self;        /* the sheet meets itself                                    */
+    double thickness; /* distance of mid-surfaces where contact starts; h    [m]   */
+    double range;     /* from there to the wall; thickness / 2               [m]   */
+    double stiffness; /* pressure at half the range                          [Pa]  */
+    double friction;  /* Coulomb coefficient of the sheet on itself                */
+};
 
+enum obstacle_kind {
+    OBSTACLE_PLANE,
+    OBSTACLE_SPHERE,
+    OBSTACLE_CAPSULE,
+    OBSTACLE_BOX,
+    OBSTACLE_MESH,
+    OBSTACLE_KINDS
+};
+
+struct obstacle_mesh; /* models/contact/contact_mesh.h */
+
+/* A body that the sheet may not enter; rigid. Places are those at t = 0. */
 struct scene_obstacle {
     enum obstacle_kind kind;
-    double point[3];  /* on the plane; the sphere's centre                    [m]     */
-    double normal[3]; /* plane: outward, any length > 0                               */
-    double radius;    /* sphere                                               [m]     */
-    double friction;  /* Coulomb coefficient, >= 0                                    */
+    double point[3];   /* on the plane; centre of sphere and box; the capsule's one end,
+                          the origin of a mesh                                 [m]     */
+    double end[3];     /* capsule: the other end                               [m]     */
+    double normal[3];  /* plane: outward, any length > 0                               */
+    double radius;     /* sphere, capsule                                      [m] > 0 */
+    double size[3];    /* box: its edges' lengths                              [m] > 0 */
+    double axis[2][3]; /* box: directions of its first two edges, orthonormal         */
+    struct obstacle_mesh *mesh; /*                                            owned   */
+    char *file;        /* of the mesh, as the scene names it                   owned   */
+    double scale;      /* mesh: metres a unit of the file                      > 0     */
+    double friction;   /* Coulomb coefficient, >= 0                                    */
+    int path_count;    /* 0: does not move                                             */
+    double (*path)[4]; /* [path_count][t, dx, dy, dz] as scene_support's      owned   */
+    int turn_count;    /* 0: does not turn                                            */
+    double (*turn)[2]; /* [turn_count][t, angle], linear between      [s, deg] owned   */
+    double turn_axis[3], turn_point[3]; /* the line of the turn, moved by the path; the
+                                           axis has length 1                          */
 };
 
 struct scene {
@@ -90,6 +122,7 @@ struct scene {
     struct scene_load *loads; /* owned                                               */
     int obstacle_count;
     struct scene_obstacle *obstacles; /* owned                                        */
+    struct scene_contact contact;
 
     double step, end; /* one frame, duration                              [s] > 0 */
     int snapshot_count;

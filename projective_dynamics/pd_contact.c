@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact.h"
+#include "models/contact/contact_shape.h"
 #include "models/room.h"
 
 /* BLOCKS: swaps of all at once without progress before single ones; PASSES: of friction in
@@ -76,7 +76,8 @@ double pd_contact_normal(const struct pd_contact *c, int t, const double *x,
     double p[3];
 
     node_at(c, x, t % c->nodes, p);
-    return contact_gap(pd_contact_obstacle(c, t), p, normal) - c->scene->thickness / 2;
+    return contact_shape_distance(pd_contact_obstacle(c, t), NULL, p, normal) -
+           c->scene->thickness / 2;
 }
 
 /* Returns the height of x over the plane that the touch has at `from`. */

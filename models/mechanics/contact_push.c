@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "models/contact.h"
+#include "models/contact/contact_shape.h"
 
 /* The most sweeps over a point between several obstacles, which push it to and fro. */
 enum { MOST_SWEEPS = 100 };
@@ -40,7 +40,7 @@ static bool push(const struct scene *scene, const struct scene_obstacle *obstacl
                  double offset, const int *place, const double *start, double *x)
 {
     double normal[3], free[3];
-    double gap = contact_gap(obstacle, x, normal) - offset;
+    double gap = contact_shape_distance(obstacle, NULL, x, normal) - offset;
 
     for (int i = 0; i < 3; i++)
         free[i] = place[i] < 0 ? 0 : normal[i];
@@ -81,5 +81,5 @@ int contact_push_out(const struct scene *scene, const struct supports *supports,
 
 double contact_push_gap(const struct scene *scene, long nodes, const double *x)
 {
-    return contact_least_gap(scene, nodes, x) - scene->thickness / 2;
+    return contact_least_gap(scene, 0, nodes, x) - scene->thickness / 2;
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact.h"
+#include "models/contact/contact_shape.h"
 #include "models/room.h"
 
 static const double ROUNDING = 1e-13;
@@ -74,9 +74,9 @@ void contact_set_detect(struct contact_set *c, const double *x)
         struct contact_pair *pair = c->pair + (size_t)a * (size_t)c->obstacles;
         c->node[a].trend = 0;
         for (int o = 0; o < c->obstacles; o++)
-            pair[o].gap =
-                contact_gap(&c->scene->obstacles[o], x + 3 * (size_t)a, pair[o].normal) -
-                c->offset;
+            pair[o].gap = contact_shape_distance(&c->scene->obstacles[o], NULL,
+                                                 x + 3 * (size_t)a, pair[o].normal) -
+                          c->offset;
     }
 }
 
@@ -293,8 +293,8 @@ void contact_set_stiffen(const struct contact_set *c, const struct blocks *graph
 void contact_set_report(const struct contact_set *c, const double *x, double unit,
                         struct model_contact *report)
 {
-    *report = (struct model_contact){.least_gap = contact_least_gap(c->scene, c->nodes, x) -
-                                                  c->offset};
+    *report = (struct model_contact){
+        .least_gap = contact_least_gap(c->scene, 0, c->nodes, x) - c->offset};
     for (int a = 0; contact_set_used(c) && a < c->nodes; a++) {
         report->nodes += c->touched[a];
         for (int i = 0; i < 3; i++)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact.h"
+#include "models/contact/contact_shape.h"
 #include "models/mechanics/contact_push.h"
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
@@ -352,6 +352,6 @@ void large_leapfrog_contact(const struct large_motion *m, struct model_contact *
     *contact = (struct model_contact){
         .nodes = m->leapfrog->pushed,
         .least_gap =
-            contact_least_gap(m->scene, m->graph->nodes, m->x) - m->contact->set.offset};
+            contact_least_gap(m->scene, 0, m->graph->nodes, m->x) - m->contact->set.offset};
     memcpy(contact->force, m->push, sizeof contact->force);
 }

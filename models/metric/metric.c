@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact.h"
+#include "models/contact/contact_shape.h"
 #include "models/grid.h"
 #include "models/metric/intersection.h"
 #include "models/metric/metric_rest.h"
@@ -225,7 +225,7 @@ double metric_unevenness(const struct scene *scene, const double *xyz)
 
 double metric_penetration(const struct scene *scene, const double *xyz)
 {
-    double gap = contact_least_gap(scene, GRID_POINTS, xyz);
+    double gap = contact_least_gap(scene, 0, GRID_POINTS, xyz);
 
     return isnan(gap) ? NAN : fmax(0, -gap);
 }

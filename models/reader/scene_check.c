@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "models/contact.h"
+#include "models/contact/contact_shape.h"
 #include "models/discretization.h"
 #include "models/vector.h"
 

@@ -1,5 +1,5 @@
 /* Gaps and normals of obstacles. */
-#include "models/contact.h"
+#include "models/contact/contact_shape.h"
 
 #include <math.h>
 #include <string.h>
@@ -21,13 +21,14 @@ static void check_gradient(const struct scene_obstacle *o, const double x[3])
 {
     double n[3], step = 1e-5;
 
-    contact_gap(o, x, n);
+    contact_shape_distance(o, NULL, x, n);
     CHECK_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1, rounding);
     for (int i = 0; i < 3; i++) {
         double ahead[3] = {x[0], x[1], x[2]}, behind[3] = {x[0], x[1], x[2]};
         ahead[i] += step;
         behind[i] -= step;
-        double slope_i = (contact_gap(o, ahead, NULL) - contact_gap(o, behind, NULL));
+        double slope_i = (contact_shape_distance(o, NULL, ahead, NULL) -
+                          contact_shape_distance(o, NULL, behind, NULL));
         CHECK_NEAR(slope_i / (2 * step), n[i], difference);
     }
 }
@@ -35,13 +36,13 @@ static void check_gradient(const struct scene_obstacle *o, const double x[3])
 /* Outside a convex body the tangent plane underestimates the gap. */
 static void check_convex(const struct scene_obstacle *o, const double x[3])
 {
-    double n[3], gap = contact_gap(o, x, n);
+    double n[3], gap = contact_shape_distance(o, NULL, x, n);
 
     for (int c = 0; c < 27; c++) {
         double s[3] = {0.4 * (c % 3 - 1), 0.4 * (c / 3 % 3 - 1), 0.4 * (c / 9 - 1)};
         double y[3] = {x[0] + s[0], x[1] + s[1], x[2] + s[2]};
         double tangent = gap + n[0] * s[0] + n[1] * s[1] + n[2] * s[2];
-        CHECK(contact_gap(o, y, NULL) >= tangent - rounding);
+        CHECK(contact_shape_distance(o, NULL, y, NULL) >= tangent - rounding);
     }
 }
 
@@ -51,15 +52,15 @@ static void check_least(void)
     double x[3][3] = {{1, 2, 4}, {1, 0, 0}, {5, 5, 5}};
 
     REQUIRE(scene_init(&scene) == STATUS_OK);
-    CHECK(contact_least_gap(&scene, 3, x[0]) == INFINITY);
+    CHECK(contact_least_gap(&scene, 0, 3, x[0]) == INFINITY);
     REQUIRE(scene_add_obstacle(&scene, &slope) == STATUS_OK);
-    CHECK_NEAR(contact_least_gap(&scene, 1, x[0]), 0.8, rounding);
-    CHECK_NEAR(contact_least_gap(&scene, 3, x[0]), -3.6, 4 * rounding); /* (1,0,0) */
+    CHECK_NEAR(contact_least_gap(&scene, 0, 1, x[0]), 0.8, rounding);
+    CHECK_NEAR(contact_least_gap(&scene, 0, 3, x[0]), -3.6, 4 * rounding); /* (1,0,0) */
     REQUIRE(scene_add_obstacle(&scene, &ball) == STATUS_OK);
-    CHECK_NEAR(contact_least_gap(&scene, 1, x[1]), -3.6, 4 * rounding);
-    CHECK(contact_least_gap(&scene, 0, x[0]) == INFINITY);
+    CHECK_NEAR(contact_least_gap(&scene, 0, 1, x[1]), -3.6, 4 * rounding);
+    CHECK(contact_least_gap(&scene, 0, 0, x[0]) == INFINITY);
     x[2][1] = NAN;
-    CHECK(isnan(contact_least_gap(&scene, 3, x[0])));
+    CHECK(isnan(contact_least_gap(&scene, 0, 3, x[0])));
     scene_clear(&scene);
 }
 
@@ -91,7 +92,7 @@ static void check_depth(bool cloak)
             for (int j = 0; j <= N; j++) {
                 double x[3];
                 scene_rest_point(&s, (double[3]){(double)k / N, (double)j / N, 0.5}, x);
-                least = fmin(least, contact_gap(&o, x, NULL));
+                least = fmin(least, contact_shape_distance(&o, NULL, x, NULL));
             }
         const double want = fmax(s.thickness / 2 - least, 0);
         const double depth = contact_rest_depth(&s, &o);
@@ -107,13 +108,15 @@ int main(void)
     const double near[3] = {1.2, 0.6, -0.3}, centre[3] = {1, 0, -1};
     double n[3];
 
-    CHECK_NEAR(contact_gap(&slope, (double[3]){7, 2, 3}, n), 0, rounding);
+    CHECK_NEAR(contact_shape_distance(&slope, NULL, (double[3]){7, 2, 3}, n), 0, rounding);
     CHECK_NEAR(n[1], 0.6, rounding);
     CHECK_NEAR(n[2], 0.8, rounding);
-    CHECK_NEAR(contact_gap(&slope, (double[3]){0, 2, 2}, NULL), -0.8, rounding);
-    CHECK_NEAR(contact_gap(&ball, (double[3]){4, 4, -1}, n), 4.5, rounding);
+    CHECK_NEAR(contact_shape_distance(&slope, NULL, (double[3]){0, 2, 2}, NULL), -0.8,
+               rounding);
+    CHECK_NEAR(contact_shape_distance(&ball, NULL, (double[3]){4, 4, -1}, n), 4.5,
+               rounding);
     CHECK_NEAR(n[0], 0.6, rounding);
-    CHECK_NEAR(contact_gap(&ball, centre, n), -0.5, 0);
+    CHECK_NEAR(contact_shape_distance(&ball, NULL, centre, n), -0.5, 0);
     CHECK(n[0] == 0 && n[1] == 0 && n[2] == 1);
     check_gradient(&slope, near);
     check_gradient(&ball, near);

@@ -1,4 +1,4 @@
-#include "models/contact.h"
+#include "models/contact/contact_shape.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -12,9 +12,25 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-double contact_gap(const struct scene_obstacle *obstacle, const double x[3],
-                   double normal[3])
+void contact_pose_at(const struct scene_obstacle *o, double t, struct contact_pose *pose)
 {
+    (void)o, (void)t;
+    *pose = (struct contact_pose){.turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+}
+
+void contact_pose_carry(const struct contact_pose *to, const struct contact_pose *from,
+                        const double x[3], double y[3])
+{
+    (void)to, (void)from;
+    for (int i = 0; i < 3; i++)
+        y[i] = x[i];
+}
+
+double contact_shape_distance(const struct scene_obstacle *obstacle,
+                              const struct contact_pose *pose, const double x[3],
+                              double normal[3])
+{
+    (void)pose;
     bool ball = obstacle->kind == OBSTACLE_SPHERE;
     double d[3];
 
@@ -61,18 +77,22 @@ double contact_rest_depth(const struct scene *scene, const struct scene_obstacle
     const double u = fmin(fmax(dot(d, ab) / dot(ab, ab), 0), 1);
     for (int i = 0; i < 3; i++)
         a[i] += u * ab[i];
-    const double depth = scene->thickness / 2 - contact_gap(obstacle, a, NULL);
+    const double depth =
+        scene->thickness / 2 - contact_shape_distance(obstacle, NULL, a, NULL);
     const double far = sqrt(dot(a, a)) + sqrt(dot(obstacle->point, obstacle->point));
     return depth > ROUNDING * (far + obstacle->radius) ? depth : 0;
 }
 
-double contact_least_gap(const struct scene *scene, long count, const double *x)
+double contact_least_gap(const struct scene *scene, double t, long count, const double *x)
 {
     double least = INFINITY;
 
     for (int o = 0; o < scene->obstacle_count; o++)
         for (long n = 0; n < count; n++) {
-            double gap = contact_gap(&scene->obstacles[o], x + 3 * n, NULL);
+            struct contact_pose pose;
+            contact_pose_at(&scene->obstacles[o], t, &pose);
+            double gap =
+                contact_shape_distance(&scene->obstacles[o], &pose, x + 3 * n, NULL);
             if (isnan(gap))
                 return NAN;
             least = fmin(least, gap);

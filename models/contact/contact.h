@@ -1,0 +1,83 @@
+/* contact.h - a sheet that meets bodies and itself: forces, tangents, and steps that stay
+ * outside. The law is contact_law.h's.
+ *
+ * A touch is a sample of the sheet (contact_surface.h) near a body or near another place of
+ * the sheet. Its distance is D, and a force f along the normal n at the touch acts on the
+ * model's nodes with the weights that give the sample's motion relative to what it meets:
+ * those of its row, less those of the foot's on the sheet.
+ *
+ * A step in time runs from x_old at the time t to x at t + dt. Bodies are where they are at
+ * its end; rates (rebound, friction) are the way of the step over dt. Implicit models take
+ * contact_find, contact_force and contact_system.h's tangent in Newton's method, each
+ * change cut short by contact_limit; explicit and constraint models contact_project at a
+ * step's end.
+ */
+#ifndef CONTACT_H
+#define CONTACT_H
+
+#include "models/contact/contact_law.h"
+#include "models/contact/contact_shape.h"
+#include "models/contact/contact_surface.h"
+#include "models/model.h"
+
+struct contact_touch {
+    int sample, obstacle;   /* obstacle -1: the sheet itself                             */
+    int first, count;       /* its nodes and weights in contact's lists                  */
+    double D, normal[3];    /* distance [m]; the gradient of D by the sample's place     */
+    double area;            /* [m^2]                                                     */
+    double push, stiffness; /* area times pressure [N] and its slope [N/m]             */
+    double rub[3];          /* friction's force                                [N]     */
+    double drag;            /* its force over the way across the normal        [N/m]   */
+};
+
+struct contact {
+    const struct scene *scene; /*                                            borrowed  */
+    struct contact_surface surface; /*                            owned     */
+    struct contact_law body, self;
+    struct contact_pose *pose, *pose_old; /* [obstacles]                owned     */
+    double t, dt;    /* the step: [t, t + dt]; dt INFINITY: no rates                 */
+    double *x_old;   /* [nodes][3] where it starts                         owned     */
+    int count, room; /* touches; of the last contact_find or contact_project         */
+    struct contact_touch *touch; /*                            owned     */
+    int weights, weight_room;
+    int *node;       /* [weights]                                          owned     */
+    double *weight;  /* [weights]                                          owned     */
+    double energy;   /* of the last contact_find                            [J]      */
+    double least;    /* least D of the last contact_find, less the start of its law [m] */
+    double force[3]; /* on the sheet by bodies, of the same                 [N]      */
+};
+
+/* Returns whether the scene has anything to meet: without it nothing here is needed. */
+bool contact_wanted(const struct scene *scene);
+
+/* Initialises, and takes over the surface (also on failure). */
+enum status contact_init(struct contact *c, const struct scene *scene,
+                         struct contact_surface *surface);
+void contact_clear(struct contact *c);
+
+/* Begins a step at x_old[nodes][3] and time t [s]; dt INFINITY: statics at time t. */
+void contact_begin(struct contact *c, double t, double dt, const double *x_old);
+
+/* Finds the touches at x[nodes][3], with forces, stiffness, energy and report. STATUS_NAN,
+ * STATUS_MEMORY. */
+enum status contact_find(struct contact *c, const double *x);
+
+/* Adds the forces of the touches to force[nodes][3]. */
+void contact_force(const struct contact *c, double *force);
+
+/* Returns the largest share, at most 1, of a change d of x that leaves a tenth of each
+ * sample's distance to the wall. */
+double contact_limit(const struct contact *c, const double *x, const double *d);
+
+/* Moves x[nodes][3], where a step would end without contact, to where it ends with it:
+ * touches one after the other, each by the force that the law has where it then is
+ * (contact_law_solve). compliance[nodes]: a node's move at the step's end by a force on it
+ * [m/N]; held[3 nodes] (negative: held, as supports' free_index) does not move. STATUS_NAN,
+ * STATUS_MEMORY. */
+enum status contact_project(struct contact *c, const double *compliance, const int *held,
+                            double *x);
+
+/* Fills *report from the last contact_find or contact_project. */
+void contact_report(const struct contact *c, struct model_contact *report);
+
+#endif

@@ -1,0 +1,67 @@
+/* contact_law.h - the pressure between two surfaces that come near each other.
+ *
+ * The law is part of a scene (struct scene_contact) and knows no mesh: a pressure per area
+ * at rest that depends on the distance D of two mid-surfaces, or of a mid-surface and a
+ * body. It starts at D = start and has a wall at D = start - range; with x = (D - wall) /
+ * range p = kappa (1/x - 1)^2 for x < 1, else 0;   potential kappa range (1/x - x + 2 ln
+ * x). So a gap under a known pressure is known, x = 1 / (1 + sqrt(p / kappa)), and p is
+ * once continuously differentiable. Below x = CONTACT_LAW_FLOOR, where motion that is not
+ * resolved in time may end, it goes on as a straight line.
+ *
+ * Two speeds complete it. What moves apart is pushed by p (1 - rate / rebound), none beyond
+ * the speed `rebound`: a sheet that falls flat on a table would else bounce for ever.
+ * Friction is Coulomb's, mu p (2 y - y^2) against the slip with y = |slip| / creep up to 1
+ * (Li et al. 2020, ACM Trans. Graph. 39(4), for this smoothing): what sticks creeps, at
+ * less than the speed `creep`.
+ */
+#ifndef CONTACT_LAW_H
+#define CONTACT_LAW_H
+
+#include "models/scene.h"
+
+/* The x below which the pressure is linear. */
+#define CONTACT_LAW_FLOOR (1.0 / 64)
+
+struct contact_law {
+    double start, range; /*                                            [m] > 0     */
+    double stiffness;    /* kappa                                      [Pa] > 0    */
+    double rebound;      /* largest speed at which contact pushes apart  [m/s] > 0 */
+    double creep;        /* speed from which friction is whole           [m/s] > 0 */
+};
+
+/* Return the law of a scene between the sheet and itself, which starts at the contact
+ * thickness t and has the range of the scene, t/2 unless it is given; and between the sheet
+ * and a body, at half of both, with the same stiffness: a sheet and its mirror image then
+ * meet as each meets a plane. */
+struct contact_law contact_law_self(const struct scene *scene);
+struct contact_law contact_law_body(const struct scene *scene);
+
+/* Returns the pressure at distance D [Pa], and -dp/dD [Pa/m] where slope is not NULL. */
+double contact_law_pressure(const struct contact_law *law, double D, double *slope);
+
+/* Returns the energy per area at distance D [J/m^2]. */
+double contact_law_potential(const struct contact_law *law, double D);
+
+/* Returns the distance at which the pressure is p >= 0 [m]. */
+double contact_law_distance(const struct contact_law *law, double p);
+
+/* Returns the pressure with its rate: of a distance D that was D_old a time dt ago
+ * (INFINITY: at rest), and minus its derivative by D. */
+double contact_law_push(const struct contact_law *law, double D, double D_old, double dt,
+                        double *slope);
+
+/* Returns the force f >= 0 that holds apart a point that would end its step at distance D:
+ * f = area p(D + compliance f), compliance in m/N. */
+double contact_law_solve(const struct contact_law *law, double D, double D_old, double dt,
+                         double area, double compliance);
+
+/* Returns the share of mu p, 0 to 1, that friction has at a slip [m] in a time dt: 2 y -
+ * y^2.
+ */
+double contact_law_friction(const struct contact_law *law, double slip, double dt);
+
+/* Returns that share where friction itself shortens the slip: by `most` metres if it were
+ * whole. */
+double contact_law_hold(const struct contact_law *law, double slip, double dt, double most);
+
+#endif

@@ -1,0 +1,42 @@
+/* contact_shape.h - the geometry of bodies: distance, normal, and where they are at a time.
+ * Model-free.
+ */
+#ifndef CONTACT_SHAPE_H
+#define CONTACT_SHAPE_H
+
+#include "models/scene.h"
+
+/* Where a body is: x = turn X + shift for its points X at t = 0. */
+struct contact_pose {
+    double turn[3][3]; /* rotation                                                     */
+    double shift[3];   /*                                                        [m]   */
+};
+
+/* Computes the pose at time t [s]. */
+void contact_pose_at(const struct scene_obstacle *o, double t, struct contact_pose *pose);
+
+/* Returns the signed distance of x from the body's surface [m], negative inside, and the
+ * outward unit normal at the nearest point, the distance's gradient; where it has none (a
+ * sphere's centre, a box's middle) one of those as good as the others. `normal` and `pose`
+ * (the place at t = 0) may be NULL. NaN if x is NaN. */
+double contact_shape_distance(const struct scene_obstacle *o,
+                              const struct contact_pose *pose, const double x[3],
+                              double normal[3]);
+
+/* Returns where the body's point that is at x in the pose `to` was, or will be, in the pose
+ * `from`. */
+void contact_pose_carry(const struct contact_pose *to, const struct contact_pose *from,
+                        const double x[3], double y[3]);
+
+/* Returns how far a sheet at rest reaches into a body at t = 0 [m], 0 if it does not: half
+ * the thickness less the least distance of its mid-surface. Every model refuses a scene
+ * whose sheet begins in a body (model_refuse), as the reader of scenes does, with the line.
+ */
+double contact_rest_depth(const struct scene *scene, const struct scene_obstacle *o);
+#define CONTACT_REST_DEPTH "the sheet at rest reaches %.3g m into obstacle %d"
+
+/* Returns the least distance of x[count][3] to any body of the scene at time t [m]:
+ * INFINITY without bodies or points, NaN if a coordinate is NaN. */
+double contact_least_gap(const struct scene *scene, double t, long count, const double *x);
+
+#endif

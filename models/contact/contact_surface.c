@@ -1,0 +1,107 @@
+#include "models/contact/contact_surface.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/room.h"
+#include "models/vector.h"
+
+void contact_surface_clear(struct contact_surface *s)
+{
+    free(s->room);
+    memset(s, 0, sizeof *s);
+}
+
+static double distance_at_rest(const struct scene *scene, const double a[3],
+                               const double b[3])
+{
+    double p[3], q[3], way[3];
+
+    scene_rest_point(scene, a, p);
+    scene_rest_point(scene, b, q);
+    vector_between(p, q, way);
+    return vector_length(way);
+}
+
+static void measure_lines(struct contact_surface *s, const struct scene *scene)
+{
+    for (int i = 1; i < s->points[0]; i++)
+        s->flat[0][i] = s->flat[0][i - 1] +
+                        distance_at_rest(scene, (double[3]){s->line[0][i - 1], .5, .5},
+                                         (double[3]){s->line[0][i], .5, .5});
+    for (int j = 1; j < s->points[1]; j++)
+        s->flat[1][j] = s->flat[1][j - 1] +
+                        distance_at_rest(scene, (double[3]){0, s->line[1][j - 1], .5},
+                                         (double[3]){0, s->line[1][j], .5});
+}
+
+/* Gives a quarter of each cell's area to its corners: half the product of the diagonals. */
+static void share_areas(struct contact_surface *s, const struct scene *scene)
+{
+    const int m = s->points[1];
+
+    for (int i = 0; i + 1 < s->points[0]; i++)
+        for (int j = 0; j + 1 < m; j++) {
+            double corner[4][3], d[2][3], normal[3];
+            for (int k = 0; k < 4; k++)
+                scene_rest_point(
+                    scene, (double[3]){s->line[0][i + k / 2], s->line[1][j + k % 2], .5},
+                    corner[k]);
+            vector_between(corner[0], corner[3], d[0]);
+            vector_between(corner[1], corner[2], d[1]);
+            vector_cross(d[0], d[1], normal);
+            for (int k = 0; k < 4; k++)
+                s->area[(i + k / 2) * m + j + k % 2] += vector_length(normal) / 8;
+        }
+}
+
+enum status contact_surface_init(struct contact_surface *s, const struct scene *scene,
+                                 const void *self, contact_row *row, int width, int nodes,
+                                 const double *const line[2], const int points[2])
+{
+    enum status st;
+    const size_t count = (size_t)points[0] * points[1];
+
+    *s = (struct contact_surface){.self = self,
+                                  .row = row,
+                                  .points = {points[0], points[1]},
+                                  .count = (int)count,
+                                  .width = width,
+                                  .nodes = nodes};
+    TRY(room_cut(&s->room, ROOM(s->line[0], points[0]), ROOM(s->line[1], points[1]),
+                 ROOM(s->flat[0], points[0]), ROOM(s->flat[1], points[1]),
+                 ROOM(s->used, count), ROOM(s->node, count * width),
+                 ROOM(s->shape, count * width), ROOM(s->area, count)));
+    for (int d = 0; d < 2; d++)
+        memcpy(s->line[d], line[d], (size_t)points[d] * sizeof *line[d]);
+    for (int n = 0; n < s->count; n++)
+        s->used[n] = row(self, line[0][n / points[1]], line[1][n % points[1]],
+                         s->node + (size_t)n * width, s->shape + (size_t)n * width);
+    measure_lines(s, scene);
+    share_areas(s, scene);
+out:
+    return st;
+}
+
+int contact_surface_line(int breaks, const double *at, int per, double *line)
+{
+    int count = 0;
+
+    for (int k = 0; k + 1 < breaks; k++)
+        for (int n = 0; n < per; n++)
+            line[count++] = at[k] + (at[k + 1] - at[k]) * n / per;
+    line[count++] = at[breaks - 1];
+    return count;
+}
+
+void contact_surface_at(const struct contact_surface *s, int sample, const double *x,
+                        double y[3])
+{
+    const int *node = s->node + (size_t)sample * s->width;
+    const double *shape = s->shape + (size_t)sample * s->width;
+
+    y[0] = y[1] = y[2] = 0;
+    for (int k = 0; k < s->used[sample]; k++)
+        for (int i = 0; i < 3; i++)
+            y[i] += shape[k] * x[3 * (size_t)node[k] + i];
+}

@@ -1,0 +1,49 @@
+/* contact_surface.h - the mid-surface of a sheet as contact sees it: a grid of samples,
+ * each a weighted sum of a model's nodes, with its share of the area at rest.
+ *
+ * Contact is integrated at the samples (trapezoidal rule), and the triangles between them
+ * are what other samples and other surfaces meet. A net of points has them at its nodes; a
+ * smooth surface may have several a span.
+ */
+#ifndef CONTACT_SURFACE_H
+#define CONTACT_SURFACE_H
+
+#include "models/scene.h"
+
+/* Fills node[width] and shape[width] such that the mid-surface's point (u,v) is the sum of
+ * shape[k] x[node[k]]; returns how many there are, at most the width that the surface was
+ * made with. Nodes differ. */
+typedef int contact_row(const void *self, double u, double v, int *node, double *shape);
+
+struct contact_surface {
+    const void *self; /* of `row`                                            borrowed  */
+    contact_row *row;
+    int points[2];   /* samples along u and v                                            */
+    int count;       /* points[0] points[1]; sample = i points[1] + j                    */
+    int width;       /* most nodes of a row                                              */
+    int nodes;       /* of the model                                                     */
+    void *room;      /* of the arrays                                         owned   */
+    double *line[2]; /* [points] parameters, ascending from 0 to 1                    */
+    int *used;       /* [count] nodes of the row                                      */
+    int *node;       /* [count][width]                                                */
+    double *shape;   /* [count][width]                                                */
+    double *area;    /* [count]                                               [m^2]   */
+    double *flat[2]; /* [points] lengths at rest along u (v = 1/2) and v (u = 0) from the
+                        edge, for distances along the sheet                   [m]     */
+};
+
+/* Makes the samples at line[0] x line[1] (copied). */
+enum status contact_surface_init(struct contact_surface *s, const struct scene *scene,
+                                 const void *self, contact_row *row, int width, int nodes,
+                                 const double *const line[2], const int points[2]);
+void contact_surface_clear(struct contact_surface *s);
+
+/* Fills line[(breaks - 1) per + 1] with `per` samples a span of the ascending
+ * break[breaks]; returns how many. */
+int contact_surface_line(int breaks, const double *at, int per, double *line);
+
+/* Computes where a sample is, for nodes x[nodes][3]. */
+void contact_surface_at(const struct contact_surface *s, int sample, const double *x,
+                        double y[3]);
+
+#endif

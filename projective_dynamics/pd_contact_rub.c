@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "models/contact.h"
+#include "models/contact/contact_shape.h"
 
 /* A slipping force has settled when it turns by less than this share of it. */
 static const double SETTLED = 1e-9;

@@ -128,15 +128,17 @@ static double material(const struct contact_surface *s, int sample, double u, do
     return sqrt(du * du + dv * dv);
 }
 
-/* Tells whether a triangle is of no use to a sample: it has it for a corner, or is nearer
- * than `apart` along the sheet as a whole. */
-static bool useless(const struct contact_search *s, int sample, const int corner[3])
+static bool has_corner(const int corner[3], int sample)
+{
+    return corner[0] == sample || corner[1] == sample || corner[2] == sample;
+}
+
+/* Tells whether a triangle is nearer to a sample than `apart` along the sheet as a whole.
+ */
+static bool all_near(const struct contact_search *s, int sample, const int corner[3])
 {
     const struct contact_surface *f = s->surface;
 
-    for (int k = 0; k < 3; k++)
-        if (corner[k] == sample)
-            return true;
     for (int k = 0; k < 3; k++)
         if (material(f, sample, f->flat[0][corner[k] / f->points[1]],
                      f->flat[1][corner[k] % f->points[1]]) >= s->apart)
@@ -198,7 +200,8 @@ static int near_of_cell(const struct contact_search *s, int samples, int cell,
         for (int n = 0; n < many; n++) {
             const double *y = s->y + 3 * (long)sample[n];
             if (y[0] < low[0] || y[0] > high[0] || y[1] < low[1] || y[1] > high[1] ||
-                y[2] < low[2] || y[2] > high[2] || useless(s, sample[n], corner))
+                y[2] < low[2] || y[2] > high[2] || has_corner(corner, sample[n]) ||
+                all_near(s, sample[n], corner))
                 continue;
             const double distance = contact_foot_nearest(y, p, share);
             if (distance < reach)
@@ -339,6 +342,8 @@ static void consider(const struct contact_search *s, int sample, const double no
     int corner[3];
 
     contact_foot_corners(s->surface, triangle, corner);
+    if (has_corner(corner, sample))
+        return;
     for (int k = 0; k < 3; k++)
         p[k] = s->y + 3 * (long)corner[k];
     here.distance = contact_foot_nearest(y, p, here.share);

@@ -1,5 +1,7 @@
 #include "models/contact/contact_foot.h"
 
+#include <string.h>
+
 #include "models/vector.h"
 
 /* Shares beyond the triangle that are round-off. */
@@ -25,21 +27,23 @@ static double clamp(double t, double low, double high)
     return t > low ? (t < high ? t : high) : low; /* NaN: low */
 }
 
-/* Finds the closest of the three sides: squared distances from y, less that of corner 0. */
-static void nearest_side(double a, double b, double c, double d1, double d2,
-                         double share[3])
-{
-    const double t1 = clamp(d1 / a, 0, 1), t2 = clamp(d2 / c, 0, 1);
-    const double e = a - 2 * b + c, t3 = clamp((d2 - d1 + a - b) / e, 0, 1);
-    const double far1 = t1 * (t1 * a - 2 * d1), far2 = t2 * (t2 * c - 2 * d2);
-    const double far3 = a - 2 * d1 + t3 * (t3 * e - 2 * (d2 - d1 + a - b));
+/* The closest point of the sides of a triangle that were looked at. */
+struct side {
+    double far, share[3]; /* squared distance, less that of corner 0                    */
+};
 
-    if (far1 <= far2 && far1 <= far3)
-        share[0] = 1 - t1, share[1] = t1, share[2] = 0;
-    else if (far2 <= far3)
-        share[0] = 1 - t2, share[1] = 0, share[2] = t2;
-    else
-        share[0] = 0, share[1] = 1 - t3, share[2] = t3;
+/* Looks at the side from corner a to b, of squared length `square`, along which the way
+ * from a is `along`; `far` is that of a. */
+static void look_at(struct side *best, int a, int b, double along, double square,
+                    double far_of_a)
+{
+    const double t = clamp(along / square, 0, 1);
+    const double far_here = far_of_a + t * (t * square - 2 * along);
+
+    if (far_here < best->far) {
+        best->far = far_here;
+        best->share[a] = 1 - t, best->share[b] = t, best->share[3 - a - b] = 0;
+    }
 }
 
 double contact_foot_nearest(const double y[3], const double *const p[3], double share[3])
@@ -55,8 +59,16 @@ double contact_foot_nearest(const double y[3], const double *const p[3], double 
     if (s > 0 && t > 0 && s + t < det) {
         share[1] = s / det, share[2] = t / det;
         share[0] = 1 - share[1] - share[2];
-    } else
-        nearest_side(a, b, c, d1, d2, share);
+    } else { /* the closest side is one that is seen from there */
+        struct side best = {.far = INFINITY, .share = {1}};
+        if (!(t > 0))
+            look_at(&best, 0, 1, d1, a, 0);
+        if (!(s > 0))
+            look_at(&best, 0, 2, d2, c, 0);
+        if (!(s + t < det))
+            look_at(&best, 1, 2, d2 - d1 + a - b, a - 2 * b + c, a - 2 * d1);
+        memcpy(share, best.share, sizeof best.share);
+    }
     for (int i = 0; i < 3; i++)
         way[i] -= share[1] * e1[i] + share[2] * e2[i];
     return vector_length(way);
@@ -185,7 +197,7 @@ static bool meet(const struct face *f, const double y[3], double share[3])
         const double change = fabs(d1) + fabs(d2);
         if (!(change < 4)) /* far off, or NaN */
             return false;
-        if (change < 1e-13)
+        if (change < 1e-7) /* squared in the next */
             break;
     }
     return true;

@@ -10,11 +10,12 @@ struct contact_box {
     double low[COMPONENTS], high[COMPONENTS];
 };
 
-enum { PARALLEL = 2000 }; /* cells from which threads are worth their start             */
+enum { PARALLEL = 1000 }; /* boxes from which threads are worth their start             */
 
 void contact_tree_clear(struct contact_tree *t)
 {
     free(t->boxes);
+    free(t->per_length[0]);
     memset(t, 0, sizeof *t);
 }
 
@@ -22,23 +23,35 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
                               double apart)
 {
     int n[2] = {s->points[0] - 1, s->points[1] - 1};
-    size_t count = 0, start[32];
+    size_t count = 0, start[32] = {0};
 
     *t = (struct contact_tree){.surface = s, .apart = apart};
     for (;;) {
         t->level[t->levels] = (struct contact_tree_level){{n[0], n[1]}, NULL};
-        start[t->levels++] = count;
-        count += (size_t)n[0] * n[1];
+        start[t->levels] = count;
+        count += t->levels++ ? (size_t)n[0] * n[1] : 0;
         if (n[0] == 1 && n[1] == 1)
             break;
         n[0] = (n[0] + 1) / 2, n[1] = (n[1] + 1) / 2;
     }
-    t->boxes = malloc(count * sizeof *t->boxes);
-    if (!t->boxes)
+    t->boxes = malloc((count + 1) * sizeof *t->boxes);
+    t->per_length[0] = malloc((s->points[0] + s->points[1]) * sizeof(double));
+    if (!t->boxes || !t->per_length[0]) {
+        contact_tree_clear(t);
         return STATUS_MEMORY;
-    for (int l = 0; l < t->levels; l++)
+    }
+    t->per_length[1] = t->per_length[0] + s->points[0];
+    for (int d = 0; d < 2; d++)
+        for (int k = 0; k + 1 < s->points[d]; k++)
+            t->per_length[d][k] = 1 / (s->flat[d][k + 1] - s->flat[d][k]);
+    for (int l = 1; l < t->levels; l++)
         t->level[l].box = t->boxes + start[l];
     return STATUS_OK;
+}
+
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
 }
 
 static void take(struct contact_box *box, int first, const double a[3])
@@ -58,48 +71,48 @@ static void join(struct contact_box *box, const struct contact_box *other, int c
     }
 }
 
-static void slope(const double *y, long from, long to, double length, double d[3])
+/* Sets a part of a box to the hull of the differences of two pairs of samples. */
+static void set_slopes(struct contact_box *box, int first, const double *y, long step,
+                       long other, double per_length)
 {
-    for (int i = 0; i < 3; i++)
-        d[i] = (y[3 * to + i] - y[3 * from + i]) / length;
-}
-
-/* Takes a vector at the four corners of a cell. */
-static void take_corners(struct contact_box *box, int first, const double *a, long corner,
-                         long m)
-{
-    memcpy(box->low + first, a + 3 * corner, 3 * sizeof *a);
-    memcpy(box->high + first, a + 3 * corner, 3 * sizeof *a);
-    take(box, first, a + 3 * (corner + 1));
-    take(box, first, a + 3 * (corner + m));
-    take(box, first, a + 3 * (corner + m + 1));
-}
-
-static void fit_cells(struct contact_tree *t, int i, const double *y, const double *d)
-{
-    const struct contact_surface *s = t->surface;
-    const long m = s->points[1];
-    const double du = s->flat[0][i + 1] - s->flat[0][i];
-
-    for (int j = 0; j + 1 < m; j++) {
-        const long corner = i * m + j;
-        const double dv = s->flat[1][j + 1] - s->flat[1][j];
-        struct contact_box *box = &t->level[0].box[i * (m - 1) + j];
-        double along[3];
-        take_corners(box, PLACE, y, corner, m);
-        slope(y, corner, corner + m, du, along);
-        memcpy(box->low + ALONG_U, along, sizeof along);
-        memcpy(box->high + ALONG_U, along, sizeof along);
-        slope(y, corner + 1, corner + m + 1, du, along);
-        take(box, ALONG_U, along);
-        slope(y, corner, corner + 1, dv, along);
-        memcpy(box->low + ALONG_V, along, sizeof along);
-        memcpy(box->high + ALONG_V, along, sizeof along);
-        slope(y, corner + m, corner + m + 1, dv, along);
-        take(box, ALONG_V, along);
-        if (d)
-            take_corners(box, MOTION, d, corner, m);
+    for (int i = 0; i < 3; i++) {
+        const double a = (y[3 * step + i] - y[i]) * per_length;
+        const double b = (y[3 * (other + step) + i] - y[3 * other + i]) * per_length;
+        box->low[first + i] = a < b ? a : b;
+        box->high[first + i] = a < b ? b : a;
     }
+}
+
+/* Sets a part of a box to the hull of a vector at the four corners of a cell. */
+static void set_corners(struct contact_box *box, int first, const double *a, long m)
+{
+    memcpy(box->low + first, a, 3 * sizeof *a);
+    memcpy(box->high + first, a, 3 * sizeof *a);
+    take(box, first, a + 3);
+    take(box, first, a + 3 * m);
+    take(box, first, a + 3 * (m + 1));
+}
+
+static void fit_cell(const struct contact_tree *t, int cell, struct contact_box *box)
+{
+    const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
+    const double *y = t->y + 3 * ((long)i * m + j);
+
+    set_corners(box, PLACE, y, m);
+    set_slopes(box, ALONG_U, y, m, 1, t->per_length[0][i]);
+    set_slopes(box, ALONG_V, y, 1, m, t->per_length[1][j]);
+    if (t->d)
+        set_corners(box, MOTION, t->d + 3 * ((long)i * m + j), m);
+}
+
+/* Returns a box, in `own` if it is that of a cell. */
+static const struct contact_box *box_at(const struct contact_tree *t, int l, int n,
+                                        struct contact_box *own)
+{
+    if (l > 0)
+        return &t->level[l].box[n];
+    fit_cell(t, n, own);
+    return own;
 }
 
 /* Finds the children of box n of level l in the level below; returns how many. */
@@ -119,23 +132,20 @@ static int children(const struct contact_tree *t, int l, int n, int child[4])
 
 void contact_tree_fit(struct contact_tree *t, const double *y, const double *d)
 {
-    const int cells = t->level[0].n[0] * t->level[0].n[1];
     const int components = d ? COMPONENTS : MOTION;
 
-    t->moves = d;
-#pragma omp parallel for if (cells >= PARALLEL)
-    for (int i = 0; i < t->level[0].n[0]; i++)
-        fit_cells(t, i, y, d);
+    t->y = y, t->d = d;
     for (int l = 1; l < t->levels; l++) {
         const struct contact_tree_level *level = &t->level[l];
         const int count = level->n[0] * level->n[1];
 #pragma omp parallel for if (count >= PARALLEL)
         for (int n = 0; n < count; n++) {
+            struct contact_box own, *box = &level->box[n];
             int child[4];
             const int parts = children(t, l, n, child);
-            level->box[n] = t->level[l - 1].box[child[0]];
+            *box = *box_at(t, l - 1, child[0], &own);
             for (int k = 1; k < parts; k++)
-                join(&level->box[n], &t->level[l - 1].box[child[k]], components);
+                join(box, box_at(t, l - 1, child[k], &own), components);
         }
     }
 }
@@ -160,19 +170,18 @@ static double flatness(const struct contact_box *box)
 
 /* Returns how far points of two boxes of a level, neighbours or the same, that lie at least
  * t->apart along the sheet from each other are apart in space. */
-static double gap_of_neighbours(const struct contact_tree *t, int l, int m, int n)
+static double gap_of_neighbours(const struct contact_tree *t, int l, int m, int n,
+                                const struct contact_box *p, const struct contact_box *q)
 {
-    const struct contact_tree_level *level = &t->level[l];
-    const int wide = level->n[1], di = n / wide - m / wide, dj = n % wide - m % wide;
-    struct contact_box hull = level->box[m];
+    const int wide = t->level[l].n[1], di = n / wide - m / wide, dj = n % wide - m % wide;
+    struct contact_box hull = *p, own;
 
     if (abs(di) > 1 || abs(dj) > 1)
         return 0;
-    if (m != n)
-        join(&hull, &level->box[n], MOTION);
+    join(&hull, q, MOTION);
     if (di && dj) {
-        join(&hull, &level->box[m + dj], MOTION);
-        join(&hull, &level->box[n - dj], MOTION);
+        join(&hull, box_at(t, l, m + dj, &own), MOTION);
+        join(&hull, box_at(t, l, n - dj, &own), MOTION);
     }
     return t->apart * flatness(&hull);
 }
@@ -183,8 +192,7 @@ static double gap_of_boxes(const struct contact_box *p, const struct contact_box
     double square = 0;
 
     for (int i = 0; i < 3; i++) {
-        const double above = p->low[i] - q->high[i], below = q->low[i] - p->high[i];
-        const double gap = above > below ? above : below;
+        const double gap = larger(p->low[i] - q->high[i], q->low[i] - p->high[i]);
         square += gap > 0 ? gap * gap : 0;
     }
     return sqrt(square);
@@ -196,18 +204,19 @@ static double motion(const struct contact_box *p, const struct contact_box *q)
     double way[3];
 
     for (int i = 0; i < 3; i++)
-        way[i] = fmax(p->high[MOTION + i] - q->low[MOTION + i],
-                      q->high[MOTION + i] - p->low[MOTION + i]);
+        way[i] = larger(p->high[MOTION + i] - q->low[MOTION + i],
+                        q->high[MOTION + i] - p->low[MOTION + i]);
     return vector_length(way);
 }
 
 static bool left_out(const struct contact_tree *t, const struct contact_tree_search *search,
                      int l, int m, int n)
 {
-    const struct contact_box *p = &t->level[l].box[m], *q = &t->level[l].box[n];
-    const double reach = search->reach + (t->moves ? search->share * motion(p, q) : 0);
+    struct contact_box of_m, of_n;
+    const struct contact_box *p = box_at(t, l, m, &of_m), *q = box_at(t, l, n, &of_n);
+    const double reach = search->reach + (t->d ? search->share * motion(p, q) : 0);
 
-    return gap_of_boxes(p, q) >= reach || gap_of_neighbours(t, l, m, n) >= reach;
+    return gap_of_boxes(p, q) >= reach || gap_of_neighbours(t, l, m, n, p, q) >= reach;
 }
 
 /* Visits pairs of cells, one below box m, one below box n of level l. */

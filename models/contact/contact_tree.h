@@ -18,7 +18,8 @@ struct contact_tree {
     const struct contact_surface *surface; /*                              borrowed  */
     double apart; /* pairs nearer along the sheet do not count                    [m] */
     int levels;
-    bool moves; /* boxes hold displacements                                          */
+    const double *y, *d;   /* of contact_tree_fit                            borrowed  */
+    double *per_length[2]; /* [points - 1] inverse lengths at rest      [1/m] owned  */
     struct contact_box *boxes; /*                                           owned     */
     struct contact_tree_level {
         int n[2]; /* boxes along u and v; of level 0 the cells              */
@@ -31,7 +32,7 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
 void contact_tree_clear(struct contact_tree *t);
 
 /* Fits the boxes to the samples y[count][3] and, unless NULL, their displacements
- * d[count][3]. */
+ * d[count][3], both borrowed until the last visit. */
 void contact_tree_fit(struct contact_tree *t, const double *y, const double *d);
 
 /* A search for pairs of cells. Those are left out that are at least reach + share w apart,

@@ -113,12 +113,17 @@ static void difference(const double *y, int at, int points, long step, double d[
     vector_between(p, q, d);
 }
 
-void contact_foot_normal(const struct contact_surface *s, const double *y, int sample,
-                         double normal[3])
+void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3])
 {
+    const struct contact_surface *s = sheet->surface;
+    const double *y = sheet->y;
     const int m = s->points[1], i = sample / m, j = sample % m;
     double along_u[3], along_v[3];
 
+    if (sheet->ready && sheet->ready[sample]) {
+        memcpy(normal, sheet->normal + 3 * (long)sample, 3 * sizeof *normal);
+        return;
+    }
     difference(y + 3 * (long)sample, i, s->points[0], m, along_u);
     difference(y + 3 * (long)sample, j, m, 1, along_v);
     vector_cross(along_u, along_v, normal);
@@ -139,14 +144,13 @@ struct face {
     double n[3][3];
 };
 
-static void open_face(const struct contact_surface *s, const double *y, int triangle,
-                      struct face *f)
+static void open_face(const struct contact_sheet *sheet, int triangle, struct face *f)
 {
     f->triangle = triangle;
-    contact_foot_corners(s, triangle, f->corner);
+    contact_foot_corners(sheet->surface, triangle, f->corner);
     for (int k = 0; k < 3; k++) {
-        f->p[k] = y + 3 * (long)f->corner[k];
-        contact_foot_normal(s, y, f->corner[k], f->n[k]);
+        f->p[k] = sheet->y + 3 * (long)f->corner[k];
+        contact_foot_normal(sheet, f->corner[k], f->n[k]);
     }
 }
 
@@ -231,8 +235,8 @@ static void meet_edge(const struct face *f, int corner, const double y[3], doubl
 
 /* Walks from face to face to the foot along the interpolated normal; false: there is none
  * near. */
-static bool walk(const struct contact_surface *s, const double *y, const double at[3],
-                 struct face *f, double share[3])
+static bool walk(const struct contact_sheet *sheet, const double at[3], struct face *f,
+                 double share[3])
 {
     for (int turn = 0; turn < 8; turn++) {
         if (!meet(f, at, share))
@@ -241,12 +245,12 @@ static bool walk(const struct contact_surface *s, const double *y, const double 
                                             : (share[1] < share[2] ? 1 : 2);
         if (share[low] >= -within)
             return true;
-        const int next = neighbour(s, f->triangle, low);
+        const int next = neighbour(sheet->surface, f->triangle, low);
         if (next < 0) {
             meet_edge(f, low, at, share);
             return true;
         }
-        open_face(s, y, next, f);
+        open_face(sheet, next, f);
         contact_foot_nearest(at, f->p, share);
     }
     return false;
@@ -288,22 +292,22 @@ static void fill(const struct contact_surface *s, const struct face *f,
     measure(from, at, n, foot);
 }
 
-static void refine_net(const struct contact_surface *s, const double *y,
-                       const struct contact_place *place, struct contact_foot *foot,
-                       int *node, double *weight)
+static void refine_net(const struct contact_sheet *sheet, const struct contact_place *place,
+                       struct contact_foot *foot, int *node, double *weight)
 {
-    const double *at = y + 3 * (long)foot->sample;
+    const struct contact_surface *s = sheet->surface;
+    const double *at = sheet->y + 3 * (long)foot->sample;
     struct face f;
     double share[3] = {place->share[0], place->share[1], place->share[2]};
 
-    open_face(s, y, place->triangle, &f);
-    if (walk(s, y, at, &f, share)) {
+    open_face(sheet, place->triangle, &f);
+    if (walk(sheet, at, &f, share)) {
         fill(s, &f, share, at, foot, node, weight);
         if (foot->distance >= as_near * place->distance &&
             foot->distance <= far * place->distance)
             return;
     }
-    open_face(s, y, place->triangle, &f);
+    open_face(sheet, place->triangle, &f);
     fill(s, &f, place->share, at, foot, node, weight);
 }
 
@@ -380,11 +384,12 @@ static double bend_step(const struct bend *b, const double at[3], double *u, dou
     return change;
 }
 
-static void refine_smooth(const struct contact_surface *s, const double *x, const double *y,
+static void refine_smooth(const struct contact_sheet *sheet,
                           const struct contact_place *place, struct contact_foot *foot,
                           int *node, double *weight)
 {
-    const double *at = y + 3 * (long)foot->sample;
+    const struct contact_surface *s = sheet->surface;
+    const double *x = sheet->x, *at = sheet->y + 3 * (long)foot->sample;
     int corner[3];
     double u = 0, v = 0, from[3], normal[3];
     struct bend b;
@@ -409,13 +414,13 @@ static void refine_smooth(const struct contact_surface *s, const double *x, cons
     measure(from, at, normal, foot);
 }
 
-void contact_foot_refine(const struct contact_surface *s, const double *x, const double *y,
-                         int sample, const struct contact_place *place,
-                         struct contact_foot *foot, int *node, double *weight)
+void contact_foot_refine(const struct contact_sheet *sheet, int sample,
+                         const struct contact_place *place, struct contact_foot *foot,
+                         int *node, double *weight)
 {
     foot->sample = sample;
-    if (s->width > 1)
-        refine_smooth(s, x, y, place, foot, node, weight);
+    if (sheet->surface->width > 1)
+        refine_smooth(sheet, place, foot, node, weight);
     else
-        refine_net(s, y, place, foot, node, weight);
+        refine_net(sheet, place, foot, node, weight);
 }

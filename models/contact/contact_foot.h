@@ -33,6 +33,14 @@ struct contact_foot {
     double normal[3]; /* unit, from the foot to the sample                             */
 };
 
+/* A sheet at some time. */
+struct contact_sheet {
+    const struct contact_surface *surface; /*                              borrowed  */
+    const double *x, *y;  /* [nodes][3], [samples][3]                     borrowed  */
+    const double *normal; /* [samples][3] as contact_foot_normal computes them       */
+    const bool *ready;    /* [samples] those that `normal` has; NULL: none           */
+};
+
 /* A point of a triangle and its distance from a sample [m]. */
 struct contact_place {
     int triangle;
@@ -53,8 +61,7 @@ double contact_foot_between(const double *const p[4], double at[2]);
 
 /* Computes the unit normal of the sheet at a sample, along (d/du) x (d/dv); 0 if it has
  * none. */
-void contact_foot_normal(const struct contact_surface *s, const double *y, int sample,
-                         double normal[3]);
+void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3]);
 
 /* Returns how many nodes a foot has at most. */
 int contact_foot_width(const struct contact_surface *s);
@@ -62,8 +69,8 @@ int contact_foot_width(const struct contact_surface *s);
 /* Refines the closest point of the triangles into the foot of a sample with its nodes and
  * weights, [contact_foot_width]; all but foot->first. In a foot at the sample itself the
  * normal is the surface's. */
-void contact_foot_refine(const struct contact_surface *s, const double *x, const double *y,
-                         int sample, const struct contact_place *place,
-                         struct contact_foot *foot, int *node, double *weight);
+void contact_foot_refine(const struct contact_sheet *sheet, int sample,
+                         const struct contact_place *place, struct contact_foot *foot,
+                         int *node, double *weight);
 
 #endif

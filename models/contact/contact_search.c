@@ -53,13 +53,14 @@ enum status contact_search_init(struct contact_search *s,
     enum status st = STATUS_OK;
     const size_t count = surface->count;
 
-    *s = (struct contact_search){.surface = surface,
+    *s = (struct contact_search){.sheet = {.surface = surface},
                                  .start = start,
                                  .margin = margin_share * start,
                                  .apart = half_pi * start,
                                  .plain = samples_are_nodes(surface)};
     TRY(contact_tree_init(&s->tree, surface, s->apart));
     TRY(room_cut(&s->room, ROOM(s->own, s->plain ? 0 : 3 * count), ROOM(s->kept, 3 * count),
+                 ROOM(s->normal, 3 * count), ROOM(s->use, count), ROOM(s->ready, count),
                  ROOM(s->first, count + 1), ROOM(s->active, count)));
 out:
     if (st)
@@ -89,13 +90,13 @@ static enum status grow(void *array, size_t size, long count, long *room)
 static const double *at_samples(const struct contact_search *s, const double *x,
                                 double *own)
 {
-    const int count = s->surface->count;
+    const int count = s->sheet.surface->count;
 
     if (s->plain)
         return x;
 #pragma omp parallel for if (count >= PARALLEL)
     for (int n = 0; n < count; n++)
-        contact_surface_at(s->surface, n, x, own + 3 * (long)n);
+        contact_surface_at(s->sheet.surface, n, x, own + 3 * (long)n);
     return own;
 }
 
@@ -103,8 +104,8 @@ static const double *at_samples(const struct contact_search *s, const double *x,
  * the middle one; not finite if a place is not. */
 static double moved(const struct contact_search *s)
 {
-    const long count = s->surface->count;
-    const double *y = s->y, *old = s->kept;
+    const long count = s->sheet.surface->count;
+    const double *y = s->sheet.y, *old = s->kept;
     double shift[3], most = 0, all = 0;
 
     vector_between(old + 3 * (count / 2), y + 3 * (count / 2), shift);
@@ -128,6 +129,16 @@ static double material(const struct contact_surface *s, int sample, double u, do
     return sqrt(du * du + dv * dv);
 }
 
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 static bool has_corner(const int corner[3], int sample)
 {
     return corner[0] == sample || corner[1] == sample || corner[2] == sample;
@@ -137,7 +148,7 @@ static bool has_corner(const int corner[3], int sample)
  */
 static bool all_near(const struct contact_search *s, int sample, const int corner[3])
 {
-    const struct contact_surface *f = s->surface;
+    const struct contact_surface *f = s->sheet.surface;
 
     for (int k = 0; k < 3; k++)
         if (material(f, sample, f->flat[0][corner[k] / f->points[1]],
@@ -150,7 +161,7 @@ static bool all_near(const struct contact_search *s, int sample, const int corne
 static bool too_near(const struct contact_search *s, int sample, const int corner[3],
                      const double share[3])
 {
-    const struct contact_surface *f = s->surface;
+    const struct contact_surface *f = s->sheet.surface;
     double u = 0, v = 0;
 
     for (int k = 0; k < 3; k++) {
@@ -183,22 +194,22 @@ static int near_of_cell(const struct contact_search *s, int samples, int cell,
                         struct contact_near *near)
 {
     int sample[4], count = 0;
-    const int many = owned(s->surface, samples, sample);
+    const int many = owned(s->sheet.surface, samples, sample);
     const double reach = s->start + s->margin;
 
     for (int k = 0; k < 2; k++) {
         int corner[3];
         const double *p[3];
         double low[3], high[3], share[3];
-        contact_foot_corners(s->surface, 2 * cell + k, corner);
+        contact_foot_corners(s->sheet.surface, 2 * cell + k, corner);
         for (int c = 0; c < 3; c++)
-            p[c] = s->y + 3 * (long)corner[c];
+            p[c] = s->sheet.y + 3 * (long)corner[c];
         for (int i = 0; i < 3; i++) {
-            low[i] = fmin(fmin(p[0][i], p[1][i]), p[2][i]) - reach;
-            high[i] = fmax(fmax(p[0][i], p[1][i]), p[2][i]) + reach;
+            low[i] = smaller(smaller(p[0][i], p[1][i]), p[2][i]) - reach;
+            high[i] = larger(larger(p[0][i], p[1][i]), p[2][i]) + reach;
         }
         for (int n = 0; n < many; n++) {
-            const double *y = s->y + 3 * (long)sample[n];
+            const double *y = s->sheet.y + 3 * (long)sample[n];
             if (y[0] < low[0] || y[0] > high[0] || y[1] < low[1] || y[1] > high[1] ||
                 y[2] < low[2] || y[2] > high[2] || has_corner(corner, sample[n]) ||
                 all_near(s, sample[n], corner))
@@ -262,7 +273,7 @@ static bool nearer(const struct contact_near *a, const struct contact_near *b)
 /* Sorts near triangles by sample and then by distance: by counts, then by insertion. */
 static enum status sort_near(struct contact_search *s)
 {
-    const int samples = s->surface->count;
+    const int samples = s->sheet.surface->count;
     int *first = s->first;
     struct contact_near *sorted = malloc((s->near_count + 1) * sizeof *sorted);
 
@@ -294,6 +305,36 @@ static enum status sort_near(struct contact_search *s)
     return STATUS_OK;
 }
 
+static void use(struct contact_search *s, int sample)
+{
+    if (!s->ready[sample])
+        s->use[s->uses++] = sample;
+    s->ready[sample] = true;
+}
+
+/* Lists the samples whose normals are needed. */
+static void list_used(struct contact_search *s)
+{
+    s->uses = 0;
+    memset(s->ready, 0, s->sheet.surface->count * sizeof *s->ready);
+    for (long n = 0; n < s->near_count; n++) {
+        int corner[3];
+        contact_foot_corners(s->sheet.surface, s->near[n].triangle, corner);
+        use(s, s->near[n].sample);
+        for (int k = 0; k < 3; k++)
+            use(s, corner[k]);
+    }
+}
+
+static void find_normals(struct contact_search *s)
+{
+    s->sheet.ready = NULL;
+#pragma omp parallel for if (s->uses >= PARALLEL)
+    for (int n = 0; n < s->uses; n++)
+        contact_foot_normal(&s->sheet, s->use[n], s->normal + 3 * (long)s->use[n]);
+    s->sheet.normal = s->normal, s->sheet.ready = s->ready;
+}
+
 /* Finds near triangles again. */
 static enum status seek(struct contact_search *s)
 {
@@ -302,11 +343,12 @@ static enum status seek(struct contact_search *s)
 
     s->sought++;
     s->pair_count = 0;
-    contact_tree_fit(&s->tree, s->y, NULL);
+    contact_tree_fit(&s->tree, s->sheet.y, NULL);
     TRY(contact_tree_visit(&s->tree, &search));
     TRY(test_pairs(s));
     TRY(sort_near(s));
-    memcpy(s->kept, s->y, 3 * (size_t)s->surface->count * sizeof *s->kept);
+    list_used(s);
+    memcpy(s->kept, s->sheet.y, 3 * (size_t)s->sheet.surface->count * sizeof *s->kept);
 out:
     if (st)
         s->sought = 0; /* to be found again */
@@ -325,7 +367,7 @@ static bool steep(const struct contact_search *s, const int corner[3],
     for (int k = 0; k < 3; k++)
         if (share[k] > 0) {
             double at[3];
-            contact_foot_normal(s->surface, s->y, corner[k], at);
+            contact_foot_normal(&s->sheet, corner[k], at);
             for (int i = 0; i < 3; i++)
                 n[i] += share[k] * at[i];
         }
@@ -336,16 +378,16 @@ static bool steep(const struct contact_search *s, const int corner[3],
 static void consider(const struct contact_search *s, int sample, const double normal[3],
                      int triangle, struct contact_place best[2])
 {
-    const double *y = s->y + 3 * (long)sample, *p[3];
+    const double *y = s->sheet.y + 3 * (long)sample, *p[3];
     struct contact_place here = {.triangle = triangle};
     double way[3];
     int corner[3];
 
-    contact_foot_corners(s->surface, triangle, corner);
+    contact_foot_corners(s->sheet.surface, triangle, corner);
     if (has_corner(corner, sample))
         return;
     for (int k = 0; k < 3; k++)
-        p[k] = s->y + 3 * (long)corner[k];
+        p[k] = s->sheet.y + 3 * (long)corner[k];
     here.distance = contact_foot_nearest(y, p, here.share);
     if (!(here.distance < s->start))
         return;
@@ -364,15 +406,15 @@ static void consider(const struct contact_search *s, int sample, const double no
 static void begin(const struct contact_search *s, int sample, double normal[3],
                   struct contact_place best[2])
 {
-    contact_foot_normal(s->surface, s->y, sample, normal);
+    contact_foot_normal(&s->sheet, sample, normal);
     best[0] = best[1] = (struct contact_place){-1, {0}, s->start};
 }
 
 /* Refines what was found of a sample into feet at their place; returns how many. */
-static int finish(struct contact_search *s, const double *x, int sample,
-                  const struct contact_place best[2], long at)
+static int finish(struct contact_search *s, int sample, const struct contact_place best[2],
+                  long at)
 {
-    const int width = contact_foot_width(s->surface);
+    const int width = contact_foot_width(s->sheet.surface);
     int count = 0;
 
     for (int k = 0; k < 2; k++) {
@@ -381,8 +423,8 @@ static int finish(struct contact_search *s, const double *x, int sample,
             continue;
         foot->side = k;
         foot->first = (int)(at + count) * width;
-        contact_foot_refine(s->surface, x, s->y, sample, &best[k], foot,
-                            s->node + foot->first, s->weight + foot->first);
+        contact_foot_refine(&s->sheet, sample, &best[k], foot, s->node + foot->first,
+                            s->weight + foot->first);
         count += foot->distance < s->start;
     }
     return count;
@@ -390,7 +432,7 @@ static int finish(struct contact_search *s, const double *x, int sample,
 
 static enum status make_feet(struct contact_search *s, long samples)
 {
-    const long width = contact_foot_width(s->surface), count = 2 * samples;
+    const long width = contact_foot_width(s->sheet.surface), count = 2 * samples;
     enum status st = STATUS_OK;
     long foot = s->foot_room, node = width * foot, weight = node;
 
@@ -419,7 +461,7 @@ enum status contact_search_find(struct contact_search *s, const double *x)
     double way = 0;
 
     s->count = 0;
-    s->y = at_samples(s, x, s->own);
+    s->sheet.x = x, s->sheet.y = at_samples(s, x, s->own);
     way = moved(s);
     if (!isfinite(way))
         return STATUS_NAN;
@@ -429,6 +471,7 @@ enum status contact_search_find(struct contact_search *s, const double *x)
     }
     if (!s->actives)
         goto out;
+    find_normals(s);
     TRY(make_feet(s, s->actives));
     TRY(room_cut((void **)&found, ROOM(found, s->actives)));
 #pragma omp parallel for schedule(dynamic, 64) if (s->actives >= PARALLEL)
@@ -438,11 +481,11 @@ enum status contact_search_find(struct contact_search *s, const double *x)
         double normal[3];
         begin(s, sample, normal, best);
         for (int k = s->first[sample]; k < s->first[sample + 1]; k++) {
-            if (s->near[k].distance - 2 * way > fmax(best[0].distance, best[1].distance))
+            if (s->near[k].distance - 2 * way > larger(best[0].distance, best[1].distance))
                 break;
             consider(s, sample, normal, s->near[k].triangle, best);
         }
-        found[n] = (unsigned char)finish(s, x, sample, best, 2L * n);
+        found[n] = (unsigned char)finish(s, sample, best, 2L * n);
     }
     gather(s, s->actives, found);
 out:
@@ -453,37 +496,38 @@ out:
 /* Tells whether a point is outside the box of a cell by the start of contact. */
 static bool outside(const struct contact_search *s, int cell, const double y[3])
 {
-    const int m = s->surface->points[1];
-    const double *p = s->y + 3 * (long)(cell / (m - 1) * m + cell % (m - 1));
+    const int m = s->sheet.surface->points[1];
+    const double *p = s->sheet.y + 3 * (long)(cell / (m - 1) * m + cell % (m - 1));
     const double *q = p + 3 * (long)m;
 
     for (int i = 0; i < 3; i++)
-        if (y[i] < fmin(fmin(p[i], p[i + 3]), fmin(q[i], q[i + 3])) - s->start ||
-            y[i] > fmax(fmax(p[i], p[i + 3]), fmax(q[i], q[i + 3])) + s->start)
+        if (y[i] < smaller(smaller(p[i], p[i + 3]), smaller(q[i], q[i + 3])) - s->start ||
+            y[i] > larger(larger(p[i], p[i + 3]), larger(q[i], q[i + 3])) + s->start)
             return true;
     return false;
 }
 
 enum status contact_search_find_all(struct contact_search *s, const double *x)
 {
-    const int cells = (s->surface->points[0] - 1) * (s->surface->points[1] - 1);
+    const int cells = (s->sheet.surface->points[0] - 1) * (s->sheet.surface->points[1] - 1);
     enum status st = STATUS_OK;
 
     s->count = 0;
-    s->y = at_samples(s, x, s->own);
+    s->sheet.x = x, s->sheet.y = at_samples(s, x, s->own);
+    s->sheet.ready = NULL;
     if (!isfinite(moved(s)))
         return STATUS_NAN;
-    TRY(make_feet(s, s->surface->count));
-    for (int sample = 0; sample < s->surface->count; sample++) {
+    TRY(make_feet(s, s->sheet.surface->count));
+    for (int sample = 0; sample < s->sheet.surface->count; sample++) {
         struct contact_place best[2];
         double normal[3];
         begin(s, sample, normal, best);
         for (int cell = 0; cell < cells; cell++)
-            if (!outside(s, cell, s->y + 3 * (long)sample)) {
+            if (!outside(s, cell, s->sheet.y + 3 * (long)sample)) {
                 consider(s, sample, normal, 2 * cell, best);
                 consider(s, sample, normal, 2 * cell + 1, best);
             }
-        s->count += finish(s, x, sample, best, s->count);
+        s->count += finish(s, sample, best, s->count);
     }
 out:
     return st;
@@ -498,7 +542,7 @@ struct change {
 };
 
 /* The part of a distance over the wall that may be used up, and the tenth that stays. */
-static const double use = 0.9;
+static const double spent = 0.9;
 
 /* Four samples: one and a triangle, or two edges. */
 struct meeting {
@@ -511,13 +555,13 @@ struct meeting {
 static double distance_after(const struct change *c, const struct meeting *m, double share,
                              bool *near)
 {
-    const struct contact_surface *f = c->s->surface;
+    const struct contact_surface *f = c->s->sheet.surface;
     double y[4][3], at[3];
     const double *p[4];
 
     for (int k = 0; k < 4; k++) {
         for (int i = 0; i < 3; i++)
-            y[k][i] = c->s->y[3 * (long)m->sample[k] + i] +
+            y[k][i] = c->s->sheet.y[3 * (long)m->sample[k] + i] +
                       share * c->d[3 * (long)m->sample[k] + i];
         p[k] = y[k];
     }
@@ -572,15 +616,15 @@ static void cut(struct change *c, const struct meeting *m)
         return;
     const double floor = distance > c->wall ? c->wall : 0, clear = distance - floor;
     const double motion = motion_between(c, m);
-    double at = 0, left = use * clear;
+    double at = 0, left = spent * clear;
     for (int turn = 0; turn < 16 && left > 0.01 * clear; turn++) {
         at += left / motion;
         if (!(at < c->share)) /* also of no motion */
             return;
-        left = distance_after(c, m, at, &ignored) - floor - (1 - use) * clear;
+        left = distance_after(c, m, at, &ignored) - floor - (1 - spent) * clear;
     }
     c->share = at;
-    c->search.share = at / use;
+    c->search.share = at / spent;
 }
 
 /* Lists the edges that a cell owns, the diagonal and those at its owned samples. */
@@ -603,10 +647,10 @@ static void cut_samples(struct change *c, int samples, int cell)
 {
     struct meeting m = {.edges = false};
     int sample[4];
-    const int count = owned(c->s->surface, samples, sample);
+    const int count = owned(c->s->sheet.surface, samples, sample);
 
     for (int k = 0; k < 2; k++) {
-        contact_foot_corners(c->s->surface, 2 * cell + k, m.sample + 1);
+        contact_foot_corners(c->s->sheet.surface, 2 * cell + k, m.sample + 1);
         for (int n = 0; n < count; n++) {
             m.sample[0] = sample[n];
             cut(c, &m);
@@ -618,8 +662,8 @@ static enum status cut_cells(struct contact_tree_search *search, int cell, int o
 {
     struct change *c = search->context;
     int of_cell[5][2], of_other[5][2];
-    const int count = edges_of(c->s->surface, cell, of_cell);
-    const int others = edges_of(c->s->surface, other, of_other);
+    const int count = edges_of(c->s->sheet.surface, cell, of_cell);
+    const int others = edges_of(c->s->sheet.surface, other, of_other);
 
     cut_samples(c, cell, other);
     if (cell != other)
@@ -636,20 +680,20 @@ static enum status cut_cells(struct contact_tree_search *search, int cell, int o
 enum status contact_search_limit(struct contact_search *s, const double *x, const double *d,
                                  double wall, double *share)
 {
-    const size_t count = s->surface->count;
+    const size_t count = s->sheet.surface->count;
     enum status st = STATUS_OK;
     double *own = NULL;
-    struct change c = {{wall, 1 / use, &c, cut_cells}, s, d, wall, 1};
+    struct change c = {{wall, 1 / spent, &c, cut_cells}, s, d, wall, 1};
 
-    s->y = at_samples(s, x, s->own);
+    s->sheet.y = at_samples(s, x, s->own);
     if (!s->plain) {
         TRY(room_cut((void **)&own, ROOM(own, 3 * count)));
         c.d = at_samples(s, d, own);
     }
     for (size_t n = 0; n < 3 * count; n++)
-        if (!isfinite(s->y[n]) || !isfinite(c.d[n]))
+        if (!isfinite(s->sheet.y[n]) || !isfinite(c.d[n]))
             TRY(STATUS_NAN);
-    contact_tree_fit(&s->tree, s->y, c.d);
+    contact_tree_fit(&s->tree, s->sheet.y, c.d);
     TRY(contact_tree_visit(&s->tree, &c.search));
     *share = c.share;
 out:

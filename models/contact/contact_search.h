@@ -26,15 +26,17 @@ struct contact_search {
     long sought;               /* times that near triangles were found                   */
 
     /* private */
-    const struct contact_surface *surface; /*                              borrowed  */
-    double start, margin;                  /*                                      [m] */
+    struct contact_sheet sheet; /* of the last call                                  */
+    double start, margin;       /*                                               [m] */
     double apart; /* least distance along the sheet at rest                       [m] */
     struct contact_tree tree;
     bool plain;           /* samples are the nodes                                        */
     void *room;           /* of the arrays of samples                         owned     */
     double *own;          /* [samples][3] places, unless plain                            */
-    const double *y;      /* [samples][3] of the last call                                */
     double *kept;         /* [samples][3] where near triangles were found                 */
+    double *normal;       /* [samples][3] of those in use                                 */
+    bool *ready;          /* [samples] in use: with near triangles, or corners of those   */
+    int uses, *use;       /* [samples] the same as a list                                 */
     int *first;           /* [samples + 1] into near                                      */
     int actives, *active; /* [samples] those with near triangles                     */
     long near_count, near_room, pair_count, pair_room, foot_room;

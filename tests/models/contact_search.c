@@ -128,7 +128,7 @@ static void shape_net(const struct shape *shape, const int n[2])
 
 static void check_same(const struct contact_search *a, const struct contact_search *b)
 {
-    const size_t width = contact_foot_width(a->surface);
+    const size_t width = contact_foot_width(a->sheet.surface);
     int different = 0;
 
     if (!CHECK(a->count == b->count))
@@ -148,7 +148,7 @@ static void check_same(const struct contact_search *a, const struct contact_sear
  * it along the sheet. */
 static void check_feet(const struct contact_search *s)
 {
-    const struct contact_surface *f = s->surface;
+    const struct contact_surface *f = s->sheet.surface;
     int wrong = 0;
 
     for (int n = 0; n < s->count; n++) {

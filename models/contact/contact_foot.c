@@ -208,11 +208,12 @@ static bool meet(const struct face *f, const double y[3], double share[3])
 }
 
 /* Finds the foot on the border edge opposite to a corner: y - p is normal to the edge's
- * part across n, as it is where a foot within the face reaches the edge. */
-static void meet_edge(const struct face *f, int corner, const double y[3], double share[3])
+ * part across n, as it is where a foot within the face reaches the edge. Returns the corner
+ * beyond which it lies, -1 if it is on the edge. */
+static int meet_edge(const struct face *f, int corner, const double y[3], double share[3])
 {
     const int a = (corner + 1) % 3, b = (corner + 2) % 3;
-    double e[3], t = clamp(share[b] / (share[a] + share[b]), 0, 1);
+    double e[3], t = clamp(share[b] / (share[a] + share[b]), 0, 1), wanted = t;
 
     vector_between(f->p[a], f->p[b], e);
     for (int turn = 0; turn < 16; turn++) {
@@ -226,11 +227,28 @@ static void meet_edge(const struct face *f, int corner, const double y[3], doubl
         const double step = (vector_dot(way, e) - lean * vector_dot(way, n)) /
                             (vector_dot(e, e) - lean * vector_dot(n, e));
         const double old = t;
-        t = clamp(t + step, 0, 1);
+        wanted = t + step;
+        t = clamp(wanted, 0, 1);
         if (fabs(t - old) < 1e-14)
             break;
     }
     share[corner] = 0, share[a] = 1 - t, share[b] = t;
+    return wanted < -within ? a : wanted > 1 + within ? b : -1;
+}
+
+/* Returns the triangle with the next edge of the border beyond a corner of a face at it,
+ * -1 at a corner of the sheet. */
+static int along_border(const struct contact_surface *s, const struct face *f, int inner,
+                        int beyond)
+{
+    const int m = s->points[1], to = f->corner[beyond];
+    const int step = to - f->corner[3 - inner - beyond];
+    const int at = step == m || step == -m ? to / m : to % m;
+    const int last = s->points[step == 1 || step == -1] - 1;
+
+    if (at == 0 || at == last)
+        return -1;
+    return f->triangle + 2 * (step == m ? m - 1 : step == -m ? 1 - m : step);
 }
 
 /* Walks from face to face to the foot along the interpolated normal; false: there is none
@@ -245,10 +263,12 @@ static bool walk(const struct contact_sheet *sheet, const double at[3], struct f
                                             : (share[1] < share[2] ? 1 : 2);
         if (share[low] >= -within)
             return true;
-        const int next = neighbour(sheet->surface, f->triangle, low);
+        int next = neighbour(sheet->surface, f->triangle, low);
         if (next < 0) {
-            meet_edge(f, low, at, share);
-            return true;
+            const int beyond = meet_edge(f, low, at, share);
+            next = beyond < 0 ? -1 : along_border(sheet->surface, f, low, beyond);
+            if (next < 0)
+                return true;
         }
         open_face(sheet, next, f);
         contact_foot_nearest(at, f->p, share);

@@ -6,6 +6,8 @@
 
 /* Shares beyond the triangle that are round-off. */
 static const double within = 1e-12;
+/* Squared sines of the angle at corner 0 from which triangles are sharp, or segments. */
+static const double sharp = 1e-6, needle = 1e-16;
 /* A net's foot is at least as far as its closest point, and at most this many times; what
  * is not, where a net is folded too sharply to have normals, is the closest point. */
 static const double as_near = 1 - 1e-9, far = 2;
@@ -27,51 +29,78 @@ static double clamp(double t, double low, double high)
     return t > low ? (t < high ? t : high) : low; /* NaN: low */
 }
 
-/* The closest point of the sides of a triangle that were looked at. */
+/* The closest point on the sides of a triangle that were looked at. */
 struct side {
-    double far, share[3]; /* squared distance, less that of corner 0                    */
+    double square, share[3]; /* of the distance                                        */
 };
 
-/* Looks at the side from corner a to b, of squared length `square`, along which the way
- * from a is `along`; `far` is that of a. */
-static void look_at(struct side *best, int a, int b, double along, double square,
-                    double far_of_a)
+/* Looks at the side from corner a to b; `way` leads from a to the point. */
+static void look_at(struct side *best, int a, int b, const double side[3],
+                    const double way[3])
 {
-    const double t = clamp(along / square, 0, 1);
-    const double far_here = far_of_a + t * (t * square - 2 * along);
+    const double t = clamp(vector_dot(side, way) / vector_dot(side, side), 0, 1);
+    double rest[3], square;
 
-    if (far_here < best->far) {
-        best->far = far_here;
+    for (int i = 0; i < 3; i++)
+        rest[i] = way[i] - t * side[i];
+    square = vector_dot(rest, rest);
+    if (square < best->square) {
+        best->square = square;
         best->share[a] = 1 - t, best->share[b] = t, best->share[3 - a - b] = 0;
+    }
+}
+
+/* Computes the shares, over *det, of corners 1 and 2 in the foot on a triangle's plane; of
+ * a sharp one by cross products, which lose half the digits only. */
+static void plane_shares(const double e1[3], const double e2[3], const double way[3],
+                         double *s, double *t, double *det)
+{
+    const double a = vector_dot(e1, e1), b = vector_dot(e1, e2), c = vector_dot(e2, e2);
+    const double d1 = vector_dot(e1, way), d2 = vector_dot(e2, way);
+
+    *det = a * c - b * b, *s = c * d1 - b * d2, *t = a * d2 - b * d1;
+    if (*det < sharp * a * c) {
+        double n[3], by[3];
+        vector_cross(e1, e2, n);
+        vector_cross(way, e2, by);
+        *s = vector_dot(by, n);
+        vector_cross(e1, way, by);
+        *t = vector_dot(by, n);
+        *det = vector_dot(n, n);
+        if (*det < needle * a * c)
+            *s = *t = *det = 0;
     }
 }
 
 double contact_foot_nearest(const double y[3], const double *const p[3], double share[3])
 {
-    double e1[3], e2[3], way[3];
+    double e1[3], e2[3], way[3], s, t, det;
 
     vector_between(p[0], p[1], e1);
     vector_between(p[0], p[2], e2);
     vector_between(p[0], y, way);
-    const double a = vector_dot(e1, e1), b = vector_dot(e1, e2), c = vector_dot(e2, e2);
-    const double d1 = vector_dot(e1, way), d2 = vector_dot(e2, way);
-    const double det = a * c - b * b, s = c * d1 - b * d2, t = a * d2 - b * d1;
+    plane_shares(e1, e2, way, &s, &t, &det);
     if (s > 0 && t > 0 && s + t < det) {
         share[1] = s / det, share[2] = t / det;
         share[0] = 1 - share[1] - share[2];
-    } else { /* the closest side is one that is seen from there */
-        struct side best = {.far = INFINITY, .share = {1}};
-        if (!(t > 0))
-            look_at(&best, 0, 1, d1, a, 0);
-        if (!(s > 0))
-            look_at(&best, 0, 2, d2, c, 0);
-        if (!(s + t < det))
-            look_at(&best, 1, 2, d2 - d1 + a - b, a - 2 * b + c, a - 2 * d1);
-        memcpy(share, best.share, sizeof best.share);
+        for (int i = 0; i < 3; i++)
+            way[i] -= share[1] * e1[i] + share[2] * e2[i];
+        return vector_length(way);
     }
-    for (int i = 0; i < 3; i++)
-        way[i] -= share[1] * e1[i] + share[2] * e2[i];
-    return vector_length(way);
+    /* the closest side is one that is seen from there */
+    struct side best = {.square = INFINITY, .share = {1}};
+    if (!(t > 0))
+        look_at(&best, 0, 1, e1, way);
+    if (!(s > 0))
+        look_at(&best, 0, 2, e2, way);
+    if (!(s + t < det)) {
+        double side[3], on[3];
+        vector_between(p[1], p[2], side);
+        vector_between(p[1], y, on);
+        look_at(&best, 1, 2, side, on);
+    }
+    memcpy(share, best.share, sizeof best.share);
+    return sqrt(best.square);
 }
 
 double contact_foot_between(const double *const p[4], double at[2])

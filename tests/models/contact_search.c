@@ -112,10 +112,10 @@ static const struct shape {
     int least, most; /* feet of 25 x 21 points                                        */
 } shapes[] = {{"flat", flat, 0, 0},
               {"folded", folded, 504, 525},
-              {"rolled", rolled, 700, 1050},
-              {"helicoid", helicoid, 400, 1050},
+              {"rolled", rolled, 650, 1050},
+              {"helicoid", helicoid, 200, 1050},
               {"crumpled", crumpled, 200, 1050},
-              {"doubled", doubled, 504, 525},
+              {"doubled", doubled, 400, 600},
               {"needle", needle, 0, 1050},
               {"point", point, 0, 1050}};
 enum { SHAPES = sizeof shapes / sizeof *shapes };

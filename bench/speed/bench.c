@@ -17,6 +17,7 @@ static const struct command_item *const items[] = {
     &bench_part_swings.item,
     &bench_part_bandwidth.item,
     &bench_part_intersection.item,
+    &bench_part_contact.item,
     &bench_part_contestants.item,
     NULL,
 };

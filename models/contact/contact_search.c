@@ -57,7 +57,8 @@ enum status contact_search_init(struct contact_search *s,
                                  .start = start,
                                  .margin = margin_share * start,
                                  .apart = half_pi * start,
-                                 .plain = samples_are_nodes(surface)};
+                                 .plain = samples_are_nodes(surface),
+                                 .stale = true};
     TRY(contact_tree_init(&s->tree, surface, s->apart));
     TRY(room_cut(&s->room, ROOM(s->own, s->plain ? 0 : 3 * count), ROOM(s->kept, 3 * count),
                  ROOM(s->normal, 3 * count), ROOM(s->use, count), ROOM(s->ready, count),
@@ -350,8 +351,7 @@ static enum status seek(struct contact_search *s)
     list_used(s);
     memcpy(s->kept, s->sheet.y, 3 * (size_t)s->sheet.surface->count * sizeof *s->kept);
 out:
-    if (st)
-        s->sought = 0; /* to be found again */
+    s->stale = st != STATUS_OK;
     return st;
 }
 
@@ -465,7 +465,7 @@ enum status contact_search_find(struct contact_search *s, const double *x)
     way = moved(s);
     if (!isfinite(way))
         return STATUS_NAN;
-    if (!s->sought || 2 * way > s->margin) {
+    if (s->stale || 2 * way > s->margin) {
         TRY(seek(s));
         way = rounding * s->start;
     }
@@ -491,6 +491,11 @@ enum status contact_search_find(struct contact_search *s, const double *x)
 out:
     free(found);
     return st;
+}
+
+void contact_search_forget(struct contact_search *s)
+{
+    s->stale = true;
 }
 
 /* Tells whether a point is outside the box of a cell by the start of contact. */

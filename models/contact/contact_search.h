@@ -30,7 +30,8 @@ struct contact_search {
     double start, margin;       /*                                               [m] */
     double apart; /* least distance along the sheet at rest                       [m] */
     struct contact_tree tree;
-    bool plain;           /* samples are the nodes                                        */
+    bool plain;           /* samples are the nodes */
+    bool stale;           /* near triangles are to be found again */
     void *room;           /* of the arrays of samples                         owned     */
     double *own;          /* [samples][3] places, unless plain                            */
     double *kept;         /* [samples][3] where near triangles were found                 */
@@ -51,6 +52,9 @@ void contact_search_clear(struct contact_search *s);
 
 /* Finds the feet at x[nodes][3]. STATUS_NAN, STATUS_MEMORY. */
 enum status contact_search_find(struct contact_search *s, const double *x);
+
+/* Makes the next search find the near triangles again, as after a jump. */
+void contact_search_forget(struct contact_search *s);
 
 /* Finds them by a loop over all samples and cells, boxes first: for tests and to show what
  * the tree saves. */

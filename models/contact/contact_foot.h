@@ -1,9 +1,9 @@
 /* contact_foot.h - the place of a sheet that is closest to one of its samples.
  *
  * The grid of samples (contact_surface.h) is cut into triangles as intersection.h cuts its
- * cells: cell (i,j), number i (points[1] - 1) + j, into
- *   2 cell:      (i,j), (i+1,j), (i+1,j+1)
- *   2 cell + 1:  (i,j), (i+1,j+1), (i,j+1).
+ * cells; they are numbered by the sample at their first corner:
+ *   2 (i points[1] + j):      (i,j), (i+1,j), (i+1,j+1)
+ *   2 (i points[1] + j) + 1:  (i,j), (i+1,j+1), (i,j+1).
  * The closest point of those is refined, so that foot, distance and normal move
  * continuously with the sheet. Positions y[count][3] of the samples come from x[nodes][3].
  *

@@ -61,8 +61,12 @@ enum status contact_search_init(struct contact_search *s,
                                  .stale = true};
     TRY(contact_tree_init(&s->tree, surface, s->apart));
     TRY(room_cut(&s->room, ROOM(s->own, s->plain ? 0 : 3 * count), ROOM(s->kept, 3 * count),
-                 ROOM(s->normal, 3 * count), ROOM(s->use, count), ROOM(s->ready, count),
-                 ROOM(s->first, count + 1), ROOM(s->active, count)));
+                 ROOM(s->normal, 3 * count), ROOM(s->use, count), ROOM(s->flat, count),
+                 ROOM(s->ready, count), ROOM(s->first, count + 1), ROOM(s->active, count)));
+    for (size_t n = 0; n < count; n++)
+        for (int d = 0; d < 2; d++)
+            s->flat[n][d] =
+                surface->flat[d][d ? n % surface->points[1] : n / surface->points[1]];
 out:
     if (st)
         contact_search_clear(s);
@@ -122,14 +126,6 @@ static double moved(const struct contact_search *s)
     return isfinite(all) ? sqrt(most) + rounding * s->start : NAN;
 }
 
-static double material(const struct contact_surface *s, int sample, double u, double v)
-{
-    const double du = u - s->flat[0][sample / s->points[1]];
-    const double dv = v - s->flat[1][sample % s->points[1]];
-
-    return sqrt(du * du + dv * dv);
-}
-
 static double smaller(double a, double b)
 {
     return a < b ? a : b;
@@ -149,12 +145,12 @@ static bool has_corner(const int corner[3], int sample)
  */
 static bool all_near(const struct contact_search *s, int sample, const int corner[3])
 {
-    const struct contact_surface *f = s->sheet.surface;
-
-    for (int k = 0; k < 3; k++)
-        if (material(f, sample, f->flat[0][corner[k] / f->points[1]],
-                     f->flat[1][corner[k] % f->points[1]]) >= s->apart)
+    for (int k = 0; k < 3; k++) {
+        const double du = s->flat[corner[k]][0] - s->flat[sample][0];
+        const double dv = s->flat[corner[k]][1] - s->flat[sample][1];
+        if (du * du + dv * dv >= s->apart * s->apart)
             return false;
+    }
     return true;
 }
 
@@ -162,14 +158,13 @@ static bool all_near(const struct contact_search *s, int sample, const int corne
 static bool too_near(const struct contact_search *s, int sample, const int corner[3],
                      const double share[3])
 {
-    const struct contact_surface *f = s->sheet.surface;
-    double u = 0, v = 0;
+    double du = -s->flat[sample][0], dv = -s->flat[sample][1];
 
     for (int k = 0; k < 3; k++) {
-        u += share[k] * f->flat[0][corner[k] / f->points[1]];
-        v += share[k] * f->flat[1][corner[k] % f->points[1]];
+        du += share[k] * s->flat[corner[k]][0];
+        dv += share[k] * s->flat[corner[k]][1];
     }
-    return material(f, sample, u, v) < s->apart;
+    return du * du + dv * dv < s->apart * s->apart;
 }
 
 /* Lists the samples that a cell owns: its first corner, and those at the ends of the grid
@@ -190,19 +185,25 @@ static int owned(const struct contact_surface *s, int cell, int sample[4])
     return count;
 }
 
+static int first_triangle(const struct contact_surface *s, int cell)
+{
+    return 2 * (cell + cell / (s->points[1] - 1));
+}
+
 /* Finds the triangles of a cell near the samples of another; returns how many. */
 static int near_of_cell(const struct contact_search *s, int samples, int cell,
                         struct contact_near *near)
 {
     int sample[4], count = 0;
     const int many = owned(s->sheet.surface, samples, sample);
+    const int first = first_triangle(s->sheet.surface, cell);
     const double reach = s->start + s->margin;
 
     for (int k = 0; k < 2; k++) {
         int corner[3];
         const double *p[3];
         double low[3], high[3], share[3];
-        contact_foot_corners(s->sheet.surface, 2 * cell + k, corner);
+        contact_foot_corners(s->sheet.surface, first + k, corner);
         for (int c = 0; c < 3; c++)
             p[c] = s->sheet.y + 3 * (long)corner[c];
         for (int i = 0; i < 3; i++) {
@@ -217,7 +218,7 @@ static int near_of_cell(const struct contact_search *s, int samples, int cell,
                 continue;
             const double distance = contact_foot_nearest(y, p, share);
             if (distance < reach)
-                near[count++] = (struct contact_near){sample[n], 2 * cell + k, distance};
+                near[count++] = (struct contact_near){sample[n], first + k, distance};
         }
     }
     return count;
@@ -529,8 +530,9 @@ enum status contact_search_find_all(struct contact_search *s, const double *x)
         begin(s, sample, normal, best);
         for (int cell = 0; cell < cells; cell++)
             if (!outside(s, cell, s->sheet.y + 3 * (long)sample)) {
-                consider(s, sample, normal, 2 * cell, best);
-                consider(s, sample, normal, 2 * cell + 1, best);
+                const int triangle = first_triangle(s->sheet.surface, cell);
+                consider(s, sample, normal, triangle, best);
+                consider(s, sample, normal, triangle + 1, best);
             }
         s->count += finish(s, sample, best, s->count);
     }
@@ -560,7 +562,6 @@ struct meeting {
 static double distance_after(const struct change *c, const struct meeting *m, double share,
                              bool *near)
 {
-    const struct contact_surface *f = c->s->sheet.surface;
     double y[4][3], at[3];
     const double *p[4];
 
@@ -580,12 +581,11 @@ static double distance_after(const struct change *c, const struct meeting *m, do
     for (int d = 0; d < 2; d++) {
         double flat[4];
         for (int k = 0; k < 4; k++)
-            flat[k] =
-                f->flat[d][d ? m->sample[k] % f->points[1] : m->sample[k] / f->points[1]];
+            flat[k] = c->s->flat[m->sample[k]][d];
         way[d] =
             flat[0] + at[0] * (flat[1] - flat[0]) - flat[2] - at[1] * (flat[3] - flat[2]);
     }
-    *near = sqrt(way[0] * way[0] + way[1] * way[1]) < c->s->apart;
+    *near = way[0] * way[0] + way[1] * way[1] < c->s->apart * c->s->apart;
     return distance;
 }
 
@@ -655,7 +655,8 @@ static void cut_samples(struct change *c, int samples, int cell)
     const int count = owned(c->s->sheet.surface, samples, sample);
 
     for (int k = 0; k < 2; k++) {
-        contact_foot_corners(c->s->sheet.surface, 2 * cell + k, m.sample + 1);
+        contact_foot_corners(c->s->sheet.surface,
+                             first_triangle(c->s->sheet.surface, cell) + k, m.sample + 1);
         for (int n = 0; n < count; n++) {
             m.sample[0] = sample[n];
             cut(c, &m);

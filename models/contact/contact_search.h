@@ -34,6 +34,7 @@ struct contact_search {
     bool stale;           /* near triangles are to be found again */
     void *room;           /* of the arrays of samples                         owned     */
     double *own;          /* [samples][3] places, unless plain                            */
+    double (*flat)[2];    /* [samples] lengths at rest along u and v [m] */
     double *kept;         /* [samples][3] where near triangles were found                 */
     double *normal;       /* [samples][3] of those in use                                 */
     bool *ready;          /* [samples] in use: with near triangles, or corners of those   */

@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "models/room.h"
 #include "models/vector.h"
 
 /* The components of a box. */
@@ -14,8 +15,7 @@ enum { PARALLEL = 1000 }; /* boxes from which threads are worth their start     
 
 void contact_tree_clear(struct contact_tree *t)
 {
-    free(t->boxes);
-    free(t->per_length[0]);
+    free(t->room);
     memset(t, 0, sizeof *t);
 }
 
@@ -24,6 +24,7 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
 {
     int n[2] = {s->points[0] - 1, s->points[1] - 1};
     size_t count = 0, start[32] = {0};
+    enum status st;
 
     *t = (struct contact_tree){.surface = s, .apart = apart};
     for (;;) {
@@ -34,19 +35,68 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
             break;
         n[0] = (n[0] + 1) / 2, n[1] = (n[1] + 1) / 2;
     }
-    t->boxes = malloc((count + 1) * sizeof *t->boxes);
-    t->per_length[0] = malloc((s->points[0] + s->points[1]) * sizeof(double));
-    if (!t->boxes || !t->per_length[0]) {
-        contact_tree_clear(t);
-        return STATUS_MEMORY;
-    }
-    t->per_length[1] = t->per_length[0] + s->points[0];
+    TRY(room_cut(&t->room, ROOM(t->boxes, count), ROOM(t->per_length[0], s->points[0]),
+                 ROOM(t->per_length[1], s->points[1]), ROOM(t->flat, s->count)));
     for (int d = 0; d < 2; d++)
         for (int k = 0; k + 1 < s->points[d]; k++)
             t->per_length[d][k] = 1 / (s->flat[d][k + 1] - s->flat[d][k]);
+    for (int k = 0; k < s->count; k++) {
+        t->flat[k][0] = s->flat[0][k / s->points[1]];
+        t->flat[k][1] = s->flat[1][k % s->points[1]];
+    }
     for (int l = 1; l < t->levels; l++)
         t->level[l].box = t->boxes + start[l];
-    return STATUS_OK;
+out:
+    return st;
+}
+
+bool contact_tree_near(const struct contact_tree *t, int sample, const int corner[3],
+                       const double share[3])
+{
+    double du = -t->flat[sample][0], dv = -t->flat[sample][1];
+
+    for (int k = 0; k < 3; k++) {
+        du += share[k] * t->flat[corner[k]][0];
+        dv += share[k] * t->flat[corner[k]][1];
+    }
+    return du * du + dv * dv < t->apart * t->apart;
+}
+
+int contact_tree_triangle(const struct contact_tree *t, int cell)
+{
+    return 2 * (cell + cell / (t->surface->points[1] - 1));
+}
+
+int contact_tree_samples(const struct contact_tree *t, int cell, int sample[4])
+{
+    const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
+    const bool last_u = i + 2 == t->surface->points[0], last_v = j + 2 == m;
+    int count = 0;
+
+    sample[count++] = i * m + j;
+    if (last_u)
+        sample[count++] = (i + 1) * m + j;
+    if (last_v)
+        sample[count++] = i * m + j + 1;
+    if (last_u && last_v)
+        sample[count++] = (i + 1) * m + j + 1;
+    return count;
+}
+
+int contact_tree_edges(const struct contact_tree *t, int cell, int edge[5][2])
+{
+    const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
+    const int c = i * m + j;
+    const int all[5][2] = {
+        {c, c + m}, {c, c + 1}, {c, c + m + 1}, {c + m, c + m + 1}, {c + 1, c + m + 1}};
+    int count = 0;
+
+    for (int k = 0; k < 5; k++)
+        if (k < 3 || (k == 3 ? i + 2 == t->surface->points[0] : j + 2 == m)) {
+            edge[count][0] = all[k][0];
+            edge[count++][1] = all[k][1];
+        }
+    return count;
 }
 
 static double larger(double a, double b)

@@ -21,7 +21,7 @@ enum { PARALLEL = 1000, PIECE = 64, FIRST_ROOM = 1024 };
 
 /* Margin over start: start and margin stay below the distance along the sheet from which
  * pairs count, so that flat parts have nothing near. */
-static const double margin_share = 0.4;
+static const double margin_share = 0.2;
 /* A share of start that rounding can't reach. */
 static const double rounding = 1e-9;
 static const double half_pi = 1.5707963267948966, cos_steep = 0.7071067811865476;
@@ -100,37 +100,33 @@ static const double *at_samples(const struct contact_search *s, const double *x,
     return own;
 }
 
-static enum status place_samples(struct contact_search *s, const double *x)
-{
-    const long count = 3 * (long)s->sheet.surface->count;
-    double none = 0;
-
-    s->count = 0;
-    s->sheet.x = x, s->sheet.y = at_samples(s, x, s->own);
-#pragma omp simd reduction(+ : none)
-    for (long n = 0; n < count; n++)
-        none += 0 * s->sheet.y[n]; /* NaN if that is not finite */
-    return none == 0 ? STATUS_OK : STATUS_NAN;
-}
-
 /* Returns how far samples have moved since triangles were found, at most, less the shift of
- * the middle one. */
+ * the middle one; NaN if a place is not finite. */
 static double moved(const struct contact_search *s)
 {
     const long count = s->sheet.surface->count;
     const double *y = s->sheet.y, *old = s->kept;
-    double shift[3], most = 0;
+    double shift[3], most = 0, none = 0;
 
     vector_between(old + 3 * (count / 2), y + 3 * (count / 2), shift);
-#pragma omp simd reduction(max : most)
+#pragma omp simd reduction(max : most) reduction(+ : none)
     for (long n = 0; n < count; n++) {
         const double a = y[3 * n] - old[3 * n] - shift[0];
         const double b = y[3 * n + 1] - old[3 * n + 1] - shift[1];
         const double c = y[3 * n + 2] - old[3 * n + 2] - shift[2];
         const double square = a * a + b * b + c * c;
         most = square > most ? square : most;
+        none += 0 * square;
     }
-    return sqrt(most) + rounding * s->start;
+    return sqrt(most) + rounding * s->start + none;
+}
+
+/* Places the samples; computes how far they have moved. */
+static enum status place_samples(struct contact_search *s, const double *x, double *way)
+{
+    s->sheet.x = x, s->sheet.y = at_samples(s, x, s->own);
+    *way = moved(s);
+    return isfinite(*way) ? STATUS_OK : STATUS_NAN;
 }
 
 static double smaller(double a, double b)
@@ -419,8 +415,8 @@ enum status contact_search_find(struct contact_search *s, const double *x)
     enum status st = STATUS_OK;
     double way;
 
-    TRY(place_samples(s, x));
-    way = moved(s);
+    s->count = 0;
+    TRY(place_samples(s, x, &way));
     if (s->stale || 2 * way > s->margin) {
         TRY(seek(s));
         way = rounding * s->start;
@@ -468,8 +464,10 @@ enum status contact_search_find_all(struct contact_search *s, const double *x)
 {
     const int cells = (s->sheet.surface->points[0] - 1) * (s->sheet.surface->points[1] - 1);
     enum status st = STATUS_OK;
+    double way;
 
-    TRY(place_samples(s, x));
+    s->count = 0;
+    TRY(place_samples(s, x, &way));
     s->sheet.ready = NULL;
     s->stale = true; /* the lists are used */
     s->actives = s->sheet.surface->count;
@@ -494,9 +492,9 @@ enum status contact_search_limit(struct contact_search *s, const double *x, cons
                                  double wall, double *share)
 {
     enum status st = STATUS_OK;
-    double *own = NULL;
+    double *own = NULL, way;
 
-    TRY(place_samples(s, x));
+    TRY(place_samples(s, x, &way));
     if (!s->plain)
         TRY(room_cut((void **)&own, ROOM(own, 3 * (size_t)s->sheet.surface->count)));
     st = contact_step_share(&s->tree, s->sheet.y, at_samples(s, d, own), wall, share);

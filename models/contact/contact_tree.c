@@ -99,6 +99,11 @@ int contact_tree_edges(const struct contact_tree *t, int cell, int edge[5][2])
     return count;
 }
 
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 static double larger(double a, double b)
 {
     return a > b ? a : b;
@@ -200,38 +205,58 @@ void contact_tree_fit(struct contact_tree *t, const double *y, const double *d)
     }
 }
 
+/* Returns a bound on the part along the plane across n of a vector in a box around 0. */
+static double radius(const double half[3], const double n[3])
+{
+    const double square = vector_dot(n, n);
+    double along = 0;
+
+    for (int i = 0; i < 3; i++)
+        along += half[i] * sqrt(square > 0 ? 1 - n[i] * n[i] / square : 1);
+    return smaller(along, vector_length(half));
+}
+
 /* Returns the share of a distance along the sheet that two points of a part are at least
  * apart; may be negative. */
 static double flatness(const struct contact_box *box)
 {
-    double a[3], b[3], radius = 0;
+    double a[3], b[3], half[2][3], n[3];
 
     for (int i = 0; i < 3; i++) {
         const int u = ALONG_U + i, v = ALONG_V + i;
         a[i] = (box->low[u] + box->high[u]) / 2;
         b[i] = (box->low[v] + box->high[v]) / 2;
-        radius += (box->high[u] - a[i]) * (box->high[u] - a[i]) +
-                  (box->high[v] - b[i]) * (box->high[v] - b[i]);
+        half[0][i] = box->high[u] - a[i];
+        half[1][i] = box->high[v] - b[i];
     }
+    vector_cross(a, b, n);
     const double aa = vector_dot(a, a), ab = vector_dot(a, b), bb = vector_dot(b, b);
     const double least = (aa + bb) / 2 - sqrt((aa - bb) * (aa - bb) / 4 + ab * ab);
-    return (least > 0 ? sqrt(least) : 0) - sqrt(radius);
+    return (least > 0 ? sqrt(least) : 0) - hypot(radius(half[0], n), radius(half[1], n));
 }
+
+/* A box of a level by its number. */
+struct part {
+    int n;
+    const struct contact_box *box;
+};
 
 /* Returns how far points of two boxes of a level, neighbours or the same, that lie at least
  * t->apart along the sheet from each other are apart in space. */
-static double gap_of_neighbours(const struct contact_tree *t, int l, int m, int n,
-                                const struct contact_box *p, const struct contact_box *q)
+static double gap_of_neighbours(const struct contact_tree *t, int l, const struct part *p,
+                                const struct part *q)
 {
-    const int wide = t->level[l].n[1], di = n / wide - m / wide, dj = n % wide - m % wide;
-    struct contact_box hull = *p, own;
+    const int wide = t->level[l].n[1];
+    const int di = q->n / wide - p->n / wide, dj = q->n % wide - p->n % wide;
+    struct contact_box hull, own;
 
     if (abs(di) > 1 || abs(dj) > 1)
         return 0;
-    join(&hull, q, MOTION);
+    hull = *p->box;
+    join(&hull, q->box, MOTION);
     if (di && dj) {
-        join(&hull, box_at(t, l, m + dj, &own), MOTION);
-        join(&hull, box_at(t, l, n - dj, &own), MOTION);
+        join(&hull, box_at(t, l, p->n + dj, &own), MOTION);
+        join(&hull, box_at(t, l, q->n - dj, &own), MOTION);
     }
     return t->apart * flatness(&hull);
 }
@@ -260,50 +285,64 @@ static double motion(const struct contact_box *p, const struct contact_box *q)
 }
 
 static bool left_out(const struct contact_tree *t, const struct contact_tree_search *search,
-                     int l, int m, int n)
+                     int l, const struct part *p, const struct part *q)
 {
-    struct contact_box of_m, of_n;
-    const struct contact_box *p = box_at(t, l, m, &of_m), *q = box_at(t, l, n, &of_n);
-    const double reach = search->reach + (t->d ? search->share * motion(p, q) : 0);
+    const double reach =
+        search->reach + (t->d ? search->share * motion(p->box, q->box) : 0);
 
-    return gap_of_boxes(p, q) >= reach || gap_of_neighbours(t, l, m, n, p, q) >= reach;
+    return gap_of_boxes(p->box, q->box) >= reach || gap_of_neighbours(t, l, p, q) >= reach;
 }
 
-/* Visits pairs of cells, one below box m, one below box n of level l. */
+/* Finds the parts of a box of level l, in `own` if they are cells; returns how many. */
+static int open_box(const struct contact_tree *t, int l, int n, struct part part[4],
+                    struct contact_box own[4])
+{
+    int child[4];
+    const int count = children(t, l, n, child);
+
+    for (int k = 0; k < count; k++)
+        part[k] = (struct part){child[k], box_at(t, l - 1, child[k], &own[k])};
+    return count;
+}
+
+/* Visits pairs of cells, one below the box p, one below the box q of level l. */
 static enum status across(const struct contact_tree *t, struct contact_tree_search *search,
-                          int l, int m, int n)
+                          int l, const struct part *p, const struct part *q)
 {
     enum status st = STATUS_OK;
-    int of_m[4], of_n[4];
+    struct part of_p[4], of_q[4];
+    struct contact_box own[2][4];
 
-    if (left_out(t, search, l, m, n))
+    if (left_out(t, search, l, p, q))
         return STATUS_OK;
     if (l == 0)
-        return search->visit(search, m, n);
-    const int m_count = children(t, l, m, of_m), n_count = children(t, l, n, of_n);
-    for (int i = 0; i < m_count; i++)
-        for (int j = 0; j < n_count; j++)
-            TRY(across(t, search, l - 1, of_m[i], of_n[j]));
+        return search->visit(search, p->n, q->n);
+    const int p_count = open_box(t, l, p->n, of_p, own[0]);
+    const int q_count = open_box(t, l, q->n, of_q, own[1]);
+    for (int i = 0; i < p_count; i++)
+        for (int j = 0; j < q_count; j++)
+            TRY(across(t, search, l - 1, &of_p[i], &of_q[j]));
 out:
     return st;
 }
 
-/* Visits pairs of cells both below box n of level l. */
+/* Visits pairs of cells both below a box of level l. */
 static enum status inside(const struct contact_tree *t, struct contact_tree_search *search,
-                          int l, int n)
+                          int l, const struct part *p)
 {
     enum status st = STATUS_OK;
-    int child[4];
+    struct part part[4];
+    struct contact_box own[4];
 
-    if (left_out(t, search, l, n, n))
+    if (left_out(t, search, l, p, p))
         return STATUS_OK;
     if (l == 0)
-        return search->visit(search, n, n);
-    const int count = children(t, l, n, child);
+        return search->visit(search, p->n, p->n);
+    const int count = open_box(t, l, p->n, part, own);
     for (int i = 0; i < count; i++) {
-        TRY(inside(t, search, l - 1, child[i]));
+        TRY(inside(t, search, l - 1, &part[i]));
         for (int j = i + 1; j < count; j++)
-            TRY(across(t, search, l - 1, child[i], child[j]));
+            TRY(across(t, search, l - 1, &part[i], &part[j]));
     }
 out:
     return st;
@@ -312,5 +351,8 @@ out:
 enum status contact_tree_visit(const struct contact_tree *t,
                                struct contact_tree_search *search)
 {
-    return inside(t, search, t->levels - 1, 0);
+    struct contact_box own;
+    const struct part all = {0, box_at(t, t->levels - 1, 0, &own)};
+
+    return inside(t, search, t->levels - 1, &all);
 }

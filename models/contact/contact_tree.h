@@ -3,11 +3,11 @@
  *
  * A box holds the least and largest of each coordinate of its part's samples, of the two
  * derivatives by the lengths at rest along u and v, and, for limits of steps, of the
- * samples' displacements. The derivatives tell that a part is nearly flat: if they stay
- * within radii e1, e2 of vectors A, B, two of its points at a distance s along the sheet
- * are at least s (sigma - sqrt(e1^2 + e2^2)) apart, sigma the least singular value of
- * [A B]. Pairs nearer than a material distance do not count, so such a part, alone or with
- * its neighbours, need not be opened.
+ * samples' displacements. The derivatives tell that a part is nearly flat: if their
+ * components in the plane of two vectors A, B stay within e1, e2 of those, two points at a
+ * distance s along the sheet are at least s (sigma - sqrt(e1^2 + e2^2)) apart, sigma the
+ * least singular value of [A B]. Pairs nearer than a material distance do not count, so
+ * such a part, alone or with its neighbours, need not be opened.
  */
 #ifndef CONTACT_TREE_H
 #define CONTACT_TREE_H

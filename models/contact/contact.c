@@ -1,0 +1,362 @@
+#include "models/contact/contact.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/vector.h"
+
+/* The share of a distance to the wall that one change of x may use up. */
+static const double MOST_OF_CLEARANCE = 0.9;
+
+bool contact_wanted(const struct scene *scene)
+{
+    return scene->obstacle_count > 0;
+}
+
+void contact_clear(struct contact *c)
+{
+    contact_surface_clear(&c->surface);
+    free(c->pose);
+    free(c->pose_old);
+    free(c->x_old);
+    free(c->touch);
+    free(c->node);
+    free(c->weight);
+    memset(c, 0, sizeof *c);
+}
+
+enum status contact_init(struct contact *c, const struct scene *scene,
+                         struct contact_surface *surface)
+{
+    const size_t bodies = (size_t)scene->obstacle_count;
+
+    *c = (struct contact){.scene = scene,
+                          .surface = *surface,
+                          .body = contact_law_body(scene),
+                          .self = contact_law_self(scene),
+                          .pose = calloc(bodies + 1, sizeof *c->pose),
+                          .pose_old = calloc(bodies + 1, sizeof *c->pose_old),
+                          .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old)};
+    *surface = (struct contact_surface){0};
+    if (c->pose && c->pose_old && c->x_old)
+        return STATUS_OK;
+    contact_clear(c);
+    return STATUS_MEMORY;
+}
+
+void contact_begin(struct contact *c, double t, double dt, const double *x_old)
+{
+    const double end = isfinite(dt) ? t + dt : t;
+
+    c->t = t, c->dt = dt;
+    memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
+    for (int o = 0; o < c->scene->obstacle_count; o++) {
+        contact_pose_at(&c->scene->obstacles[o], t, &c->pose_old[o]);
+        contact_pose_at(&c->scene->obstacles[o], end, &c->pose[o]);
+    }
+}
+
+/* --- the list of touches -----------------------------------------------------------------
+ */
+
+/* Makes room for one more touch of so many weights. */
+static enum status make_room(struct contact *c, int weights)
+{
+    if (c->count == c->room) {
+        const int room = 2 * c->room + 64;
+        struct contact_touch *touch = realloc(c->touch, (size_t)room * sizeof *touch);
+        if (!touch)
+            return STATUS_MEMORY;
+        c->touch = touch, c->room = room;
+    }
+    if (c->weights + weights > c->weight_room) {
+        const int room = 2 * c->weight_room + weights + 64;
+        int *node = realloc(c->node, (size_t)room * sizeof *node);
+        c->node = node ? node : c->node;
+        double *weight = realloc(c->weight, (size_t)room * sizeof *weight);
+        c->weight = weight ? weight : c->weight;
+        if (!node || !weight)
+            return STATUS_MEMORY;
+        c->weight_room = room;
+    }
+    return STATUS_OK;
+}
+
+static void empty(struct contact *c)
+{
+    c->count = c->weights = 0;
+    c->energy = 0;
+    c->least = INFINITY;
+    memset(c->force, 0, sizeof c->force);
+}
+
+/* Appends a touch of a sample with a body, at the distance D with the normal n. */
+static enum status add_body_touch(struct contact *c, int sample, int obstacle, double D,
+                                  const double n[3])
+{
+    const struct contact_surface *s = &c->surface;
+    const int used = s->used[sample];
+    enum status st = make_room(c, used);
+
+    if (st != STATUS_OK)
+        return st;
+    memcpy(c->node + c->weights, s->node + (size_t)sample * s->width,
+           (size_t)used * sizeof *c->node);
+    memcpy(c->weight + c->weights, s->shape + (size_t)sample * s->width,
+           (size_t)used * sizeof *c->weight);
+    c->touch[c->count++] = (struct contact_touch){.sample = sample,
+                                                  .obstacle = obstacle,
+                                                  .first = c->weights,
+                                                  .count = used,
+                                                  .D = D,
+                                                  .normal = {n[0], n[1], n[2]},
+                                                  .area = s->area[sample]};
+    c->weights += used;
+    return STATUS_OK;
+}
+
+/* Computes how far the touch's places have moved against each other since the step began.
+ */
+static void relative_way(const struct contact *c, const struct contact_touch *t,
+                         const double *x, double way[3])
+{
+    way[0] = way[1] = way[2] = 0;
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++) {
+            size_t u = 3 * (size_t)c->node[k] + i;
+            way[i] += c->weight[k] * (x[u] - c->x_old[u]);
+        }
+    if (t->obstacle >= 0 && c->scene->obstacles[t->obstacle].path_count +
+                                    c->scene->obstacles[t->obstacle].turn_count >
+                                0) {
+        double y[3], before[3];
+        contact_surface_at(&c->surface, t->sample, x, y);
+        contact_pose_carry(&c->pose[t->obstacle], &c->pose_old[t->obstacle], y, before);
+        for (int i = 0; i < 3; i++)
+            way[i] -= y[i] - before[i];
+    }
+}
+
+static const struct contact_law *law_of(const struct contact *c,
+                                        const struct contact_touch *t)
+{
+    return t->obstacle < 0 ? &c->self : &c->body;
+}
+
+static double friction_of(const struct contact *c, const struct contact_touch *t)
+{
+    return t->obstacle < 0 ? c->scene->contact.friction
+                           : c->scene->obstacles[t->obstacle].friction;
+}
+
+/* Splits a way into its length along n, returned, and what is across, in `slip`. */
+static double split(const double way[3], const double n[3], double slip[3])
+{
+    const double along = vector_dot(way, n);
+
+    for (int i = 0; i < 3; i++)
+        slip[i] = way[i] - along * n[i];
+    return along;
+}
+
+/* Adds a touch's pressure and friction to the totals. */
+static void add_up(struct contact *c, const struct contact_touch *t)
+{
+    const struct contact_law *law = law_of(c, t);
+
+    c->least = fmin(c->least, t->D - law->start);
+    c->energy += t->area * contact_law_potential(law, t->D);
+    for (int i = 0; t->obstacle >= 0 && i < 3; i++)
+        c->force[i] += t->push * t->normal[i] + t->rub[i];
+}
+
+/* Computes the forces of a touch at x. */
+static void press(struct contact *c, struct contact_touch *t, const double *x)
+{
+    const struct contact_law *law = law_of(c, t);
+    const double mu = friction_of(c, t);
+    double way[3], slip[3];
+
+    if (!isfinite(c->dt)) {
+        t->push = t->area * contact_law_pressure(law, t->D, &t->stiffness);
+        t->stiffness *= t->area;
+        return;
+    }
+    relative_way(c, t, x, way);
+    const double along = split(way, t->normal, slip);
+    t->push = t->area * contact_law_push(law, t->D, t->D - along, c->dt, &t->stiffness);
+    t->stiffness *= t->area;
+    if (mu == 0)
+        return;
+    const double size = vector_length(slip);
+    const double share = contact_law_friction(law, size, c->dt);
+    const double stick = 2 * mu * t->push / (law->creep * c->dt);
+    t->drag = size > 0 ? mu * t->push * share / size : stick;
+    t->grip = stick * fmax(0, 1 - size / (law->creep * c->dt));
+    for (int i = 0; i < 3; i++)
+        t->rub[i] = -t->drag * slip[i];
+}
+
+enum status contact_find(struct contact *c, const double *x)
+{
+    enum status st = STATUS_OK;
+
+    empty(c);
+    for (int n = 0; n < c->surface.count; n++) {
+        double y[3], normal[3];
+        contact_surface_at(&c->surface, n, x, y);
+        for (int o = 0; o < c->scene->obstacle_count; o++) {
+            double D =
+                contact_shape_distance(&c->scene->obstacles[o], &c->pose[o], y, normal);
+            if (isnan(D))
+                return STATUS_NAN;
+            c->least = fmin(c->least, D - c->body.start);
+            if (D < c->body.start)
+                TRY(add_body_touch(c, n, o, D, normal));
+        }
+    }
+    for (int n = 0; n < c->count; n++) {
+        press(c, &c->touch[n], x);
+        add_up(c, &c->touch[n]);
+    }
+out:
+    return st;
+}
+
+void contact_force(const struct contact *c, double *force)
+{
+    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
+        for (int k = t->first; k < t->first + t->count; k++)
+            for (int i = 0; i < 3; i++)
+                force[3 * (size_t)c->node[k] + i] +=
+                    c->weight[k] * (t->push * t->normal[i] + t->rub[i]);
+}
+
+/* --- steps that stay outside -------------------------------------------------------------
+ */
+
+/* Returns the share of the change d of a sample at y that leaves enough before a body. The
+ * distance is no more than the way shorter, so that the first share is safe; steps towards
+ * the end of a longer one are tried while they are. */
+static double limit_sample(const struct contact *c, int obstacle, const double y[3],
+                           const double d[3], double share)
+{
+    enum { TRIES = 60 };
+    static const double SHORTER = 0.95;
+    const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
+    const double wall = c->body.start - c->body.range, way = vector_length(d);
+    const double room = contact_shape_distance(o, &c->pose[obstacle], y, NULL) - wall;
+
+    if (!(room > 0) || MOST_OF_CLEARANCE * room >= way * share)
+        return share;
+    for (int n = 0; n < TRIES; n++) {
+        double end[3];
+        for (int i = 0; i < 3; i++)
+            end[i] = y[i] + share * d[i];
+        double left = contact_shape_distance(o, &c->pose[obstacle], end, NULL) - wall;
+        if (left >= (1 - MOST_OF_CLEARANCE) * room)
+            break;
+        share *= fmin(MOST_OF_CLEARANCE * room / (room - left), SHORTER);
+    }
+    return share;
+}
+
+double contact_limit(const struct contact *c, const double *x, const double *d)
+{
+    double share = 1;
+
+    for (int n = 0; n < c->surface.count; n++) {
+        double y[3], way[3];
+        contact_surface_at(&c->surface, n, x, y);
+        contact_surface_at(&c->surface, n, d, way);
+        for (int o = 0; o < c->scene->obstacle_count; o++)
+            share = limit_sample(c, o, y, way, share);
+    }
+    return share;
+}
+
+/* Moves the nodes of a touch by the force f, in so far as they are free. */
+static void yield_to(const struct contact *c, const struct contact_touch *t,
+                     const double f[3], const double *compliance, const int *held,
+                     double *x)
+{
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++) {
+            size_t u = 3 * (size_t)c->node[k] + i;
+            if (held[u] >= 0)
+                x[u] += c->weight[k] * compliance[c->node[k]] * f[i];
+        }
+}
+
+/* Returns how far the touch opens along n by a unit of force along n [m/N]. */
+static double opening(const struct contact *c, const struct contact_touch *t,
+                      const double n[3], const double *compliance, const int *held)
+{
+    double sum = 0;
+
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++)
+            if (held[3 * (size_t)c->node[k] + i] >= 0)
+                sum += n[i] * n[i] * c->weight[k] * c->weight[k] * compliance[c->node[k]];
+    return sum;
+}
+
+/* Ends a touch's step by the law: normal force first, then friction. */
+static void settle(struct contact *c, struct contact_touch *t, const double *compliance,
+                   const int *held, double *x)
+{
+    const struct contact_law *law = law_of(c, t);
+    const double mu = friction_of(c, t), open = opening(c, t, t->normal, compliance, held);
+    double way[3], slip[3], force[3], across[3];
+
+    relative_way(c, t, x, way);
+    const double along = split(way, t->normal, slip), size = vector_length(slip);
+    t->push = contact_law_solve(law, t->D, t->D - along, c->dt, t->area, open);
+    t->D += open * t->push;
+    for (int i = 0; i < 3; i++)
+        force[i] = t->push * t->normal[i];
+    if (mu > 0 && size > 0) {
+        for (int i = 0; i < 3; i++)
+            across[i] = slip[i] / size;
+        double most = mu * t->push * opening(c, t, across, compliance, held);
+        double share = contact_law_hold(law, size, c->dt, most);
+        for (int i = 0; i < 3; i++)
+            force[i] += t->rub[i] = -mu * t->push * share * across[i];
+    }
+    yield_to(c, t, force, compliance, held, x);
+    add_up(c, t);
+}
+
+enum status contact_project(struct contact *c, const double *compliance, const int *held,
+                            double *x)
+{
+    enum status st = STATUS_OK;
+
+    empty(c);
+    for (int n = 0; n < c->surface.count; n++)
+        for (int o = 0; o < c->scene->obstacle_count; o++) {
+            double y[3], normal[3];
+            contact_surface_at(&c->surface, n, x, y);
+            double D =
+                contact_shape_distance(&c->scene->obstacles[o], &c->pose[o], y, normal);
+            if (isnan(D))
+                return STATUS_NAN;
+            if (!(D < c->body.start)) {
+                c->least = fmin(c->least, D - c->body.start);
+                continue;
+            }
+            TRY(add_body_touch(c, n, o, D, normal));
+            settle(c, &c->touch[c->count - 1], compliance, held, x);
+        }
+out:
+    return st;
+}
+
+void contact_report(const struct contact *c, struct model_contact *report)
+{
+    *report = (struct model_contact){.least_gap = c->least};
+    for (int n = 0; n < c->count; n++)
+        report->nodes += c->touch[n].push > 0;
+    memcpy(report->force, c->force, sizeof report->force);
+}

@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "models/contact/contact_step.h"
+#include "models/contact/contact_advance.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -221,7 +221,7 @@ static enum status test_pairs(struct contact_search *s)
                 count += near_of_cell(s, p->other, p->cell, found + count);
         }
         if (count)
-#pragma omp critical(contact_search)
+#pragma omp critical
         {
             const enum status more =
                 grow(&s->near, sizeof *s->near, s->near_count + count, &s->near_room);
@@ -497,7 +497,7 @@ enum status contact_search_limit(struct contact_search *s, const double *x, cons
     TRY(place_samples(s, x, &way));
     if (!s->plain)
         TRY(room_cut((void **)&own, ROOM(own, 3 * (size_t)s->sheet.surface->count)));
-    st = contact_step_share(&s->tree, s->sheet.y, at_samples(s, d, own), wall, share);
+    st = contact_advance_share(&s->tree, s->sheet.y, at_samples(s, d, own), wall, share);
 out:
     free(own);
     return st;

@@ -1,4 +1,4 @@
-#include "models/contact/contact_step.h"
+#include "models/contact/contact_advance.h"
 
 #include "models/contact/contact_foot.h"
 #include "models/vector.h"
@@ -130,8 +130,8 @@ static enum status cut_cells(struct contact_tree_search *search, int cell, int o
     return STATUS_OK;
 }
 
-enum status contact_step_share(struct contact_tree *tree, const double *y, const double *d,
-                               double wall, double *share)
+enum status contact_advance_share(struct contact_tree *tree, const double *y,
+                                  const double *d, double wall, double *share)
 {
     struct change c = {{wall, 1 / spent, &c, cut_cells}, tree, y, d, wall, 1};
     enum status st = STATUS_OK;

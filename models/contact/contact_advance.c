@@ -35,7 +35,7 @@ static double distance_after(const struct change *c, const struct meeting *m, do
         p[k] = y[k];
     }
     if (!m->edges) {
-        const double distance = contact_foot_nearest(y[0], p + 1, at);
+        const double distance = sqrt(contact_foot_nearest(y[0], p + 1, at));
         *near = contact_tree_near(c->tree, m->sample[0], m->sample + 1, at);
         return distance;
     }

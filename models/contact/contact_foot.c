@@ -14,15 +14,6 @@ static const double as_near = 1 - 1e-9, far = 2;
 /* The most that a smooth surface's foot is from the triangles' in u and v, in samples. */
 static const double astray = 2;
 
-void contact_foot_corners(const struct contact_surface *s, int triangle, int corner[3])
-{
-    const int m = s->points[1], first = triangle / 2;
-
-    corner[0] = first;
-    corner[1] = triangle % 2 ? first + m + 1 : first + m;
-    corner[2] = triangle % 2 ? first + 1 : first + m + 1;
-}
-
 static double clamp(double t, double low, double high)
 {
     return t > low ? (t < high ? t : high) : low; /* NaN: low */
@@ -84,7 +75,7 @@ double contact_foot_nearest(const double y[3], const double *const p[3], double 
         share[0] = 1 - share[1] - share[2];
         for (int i = 0; i < 3; i++)
             way[i] -= share[1] * e1[i] + share[2] * e2[i];
-        return vector_length(way);
+        return vector_dot(way, way);
     }
     /* the closest side is one that is seen from there */
     struct side best = {.square = INFINITY, .share = {1}};
@@ -99,7 +90,7 @@ double contact_foot_nearest(const double y[3], const double *const p[3], double 
         look_at(&best, 1, 2, side, on);
     }
     memcpy(share, best.share, sizeof best.share);
-    return sqrt(best.square);
+    return best.square;
 }
 
 double contact_foot_between(const double *const p[4], double at[2])
@@ -155,9 +146,6 @@ void contact_foot_normal(const struct contact_sheet *sheet, int sample, double n
     difference(y + 3 * (long)sample, i, s->points[0], m, along_u);
     difference(y + 3 * (long)sample, j, m, 1, along_v);
     vector_cross(along_u, along_v, normal);
-    const double length = vector_length(normal);
-    for (int k = 0; k < 3; k++)
-        normal[k] = length > 0 ? normal[k] / length : 0;
 }
 
 int contact_foot_width(const struct contact_surface *s)
@@ -229,7 +217,7 @@ static bool meet(const struct face *f, const double y[3], double share[3])
         const double change = fabs(d1) + fabs(d2);
         if (!(change < 4)) /* far off, or NaN */
             return false;
-        if (change < 1e-7) /* squared in the next */
+        if (change < 1e-6) /* squared in the next */
             break;
     }
     return true;
@@ -313,9 +301,10 @@ static void measure(const double from[3], const double to[3], const double norma
     vector_between(from, to, way);
     foot->distance = vector_length(way);
     const double *along = foot->distance > 0 ? way : normal;
-    const double length = vector_length(along);
+    const double length = along == way ? foot->distance : vector_length(along);
+    const double per_length = 1 / length;
     for (int i = 0; i < 3; i++)
-        foot->normal[i] = length > 0 ? along[i] / length : i == 2;
+        foot->normal[i] = length > 0 ? along[i] * per_length : i == 2;
 }
 
 /* Computes the parameters of a point of a triangle. */
@@ -363,8 +352,8 @@ static void refine_net(const struct contact_sheet *sheet, const struct contact_p
     open_face(sheet, place->triangle, &f);
     if (walk(sheet, at, &f, share)) {
         fill(s, &f, share, at, foot, node, weight);
-        if (foot->distance >= as_near * place->distance &&
-            foot->distance <= far * place->distance)
+        const double ratio = foot->distance * foot->distance / place->square;
+        if (ratio >= as_near && ratio <= far * far)
             return;
     }
     open_face(sheet, place->triangle, &f);

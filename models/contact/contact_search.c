@@ -24,7 +24,7 @@ enum { PARALLEL = 1000, PIECE = 64, FIRST_ROOM = 1024 };
 static const double margin_share = 0.2;
 /* A share of start that rounding can't reach. */
 static const double rounding = 1e-9;
-static const double half_pi = 1.5707963267948966, cos_steep = 0.7071067811865476;
+static const double half_pi = 1.5707963267948966, square_cos = 0.5;
 
 void contact_search_clear(struct contact_search *s)
 {
@@ -184,7 +184,7 @@ static int near_of_cell(const struct contact_search *s, int samples, int cell,
             if (y[0] < low[0] || y[0] > high[0] || y[1] < low[1] || y[1] > high[1] ||
                 y[2] < low[2] || y[2] > high[2] || useless(s, sample[n], corner))
                 continue;
-            const double distance = contact_foot_nearest(y, p, share);
+            const double distance = sqrt(contact_foot_nearest(y, p, share));
             if (distance < reach)
                 near[count++] = (struct contact_near){sample[n], first + k, distance};
         }
@@ -340,7 +340,8 @@ static bool steep(const struct contact_search *s, const int corner[3],
             for (int i = 0; i < 3; i++)
                 n[i] += share[k] * at[i];
         }
-    return fabs(vector_dot(n, way)) < cos_steep * vector_length(n) * vector_length(way);
+    const double along = vector_dot(n, way);
+    return along * along < square_cos * vector_dot(n, n) * vector_dot(way, way);
 }
 
 /* Takes a triangle for the closest on its side of a sample, if it is. */
@@ -357,15 +358,15 @@ static void consider(const struct contact_search *s, int sample, const double no
         return;
     for (int k = 0; k < 3; k++)
         p[k] = s->sheet.y + 3 * (long)corner[k];
-    here.distance = contact_foot_nearest(y, p, here.share);
-    if (!(here.distance < s->start))
+    here.square = contact_foot_nearest(y, p, here.share);
+    if (!(here.square < s->start * s->start))
         return;
     for (int i = 0; i < 3; i++)
         way[i] = here.share[0] * p[0][i] + here.share[1] * p[1][i] +
                  here.share[2] * p[2][i] - y[i];
     struct contact_place *side = &best[vector_dot(way, normal) < 0];
-    if (here.distance > side->distance ||
-        (here.distance == side->distance && triangle > side->triangle))
+    if (here.square > side->square ||
+        (here.square == side->square && triangle > side->triangle))
         return;
     if (!contact_tree_near(&s->tree, sample, corner, here.share) &&
         !steep(s, corner, here.share, way))
@@ -377,7 +378,7 @@ static void begin(const struct contact_search *s, int sample, double normal[3],
                   struct contact_place best[2])
 {
     contact_foot_normal(&s->sheet, sample, normal);
-    best[0] = best[1] = (struct contact_place){-1, {0}, s->start};
+    best[0] = best[1] = (struct contact_place){-1, {0}, s->start * s->start};
 }
 
 /* Refines what was found of a sample into two feet; those without nodes are none. */
@@ -430,7 +431,8 @@ enum status contact_search_find(struct contact_search *s, const double *x)
         double normal[3];
         begin(s, sample, normal, best);
         for (int k = s->first[sample]; k < s->first[sample + 1]; k++) {
-            if (s->near[k].distance - 2 * way > larger(best[0].distance, best[1].distance))
+            const double least = s->near[k].distance - 2 * way;
+            if (least > 0 && least * least > larger(best[0].square, best[1].square))
                 break;
             consider(s, sample, normal, s->near[k].triangle, best);
         }

@@ -7,8 +7,8 @@
 #include "models/vector.h"
 
 /* The x of the law that one change leaves to what comes from farther off, and the share of
- * their x that it leaves to others: the pressure grows little more than fourfold in a change,
- * and Newton's method, which knows its slope only, is not thrown back far. */
+ * their x that it leaves to others: the pressure grows little more than fourfold in a
+ * change, and Newton's method, which knows its slope only, is not thrown back far. */
 static const double LEFT = 0.5;
 
 bool contact_wanted(const struct scene *scene)
@@ -328,8 +328,8 @@ double contact_limit(struct contact *c, const double *x, const double *d)
             share = limit_sample(c, o, y, way, share);
     }
     if (c->scene->contact.self)
-        c->failed =
-            contact_search_limit(&c->search, x, d, c->self.start - c->self.range, &own);
+        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
+                                         c->self.range, &own);
     return c->failed == STATUS_OK ? fmin(share, own) : 0;
 }
 

@@ -381,6 +381,18 @@ static void begin(const struct contact_search *s, int sample, double normal[3],
     best[0] = best[1] = (struct contact_place){-1, {0}, s->start * s->start};
 }
 
+/* Tells whether the foot on a smooth surface has gone back to where its sample is: then the
+ * sheet bends there without meeting itself. */
+static bool gone_back(const struct contact_search *s, const struct contact_foot *foot)
+{
+    const struct contact_surface *f = s->sheet.surface;
+    const int i = foot->sample / f->points[1], j = foot->sample % f->points[1];
+    const double du = (foot->u - f->line[0][i]) * f->flat[0][f->points[0] - 1];
+    const double dv = (foot->v - f->line[1][j]) * f->flat[1][f->points[1] - 1];
+
+    return f->width > 1 && du * du + dv * dv < s->tree.apart * s->tree.apart;
+}
+
 /* Refines what was found of a sample into two feet; those without nodes are none. */
 static void finish(const struct contact_search *s, int sample,
                    const struct contact_place best[2], struct contact_foot foot[2])
@@ -395,7 +407,7 @@ static void finish(const struct contact_search *s, int sample,
         foot[k].first = (int)(foot + k - s->foot) * width;
         contact_foot_refine(&s->sheet, sample, &best[k], &foot[k], s->node + foot[k].first,
                             s->weight + foot[k].first);
-        if (!(foot[k].distance < s->start))
+        if (!(foot[k].distance < s->start) || gone_back(s, &foot[k]))
             foot[k].count = 0;
     }
 }

@@ -147,7 +147,7 @@ static enum status add_own_touch(struct contact *c, const struct contact_foot *f
         .count = used + foot->count,
         .D = foot->distance,
         .normal = {foot->normal[0], foot->normal[1], foot->normal[2]},
-        .area = s->area[foot->sample] / 2};
+        .area = foot->strength * s->area[foot->sample] / 2};
     c->weights += used + foot->count;
     return STATUS_OK;
 }

@@ -21,6 +21,10 @@ static const double FIRST_CHORD = 0.03;
 static const double RINGING_CHORD = 0.8;
 /* The least share that is taken of steps under contact that go back and forth. */
 static const double SMALLEST_SHARE = 0.1;
+/* The change under contact, in ranges of the law, and the iterations after which it will
+ * do. */
+static const double LEEWAY = 0.01;
+enum { LEEWAY_AFTER = 12 };
 /* The most halvings of a step that leads to a surface without normals or to NaN. */
 enum { HALVINGS = 6 };
 /* Steps in time that do not halve in so many iterations creep about a tangent without
@@ -261,6 +265,13 @@ static bool settled(const struct large_motion *m, double size, double before)
     return m->added == 0 || size <= shrink * before || size <= round_off * m->scene->length;
 }
 
+/* Returns the change at which the n-th iteration may end: a touch that comes and goes with
+ * the last digits, at the end of what counts as contact, keeps it from any smaller. */
+static double leeway(const struct large_motion *m, int n)
+{
+    return touches(m) && n >= LEEWAY_AFTER ? LEEWAY * m->contact->body.range : 0;
+}
+
 enum status large_newton_solve(struct large_motion *m, const struct large_equation *q,
                                double *x, struct counters *counters)
 {
@@ -301,7 +312,8 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
             st = STATUS_DIVERGED;
             goto out;
         }
-        bool calm = i.size <= i.tolerance && i.whole && settled(m, i.size, before);
+        bool calm = i.size <= fmax(i.tolerance, leeway(m, n)) && i.whole &&
+                    settled(m, i.size, before);
         before = i.size;
         if (calm || n + 1 == q->enough) {
             for (size_t t = 0; t < count; t++)

@@ -21,15 +21,15 @@ static const double spent = 0.5;
  * pushes off. */
 enum { CELLS = 2 };
 
-/* Returns the longest diagonal of a cell at rest [m]. */
-static double longest_cell(const struct contact_surface *s)
+/* Returns their length along the sheet, of the longest cells; 0 for a net [m]. */
+static double beside_bends(const struct contact_surface *s)
 {
     double most[2] = {0, 0};
 
     for (int d = 0; d < 2; d++)
         for (int k = 0; k + 1 < s->points[d]; k++)
             most[d] = fmax(most[d], s->flat[d][k + 1] - s->flat[d][k]);
-    return hypot(most[0], most[1]);
+    return s->width > 1 ? CELLS * hypot(most[0], most[1]) : 0;
 }
 
 /* Four samples: one and a triangle, or two edges. */
@@ -156,7 +156,7 @@ enum status contact_advance_share(struct contact_tree *tree, const double *y,
                        tree,
                        y,
                        d,
-                       .apart = tree->apart + CELLS * longest_cell(tree->surface),
+                       .apart = tree->apart + beside_bends(tree->surface),
                        .wall = wall,
                        .range = range,
                        .share = 1};

@@ -7,7 +7,7 @@
  * leads it is looked for again (conservative advancement: Mirtich, Impulse-based dynamic
  * simulation, 1996, section 2.3). No root is looked for, and rounding does no harm. Left
  * out are pairs with a common sample, and those whose closest points are nearer along the
- * sheet than the tree's `apart`, as in contact, and two cells more.
+ * sheet than the tree's `apart`, as in contact; on a smooth surface two cells more.
  */
 #ifndef CONTACT_ADVANCE_H
 #define CONTACT_ADVANCE_H

@@ -439,20 +439,31 @@ out:
     return st;
 }
 
-enum status truth_file_read(const char *path, struct truth *made, char **physics,
-                            struct message *why)
+/* Reads a file; `search`: for crossings, too. */
+static enum status read_judged(const char *path, bool search, struct truth *made,
+                               char **physics, struct message *why)
 {
     char *text = NULL;
     enum status st;
 
     TRY(read_alone(path, made, &text, why));
     TRY(judge_by_third(path, text, made, why));
+    st = search ? truth_crossing_judge(made) : STATUS_OK;
+    if (st == STATUS_INPUT)
+        status_fail(why, st, "%s: has positions that are no finite numbers", path);
+    TRY(st);
     *physics = text, text = NULL;
 out:
     if (st != STATUS_OK)
         truth_clear(made);
     free(text);
     return st;
+}
+
+enum status truth_file_read(const char *path, struct truth *made, char **physics,
+                            struct message *why)
+{
+    return read_judged(path, true, made, physics, why);
 }
 
 enum status truth_file_find(const char *name, const struct scene *scene, struct truth *made,
@@ -466,7 +477,7 @@ enum status truth_file_find(const char *name, const struct scene *scene, struct 
     st = named_file_find(&truth_file_kind, name, &path, why);
     if (st != STATUS_OK)
         return st == STATUS_INPUT ? STATUS_FILE : st;
-    TRY(truth_file_read(path, made, &physics, why));
+    TRY(read_judged(path, !strchr(name, '/'), made, &physics, why));
     st = truth_physics_check(physics, scene, &other);
     if (st == STATUS_UNSUPPORTED)
         status_fail(why, st, "the stored truth of %s is %s", name, other.text);

@@ -191,7 +191,9 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
         return;
     const double size = vector_length(slip);
     const double share = contact_law_friction(law, size, c->dt);
-    t->drag = mu * t->push * (size > 0 ? share / size : 2 / (law->creep * c->dt));
+    const double stick = 2 * mu * t->push / (law->creep * c->dt);
+    t->drag = size > 0 ? mu * t->push * share / size : stick;
+    t->grip = stick * fmax(0, 1 - size / (law->creep * c->dt));
     for (int i = 0; i < 3; i++)
         t->rub[i] = -t->drag * slip[i];
 }
@@ -340,9 +342,10 @@ enum status contact_project(struct contact *c, const double *compliance, const i
                 contact_shape_distance(&c->scene->obstacles[o], &c->pose[o], y, normal);
             if (isnan(D))
                 return STATUS_NAN;
-            c->least = fmin(c->least, D - c->body.start);
-            if (!(D < c->body.start))
+            if (!(D < c->body.start)) {
+                c->least = fmin(c->least, D - c->body.start);
                 continue;
+            }
             TRY(add_body_touch(c, n, o, D, normal));
             settle(c, &c->touch[c->count - 1], compliance, held, x);
         }

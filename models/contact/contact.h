@@ -27,7 +27,8 @@ struct contact_touch {
     double area;            /* [m^2]                                                     */
     double push, stiffness; /* area times pressure [N] and its slope [N/m]             */
     double rub[3];          /* friction's force                                [N]     */
-    double drag;            /* its force over the way across the normal        [N/m]   */
+    double drag;            /* its force over the slip                         [N/m]   */
+    double grip;            /* its change by more slip the same way            [N/m]   */
 };
 
 struct contact {

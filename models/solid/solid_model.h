@@ -38,8 +38,8 @@ enum status solid_model_matrices(const void *state, struct matrix *K, struct mat
 void solid_model_describe(const void *state, struct message *line);
 
 /* Chooses the basis through the thickness: what was asked, or the thickness basis where
- * `possible`, all supports take whole columns or the middle of one of two layers, and there
- * are no obstacles (which touch one face). STATUS_INPUT if it was asked but is not
+ * `possible` and all supports take whole columns or the middle of one of two layers.
+ * STATUS_INPUT if it was asked but is not
  * possible. */
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
                               bool possible, bool *thickness, struct message *why);

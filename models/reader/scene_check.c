@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "models/contact/contact_law.h"
-#include "models/contact/contact_shape.h"
+#include "models/contact/contact_rest.h"
 #include "models/discretization.h"
 #include "models/reader/mesh_file.h"
 #include "models/vector.h"

@@ -248,6 +248,15 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
         t->rub[i] = -t->drag * slip[i];
 }
 
+/* Returns the distance of y from a body: exact where contact has started, or where it is
+ * less than the least so far, else some number from there up to it. */
+static double body_distance(const struct contact *c, int obstacle, const double y[3],
+                            double normal[3])
+{
+    return contact_shape_near(&c->scene->obstacles[obstacle], &c->pose[obstacle], y,
+                              c->body.start + fmax(c->least, 0), normal);
+}
+
 enum status contact_find(struct contact *c, const double *x)
 {
     enum status st = c->failed;
@@ -259,8 +268,7 @@ enum status contact_find(struct contact *c, const double *x)
         double y[3], normal[3];
         contact_surface_at(&c->surface, n, x, y);
         for (int o = 0; o < c->scene->obstacle_count; o++) {
-            double D =
-                contact_shape_distance(&c->scene->obstacles[o], &c->pose[o], y, normal);
+            double D = body_distance(c, o, y, normal);
             if (isnan(D))
                 return STATUS_NAN;
             c->least = fmin(c->least, D - c->body.start);
@@ -411,8 +419,7 @@ enum status contact_project(struct contact *c, const double *compliance, const i
         for (int o = 0; o < c->scene->obstacle_count; o++) {
             double y[3], normal[3];
             contact_surface_at(&c->surface, n, x, y);
-            double D =
-                contact_shape_distance(&c->scene->obstacles[o], &c->pose[o], y, normal);
+            double D = body_distance(c, o, y, normal);
             if (isnan(D))
                 return STATUS_NAN;
             if (!(D < c->body.start)) {

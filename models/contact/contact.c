@@ -331,8 +331,8 @@ double contact_limit(struct contact *c, const double *x, const double *d)
             share = limit_sample(c, o, y, way, share);
     }
     if (c->scene->contact.self)
-        c->failed =
-            contact_search_limit(&c->search, x, d, c->self.start - c->self.range, &own);
+        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
+                                         c->self.range, &own);
     return c->failed == STATUS_OK ? fmin(share, own) : 0;
 }
 

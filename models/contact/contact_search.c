@@ -153,7 +153,7 @@ static bool useless(const struct contact_search *s, int sample, const int corner
     for (int k = 0; k < 3; k++) {
         double share[3] = {0};
         share[k] = 1;
-        if (!contact_tree_near(&s->tree, sample, corner, share))
+        if (!contact_tree_near(&s->tree, s->tree.apart, sample, corner, share))
             return false;
     }
     return true;
@@ -368,7 +368,7 @@ static void consider(const struct contact_search *s, int sample, const double no
     if (here.square > side->square ||
         (here.square == side->square && triangle > side->triangle))
         return;
-    if (!contact_tree_near(&s->tree, sample, corner, here.share) &&
+    if (!contact_tree_near(&s->tree, s->tree.apart, sample, corner, here.share) &&
         !steep(s, corner, here.share, way))
         *side = here;
 }
@@ -395,8 +395,9 @@ static void finish(const struct contact_search *s, int sample,
         foot[k].first = (int)(foot + k - s->foot) * width;
         contact_foot_refine(&s->sheet, sample, &best[k], &foot[k], s->node + foot[k].first,
                             s->weight + foot[k].first);
-        if (!(foot[k].distance < s->start))
-            foot[k].count = 0;
+        if (!(foot[k].distance < s->start) ||
+            contact_tree_near_at(&s->tree, sample, foot[k].u, foot[k].v))
+            foot[k].count = 0; /* the closest point was the end of what counts */
     }
 }
 
@@ -491,7 +492,7 @@ out:
 }
 
 enum status contact_search_limit(struct contact_search *s, const double *x, const double *d,
-                                 double wall, double *share)
+                                 double wall, double range, double *share)
 {
     enum status st = STATUS_OK;
     double *own = NULL, way;
@@ -499,7 +500,8 @@ enum status contact_search_limit(struct contact_search *s, const double *x, cons
     TRY(place_samples(s, x, &way));
     if (!s->plain)
         TRY(room_cut((void **)&own, ROOM(own, 3 * (size_t)s->sheet.surface->count)));
-    st = contact_advance_share(&s->tree, s->sheet.y, at_samples(s, d, own), wall, share);
+    st = contact_advance_share(&s->tree, s->sheet.y, at_samples(s, d, own), wall, range,
+                               share);
 out:
     free(own);
     return st;

@@ -50,8 +50,8 @@ out:
     return st;
 }
 
-bool contact_tree_near(const struct contact_tree *t, int sample, const int corner[3],
-                       const double share[3])
+bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
+                       const int corner[3], const double share[3])
 {
     double du = -t->flat[sample][0], dv = -t->flat[sample][1];
 
@@ -59,6 +59,30 @@ bool contact_tree_near(const struct contact_tree *t, int sample, const int corne
         du += share[k] * t->flat[corner[k]][0];
         dv += share[k] * t->flat[corner[k]][1];
     }
+    return du * du + dv * dv < apart * apart;
+}
+
+/* Returns the length at rest from the edge to the parameter p along u (d = 0) or v. */
+static double flat_at(const struct contact_surface *s, int d, double p)
+{
+    int low = 0, high = s->points[d] - 1;
+
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        if (s->line[d][middle] <= p)
+            low = middle;
+        else
+            high = middle;
+    }
+    const double part = (p - s->line[d][low]) / (s->line[d][high] - s->line[d][low]);
+    return s->flat[d][low] + part * (s->flat[d][high] - s->flat[d][low]);
+}
+
+bool contact_tree_near_at(const struct contact_tree *t, int sample, double u, double v)
+{
+    const double du = flat_at(t->surface, 0, u) - t->flat[sample][0];
+    const double dv = flat_at(t->surface, 1, v) - t->flat[sample][1];
+
     return du * du + dv * dv < t->apart * t->apart;
 }
 

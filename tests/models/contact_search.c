@@ -387,7 +387,7 @@ static void test_not_a_number(void)
     place[99][1] = NAN;
     CHECK(contact_search_find(&search, place[0]) == STATUS_NAN && search.count == 0);
     CHECK(contact_search_find_all(&search, place[0]) == STATUS_NAN);
-    CHECK(contact_search_limit(&search, place[0], place[0], 0, &share) == STATUS_NAN);
+    CHECK(contact_search_limit(&search, place[0], place[0], 0, 1, &share) == STATUS_NAN);
     place[99][1] = old;
     REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
     CHECK(count > 300 && search.count == count);
@@ -417,7 +417,7 @@ static void test_limit_of_layers(void)
                 place[p][0] += 0.1 + (place[p][2] = 3 * (up - 0.5) * start, 0);
             change[p][0] = 5, change[p][1] = k, change[p][2] = 3 - up * closing;
         }
-        REQUIRE(contact_search_limit(&search, place[0], change[0], wall, &share) ==
+        REQUIRE(contact_search_limit(&search, place[0], change[0], wall, 1, &share) ==
                 STATUS_OK);
         CHECK(share <= want + rounding && share >= (k < 3 ? 1 : 0.98 * want));
     }
@@ -449,7 +449,7 @@ static void test_limit(void)
                 for (int i = 0; i < 3; i++)
                     change[p][i] = size * (sin(5 * place[p][(i + 1) % 3] + i + 7 * round) +
                                            noise * random_about_0());
-            REQUIRE(contact_search_limit(&search, place[0], change[0], 0, &share) ==
+            REQUIRE(contact_search_limit(&search, place[0], change[0], 0, 1, &share) ==
                     STATUS_OK);
             for (int p = 0; p < n[0] * n[1]; p++)
                 for (int i = 0; i < 3; i++)

@@ -23,6 +23,7 @@ void contact_clear(struct contact *c)
     free(c->pose);
     free(c->pose_old);
     free(c->x_old);
+    free(c->spare);
     free(c->touch);
     free(c->node);
     free(c->weight);
@@ -40,9 +41,11 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                           .self = contact_law_self(scene),
                           .pose = calloc(bodies + 1, sizeof *c->pose),
                           .pose_old = calloc(bodies + 1, sizeof *c->pose_old),
-                          .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old)};
+                          .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old),
+                          .spare = calloc(4 * (size_t)surface->count, sizeof *c->spare)};
     *surface = (struct contact_surface){0};
-    enum status st = c->pose && c->pose_old && c->x_old ? STATUS_OK : STATUS_MEMORY;
+    const bool all = c->pose && c->pose_old && c->x_old && c->spare;
+    enum status st = all ? STATUS_OK : STATUS_MEMORY;
     if (st == STATUS_OK && scene->contact.self)
         st = contact_search_init(&c->search, &c->surface, c->self.start);
     if (st != STATUS_OK)
@@ -403,6 +406,52 @@ static void look_back(const struct contact *c, struct contact_touch *t, const do
     t->D_old = t->D - vector_dot(way, t->normal);
 }
 
+/* Tells whether a sample at y has come less far from where it was looked at than the bodies
+ * were from it: most of a sheet need not be looked at in each of an explicit method's
+ * steps.
+ */
+static bool keeps_off(struct contact *c, const double *spare, const double y[3])
+{
+    double way[3];
+
+    vector_between(spare, y, way);
+    const double square = vector_dot(way, way);
+    if (!(square < spare[3] * spare[3]))
+        return false;
+    if (spare[3] < c->least)
+        c->least = fmin(c->least, spare[3] - sqrt(square));
+    return true;
+}
+
+/* Ends a sample's step by the law of bodies; *room: how far it is from the nearest, 0 if
+ * that may come nearer by itself. */
+static enum status meet_bodies(struct contact *c, int sample, const double *compliance,
+                               const int *held, double *x, double *room)
+{
+    enum status st = STATUS_OK;
+
+    for (int o = 0; o < c->scene->obstacle_count; o++) {
+        const struct scene_obstacle *body = &c->scene->obstacles[o];
+        double y[3], normal[3];
+        contact_surface_at(&c->surface, sample, x, y);
+        const double D = contact_shape_distance(body, &c->pose[o], y, normal);
+        const double off = D - c->body.start;
+        if (isnan(D))
+            return STATUS_NAN;
+        const bool still = body->path_count + body->turn_count == 0;
+        *room = fmin(*room, still ? fmax(off, 0) : 0);
+        if (off >= 0) {
+            c->least = fmin(c->least, off);
+            continue;
+        }
+        TRY(add_body_touch(c, sample, o, D, normal));
+        look_back(c, &c->touch[c->count - 1], x);
+        settle(c, &c->touch[c->count - 1], compliance, held, x);
+    }
+out:
+    return st;
+}
+
 enum status contact_project(struct contact *c, const double *compliance, const int *held,
                             double *x)
 {
@@ -415,6 +464,7 @@ enum status contact_project(struct contact *c, const double *compliance, const i
         look_back(c, &c->touch[n], x);
     for (int n = 0; n < own; n++)
         settle(c, &c->touch[n], compliance, held, x);
+<<<<<<< HEAD
     for (int n = 0; n < c->surface.count; n++)
         for (int o = 0; o < c->scene->obstacle_count; o++) {
             double y[3], normal[3];
@@ -430,6 +480,17 @@ enum status contact_project(struct contact *c, const double *compliance, const i
             look_back(c, &c->touch[c->count - 1], x);
             settle(c, &c->touch[c->count - 1], compliance, held, x);
         }
+=======
+    for (int n = 0; n < c->surface.count; n++) {
+        double *spare = c->spare + 4 * (size_t)n, y[3], room = INFINITY;
+        contact_surface_at(&c->surface, n, x, y);
+        if (keeps_off(c, spare, y))
+            continue;
+        TRY(meet_bodies(c, n, compliance, held, x, &room));
+        memcpy(spare, y, sizeof y);
+        spare[3] = room;
+    }
+>>>>>>> 683a525106a6fd4e2a59f592d75cced35ea7181d
 out:
     return st;
 }

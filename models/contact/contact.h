@@ -47,8 +47,11 @@ struct contact {
     int weights, weight_room;
     int *node;       /* [weights]                                          owned     */
     double *weight;  /* [weights]                                          owned     */
+    double *spare;   /* [samples][4] a place, and how far from it no still body is met by
+                        contact_project [m]                                owned     */
     double energy;   /* of the last contact_find                            [J]      */
-    double least;    /* least D of the last contact_find, less the start of its law [m] */
+    double least;    /* least D of the same, less the start of its law; of
+                        contact_project a lower bound where that is positive [m] */
     double force[3]; /* on the sheet by bodies, of the same                 [N]      */
 };
 

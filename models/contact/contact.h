@@ -69,6 +69,10 @@ void contact_force(const struct contact *c, double *force);
  * sample's distance to the wall. */
 double contact_limit(const struct contact *c, const double *x, const double *d);
 
+/* Shortens the change d[nodes][3] of x, each node's by its own share, so that each sample
+ * leaves as much; returns whether any was shortened. For samples of one node. */
+bool contact_shorten(const struct contact *c, const double *x, double *d);
+
 /* Moves x[nodes][3], where a step would end without contact, to where it ends with it:
  * touches one after the other, each by the force that the law has where it then is
  * (contact_law_solve). compliance[nodes]: a node's move at the step's end by a force on it

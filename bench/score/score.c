@@ -174,6 +174,7 @@ static enum status make_net(struct score *s, const struct frames *frames,
     TRY(score_net_make(net, &s->truth.scene, name, rest, xyz, &s->net, why));
     TRY(score_net_map(&s->net, net, name, GRID_U, GRID_V, &s->grid.map, why));
     TRY(score_net_map(&s->net, net, name, LADDER_U, LADDER_V, &s->coarse.map, why));
+    TRY(score_contact_begin(&s->contact, &s->truth.scene, net, &s->net));
     take_start(s, xyz);
 out:
     free(rest);
@@ -210,7 +211,17 @@ static enum status read_frames(struct score *s, struct frames *frames,
         }
         view_take(&s->grid, w);
         view_take(&s->coarse, w);
+        st = score_contact_take(&s->contact, t, newest);
+        if (st == STATUS_NAN)
+            st = status_fail(why, STATUS_INPUT,
+                             "%s: frame %d: a position times --scale is no finite number",
+                             frames_name(frames), s->frames + 1);
+        TRY(st);
     }
+    if (s->frames > 1)
+        TRY(score_contact_end(&s->contact, s->last,
+                              w->time[WINDOW - 1] - w->time[WINDOW - 2], w->xyz[WINDOW - 2],
+                              w->xyz[WINDOW - 1]));
     if (!s->frames)
         st = status_fail(why, STATUS_INPUT, "%s: has no frames", frames_name(frames));
 out:
@@ -323,6 +334,7 @@ void score_clear(struct score *s)
     score_truth_clear(&s->truth);
     score_ladder_clear(&s->ladder);
     score_net_clear(&s->net);
+    score_contact_clear(&s->contact);
     view_clear(&s->grid);
     view_clear(&s->coarse);
     free(s->row);

@@ -4,6 +4,7 @@
 #ifndef SCORE_H
 #define SCORE_H
 
+#include "bench/score/score_contact.h"
 #include "bench/score/score_ladder.h"
 #include "bench/score/score_net.h"
 #include "bench/score/score_truth.h"
@@ -41,6 +42,7 @@ struct score {
     struct score_truth truth;
     struct score_ladder ladder;
     struct score_net net;
+    struct score_contact contact;
     struct score_view grid, coarse; /* on the material grid, and on the ladder's points  */
     int times;
     struct score_time *row; /* [times]                                          owned   */

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/metric/intersection.h"
+
 /* Coordinates of lines of a net that differ by less than SAME_LINE are one line; a net
  * reaches a sheet's edge to within EDGE. */
 #define SAME_LINE 1e-6
@@ -323,6 +325,79 @@ enum status score_net_map(const struct score_net *net, const struct frames_net *
                          name, net->vertices, columns, rows);
 out:
     free(p);
+    return st;
+}
+
+/* A triangle, with the place of its middle on a curve that fills the sheet. */
+struct placed {
+    unsigned long place;
+    int corner[3];
+};
+
+static int compare_places(const void *a, const void *b)
+{
+    const struct placed *left = a, *right = b;
+
+    return (left->place > right->place) - (left->place < right->place);
+}
+
+/* Places a triangle: the bits of u and v in turn (Morton 1966). */
+static void place_triangle(const struct score_net *net, struct placed *t)
+{
+    t->place = 0;
+    for (int d = 0; d < 2; d++) {
+        double middle = 0;
+        for (int k = 0; k < 3; k++)
+            middle += net->uv[2L * t->corner[k] + d] / 3;
+        const unsigned long x = (unsigned long)(fmin(fmax(middle, 0), 1) * 65535);
+        for (int bit = 0; bit < 16; bit++)
+            t->place |= (x >> bit & 1) << (2 * bit + d);
+    }
+}
+
+/* Lists the cells' triangles of a net in rows and columns; returns how many, 0: it has
+ * none. */
+static int cut_cells(struct point *p, const struct score_net *net, struct placed *t)
+{
+    for (int n = 0; n < net->vertices; n++)
+        p[n] = (struct point){{net->uv[2 * n], net->uv[2 * n + 1]}, n};
+    const int columns = count_lines(p, net->vertices, 0),
+              rows = count_lines(p, net->vertices, 1),
+              count = 2 * (columns - 1) * (rows - 1);
+    if (!sort_rows(p, columns, rows, net->vertices))
+        return 0;
+    for (int n = 0; n < count; n++) {
+        intersection_corners(columns, n, t[n].corner);
+        for (int k = 0; k < 3; k++)
+            t[n].corner[k] = p[t[n].corner[k]].vertex;
+    }
+    return count;
+}
+
+enum status score_net_triangles(const struct score_net *net,
+                                const struct frames_net *frames, int *count,
+                                int (**corner)[3])
+{
+    const int faces = frames->triangles;
+    const size_t room = (size_t)(faces ? faces : 2 * net->vertices);
+    struct point *p = malloc((size_t)net->vertices * sizeof *p);
+    struct placed *t = malloc(room * sizeof *t);
+    enum status st = STATUS_OK;
+
+    *count = 0;
+    *corner = malloc(room * sizeof **corner);
+    TRY(p && t && *corner ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < faces; n++)
+        memcpy(t[n].corner, frames->triangle[n], sizeof t[n].corner);
+    *count = faces ? faces : cut_cells(p, net, t);
+    for (int n = 0; n < *count; n++)
+        place_triangle(net, &t[n]);
+    qsort(t, (size_t)*count, sizeof *t, compare_places);
+    for (int n = 0; n < *count; n++)
+        memcpy((*corner)[n], t[n].corner, sizeof t[n].corner);
+out:
+    free(p);
+    free(t);
     return st;
 }
 

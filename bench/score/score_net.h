@@ -38,6 +38,13 @@ enum status score_net_map(const struct score_net *net, const struct frames_net *
                           struct message *why);
 void score_map_clear(struct score_map *map); /* all-zero is allowed */
 
+/* Lists the triangles of a net that has a map: its faces, else the cells between rows and
+ * columns, cut as in intersection.h. Those that follow each other are near each other.
+ * *corner [*count][3] is freed by the receiver. STATUS_MEMORY. */
+enum status score_net_triangles(const struct score_net *net,
+                                const struct frames_net *frames, int *count,
+                                int (**corner)[3]);
+
 /* Fills field[nu nv][3] from xyz[vertices][3]. */
 void score_map_apply(const struct score_map *map, const double *xyz, double *field);
 

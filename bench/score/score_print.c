@@ -43,6 +43,34 @@ static void range_text(const struct score *s, size_t size, char *text)
              s->truth.undamped ? "; the scene moves undamped here, as its truth does" : "");
 }
 
+/* Returns whether the frames are of a sheet in metres, in the scene's axes, with its
+ * vertices where they belong: else nothing is said of its contact. */
+static bool has_place(const struct score_diagnosis *d)
+{
+    for (int n = 0; n < d->count; n++)
+        if (d->finding[n].kind == SCORE_AXES || d->finding[n].kind == SCORE_UNITS ||
+            d->finding[n].kind == SCORE_ORDER)
+            return false;
+    return true;
+}
+
+/* Notes where it passes through itself or a body, and what it rests on. */
+static void add_contact(const struct score_print *p, const struct score *s,
+                        const char *name, const char *colon)
+{
+    const struct score_contact *c = &s->contact;
+    char text[SCORE_CONTACT_TEXT];
+
+    if (!c->event[SCORE_CONTACT_ITSELF].frame && !c->event[SCORE_CONTACT_BODY].frame)
+        table_note(p->table, "%s%sNo frame passes through itself%s.", name, colon,
+                   s->truth.scene.obstacle_count ? " or has a vertex in a body" : "");
+    for (int k = 0; k < SCORE_CONTACT_KINDS; k++)
+        if (score_contact_tells(c, k)) {
+            score_contact_text(c, k, text);
+            table_note(p->table, "%s%s%s", name, colon, text);
+        }
+}
+
 static void add_notes(const struct score_print *p, const struct score *s,
                       const struct score_diagnosis *d, const char *range)
 {
@@ -58,6 +86,8 @@ static void add_notes(const struct score_print *p, const struct score *s,
     if (!d->count)
         table_note(p->table, "%s%sNo flaw that is known here explains the difference.",
                    name, colon);
+    if (has_place(d))
+        add_contact(p, s, name, colon);
     table_note(p->table, "%s%s%s.", name, colon, range);
     table_note(p->table, "%s%sThe truth: %s.", name, colon, s->truth.known.source);
 }
@@ -67,6 +97,28 @@ static void print_text(FILE *file, const char *key, const char *text)
 {
     fprintf(file, "\"%s\": ", key);
     table_json_string(text, file);
+}
+
+/* Prints what is known of the sheet's contact as a list of objects. */
+static void print_contact(const struct score *s, FILE *file)
+{
+    const char *separator = "";
+    char text[SCORE_CONTACT_TEXT];
+
+    for (int k = 0; k < SCORE_CONTACT_KINDS; k++) {
+        const struct score_contact_event *e = &s->contact.event[k];
+        if (!score_contact_tells(&s->contact, k))
+            continue;
+        score_contact_text(&s->contact, k, text);
+        fprintf(file,
+                "%s{\"kind\": \"%s\", \"frame\": %d, \"time\": %.17g, \"value\": %.17g, "
+                "\"pairs\": %ld, \"triangles\": %d, ",
+                separator, score_contact_name(k), e->frame, e->time, e->value,
+                e->with.pairs, e->with.triangles);
+        print_text(file, "text", text);
+        fputc('}', file);
+        separator = ", ";
+    }
 }
 
 static void print_json(const struct score *s, const struct score_diagnosis *d,
@@ -96,6 +148,9 @@ static void print_json(const struct score *s, const struct score_diagnosis *d,
         print_text(file, "text", f->text);
         fputc('}', file);
     }
+    fputs("], \"contact\": [", file);
+    if (has_place(d))
+        print_contact(s, file);
     fputs("], ", file);
     print_text(file, "frames", range);
     fputs(", ", file);

@@ -101,8 +101,8 @@ double truth_plan_frame(const struct scene *scene);
 
 /* Writes what of a scene its motion depends on as text: a truth holds for every scene and
  * all settings with the same text, whatever their names, times and numerics. Lines `key
- * value...` with 17 digits: sheet, pose, material, loads, damping, supports and obstacles.
- * *text is freed by the receiver. STATUS_MEMORY. */
+ * value...` with 17 digits: sheet, pose, material, loads, damping, supports, obstacles and
+ * a contact that is not all by rule. *text is freed by the receiver. STATUS_MEMORY. */
 enum status truth_physics(const struct scene *scene, char **text);
 
 /* Compares a text with this scene's. STATUS_UNSUPPORTED: it is of other physics, and the
@@ -133,6 +133,9 @@ enum truth_column {
     /* Read from the file beside it (truth_file_read), NaN where there is none: */
     TRUTH_THIRD = TRUTH_STORED, /* how far it is [m]                                    */
     TRUTH_THIRD_BAR,            /* its own error bar [m]                                */
+    /* Computed where it is read, NaN where nothing was claimed before: */
+    TRUTH_CROSSINGS,      /* pairs of triangles where its sheet passes through itself [1] */
+    TRUTH_CROSSING_DEPTH, /* how deep (models/metric/crossing.h) [m]                    */
     TRUTH_COLUMNS
 };
 
@@ -282,7 +285,12 @@ enum status truth_plate_coefficient(double nu, int terms, double *coefficient);
  * stay straight, as ours do, but neither normal to that surface nor clamped with both
  * faces. From the first time on at which the two are further apart than both bars explain
  * nothing is claimed any more; up to there the bars stay, as the third leaves no more open
- * than they do. */
+ * than they do.
+ *
+ * Nor is anything claimed from the first time on at which a truth's own sheet passes
+ * through itself: its middle surface on the material grid is searched when the file is
+ * read, with a tolerance of its packing and CROSSING_TOLERANCE. No model that truths are
+ * made of is kept off itself there. */
 
 /* The files of stored truths: those in $CLOTHBENCH_TRUTHS first. */
 extern const struct named_file_kind truth_file_kind;
@@ -297,13 +305,15 @@ void truth_pack(struct truth *made, double length);
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
                              const struct truth *made, struct message *why);
 
-/* Reads one, as the third mechanics beside it leaves it; the fields past the horizon are
- * NULL, `level` is left zero. *physics is freed by the receiver. STATUS_INPUT with a
- * sentence: no truth, or damaged, or the third is. Free with truth_clear. */
+/* Reads one, as the third mechanics beside it and its crossings leave it; the fields past
+ * the horizon are NULL, `level` is left zero. *physics is freed by the receiver.
+ * STATUS_INPUT with a sentence: no truth, or damaged, or the third is. Free with
+ * truth_clear. */
 enum status truth_file_read(const char *path, struct truth *made, char **physics,
                             struct message *why);
 
-/* Reads the truth of a name (or of a path, named_file.h), if it is of this scene's physics.
+/* Reads the truth of a name, if it is of this scene's physics; or of a path (named_file.h),
+ * which a command has left for itself: then crossings take no claim back (truth_doubt).
  * STATUS_FILE: none is stored; STATUS_UNSUPPORTED: it is of other physics; STATUS_INPUT: it
  * is damaged; with a sentence each. Free with truth_clear. */
 enum status truth_file_find(const char *name, const struct scene *scene, struct truth *made,

@@ -36,11 +36,16 @@ static const struct {
     {LENGTH("packing", "packing"), TRUTH_PACKING, 2},
     {LENGTH("third", "third"), TRUTH_THIRD, 2},
     {LENGTH("its bar", "third_bar"), TRUTH_THIRD_BAR, 2},
+    {{"crossings", "pairs", .key = "crossing_pairs"}, TRUTH_CROSSINGS},
+    {{"depth", "% L", .key = "crossing_depth_over_length", .scale = 100, .key_unit = "L",
+      .readers = TABLE_MACHINES},
+     TRUTH_CROSSING_DEPTH,
+     2},
 };
 enum { COLUMNS = sizeof columns / sizeof *columns };
 
-/* Returns whether a truth has such numbers at all: nobody ran a closed form, and of
- * somebody else's runs an order and a bar are known. */
+/* Returns whether a truth has such numbers at all: nobody ran a closed form, of somebody
+ * else's runs an order and a bar are known, and few sheets pass through themselves. */
 static bool has_column(const struct truth *made, int value)
 {
     if (value < 0)
@@ -48,7 +53,8 @@ static bool has_column(const struct truth *made, int value)
     if (value < TRUTH_PACKING)
         return !made->closed && (!made->foreign || value == TRUTH_SHELL_SPACE);
     for (int n = 0; n < made->times; n++)
-        if (!isnan(made->value[n][value]))
+        if (!isnan(made->value[n][value]) &&
+            (value < TRUTH_CROSSINGS || made->value[n][value] > 0))
             return true;
     return false;
 }
@@ -63,6 +69,8 @@ static void add_row(struct table *t, const struct truth *made, int n, double len
                                                    : made->value[n][value];
         if (value == ERROR_BAR && n >= made->claimed)
             table_missing(t, "no claim");
+        else if (value == TRUTH_CROSSINGS)
+            table_fixed(t, number, 0);
         else if (!columns[c].digits)
             table_fixed(t, number, 1);
         else
@@ -76,9 +84,14 @@ static void note_horizon(struct table *t, const struct truth *made, double lengt
 {
     const int n = made->claimed;
     const double percent = 100 / length, *v = made->value[n];
-    char end[128];
+    char end[160];
 
-    if (n < made->times && v[TRUTH_THIRD] > made->error[n] + v[TRUTH_THIRD_BAR])
+    if (n < made->times && v[TRUTH_CROSSINGS] > 0)
+        snprintf(end, sizeof end,
+                 "its sheet passes through itself there, on %g pairs of triangles of the "
+                 "material grid, %.2g mm deep",
+                 v[TRUTH_CROSSINGS], 1e3 * v[TRUTH_CROSSING_DEPTH]);
+    else if (n < made->times && v[TRUTH_THIRD] > made->error[n] + v[TRUTH_THIRD_BAR])
         snprintf(end, sizeof end,
                  "a third mechanics, with a bar of %.2g %%, is %.2g %% off there",
                  percent * v[TRUTH_THIRD_BAR], percent * v[TRUTH_THIRD]);
@@ -92,6 +105,11 @@ static void note_horizon(struct table *t, const struct truth *made, double lengt
         table_note(t, "Nothing is claimed from %.3g s on: %s.", made->time[n], end);
     else
         table_note(t, "All of it is claimed.");
+    if (n && !isnan(made->value[n - 1][TRUTH_CROSSINGS]) &&
+        !(n < made->times && v[TRUTH_CROSSINGS] > 0))
+        table_note(t,
+                   "The sheet was searched up to %.3g s, and does not pass through itself.",
+                   made->time[n - 1]);
     table_note(t, "Horizon: %s.", made->horizon);
 }
 
@@ -137,7 +155,8 @@ static enum status print(const struct truth *made, const struct scene *scene,
              made->closed ? "" : "observed orders and ");
     for (int c = 0; c < COLUMNS; c++) {
         heads[c] = columns[c].head;
-        heads[c].readers = has_column(made, columns[c].value) ? TABLE_ALL : TABLE_NOBODY;
+        heads[c].readers =
+            has_column(made, columns[c].value) ? columns[c].head.readers : TABLE_NOBODY;
     }
     struct table *t = table_create(COLUMNS, heads, caption);
     for (int n = 0; n < made->times; n++)
@@ -394,6 +413,8 @@ static enum status make(struct job *j, const struct command_line *line, struct m
     }
     truth_pack(&made, j->scene.length);
     TRY(truth_file_write(file, &runs, &made, why));
+    if (!third)
+        TRY(truth_crossing_judge(&made));
     TRY(print(&made, &j->scene, j->format, stdout));
     fprintf(stderr, "%s in %s\n", third ? "third mechanics" : "truth", file);
     if (j->must && j->end.answer != TRUTH_MET)

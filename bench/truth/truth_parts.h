@@ -177,6 +177,12 @@ enum status truth_third_make(const char *folder, double length, struct truth *th
  * back from where the two contradict each other. */
 void truth_third_judge(const struct truth *third, struct truth *made);
 
+/* --- Crossings --- */
+
+/* Counts the crossings at the claimed times, and takes the claim back from the first one
+ * on. STATUS_INPUT: a field is not finite; STATUS_MEMORY. */
+enum status truth_crossing_judge(struct truth *made);
+
 /* --- Printing --- */
 
 /* Prints lines t,u,v,x,y,z of points[0] x points[1] points (u, v) = (i/(n-1), j/(m-1)) of

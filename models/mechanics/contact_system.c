@@ -1,28 +1,54 @@
 #include "models/mechanics/contact_system.h"
 
-static void add_touch(const struct contact *c, const struct contact_touch *t,
-                      const struct blocks *graph, double (*K)[9])
+#include <string.h>
+
+#include "models/vector.h"
+
+/* Computes the stiffness of a touch's relative motion. */
+static void stiffness(const struct contact_touch *t, double B[9])
 {
-    double B[9];
+    const double rub = vector_dot(t->rub, t->rub);
 
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            B[3 * i + j] =
-                (t->stiffness - t->drag) * t->normal[i] * t->normal[j] + t->drag * (i == j);
-    for (int a = t->first; a < t->first + t->count; a++)
-        for (int b = t->first; b < t->first + t->count; b++) {
-            if (c->node[b] < c->node[a])
-                continue;
-            const double weight = c->weight[a] * c->weight[b];
-            double *block = K[blocks_find(graph, c->node[a], c->node[b])];
-            for (int k = 0; k < 9; k++)
-                block[k] += weight * B[k];
+        for (int j = 0; j < 3; j++) {
+            double along = rub > 0 ? t->rub[i] * t->rub[j] / rub : 0;
+            B[3 * i + j] = (t->stiffness - t->drag) * t->normal[i] * t->normal[j] +
+                           (t->grip - t->drag) * along + t->drag * (i == j);
         }
 }
 
-void contact_system_tangent(const struct contact *c, const struct blocks *graph,
+static bool same_nodes(const struct contact *c, const struct contact_touch *s,
+                       const struct contact_touch *t)
+{
+    return s->count == t->count && !memcmp(c->node + s->first, c->node + t->first,
+                                           (size_t)s->count * sizeof *c->node);
+}
+
+bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
                             double (*K)[9])
 {
-    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
-        add_touch(c, t, graph, K);
+    const struct contact_touch *end = c->touch + c->count;
+
+    /* touches of one element have the same nodes, which are looked up once */
+    for (const struct contact_touch *t = c->touch, *next; t < end; t = next) {
+        for (next = t + 1; next < end && same_nodes(c, t, next);)
+            next++;
+        for (int a = 0; a < t->count; a++)
+            for (int b = 0; b < t->count; b++) {
+                const int row = c->node[t->first + a], column = c->node[t->first + b];
+                if (column < row)
+                    continue;
+                const long pair = blocks_find(graph, row, column);
+                if (pair < 0)
+                    return false;
+                double *block = K[pair];
+                for (const struct contact_touch *s = t; s < next; s++) {
+                    double B[9], w = c->weight[s->first + a] * c->weight[s->first + b];
+                    stiffness(s, B);
+                    for (int k = 0; k < 9; k++)
+                        block[k] += w * B[k];
+                }
+            }
+    }
+    return true;
 }

@@ -9,10 +9,6 @@
 /* Rest: the unbalanced share of the loads and the supports' reactions is below this. */
 static const double RESIDUAL = 1e-6;
 
-/* Nodes nearer than this share of the length touch: an obstacle is met at its tangent
- * plane, which is off by d^2 / 2 R where the last step moved by d. */
-static const double TOUCHING = 1e-8;
-
 /* The mass is multiplied by FAILED after a step that failed, by SHORTER where the step
  * needed a tangent without stress - a shape with an unstable way out is to be left - or
  * moved too far, and by GOOD where it went well. */
@@ -27,6 +23,14 @@ static const double LONGEST = 1e-8;
 
 enum { MOST_STEPS = 600 };
 
+/* Begins a step at `last` as one of the scene's: friction is that of the way in its time.
+ */
+static void begin_contact(struct large_motion *m, const double *last)
+{
+    contact_begin(m->contact, supports_rest_time(m->supports, m->scene), m->scene->step,
+                  last);
+}
+
 /* Computes the unbalanced share of the loads and the supports' reactions at m->x. */
 static enum status unbalanced(struct large_motion *m, double *share)
 {
@@ -35,15 +39,18 @@ static enum status unbalanced(struct large_motion *m, double *share)
     double *f = m->room + 2 * 3 * (size_t)m->graph->nodes, left = 0, borne = 0;
 
     TRY(large_body_force(&m->body, &statics, m->x, f));
-    for (int t = 0; t < 3 * m->graph->nodes; t++) {
+    for (int t = 0; t < 3 * m->graph->nodes; t++)
         f[t] = m->load[t] - f[t];
+    if (m->contact) {
+        TRY(contact_find(m->contact, m->x));
+        contact_force(m->contact, f);
+    }
+    for (int t = 0; t < 3 * m->graph->nodes; t++) {
         if (m->supports->free_index[t] >= 0)
             continue;
         borne += fabs(f[t]);
         f[t] = 0;
     }
-    if (m->contact)
-        contact_set_balance(&m->contact->set, m->x, TOUCHING * m->scene->length, f);
     for (int a = 0; a < m->graph->nodes; a++) {
         left += vector_length(f + 3 * (size_t)a);
         borne += vector_length(m->load + 3 * (size_t)a);
@@ -69,7 +76,7 @@ static enum status step(struct large_motion *m, double mass, double *moved,
 
     memcpy(last, m->x, count * sizeof *last);
     if (m->contact)
-        contact_set_detect(&m->contact->set, last);
+        begin_contact(m, last);
     TRY(large_body_strain(&m->body, last, m->strain_old));
     m->factored = -1;
     st = large_newton_solve(m, &q, m->x, counters);
@@ -100,7 +107,6 @@ enum status large_settle(struct large_motion *m, struct counters *counters,
     enum status st = STATUS_OK;
     double first = 1 / (m->scene->step * m->scene->step), mass = first;
     double left = INFINITY, moved = 0;
-    struct model_contact contact;
     int n = 0;
 
     for (; n < MOST_STEPS && left > RESIDUAL; n++) {
@@ -115,10 +121,8 @@ enum status large_settle(struct large_motion *m, struct counters *counters,
         TRY(status_fail(why, STATUS_DIVERGED,
                         "no equilibrium in %d steps: forces of %.3g of the loads are left",
                         n, left));
-    if (m->contact) {
-        contact_set_report(&m->contact->set, m->x, 1, &contact);
-        memcpy(m->push, contact.force, sizeof m->push);
-    }
+    if (m->contact)
+        memcpy(m->push, m->contact->force, sizeof m->push);
     status_fail(why, STATUS_OK,
                 "Relaxed in %d steps: forces of %.2g of the loads are left unbalanced.", n,
                 left);

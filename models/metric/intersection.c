@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/metric/triangle.h"
+#include "models/vector.h"
 
 /* Pairs of cells tested at a time, so that memory does not grow with overlaps. */
 enum { CANDIDATES = 1 << 15, FIRST_PAIRS = 1024 };
@@ -32,21 +33,28 @@ void intersection_corners(int n_u, int triangle, int corner[3])
     corner[2] = triangle % 2 ? first + n_u : first + n_u + 1;
 }
 
+void intersection_triangle(const struct intersection *s, int triangle, int corner[3])
+{
+    if (s->corner)
+        memcpy(corner, s->corner[triangle], 3 * sizeof *corner);
+    else
+        intersection_corners(s->n_u, triangle, corner);
+}
+
+/* Counts the boxes of all levels over so many cells. */
 static long box_count(int n_u, int n_v)
 {
     long count = 0;
 
-    for (n_u--, n_v--; n_u > 1 || n_v > 1; n_u = (n_u + 1) / 2, n_v = (n_v + 1) / 2)
+    for (; n_u > 1 || n_v > 1; n_u = (n_u + 1) / 2, n_v = (n_v + 1) / 2)
         count += (long)n_u * n_v;
     return count + 1;
 }
 
-static enum status make_room(struct intersection *s, int n_u, int n_v)
+static enum status make_room(struct intersection *s, long boxes)
 {
-    long points = (long)n_u * n_v, boxes = box_count(n_u, n_v);
-    long room = points > boxes ? points : boxes;
+    const long points = s->points, room = points > boxes ? points : boxes;
 
-    s->n_u = n_u, s->n_v = n_v;
     if (!s->candidate)
         s->candidate = malloc(CANDIDATES * sizeof *s->candidate);
     if (!s->hit)
@@ -64,7 +72,7 @@ static enum status make_room(struct intersection *s, int n_u, int n_v)
 /* Copies the points, scaled by a power of two so that the largest coordinate is near 1. */
 static enum status scale_points(struct intersection *s, const double *xyz)
 {
-    long n = 3 * (long)s->n_u * s->n_v;
+    const long n = 3 * s->points;
     double size = 0;
     int exponent;
 
@@ -74,6 +82,7 @@ static enum status scale_points(struct intersection *s, const double *xyz)
         size = fmax(size, fabs(xyz[i]));
     }
     frexp(size, &exponent);
+    s->scale = ldexp(1, exponent);
     for (long i = 0; i < n; i++) {
         double x = ldexp(xyz[i], -exponent);
         s->point[i] = fabs(x) < negligible ? 0 : x;
@@ -103,6 +112,20 @@ static void fit_cells(const struct intersection *s, const struct intersection_le
         }
 }
 
+static void fit_triangles(const struct intersection *s,
+                          const struct intersection_level *triangles)
+{
+    for (int n = 0; n < triangles->n_u; n++) {
+        double *box = triangles->box[n];
+        for (int i = 0; i < 3; i++) {
+            const double *x = s->point + 3L * s->corner[n][i];
+            if (i == 0)
+                memcpy(box, x, 3 * sizeof *box), memcpy(box + 3, x, 3 * sizeof *box);
+            join(box, x, x);
+        }
+    }
+}
+
 static void fit_parents(const struct intersection_level *below,
                         const struct intersection_level *above)
 {
@@ -120,16 +143,18 @@ static void fit_parents(const struct intersection_level *below,
         }
 }
 
-/* Fits boxes around the cells, around 2 x 2 of those, and so on to a single one. */
-static void fit_boxes(struct intersection *s)
+/* Fits boxes around the n_u x n_v cells, around 2 x 2 of those, and so on to a single one;
+ * the cells of a mesh are its triangles, in one row. */
+static void fit_boxes(struct intersection *s, int n_u, int n_v)
 {
-    int n_u = s->n_u - 1, n_v = s->n_v - 1;
     double(*box)[6] = s->boxes;
 
     for (s->levels = 0;; s->levels++) {
         struct intersection_level *level = &s->level[s->levels];
         *level = (struct intersection_level){n_u, n_v, box};
-        if (s->levels == 0)
+        if (s->levels == 0 && s->corner)
+            fit_triangles(s, level);
+        else if (s->levels == 0)
             fit_cells(s, level);
         else
             fit_parents(level - 1, level);
@@ -141,9 +166,7 @@ static void fit_boxes(struct intersection *s)
     s->levels++;
 }
 
-/* Moves the corners that both share to the front, in the same order; returns their number.
- * At most two: no two triangles of the grid share all three. */
-static int match_corners(int p[3], int q[3])
+int intersection_match(int p[3], int q[3])
 {
     int shared = 0;
 
@@ -164,13 +187,15 @@ static bool triangles_intersect(const struct intersection *s, int first, int sec
     int p[3], q[3];
     const double *a[3], *b[3];
 
-    intersection_corners(s->n_u, first, p);
-    intersection_corners(s->n_u, second, q);
-    int shared = match_corners(p, q);
+    intersection_triangle(s, first, p);
+    intersection_triangle(s, second, q);
+    int shared = intersection_match(p, q);
     for (int i = 0; i < 3; i++) {
         a[i] = s->point + 3L * p[i];
         b[i] = s->point + 3L * q[i];
     }
+    if (shared == 3) /* listed twice */
+        return false;
     if (shared == 2)
         return triangle_meets_beyond_edge(a, b);
     return shared ? triangle_meets_beyond_vertex(a, b) : triangle_meets(a, b);
@@ -181,6 +206,8 @@ static unsigned char test_cells(const struct intersection *s, struct intersectio
 {
     unsigned char hit = 0;
 
+    if (s->corner)
+        return triangles_intersect(s, cell.first, cell.second);
     for (int bit = 0; bit < 4; bit++)
         if (cell.first != cell.second || bit == 1)
             if (triangles_intersect(s, 2 * cell.first + bit / 2, 2 * cell.second + bit % 2))
@@ -212,17 +239,25 @@ static enum status flush(struct intersection *s, long *count)
         s->hit[n] = test_cells(s, s->candidate[n]);
     for (int n = 0; n < s->candidate_count; n++) {
         struct intersection_pair cell = s->candidate[n];
-        s->tests += cell.first == cell.second ? 1 : 4;
+        s->tests += s->corner || cell.first == cell.second ? 1 : 4;
         for (int bit = 0; s->hit[n] >> bit; bit++)
             if (s->hit[n] >> bit & 1) {
                 ++*count;
-                if (s->keep_pairs)
+                if (s->keep_pairs && s->corner)
+                    TRY(keep_pair(s, cell.first, cell.second));
+                else if (s->keep_pairs)
                     TRY(keep_pair(s, 2 * cell.first + bit / 2, 2 * cell.second + bit % 2));
             }
     }
 out:
     s->candidate_count = 0;
     return st;
+}
+
+/* Tells whether enough pairs were found. */
+static bool is_enough(const struct intersection *s, long count)
+{
+    return s->most > 0 && count >= s->most;
 }
 
 static enum status add_candidate(struct intersection *s, int first, int second, long *count)
@@ -265,7 +300,7 @@ static enum status across(struct intersection *s, int l, int m, int n, long *cou
     enum status st = STATUS_OK;
     int of_m[4], of_n[4];
 
-    if (!boxes_meet(s->level[l].box[m], s->level[l].box[n]))
+    if (is_enough(s, *count) || !boxes_meet(s->level[l].box[m], s->level[l].box[n]))
         return STATUS_OK;
     if (l == 0)
         return add_candidate(s, m, n, count);
@@ -277,12 +312,77 @@ out:
     return st;
 }
 
+/* Computes vectors a, b whose products with the mean steps along u and v of the corners
+ * p[2][2] (v, u) are 1 and 0, 0 and 1. */
+static void dual_basis(const double *const p[2][2], double a[3], double b[3])
+{
+    double u[3], v[3];
+
+    for (int c = 0; c < 3; c++) {
+        u[c] = p[0][1][c] - p[0][0][c] + p[1][1][c] - p[1][0][c];
+        v[c] = p[1][0][c] - p[0][0][c] + p[1][1][c] - p[0][1][c];
+    }
+    const double uu = vector_dot(u, u), uv = vector_dot(u, v), vv = vector_dot(v, v),
+                 det = uu * vv - uv * uv;
+    for (int c = 0; c < 3; c++) {
+        a[c] = (vv * u[c] - uv * v[c]) / det;
+        b[c] = (uu * v[c] - uv * u[c]) / det;
+    }
+}
+
+/* Tells whether the gradient with the columns u, v, seen along the axes a, b, certainly has
+ * a positive definite symmetric part. Its entries are off by some 1e-15 of size^(1/2) at
+ * most; a mean gradient is the unit matrix over the number of cells of the block. */
+static bool is_definite(const double a[3], const double b[3], const double u[3],
+                        const double v[3], double cells)
+{
+    const double size = fmax(vector_dot(a, a), vector_dot(b, b)) *
+                        fmax(vector_dot(u, u), vector_dot(v, v)) * cells * cells;
+    const double au = vector_dot(a, u) * cells, bv = vector_dot(b, v) * cells,
+                 skew = (vector_dot(a, v) + vector_dot(b, u)) * cells;
+
+    return size < 1e6 && au > 1e-3 && bv > 1e-3 && 4 * au * bv - skew * skew > 1e-3;
+}
+
+/* Tells whether the block of cells in box n of level l certainly does not meet itself: a
+ * piecewise linear map of a rectangle to the plane whose gradients have positive definite
+ * symmetric parts is one to one, as (f(p) - f(q)) . (p - q) > 0. */
+static bool is_monotone(const struct intersection *s, int l, int n)
+{
+    const struct intersection_level *level = &s->level[l];
+    const int i0 = n % level->n_u << l, j0 = n / level->n_u << l,
+              i1 = (int)fmin(i0 + (1 << l), s->n_u - 1),
+              j1 = (int)fmin(j0 + (1 << l), s->n_v - 1);
+    const double *const x = s->point, *const corner[2][2] = {{x + 3L * (j0 * s->n_u + i0),
+                                                              x + 3L * (j0 * s->n_u + i1)},
+                                                             {x + 3L * (j1 * s->n_u + i0),
+                                                              x + 3L * (j1 * s->n_u + i1)}};
+    double a[3], b[3], u[3], v[3];
+
+    dual_basis(corner, a, b);
+    for (int j = j0; j < j1; j++)
+        for (int i = i0; i < i1; i++) {
+            const double *p = x + 3L * (j * s->n_u + i), *q = p + 3L * s->n_u;
+            vector_between(p, p + 3, u);
+            vector_between(p + 3, q + 3, v);
+            if (!is_definite(a, b, u, v, i1 - i0))
+                return false;
+            vector_between(q, q + 3, u);
+            vector_between(p, q, v);
+            if (!is_definite(a, b, u, v, i1 - i0))
+                return false;
+        }
+    return true;
+}
+
 /* Tests pairs of cells both below box n of level l. */
 static enum status within(struct intersection *s, int l, int n, long *count)
 {
     enum status st = STATUS_OK;
     int child[4];
 
+    if (s->corner ? l == 0 : is_monotone(s, l, n))
+        return STATUS_OK;
     if (l == 0)
         return add_candidate(s, n, n, count);
     int children_count = children(s, l - 1, n, child);
@@ -303,18 +403,42 @@ static int compare_pairs(const void *a, const void *b)
     return (p->second > q->second) - (p->second < q->second);
 }
 
-static enum status begin(struct intersection *s, int n_u, int n_v, const double *xyz,
-                         long *count)
+/* Begins with n_u x n_v cells on so many points. */
+static enum status begin(struct intersection *s, long points, int n_u, int n_v,
+                         const double *xyz, long *count)
 {
     enum status st = STATUS_OK;
 
-    assert(n_u >= 2 && n_v >= 2 && 2L * (n_u - 1) * (n_v - 1) <= 1L << 30);
     *count = -1;
+    s->points = points;
     s->pair_count = s->tests = s->candidate_count = 0;
-    TRY(make_room(s, n_u, n_v));
+    TRY(make_room(s, box_count(n_u, n_v)));
     TRY(scale_points(s, xyz));
-    fit_boxes(s);
+    fit_boxes(s, n_u, n_v);
     *count = 0;
+out:
+    return st;
+}
+
+static enum status begin_grid(struct intersection *s, int n_u, int n_v, const double *xyz,
+                              long *count)
+{
+    assert(n_u >= 2 && n_v >= 2 && 2L * (n_u - 1) * (n_v - 1) <= 1L << 30);
+    s->corner = NULL;
+    s->n_u = n_u, s->n_v = n_v;
+    s->triangles = 2 * (n_u - 1) * (n_v - 1);
+    return begin(s, (long)n_u * n_v, n_u - 1, n_v - 1, xyz, count);
+}
+
+/* Tests all pairs by the tree. */
+static enum status count_by_tree(struct intersection *s, long *count)
+{
+    enum status st;
+
+    TRY(within(s, s->levels - 1, 0, count));
+    TRY(flush(s, count));
+    if (s->pair_count)
+        qsort(s->pairs, s->pair_count, sizeof *s->pairs, compare_pairs);
 out:
     return st;
 }
@@ -322,13 +446,26 @@ out:
 enum status intersection_count(struct intersection *s, int n_u, int n_v, const double *xyz,
                                long *count)
 {
-    enum status st = STATUS_OK;
+    enum status st;
 
-    TRY(begin(s, n_u, n_v, xyz, count));
-    TRY(within(s, s->levels - 1, 0, count));
-    TRY(flush(s, count));
-    if (s->pair_count)
-        qsort(s->pairs, s->pair_count, sizeof *s->pairs, compare_pairs);
+    TRY(begin_grid(s, n_u, n_v, xyz, count));
+    TRY(count_by_tree(s, count));
+out:
+    if (st)
+        *count = -1;
+    return st;
+}
+
+enum status intersection_count_mesh(struct intersection *s, int vertices, const double *xyz,
+                                    int triangles, int (*corner)[3], long *count)
+{
+    enum status st;
+
+    assert(triangles >= 1);
+    s->corner = corner;
+    s->triangles = triangles;
+    TRY(begin(s, vertices, triangles, 1, xyz, count));
+    TRY(count_by_tree(s, count));
 out:
     if (st)
         *count = -1;
@@ -340,12 +477,69 @@ enum status intersection_count_all(struct intersection *s, int n_u, int n_v,
 {
     enum status st = STATUS_OK;
 
-    TRY(begin(s, n_u, n_v, xyz, count));
-    int triangles = 2 * (n_u - 1) * (n_v - 1);
-    for (int p = 0; p < triangles; p++)
-        for (int q = p + 1; q < triangles; q++)
+    TRY(begin_grid(s, n_u, n_v, xyz, count));
+    for (int p = 0; p < s->triangles; p++)
+        for (int q = p + 1; q < s->triangles; q++)
             *count += triangles_intersect(s, p, q);
-    s->tests = (long)triangles * (triangles - 1) / 2;
+    s->tests = (long)s->triangles * (s->triangles - 1) / 2;
 out:
     return st;
+}
+
+/* Returns the distance of x from a box. */
+static double box_distance(const double box[6], const double x[3])
+{
+    double d[3];
+
+    for (int c = 0; c < 3; c++)
+        d[c] = fmax(fmax(box[c] - x[c], x[c] - box[3 + c]), 0);
+    return vector_length(d);
+}
+
+static void approach_cell(const struct intersection *s, int cell,
+                          struct intersection_search *search)
+{
+    const int each = s->corner ? 1 : 2;
+
+    for (int n = each * cell; n < each * (cell + 1); n++) {
+        int corner[3];
+        double foot[3];
+        intersection_triangle(s, n, corner);
+        const double *const p[3] = {s->point + 3L * corner[0], s->point + 3L * corner[1],
+                                    s->point + 3L * corner[2]},
+                            far = triangle_distance(p, search->x, foot);
+        if (far < search->least &&
+            (!search->counts || search->counts(s, search, corner, foot)))
+            search->least = far;
+    }
+}
+
+/* Searches below box n of level l, in the nearest boxes first. */
+static void approach(const struct intersection *s, int l, int n,
+                     struct intersection_search *search)
+{
+    int child[4];
+    double far[4];
+
+    if (l == 0) {
+        approach_cell(s, n, search);
+        return;
+    }
+    const int count = children(s, l - 1, n, child);
+    for (int k = 0; k < count; k++)
+        far[k] = box_distance(s->level[l - 1].box[child[k]], search->x);
+    for (int k = 0; k < count; k++) {
+        int next = 0;
+        for (int i = 1; i < count; i++)
+            next = far[i] < far[next] ? i : next;
+        if (far[next] >= search->least || search->least <= search->enough)
+            return;
+        approach(s, l - 1, child[next], search);
+        far[next] = INFINITY;
+    }
+}
+
+void intersection_nearest(const struct intersection *s, struct intersection_search *search)
+{
+    approach(s, s->levels - 1, 0, search);
 }

@@ -18,7 +18,11 @@
  * Decided without round-off, of the coordinates as they are, except that a coordinate below
  * 2^-247 (about 1e-75) of the largest is taken for 0. Thickness plays no role.
  *
- * Cost: O(cells + pairs of cells whose boxes overlap), by a tree of boxes over the grid.
+ * A mesh is a list of triangles between vertices, of any topology, and the same holds for
+ * it; triangles that follow each other in the list should be near each other.
+ *
+ * Cost: O(cells + pairs of cells whose boxes overlap), by a tree of boxes over the grid, or
+ * over the list.
  */
 #ifndef INTERSECTION_H
 #define INTERSECTION_H
@@ -35,14 +39,21 @@ struct intersection_pair {
  * intersection_clear, which leaves all-zero. */
 struct intersection {
     bool keep_pairs;                 /* set by the caller: fill `pairs` too            */
+    long most;                       /* set by the caller: end a count at about so many
+                                        pairs, lest a heap take for ever; 0: no end    */
     struct intersection_pair *pairs; /* [pair_count], ascending                 owned  */
     long pair_count;                 /* 0 unless keep_pairs                            */
     long tests;                      /* pairs of triangles tested, of the last call    */
 
+    long points;
+    int triangles;
+    double scale;  /* units of `point`                                           [m]   */
+    double *point; /* [points][3], scaled to 1                                  owned  */
+
     /* private */
     int n_u, n_v, levels;
+    int (*corner)[3]; /* [triangles] of a mesh; NULL: the grid's            borrowed */
     long room, pair_room;
-    double *point; /* [n_v][n_u][3], scaled to 1                      owned  */
     struct intersection_level {
         int n_u, n_v;     /* boxes; those of level 0 are the cells                  */
         double (*box)[6]; /* [n_v][n_u][low xyz, high xyz], into `boxes`            */
@@ -67,7 +78,31 @@ enum status intersection_count(struct intersection *s, int n_u, int n_v, const d
 enum status intersection_count_all(struct intersection *s, int n_u, int n_v,
                                    const double *xyz, long *count);
 
+/* Counts those of a mesh; the list corner[triangles][3] is borrowed until the next count.
+ */
+enum status intersection_count_mesh(struct intersection *s, int vertices, const double *xyz,
+                                    int triangles, int (*corner)[3], long *count);
+
+/* Moves the corners that both triangles share to the front, in the same order; returns
+ * their number. No two triangles of a grid share all three. */
+int intersection_match(int p[3], int q[3]);
+
 /* Returns the grid points of a triangle. */
 void intersection_corners(int n_u, int triangle, int corner[3]);
+
+/* Finds the corners of a triangle of the last count. */
+void intersection_triangle(const struct intersection *s, int triangle, int corner[3]);
+
+/* A search, among the triangles of the last count, for the one nearest to a point. */
+struct intersection_search {
+    const double *x;     /* in the units of `point`                            borrowed */
+    const void *context; /*                                                    borrowed */
+    /* Tells whether a triangle with its nearest point counts; NULL: each does. */
+    bool (*counts)(const struct intersection *s, const struct intersection_search *search,
+                   const int corner[3], const double foot[3]);
+    double enough; /* a distance at which it ends: a nearer one needs no search          */
+    double least;  /* the distance found; the caller sets the largest that is looked for */
+};
+void intersection_nearest(const struct intersection *s, struct intersection_search *search);
 
 #endif

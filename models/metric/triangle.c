@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "models/metric/predicate.h"
+#include "models/vector.h"
 
 /* The error bound of a projection m . (x - o): a difference, a product, two sums, each
  * with a relative error of DBL_EPSILON / 2, of terms whose sizes add up to `size`; twice
@@ -276,4 +277,49 @@ bool triangle_meets_beyond_edge(const double *const p[3], const double *const q[
     if (!predicate_collinear(a, b, c) || !predicate_collinear(a, b, d))
         return false; /* at right angles, or one of them lies on the line of the edge */
     return flat_meet_beyond_edge(a, b, c, d);
+}
+
+/* Returns the distance of x from the nearest point of the segment a b. */
+static double segment_distance(const double a[3], const double b[3], const double x[3],
+                               double foot[3])
+{
+    double ab[3], ax[3], d[3];
+
+    vector_between(a, b, ab);
+    vector_between(a, x, ax);
+    const double length = vector_dot(ab, ab),
+                 s = length > 0 ? fmin(fmax(vector_dot(ab, ax) / length, 0), 1) : 0;
+    for (int c = 0; c < 3; c++)
+        foot[c] = a[c] + s * ab[c];
+    vector_between(foot, x, d);
+    return vector_length(d);
+}
+
+double triangle_distance(const double *const p[3], const double x[3], double foot[3])
+{
+    double e[2][3], d[3], normal[3], inward[3], other[3], least = INFINITY;
+    bool inside = true;
+
+    vector_between(p[0], p[1], e[0]);
+    vector_between(p[0], p[2], e[1]);
+    vector_cross(e[0], e[1], normal);
+    const double size = vector_dot(normal, normal);
+    for (int i = 0; i < 3; i++) {
+        vector_between(p[i], p[(i + 1) % 3], e[0]);
+        vector_between(p[i], x, d);
+        vector_cross(normal, e[0], inward);
+        inside = inside && size > 0 && vector_dot(inward, d) >= 0;
+    }
+    const double height = size > 0 ? vector_dot(normal, d) / size : 0;
+    for (int c = 0; c < 3; c++)
+        foot[c] = x[c] - height * normal[c];
+    if (inside)
+        return fabs(height) * sqrt(size);
+    for (int i = 0; i < 3; i++) {
+        const double far = segment_distance(p[i], p[(i + 1) % 3], x, other);
+        for (int c = 0; far < least && c < 3; c++)
+            foot[c] = other[c];
+        least = fmin(least, far);
+    }
+    return least;
 }

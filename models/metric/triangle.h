@@ -25,4 +25,8 @@ bool triangle_meets_beyond_vertex(const double *const p[3], const double *const 
  */
 bool triangle_meets_beyond_edge(const double *const p[3], const double *const q[3]);
 
+/* Returns the distance of x from the nearest point of p, which becomes foot[3]; in floating
+ * point. */
+double triangle_distance(const double *const p[3], const double x[3], double foot[3]);
+
 #endif

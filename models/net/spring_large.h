@@ -24,11 +24,11 @@ struct spring_large {
     struct large_motion motion;
     struct newmark newmark;
     struct system system;
-    struct contact_step contact; /* with obstacles only                                */
-    void *room;                  /* memory of the arrays                       owned   */
-    double *M;                   /* [pairs] lumped mass                        [kg]    */
-    double *held;                /* [4][held_count] work                               */
-    double (*K)[9];              /* [pairs] room for tangents                  [N/m]   */
+    struct contact contact; /* all zero where there is nothing to meet            */
+    void *room;             /* memory of the arrays                       owned   */
+    double *M;              /* [pairs] lumped mass                        [kg]    */
+    double *held;           /* [4][held_count] work                               */
+    double (*K)[9];         /* [pairs] room for tangents                  [N/m]   */
 };
 
 /* Initialises at rest. *l must stay where it is: it holds pointers into itself.

@@ -289,7 +289,7 @@ static void check_fall(const char *name, enum ground ground, double friction)
         most = fmax(most, now - low);
         low = fmin(low, now);
         pushed += c.force[2] * f.run.scene.step;
-        deepest = fmax(deepest, metric_penetration(&f.run.scene, f.xyz));
+        deepest = fmax(deepest, metric_penetration(&f.run.scene, 0, f.xyz));
     }
     CHECK(metric_blowup(&f.run.scene, 0, f.xyz) == STATUS_OK);
     CHECK(pushed > 0.1 * weight_of(&f) * FRAMES * f.run.scene.step);

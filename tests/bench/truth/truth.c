@@ -56,8 +56,11 @@ static void make_up(struct truth *made)
     REQUIRE(truth_init(made, TIMES, TIMES, times) == STATUS_OK);
     made->claimed = 2;
     for (int n = 0; n < TIMES; n++) {
-        for (int k = 0; k < 3 * GRID_POINTS; k++)
-            made->xyz[n][k] = sin(1e-3 * k + n);
+        for (int k = 0; k < 3 * GRID_POINTS; k++) {
+            double uvw[3];
+            grid_point(k / 3, uvw);
+            made->xyz[n][k] = 0.9 * uvw[k % 3] + 0.01 * sin(1e-3 * k + n);
+        }
         for (int c = 0; c < TRUTH_STORED; c++)
             made->value[n][c] = c + 10 * n;
         made->error[n] = 0.01 * (n + 1);

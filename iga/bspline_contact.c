@@ -1,0 +1,36 @@
+#include "iga/bspline_contact.h"
+
+#include <stdlib.h>
+
+#include "models/room.h"
+
+/* The samples of a span where the surface is smooth. */
+enum { SAMPLES = 4 };
+
+enum status bspline_contact_surface(const struct scene *scene,
+                                    const struct bspline basis[2], const void *self,
+                                    contact_row *row, int width, int nodes,
+                                    struct contact_surface *surface)
+{
+    enum status st;
+    double *line[2] = {NULL, NULL}, *knot;
+    int *span, points[2];
+    const size_t most = (size_t)(basis[0].n + basis[1].n);
+    void *room = NULL;
+
+    TRY(room_cut(&room, ROOM(line[0], SAMPLES * most), ROOM(line[1], SAMPLES * most),
+                 ROOM(knot, most), ROOM(span, most)));
+    for (int d = 0; d < 2; d++) {
+        const struct bspline *b = &basis[d];
+        const int spans = bspline_spans(b, span);
+        for (int k = 0; k < spans; k++)
+            knot[k] = b->U[span[k]];
+        knot[spans] = 1;
+        points[d] = contact_surface_line(spans + 1, knot, b->p > 1 ? SAMPLES : 1, line[d]);
+    }
+    st = contact_surface_init(surface, scene, self, row, width, nodes,
+                              (const double *const *)line, points);
+out:
+    free(room);
+    return st;
+}

@@ -213,6 +213,20 @@ static double split(const double way[3], const double n[3], double slip[3])
     return along;
 }
 
+/* Returns the distance of a touch when the step began. A body's is measured: the way along
+ * the normal would take a sheet that slides on a ball for one that leaves it. */
+static double distance_before(const struct contact *c, const struct contact_touch *t,
+                              double along)
+{
+    double y[3];
+
+    if (t->obstacle < 0)
+        return t->D - along;
+    contact_surface_at(&c->surface, t->sample, c->x_old, y);
+    return contact_shape_distance(&c->scene->obstacles[t->obstacle],
+                                  &c->pose_old[t->obstacle], y, NULL);
+}
+
 /* Adds a touch's pressure and friction to the totals. */
 static void add_up(struct contact *c, const struct contact_touch *t)
 {
@@ -238,7 +252,8 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     }
     relative_way(c, t, x, way);
     const double along = split(way, t->normal, slip);
-    t->push = t->area * contact_law_push(law, t->D, t->D - along, c->dt, &t->stiffness);
+    const double D_old = distance_before(c, t, along);
+    t->push = t->area * contact_law_push(law, t->D, D_old, c->dt, &t->stiffness);
     t->stiffness *= t->area;
     if (mu == 0)
         return;
@@ -344,6 +359,31 @@ double contact_limit(struct contact *c, const double *x, const double *d)
     return c->failed == STATUS_OK ? fmin(share, own) : 0;
 }
 
+bool contact_shorten(struct contact *c, const double *x, double *d)
+{
+    const struct contact_surface *s = &c->surface;
+    double own = 1;
+    bool any = false;
+
+    for (int n = 0; n < s->count; n++) {
+        double y[3], way[3], share = 1;
+        contact_surface_at(s, n, x, y);
+        contact_surface_at(s, n, d, way);
+        for (int o = 0; o < c->scene->obstacle_count; o++)
+            share = limit_sample(c, o, y, way, share);
+        any |= share < 1;
+        for (int k = 0; share < 1 && k < s->used[n]; k++)
+            for (int i = 0; i < 3; i++)
+                d[3 * (size_t)s->node[(size_t)n * s->width + k] + i] *= share;
+    }
+    if (c->scene->contact.self)
+        c->failed =
+            contact_search_limit(&c->search, x, d, c->self.start - c->self.range, &own);
+    for (int k = 0; own < 1 && k < 3 * s->nodes; k++)
+        d[k] *= own;
+    return any || own < 1;
+}
+
 /* Moves the nodes of a touch by the force f, in so far as they are free. */
 static void yield_to(const struct contact *c, const struct contact_touch *t,
                      const double f[3], const double *compliance, const int *held,
@@ -380,7 +420,8 @@ static void settle(struct contact *c, struct contact_touch *t, const double *com
 
     relative_way(c, t, x, way);
     const double along = split(way, t->normal, slip), size = vector_length(slip);
-    t->D = t->D_old + along;
+    if (t->obstacle < 0) /* others have moved it */
+        t->D = t->D_old + along;
     t->push = contact_law_solve(law, t->D, t->D_old, c->dt, t->area, open);
     t->D += open * t->push;
     for (int i = 0; i < 3; i++)
@@ -397,13 +438,13 @@ static void settle(struct contact *c, struct contact_touch *t, const double *com
     add_up(c, t);
 }
 
-/* Notes where a touch that was found at x was when the step began, as its normal tells. */
+/* Notes where a touch that was found at x was when the step began. */
 static void look_back(const struct contact *c, struct contact_touch *t, const double *x)
 {
     double way[3];
 
     relative_way(c, t, x, way);
-    t->D_old = t->D - vector_dot(way, t->normal);
+    t->D_old = distance_before(c, t, vector_dot(way, t->normal));
 }
 
 /* Tells whether a sample at y has come less far from where it was looked at than the bodies

@@ -25,7 +25,7 @@ struct contact_touch {
     int sample, obstacle; /* obstacle -1: the sheet itself                             */
     int first, count;     /* its nodes and weights in contact's lists                  */
     double D, normal[3];  /* distance [m]; the gradient of D by the sample's place     */
-    double D_old; /* D less the way along the normal since the step began     [m]   */
+    double D_old; /* when the step began                                      [m]   */
     double area;  /* [m^2]                                                     */
     double push, stiffness; /* area times pressure [N] and its slope [N/m]             */
     double rub[3];          /* friction's force                                [N]     */
@@ -76,6 +76,11 @@ void contact_force(const struct contact *c, double *force);
 /* Returns the largest share, at most 1, of a change d of x that leaves a tenth of each
  * sample's distance to the wall. */
 double contact_limit(struct contact *c, const double *x, const double *d);
+
+/* Shortens the change d[nodes][3] of x so that each sample leaves as much: before bodies
+ * each node's by a share of its own, before the sheet itself all by one; returns whether
+ * any was shortened. For samples of one node. */
+bool contact_shorten(struct contact *c, const double *x, double *d);
 
 /* Moves x[nodes][3], where a step would end without contact, to where it ends with it:
  * touches one after the other, each by the force that the law has where it then is

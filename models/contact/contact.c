@@ -342,9 +342,10 @@ enum status contact_project(struct contact *c, const double *compliance, const i
                 contact_shape_distance(&c->scene->obstacles[o], &c->pose[o], y, normal);
             if (isnan(D))
                 return STATUS_NAN;
-            c->least = fmin(c->least, D - c->body.start);
-            if (!(D < c->body.start))
+            if (!(D < c->body.start)) {
+                c->least = fmin(c->least, D - c->body.start);
                 continue;
+            }
             TRY(add_body_touch(c, n, o, D, normal));
             settle(c, &c->touch[c->count - 1], compliance, held, x);
         }

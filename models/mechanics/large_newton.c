@@ -256,6 +256,13 @@ static bool settled(const struct large_motion *m, double size, double before)
     return m->added == 0 || size <= shrink * before || size <= round_off * m->scene->length;
 }
 
+static double tolerance(const struct large_motion *m, const struct large_equation *q)
+{
+    const double most = STEP_TOLERANCE * m->scene->length;
+
+    return q->tolerance > 0 ? fmin(most, q->tolerance) : most;
+}
+
 enum status large_newton_solve(struct large_motion *m, const struct large_equation *q,
                                double *x, struct counters *counters)
 {
@@ -269,7 +276,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                           .r = room + count,
                           .next = room + 2 * count,
                           .work = room + 3 * count,
-                          .tolerance = STEP_TOLERANCE * m->scene->length,
+                          .tolerance = tolerance(m, q),
                           .chord = q->chord,
                           .gain = 1,
                           .share = 1};

@@ -193,7 +193,7 @@ static enum status take_step(struct large_motion *m, const struct large_equation
         i->x[t] += i->d[t];
     for (int n = 0; n <= HALVINGS; n++) {
         st = residual(m, q, i->x, i->r, i->work);
-        if (st == STATUS_OK)
+        if (!status_is_death(st))
             break;
         for (size_t t = 0; t < count; t++) {
             i->d[t] /= 2;

@@ -16,6 +16,15 @@ bool contact_wanted(const struct scene *scene)
     return scene->obstacle_count > 0 || scene->contact.self;
 }
 
+bool contact_rubs(const struct contact *c)
+{
+    bool any = c->scene->contact.friction > 0;
+
+    for (int o = 0; o < c->scene->obstacle_count; o++)
+        any |= c->scene->obstacles[o].friction > 0;
+    return any;
+}
+
 void contact_clear(struct contact *c)
 {
     contact_search_clear(&c->search);
@@ -57,12 +66,18 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
 {
     const double end = isfinite(dt) ? t + dt : t;
 
-    c->t = t, c->dt = dt;
+    c->t = t, c->dt = dt, c->rests = false;
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
     for (int o = 0; o < c->scene->obstacle_count; o++) {
         contact_pose_at(&c->scene->obstacles[o], t, &c->pose_old[o]);
         contact_pose_at(&c->scene->obstacles[o], end, &c->pose[o]);
     }
+}
+
+void contact_begin_rest(struct contact *c, double t, double dt, const double *x_old)
+{
+    contact_begin(c, t, dt, x_old);
+    c->rests = true;
 }
 
 /* --- the list of touches -----------------------------------------------------------------
@@ -252,8 +267,13 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     }
     relative_way(c, t, x, way);
     const double along = split(way, t->normal, slip);
+<<<<<<< HEAD
     const double D_old = distance_before(c, t, along);
     t->push = t->area * contact_law_push(law, t->D, D_old, c->dt, &t->stiffness);
+=======
+    t->push = t->area * contact_law_push(law, t->D, t->D - along,
+                                         c->rests ? INFINITY : c->dt, &t->stiffness);
+>>>>>>> 44c0798def8800251fe775982d1b2a60a90329a0
     t->stiffness *= t->area;
     if (mu == 0)
         return;

@@ -41,6 +41,7 @@ struct contact {
     enum status failed; /* of contact_limit: the next contact_find returns it          */
     struct contact_pose *pose, *pose_old; /* [obstacles]                owned     */
     double t, dt;    /* the step: [t, t + dt]; dt INFINITY: no rates                 */
+    bool rests;      /* the pressure has no rate, only friction                      */
     double *x_old;   /* [nodes][3] where it starts                         owned     */
     int count, room; /* touches; of the last contact_find or contact_project         */
     struct contact_touch *touch; /*                            owned     */
@@ -58,6 +59,9 @@ struct contact {
 /* Returns whether the scene has anything to meet: without it nothing here is needed. */
 bool contact_wanted(const struct scene *scene);
 
+/* Returns whether anything in its scene has friction. */
+bool contact_rubs(const struct contact *c);
+
 /* Initialises, and takes over the surface (also on failure). */
 enum status contact_init(struct contact *c, const struct scene *scene,
                          struct contact_surface *surface);
@@ -65,6 +69,10 @@ void contact_clear(struct contact *c);
 
 /* Begins a step at x_old[nodes][3] and time t [s]; dt INFINITY: statics at time t. */
 void contact_begin(struct contact *c, double t, double dt, const double *x_old);
+
+/* Begins a step of a search for rest, at time t: the pressure has no rate, and friction is
+ * that of a way in the time dt. */
+void contact_begin_rest(struct contact *c, double t, double dt, const double *x_old);
 
 /* Finds the touches at x[nodes][3], with forces, stiffness, energy and report. STATUS_NAN,
  * STATUS_MEMORY. */

@@ -202,7 +202,7 @@ static enum status take_step(struct large_motion *m, const struct large_equation
         i->x[t] += i->d[t];
     for (int n = 0; n <= HALVINGS; n++) {
         st = residual(m, q, i->x, i->r, i->work);
-        if (st == STATUS_OK)
+        if (!status_is_death(st))
             break;
         for (size_t t = 0; t < count; t++) {
             i->d[t] /= 2;
@@ -265,11 +265,19 @@ static bool settled(const struct large_motion *m, double size, double before)
     return m->added == 0 || size <= shrink * before || size <= round_off * m->scene->length;
 }
 
+<<<<<<< HEAD
 /* Returns the change at which the n-th iteration may end: a touch that comes and goes with
  * the last digits, at the end of what counts as contact, keeps it from any smaller. */
 static double leeway(const struct large_motion *m, int n)
 {
     return touches(m) && n >= LEEWAY_AFTER ? LEEWAY * m->contact->body.range : 0;
+=======
+static double tolerance(const struct large_motion *m, const struct large_equation *q)
+{
+    const double most = STEP_TOLERANCE * m->scene->length;
+
+    return q->tolerance > 0 ? fmin(most, q->tolerance) : most;
+>>>>>>> 44c0798def8800251fe775982d1b2a60a90329a0
 }
 
 enum status large_newton_solve(struct large_motion *m, const struct large_equation *q,
@@ -285,7 +293,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                           .r = room + count,
                           .next = room + 2 * count,
                           .work = room + 3 * count,
-                          .tolerance = STEP_TOLERANCE * m->scene->length,
+                          .tolerance = tolerance(m, q),
                           .chord = q->chord,
                           .gain = 1,
                           .share = 1};

@@ -6,16 +6,19 @@
 
 #include "models/vector.h"
 
-/* The share of a distance to the wall that one change of x may use up. */
-static const double MOST_OF_CLEARANCE = 0.9;
+/* The x of the law that one change leaves to what comes from farther off, and the share of
+ * their x that it leaves to others: the pressure grows little more than fourfold in a change,
+ * and Newton's method, which knows its slope only, is not thrown back far. */
+static const double LEFT = 0.5;
 
 bool contact_wanted(const struct scene *scene)
 {
-    return scene->obstacle_count > 0;
+    return scene->obstacle_count > 0 || scene->contact.self;
 }
 
 void contact_clear(struct contact *c)
 {
+    contact_search_clear(&c->search);
     contact_surface_clear(&c->surface);
     free(c->pose);
     free(c->pose_old);
@@ -39,10 +42,12 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                           .pose_old = calloc(bodies + 1, sizeof *c->pose_old),
                           .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old)};
     *surface = (struct contact_surface){0};
-    if (c->pose && c->pose_old && c->x_old)
-        return STATUS_OK;
-    contact_clear(c);
-    return STATUS_MEMORY;
+    enum status st = c->pose && c->pose_old && c->x_old ? STATUS_OK : STATUS_MEMORY;
+    if (st == STATUS_OK && scene->contact.self)
+        st = contact_search_init(&c->search, &c->surface, c->self.start);
+    if (st != STATUS_OK)
+        contact_clear(c);
+    return st;
 }
 
 void contact_begin(struct contact *c, double t, double dt, const double *x_old)
@@ -114,6 +119,51 @@ static enum status add_body_touch(struct contact *c, int sample, int obstacle, d
                                                   .area = s->area[sample]};
     c->weights += used;
     return STATUS_OK;
+}
+
+/* Appends a touch of a sample with another place of the sheet. Each of the two sides has
+ * half the law at samples of its own. */
+static enum status add_own_touch(struct contact *c, const struct contact_foot *foot)
+{
+    const struct contact_surface *s = &c->surface;
+    const int used = s->used[foot->sample];
+    enum status st = make_room(c, used + foot->count);
+
+    if (st != STATUS_OK)
+        return st;
+    int *node = c->node + c->weights;
+    double *weight = c->weight + c->weights;
+    memcpy(node, s->node + (size_t)foot->sample * s->width, (size_t)used * sizeof *node);
+    memcpy(weight, s->shape + (size_t)foot->sample * s->width,
+           (size_t)used * sizeof *weight);
+    for (int k = 0; k < foot->count; k++) {
+        node[used + k] = c->search.node[foot->first + k];
+        weight[used + k] = -c->search.weight[foot->first + k];
+    }
+    c->touch[c->count++] = (struct contact_touch){
+        .sample = foot->sample,
+        .obstacle = -1,
+        .first = c->weights,
+        .count = used + foot->count,
+        .D = foot->distance,
+        .normal = {foot->normal[0], foot->normal[1], foot->normal[2]},
+        .area = s->area[foot->sample] / 2};
+    c->weights += used + foot->count;
+    return STATUS_OK;
+}
+
+/* Appends the touches of the sheet with itself at x. */
+static enum status find_own(struct contact *c, const double *x)
+{
+    enum status st = STATUS_OK;
+
+    if (!c->scene->contact.self)
+        return STATUS_OK;
+    TRY(contact_search_find(&c->search, x));
+    for (int n = 0; n < c->search.count; n++)
+        TRY(add_own_touch(c, &c->search.foot[n]));
+out:
+    return st;
 }
 
 /* Computes how far the touch's places have moved against each other since the step began.
@@ -200,9 +250,11 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
 
 enum status contact_find(struct contact *c, const double *x)
 {
-    enum status st = STATUS_OK;
+    enum status st = c->failed;
 
+    c->failed = STATUS_OK;
     empty(c);
+    TRY(st);
     for (int n = 0; n < c->surface.count; n++) {
         double y[3], normal[3];
         contact_surface_at(&c->surface, n, x, y);
@@ -216,6 +268,7 @@ enum status contact_find(struct contact *c, const double *x)
                 TRY(add_body_touch(c, n, o, D, normal));
         }
     }
+    TRY(find_own(c, x));
     for (int n = 0; n < c->count; n++) {
         press(c, &c->touch[n], x);
         add_up(c, &c->touch[n]);
@@ -247,24 +300,25 @@ static double limit_sample(const struct contact *c, int obstacle, const double y
     const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
     const double wall = c->body.start - c->body.range, way = vector_length(d);
     const double room = contact_shape_distance(o, &c->pose[obstacle], y, NULL) - wall;
+    const double least = LEFT * fmin(room, c->body.range);
 
-    if (!(room > 0) || MOST_OF_CLEARANCE * room >= way * share)
+    if (!(room > 0) || room - way * share >= least)
         return share;
     for (int n = 0; n < TRIES; n++) {
         double end[3];
         for (int i = 0; i < 3; i++)
             end[i] = y[i] + share * d[i];
         double left = contact_shape_distance(o, &c->pose[obstacle], end, NULL) - wall;
-        if (left >= (1 - MOST_OF_CLEARANCE) * room)
+        if (left >= least)
             break;
-        share *= fmin(MOST_OF_CLEARANCE * room / (room - left), SHORTER);
+        share *= fmin((room - least) / (room - left), SHORTER);
     }
     return share;
 }
 
-double contact_limit(const struct contact *c, const double *x, const double *d)
+double contact_limit(struct contact *c, const double *x, const double *d)
 {
-    double share = 1;
+    double share = 1, own = 1;
 
     for (int n = 0; n < c->surface.count; n++) {
         double y[3], way[3];
@@ -273,7 +327,10 @@ double contact_limit(const struct contact *c, const double *x, const double *d)
         for (int o = 0; o < c->scene->obstacle_count; o++)
             share = limit_sample(c, o, y, way, share);
     }
-    return share;
+    if (c->scene->contact.self)
+        c->failed =
+            contact_search_limit(&c->search, x, d, c->self.start - c->self.range, &own);
+    return c->failed == STATUS_OK ? fmin(share, own) : 0;
 }
 
 /* Moves the nodes of a touch by the force f, in so far as they are free. */
@@ -312,7 +369,8 @@ static void settle(struct contact *c, struct contact_touch *t, const double *com
 
     relative_way(c, t, x, way);
     const double along = split(way, t->normal, slip), size = vector_length(slip);
-    t->push = contact_law_solve(law, t->D, t->D - along, c->dt, t->area, open);
+    t->D = t->D_old + along;
+    t->push = contact_law_solve(law, t->D, t->D_old, c->dt, t->area, open);
     t->D += open * t->push;
     for (int i = 0; i < 3; i++)
         force[i] = t->push * t->normal[i];
@@ -328,12 +386,27 @@ static void settle(struct contact *c, struct contact_touch *t, const double *com
     add_up(c, t);
 }
 
+/* Notes where a touch that was found at x was when the step began, as its normal tells. */
+static void look_back(const struct contact *c, struct contact_touch *t, const double *x)
+{
+    double way[3];
+
+    relative_way(c, t, x, way);
+    t->D_old = t->D - vector_dot(way, t->normal);
+}
+
 enum status contact_project(struct contact *c, const double *compliance, const int *held,
                             double *x)
 {
     enum status st = STATUS_OK;
 
     empty(c);
+    TRY(find_own(c, x));
+    const int own = c->count;
+    for (int n = 0; n < own; n++)
+        look_back(c, &c->touch[n], x);
+    for (int n = 0; n < own; n++)
+        settle(c, &c->touch[n], compliance, held, x);
     for (int n = 0; n < c->surface.count; n++)
         for (int o = 0; o < c->scene->obstacle_count; o++) {
             double y[3], normal[3];
@@ -347,6 +420,7 @@ enum status contact_project(struct contact *c, const double *compliance, const i
                 continue;
             }
             TRY(add_body_touch(c, n, o, D, normal));
+            look_back(c, &c->touch[c->count - 1], x);
             settle(c, &c->touch[c->count - 1], compliance, held, x);
         }
 out:

@@ -16,15 +16,17 @@
 #define CONTACT_H
 
 #include "models/contact/contact_law.h"
+#include "models/contact/contact_search.h"
 #include "models/contact/contact_shape.h"
 #include "models/contact/contact_surface.h"
 #include "models/model.h"
 
 struct contact_touch {
-    int sample, obstacle;   /* obstacle -1: the sheet itself                             */
-    int first, count;       /* its nodes and weights in contact's lists                  */
-    double D, normal[3];    /* distance [m]; the gradient of D by the sample's place     */
-    double area;            /* [m^2]                                                     */
+    int sample, obstacle; /* obstacle -1: the sheet itself                             */
+    int first, count;     /* its nodes and weights in contact's lists                  */
+    double D, normal[3];  /* distance [m]; the gradient of D by the sample's place     */
+    double D_old; /* D less the way along the normal since the step began     [m]   */
+    double area;  /* [m^2]                                                     */
     double push, stiffness; /* area times pressure [N] and its slope [N/m]             */
     double rub[3];          /* friction's force                                [N]     */
     double drag;            /* its force over the slip                         [N/m]   */
@@ -35,6 +37,8 @@ struct contact {
     const struct scene *scene; /*                                            borrowed  */
     struct contact_surface surface; /*                            owned     */
     struct contact_law body, self;
+    struct contact_search search; /* with contact.self                       owned     */
+    enum status failed; /* of contact_limit: the next contact_find returns it          */
     struct contact_pose *pose, *pose_old; /* [obstacles]                owned     */
     double t, dt;    /* the step: [t, t + dt]; dt INFINITY: no rates                 */
     double *x_old;   /* [nodes][3] where it starts                         owned     */
@@ -68,7 +72,7 @@ void contact_force(const struct contact *c, double *force);
 
 /* Returns the largest share, at most 1, of a change d of x that leaves a tenth of each
  * sample's distance to the wall. */
-double contact_limit(const struct contact *c, const double *x, const double *d);
+double contact_limit(struct contact *c, const double *x, const double *d);
 
 /* Moves x[nodes][3], where a step would end without contact, to where it ends with it:
  * touches one after the other, each by the force that the law has where it then is

@@ -24,7 +24,7 @@ static bool same_nodes(const struct contact *c, const struct contact_touch *s,
                                            (size_t)s->count * sizeof *c->node);
 }
 
-void contact_system_tangent(const struct contact *c, const struct blocks *graph,
+bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
                             double (*K)[9])
 {
     const struct contact_touch *end = c->touch + c->count;
@@ -38,7 +38,10 @@ void contact_system_tangent(const struct contact *c, const struct blocks *graph,
                 const int row = c->node[t->first + a], column = c->node[t->first + b];
                 if (column < row)
                     continue;
-                double *block = K[blocks_find(graph, row, column)];
+                const long pair = blocks_find(graph, row, column);
+                if (pair < 0)
+                    return false;
+                double *block = K[pair];
                 for (const struct contact_touch *s = t; s < next; s++) {
                     double B[9], w = c->weight[s->first + a] * c->weight[s->first + b];
                     stiffness(s, B);
@@ -47,4 +50,5 @@ void contact_system_tangent(const struct contact *c, const struct blocks *graph,
                 }
             }
     }
+    return true;
 }

@@ -9,7 +9,7 @@
  * along the normals, without its turning, and of friction across them. Positive
  * semidefinite.
  */
-void contact_system_tangent(const struct contact *c, const struct blocks *graph,
+bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
                             double (*K)[9]);
 
 #endif

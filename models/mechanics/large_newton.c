@@ -74,6 +74,9 @@ static enum status factor(struct large_motion *m, double mass, struct counters *
     enum status st = STATUS_OK;
 
     m->added = 0;
+    if (m->is_coupled)
+        return contact_coupled_update(&m->coupled, m->contact, m->graph, m->supports, 1, K,
+                                      1, mass, m->M);
     if (mass > 0)
         return system_update(m->system, 1, K, mass, m->M);
     st = system_factor(m->system, 1, K, mass, m->M);
@@ -104,7 +107,8 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
         foresight.none = m->stressless;
         TRY(large_body_tangent(&m->body, &q->path, x, foresight, m->K));
         counters->assemblies++;
-        if (m->contact)
+        m->is_coupled = m->contact && contact_coupled_wanted(m->contact);
+        if (m->contact && !m->is_coupled)
             contact_system_tangent(m->contact, m->graph, m->K);
         st = factor(m, q->mass, counters);
         if (st != STATUS_INDEFINITE || q->mass == 0)
@@ -140,7 +144,8 @@ static enum status solve(struct large_motion *m, const struct large_equation *q,
 
     for (int attempt = 0; attempt < 2; attempt++) {
         memcpy(i->next, i->r, count_of(m) * sizeof *i->next);
-        st = system_solve(m->system, i->next);
+        st = m->is_coupled ? contact_coupled_solve(&m->coupled, i->next)
+                           : system_solve(m->system, i->next);
         counters->solves++;
         const bool indefinite = st == STATUS_INDEFINITE || st == STATUS_UNSOLVED;
         if (!indefinite || m->stressless || q->mass == 0)

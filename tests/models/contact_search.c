@@ -257,6 +257,13 @@ static void compare_rolled(const struct contact_search *s, double *distance, dou
     CHECK(compared > s->sheet.surface->count);
 }
 
+/* A curve through itself and back, in loops as tight as contact is wide. */
+static void looped(double u, double v, double x[3])
+{
+    x[0] = 0.03 * sin(turn * 5 * u) + 0.01 * u, x[1] = v;
+    x[2] = 0.012 * sin(turn * 8.3 * u + 1);
+}
+
 /* Errors of interpolation by polynomials of order 64 and of differences, seen
  * 3e-7. */
 static const double smooth_error = 1e-6;
@@ -277,6 +284,18 @@ static void test_smooth(void)
     compare_rolled(&search, &distance, &normal);
     CHECK_NEAR(distance, 0, smooth_error);
     CHECK_NEAR(normal, 0, smooth_error);
+    for (int k = 0; k < 2 * ORDER; k++)
+        looped((1 - cos(turn / 2 * (k / 2) / (ORDER - 1))) / 2, k % 2, place[k]);
+    for (int points = 14; points < 40; points++) {
+        const int few[2] = {points, 3};
+        contact_search_clear(&search);
+        contact_surface_clear(&surface);
+        make_surface(&surface, few, NULL, smooth_row, 2 * ORDER, 2 * ORDER);
+        REQUIRE(contact_search_init(&search, &surface, start) == STATUS_OK);
+        REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
+        check_feet(&search);
+        CHECK(search.count > 50);
+    }
     contact_search_clear(&search);
     contact_surface_clear(&surface);
 }

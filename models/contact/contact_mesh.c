@@ -395,8 +395,9 @@ static double square_to_box(const struct box *b, const double x[3])
     double sum = 0;
 
     for (int i = 0; i < 3; i++) {
-        const double off = fmax(fmax(b->lo[i] - x[i], x[i] - b->hi[i]), 0);
-        sum += off * off;
+        const double under = b->lo[i] - x[i], over = x[i] - b->hi[i];
+        const double off = under > over ? under : over;
+        sum += off > 0 ? off * off : 0;
     }
     return sum;
 }
@@ -404,22 +405,30 @@ static double square_to_box(const struct box *b, const double x[3])
 /* Finds the nearest point that is nearer than sqrt(f->square): nearer halves first. */
 static void search(const struct obstacle_mesh *m, const double x[3], struct foot *f)
 {
-    int stack[STACK] = {0}, depth = 1;
+    struct {
+        int box;
+        double square;
+    } stack[STACK] = {{0, square_to_box(&m->box[0], x)}};
+    int depth = 1;
 
     while (depth > 0) {
-        const int n = stack[--depth], leaf = n - (m->leaves - 1);
-        if (square_to_box(&m->box[n], x) >= f->square)
+        const int n = stack[--depth].box, leaf = n - (m->leaves - 1);
+        if (stack[depth].square >= f->square)
             continue;
         if (leaf >= 0) {
             for (int t = first_of(m, leaf); t < first_of(m, leaf + 1); t++)
                 try_triangle(m, x, t, f);
             continue;
         }
-        const int left = 2 * n + 1;
-        const bool first =
-            square_to_box(&m->box[left], x) < square_to_box(&m->box[left + 1], x);
-        stack[depth++] = left + first;
-        stack[depth++] = left + !first;
+        for (int k = 1; k <= 2; k++) {
+            stack[depth + k - 1].box = 2 * n + k;
+            stack[depth + k - 1].square = square_to_box(&m->box[2 * n + k], x);
+        }
+        if (stack[depth].square < stack[depth + 1].square) {
+            const __typeof__(stack[0]) nearer = stack[depth];
+            stack[depth] = stack[depth + 1], stack[depth + 1] = nearer;
+        }
+        depth += 2;
     }
 }
 

@@ -50,8 +50,8 @@ out:
     return st;
 }
 
-bool contact_tree_near(const struct contact_tree *t, int sample, const int corner[3],
-                       const double share[3])
+bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
+                       const int corner[3], const double share[3])
 {
     double du = -t->flat[sample][0], dv = -t->flat[sample][1];
 
@@ -59,7 +59,7 @@ bool contact_tree_near(const struct contact_tree *t, int sample, const int corne
         du += share[k] * t->flat[corner[k]][0];
         dv += share[k] * t->flat[corner[k]][1];
     }
-    return du * du + dv * dv < t->apart * t->apart;
+    return du * du + dv * dv < apart * apart;
 }
 
 int contact_tree_triangle(const struct contact_tree *t, int cell)

@@ -267,13 +267,9 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     }
     relative_way(c, t, x, way);
     const double along = split(way, t->normal, slip);
-<<<<<<< HEAD
     const double D_old = distance_before(c, t, along);
-    t->push = t->area * contact_law_push(law, t->D, D_old, c->dt, &t->stiffness);
-=======
-    t->push = t->area * contact_law_push(law, t->D, t->D - along,
-                                         c->rests ? INFINITY : c->dt, &t->stiffness);
->>>>>>> 44c0798def8800251fe775982d1b2a60a90329a0
+    t->push = t->area * contact_law_push(law, t->D, D_old, c->rests ? INFINITY : c->dt,
+                                         &t->stiffness);
     t->stiffness *= t->area;
     if (mu == 0)
         return;
@@ -397,8 +393,8 @@ bool contact_shorten(struct contact *c, const double *x, double *d)
                 d[3 * (size_t)s->node[(size_t)n * s->width + k] + i] *= share;
     }
     if (c->scene->contact.self)
-        c->failed =
-            contact_search_limit(&c->search, x, d, c->self.start - c->self.range, &own);
+        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
+                                         c->self.range, &own);
     for (int k = 0; own < 1 && k < 3 * s->nodes; k++)
         d[k] *= own;
     return any || own < 1;
@@ -525,23 +521,6 @@ enum status contact_project(struct contact *c, const double *compliance, const i
         look_back(c, &c->touch[n], x);
     for (int n = 0; n < own; n++)
         settle(c, &c->touch[n], compliance, held, x);
-<<<<<<< HEAD
-    for (int n = 0; n < c->surface.count; n++)
-        for (int o = 0; o < c->scene->obstacle_count; o++) {
-            double y[3], normal[3];
-            contact_surface_at(&c->surface, n, x, y);
-            double D = body_distance(c, o, y, normal);
-            if (isnan(D))
-                return STATUS_NAN;
-            if (!(D < c->body.start)) {
-                c->least = fmin(c->least, D - c->body.start);
-                continue;
-            }
-            TRY(add_body_touch(c, n, o, D, normal));
-            look_back(c, &c->touch[c->count - 1], x);
-            settle(c, &c->touch[c->count - 1], compliance, held, x);
-        }
-=======
     for (int n = 0; n < c->surface.count; n++) {
         double *spare = c->spare + 4 * (size_t)n, y[3], room = INFINITY;
         contact_surface_at(&c->surface, n, x, y);
@@ -551,7 +530,6 @@ enum status contact_project(struct contact *c, const double *compliance, const i
         memcpy(spare, y, sizeof y);
         spare[3] = room;
     }
->>>>>>> 683a525106a6fd4e2a59f592d75cced35ea7181d
 out:
     return st;
 }

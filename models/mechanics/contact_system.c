@@ -49,13 +49,8 @@ static bool same_nodes(const struct contact *c, const struct contact_touch *s,
                                            (size_t)s->count * sizeof *c->node);
 }
 
-<<<<<<< HEAD
-bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
-                            double (*K)[9])
-=======
-static void add(const struct contact *c, const double *x, const struct blocks *graph,
+static bool add(const struct contact *c, const double *x, const struct blocks *graph,
                 double (*K)[9])
->>>>>>> 44c0798def8800251fe775982d1b2a60a90329a0
 {
     const struct contact_touch *end = c->touch + c->count;
 
@@ -83,14 +78,14 @@ static void add(const struct contact *c, const double *x, const struct blocks *g
     return true;
 }
 
-void contact_system_tangent(const struct contact *c, const struct blocks *graph,
+bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
                             double (*K)[9])
 {
-    add(c, NULL, graph, K);
+    return add(c, NULL, graph, K);
 }
 
-void contact_system_turned(const struct contact *c, const double *x,
+bool contact_system_turned(const struct contact *c, const double *x,
                            const struct blocks *graph, double (*K)[9])
 {
-    add(c, x, graph, K);
+    return add(c, x, graph, K);
 }

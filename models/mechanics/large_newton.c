@@ -265,19 +265,20 @@ static bool settled(const struct large_motion *m, double size, double before)
     return m->added == 0 || size <= shrink * before || size <= round_off * m->scene->length;
 }
 
-<<<<<<< HEAD
 /* Returns the change at which the n-th iteration may end: a touch that comes and goes with
  * the last digits, at the end of what counts as contact, keeps it from any smaller. */
-static double leeway(const struct large_motion *m, int n)
+static double leeway(const struct large_motion *m, const struct large_equation *q, int n)
 {
-    return touches(m) && n >= LEEWAY_AFTER ? LEEWAY * m->contact->body.range : 0;
-=======
+    const bool exact = q->tolerance > 0;
+
+    return touches(m) && !exact && n >= LEEWAY_AFTER ? LEEWAY * m->contact->body.range : 0;
+}
+
 static double tolerance(const struct large_motion *m, const struct large_equation *q)
 {
     const double most = STEP_TOLERANCE * m->scene->length;
 
     return q->tolerance > 0 ? fmin(most, q->tolerance) : most;
->>>>>>> 44c0798def8800251fe775982d1b2a60a90329a0
 }
 
 enum status large_newton_solve(struct large_motion *m, const struct large_equation *q,
@@ -320,7 +321,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
             st = STATUS_DIVERGED;
             goto out;
         }
-        bool calm = i.size <= fmax(i.tolerance, leeway(m, n)) && i.whole &&
+        bool calm = i.size <= fmax(i.tolerance, leeway(m, q, n)) && i.whole &&
                     settled(m, i.size, before);
         before = i.size;
         if (calm || n + 1 == q->enough) {

@@ -251,7 +251,8 @@ static double flatness(const struct contact_box *box)
     vector_cross(a, b, n);
     const double aa = vector_dot(a, a), ab = vector_dot(a, b), bb = vector_dot(b, b);
     const double least = (aa + bb) / 2 - sqrt((aa - bb) * (aa - bb) / 4 + ab * ab);
-    return (least > 0 ? sqrt(least) : 0) - hypot(radius(half[0], n), radius(half[1], n));
+    const double of_a = radius(half[0], n), of_b = radius(half[1], n);
+    return (least > 0 ? sqrt(least) : 0) - sqrt(of_a * of_a + of_b * of_b);
 }
 
 /* A box of a level by its number. */

@@ -60,6 +60,10 @@ static enum status factor(struct contact_linear *l, const struct equation *q)
     if (!l->contact->count && l->plain)
         return STATUS_OK;
     l->plain = !l->contact->count;
+    if (contact_coupled_wanted(l->contact))
+        return contact_coupled_update(&l->coupled, l->contact, g, l->system->held,
+                                      newmark_k(l->newmark), l->K, q->force * q->way,
+                                      newmark_m(l->newmark), l->M);
     if (l->plain)
         return system_update(l->system, newmark_k(l->newmark), l->K, newmark_m(l->newmark),
                              l->M);
@@ -90,7 +94,8 @@ static enum status solve(struct contact_linear *l, const struct equation *q, dou
         const bool touched = l->contact->count > 0;
         residual(l, q, w, d, work);
         TRY(factor(l, q));
-        TRY(system_solve(l->system, d));
+        TRY(contact_coupled_wanted(l->contact) ? contact_coupled_solve(&l->coupled, d)
+                                               : system_solve(l->system, d));
         counters->solves++, counters->iterations++;
         for (size_t t = 0; t < count; t++)
             d[t] *= q->way;
@@ -138,6 +143,11 @@ static void subtract_held(const struct contact_linear *l, const struct newmark_h
     memset(w, 0, count * sizeof *w);
     for (int h = 0; h < s->held_count; h++)
         w[s->held[h]] = 2 * (held->d[h] - n->d[s->held[h]]) / dt;
+}
+
+void contact_linear_clear(struct contact_linear *l)
+{
+    contact_coupled_clear(&l->coupled);
 }
 
 enum status contact_linear_step(struct contact_linear *l, double t,

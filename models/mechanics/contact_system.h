@@ -9,7 +9,12 @@
  * along the normals, without its turning, and of friction across them. Positive
  * semidefinite.
  */
-void contact_system_tangent(const struct contact *c, const struct blocks *graph,
+bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
                             double (*K)[9]);
+
+/* Adds the same with the turning of the normals of bodies at x[nodes][3], where
+ * contact_find looked: what leans on a round body may slide off. */
+void contact_system_turned(const struct contact *c, const double *x,
+                           const struct blocks *graph, double (*K)[9]);
 
 #endif

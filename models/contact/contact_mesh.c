@@ -28,6 +28,7 @@ struct obstacle_mesh {
     double (*face)[3]; /* [triangles] unit normals                                     */
     double (*bend)[3]; /* [vertices] sums of normals times angles; 0 on a rim          */
     struct box *box;   /* [2 leaves - 1]                                               */
+    bool outward;      /* closed, and all beyond the root's box is outside             */
 };
 
 /* --- making ----------------------------------------------------------------------------
@@ -264,6 +265,25 @@ static enum status join(const struct obstacle_mesh *m, struct edge *edge,
     return STATUS_OK;
 }
 
+/* Tells whether the mesh is closed and faces away from what it encloses. */
+static bool is_outward(const struct obstacle_mesh *m)
+{
+    double volume = 0;
+
+    for (int t = 0; t < m->triangles; t++) {
+        double a[3], e[3], f[3], n[3];
+        for (int k = 0; k < 3; k++)
+            if (m->beside[t][k] < 0)
+                return false;
+        vector_between(m->box[0].lo, corner_of(m, t, 0), a);
+        vector_between(corner_of(m, t, 0), corner_of(m, t, 1), e);
+        vector_between(corner_of(m, t, 0), corner_of(m, t, 2), f);
+        vector_cross(e, f, n);
+        volume += vector_dot(a, n);
+    }
+    return volume > 0;
+}
+
 static enum status make_neighbours(const struct obstacle_mesh *m, struct message *why)
 {
     struct edge *edge = malloc(3 * (size_t)m->triangles * sizeof *edge);
@@ -299,6 +319,7 @@ enum status contact_mesh_make(int vertices, const double (*vertex)[3], int trian
     make_tree(m);
     TRY(make_normals(m, why));
     TRY(make_neighbours(m, why));
+    m->outward = is_outward(m);
     *mesh = m, room = NULL;
 out:
     free(room);
@@ -453,7 +474,7 @@ double contact_mesh_distance(const struct obstacle_mesh *mesh, const double x[3]
 
     if (!isfinite(vector_dot(x, x)))
         return vector_dot(x, x);
-    if (off >= most)
+    if (mesh->outward && off > 0 && off >= most)
         return off;
     search(mesh, x, &f);
     pseudonormal(mesh, &f, n);

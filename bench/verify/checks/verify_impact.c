@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "bench/verify/verify_check.h"
+#include "models/metric/intersection.h"
 #include "models/vector.h"
 
 /* Claims. Momentum: iterations end at 1e-7 of the length, which leaves 1e-4 of a step's
@@ -36,6 +37,10 @@ struct sums {
     double impulse[3];                /* of the ball                              [N s] */
     double energy, most;              /* at the start, largest                      [J] */
     double *x;                        /* [points][3] of the last frame                   */
+    double torque[3];                 /* of loads, over time                    [N m s] */
+    struct intersection work;
+    long crossings; /* pairs of triangles that meet, of all frames                       */
+    int touched;    /* frames in which it met something                                  */
 };
 
 /* Fills the points and weights of a rule along one side that a net's mass is exact for:
@@ -88,6 +93,40 @@ static void measure(const struct sums *sums, const struct motion *m, double *las
     }
 }
 
+/* Adds a step's torque of the loads, at the end of it. */
+static void add_torque(struct sums *s, const struct motion *m)
+{
+    static const double share[3] = {1.0 / 6, 4.0 / 6, 1.0 / 6}; /* Simpson's rule */
+
+    for (int n = 0; n < m->scene->load_count; n++)
+        for (int k = 0; k < 3; k++) {
+            const struct scene_load *l = &m->scene->loads[n];
+            double x[3], arm[3], torque[3];
+            m->model->probe(m->state, 1,
+                            (double[]){l->lo[0] + k * (l->hi[0] - l->lo[0]) / 2, 0.5, 0.5},
+                            x);
+            vector_between(CENTER, x, arm);
+            vector_cross(arm, l->force, torque);
+            for (int i = 0; i < 3; i++)
+                s->torque[i] += share[k] * torque[i] * DT;
+        }
+}
+
+/* Counts where the sheet passes through itself. */
+static enum status count(struct sums *s, const struct motion *m)
+{
+    enum { U = 49, V = 9 };
+    double x[U * V][3];
+    long pairs = 0;
+
+    for (int n = 0; n < U * V; n++)
+        m->model->probe(m->state, 1, (double[]){n % U / (U - 1.0), n / U / (V - 1.0), 0.5},
+                        x[n]);
+    const enum status st = intersection_count(&s->work, U, V, x[0], &pairs);
+    s->crossings += pairs;
+    return st;
+}
+
 static enum status look(void *context, const struct motion *m, struct message *why)
 {
     struct sums *s = context;
@@ -106,7 +145,9 @@ static enum status look(void *context, const struct motion *m, struct message *w
         return STATUS_OK;
     }
     m->model->contact(m->state, &c);
+    s->touched += c.nodes > 0;
     s->most = verify_row_worse(total, s->most);
+    add_torque(s, m);
     for (int i = 0; i < 3; i++) {
         s->end[i] = (center[i] - s->last[i]) / DT;
         s->impulse[i] += c.force[i] * DT;
@@ -114,7 +155,7 @@ static enum status look(void *context, const struct motion *m, struct message *w
     if (m->frames == 1)
         memcpy(s->begin, s->end, sizeof s->end), memcpy(s->turn[0], turn, sizeof turn);
     memcpy(s->last, center, sizeof center), memcpy(s->turn[1], turn, sizeof turn);
-    return STATUS_OK;
+    return m->scene->contact.self ? count(s, m) : STATUS_OK;
 }
 
 /* Judges the ball's impulse by the sheet's change of momentum, and what the ball, which
@@ -166,9 +207,46 @@ static void add_rows(struct verify_subject *s)
         judge(s, &t, &sums, smooth);
 }
 
+/* Judges a sheet that loads, whose sum is zero, press against itself. */
+static void add_self(struct verify_subject *s)
+{
+    static double x[SIDE * SIDE * 3];
+    const double mass = AREAL * LENGTH * LENGTH, pressed = 0.5 * 0.4; /* [N s] */
+    struct sums sums = {.subject = s, .x = x};
+    double off[3];
+
+    if (s->sheet->quick && isnan(s->tolerance))
+        return;
+    verify_subject_claim(s, MOMENTUM, NULL);
+    struct verify_trial t =
+        verify_trial_of(s, "free_fall", "momentum gained, over what presses");
+    verify_trial_set(
+        &t,
+        "sheet={length: %g, width: %g, thickness: 0.004}; pose={origin: [0,0,0]};"
+        "material={young: 1e6, poisson: 0.3, density: 200}; gravity=[0,0,0];"
+        "damping={kind: none}; time={step: %g, end: 0.4}; contact={friction: 0.3};"
+        "loads=[{at: {u: 0}, force: [0.5,0,-0.2]}, {at: {u: 1}, force: [-0.5,0.05,-0.3]},"
+        "{at: {u: [0.4,0.5]}, force: [0,-0.05,0.5]}]",
+        LENGTH, LENGTH, DT);
+    if (verify_trial_watch(&t, look, &sums)) {
+        verify_row_judge_error(t.row, mass * vector_length(sums.end) / pressed, 0);
+        verify_row_note(t.row, "touches in %d frames", sums.touched);
+        for (int i = 0; i < 3; i++)
+            off[i] = AREAL * LENGTH * LENGTH * (sums.turn[1][i] - sums.turn[0][i]) -
+                     sums.torque[i];
+        verify_subject_claim(s, TURN, NULL);
+        verify_row_judge_error(verify_sheet_add(s, "angular momentum gained, over torque"),
+                               vector_length(off) / (pressed * LENGTH), 0);
+        verify_subject_claim(s, 1e-9, NULL);
+        verify_row_judge_error(verify_sheet_add(s, "edges through faces, all frames"),
+                               (double)sums.crossings, 0);
+    }
+    intersection_clear(&sums.work);
+}
+
 const struct verify_check verify_impact = {
-    {"impact", "a sheet thrown at a ball, which it bends around and leaves"},
+    {"impact", "a sheet that meets a ball, and itself, flying freely"},
     "momentum: what the sheet gains, the ball gives; without friction through its centre; "
     "no "
-    "energy comes of it",
-    .parts = {{&field, add_rows, 2, .every = 2}}};
+    "energy comes of it; between two places of a sheet nothing comes of contact",
+    .parts = {{&field, add_rows, 2, .every = 2}, {&field, add_self, 1}}};

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact/contact_shape.h"
+#include "models/contact/contact_rest.h"
 
 void matrix_clear(struct matrix *m)
 {

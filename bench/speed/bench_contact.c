@@ -230,7 +230,7 @@ static enum status print(const struct bench *b, struct message *why)
     table_note(
         t, "A sheet of 1 m, contact from 2 mm on. The column `step` is an explicit step of "
            "the net's springs, `kept` a search whose near triangles still hold, `again` "
-           "one that finds them again (after samples have moved 0.4 mm relative to the "
+           "one that finds them again (after samples have moved 0.2 mm relative to the "
            "sheet's middle), `every pair` one that looks at all samples and cells, boxes "
            "first, and finds the same.");
     table_note(

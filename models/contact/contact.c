@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/contact/contact_rest.h"
 #include "models/vector.h"
 
 /* The x of the law that one change leaves to what comes from farther off, and the share of
@@ -43,6 +44,7 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                          struct contact_surface *surface)
 {
     const size_t bodies = (size_t)scene->obstacle_count;
+    enum status st = STATUS_OK;
 
     *c = (struct contact){.scene = scene,
                           .surface = *surface,
@@ -53,8 +55,11 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                           .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old),
                           .spare = calloc(4 * (size_t)surface->count, sizeof *c->spare)};
     *surface = (struct contact_surface){0};
-    const bool all = c->pose && c->pose_old && c->x_old && c->spare;
-    enum status st = all ? STATUS_OK : STATUS_MEMORY;
+    if (!c->pose || !c->pose_old || !c->x_old || !c->spare)
+        st = STATUS_MEMORY;
+    for (size_t o = 0; o < bodies && st == STATUS_OK; o++)
+        if (contact_rest_depth(scene, &scene->obstacles[o]) > 0)
+            st = STATUS_INPUT;
     if (st == STATUS_OK && scene->contact.self)
         st = contact_search_init(&c->search, &c->surface, c->self.start);
     if (st != STATUS_OK)
@@ -341,7 +346,8 @@ static double limit_sample(const struct contact *c, int obstacle, const double y
     static const double SHORTER = 0.95;
     const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
     const double wall = c->body.start - c->body.range, way = vector_length(d);
-    const double room = contact_shape_distance(o, &c->pose[obstacle], y, NULL) - wall;
+    const double far = wall + way * share + LEFT * c->body.range;
+    const double room = contact_shape_near(o, &c->pose[obstacle], y, far, NULL) - wall;
     const double least = LEFT * fmin(room, c->body.range);
 
     if (!(room > 0) || room - way * share >= least)

@@ -62,7 +62,8 @@ bool contact_wanted(const struct scene *scene);
 /* Returns whether anything in its scene has friction. */
 bool contact_rubs(const struct contact *c);
 
-/* Initialises, and takes over the surface (also on failure). */
+/* Initialises, and takes over the surface (also on failure). STATUS_INPUT: the sheet begins
+ * in a body (contact_rest.h). */
 enum status contact_init(struct contact *c, const struct scene *scene,
                          struct contact_surface *surface);
 void contact_clear(struct contact *c);

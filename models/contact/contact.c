@@ -11,6 +11,11 @@
  * change, and Newton's method, which knows its slope only, is not thrown back far. */
 static const double LEFT = 0.5;
 
+/* The calls of contact_find in a step after which friction's stiffness is its force over
+ * the slip. What slips has none of its own across, and Newton's steps may go from one way
+ * of slipping to the other for ever; that of the force is more, and they never overshoot. */
+enum { CAREFUL = 9 };
+
 bool contact_wanted(const struct scene *scene)
 {
     return scene->obstacle_count > 0 || scene->contact.self;
@@ -43,7 +48,6 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                          struct contact_surface *surface)
 {
     const size_t bodies = (size_t)scene->obstacle_count;
-
     *c = (struct contact){.scene = scene,
                           .surface = *surface,
                           .body = contact_law_body(scene),
@@ -67,6 +71,7 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
     const double end = isfinite(dt) ? t + dt : t;
 
     c->t = t, c->dt = dt, c->rests = false;
+    c->finds = 0;
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
     for (int o = 0; o < c->scene->obstacle_count; o++) {
         contact_pose_at(&c->scene->obstacles[o], t, &c->pose_old[o]);
@@ -277,7 +282,7 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     const double share = contact_law_friction(law, size, c->dt);
     const double stick = 2 * mu * t->push / (law->creep * c->dt);
     t->drag = size > 0 ? mu * t->push * share / size : stick;
-    t->grip = stick * fmax(0, 1 - size / (law->creep * c->dt));
+    t->grip = c->finds > CAREFUL ? t->drag : stick * fmax(0, 1 - size / (law->creep * c->dt));
     for (int i = 0; i < 3; i++)
         t->rub[i] = -t->drag * slip[i];
 }
@@ -296,6 +301,7 @@ enum status contact_find(struct contact *c, const double *x)
     enum status st = c->failed;
 
     c->failed = STATUS_OK;
+    c->finds++;
     empty(c);
     TRY(st);
     for (int n = 0; n < c->surface.count; n++) {
@@ -341,7 +347,8 @@ static double limit_sample(const struct contact *c, int obstacle, const double y
     static const double SHORTER = 0.95;
     const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
     const double wall = c->body.start - c->body.range, way = vector_length(d);
-    const double room = contact_shape_distance(o, &c->pose[obstacle], y, NULL) - wall;
+    const double far = wall + way * share + LEFT * c->body.range;
+    const double room = contact_shape_near(o, &c->pose[obstacle], y, far, NULL) - wall;
     const double least = LEFT * fmin(room, c->body.range);
 
     if (!(room > 0) || room - way * share >= least)

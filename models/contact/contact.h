@@ -40,6 +40,7 @@ struct contact {
     struct contact_search search; /* with contact.self                       owned     */
     enum status failed; /* of contact_limit: the next contact_find returns it          */
     struct contact_pose *pose, *pose_old; /* [obstacles]                owned     */
+    int finds;       /* calls of contact_find in the step                             */
     double t, dt;    /* the step: [t, t + dt]; dt INFINITY: no rates                 */
     bool rests;      /* the pressure has no rate, only friction                      */
     double *x_old;   /* [nodes][3] where it starts                         owned     */

@@ -7,8 +7,8 @@
 #include "models/vector.h"
 
 /* The x of the law that one change leaves to what comes from farther off, and the share of
- * their x that it leaves to others: the pressure grows little more than fourfold in a change,
- * and Newton's method, which knows its slope only, is not thrown back far. */
+ * their x that it leaves to others: the pressure grows little more than fourfold in a
+ * change, and Newton's method, which knows its slope only, is not thrown back far. */
 static const double LEFT = 0.5;
 
 bool contact_wanted(const struct scene *scene)
@@ -436,18 +436,12 @@ static void look_back(const struct contact *c, struct contact_touch *t, const do
     t->D_old = distance_before(c, t, vector_dot(way, t->normal));
 }
 
-enum status contact_project(struct contact *c, const double *compliance, const int *held,
-                            double *x)
+/* Adds and ends the touches with bodies. */
+static enum status project_bodies(struct contact *c, const double *compliance,
+                                  const int *held, double *x)
 {
     enum status st = STATUS_OK;
 
-    empty(c);
-    TRY(find_own(c, x));
-    const int own = c->count;
-    for (int n = 0; n < own; n++)
-        look_back(c, &c->touch[n], x);
-    for (int n = 0; n < own; n++)
-        settle(c, &c->touch[n], compliance, held, x);
     for (int n = 0; n < c->surface.count; n++)
         for (int o = 0; o < c->scene->obstacle_count; o++) {
             double y[3], normal[3];
@@ -464,6 +458,30 @@ enum status contact_project(struct contact *c, const double *compliance, const i
             look_back(c, &c->touch[c->count - 1], x);
             settle(c, &c->touch[c->count - 1], compliance, held, x);
         }
+out:
+    return st;
+}
+
+enum status contact_project_bodies(struct contact *c, const double *compliance,
+                                   const int *held, double *x)
+{
+    empty(c);
+    return project_bodies(c, compliance, held, x);
+}
+
+enum status contact_project(struct contact *c, const double *compliance, const int *held,
+                            double *x)
+{
+    enum status st = STATUS_OK;
+
+    empty(c);
+    TRY(find_own(c, x));
+    const int own = c->count;
+    for (int n = 0; n < own; n++)
+        look_back(c, &c->touch[n], x);
+    for (int n = 0; n < own; n++)
+        settle(c, &c->touch[n], compliance, held, x);
+    TRY(project_bodies(c, compliance, held, x));
 out:
     return st;
 }

@@ -142,7 +142,7 @@ static void assemble(struct spring_newton *s, const struct spring_problem *p,
         for (int t = 0; t < 9; t++)
             s->K[n][t] += p->viscosity * p->V[n][t];
     if (p->contact)
-        contact_system_tangent(p->contact, g, s->K);
+        contact_system_tangent(p->contact, 0, g, s->K);
 }
 
 static double product(size_t count, const double *a, const double *b)

@@ -29,6 +29,7 @@ void contact_clear(struct contact *c)
     free(c->pose);
     free(c->pose_old);
     free(c->x_old);
+    free(c->area);
     free(c->touch);
     free(c->node);
     free(c->weight);
@@ -46,12 +47,18 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                           .self = contact_law_self(scene),
                           .pose = calloc(bodies + 1, sizeof *c->pose),
                           .pose_old = calloc(bodies + 1, sizeof *c->pose_old),
-                          .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old)};
+                          .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old),
+                          .area = calloc((size_t)surface->nodes, sizeof *c->area)};
+    const struct contact_surface *s = &c->surface;
     *surface = (struct contact_surface){0};
-    if (c->pose && c->pose_old && c->x_old)
-        return STATUS_OK;
-    contact_clear(c);
-    return STATUS_MEMORY;
+    if (!c->pose || !c->pose_old || !c->x_old || !c->area) {
+        contact_clear(c);
+        return STATUS_MEMORY;
+    }
+    for (int n = 0; n < s->count; n++)
+        for (int k = n * s->width; k < n * s->width + s->used[n]; k++)
+            c->area[s->node[k]] += s->shape[k] * s->area[n];
+    return STATUS_OK;
 }
 
 void contact_begin(struct contact *c, double t, double dt, const double *x_old)
@@ -369,9 +376,43 @@ out:
     return st;
 }
 
+/* Computes by how much the velocity of a touch is to change: to the mean one along the
+ * normal, if it opens faster, and across, if it sticks. */
+static void land(const struct contact *c, const struct contact_touch *t, const double *x,
+                 const double *v, double by[3])
+{
+    double more[3] = {0}, across[3];
+
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++) {
+            size_t u = 3 * (size_t)c->node[k] + i;
+            more[i] += c->weight[k] * ((x[u] - c->x_old[u]) / c->dt - v[u]);
+        }
+    const double along = fmin(0, split(more, t->normal, across));
+    for (int i = 0; i < 3; i++)
+        by[i] = along * t->normal[i] + (t->grip > 0 ? across[i] : 0);
+}
+
+void contact_landing(const struct contact *c, const double *x, const double *v,
+                     double *change)
+{
+    memset(change, 0, 3 * (size_t)c->surface.nodes * sizeof *change);
+    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++) {
+        const double area = t->obstacle < 0 ? t->area / 2 : t->area; /* both sides move */
+        double by[3];
+        if (!(t->push > 0))
+            continue;
+        land(c, t, x, v, by);
+        for (int k = t->first; k < t->first + t->count; k++)
+            for (int i = 0; i < 3; i++)
+                change[3 * (size_t)c->node[k] + i] +=
+                    c->weight[k] * area / c->area[c->node[k]] * by[i];
+    }
+}
+
 void contact_report(const struct contact *c, struct model_contact *report)
 {
-    *report = (struct model_contact){.least_gap = c->least};
+    *report = (struct model_contact){.least_gap = c->least, .energy = c->energy};
     for (int n = 0; n < c->count; n++)
         report->nodes += c->touch[n].push > 0;
     memcpy(report->force, c->force, sizeof report->force);

@@ -16,7 +16,7 @@ struct contact_linear {
     const double *M;      /* [pairs]                                                   */
     const double *load;   /* [nodes][3] [N]                                            */
     double (*tangent)[9]; /* [pairs] room                                              */
-    double *room;         /* [5][nodes][3]                                             */
+    double *room;         /* [6][nodes][3]                                             */
     bool plain;           /* the system's factor is newmark_k K + newmark_m M          */
 };
 

@@ -228,6 +228,7 @@ void shell_motion_clear(struct shell_motion *m)
     free(m->room);
     free(m->dead);
     large_motion_clear(&m->large);
+    contact_linear_clear(&m->meets);
     contact_clear(&m->contact);
     memset(m, 0, sizeof *m);
 }

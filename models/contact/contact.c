@@ -6,12 +6,14 @@
 
 #include "models/vector.h"
 
-/* The share of a distance to the wall that one change of x may use up. */
-static const double MOST_OF_CLEARANCE = 0.9;
+/* The x of the law that one change leaves to what comes from farther off, and the share of
+ * their x that it leaves to others: the pressure grows little more than fourfold in a
+ * change, and Newton's method, which knows its slope only, is not thrown back far. */
+static const double LEFT = 0.5;
 
 bool contact_wanted(const struct scene *scene)
 {
-    return scene->obstacle_count > 0;
+    return scene->obstacle_count > 0 || scene->contact.self;
 }
 
 bool contact_rubs(const struct contact *c)
@@ -25,11 +27,13 @@ bool contact_rubs(const struct contact *c)
 
 void contact_clear(struct contact *c)
 {
+    contact_search_clear(&c->search);
     contact_surface_clear(&c->surface);
     free(c->pose);
     free(c->pose_old);
     free(c->x_old);
     free(c->area);
+    free(c->spare);
     free(c->touch);
     free(c->node);
     free(c->weight);
@@ -40,7 +44,6 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                          struct contact_surface *surface)
 {
     const size_t bodies = (size_t)scene->obstacle_count;
-
     *c = (struct contact){.scene = scene,
                           .surface = *surface,
                           .body = contact_law_body(scene),
@@ -48,17 +51,20 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                           .pose = calloc(bodies + 1, sizeof *c->pose),
                           .pose_old = calloc(bodies + 1, sizeof *c->pose_old),
                           .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old),
-                          .area = calloc((size_t)surface->nodes, sizeof *c->area)};
+                          .area = calloc((size_t)surface->nodes, sizeof *c->area),
+                          .spare = calloc(4 * (size_t)surface->count, sizeof *c->spare)};
     const struct contact_surface *s = &c->surface;
     *surface = (struct contact_surface){0};
-    if (!c->pose || !c->pose_old || !c->x_old || !c->area) {
-        contact_clear(c);
-        return STATUS_MEMORY;
-    }
-    for (int n = 0; n < s->count; n++)
+    const bool all = c->pose && c->pose_old && c->x_old && c->area && c->spare;
+    enum status st = all ? STATUS_OK : STATUS_MEMORY;
+    for (int n = 0; all && n < s->count; n++)
         for (int k = n * s->width; k < n * s->width + s->used[n]; k++)
             c->area[s->node[k]] += s->shape[k] * s->area[n];
-    return STATUS_OK;
+    if (st == STATUS_OK && scene->contact.self)
+        st = contact_search_init(&c->search, &c->surface, c->self.start);
+    if (st != STATUS_OK)
+        contact_clear(c);
+    return st;
 }
 
 void contact_begin(struct contact *c, double t, double dt, const double *x_old)
@@ -66,6 +72,7 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
     const double end = isfinite(dt) ? t + dt : t;
 
     c->t = t, c->dt = dt, c->rests = false;
+    c->finds = 0, c->error = 0;
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
     for (int o = 0; o < c->scene->obstacle_count; o++) {
         contact_pose_at(&c->scene->obstacles[o], t, &c->pose_old[o]);
@@ -138,6 +145,51 @@ static enum status add_body_touch(struct contact *c, int sample, int obstacle, d
     return STATUS_OK;
 }
 
+/* Appends a touch of a sample with another place of the sheet. Each of the two sides has
+ * half the law at samples of its own. */
+static enum status add_own_touch(struct contact *c, const struct contact_foot *foot)
+{
+    const struct contact_surface *s = &c->surface;
+    const int used = s->used[foot->sample];
+    enum status st = make_room(c, used + foot->count);
+
+    if (st != STATUS_OK)
+        return st;
+    int *node = c->node + c->weights;
+    double *weight = c->weight + c->weights;
+    memcpy(node, s->node + (size_t)foot->sample * s->width, (size_t)used * sizeof *node);
+    memcpy(weight, s->shape + (size_t)foot->sample * s->width,
+           (size_t)used * sizeof *weight);
+    for (int k = 0; k < foot->count; k++) {
+        node[used + k] = c->search.node[foot->first + k];
+        weight[used + k] = -c->search.weight[foot->first + k];
+    }
+    c->touch[c->count++] = (struct contact_touch){
+        .sample = foot->sample,
+        .obstacle = -1,
+        .first = c->weights,
+        .count = used + foot->count,
+        .D = foot->distance,
+        .normal = {foot->normal[0], foot->normal[1], foot->normal[2]},
+        .area = foot->strength * s->area[foot->sample] / 2};
+    c->weights += used + foot->count;
+    return STATUS_OK;
+}
+
+/* Appends the touches of the sheet with itself at x. */
+static enum status find_own(struct contact *c, const double *x)
+{
+    enum status st = STATUS_OK;
+
+    if (!c->scene->contact.self)
+        return STATUS_OK;
+    TRY(contact_search_find(&c->search, x));
+    for (int n = 0; n < c->search.count; n++)
+        TRY(add_own_touch(c, &c->search.foot[n]));
+out:
+    return st;
+}
+
 /* Computes how far the touch's places have moved against each other since the step began.
  */
 static void relative_way(const struct contact *c, const struct contact_touch *t,
@@ -182,6 +234,20 @@ static double split(const double way[3], const double n[3], double slip[3])
     return along;
 }
 
+/* Returns the distance of a touch when the step began. A body's is measured: the way along
+ * the normal would take a sheet that slides on a ball for one that leaves it. */
+static double distance_before(const struct contact *c, const struct contact_touch *t,
+                              double along)
+{
+    double y[3];
+
+    if (t->obstacle < 0)
+        return t->D - along;
+    contact_surface_at(&c->surface, t->sample, c->x_old, y);
+    return contact_shape_distance(&c->scene->obstacles[t->obstacle],
+                                  &c->pose_old[t->obstacle], y, NULL);
+}
+
 /* Adds a touch's pressure and friction to the totals. */
 static void add_up(struct contact *c, const struct contact_touch *t)
 {
@@ -207,8 +273,9 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     }
     relative_way(c, t, x, way);
     const double along = split(way, t->normal, slip);
-    t->push = t->area * contact_law_push(law, t->D, t->D - along,
-                                         c->rests ? INFINITY : c->dt, &t->stiffness);
+    const double D_old = distance_before(c, t, along);
+    t->push = t->area * contact_law_push(law, t->D, D_old, c->rests ? INFINITY : c->dt,
+                                         &t->stiffness);
     t->stiffness *= t->area;
     if (mu == 0)
         return;
@@ -221,17 +288,28 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
         t->rub[i] = -t->drag * slip[i];
 }
 
+/* Returns the distance of y from a body: exact where contact has started, or where it is
+ * less than the least so far, else some number from there up to it. */
+static double body_distance(const struct contact *c, int obstacle, const double y[3],
+                            double normal[3])
+{
+    return contact_shape_near(&c->scene->obstacles[obstacle], &c->pose[obstacle], y,
+                              c->body.start + fmax(c->least, 0), normal);
+}
+
 enum status contact_find(struct contact *c, const double *x)
 {
-    enum status st = STATUS_OK;
+    enum status st = c->failed;
 
+    c->failed = STATUS_OK;
+    c->finds++;
     empty(c);
+    TRY(st);
     for (int n = 0; n < c->surface.count; n++) {
         double y[3], normal[3];
         contact_surface_at(&c->surface, n, x, y);
         for (int o = 0; o < c->scene->obstacle_count; o++) {
-            double D =
-                contact_shape_distance(&c->scene->obstacles[o], &c->pose[o], y, normal);
+            double D = body_distance(c, o, y, normal);
             if (isnan(D))
                 return STATUS_NAN;
             c->least = fmin(c->least, D - c->body.start);
@@ -239,6 +317,7 @@ enum status contact_find(struct contact *c, const double *x)
                 TRY(add_body_touch(c, n, o, D, normal));
         }
     }
+    TRY(find_own(c, x));
     for (int n = 0; n < c->count; n++) {
         press(c, &c->touch[n], x);
         add_up(c, &c->touch[n]);
@@ -269,25 +348,27 @@ static double limit_sample(const struct contact *c, int obstacle, const double y
     static const double SHORTER = 0.95;
     const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
     const double wall = c->body.start - c->body.range, way = vector_length(d);
-    const double room = contact_shape_distance(o, &c->pose[obstacle], y, NULL) - wall;
+    const double far = wall + way * share + LEFT * c->body.range;
+    const double room = contact_shape_near(o, &c->pose[obstacle], y, far, NULL) - wall;
+    const double least = LEFT * fmin(room, c->body.range);
 
-    if (!(room > 0) || MOST_OF_CLEARANCE * room >= way * share)
+    if (!(room > 0) || room - way * share >= least)
         return share;
     for (int n = 0; n < TRIES; n++) {
         double end[3];
         for (int i = 0; i < 3; i++)
             end[i] = y[i] + share * d[i];
         double left = contact_shape_distance(o, &c->pose[obstacle], end, NULL) - wall;
-        if (left >= (1 - MOST_OF_CLEARANCE) * room)
+        if (left >= least)
             break;
-        share *= fmin(MOST_OF_CLEARANCE * room / (room - left), SHORTER);
+        share *= fmin((room - least) / (room - left), SHORTER);
     }
     return share;
 }
 
-double contact_limit(const struct contact *c, const double *x, const double *d)
+double contact_limit(struct contact *c, const double *x, const double *d)
 {
-    double share = 1;
+    double share = 1, own = 1;
 
     for (int n = 0; n < c->surface.count; n++) {
         double y[3], way[3];
@@ -296,7 +377,35 @@ double contact_limit(const struct contact *c, const double *x, const double *d)
         for (int o = 0; o < c->scene->obstacle_count; o++)
             share = limit_sample(c, o, y, way, share);
     }
-    return share;
+    if (c->scene->contact.self)
+        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
+                                         c->self.range, &own);
+    return c->failed == STATUS_OK ? fmin(share, own) : 0;
+}
+
+bool contact_shorten(struct contact *c, const double *x, double *d)
+{
+    const struct contact_surface *s = &c->surface;
+    double own = 1;
+    bool any = false;
+
+    for (int n = 0; n < s->count; n++) {
+        double y[3], way[3], share = 1;
+        contact_surface_at(s, n, x, y);
+        contact_surface_at(s, n, d, way);
+        for (int o = 0; o < c->scene->obstacle_count; o++)
+            share = limit_sample(c, o, y, way, share);
+        any |= share < 1;
+        for (int k = 0; share < 1 && k < s->used[n]; k++)
+            for (int i = 0; i < 3; i++)
+                d[3 * (size_t)s->node[(size_t)n * s->width + k] + i] *= share;
+    }
+    if (c->scene->contact.self)
+        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
+                                         c->self.range, &own);
+    for (int k = 0; own < 1 && k < 3 * s->nodes; k++)
+        d[k] *= own;
+    return any || own < 1;
 }
 
 /* Moves the nodes of a touch by the force f, in so far as they are free. */
@@ -335,7 +444,9 @@ static void settle(struct contact *c, struct contact_touch *t, const double *com
 
     relative_way(c, t, x, way);
     const double along = split(way, t->normal, slip), size = vector_length(slip);
-    t->push = contact_law_solve(law, t->D, t->D - along, c->dt, t->area, open);
+    if (t->obstacle < 0) /* others have moved it */
+        t->D = t->D_old + along;
+    t->push = contact_law_solve(law, t->D, t->D_old, c->dt, t->area, open);
     t->D += open * t->push;
     for (int i = 0; i < 3; i++)
         force[i] = t->push * t->normal[i];
@@ -351,27 +462,82 @@ static void settle(struct contact *c, struct contact_touch *t, const double *com
     add_up(c, t);
 }
 
+/* Notes where a touch that was found at x was when the step began. */
+static void look_back(const struct contact *c, struct contact_touch *t, const double *x)
+{
+    double way[3];
+
+    relative_way(c, t, x, way);
+    t->D_old = distance_before(c, t, vector_dot(way, t->normal));
+}
+
+/* Tells whether a sample at y has come less far from where it was looked at than the bodies
+ * were from it: most of a sheet need not be looked at in each of an explicit method's
+ * steps.
+ */
+static bool keeps_off(struct contact *c, const double *spare, const double y[3])
+{
+    double way[3];
+
+    vector_between(spare, y, way);
+    const double square = vector_dot(way, way);
+    if (!(square < spare[3] * spare[3]))
+        return false;
+    if (spare[3] < c->least)
+        c->least = fmin(c->least, spare[3] - sqrt(square));
+    return true;
+}
+
+/* Ends a sample's step by the law of bodies; *room: how far it is from the nearest, 0 if
+ * that may come nearer by itself. */
+static enum status meet_bodies(struct contact *c, int sample, const double *compliance,
+                               const int *held, double *x, double *room)
+{
+    enum status st = STATUS_OK;
+
+    for (int o = 0; o < c->scene->obstacle_count; o++) {
+        const struct scene_obstacle *body = &c->scene->obstacles[o];
+        double y[3], normal[3];
+        contact_surface_at(&c->surface, sample, x, y);
+        const double D = contact_shape_distance(body, &c->pose[o], y, normal);
+        const double off = D - c->body.start;
+        if (isnan(D))
+            return STATUS_NAN;
+        const bool still = body->path_count + body->turn_count == 0;
+        *room = fmin(*room, still ? fmax(off, 0) : 0);
+        if (off >= 0) {
+            c->least = fmin(c->least, off);
+            continue;
+        }
+        TRY(add_body_touch(c, sample, o, D, normal));
+        look_back(c, &c->touch[c->count - 1], x);
+        settle(c, &c->touch[c->count - 1], compliance, held, x);
+    }
+out:
+    return st;
+}
+
 enum status contact_project(struct contact *c, const double *compliance, const int *held,
                             double *x)
 {
     enum status st = STATUS_OK;
 
     empty(c);
-    for (int n = 0; n < c->surface.count; n++)
-        for (int o = 0; o < c->scene->obstacle_count; o++) {
-            double y[3], normal[3];
-            contact_surface_at(&c->surface, n, x, y);
-            double D =
-                contact_shape_distance(&c->scene->obstacles[o], &c->pose[o], y, normal);
-            if (isnan(D))
-                return STATUS_NAN;
-            if (!(D < c->body.start)) {
-                c->least = fmin(c->least, D - c->body.start);
-                continue;
-            }
-            TRY(add_body_touch(c, n, o, D, normal));
-            settle(c, &c->touch[c->count - 1], compliance, held, x);
-        }
+    TRY(find_own(c, x));
+    const int own = c->count;
+    for (int n = 0; n < own; n++)
+        look_back(c, &c->touch[n], x);
+    for (int n = 0; n < own; n++)
+        settle(c, &c->touch[n], compliance, held, x);
+    for (int n = 0; n < c->surface.count; n++) {
+        double *spare = c->spare + 4 * (size_t)n, y[3], room = INFINITY;
+        contact_surface_at(&c->surface, n, x, y);
+        if (keeps_off(c, spare, y))
+            continue;
+        TRY(meet_bodies(c, n, compliance, held, x, &room));
+        memcpy(spare, y, sizeof y);
+        spare[3] = room;
+    }
 out:
     return st;
 }

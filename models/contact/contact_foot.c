@@ -14,16 +14,6 @@ static const double as_near = 1 - 1e-9, far = 2;
 /* The most that a smooth surface's foot is from the triangles' in u and v, in samples. */
 static const double astray = 2;
 
-void contact_foot_corners(const struct contact_surface *s, int triangle, int corner[3])
-{
-    const int m = s->points[1], cell = triangle / 2;
-    const int first = cell / (m - 1) * m + cell % (m - 1);
-
-    corner[0] = first;
-    corner[1] = triangle % 2 ? first + m + 1 : first + m;
-    corner[2] = triangle % 2 ? first + 1 : first + m + 1;
-}
-
 static double clamp(double t, double low, double high)
 {
     return t > low ? (t < high ? t : high) : low; /* NaN: low */
@@ -85,7 +75,7 @@ double contact_foot_nearest(const double y[3], const double *const p[3], double 
         share[0] = 1 - share[1] - share[2];
         for (int i = 0; i < 3; i++)
             way[i] -= share[1] * e1[i] + share[2] * e2[i];
-        return vector_length(way);
+        return vector_dot(way, way);
     }
     /* the closest side is one that is seen from there */
     struct side best = {.square = INFINITY, .share = {1}};
@@ -100,7 +90,7 @@ double contact_foot_nearest(const double y[3], const double *const p[3], double 
         look_at(&best, 1, 2, side, on);
     }
     memcpy(share, best.share, sizeof best.share);
-    return sqrt(best.square);
+    return best.square;
 }
 
 double contact_foot_between(const double *const p[4], double at[2])
@@ -156,9 +146,6 @@ void contact_foot_normal(const struct contact_sheet *sheet, int sample, double n
     difference(y + 3 * (long)sample, i, s->points[0], m, along_u);
     difference(y + 3 * (long)sample, j, m, 1, along_v);
     vector_cross(along_u, along_v, normal);
-    const double length = vector_length(normal);
-    for (int k = 0; k < 3; k++)
-        normal[k] = length > 0 ? normal[k] / length : 0;
 }
 
 int contact_foot_width(const struct contact_surface *s)
@@ -189,12 +176,12 @@ static int neighbour(const struct contact_surface *s, int triangle, int corner)
 {
     static const int step[2][3][3] = {{{1, 0, 1}, {0, 0, 1}, {0, -1, 1}},
                                       {{0, 1, 0}, {-1, 0, 0}, {0, 0, 0}}};
-    const int *by = step[triangle % 2][corner], cells = s->points[1] - 1;
-    const int i = triangle / 2 / cells + by[0], j = triangle / 2 % cells + by[1];
+    const int *by = step[triangle % 2][corner], m = s->points[1];
+    const int i = triangle / 2 / m + by[0], j = triangle / 2 % m + by[1];
 
-    if (i < 0 || j < 0 || i >= s->points[0] - 1 || j >= cells)
+    if (i < 0 || j < 0 || i >= s->points[0] - 1 || j >= m - 1)
         return -1;
-    return 2 * (i * cells + j) + by[2];
+    return 2 * (i * m + j) + by[2];
 }
 
 /* Solves p + h n = y for the shares of the corners, from shares near it; tells whether the
@@ -218,19 +205,19 @@ static bool meet(const struct face *f, const double y[3], double share[3])
                 c[k][i] = f->p[k + 1][i] - f->p[0][i] + h * (f->n[k + 1][i] - f->n[0][i]);
         }
         vector_cross(c[0], c[1], across);
-        const double det = vector_dot(across, n);
+        const double per_det = 1 / vector_dot(across, n);
         double by[3], d1, d2;
         vector_cross(c[1], n, by);
-        d1 = vector_dot(by, rest) / det;
+        d1 = vector_dot(by, rest) * per_det;
         vector_cross(n, c[0], by);
-        d2 = vector_dot(by, rest) / det;
-        h += vector_dot(across, rest) / det;
+        d2 = vector_dot(by, rest) * per_det;
+        h += vector_dot(across, rest) * per_det;
         share[1] += d1, share[2] += d2;
         share[0] = 1 - share[1] - share[2];
         const double change = fabs(d1) + fabs(d2);
         if (!(change < 4)) /* far off, or NaN */
             return false;
-        if (change < 1e-7) /* squared in the next */
+        if (change < 1e-6) /* squared in the next */
             break;
     }
     return true;
@@ -277,7 +264,7 @@ static int along_border(const struct contact_surface *s, const struct face *f, i
 
     if (at == 0 || at == last)
         return -1;
-    return f->triangle + 2 * (step == m ? m - 1 : step == -m ? 1 - m : step);
+    return f->triangle + 2 * step;
 }
 
 /* Walks from face to face to the foot along the interpolated normal; false: there is none
@@ -314,9 +301,23 @@ static void measure(const double from[3], const double to[3], const double norma
     vector_between(from, to, way);
     foot->distance = vector_length(way);
     const double *along = foot->distance > 0 ? way : normal;
-    const double length = vector_length(along);
+    const double length = along == way ? foot->distance : vector_length(along);
+    const double per_length = 1 / length;
     for (int i = 0; i < 3; i++)
-        foot->normal[i] = length > 0 ? along[i] / length : i == 2;
+        foot->normal[i] = length > 0 ? along[i] * per_length : i == 2;
+}
+
+/* Computes the parameters of a point of a triangle. */
+static void place_at(const struct contact_surface *s, int triangle, const double share[3],
+                     double *u, double *v)
+{
+    const double *line_u = s->line[0] + triangle / 2 / s->points[1];
+    const double *line_v = s->line[1] + triangle / 2 % s->points[1];
+    const double on_u = share[triangle % 2 ? 1 : 2] + (triangle % 2 ? 0 : share[1]);
+    const double on_v = share[2] + (triangle % 2 ? share[1] : 0);
+
+    *u = line_u[0] + on_u * (line_u[1] - line_u[0]);
+    *v = line_v[0] + on_v * (line_v[1] - line_v[0]);
 }
 
 /* Fills the foot of a net at shares of a face's corners. */
@@ -326,13 +327,12 @@ static void fill(const struct contact_surface *s, const struct face *f,
 {
     double from[3] = {0}, n[3] = {0};
 
-    foot->count = 3, foot->u = foot->v = 0;
+    foot->count = 3;
+    place_at(s, f->triangle, share, &foot->u, &foot->v);
     for (int k = 0; k < 3; k++) {
         const int c = f->corner[k];
         node[k] = s->node[c];
         weight[k] = share[k] * s->shape[c];
-        foot->u += share[k] * s->line[0][c / s->points[1]];
-        foot->v += share[k] * s->line[1][c % s->points[1]];
         for (int i = 0; i < 3; i++) {
             from[i] += share[k] * f->p[k][i];
             n[i] += share[k] * f->n[k][i];
@@ -352,8 +352,8 @@ static void refine_net(const struct contact_sheet *sheet, const struct contact_p
     open_face(sheet, place->triangle, &f);
     if (walk(sheet, at, &f, share)) {
         fill(s, &f, share, at, foot, node, weight);
-        if (foot->distance >= as_near * place->distance &&
-            foot->distance <= far * place->distance)
+        const double ratio = foot->distance * foot->distance / place->square;
+        if (ratio >= as_near && ratio <= far * far)
             return;
     }
     open_face(sheet, place->triangle, &f);
@@ -377,6 +377,11 @@ struct bend {
     double u, v;
     double y[3], d[2][3], dd[3][3]; /* value; by u, v; by uu, uv, vv                   */
 };
+
+/* The most times that the surface is taken to second order, two being enough but in bends
+ * as tight as its spans; and the change in u and v at which it is not taken again. */
+enum { MOST_BENDS = 8 };
+static const double settled = 1e-7;
 
 /* The step of differences in u and v: errors of 1e-8 in slopes and in curvatures. */
 static const double spread = 0x1p-13;
@@ -439,20 +444,18 @@ static void refine_smooth(const struct contact_sheet *sheet,
 {
     const struct contact_surface *s = sheet->surface;
     const double *x = sheet->x, *at = sheet->y + 3 * (long)foot->sample;
-    int corner[3];
-    double u = 0, v = 0, from[3], normal[3];
+    double u, v, from[3], normal[3];
     struct bend b;
 
-    contact_foot_corners(s, place->triangle, corner);
-    for (int k = 0; k < 3; k++) {
-        u += place->share[k] * s->line[0][corner[k] / s->points[1]];
-        v += place->share[k] * s->line[1][corner[k] % s->points[1]];
-    }
+    place_at(s, place->triangle, place->share, &u, &v);
     const double start_u = u, start_v = v;
-    for (int turn = 0; turn < 2; turn++) {
+    for (int turn = 0; turn < MOST_BENDS; turn++) {
+        const double u_old = u, v_old = v;
         bend_at(s, x, u, v, node, weight, &b);
         for (int step = 0; step < 16 && bend_step(&b, at, &u, &v) > 1e-14; step++)
             ;
+        if (fabs(u - u_old) + fabs(v - v_old) < settled)
+            break;
     }
     if (fabs(u - start_u) * (s->points[0] - 1) > astray ||
         fabs(v - start_v) * (s->points[1] - 1) > astray)

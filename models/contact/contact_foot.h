@@ -1,9 +1,9 @@
 /* contact_foot.h - the place of a sheet that is closest to one of its samples.
  *
  * The grid of samples (contact_surface.h) is cut into triangles as intersection.h cuts its
- * cells: cell (i,j), number i (points[1] - 1) + j, into
- *   2 cell:      (i,j), (i+1,j), (i+1,j+1)
- *   2 cell + 1:  (i,j), (i+1,j+1), (i,j+1).
+ * cells; they are numbered by the sample at their first corner:
+ *   2 (i points[1] + j):      (i,j), (i+1,j), (i+1,j+1)
+ *   2 (i points[1] + j) + 1:  (i,j), (i+1,j+1), (i,j+1).
  * The closest point of those is refined, so that foot, distance and normal move
  * continuously with the sheet. Positions y[count][3] of the samples come from x[nodes][3].
  *
@@ -31,6 +31,7 @@ struct contact_foot {
     double u, v;
     double distance;  /*                                                     [m] >= 0 */
     double normal[3]; /* unit, from the foot to the sample                             */
+    double strength;  /* its share in the law, 0 to 1                                  */
 };
 
 /* A sheet at some time. */
@@ -41,26 +42,35 @@ struct contact_sheet {
     const bool *ready;    /* [samples] those that `normal` has; NULL: none           */
 };
 
-/* A point of a triangle and its distance from a sample [m]. */
+/* A point of a triangle and its distance from a sample. */
 struct contact_place {
     int triangle;
-    double share[3]; /* of the corners; their sum is 1                                 */
-    double distance;
+    double share[3];   /* of the corners; their sum is 1                                 */
+    double square;     /* of the distance                                           [m^2] */
+    double square_cos; /* of the way's angle to the sheet's normal                     */
 };
 
 /* Computes the samples at the corners of a triangle. */
-void contact_foot_corners(const struct contact_surface *s, int triangle, int corner[3]);
+static inline void contact_foot_corners(const struct contact_surface *s, int triangle,
+                                        int corner[3])
+{
+    const int m = s->points[1], first = triangle / 2;
 
-/* Returns the distance of y from the triangle p, and the shares of the corners in the
- * closest point. A triangle may be a segment or a point. */
+    corner[0] = first;
+    corner[1] = triangle % 2 ? first + m + 1 : first + m;
+    corner[2] = triangle % 2 ? first + 1 : first + m + 1;
+}
+
+/* Returns the squared distance of y from the triangle p, and the shares of the corners in
+ * the closest point. A triangle may be a segment or a point. */
 double contact_foot_nearest(const double y[3], const double *const p[3], double share[3]);
 
 /* Returns the distance of the segments p[0] p[1] and p[2] p[3], and the parameters of the
  * closest points on them; segments may be points. */
 double contact_foot_between(const double *const p[4], double at[2]);
 
-/* Computes the unit normal of the sheet at a sample, along (d/du) x (d/dv); 0 if it has
- * none. */
+/* Computes the normal of the sheet at a sample, along (d/du) x (d/dv), of any length; 0 if
+ * it has none. */
 void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3]);
 
 /* Returns how many nodes a foot has at most. */

@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "models/contact/contact_advance.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -20,17 +21,18 @@ enum { PARALLEL = 1000, PIECE = 64, FIRST_ROOM = 1024 };
 
 /* Margin over start: start and margin stay below the distance along the sheet from which
  * pairs count, so that flat parts have nothing near. */
-static const double margin_share = 0.4;
+static const double margin_share = 0.2;
 /* A share of start that rounding can't reach. */
 static const double rounding = 1e-9;
-static const double half_pi = 1.5707963267948966, cos_steep = 0.7071067811865476;
+static const double half_pi = 1.5707963267948966, square_cos = 0.5;
+
+/* The distance along the sheet, over the least that counts, and the squared cosine from
+ * which a foot has its whole share in the law. */
+static const double whole_apart = 1.5, whole_square_cos = 0.75;
 
 void contact_search_clear(struct contact_search *s)
 {
     contact_tree_clear(&s->tree);
-    free(s->foot);
-    free(s->node);
-    free(s->weight);
     free(s->near);
     free(s->pair);
     free(s->room);
@@ -51,17 +53,19 @@ enum status contact_search_init(struct contact_search *s,
                                 const struct contact_surface *surface, double start)
 {
     enum status st = STATUS_OK;
-    const size_t count = surface->count;
+    const size_t count = surface->count, width = contact_foot_width(surface);
 
     *s = (struct contact_search){.sheet = {.surface = surface},
                                  .start = start,
                                  .margin = margin_share * start,
-                                 .apart = half_pi * start,
-                                 .plain = samples_are_nodes(surface)};
-    TRY(contact_tree_init(&s->tree, surface, s->apart));
+                                 .plain = samples_are_nodes(surface),
+                                 .stale = true};
+    TRY(contact_tree_init(&s->tree, surface, half_pi * start));
     TRY(room_cut(&s->room, ROOM(s->own, s->plain ? 0 : 3 * count), ROOM(s->kept, 3 * count),
-                 ROOM(s->normal, 3 * count), ROOM(s->use, count), ROOM(s->ready, count),
-                 ROOM(s->first, count + 1), ROOM(s->active, count)));
+                 ROOM(s->normal, 3 * count), ROOM(s->ready, count), ROOM(s->use, count),
+                 ROOM(s->first, count + 1), ROOM(s->active, count),
+                 ROOM(s->foot, 2 * count), ROOM(s->node, 2 * count * width),
+                 ROOM(s->weight, 2 * count * width)));
 out:
     if (st)
         contact_search_clear(s);
@@ -101,32 +105,32 @@ static const double *at_samples(const struct contact_search *s, const double *x,
 }
 
 /* Returns how far samples have moved since triangles were found, at most, less the shift of
- * the middle one; not finite if a place is not. */
+ * the middle one; NaN if a place is not finite. */
 static double moved(const struct contact_search *s)
 {
     const long count = s->sheet.surface->count;
     const double *y = s->sheet.y, *old = s->kept;
-    double shift[3], most = 0, all = 0;
+    double shift[3], most = 0, none = 0;
 
     vector_between(old + 3 * (count / 2), y + 3 * (count / 2), shift);
-#pragma omp simd reduction(max : most) reduction(+ : all)
+#pragma omp simd reduction(max : most) reduction(+ : none)
     for (long n = 0; n < count; n++) {
         const double a = y[3 * n] - old[3 * n] - shift[0];
         const double b = y[3 * n + 1] - old[3 * n + 1] - shift[1];
         const double c = y[3 * n + 2] - old[3 * n + 2] - shift[2];
         const double square = a * a + b * b + c * c;
         most = square > most ? square : most;
-        all += square;
+        none += 0 * square;
     }
-    return isfinite(all) ? sqrt(most) + rounding * s->start : NAN;
+    return sqrt(most) + rounding * s->start + none;
 }
 
-static double material(const struct contact_surface *s, int sample, double u, double v)
+/* Places the samples; computes how far they have moved. */
+static enum status place_samples(struct contact_search *s, const double *x, double *way)
 {
-    const double du = u - s->flat[0][sample / s->points[1]];
-    const double dv = v - s->flat[1][sample % s->points[1]];
-
-    return sqrt(du * du + dv * dv);
+    s->sheet.x = x, s->sheet.y = at_samples(s, x, s->own);
+    *way = moved(s);
+    return isfinite(*way) ? STATUS_OK : STATUS_NAN;
 }
 
 static double smaller(double a, double b)
@@ -144,49 +148,19 @@ static bool has_corner(const int corner[3], int sample)
     return corner[0] == sample || corner[1] == sample || corner[2] == sample;
 }
 
-/* Tells whether a triangle is nearer to a sample than `apart` along the sheet as a whole.
- */
-static bool all_near(const struct contact_search *s, int sample, const int corner[3])
+/* Tells whether a triangle is of no use to a sample: it is its corner, or all of the
+ * triangle is too near along the sheet. */
+static bool useless(const struct contact_search *s, int sample, const int corner[3])
 {
-    const struct contact_surface *f = s->sheet.surface;
-
-    for (int k = 0; k < 3; k++)
-        if (material(f, sample, f->flat[0][corner[k] / f->points[1]],
-                     f->flat[1][corner[k] % f->points[1]]) >= s->apart)
-            return false;
-    return true;
-}
-
-/* Tells whether a point of a triangle is nearer to a sample than `apart`. */
-static bool too_near(const struct contact_search *s, int sample, const int corner[3],
-                     const double share[3])
-{
-    const struct contact_surface *f = s->sheet.surface;
-    double u = 0, v = 0;
-
+    if (has_corner(corner, sample))
+        return true;
     for (int k = 0; k < 3; k++) {
-        u += share[k] * f->flat[0][corner[k] / f->points[1]];
-        v += share[k] * f->flat[1][corner[k] % f->points[1]];
+        double share[3] = {0};
+        share[k] = 1;
+        if (!contact_tree_near(&s->tree, s->tree.apart, sample, corner, share))
+            return false;
     }
-    return material(f, sample, u, v) < s->apart;
-}
-
-/* Lists the samples that a cell owns: its first corner, and those at the ends of the grid
- * that are no cell's first. Returns how many. */
-static int owned(const struct contact_surface *s, int cell, int sample[4])
-{
-    const int m = s->points[1], i = cell / (m - 1), j = cell % (m - 1);
-    const bool last_u = i + 2 == s->points[0], last_v = j + 2 == m;
-    int count = 0;
-
-    sample[count++] = i * m + j;
-    if (last_u)
-        sample[count++] = (i + 1) * m + j;
-    if (last_v)
-        sample[count++] = i * m + j + 1;
-    if (last_u && last_v)
-        sample[count++] = (i + 1) * m + j + 1;
-    return count;
+    return true;
 }
 
 /* Finds the triangles of a cell near the samples of another; returns how many. */
@@ -194,14 +168,15 @@ static int near_of_cell(const struct contact_search *s, int samples, int cell,
                         struct contact_near *near)
 {
     int sample[4], count = 0;
-    const int many = owned(s->sheet.surface, samples, sample);
+    const int many = contact_tree_samples(&s->tree, samples, sample);
+    const int first = contact_tree_triangle(&s->tree, cell);
     const double reach = s->start + s->margin;
 
     for (int k = 0; k < 2; k++) {
         int corner[3];
         const double *p[3];
         double low[3], high[3], share[3];
-        contact_foot_corners(s->sheet.surface, 2 * cell + k, corner);
+        contact_foot_corners(s->sheet.surface, first + k, corner);
         for (int c = 0; c < 3; c++)
             p[c] = s->sheet.y + 3 * (long)corner[c];
         for (int i = 0; i < 3; i++) {
@@ -211,12 +186,11 @@ static int near_of_cell(const struct contact_search *s, int samples, int cell,
         for (int n = 0; n < many; n++) {
             const double *y = s->sheet.y + 3 * (long)sample[n];
             if (y[0] < low[0] || y[0] > high[0] || y[1] < low[1] || y[1] > high[1] ||
-                y[2] < low[2] || y[2] > high[2] || has_corner(corner, sample[n]) ||
-                all_near(s, sample[n], corner))
+                y[2] < low[2] || y[2] > high[2] || useless(s, sample[n], corner))
                 continue;
-            const double distance = contact_foot_nearest(y, p, share);
+            const double distance = sqrt(contact_foot_nearest(y, p, share));
             if (distance < reach)
-                near[count++] = (struct contact_near){sample[n], 2 * cell + k, distance};
+                near[count++] = (struct contact_near){sample[n], first + k, distance};
         }
     }
     return count;
@@ -251,7 +225,7 @@ static enum status test_pairs(struct contact_search *s)
                 count += near_of_cell(s, p->other, p->cell, found + count);
         }
         if (count)
-#pragma omp critical(contact_search)
+#pragma omp critical
         {
             const enum status more =
                 grow(&s->near, sizeof *s->near, s->near_count + count, &s->near_room);
@@ -350,20 +324,19 @@ static enum status seek(struct contact_search *s)
     list_used(s);
     memcpy(s->kept, s->sheet.y, 3 * (size_t)s->sheet.surface->count * sizeof *s->kept);
 out:
-    if (st)
-        s->sought = 0; /* to be found again */
+    s->stale = st != STATUS_OK;
     return st;
 }
 
-/* Tells whether the way from a point of a triangle to a sample is more than 45 degrees off
- * the sheet's normal there; in a face it is along the face's. */
-static bool steep(const struct contact_search *s, const int corner[3],
-                  const double share[3], const double way[3])
+/* Returns the squared cosine of the angle between the way from a point of a triangle to a
+ * sample and the sheet's normal there; in a face it is along the face's. */
+static double square_cos_of(const struct contact_search *s, const int corner[3],
+                            const double share[3], const double way[3])
 {
     double n[3] = {0};
 
     if (share[0] > 0 && share[1] > 0 && share[2] > 0)
-        return false;
+        return 1;
     for (int k = 0; k < 3; k++)
         if (share[k] > 0) {
             double at[3];
@@ -371,7 +344,9 @@ static bool steep(const struct contact_search *s, const int corner[3],
             for (int i = 0; i < 3; i++)
                 n[i] += share[k] * at[i];
         }
-    return fabs(vector_dot(n, way)) < cos_steep * vector_length(n) * vector_length(way);
+    const double along = vector_dot(n, way),
+                 sizes = vector_dot(n, n) * vector_dot(way, way);
+    return sizes > 0 ? along * along / sizes : 1;
 }
 
 /* Takes a triangle for the closest on its side of a sample, if it is. */
@@ -388,17 +363,20 @@ static void consider(const struct contact_search *s, int sample, const double no
         return;
     for (int k = 0; k < 3; k++)
         p[k] = s->sheet.y + 3 * (long)corner[k];
-    here.distance = contact_foot_nearest(y, p, here.share);
-    if (!(here.distance < s->start))
+    here.square = contact_foot_nearest(y, p, here.share);
+    if (!(here.square < s->start * s->start))
         return;
     for (int i = 0; i < 3; i++)
         way[i] = here.share[0] * p[0][i] + here.share[1] * p[1][i] +
                  here.share[2] * p[2][i] - y[i];
     struct contact_place *side = &best[vector_dot(way, normal) < 0];
-    if (here.distance > side->distance ||
-        (here.distance == side->distance && triangle > side->triangle))
+    if (here.square > side->square ||
+        (here.square == side->square && triangle > side->triangle))
         return;
-    if (!too_near(s, sample, corner, here.share) && !steep(s, corner, here.share, way))
+    if (contact_tree_near(&s->tree, s->tree.apart, sample, corner, here.share))
+        return;
+    here.square_cos = square_cos_of(s, corner, here.share, way);
+    if (here.square_cos > square_cos)
         *side = here;
 }
 
@@ -407,73 +385,76 @@ static void begin(const struct contact_search *s, int sample, double normal[3],
                   struct contact_place best[2])
 {
     contact_foot_normal(&s->sheet, sample, normal);
-    best[0] = best[1] = (struct contact_place){-1, {0}, s->start};
+    best[0] = best[1] = (struct contact_place){-1, {0}, s->start * s->start, 0};
 }
 
-/* Refines what was found of a sample into feet at their place; returns how many. */
-static int finish(struct contact_search *s, int sample, const struct contact_place best[2],
-                  long at)
+/* Returns 0 below low, 1 above high, and a smooth curve between. */
+static double rise(double x, double low, double high)
+{
+    const double t = fmin(fmax((x - low) / (high - low), 0), 1);
+
+    return t * t * (3 - 2 * t);
+}
+
+/* Returns the foot's share in the law, which grows from nothing beside what doesn't count:
+ * places near along the sheet, also those to which a foot on a smooth surface went back,
+ * and those seen under 45 degrees. Forces would else jump. */
+static double strength(const struct contact_search *s, const struct contact_place *place,
+                       const struct contact_foot *foot)
+{
+    const struct contact_surface *f = s->sheet.surface;
+    const int i = foot->sample / f->points[1], j = foot->sample % f->points[1];
+    const double du = (foot->u - f->line[0][i]) * f->flat[0][f->points[0] - 1];
+    const double dv = (foot->v - f->line[1][j]) * f->flat[1][f->points[1] - 1];
+
+    return rise(hypot(du, dv), s->tree.apart, whole_apart * s->tree.apart) *
+           rise(place->square_cos, square_cos, whole_square_cos);
+}
+
+/* Refines what was found of a sample into two feet; those without nodes are none. */
+static void finish(const struct contact_search *s, int sample,
+                   const struct contact_place best[2], struct contact_foot foot[2])
 {
     const int width = contact_foot_width(s->sheet.surface);
-    int count = 0;
 
     for (int k = 0; k < 2; k++) {
-        struct contact_foot *foot = &s->foot[at + count];
+        foot[k].count = 0;
         if (best[k].triangle < 0)
             continue;
-        foot->side = k;
-        foot->first = (int)(at + count) * width;
-        contact_foot_refine(&s->sheet, sample, &best[k], foot, s->node + foot->first,
-                            s->weight + foot->first);
-        count += foot->distance < s->start;
+        foot[k].side = k;
+        foot[k].first = (int)(foot + k - s->foot) * width;
+        contact_foot_refine(&s->sheet, sample, &best[k], &foot[k], s->node + foot[k].first,
+                            s->weight + foot[k].first);
+        foot[k].strength = strength(s, &best[k], &foot[k]);
+        if (!(foot[k].distance < s->start && foot[k].strength > 0))
+            foot[k].count = 0;
     }
-    return count;
 }
 
-static enum status make_feet(struct contact_search *s, long samples)
+/* Moves the feet, two places a sample, together. */
+static void gather(struct contact_search *s)
 {
-    const long width = contact_foot_width(s->sheet.surface), count = 2 * samples;
-    enum status st = STATUS_OK;
-    long foot = s->foot_room, node = width * foot, weight = node;
-
-    TRY(grow(&s->foot, sizeof *s->foot, count, &foot));
-    TRY(grow(&s->node, sizeof *s->node, width * count, &node));
-    TRY(grow(&s->weight, sizeof *s->weight, width * count, &weight));
-    s->foot_room = foot < node / width ? foot : node / width;
-out:
-    return st;
-}
-
-/* Moves the feet, found in two places a sample, together. */
-static void gather(struct contact_search *s, long samples, const unsigned char *found)
-{
-    s->count = 0;
-    for (long n = 0; n < samples; n++)
-        for (int k = 0; k < found[n]; k++, s->count++)
-            if (s->count != 2 * n + k)
-                s->foot[s->count] = s->foot[2 * n + k];
+    for (int n = 0; n < 2 * s->actives; n++)
+        if (s->foot[n].count) {
+            if (s->count != n)
+                s->foot[s->count] = s->foot[n];
+            s->count++;
+        }
 }
 
 enum status contact_search_find(struct contact_search *s, const double *x)
 {
     enum status st = STATUS_OK;
-    unsigned char *found = NULL;
-    double way = 0;
+    double way;
 
     s->count = 0;
-    s->sheet.x = x, s->sheet.y = at_samples(s, x, s->own);
-    way = moved(s);
-    if (!isfinite(way))
-        return STATUS_NAN;
-    if (!s->sought || 2 * way > s->margin) {
+    TRY(place_samples(s, x, &way));
+    if (s->stale || 2 * way > s->margin) {
         TRY(seek(s));
         way = rounding * s->start;
     }
-    if (!s->actives)
-        goto out;
-    find_normals(s);
-    TRY(make_feet(s, s->actives));
-    TRY(room_cut((void **)&found, ROOM(found, s->actives)));
+    if (s->actives)
+        find_normals(s);
 #pragma omp parallel for schedule(dynamic, 64) if (s->actives >= PARALLEL)
     for (int n = 0; n < s->actives; n++) {
         const int sample = s->active[n];
@@ -481,16 +462,21 @@ enum status contact_search_find(struct contact_search *s, const double *x)
         double normal[3];
         begin(s, sample, normal, best);
         for (int k = s->first[sample]; k < s->first[sample + 1]; k++) {
-            if (s->near[k].distance - 2 * way > larger(best[0].distance, best[1].distance))
+            const double least = s->near[k].distance - 2 * way;
+            if (least > 0 && least * least > larger(best[0].square, best[1].square))
                 break;
             consider(s, sample, normal, s->near[k].triangle, best);
         }
-        found[n] = (unsigned char)finish(s, sample, best, 2L * n);
+        finish(s, sample, best, &s->foot[2 * n]);
     }
-    gather(s, s->actives, found);
+    gather(s);
 out:
-    free(found);
     return st;
+}
+
+void contact_search_forget(struct contact_search *s)
+{
+    s->stale = true;
 }
 
 /* Tells whether a point is outside the box of a cell by the start of contact. */
@@ -511,191 +497,41 @@ enum status contact_search_find_all(struct contact_search *s, const double *x)
 {
     const int cells = (s->sheet.surface->points[0] - 1) * (s->sheet.surface->points[1] - 1);
     enum status st = STATUS_OK;
+    double way;
 
     s->count = 0;
-    s->sheet.x = x, s->sheet.y = at_samples(s, x, s->own);
+    TRY(place_samples(s, x, &way));
     s->sheet.ready = NULL;
-    if (!isfinite(moved(s)))
-        return STATUS_NAN;
-    TRY(make_feet(s, s->sheet.surface->count));
-    for (int sample = 0; sample < s->sheet.surface->count; sample++) {
+    s->stale = true; /* the lists are used */
+    s->actives = s->sheet.surface->count;
+    for (int sample = 0; sample < s->actives; sample++) {
         struct contact_place best[2];
         double normal[3];
         begin(s, sample, normal, best);
         for (int cell = 0; cell < cells; cell++)
             if (!outside(s, cell, s->sheet.y + 3 * (long)sample)) {
-                consider(s, sample, normal, 2 * cell, best);
-                consider(s, sample, normal, 2 * cell + 1, best);
+                const int triangle = contact_tree_triangle(&s->tree, cell);
+                consider(s, sample, normal, triangle, best);
+                consider(s, sample, normal, triangle + 1, best);
             }
-        s->count += finish(s, sample, best, s->count);
+        finish(s, sample, best, &s->foot[2 * sample]);
     }
+    gather(s);
 out:
     return st;
 }
 
-/* A change of the sheet whose safe share is looked for. */
-struct change {
-    struct contact_tree_search search;
-    const struct contact_search *s;
-    const double *d; /* [samples][3]                                                 */
-    double wall, share;
-};
-
-/* The part of a distance over the wall that may be used up, and the tenth that stays. */
-static const double spent = 0.9;
-
-/* Four samples: one and a triangle, or two edges. */
-struct meeting {
-    int sample[4];
-    bool edges;
-};
-
-/* Returns their distance after a share of the change, and whether they are so near along
- * the sheet that contact leaves them out. */
-static double distance_after(const struct change *c, const struct meeting *m, double share,
-                             bool *near)
-{
-    const struct contact_surface *f = c->s->sheet.surface;
-    double y[4][3], at[3];
-    const double *p[4];
-
-    for (int k = 0; k < 4; k++) {
-        for (int i = 0; i < 3; i++)
-            y[k][i] = c->s->sheet.y[3 * (long)m->sample[k] + i] +
-                      share * c->d[3 * (long)m->sample[k] + i];
-        p[k] = y[k];
-    }
-    if (!m->edges) {
-        const double distance = contact_foot_nearest(y[0], p + 1, at);
-        *near = too_near(c->s, m->sample[0], m->sample + 1, at);
-        return distance;
-    }
-    const double distance = contact_foot_between(p, at);
-    double way[2];
-    for (int d = 0; d < 2; d++) {
-        double flat[4];
-        for (int k = 0; k < 4; k++)
-            flat[k] =
-                f->flat[d][d ? m->sample[k] % f->points[1] : m->sample[k] / f->points[1]];
-        way[d] =
-            flat[0] + at[0] * (flat[1] - flat[0]) - flat[2] - at[1] * (flat[3] - flat[2]);
-    }
-    *near = sqrt(way[0] * way[0] + way[1] * way[1]) < c->s->apart;
-    return distance;
-}
-
-/* Returns how far points of both move relative to each other, at most. */
-static double motion_between(const struct change *c, const struct meeting *m)
-{
-    const int split = m->edges ? 2 : 1;
-    double most = 0;
-
-    for (int k = 0; k < split; k++)
-        for (int l = split; l < 4; l++) {
-            double way[3];
-            vector_between(c->d + 3 * (long)m->sample[k], c->d + 3 * (long)m->sample[l],
-                           way);
-            most = fmax(most, vector_dot(way, way));
-        }
-    return sqrt(most);
-}
-
-/* Cuts the share to one that is safe for two: a bound by their motion, from where it leads
- * to looked for again. */
-static void cut(struct change *c, const struct meeting *m)
-{
-    bool near, ignored;
-    const int split = m->edges ? 2 : 1;
-
-    for (int k = 0; k < split; k++)
-        for (int l = split; l < 4; l++)
-            if (m->sample[k] == m->sample[l])
-                return;
-    const double distance = distance_after(c, m, 0, &near);
-    if (near)
-        return;
-    const double floor = distance > c->wall ? c->wall : 0, clear = distance - floor;
-    const double motion = motion_between(c, m);
-    double at = 0, left = spent * clear;
-    for (int turn = 0; turn < 16 && left > 0.01 * clear; turn++) {
-        at += left / motion;
-        if (!(at < c->share)) /* also of no motion */
-            return;
-        left = distance_after(c, m, at, &ignored) - floor - (1 - spent) * clear;
-    }
-    c->share = at;
-    c->search.share = at / spent;
-}
-
-/* Lists the edges that a cell owns, the diagonal and those at its owned samples. */
-static int edges_of(const struct contact_surface *s, int cell, int edge[5][2])
-{
-    const int m = s->points[1], i = cell / (m - 1), j = cell % (m - 1), c = i * m + j;
-    const int all[5][2] = {
-        {c, c + m}, {c, c + 1}, {c, c + m + 1}, {c + m, c + m + 1}, {c + 1, c + m + 1}};
-    int count = 0;
-
-    for (int k = 0; k < 5; k++)
-        if (k < 3 || (k == 3 ? i + 2 == s->points[0] : j + 2 == m)) {
-            edge[count][0] = all[k][0];
-            edge[count++][1] = all[k][1];
-        }
-    return count;
-}
-
-static void cut_samples(struct change *c, int samples, int cell)
-{
-    struct meeting m = {.edges = false};
-    int sample[4];
-    const int count = owned(c->s->sheet.surface, samples, sample);
-
-    for (int k = 0; k < 2; k++) {
-        contact_foot_corners(c->s->sheet.surface, 2 * cell + k, m.sample + 1);
-        for (int n = 0; n < count; n++) {
-            m.sample[0] = sample[n];
-            cut(c, &m);
-        }
-    }
-}
-
-static enum status cut_cells(struct contact_tree_search *search, int cell, int other)
-{
-    struct change *c = search->context;
-    int of_cell[5][2], of_other[5][2];
-    const int count = edges_of(c->s->sheet.surface, cell, of_cell);
-    const int others = edges_of(c->s->sheet.surface, other, of_other);
-
-    cut_samples(c, cell, other);
-    if (cell != other)
-        cut_samples(c, other, cell);
-    for (int k = 0; k < count; k++)
-        for (int l = cell == other ? k + 1 : 0; l < others; l++) {
-            const struct meeting m = {
-                {of_cell[k][0], of_cell[k][1], of_other[l][0], of_other[l][1]}, true};
-            cut(c, &m);
-        }
-    return STATUS_OK;
-}
-
 enum status contact_search_limit(struct contact_search *s, const double *x, const double *d,
-                                 double wall, double *share)
+                                 double wall, double range, double *share)
 {
-    const size_t count = s->sheet.surface->count;
     enum status st = STATUS_OK;
-    double *own = NULL;
-    struct change c = {{wall, 1 / spent, &c, cut_cells}, s, d, wall, 1};
+    double *own = NULL, way;
 
-    s->sheet.y = at_samples(s, x, s->own);
-    if (!s->plain) {
-        TRY(room_cut((void **)&own, ROOM(own, 3 * count)));
-        c.d = at_samples(s, d, own);
-    }
-    for (size_t n = 0; n < 3 * count; n++)
-        if (!isfinite(s->sheet.y[n]) || !isfinite(c.d[n]))
-            TRY(STATUS_NAN);
-    contact_tree_fit(&s->tree, s->sheet.y, c.d);
-    TRY(contact_tree_visit(&s->tree, &c.search));
-    *share = c.share;
+    TRY(place_samples(s, x, &way));
+    if (!s->plain)
+        TRY(room_cut((void **)&own, ROOM(own, 3 * (size_t)s->sheet.surface->count)));
+    st = contact_advance_share(&s->tree, s->sheet.y, at_samples(s, d, own), wall, range,
+                               share);
 out:
     free(own);
     return st;

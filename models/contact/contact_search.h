@@ -19,19 +19,19 @@
 #include "models/contact/contact_tree.h"
 
 struct contact_search {
-    int count;                 /* feet of the last contact_search_find                   */
-    struct contact_foot *foot; /* [count] ascending by sample; above before below  owned */
-    int *node;                 /* of the feet                                      owned */
-    double *weight;            /* as long                                          owned */
+    int count;                 /* feet of the last search                                */
+    struct contact_foot *foot; /* [count] ascending by sample; above before below        */
+    int *node;                 /* of the feet                                            */
+    double *weight;            /* as long                                                */
     long sought;               /* times that near triangles were found                   */
 
     /* private */
     struct contact_sheet sheet; /* of the last call                                  */
     double start, margin;       /*                                               [m] */
-    double apart; /* least distance along the sheet at rest                       [m] */
     struct contact_tree tree;
     bool plain;           /* samples are the nodes                                        */
-    void *room;           /* of the arrays of samples                         owned     */
+    bool stale;           /* near triangles are to be found again                         */
+    void *room;           /* of the feet and the arrays of samples            owned     */
     double *own;          /* [samples][3] places, unless plain                            */
     double *kept;         /* [samples][3] where near triangles were found                 */
     double *normal;       /* [samples][3] of those in use                                 */
@@ -39,7 +39,7 @@ struct contact_search {
     int uses, *use;       /* [samples] the same as a list                                 */
     int *first;           /* [samples + 1] into near                                      */
     int actives, *active; /* [samples] those with near triangles                     */
-    long near_count, near_room, pair_count, pair_room, foot_room;
+    long near_count, near_room, pair_count, pair_room;
     struct contact_near *near; /* by sample and distance                 owned     */
     struct contact_pair *pair; /* cells                                  owned     */
 };
@@ -52,17 +52,18 @@ void contact_search_clear(struct contact_search *s);
 /* Finds the feet at x[nodes][3]. STATUS_NAN, STATUS_MEMORY. */
 enum status contact_search_find(struct contact_search *s, const double *x);
 
+/* Makes the next search find the near triangles again, as after a jump. */
+void contact_search_forget(struct contact_search *s);
+
 /* Finds them by a loop over all samples and cells, boxes first: for tests and to show what
  * the tree saves. */
 enum status contact_search_find_all(struct contact_search *s, const double *x);
 
-/* Computes the largest share, 0 to 1, of a change d[nodes][3] of x that leaves every sample
- * and triangle, and every two edges of triangles, a tenth of their distance over the wall
- * [m]; where they are nearer than the wall, a tenth of their distance. Pairs that contact
- * leaves out by their distance along the sheet, or that share a sample, are left out here,
- * too. The share is a safe bound that is improved where it is small. STATUS_NAN,
+/* Computes the share, 0 to 1, of a change d[nodes][3] of x that a sheet can take without
+ * coming through itself: contact_advance.h, with the wall and the range [m] of
+ * the law. STATUS_NAN,
  * STATUS_MEMORY. */
 enum status contact_search_limit(struct contact_search *s, const double *x, const double *d,
-                                 double wall, double *share);
+                                 double wall, double range, double *share);
 
 #endif

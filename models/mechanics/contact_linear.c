@@ -57,7 +57,7 @@ static void residual(const struct contact_linear *l, const struct equation *q,
 }
 
 /* Factorises the equation's matrix with the stiffness of the present touches. */
-static enum status factor(struct contact_linear *l, const struct equation *q, double error)
+static enum status factor(struct contact_linear *l, const struct equation *q)
 {
     const struct blocks *g = l->system->graph;
     const double k = newmark_k(l->newmark) / (q->force * q->way);
@@ -65,13 +65,17 @@ static enum status factor(struct contact_linear *l, const struct equation *q, do
     if (!l->contact->count && l->plain)
         return STATUS_OK;
     l->plain = !l->contact->count;
+    if (contact_coupled_wanted(l->contact))
+        return contact_coupled_update(&l->coupled, l->contact, g, l->system->held,
+                                      newmark_k(l->newmark), l->K, q->force * q->way,
+                                      newmark_m(l->newmark), l->M);
     if (l->plain)
         return system_update(l->system, newmark_k(l->newmark), l->K, newmark_m(l->newmark),
                              l->M);
     for (long n = 0; n < g->start[g->nodes]; n++)
         for (int i = 0; i < 9; i++)
             l->tangent[n][i] = k * l->K[n][i];
-    contact_system_tangent(l->contact, error, g, l->tangent);
+    contact_system_tangent(l->contact, g, l->tangent);
     return system_update(l->system, q->force * q->way, (const double(*)[9])l->tangent,
                          newmark_m(l->newmark), l->M);
 }
@@ -134,8 +138,10 @@ static enum status solve(struct contact_linear *l, const struct equation *q, dou
         const bool touched = l->contact->count > 0;
         bool whole;
         memcpy(d, r, count * sizeof *d);
-        TRY(factor(l, q, size));
-        TRY(system_solve(l->system, d));
+        l->contact->error = size;
+        TRY(factor(l, q));
+        TRY(contact_coupled_wanted(l->contact) ? contact_coupled_solve(&l->coupled, d)
+                                               : system_solve(l->system, d));
         counters->solves++, counters->iterations++;
         for (size_t t = 0; t < count; t++)
             d[t] *= q->way;
@@ -179,6 +185,11 @@ static void subtract_held(const struct contact_linear *l, const struct newmark_h
     memset(w, 0, count * sizeof *w);
     for (int h = 0; h < s->held_count; h++)
         w[s->held[h]] = 2 * (held->d[h] - n->d[s->held[h]]) / dt;
+}
+
+void contact_linear_clear(struct contact_linear *l)
+{
+    contact_coupled_clear(&l->coupled);
 }
 
 enum status contact_linear_step(struct contact_linear *l, double t,

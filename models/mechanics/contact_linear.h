@@ -4,10 +4,10 @@
 #ifndef CONTACT_LINEAR_H
 #define CONTACT_LINEAR_H
 
-#include "models/contact/contact.h"
+#include "models/mechanics/contact_coupled.h"
 #include "models/mechanics/newmark.h"
 
-/* What the steps of a body work with; all borrowed. */
+/* What the steps of a body work with; borrowed but `coupled`. */
 struct contact_linear {
     struct contact *contact;
     struct newmark *newmark; /* d and v; a is not used by contact_linear_step          */
@@ -16,9 +16,12 @@ struct contact_linear {
     const double *M;      /* [pairs]                                                   */
     const double *load;   /* [nodes][3] [N]                                            */
     double (*tangent)[9]; /* [pairs] room                                              */
-    double *room;         /* [6][nodes][3]                                             */
-    bool plain;           /* the system's factor is newmark_k K + newmark_m M          */
+    struct contact_coupled coupled; /* where the sheet touches itself, owned         */
+    double *room; /* [6][nodes][3]                                             */
+    bool plain;   /* the system's factor is newmark_k K + newmark_m M          */
 };
+
+void contact_linear_clear(struct contact_linear *l);
 
 /* Takes a step from time t and positions x[nodes][3] of the trapezoidal rule with a contact
  * force r that is constant over it and has its value at the end,

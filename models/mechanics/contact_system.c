@@ -31,20 +31,24 @@ static void add_turning(const struct contact *c, const struct contact_touch *t,
  * is whole. */
 static const double CLOSE = 0.1;
 
-/* How a tangent is made. */
-struct manner {
-    const double *x; /* for the turning of normals; NULL: without                       */
-    double error;    /* of x                                                     [m]   */
-};
+/* The calls of contact_find in a step whose error nobody tells after which friction has the
+ * stiffness that ends the slip. */
+enum { CAREFUL = 9 };
 
-/* Computes the stiffness of a touch's relative motion. */
+/* Tells whether x is near enough to the solution for friction's tangent. */
+static bool is_close(const struct contact *c, double slip)
+{
+    return c->error > 0 ? c->error <= CLOSE * fmax(slip, c->body.creep * c->dt)
+                        : c->finds <= CAREFUL;
+}
+
+/* Computes the stiffness of a touch's relative motion; x NULL: without turning. */
 static void stiffness(const struct contact *c, const struct contact_touch *t,
-                      const struct manner *how, double B[9])
+                      const double *x, double B[9])
 {
     const double rub = vector_dot(t->rub, t->rub);
     const double slip = rub > 0 ? sqrt(rub) / t->drag : 0;
-    const bool close = how->error <= CLOSE * fmax(slip, c->body.creep * c->dt);
-    const double grip = close ? t->grip : t->drag;
+    const double grip = is_close(c, slip) ? t->grip : t->drag;
 
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
@@ -52,8 +56,8 @@ static void stiffness(const struct contact *c, const struct contact_touch *t,
             B[3 * i + j] = (t->stiffness - t->drag) * t->normal[i] * t->normal[j] +
                            (grip - t->drag) * along + t->drag * (i == j);
         }
-    if (how->x)
-        add_turning(c, t, how->x, B);
+    if (x)
+        add_turning(c, t, x, B);
 }
 
 static bool same_nodes(const struct contact *c, const struct contact_touch *s,
@@ -63,41 +67,60 @@ static bool same_nodes(const struct contact *c, const struct contact_touch *s,
                                            (size_t)s->count * sizeof *c->node);
 }
 
-static void add(const struct contact *c, const struct manner *how,
-                const struct blocks *graph, double (*K)[9])
+/* Touches of one element have the same nodes; so many at most are added at once. */
+enum { TOGETHER = 16 };
+
+/* Adds touches with the same nodes; false if the graph lacks a pair. */
+static bool add_together(const struct contact *c, const struct contact_touch *touch,
+                         int count, const double *x, const struct blocks *graph,
+                         double (*K)[9])
+{
+    const int *node = c->node + touch->first;
+    double B[TOGETHER][9];
+
+    for (int n = 0; n < count; n++)
+        stiffness(c, &touch[n], x, B[n]);
+    for (int a = 0; a < touch->count; a++)
+        for (int b = 0; b < touch->count; b++) {
+            if (node[b] < node[a])
+                continue;
+            const long pair = blocks_find(graph, node[a], node[b]);
+            if (pair < 0)
+                return false;
+            for (int n = 0; n < count; n++) {
+                const double *weight = c->weight + touch[n].first;
+                const double w = weight[a] * weight[b];
+                for (int k = 0; k < 9; k++)
+                    K[pair][k] += w * B[n][k];
+            }
+        }
+    return true;
+}
+
+static bool add(const struct contact *c, const double *x, const struct blocks *graph,
+                double (*K)[9])
 {
     const struct contact_touch *end = c->touch + c->count;
 
-    /* touches of one element have the same nodes, which are looked up once */
     for (const struct contact_touch *t = c->touch, *next; t < end; t = next) {
-        for (next = t + 1; next < end && same_nodes(c, t, next);)
+        for (next = t + 1; next < end && next < t + TOGETHER && same_nodes(c, t, next);)
             next++;
-        for (int a = 0; a < t->count; a++)
-            for (int b = 0; b < t->count; b++) {
-                const int row = c->node[t->first + a], column = c->node[t->first + b];
-                if (column < row)
-                    continue;
-                double *block = K[blocks_find(graph, row, column)];
-                for (const struct contact_touch *s = t; s < next; s++) {
-                    double B[9], w = c->weight[s->first + a] * c->weight[s->first + b];
-                    stiffness(c, s, how, B);
-                    for (int k = 0; k < 9; k++)
-                        block[k] += w * B[k];
-                }
-            }
+        if (!add_together(c, t, (int)(next - t), x, graph, K))
+            return false;
     }
+    return true;
 }
 
-void contact_system_tangent(const struct contact *c, double error,
-                            const struct blocks *graph, double (*K)[9])
+bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
+                            double (*K)[9])
 {
-    add(c, &(struct manner){.error = c->rests ? 0 : error}, graph, K);
+    return add(c, NULL, graph, K);
 }
 
-void contact_system_turned(const struct contact *c, const double *x,
+bool contact_system_turned(const struct contact *c, const double *x,
                            const struct blocks *graph, double (*K)[9])
 {
-    add(c, &(struct manner){.x = x}, graph, K);
+    return add(c, x, graph, K);
 }
 
 void contact_system_land(struct contact *c, const struct blocks *graph, const double *M,

@@ -7,16 +7,15 @@
 
 /* Adds the stiffness of the touches of the last contact_find to K[pairs]: of the pressure
  * along the normals, without its turning, and of friction across them. Positive
- * semidefinite. `error` is how far x may be from the solution [m], INFINITY at first: far
- * from it friction has the stiffness that would end the slip, with which Newton's method
- * can't go back and forth between two directions of it; close to it, and in a search for
- * rest, where without inertia that would take small steps, its tangent. */
-void contact_system_tangent(const struct contact *c, double error,
-                            const struct blocks *graph, double (*K)[9]);
+ * semidefinite. Far from the solution (c->error) friction has the stiffness that would end
+ * the slip, with which Newton's method can't go back and forth between two ways of it.
+ * Returns false, with K spoilt, if the graph lacks a pair of a touch. */
+bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
+                            double (*K)[9]);
 
-/* Adds the same at rest with the turning of the normals of bodies at x[nodes][3], where
+/* Adds the same with the turning of the normals of bodies at x[nodes][3], where
  * contact_find looked: what leans on a round body may slide off. */
-void contact_system_turned(const struct contact *c, const double *x,
+bool contact_system_turned(const struct contact *c, const double *x,
                            const struct blocks *graph, double (*K)[9]);
 
 /* Changes v[nodes][3] by contact_landing, and the contact's force with it, as far as that

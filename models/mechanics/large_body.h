@@ -4,8 +4,7 @@
 #ifndef LARGE_BODY_H
 #define LARGE_BODY_H
 
-#include "models/contact/contact.h"
-#include "models/linalg/blocks.h"
+#include "models/mechanics/contact_coupled.h"
 #include "models/mechanics/newmark.h"
 #include "models/model.h"
 
@@ -98,8 +97,10 @@ struct large_motion {
     bool euler;              /* steps are Euler's implicit ones                        */
     int enough;              /* iterations after which a step is taken; 0: converged   */
     struct contact *contact; /* NULL: nothing to meet                             */
-    bool full;               /* a new tangent in each iteration                   */
-    bool rings; /* nothing damps the membrane, and Newton's method expects it  */
+    struct contact_coupled coupled; /* where the sheet touches itself          owned   */
+    bool is_coupled; /* it has the present factor                                      */
+    bool full;       /* a new tangent in each iteration                   */
+    bool rings;      /* nothing damps the membrane, and Newton's method expects it  */
 
     double *strain_old;  /* strains at the step's start                         owned   */
     double *strain_mean; /* mean of the last step, in the same room; NULL: not rings   */

@@ -26,6 +26,7 @@ enum { HALVINGS = 8, FINEST = 1 << HALVINGS };
 void large_motion_clear(struct large_motion *m)
 {
     large_leapfrog_free(m->leapfrog);
+    contact_coupled_clear(&m->coupled);
     free(m->room);
     free(m->strain_old);
     memset(m, 0, sizeof *m);

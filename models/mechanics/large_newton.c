@@ -21,6 +21,10 @@ static const double FIRST_CHORD = 0.03;
 static const double RINGING_CHORD = 0.8;
 /* The least share that is taken of steps under contact that go back and forth. */
 static const double SMALLEST_SHARE = 0.1;
+/* The change under contact, in ranges of the law, and the iterations after which it will
+ * do. */
+static const double LEEWAY = 0.01;
+enum { LEEWAY_AFTER = 12 };
 /* The most halvings of a step that leads to a surface without normals or to NaN. */
 enum { HALVINGS = 6 };
 /* Steps in time that do not halve in so many iterations creep about a tangent without
@@ -74,6 +78,9 @@ static enum status factor(struct large_motion *m, double mass, struct counters *
     enum status st = STATUS_OK;
 
     m->added = 0;
+    if (m->is_coupled)
+        return contact_coupled_update(&m->coupled, m->contact, m->graph, m->supports, 1, K,
+                                      1, mass, m->M);
     if (mass > 0)
         return system_update(m->system, 1, K, mass, m->M);
     st = system_factor(m->system, 1, K, mass, m->M);
@@ -105,8 +112,11 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
         foresight.none = m->stressless;
         TRY(large_body_tangent(&m->body, &q->path, x, foresight, m->K));
         counters->assemblies++;
-        if (m->contact)
-            contact_system_tangent(m->contact, size, m->graph, m->K);
+        if (m->contact) /* without inertia, small steps lead nowhere */
+            m->contact->error = m->contact->rests ? 0 : size;
+        m->is_coupled = m->contact && contact_coupled_wanted(m->contact);
+        if (m->contact && !m->is_coupled)
+            contact_system_tangent(m->contact, m->graph, m->K);
         st = factor(m, q->mass, counters);
         if (st != STATUS_INDEFINITE || q->mass == 0)
             break;
@@ -141,7 +151,8 @@ static enum status solve(struct large_motion *m, const struct large_equation *q,
 
     for (int attempt = 0; attempt < 2; attempt++) {
         memcpy(i->next, i->r, count_of(m) * sizeof *i->next);
-        st = system_solve(m->system, i->next);
+        st = m->is_coupled ? contact_coupled_solve(&m->coupled, i->next)
+                           : system_solve(m->system, i->next);
         counters->solves++;
         const bool indefinite = st == STATUS_INDEFINITE || st == STATUS_UNSOLVED;
         if (!indefinite || m->stressless || q->mass == 0)
@@ -257,6 +268,15 @@ static bool settled(const struct large_motion *m, double size, double before)
     return m->added == 0 || size <= shrink * before || size <= round_off * m->scene->length;
 }
 
+/* Returns the change at which the n-th iteration may end: a touch that comes and goes with
+ * the last digits, at the end of what counts as contact, keeps it from any smaller. */
+static double leeway(const struct large_motion *m, const struct large_equation *q, int n)
+{
+    const bool exact = q->tolerance > 0;
+
+    return touches(m) && !exact && n >= LEEWAY_AFTER ? LEEWAY * m->contact->body.range : 0;
+}
+
 static double tolerance(const struct large_motion *m, const struct large_equation *q)
 {
     const double most = STEP_TOLERANCE * m->scene->length;
@@ -306,7 +326,8 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
             st = STATUS_DIVERGED;
             goto out;
         }
-        bool calm = i.size <= i.tolerance && i.whole && settled(m, i.size, before);
+        bool calm = i.size <= fmax(i.tolerance, leeway(m, q, n)) && i.whole &&
+                    settled(m, i.size, before);
         before = i.size;
         if (calm || n + 1 == q->enough) {
             for (size_t t = 0; t < count; t++)

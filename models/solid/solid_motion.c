@@ -73,6 +73,7 @@ void solid_motion_clear(struct solid_motion *m)
     large_motion_clear(&m->large);
     solid_green_clear(&m->green);
     system_clear(&m->system);
+    contact_linear_clear(&m->meets);
     contact_clear(&m->contact);
     newmark_clear(&m->newmark);
     supports_clear(&m->supports);

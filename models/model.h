@@ -19,7 +19,8 @@ struct counters {
 };
 
 struct energy {
-    double kinetic, elastic, potential; /* [J]; potential of gravity, zero at rest     */
+    double kinetic, elastic, potential; /* [J]; potential of gravity, zero at rest; what
+                                           contact stores: struct model_contact        */
 };
 
 /* The size of what was built. */
@@ -33,9 +34,11 @@ struct model_size {
 
 /* The contact of a sheet with the scene's obstacles, after the last step. */
 struct model_contact {
-    int nodes;        /* control points or nodes that an obstacle carries              */
-    double least_gap; /* gap of the net, where the model keeps its distance; INFINITY
+    int nodes;        /* samples of the sheet that an obstacle carries                 */
+    double least_gap; /* least distance of them from an obstacle, less that at which
+                         contact starts: minus the compression of what rests; INFINITY
                          without obstacles                                       [m]   */
+    double energy;    /* stored in the pressure                                  [J]   */
     double force[3];  /* force on the sheet, mean over the last step             [N]   */
 };
 

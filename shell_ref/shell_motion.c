@@ -121,7 +121,7 @@ static enum status make_room(struct shell_motion *m)
     enum status st = room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->load, 3 * nodes),
                               ROOM(m->held, 4 * (size_t)m->supports.held_count),
                               ROOM(m->K, pairs), ROOM(m->meets.tangent, linear ? pairs : 0),
-                              ROOM(m->meets.room, linear ? 15 * nodes : 0));
+                              ROOM(m->meets.room, linear ? 18 * nodes : 0));
 
     if (st == STATUS_OK)
         memcpy(m->x, m->space->rest, 3 * nodes * sizeof *m->x);

@@ -73,12 +73,16 @@ static inline void opened_settle(struct run *run)
         printf("%s: %s\n", run->contestant->name, why.text);
 }
 
+/* Returns all energy of the sheet and its contact [J]. */
 static inline double opened_total(const struct run *run)
 {
+    struct model_contact c = {0};
     struct energy e;
 
     run->model->energy(run->state, &e);
-    return e.kinetic + e.elastic + e.potential;
+    if (run->model->contact && run->scene.obstacle_count)
+        run->model->contact(run->state, &c);
+    return e.kinetic + e.elastic + e.potential + c.energy;
 }
 
 /* Returns the largest |a - b| of two fields' coordinates [m]; NaN if one is. */

@@ -11,11 +11,6 @@
  * change, and Newton's method, which knows its slope only, is not thrown back far. */
 static const double LEFT = 0.5;
 
-/* The calls of contact_find in a step after which friction's stiffness is its force over
- * the slip. What slips has none of its own across, and Newton's steps may go from one way
- * of slipping to the other for ever; that of the force is more, and they never overshoot. */
-enum { CAREFUL = 9 };
-
 bool contact_wanted(const struct scene *scene)
 {
     return scene->obstacle_count > 0 || scene->contact.self;
@@ -37,6 +32,7 @@ void contact_clear(struct contact *c)
     free(c->pose);
     free(c->pose_old);
     free(c->x_old);
+    free(c->area);
     free(c->spare);
     free(c->touch);
     free(c->node);
@@ -55,10 +51,15 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                           .pose = calloc(bodies + 1, sizeof *c->pose),
                           .pose_old = calloc(bodies + 1, sizeof *c->pose_old),
                           .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old),
+                          .area = calloc((size_t)surface->nodes, sizeof *c->area),
                           .spare = calloc(4 * (size_t)surface->count, sizeof *c->spare)};
+    const struct contact_surface *s = &c->surface;
     *surface = (struct contact_surface){0};
-    const bool all = c->pose && c->pose_old && c->x_old && c->spare;
+    const bool all = c->pose && c->pose_old && c->x_old && c->area && c->spare;
     enum status st = all ? STATUS_OK : STATUS_MEMORY;
+    for (int n = 0; all && n < s->count; n++)
+        for (int k = n * s->width; k < n * s->width + s->used[n]; k++)
+            c->area[s->node[k]] += s->shape[k] * s->area[n];
     if (st == STATUS_OK && scene->contact.self)
         st = contact_search_init(&c->search, &c->surface, c->self.start);
     if (st != STATUS_OK)
@@ -71,7 +72,7 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
     const double end = isfinite(dt) ? t + dt : t;
 
     c->t = t, c->dt = dt, c->rests = false;
-    c->finds = 0;
+    c->finds = 0, c->error = 0;
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
     for (int o = 0; o < c->scene->obstacle_count; o++) {
         contact_pose_at(&c->scene->obstacles[o], t, &c->pose_old[o]);
@@ -282,7 +283,7 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     const double share = contact_law_friction(law, size, c->dt);
     const double stick = 2 * mu * t->push / (law->creep * c->dt);
     t->drag = size > 0 ? mu * t->push * share / size : stick;
-    t->grip = c->finds > CAREFUL ? t->drag : stick * fmax(0, 1 - size / (law->creep * c->dt));
+    t->grip = stick * fmax(0, 1 - size / (law->creep * c->dt));
     for (int i = 0; i < 3; i++)
         t->rub[i] = -t->drag * slip[i];
 }
@@ -559,9 +560,43 @@ out:
     return st;
 }
 
+/* Computes by how much the velocity of a touch is to change: to the mean one along the
+ * normal, if it opens faster, and across, if it sticks. */
+static void land(const struct contact *c, const struct contact_touch *t, const double *x,
+                 const double *v, double by[3])
+{
+    double more[3] = {0}, across[3];
+
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++) {
+            size_t u = 3 * (size_t)c->node[k] + i;
+            more[i] += c->weight[k] * ((x[u] - c->x_old[u]) / c->dt - v[u]);
+        }
+    const double along = fmin(0, split(more, t->normal, across));
+    for (int i = 0; i < 3; i++)
+        by[i] = along * t->normal[i] + (t->grip > 0 ? across[i] : 0);
+}
+
+void contact_landing(const struct contact *c, const double *x, const double *v,
+                     double *change)
+{
+    memset(change, 0, 3 * (size_t)c->surface.nodes * sizeof *change);
+    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++) {
+        const double area = t->obstacle < 0 ? t->area / 2 : t->area; /* both sides move */
+        double by[3];
+        if (!(t->push > 0))
+            continue;
+        land(c, t, x, v, by);
+        for (int k = t->first; k < t->first + t->count; k++)
+            for (int i = 0; i < 3; i++)
+                change[3 * (size_t)c->node[k] + i] +=
+                    c->weight[k] * area / c->area[c->node[k]] * by[i];
+    }
+}
+
 void contact_report(const struct contact *c, struct model_contact *report)
 {
-    *report = (struct model_contact){.least_gap = c->least};
+    *report = (struct model_contact){.least_gap = c->least, .energy = c->energy};
     for (int n = 0; n < c->count; n++)
         report->nodes += c->touch[n].push > 0;
     memcpy(report->force, c->force, sizeof report->force);

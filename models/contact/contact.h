@@ -41,9 +41,11 @@ struct contact {
     enum status failed; /* of contact_limit: the next contact_find returns it          */
     struct contact_pose *pose, *pose_old; /* [obstacles]                owned     */
     int finds;       /* calls of contact_find in the step                             */
+    double error;    /* how far x may be from the solution, 0: not told           [m]    */
     double t, dt;    /* the step: [t, t + dt]; dt INFINITY: no rates                 */
     bool rests;      /* the pressure has no rate, only friction                      */
     double *x_old;   /* [nodes][3] where it starts                         owned     */
+    double *area;    /* [nodes] their shares of the samples'       [m^2]    owned     */
     int count, room; /* touches; of the last contact_find or contact_project         */
     struct contact_touch *touch; /*                            owned     */
     int weights, weight_room;
@@ -102,6 +104,15 @@ enum status contact_project(struct contact *c, const double *compliance, const i
 /* Does so as if the sheet could not meet itself. */
 enum status contact_project_bodies(struct contact *c, const double *compliance,
                                    const int *held, double *x);
+
+/* Computes change[nodes][3], which takes from v[nodes][3], the velocity at x after
+ * contact_find at the end of a step of the trapezoidal rule, the bounce that is the rule's:
+ * it ends with twice the mean velocity less that of its start, so that it throws back what
+ * a body stops within a step, and what sticks trembles. Touches are led to open no faster
+ * than in the mean of the step, and what sticks to slip so; the nodes have a change by
+ * their shares of the samples' areas. */
+void contact_landing(const struct contact *c, const double *x, const double *v,
+                     double *change);
 
 /* Fills *report from the last contact_find or contact_project. */
 void contact_report(const struct contact *c, struct model_contact *report);

@@ -9,6 +9,11 @@
 enum { MOST = 60 };
 static const double TOLERANCE = 1e-9;
 
+/* A change ends where the forces along it are at most this share of those at its start,
+ * found in at most so many places: contact, if d leads into it, pushes back by far more. */
+static const double LARGEST_REST = 0.5;
+enum { MOST_PLACES = 20 };
+
 /* The equation (k K + m M) w = b + force f(x), x = start + way (w - still). */
 struct equation {
     double force, way;
@@ -75,6 +80,43 @@ static enum status factor(struct contact_linear *l, const struct equation *q)
                          newmark_m(l->newmark), l->M);
 }
 
+static double product(size_t count, const double *a, const double *b)
+{
+    double sum = 0;
+
+    for (size_t t = 0; t < count; t++)
+        sum += a[t] * b[t];
+    return sum;
+}
+
+/* Moves w and x along d as far as contact allows and is good, with the residual there in r.
+ * *whole: all of it. */
+static enum status search(struct contact_linear *l, const struct equation *q, double *w,
+                          double *r, bool *whole)
+{
+    enum status st = STATUS_OK;
+    const size_t count = count_of(l);
+    double *x = l->room, *d = l->room + 4 * count, *work = l->newmark->work + count;
+    const double fall = product(count, r, d), most = contact_limit(l->contact, x, d);
+    double share = most, moved = 0, low = 0, high = most;
+
+    for (int n = 0; n < MOST_PLACES; n++) {
+        for (size_t t = 0; t < count; t++)
+            w[t] += (share - moved) * d[t] / q->way;
+        moved = share, *whole = share == 1;
+        place(l, q, w, x);
+        TRY(contact_find(l->contact, x));
+        residual(l, q, w, r, work);
+        const double rise = -product(count, r, d);
+        if (fabs(rise) <= LARGEST_REST * fall || (rise < 0 && share == most))
+            break;
+        *(rise > 0 ? &high : &low) = share;
+        share = low > 0 ? (low + high) / 2 : share * fall / (fall + rise);
+    }
+out:
+    return st;
+}
+
 /* Solves the equation for w, on entry the held unknowns. */
 static enum status solve(struct contact_linear *l, const struct equation *q, double *w,
                          struct counters *counters)
@@ -82,32 +124,32 @@ static enum status solve(struct contact_linear *l, const struct equation *q, dou
     enum status st;
     const size_t count = count_of(l);
     const int *place_of = l->system->held->free_index;
+    double size = INFINITY; /* of the last change [m] */
     const double close = TOLERANCE * l->contact->scene->length;
-    double *x = l->room, *d = l->room + 4 * count, *work = l->newmark->work + count;
+    double *x = l->room, *d = l->room + 4 * count, *r = l->room + 5 * count;
 
     for (size_t t = 0; t < count; t++)
         if (place_of[t] >= 0)
             w[t] = q->still ? q->still[t] : 0;
     place(l, q, w, x);
     TRY(contact_find(l->contact, x));
+    residual(l, q, w, r, l->newmark->work + count);
     for (int n = 0; n < MOST; n++) {
         const bool touched = l->contact->count > 0;
-        residual(l, q, w, d, work);
+        bool whole;
+        memcpy(d, r, count * sizeof *d);
+        l->contact->error = size;
         TRY(factor(l, q));
         TRY(contact_coupled_wanted(l->contact) ? contact_coupled_solve(&l->coupled, d)
                                                : system_solve(l->system, d));
         counters->solves++, counters->iterations++;
         for (size_t t = 0; t < count; t++)
             d[t] *= q->way;
-        const double share = contact_limit(l->contact, x, d);
-        for (size_t t = 0; t < count; t++)
-            w[t] += share * d[t] / q->way;
-        place(l, q, w, x);
-        TRY(contact_find(l->contact, x));
-        const double size = blocks_longest(l->system->graph->nodes, d);
+        size = blocks_longest(l->system->graph->nodes, d);
         if (!isfinite(size))
             TRY(STATUS_NAN);
-        if (share == 1 && (size <= close || (!touched && !l->contact->count)))
+        TRY(search(l, q, w, r, &whole));
+        if (size <= close || (whole && !touched && !l->contact->count))
             return STATUS_OK;
     }
     st = STATUS_DIVERGED;
@@ -180,6 +222,27 @@ enum status contact_linear_step(struct contact_linear *l, double t,
     }
     for (int h = 0; held && h < s->held_count; h++)
         n->d[s->held[h]] = held->d[h], n->v[s->held[h]] = held->v[h];
+    contact_system_land(l->contact, l->system->graph, l->M, s->free_index, l->room, n->v,
+                        y);
+out:
+    return st;
+}
+
+/* Takes the acceleration by contact out of a, which the next step would go on with: its
+ * force is that of one step. */
+static enum status forget(struct contact_linear *l, double force, double *by)
+{
+    enum status st = STATUS_OK;
+    const struct newmark *n = l->newmark;
+
+    if (!l->contact->count)
+        return st;
+    memset(by, 0, count_of(l) * sizeof *by);
+    contact_force(l->contact, by);
+    TRY(system_factor(l->system, 0, l->K, 1, l->M));
+    TRY(system_solve(l->system, by));
+    for (size_t t = 0; t < count_of(l); t++)
+        n->a[t] -= force * by[t];
 out:
     return st;
 }
@@ -205,13 +268,16 @@ enum status contact_linear_rebuilt(struct contact_linear *l, double t,
         w[s->held[h]] = (held->d[h] + n->beta * held->v[h]) / k;
     contact_begin(l->contact, t, n->dt, x);
     l->plain = false;
-    const struct equation q = {.force = 1,
+    const struct equation q = {.force = 2,
                                .way = k / (1 + 2 * n->beta / n->dt),
                                .b = b,
                                .still = still,
                                .start = x};
     TRY(solve(l, &q, w, counters));
     newmark_correct(n, l->system, w, held);
+    TRY(forget(l, q.force, b));
+    contact_system_land(l->contact, l->system->graph, l->M, s->free_index, l->room, n->v,
+                        n->work);
 out:
     return st;
 }

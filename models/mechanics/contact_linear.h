@@ -17,7 +17,7 @@ struct contact_linear {
     const double *load;   /* [nodes][3] [N]                                            */
     double (*tangent)[9]; /* [pairs] room                                              */
     struct contact_coupled coupled; /* where the sheet touches itself, owned         */
-    double *room; /* [5][nodes][3]                                             */
+    double *room; /* [6][nodes][3]                                             */
     bool plain;   /* the system's factor is newmark_k K + newmark_m M          */
 };
 

@@ -1,5 +1,6 @@
 #include "models/mechanics/contact_system.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "models/vector.h"
@@ -26,17 +27,34 @@ static void add_turning(const struct contact *c, const struct contact_touch *t,
     }
 }
 
+/* The error below which friction has its tangent: in the slip, or that from which friction
+ * is whole. */
+static const double CLOSE = 0.1;
+
+/* The calls of contact_find in a step whose error nobody tells after which friction has the
+ * stiffness that ends the slip. */
+enum { CAREFUL = 9 };
+
+/* Tells whether x is near enough to the solution for friction's tangent. */
+static bool is_close(const struct contact *c, double slip)
+{
+    return c->error > 0 ? c->error <= CLOSE * fmax(slip, c->body.creep * c->dt)
+                        : c->finds <= CAREFUL;
+}
+
 /* Computes the stiffness of a touch's relative motion; x NULL: without turning. */
 static void stiffness(const struct contact *c, const struct contact_touch *t,
                       const double *x, double B[9])
 {
     const double rub = vector_dot(t->rub, t->rub);
+    const double slip = rub > 0 ? sqrt(rub) / t->drag : 0;
+    const double grip = is_close(c, slip) ? t->grip : t->drag;
 
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             double along = rub > 0 ? t->rub[i] * t->rub[j] / rub : 0;
             B[3 * i + j] = (t->stiffness - t->drag) * t->normal[i] * t->normal[j] +
-                           (t->grip - t->drag) * along + t->drag * (i == j);
+                           (grip - t->drag) * along + t->drag * (i == j);
         }
     if (x)
         add_turning(c, t, x, B);
@@ -103,4 +121,25 @@ bool contact_system_turned(const struct contact *c, const double *x,
                            const struct blocks *graph, double (*K)[9])
 {
     return add(c, x, graph, K);
+}
+
+void contact_system_land(struct contact *c, const struct blocks *graph, const double *M,
+                         const int *held, const double *x, double *v, double *work)
+{
+    const size_t count = 3 * (size_t)graph->nodes;
+    double *change = work, *y = work + count, along = 0, square = 0;
+
+    if (!c->count)
+        return;
+    contact_landing(c, x, v, change);
+    for (size_t k = 0; k < count; k++)
+        change[k] = held[k] < 0 ? 0 : change[k];
+    blocks_multiply_mass(graph, M, change, y);
+    for (size_t k = 0; k < count; k++)
+        along -= y[k] * v[k], square += y[k] * change[k];
+    const double share = square > 0 ? fmax(0, fmin(1, along / square)) : 0;
+    for (size_t k = 0; k < count; k++) {
+        v[k] += share * change[k];
+        c->force[k % 3] += share * y[k] / c->dt;
+    }
 }

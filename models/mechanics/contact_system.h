@@ -7,7 +7,9 @@
 
 /* Adds the stiffness of the touches of the last contact_find to K[pairs]: of the pressure
  * along the normals, without its turning, and of friction across them. Positive
- * semidefinite. Returns false, with K spoilt, if the graph lacks a pair of a touch. */
+ * semidefinite. Far from the solution (c->error) friction has the stiffness that would end
+ * the slip, with which Newton's method can't go back and forth between two ways of it.
+ * Returns false, with K spoilt, if the graph lacks a pair of a touch. */
 bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
                             double (*K)[9]);
 
@@ -15,5 +17,10 @@ bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
  * contact_find looked: what leans on a round body may slide off. */
 bool contact_system_turned(const struct contact *c, const double *x,
                            const struct blocks *graph, double (*K)[9]);
+
+/* Changes v[nodes][3] by contact_landing, and the contact's force with it, as far as that
+ * takes kinetic energy from the mass M. work[6 nodes]. */
+void contact_system_land(struct contact *c, const struct blocks *graph, const double *M,
+                         const int *held, const double *x, double *v, double *work);
 
 #endif

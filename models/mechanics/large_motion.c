@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/mechanics/contact_system.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/mechanics/large_newton.h"
 
@@ -92,11 +93,13 @@ static void begin_contact(struct large_motion *m, double t, double dt, const dou
         m->x[k] = x_old[k] + share * m->x[k];
 }
 
-/* Adds the substep's share of the step's force. */
+/* Ends a substep that may touch, and adds its share of the step's force. */
 static enum status end_contact(struct large_motion *m, double dt)
 {
     enum status st = contact_find(m->contact, m->x);
 
+    contact_system_land(m->contact, m->graph, m->M, m->supports->free_index, m->x,
+                        m->newmark->v, m->newmark->work);
     for (int i = 0; i < 3; i++)
         m->push[i] += dt / m->newmark->dt * m->contact->force[i];
     return st;

@@ -99,8 +99,9 @@ static bool touches(const struct large_motion *m)
     return m->contact && m->contact->count > 0;
 }
 
+/* Makes and factors the tangent at x, which the last step moved by so much. */
 static enum status refresh(struct large_motion *m, const struct large_equation *q,
-                           const double *x, struct large_foresight foresight,
+                           const double *x, double size, struct large_foresight foresight,
                            struct counters *counters)
 {
     enum status st = STATUS_OK;
@@ -111,6 +112,8 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
         foresight.none = m->stressless;
         TRY(large_body_tangent(&m->body, &q->path, x, foresight, m->K));
         counters->assemblies++;
+        if (m->contact) /* without inertia, small steps lead nowhere */
+            m->contact->error = m->contact->rests ? 0 : size;
         m->is_coupled = m->contact && contact_coupled_wanted(m->contact);
         if (m->contact && !m->is_coupled)
             contact_system_tangent(m->contact, m->graph, m->K);
@@ -155,7 +158,7 @@ static enum status solve(struct large_motion *m, const struct large_equation *q,
         if (!indefinite || m->stressless || q->mass == 0)
             break;
         m->stressless = true;
-        TRY(refresh(m, q, i->x, (struct large_foresight){.none = true}, counters));
+        TRY(refresh(m, q, i->x, i->size, (struct large_foresight){.none = true}, counters));
     }
     TRY(st);
     *size = blocks_longest(m->graph->nodes, i->next);
@@ -244,8 +247,8 @@ static enum status next_step(struct large_motion *m, const struct large_equation
         TRY(solve(m, q, i, &size, counters));
     if (!(size <= chord_of(m, i) * i->size)) {
         fill_beside(m, q, i);
-        TRY(refresh(m, q, i->x, (struct large_foresight){.change = i->d, .beside = i->work},
-                    counters));
+        TRY(refresh(m, q, i->x, i->size,
+                    (struct large_foresight){.change = i->d, .beside = i->work}, counters));
         m->worn = true;
         TRY(solve(m, q, i, &size, counters));
         i->gain = size / i->size;
@@ -295,6 +298,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                           .next = room + 2 * count,
                           .work = room + 3 * count,
                           .tolerance = tolerance(m, q),
+                          .size = INFINITY,
                           .chord = q->chord,
                           .gain = 1,
                           .share = 1};
@@ -305,7 +309,8 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
         const double *strain = m->rings && q->mass > 0
                                    ? m->strain_mean
                                    : m->strain_old; /* without its ringing */
-        TRY(refresh(m, q, x, (struct large_foresight){.strain = strain}, counters));
+        TRY(refresh(m, q, x, INFINITY, (struct large_foresight){.strain = strain},
+                    counters));
         i.chord = fmin(q->chord, FIRST_CHORD);
     }
     TRY(solve(m, q, &i, &i.size, counters));

@@ -157,7 +157,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     TRY(room_cut(&new.room, ROOM(new.x, count), ROOM(new.load, count),
                  ROOM(new.held, 4 * (size_t) new.supports.held_count),
                  ROOM(new.tangent, nonlinear || meets ? pairs : 0),
-                 ROOM(new.meets.room, meets ? 5 * count : 0)));
+                 ROOM(new.meets.room, meets ? 6 * count : 0)));
     memcpy(new.x, space->rest, count * sizeof *new.x);
     st = solid_assembly_compute(&new.assembly, new.x);
     if (st != STATUS_OK) {

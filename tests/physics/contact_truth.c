@@ -28,7 +28,7 @@ static const double CREEP = 2e-3;
 /* Energy that an impact may add, of the energy that the sheet fell with. Explicit steps
  * have their velocities half a step before their positions: the energy of both swings with
  * the step (0.08 where a frame is two, 0.011 where it is 16), also without obstacles.
- * Linear models have the bound of contact_step.h; what is let go pulls by round-off. */
+ * Linear models have the bound of contact_linear.h, to the tolerance of its iteration. */
 #define GAIN             1e-3
 #define GAIN_EXPLICIT    0.1
 #define GAIN_EXPLICIT_16 0.02
@@ -405,8 +405,8 @@ static void check_turned(const char *name)
     run_close(&f[1].run);
 }
 
-/* An obstacle that is never reached changes nothing: not a bit where the step is the same,
- * round-off where it has another form. */
+/* An obstacle that is never reached changes nothing: the step has another form there, and
+ * round-off. */
 static void check_far(const char *name)
 {
     enum { STEPS = 30 };
@@ -427,42 +427,40 @@ static void check_far(const char *name)
         const struct counters work = opened_steps(&g->run, STEPS);
         g->run.model->sample(g->run.state, g->xyz);
         if (g->run.discretization.kinematics == KINEMATICS_LINEAR)
-            CHECK(work.factorisations == 2 - far);
+            CHECK(work.factorisations == 2);
     }
     for (int t = 0; t < 3 * GRID_POINTS; t++)
         worst = fmax(worst, fabs(f[0].xyz[t] - f[1].xyz[t]));
-    if (f[0].run.discretization.kinematics == KINEMATICS_PRINTED)
-        CHECK(worst == 0);
-    else
-        CHECK_NEAR(worst, 0, TWO_FORMS);
+    CHECK_NEAR(worst, 0, TWO_FORMS);
     run_close(&f[0].run);
     run_close(&f[1].run);
 }
 
-/* A flat sheet that meets the floor at the end of a frame, at the speed V, and whose
- * thickness is stiff: the next one would throw it back at V, and the impact then stops the
- * lower points. The two linear functions through the thickness, M = m/6 (2 1; 1 2), keep
- * momentum of what is free: 3/2 V above, 3/4 of the energy. */
-static void check_impact(const char *name)
+/* A flat sheet that meets the floor at the end of a frame: the trapezoidal rule would throw
+ * it back in the next one at the speed that it came with. Contact takes hold of the
+ * mid-surface, so that all of the thickness is stopped, to less than the speed at which the
+ * law pushes apart. */
+static void check_impact(const char *name, bool solid)
 {
     static struct fixture f;
     struct energy before, after;
     enum { FALL = 10 };
-    /* of a frame's elastic give: rho h^2 / (E dt^2 / 4) = 1/12500, and Poisson's */
-    const double GIVE = 1e-3;
 
     read_sheet(&f, name,
                (const char *const[]){"sheet={length: 1, width: 1, thickness: 0.01}",
-                                     "material.density=0.5", KEY "unknowns=points", NULL});
-    add_plane(&f, 0, 1, 9.81 / 2 * pow(FALL * f.run.scene.step, 2) * (1 + 1e-9), 0);
+                                     "material.density=0.5",
+                                     solid ? KEY "unknowns=points" : NULL, NULL});
+    const struct contact_law law = contact_law_body(&f.run.scene);
+    const double speed = 9.81 * FALL * f.run.scene.step;
+    add_plane(&f, 0, 1, speed / 2 * FALL * f.run.scene.step * (1 + 1e-9), 0);
     start(&f);
     opened_steps(&f.run, FALL);
     f.run.model->energy(f.run.state, &before);
     CHECK(contact_of(&f).nodes == 0);
     opened_steps(&f.run, 1);
     f.run.model->energy(f.run.state, &after);
-    CHECK(contact_of(&f).nodes == 8 * 7);
-    CHECK_NEAR(after.kinetic / before.kinetic, 0.75, GIVE);
+    CHECK(contact_of(&f).nodes > 0);
+    CHECK(after.kinetic < before.kinetic * pow(law.rebound / speed, 2));
     run_close(&f.run);
 }
 
@@ -493,7 +491,7 @@ int main(int argc, char **argv)
     }
     check_incline(name, 0.4, 0.6);
     check_turned(name);
-    if (solid && strstr(name, ".linear"))
-        check_impact(name);
+    if (strstr(name, "linear") || !strcmp(name, "shell") || !strcmp(name, "triangles"))
+        check_impact(name, solid);
     return check_result();
 }

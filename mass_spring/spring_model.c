@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "mass_spring/spring_rest.h"
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/net/net_surface.h"
 
@@ -73,6 +74,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct spring_motion *m = NULL;
 
     TRY(model_refuse_net(scene, d, why));
+    TRY(contact_rest_refuse(scene, why));
     TRY(refuse(scene, d, why));
     m = calloc(1, sizeof *m);
     if (!m)

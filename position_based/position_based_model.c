@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/net/net_surface.h"
 #include "position_based/pb_motion.h"
@@ -31,6 +32,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct pb_motion *m = NULL;
 
     TRY(model_refuse_net(scene, d, why));
+    TRY(contact_rest_refuse(scene, why));
     if (d->iterations < 1)
         return status_fail(why, STATUS_INPUT,
                            "iterations: position_based takes a fixed number, 1 or more");

@@ -48,7 +48,6 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                          struct contact_surface *surface)
 {
     const size_t bodies = (size_t)scene->obstacle_count;
-
     *c = (struct contact){.scene = scene,
                           .surface = *surface,
                           .body = contact_law_body(scene),
@@ -348,7 +347,8 @@ static double limit_sample(const struct contact *c, int obstacle, const double y
     static const double SHORTER = 0.95;
     const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
     const double wall = c->body.start - c->body.range, way = vector_length(d);
-    const double room = contact_shape_distance(o, &c->pose[obstacle], y, NULL) - wall;
+    const double far = wall + way * share + LEFT * c->body.range;
+    const double room = contact_shape_near(o, &c->pose[obstacle], y, far, NULL) - wall;
     const double least = LEFT * fmin(room, c->body.range);
 
     if (!(room > 0) || room - way * share >= least)

@@ -117,3 +117,13 @@ double contact_rest_depth(const struct scene *scene, const struct scene_obstacle
     const double far = vector_length(l.place) + vector_length(o->point);
     return depth > ROUNDING * (far + o->radius) ? depth : 0;
 }
+
+enum status contact_rest_refuse(const struct scene *scene, struct message *why)
+{
+    for (int o = 0; o < scene->obstacle_count; o++) {
+        const double depth = contact_rest_depth(scene, &scene->obstacles[o]);
+        if (depth > 0)
+            return status_fail(why, STATUS_INPUT, CONTACT_REST_DEPTH, depth, o);
+    }
+    return STATUS_OK;
+}

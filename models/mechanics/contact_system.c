@@ -49,31 +49,46 @@ static bool same_nodes(const struct contact *c, const struct contact_touch *s,
                                            (size_t)s->count * sizeof *c->node);
 }
 
+/* Touches of one element have the same nodes; so many at most are added at once. */
+enum { TOGETHER = 16 };
+
+/* Adds touches with the same nodes; false if the graph lacks a pair. */
+static bool add_together(const struct contact *c, const struct contact_touch *touch,
+                         int count, const double *x, const struct blocks *graph,
+                         double (*K)[9])
+{
+    const int *node = c->node + touch->first;
+    double B[TOGETHER][9];
+
+    for (int n = 0; n < count; n++)
+        stiffness(c, &touch[n], x, B[n]);
+    for (int a = 0; a < touch->count; a++)
+        for (int b = 0; b < touch->count; b++) {
+            if (node[b] < node[a])
+                continue;
+            const long pair = blocks_find(graph, node[a], node[b]);
+            if (pair < 0)
+                return false;
+            for (int n = 0; n < count; n++) {
+                const double *weight = c->weight + touch[n].first;
+                const double w = weight[a] * weight[b];
+                for (int k = 0; k < 9; k++)
+                    K[pair][k] += w * B[n][k];
+            }
+        }
+    return true;
+}
+
 static bool add(const struct contact *c, const double *x, const struct blocks *graph,
                 double (*K)[9])
 {
     const struct contact_touch *end = c->touch + c->count;
 
-    /* touches of one element have the same nodes, which are looked up once */
     for (const struct contact_touch *t = c->touch, *next; t < end; t = next) {
-        for (next = t + 1; next < end && same_nodes(c, t, next);)
+        for (next = t + 1; next < end && next < t + TOGETHER && same_nodes(c, t, next);)
             next++;
-        for (int a = 0; a < t->count; a++)
-            for (int b = 0; b < t->count; b++) {
-                const int row = c->node[t->first + a], column = c->node[t->first + b];
-                if (column < row)
-                    continue;
-                const long pair = blocks_find(graph, row, column);
-                if (pair < 0)
-                    return false;
-                double *block = K[pair];
-                for (const struct contact_touch *s = t; s < next; s++) {
-                    double B[9], w = c->weight[s->first + a] * c->weight[s->first + b];
-                    stiffness(c, s, x, B);
-                    for (int k = 0; k < 9; k++)
-                        block[k] += w * B[k];
-                }
-            }
+        if (!add_together(c, t, (int)(next - t), x, graph, K))
+            return false;
     }
     return true;
 }

@@ -11,9 +11,9 @@
  * change, and Newton's method, which knows its slope only, is not thrown back far. */
 static const double LEFT = 0.5;
 
-/* The calls of contact_find in a step after which friction's stiffness is its force over
- * the slip. What slips has none of its own across, and Newton's steps may go from one way
- * of slipping to the other for ever; that of the force is more, and they never overshoot. */
+/* The calls of contact_find in a step after which no change turns a slip round: it ends
+ * where there is none. What slips has no stiffness along its way, so that Newton's steps
+ * may go from one way of slipping to the other for ever. */
 enum { CAREFUL = 9 };
 
 bool contact_wanted(const struct scene *scene)
@@ -282,7 +282,7 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     const double share = contact_law_friction(law, size, c->dt);
     const double stick = 2 * mu * t->push / (law->creep * c->dt);
     t->drag = size > 0 ? mu * t->push * share / size : stick;
-    t->grip = c->finds > CAREFUL ? t->drag : stick * fmax(0, 1 - size / (law->creep * c->dt));
+    t->grip = stick * fmax(0, 1 - size / (law->creep * c->dt));
     for (int i = 0; i < 3; i++)
         t->rub[i] = -t->drag * slip[i];
 }
@@ -365,6 +365,24 @@ static double limit_sample(const struct contact *c, int obstacle, const double y
     return share;
 }
 
+/* Returns the share of a change d that ends the slip of a touch instead of turning it
+ * round. */
+static double limit_slip(const struct contact *c, const struct contact_touch *t,
+                         const double *d)
+{
+    double way[3] = {0}, change[3];
+
+    if (!(t->drag > 0) || t->grip > 0)
+        return 1;
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++)
+            way[i] += c->weight[k] * d[3 * (size_t)c->node[k] + i];
+    split(way, t->normal, change);
+    const double size = vector_length(t->rub) / t->drag;
+    const double back = vector_dot(t->rub, change) / t->drag; /* rub is against the slip */
+    return back > size * size ? size * size / back : 1;
+}
+
 double contact_limit(struct contact *c, const double *x, const double *d)
 {
     double share = 1, own = 1;
@@ -376,6 +394,8 @@ double contact_limit(struct contact *c, const double *x, const double *d)
         for (int o = 0; o < c->scene->obstacle_count; o++)
             share = limit_sample(c, o, y, way, share);
     }
+    for (int n = 0; c->finds > CAREFUL && n < c->count; n++)
+        share = fmin(share, limit_slip(c, &c->touch[n], d));
     if (c->scene->contact.self)
         c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
                                          c->self.range, &own);

@@ -11,6 +11,11 @@
  * change, and Newton's method, which knows its slope only, is not thrown back far. */
 static const double LEFT = 0.5;
 
+/* The calls of contact_find in a step after which no change turns a slip round: it ends
+ * where there is none. What slips has no stiffness along its way, so that Newton's steps
+ * may go from one way of slipping to the other for ever. */
+enum { CAREFUL = 9 };
+
 bool contact_wanted(const struct scene *scene)
 {
     return scene->obstacle_count > 0 || scene->contact.self;
@@ -366,6 +371,24 @@ static double limit_sample(const struct contact *c, int obstacle, const double y
     return share;
 }
 
+/* Returns the share of a change d that ends the slip of a touch instead of turning it
+ * round. */
+static double limit_slip(const struct contact *c, const struct contact_touch *t,
+                         const double *d)
+{
+    double way[3] = {0}, change[3];
+
+    if (!(t->drag > 0) || t->grip > 0)
+        return 1;
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++)
+            way[i] += c->weight[k] * d[3 * (size_t)c->node[k] + i];
+    split(way, t->normal, change);
+    const double size = vector_length(t->rub) / t->drag;
+    const double back = vector_dot(t->rub, change) / t->drag; /* rub is against the slip */
+    return back > size * size ? size * size / back : 1;
+}
+
 double contact_limit(struct contact *c, const double *x, const double *d)
 {
     double share = 1, own = 1;
@@ -377,6 +400,8 @@ double contact_limit(struct contact *c, const double *x, const double *d)
         for (int o = 0; o < c->scene->obstacle_count; o++)
             share = limit_sample(c, o, y, way, share);
     }
+    for (int n = 0; c->finds > CAREFUL && n < c->count; n++)
+        share = fmin(share, limit_slip(c, &c->touch[n], d));
     if (c->scene->contact.self)
         c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
                                          c->self.range, &own);

@@ -4,8 +4,10 @@
 #include <string.h>
 
 #include "fem_ref/hex_space.h"
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
+#include "models/room.h"
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"
 
@@ -126,6 +128,48 @@ static void sample(const void *state, double *xyz)
     grid_sample(probe, state, xyz);
 }
 
+/* Finds the mid-surface's point in the coefficients: contact_row. */
+static int row(const void *self, double u, double v, int *node, double *shape)
+{
+    const struct hex *h = self;
+    const int *n = h->points;
+    const double uvw[3] = {u, v, 0.5};
+    double weight[3][2];
+    int at[3], used = 0;
+
+    for (int i = 0; i < 3; i++)
+        at[i] = grid_cell(n[i], uvw[i], weight[i]);
+    if (h->sheet.space.thickness_basis)
+        layer_values(NULL, 0.5, weight[2]);
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++)
+            for (int k = 0; k < 2; k++, used++) {
+                node[used] = ((at[0] + i) * n[1] + at[1] + j) * n[2] + at[2] + k;
+                shape[used] = weight[0][i] * weight[1][j] * weight[2][k];
+            }
+    return solid_hinge_row(&h->sheet.space, used, node, shape);
+}
+
+static enum status meet(struct hex *h, const struct scene *scene)
+{
+    enum status st;
+    const double ends[2] = {0, 1};
+    struct contact_surface surface;
+    double *line[2];
+    void *room;
+
+    TRY(room_cut(&room, ROOM(line[0], h->points[0]), ROOM(line[1], h->points[1])));
+    for (int d = 0; d < 2; d++)
+        contact_surface_line(2, ends, h->points[d] - 1, line[d]);
+    st = contact_surface_init(&surface, scene, h, row, 8, h->sheet.space.nodes,
+                              (const double *const *)line, h->points);
+    free(room);
+    TRY(st);
+    TRY(solid_motion_meet(&h->sheet.motion, &surface));
+out:
+    return st;
+}
+
 static enum status create(const struct scene *scene, const struct discretization *d,
                           void **state, struct message *why)
 {
@@ -136,6 +180,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct hex *h = NULL;
 
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
+    TRY(contact_rest_refuse(scene, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(refuse(d, why));
     TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));
@@ -152,6 +197,8 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(solid_model_init(&h->sheet, scene, d, d->points, d->points[2] == 2 ? middle : NULL,
                          why));
     TRY(add_loads(h));
+    if (contact_wanted(scene))
+        TRY(meet(h, scene));
     TRY(solid_model_misfit(&h->sheet, sample));
     *state = h, h = NULL;
 out:

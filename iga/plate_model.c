@@ -1,3 +1,4 @@
+#include "iga/bspline_contact.h"
 #include "iga/plate_model.h"
 
 #include <math.h>
@@ -7,6 +8,7 @@
 #include "iga/cloak_net.h"
 #include "iga/plate_space.h"
 #include "iga/support_knots.h"
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/solid/solid_hinge.h"
@@ -326,6 +328,43 @@ static int extra_points(const struct scene *scene, const struct discretization *
                : support_knots_repeats(scene, i, d->degree[i], SUPPORT_KNOTS_SOLID);
 }
 
+/* Finds the mid-surface's point in the coefficients: contact_row. */
+static int row(const void *self, double u, double v, int *node, double *shape)
+{
+    const struct plate *p = self;
+    const struct bspline *b = p->patch.basis;
+    const double *weight = p->patch.weight, uvw[3] = {u, v, 0.5};
+    double N[3][BSPLINE_MAX_ORDER], sum = 0;
+    int first[3], used = 0;
+
+    for (int i = 0; i < 3; i++)
+        first[i] = alive(p, i, uvw[i], N[i]);
+    for (int i = 0; i <= b[0].p; i++)
+        for (int j = 0; j <= b[1].p; j++)
+            for (int k = 0; k <= b[2].p; k++, used++) {
+                node[used] =
+                    ((first[0] + i) * b[1].n + first[1] + j) * b[2].n + first[2] + k;
+                shape[used] = N[0][i] * N[1][j] * N[2][k];
+                if (weight)
+                    shape[used] *= weight[node[used]];
+                if (!k || !p->sheet.space.thickness_basis)
+                    sum += shape[used];
+            }
+    for (int n = 0; n < used; n++)
+        shape[n] /= sum;
+    return solid_hinge_row(&p->sheet.space, used, node, shape);
+}
+
+static enum status meet(struct plate *p)
+{
+    struct contact_surface surface;
+    enum status st =
+        bspline_contact_surface(&p->scene, p->patch.basis, p, row, patch_local(&p->patch),
+                                patch_nodes(&p->patch), &surface);
+
+    return st == STATUS_OK ? solid_motion_meet(&p->sheet.motion, &surface) : st;
+}
+
 static enum status create(const struct scene *scene, const struct discretization *d,
                           void **state, struct message *why)
 {
@@ -335,6 +374,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct plate *p = NULL;
 
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
+    TRY(contact_rest_refuse(scene, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
     if (d->remedy == REMEDY_CLAMPED && scene->shape != SCENE_FLAT)
@@ -361,6 +401,8 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(solid_model_init(&p->sheet, &p->scene, d, (const int[]){b[0].n, b[1].n, b[2].n},
                          one_element ? middle : NULL, why));
     TRY(add_loads(p, why));
+    if (contact_wanted(scene))
+        TRY(meet(p));
     TRY(solid_model_misfit(&p->sheet, sample));
     *state = p, p = NULL;
 out:

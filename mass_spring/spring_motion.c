@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "mass_spring/spring_strain.h"
-#include "models/mechanics/contact_push.h"
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
 
@@ -39,6 +38,13 @@ static enum status rest_frequency(struct spring_motion *m, double *omega)
                              (const double(*)[9])m->newton.K, omega);
 }
 
+static void set_contact(struct spring_motion *m)
+{
+    m->contact->steps = m->substeps, m->contact->dt = m->dt;
+    for (int a = 0; a < m->net.nodes; a++)
+        m->contact->compliance[a] = 1 / m->weight[a];
+}
+
 static enum status set_steps(struct spring_motion *m, const struct discretization *d,
                              struct message *why)
 {
@@ -55,6 +61,9 @@ static enum status set_steps(struct spring_motion *m, const struct discretizatio
     m->dt = m->scene->step / m->substeps;
     for (int a = 0; a < m->net.nodes; a++)
         m->weight[a] = m->points.mass[a] / (m->dt * m->dt) + m->points.drag[a] / m->dt;
+    TRY(net_contact_make(m->scene, &m->net, &m->newton.supports, &m->contact));
+    if (m->contact)
+        set_contact(m);
 out:
     return st;
 }
@@ -109,6 +118,7 @@ void spring_motion_clear(struct spring_motion *m)
     spring_strips_clear(&m->strips);
     spring_stencil_clear(&m->stencil);
     spring_leapfrog_free(m->leapfrog);
+    net_contact_free(m->contact);
     spring_newton_clear(&m->newton);
     spring_net_clear(&m->net);
     spring_load_clear(&m->points);
@@ -167,14 +177,14 @@ static void damping_matrix(struct spring_motion *m)
 
 /* Guesses the end of an implicit step: its velocity by extrapolating the gains of the last
  * two (edge_drop, 32 x 32: with it 1214 solves of 1887). Not where a step is linearised
- * once, at its start, nor among obstacles, whose planes are those of the start. */
+ * once, at its start. */
 static void guess(struct spring_motion *m)
 {
     static const double weight[3][2] = {{0}, {1}, {2, -1}};
     const double *w = weight[m->gains];
     size_t count = 3 * (size_t)m->net.nodes;
 
-    if (m->limits.iterations == 1 || m->scene->obstacle_count)
+    if (m->limits.iterations == 1)
         return;
     for (size_t n = 0; n < count; n++)
         m->x[n] += m->dt * (m->v[n] + w[0] * m->gain[0][n] + w[1] * m->gain[1][n]);
@@ -195,7 +205,7 @@ static enum status end_step(struct spring_motion *m)
             st = STATUS_NAN;
     }
     m->gain[1] = m->gain[0], m->gain[0] = gain;
-    m->gains += m->gains < 2;
+    m->gains = m->contact && m->contact->law.count ? 0 : m->gains < 2 ? m->gains + 1 : 2;
     m->substep++;
     return st;
 }
@@ -203,6 +213,7 @@ static enum status end_step(struct spring_motion *m)
 static enum status step_implicit(struct spring_motion *m, double t,
                                  struct counters *counters)
 {
+    enum status st;
     size_t count = 3 * (size_t)m->net.nodes;
     double dt = m->dt;
     struct spring_problem p = {.weight = m->weight,
@@ -210,7 +221,8 @@ static enum status step_implicit(struct spring_motion *m, double t,
                                .load = m->points.load,
                                .viscosity = m->points.beta / dt,
                                .V = (const double(*)[9])m->V,
-                               .start = m->start};
+                               .start = m->start,
+                               .contact = m->contact ? &m->contact->law : NULL};
 
     damping_matrix(m);
     for (size_t n = 0; n < count; n++)
@@ -218,7 +230,13 @@ static enum status step_implicit(struct spring_motion *m, double t,
             m->x[n] + m->v[n] * (m->points.mass[n / 3] / (dt * m->weight[n / 3]));
     guess(m);
     spring_motion_hold(m, t);
-    return spring_newton_solve(&m->newton, &p, &m->limits, m->x, counters);
+    net_contact_begin(m->contact, t, m->start);
+    if (m->contact && m->limits.iterations != 1) /* the guess, to its side of the wall */
+        TRY(contact_project(&m->contact->law, m->contact->compliance,
+                            m->newton.supports.free_index, m->x));
+    st = spring_newton_solve(&m->newton, &p, &m->limits, m->x, counters);
+out:
+    return st;
 }
 
 static enum status step_explicit(struct spring_motion *m, double t,
@@ -243,22 +261,6 @@ static enum status step_explicit(struct spring_motion *m, double t,
     return STATUS_OK;
 }
 
-/* Takes the contact forces of an implicit step; pushes out points that another kind of step
- * has left in obstacles. */
-static void meet_obstacles(struct spring_motion *m)
-{
-    struct model_contact c = {0};
-
-    if (m->integrator == INTEGRATOR_IMPLICIT)
-        contact_set_report(&m->newton.contact, m->x, 1, &c);
-    if (m->integrator == INTEGRATOR_EXPLICIT || m->strain_limit > 0)
-        c.nodes += contact_push_out(m->scene, &m->newton.supports, m->scene->thickness / 2,
-                                    m->weight, m->start, m->x, c.force);
-    m->pushed = c.nodes;
-    for (int i = 0; i < 3; i++)
-        m->push[i] += c.force[i] / m->substeps;
-}
-
 static enum status substep(struct spring_motion *m, struct counters *counters)
 {
     enum status st;
@@ -272,8 +274,10 @@ static enum status substep(struct spring_motion *m, struct counters *counters)
         TRY(step_implicit(m, t, counters));
     if (m->strain_limit > 0)
         spring_strain_limit(&m->net, &m->newton.supports, m->strain_limit, m->x);
-    if (m->scene->obstacle_count)
-        meet_obstacles(m);
+    if (m->integrator == INTEGRATOR_EXPLICIT)
+        TRY(net_contact_project(m->contact, t, m->start, m->x));
+    else
+        net_contact_end(m->contact);
     st = end_step(m);
 out:
     return st;
@@ -306,15 +310,15 @@ enum status spring_motion_step(void *motion, struct counters *counters)
     enum status st = STATUS_OK;
     struct spring_motion *m = motion;
 
-    memset(m->push, 0, sizeof m->push);
     if (m->leapfrog) {
         counters->steps++;
-        return spring_leapfrog_frame(m->leapfrog, m->x, m->push, &m->pushed, counters);
+        return spring_leapfrog_frame(m->leapfrog, m->x, counters);
     }
     if (m->integrator == INTEGRATOR_MOMENTUM) {
         counters->steps++;
         return spring_large_frame(&m->large, (double)m->substep++ * m->dt, counters);
     }
+    net_contact_frame(m->contact);
     for (int n = 0; n < m->substeps; n++)
         TRY(substep(m, counters));
     scale_velocity(m, m->points.keep);
@@ -328,13 +332,11 @@ void spring_motion_contact(const void *motion, struct model_contact *contact)
 {
     const struct spring_motion *m = motion;
 
-    if (m->integrator == INTEGRATOR_MOMENTUM) {
+    if (m->integrator == INTEGRATOR_MOMENTUM)
         large_motion_contact(&m->large.motion, contact);
-        return;
-    }
-    *contact = (struct model_contact){
-        .nodes = m->pushed, .least_gap = contact_push_gap(m->scene, m->net.nodes, m->x)};
-    memcpy(contact->force, m->push, sizeof contact->force);
+    else
+        *contact = m->leapfrog ? spring_leapfrog_contact(m->leapfrog)
+                               : net_contact_report(m->contact);
 }
 
 const struct spring_stencil *spring_motion_stencil(const struct spring_motion *m)

@@ -15,9 +15,9 @@
  *            bending (spring_large.h, spring_strips.h). It keeps its energy
  *            (clothbench verify energy); the membrane's viscosity takes what crumples.
  *
- * Obstacles: Euler's implicit step is the minimum among the positions that they leave
- * (spring_newton.h), momentum's as in contact_step.h; after an explicit one, and after
- * limiting strains, points are set back (contact_push.h).
+ * Contact is part of what Euler's implicit step minimises (spring_newton.h), and of
+ * momentum's equation; it ends an explicit step, after strains are limited
+ * (contact_project).
  *
  * Damping: mass and alpha are c = alpha m; beta is beta K V with the clamped Jacobian at
  * the start of the step, which is positive semi-definite: it only takes energy.
@@ -42,6 +42,7 @@ struct spring_motion {
     const struct scene *scene; /* borrowed                                             */
     struct spring_net net;
     struct spring_newton newton;
+    struct net_contact *contact; /* of Euler's steps, else NULL                owned   */
     enum integrator integrator;
     struct spring_limits limits;
     int substeps;
@@ -62,9 +63,7 @@ struct spring_motion {
     struct spring_leapfrog *leapfrog; /* steps of that integrator, else NULL   owned   */
     struct spring_strips strips;      /* momentum only, as what follows                */
     struct spring_large large;
-    long substep;   /* taken so far; momentum: frames                            */
-    double push[3]; /* force of obstacles, mean over the last frame        [N]   */
-    int pushed;     /* points carried in its last substep                        */
+    long substep; /* taken so far; momentum: frames                                   */
 };
 
 /* Initialises; *m must stay where it is: it holds pointers into itself. */

@@ -5,15 +5,13 @@
 #include <string.h>
 
 #include "models/linalg/order.h"
+#include "models/mechanics/contact_system.h"
 #include "models/mechanics/frames.h"
 #include "models/room.h"
 
 /* The most iterations: a net under pressure may have to buckle within the step, away from a
  * saddle that attracts at first. */
 enum { MOST_ITERATIONS = 2000, MOST_CUTS = 30 };
-
-/* Friction that has not settled after so many iterations stays as it is for the step. */
-enum { FRICTION_ITERATIONS = 50 };
 
 /* Tolerances of conjugate gradients: for a step that others follow, and for one alone. */
 static const double LINEAR_TOLERANCE = 1e-2, LAST_TOLERANCE = 1e-4;
@@ -64,8 +62,7 @@ enum status spring_newton_system(struct spring_newton *s)
         return STATUS_MEMORY;
     order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
     TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
-    if (!contact_set_used(&s->contact)) /* contact needs exact solutions */
-        system_single(&s->system);
+    system_single(&s->system);
     st = iterative_follow(s->system.iterative, frames, s, false);
 out:
     free(order);
@@ -75,7 +72,7 @@ out:
 void spring_newton_clear(struct spring_newton *s)
 {
     system_clear(&s->system);
-    contact_set_clear(&s->contact);
+    contact_coupled_clear(&s->coupled);
     supports_clear(&s->supports);
     free(s->hinges);
     free(s->room);
@@ -95,7 +92,6 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
         s->linear.solver = SOLVER_CG; /* on an earlier factor */
     TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, why));
     TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->work, 18 * (size_t)net->nodes)));
-    TRY(contact_set_init(&s->contact, scene, &s->supports, scene->thickness / 2));
 out:
     if (st != STATUS_OK)
         spring_newton_clear(s);
@@ -103,9 +99,10 @@ out:
 }
 
 /* Computes minus the gradient at x, zero at held unknowns; `work`: for the viscous part. */
-static void residual(const struct spring_newton *s, const struct spring_problem *p,
-                     const double *x, double *work, double *r)
+static enum status residual(const struct spring_newton *s, const struct spring_problem *p,
+                            const double *x, double *work, double *r)
 {
+    enum status st = STATUS_OK;
     size_t count = 3 * (size_t)s->net->nodes;
     const int *place = s->supports.free_index;
 
@@ -121,9 +118,15 @@ static void residual(const struct spring_newton *s, const struct spring_problem 
     for (size_t t = 0; t < count; t++)
         r[t] -= p->weight[t / 3] * (x[t] - p->target[t]);
     spring_force_add(s->net, x, r);
+    if (p->contact) {
+        TRY(contact_find(p->contact, x));
+        contact_force(p->contact, r);
+    }
     for (size_t t = 0; t < count; t++)
         if (place[t] < 0)
             r[t] = 0;
+out:
+    return st;
 }
 
 static void assemble(struct spring_newton *s, const struct spring_problem *p,
@@ -139,6 +142,9 @@ static void assemble(struct spring_newton *s, const struct spring_problem *p,
     for (long n = 0; p->viscosity && n < pairs; n++)
         for (int t = 0; t < 9; t++)
             s->K[n][t] += p->viscosity * p->V[n][t];
+    s->is_coupled = p->contact && contact_coupled_wanted(p->contact);
+    if (p->contact && !s->is_coupled)
+        contact_system_tangent(p->contact, g, s->K);
 }
 
 static double product(size_t count, const double *a, const double *b)
@@ -148,6 +154,22 @@ static double product(size_t count, const double *a, const double *b)
     for (size_t t = 0; t < count; t++)
         sum += a[t] * b[t];
     return sum;
+}
+
+/* Solves d = K^-1 r where the sheet touches itself. */
+static enum status solve_coupled(struct spring_newton *s, const struct contact *contact,
+                                 const double *r, double *d, struct counters *counters)
+{
+    enum status st =
+        contact_coupled_update(&s->coupled, contact, &s->net->graph, &s->supports, 1,
+                               (const double(*)[9])s->K, 1, 0, NULL);
+
+    if (st != STATUS_OK)
+        return st;
+    counters->factorisations++;
+    counters->solves++;
+    memcpy(d, r, 3 * (size_t)s->net->nodes * sizeof *d);
+    return contact_coupled_solve(&s->coupled, d);
 }
 
 /* Solves d = K^-1 r; near: see iterative_tolerate. made: K is new. */
@@ -170,78 +192,39 @@ out:
     return st;
 }
 
-/* Tells whether d from x would take a point beyond an obstacle's plane. */
-static bool meets(const struct spring_newton *s, const double *start, const double *x,
-                  const double *d)
+/* Moves x along d as far as is good, with the residual there in r. *part: the share of d;
+ * *cut: contact allows no more of it. */
+static enum status search(struct spring_newton *s, const struct spring_problem *p,
+                          const double *d, double *x, double *r, double *part, bool *cut)
 {
-    const struct contact_set *c = &s->contact;
-
-    for (int a = 0; a < c->nodes; a++)
-        for (int o = 0; o < c->obstacles; o++) {
-            const struct contact_pair *pair = &c->pair[a * c->obstacles + o];
-            double gap = pair->gap;
-            for (int i = 3 * a; i < 3 * a + 3; i++)
-                gap += pair->normal[i % 3] * (x[i] + d[i] - start[i]);
-            if (gap < -c->rounding)
-                return true;
-        }
-    return false;
-}
-
-/* Finds d that minimises the model of the function at x within the obstacles' planes. */
-static enum status solve_contact(struct spring_newton *s, const struct spring_problem *p,
-                                 const double *x, enum contact_friction friction,
-                                 const double *r, double *d, struct counters *counters)
-{
-    size_t count = 3 * (size_t)s->net->nodes;
-    double *still = s->work + 2 * count;
-    const struct contact_problem problem = {.k = 1,
-                                            .K = (const double(*)[9])s->K,
-                                            .b = r,
-                                            .scale = 1,
-                                            .still = still,
-                                            .friction = friction};
-
-    for (size_t t = 0; t < count; t++)
-        still[t] = p->start[t] - x[t];
-    memset(d, 0, count * sizeof *d);
-    s->at = x;
-    contact_set_forget(&s->contact);
-    enum status st = contact_solve(&s->contact, &s->system, &problem, d, counters);
-    iterative_forget(s->system.iterative);
-    return st;
-}
-
-/* Returns the work along d of friction at sliding points, which is not in the gradient. */
-static double friction_work(const struct spring_newton *s, const double *d)
-{
-    double sum = 0;
-
-    for (int a = 0; contact_set_used(&s->contact) && a < s->contact.nodes; a++)
-        for (int i = 0; i < 3; i++)
-            sum += s->contact.node[a].friction[i] * d[3 * a + i];
-    return sum;
-}
-
-/* Moves x along d as far as is good, with the residual there in r; returns the share. */
-static double search(const struct spring_newton *s, const struct spring_problem *p,
-                     const double *d, double *x, double *r)
-{
+    enum status st = STATUS_OK;
     size_t count = 3 * (size_t)s->net->nodes;
     double *from = s->work + 2 * count, *work = s->work + 3 * count;
-    double rub = friction_work(s, d), fall = product(count, r, d) + rub, part = 1;
+    double fall = product(count, r, d);
 
     memcpy(from, x, count * sizeof *x);
-    for (int cut = 0; cut <= MOST_CUTS; cut++) {
+    double low = 0, high = p->contact ? contact_limit(p->contact, x, d) : 1;
+    *part = high;
+    *cut = high < 1;
+    for (int n = 0; n <= MOST_CUTS; n++) {
         for (size_t t = 0; t < count; t++)
-            x[t] = from[t] + part * d[t];
-        residual(s, p, x, work, r);
-        double rise = -product(count, r, d) - rub;
-        if (rise <= LARGEST_RISE * fall || fall < 0) /* the point began to stick */
+            x[t] = from[t] + *part * d[t];
+        TRY(residual(s, p, x, work, r));
+        double rise = -product(count, r, d);
+        if (fall < 0)
             break;
-        part *= isfinite(rise) ? fall / (fall + rise) : 0.5;
+        if (rise <= LARGEST_RISE * fall) {
+            if (!p->contact || *part == high || rise >= -LARGEST_RISE * fall)
+                break;
+            low = *part;
+        } else
+            high = *part;
+        *part = low > 0          ? (low + high) / 2
+                : isfinite(rise) ? *part * (fall / (fall + rise))
+                                 : *part * 0.5;
     }
-    return part;
+out:
+    return st;
 }
 
 /* Estimates an upper bound of the next step over this one: steps shrink evenly, as the
@@ -260,54 +243,44 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
     enum status st = STATUS_OK;
     size_t count = 3 * (size_t)s->net->nodes;
     double *r = s->work, *d = s->work + count;
-    bool obstacles = contact_set_used(&s->contact);
-    int most = limits->iterations ? limits->iterations : MOST_ITERATIONS;
-    int calm = 0;
+    const bool once = limits->iterations == 1;
+    const int most = once || !limits->iterations ? MOST_ITERATIONS : limits->iterations;
     double before = 0, moved = INFINITY; /* since K was made */
     const double still = STILL * fmin(s->net->cell[0], s->net->cell[1]);
 
     if (!s->supports.free_count)
         return STATUS_OK;
-    if (obstacles)
-        contact_set_detect(&s->contact, p->start);
-    residual(s, p, x, d, r);
+    TRY(residual(s, p, x, d, r));
     for (int n = 0; n < most; n++) {
-        bool bears = obstacles && contact_set_any(&s->contact);
-        bool make = bears || !(moved <= still);
+        const bool touches = p->contact && p->contact->count;
+        const bool make = touches || !(moved <= still);
         if (make) {
             assemble(s, p, x);
             counters->assemblies++;
             moved = 0;
         }
-        if (!bears)
-            TRY(solve(s, most == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE,
+        if (s->is_coupled)
+            TRY(solve_coupled(s, p->contact, r, d, counters));
+        else
+            TRY(solve(s, once ? LAST_TOLERANCE : LINEAR_TOLERANCE,
                       n ? NEAR * limits->tolerance : 0, make, x, r, d, counters));
-        if (bears || (obstacles && meets(s, p->start, x, d))) {
-            TRY(solve_contact(s, p, x,
-                              n < FRICTION_ITERATIONS ? CONTACT_FRICTION_ONCE
-                                                      : CONTACT_FRICTION_KEPT,
-                              r, d, counters));
-            moved = INFINITY; /* the system is another */
-        }
         counters->iterations++;
-        double size = blocks_longest(s->net->nodes, d);
+        double size = blocks_longest(s->net->nodes, d), part;
+        bool cut;
         if (!isfinite(size))
             TRY(STATUS_NAN);
-        if (most == 1) {
+        if (once && !(p->contact && (touches || contact_limit(p->contact, x, d) < 1))) {
             for (size_t t = 0; t < count; t++)
                 x[t] += d[t];
             goto out;
         }
-        double part = search(s, p, d, x, r);
-        moved += part * size;
-        calm = part * size * (part == 1 ? left(size, before) : 1) <= limits->tolerance
-                   ? calm + 1
-                   : 0;
-        before = size;
-        if (calm > bears) /* friction of a step shows in the next */
+        TRY(search(s, p, d, x, r, &part, &cut));
+        moved = touches ? INFINITY : moved + part * size; /* contact's K changes fast */
+        if (!cut && part * size * (part == 1 ? left(size, before) : 1) <= limits->tolerance)
             goto out;
+        before = size;
     }
-    st = limits->iterations ? STATUS_OK : STATUS_DIVERGED;
+    st = most == MOST_ITERATIONS ? STATUS_DIVERGED : STATUS_OK;
 out:
     return st;
 }

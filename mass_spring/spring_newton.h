@@ -6,23 +6,25 @@
  * line search on the slope: a step is shortened while it ends where the function rises at
  * more than half the rate at which it fell. Slopes cost no energies and have no
  * cancellation. Cut to one iteration it is the linearised step of Baraff and Witkin 1998,
- * without line search.
+ * without line search; where it touches something it goes on as without that number.
  *
  * The linear systems are solved by conjugate gradients that an earlier factor, turned with
  * the net, preconditions (iterative.h), unless the discretization has another solver; that
- * of a large net that meets no obstacles in single precision, which takes as many
- * iterations of half the time. To 1e-2 of the step, or a tenth of the tolerance, if others
- * follow; 1e-4 if it is the only one.
+ * of a large net in single precision, which takes as many iterations of half the time. To
+ * 1e-2 of the step, or a tenth of the tolerance, if others follow; 1e-4 if it is the only
+ * one.
  *
- * Obstacles are their tangent planes at `start`, half a thickness nearer. Every system is
- * first solved as if there were none; if a point touched one before, or would be beyond one
- * now, contact_solve takes its place, with a factor of its own.
+ * Contact adds its forces and their stiffness, and a step leaves a tenth of each distance
+ * to a wall (contact_limit).
  */
 #ifndef SPRING_NEWTON_H
 #define SPRING_NEWTON_H
 
 #include "mass_spring/spring_force.h"
-#include "models/mechanics/contact_solve.h"
+#include "models/contact/contact.h"
+#include "models/mechanics/contact_coupled.h"
+#include "models/mechanics/supports.h"
+#include "models/mechanics/system.h"
 #include "models/model.h"
 
 struct spring_newton {
@@ -30,7 +32,8 @@ struct spring_newton {
     struct supports supports;
     struct discretization linear; /* its solver and preconditioner */
     struct system system; /* empty before spring_newton_system                         */
-    struct contact_set contact;
+    struct contact_coupled coupled; /* in its place where the sheet touches itself     */
+    bool is_coupled;
     void *room;       /* memory of the arrays                               owned   */
     double (*K)[9];   /* [pairs]                                                    */
     double *hinges;   /* [pairs] spring_force_hinges                       owned   */
@@ -44,6 +47,7 @@ struct spring_problem {
     double viscosity;            /* 0: V is not read                          [1]      */
     const double (*V)[9];        /* [pairs] positive semi-definite            [N/m]    */
     const double *start;         /* [nodes][3] where the step began           [m]      */
+    struct contact *contact;     /* begun, or NULL                                     */
 };
 
 struct spring_limits {
@@ -63,7 +67,7 @@ void spring_newton_clear(struct spring_newton *s);
 
 /* Moves x[nodes][3], whose held unknowns are where they should be, to the minimum.
  * STATUS_DIVERGED after 2000 iterations (limits->iterations == 0), STATUS_INDEFINITE,
- * STATUS_NAN. */
+ * STATUS_NAN, STATUS_MEMORY. The contact is that of x then. */
 enum status spring_newton_solve(struct spring_newton *s, const struct spring_problem *p,
                                 const struct spring_limits *limits, double *x,
                                 struct counters *counters);

@@ -15,6 +15,8 @@ void scene_clear(struct scene *scene)
         free(scene->supports[i].path);
     free(scene->supports);
     free(scene->loads);
+    for (int i = 0; i < scene->obstacle_count; i++)
+        scene_obstacle_clear(&scene->obstacles[i]);
     free(scene->obstacles);
     free(scene->snapshots);
     free(scene->name);
@@ -53,22 +55,31 @@ static void *grow(void *array, int count, size_t size)
     return realloc(array, ((size_t)count + 1) * size);
 }
 
+/* Returns a copy of `bytes` bytes; NULL if there are none, *st tells of memory. */
+static void *copied(const void *from, size_t bytes, enum status *st)
+{
+    void *copy = from && bytes ? malloc(bytes) : NULL;
+
+    if (copy)
+        memcpy(copy, from, bytes);
+    else if (from && bytes)
+        *st = STATUS_MEMORY;
+    return copy;
+}
+
 enum status scene_add_support(struct scene *scene, const struct scene_support *support)
 {
+    enum status st = STATUS_OK;
     struct scene_support copy = *support;
     struct scene_support *s = grow(scene->supports, scene->support_count, sizeof *s);
-    size_t bytes = (size_t)support->path_count * sizeof *copy.path;
 
     if (!s)
         return STATUS_MEMORY;
     scene->supports = s;
-    copy.path = bytes ? malloc(bytes) : NULL;
-    if (bytes && !copy.path)
-        return STATUS_MEMORY;
-    if (bytes)
-        memcpy(copy.path, support->path, bytes);
-    s[scene->support_count++] = copy;
-    return STATUS_OK;
+    copy.path = copied(support->path, (size_t)support->path_count * sizeof *copy.path, &st);
+    if (st == STATUS_OK)
+        s[scene->support_count++] = copy;
+    return st;
 }
 
 enum status scene_add_load(struct scene *scene, const struct scene_load *load)
@@ -82,11 +93,33 @@ enum status scene_add_load(struct scene *scene, const struct scene_load *load)
 
 enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle *obstacle)
 {
+    enum status st = STATUS_OK;
+    struct scene_obstacle copy = *obstacle;
     struct scene_obstacle *o = grow(scene->obstacles, scene->obstacle_count, sizeof *o);
+    const char *file = obstacle->file;
 
-    if (o)
-        scene->obstacles = o, o[scene->obstacle_count++] = *obstacle;
-    return o ? STATUS_OK : STATUS_MEMORY;
+    if (!o)
+        return STATUS_MEMORY;
+    scene->obstacles = o;
+    copy.path = copied(obstacle->path, (size_t)copy.path_count * sizeof *copy.path, &st);
+    copy.turn = copied(obstacle->turn, (size_t)copy.turn_count * sizeof *copy.turn, &st);
+    copy.file = copied(file, file ? strlen(file) + 1 : 0, &st);
+    if (st == STATUS_OK) {
+        o[scene->obstacle_count++] = copy;
+        return st;
+    }
+    copy.mesh = NULL; /* still the caller's */
+    scene_obstacle_clear(&copy);
+    return st;
+}
+
+void scene_obstacle_clear(struct scene_obstacle *o)
+{
+    free(o->path);
+    free(o->turn);
+    free(o->file);
+    free(o->mesh);
+    *o = (struct scene_obstacle){.kind = o->kind};
 }
 
 static unsigned support_needs(const struct scene_support *s)
@@ -112,6 +145,11 @@ unsigned scene_needs(const struct scene *scene)
         needs |= support_needs(&scene->supports[i]);
     if (scene->obstacle_count > 0)
         needs |= SCENE_NEED_CONTACT;
+    for (int i = 0; i < scene->obstacle_count; i++)
+        if (scene->obstacles[i].path_count + scene->obstacles[i].turn_count > 0)
+            needs |= SCENE_NEED_MOVING_OBSTACLES;
+    if (scene->contact.self)
+        needs |= SCENE_NEED_SELF_CONTACT;
     if (scene->load_count > 0)
         needs |= SCENE_NEED_LOADS;
     if (scene->drag > 0)
@@ -176,33 +214,32 @@ void scene_initial_velocity(const struct scene *scene, const double xyz[3], doub
     }
 }
 
-void scene_support_shift(const struct scene_support *support, double t, double shift[3])
+void scene_table_at(int rows, int columns, const double *table, double t, double *value)
 {
-    const int count = support->path_count;
-    double(*path)[4] = support->path;
-    int k = 0, high = count; /* rows before k are at or before t, rows from high on after */
+    int k = 0, high = rows; /* rows before k are at or before t, rows from high on after */
 
-    if (count == 0) {
-        shift[0] = shift[1] = shift[2] = 0;
-        return;
-    }
     while (k < high) {
         const int middle = (k + high) / 2;
 
-        if (path[middle][0] <= t)
+        if (table[middle * columns] <= t)
             k = middle + 1;
         else
             high = middle;
     }
-    if (k == 0 || k == count) {
-        memcpy(shift, &path[k == 0 ? 0 : count - 1][1], 3 * sizeof *shift);
-        return;
-    }
-    /* Now path[k-1].t <= t < path[k].t. */
-    const double part = (t - path[k - 1][0]) / (path[k][0] - path[k - 1][0]);
+    const int before = k > 0 ? k - 1 : 0, after = k < rows ? k : rows - 1;
 
-    for (int i = 0; i < 3; i++)
-        shift[i] = path[k - 1][i + 1] + part * (path[k][i + 1] - path[k - 1][i + 1]);
+    for (int i = 1; i < columns; i++) {
+        value[i - 1] = rows > 0 ? table[before * columns + i] : 0;
+        if (before < after)
+            value[i - 1] += (t - table[before * columns]) /
+                            (table[after * columns] - table[before * columns]) *
+                            (table[after * columns + i] - table[before * columns + i]);
+    }
+}
+
+void scene_support_shift(const struct scene_support *support, double t, double shift[3])
+{
+    scene_table_at(support->path_count, 4, (const double *)support->path, t, shift);
 }
 
 bool scene_is_cantilever(const struct scene *scene)

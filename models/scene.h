@@ -70,9 +70,9 @@ enum obstacle_kind {
     OBSTACLE_KINDS
 };
 
-struct obstacle_mesh; /* models/contact/contact_mesh.h */
+struct obstacle_mesh; /* models/contact/contact_mesh.h; one piece of memory */
 
-/* A body that the sheet may not enter; rigid. Places are those at t = 0. */
+/* A body that the sheet may not enter; rigid. Places are those without path and turn. */
 struct scene_obstacle {
     enum obstacle_kind kind;
     double point[3];   /* on the plane; centre of sphere and box; the capsule's one end,
@@ -139,7 +139,9 @@ struct scene {
     X(DRAG, "body drag")                                                                   \
     X(LOADS, "loads")                                                                      \
     X(CURVED_REST, "curved rest shape")                                                    \
-    X(INITIAL_MOTION, "initial motion")
+    X(INITIAL_MOTION, "initial motion")                                                    \
+    X(MOVING_OBSTACLES, "moving obstacles")                                                \
+    X(SELF_CONTACT, "contact of the sheet with itself")
 
 enum scene_need_bit {
 #define SCENE_NEED_BIT(name, sentence) SCENE_NEED_BIT_##name,
@@ -174,8 +176,11 @@ enum status scene_add_support(struct scene *scene, const struct scene_support *s
 /* Adds a copy of *load. */
 enum status scene_add_load(struct scene *scene, const struct scene_load *load);
 
-/* Adds a copy of *obstacle. */
+/* Adds a copy of *obstacle, with its path, turn and file, and takes its mesh over. */
 enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle *obstacle);
+
+/* Frees what an obstacle that is in no scene owns, and leaves it empty. */
+void scene_obstacle_clear(struct scene_obstacle *obstacle);
 
 /* "flat", "cloak"; NULL ends. */
 extern const char *const scene_shape_words[];
@@ -221,6 +226,10 @@ void scene_cloak_point(const struct scene *scene, const double uvw[3], double xy
 
 /* Returns the velocity at t = 0 of the point at xyz [m/s]. */
 void scene_initial_velocity(const struct scene *scene, const double xyz[3], double v[3]);
+
+/* Computes value[columns - 1] at time t from rows [t, value...] with t increasing: linear
+ * between, constant outside; 0 without rows. */
+void scene_table_at(int rows, int columns, const double *table, double t, double *value);
 
 /* Returns the shift of a support at time t [m]. */
 void scene_support_shift(const struct scene_support *support, double t, double shift[3]);

@@ -30,7 +30,7 @@ struct schema_key {
     bool required;
     bool open; /* low and high themselves are not allowed                      */
     enum schema_order order;        /* order of NUMBERS                                   */
-    int most;                       /* count of NUMBERS                                   */
+    int most;                       /* count of NUMBERS; of a row of a SPECIAL table      */
     double low, high;               /* range of every number                              */
     size_t offset, count_offset;    /* in the target                                      */
     const char *const *words;       /* words by value, NULL ends; in place of it:      */

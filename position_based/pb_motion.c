@@ -4,11 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/mechanics/contact_push.h"
 #include "models/room.h"
 #include "models/vector.h"
 
-/* The softening that the choice of substeps tolerates, without and with obstacles, and a
+/* The softening that the choice of substeps tolerates, without and with contact, and a
  * bending mode's phase in the substeps from one bending to the next (pb_motion.h). */
 static const double SOFTENING = 10, SOFTENING_CONTACT = 0.4, BENDING = 0.4;
 
@@ -57,7 +56,8 @@ static void put_points(struct pb_motion *m)
     for (int a = 0; a < m->net.nodes; a++) {
         double inverse = inverse_mass(m, a);
         keep[a] = m->points.mass[a] * inverse;
-        m->weight[a] = 1 / (inverse * m->dt * m->dt);
+        if (m->contact)
+            m->contact->compliance[a] = inverse * m->dt * m->dt;
         for (int c = 3 * a; c < 3 * a + 3; c++) {
             bool held = m->supports.free_index[c] < 0;
             w[c] = held ? 0 : inverse;
@@ -205,7 +205,7 @@ static enum status set_steps(struct pb_motion *m, const struct discretization *d
 {
     double step = m->scene->step, most = stiffest(m);
     double bending = bending_frequency(m);
-    double borne = m->scene->obstacle_count ? SOFTENING_CONTACT : SOFTENING;
+    double borne = contact_wanted(m->scene) ? SOFTENING_CONTACT : SOFTENING;
     double least = fmax(sqrt(most / borne), bending / BENDING);
     double n = d->substeps ? d->substeps : fmax(1, ceil(step * least));
 
@@ -251,8 +251,7 @@ static enum status allocate(struct pb_motion *m)
 
     return room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->v, 3 * nodes),
                     ROOM(m->before, 3 * nodes), ROOM(m->work, 9 * nodes),
-                    ROOM(m->weight, nodes), ROOM(m->shift, m->supports.held_count),
-                    ROOM(m->odd, m->form_count));
+                    ROOM(m->shift, m->supports.held_count), ROOM(m->odd, m->form_count));
 }
 
 void pb_motion_clear(struct pb_motion *m)
@@ -260,12 +259,22 @@ void pb_motion_clear(struct pb_motion *m)
     if (!m)
         return;
     pb_sweep_free(m->sweep);
+    net_contact_free(m->contact);
     spring_load_clear(&m->points);
     supports_clear(&m->supports);
     spring_net_clear(&m->net);
     free(m->form);
     free(m->room);
     memset(m, 0, sizeof *m);
+}
+
+static enum status make_contact(struct pb_motion *m)
+{
+    enum status st = net_contact_make(m->scene, &m->net, &m->supports, &m->contact);
+
+    if (m->contact)
+        m->contact->steps = m->substeps, m->contact->dt = m->dt;
+    return st;
 }
 
 enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
@@ -285,6 +294,7 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
     supports_initial_velocity(&m->supports, scene, m->net.rest, NULL, m->v);
     m->rest_energy = elastic(m);
     TRY(set_steps(m, d, why));
+    TRY(make_contact(m));
     TRY(make_sweep(m, d->precision));
 out:
     if (st != STATUS_OK)
@@ -339,30 +349,33 @@ static void measure(struct pb_motion *m, double t)
         m->left = left, m->left_time = t;
 }
 
-static void leave_obstacles(struct pb_motion *m)
+/* Ends a step by the law of contact. */
+static enum status meet_bodies(struct pb_motion *m, double t)
 {
-    double *start = m->work, *x = start + count(m), force[3] = {0, 0, 0};
+    enum status st;
+    double *start = m->work, *x = start + count(m);
 
     pb_sweep_get(m->sweep, PB_X, 3, start);
     pb_sweep_get(m->sweep, PB_D, 3, x);
     for (size_t n = 0; n < count(m); n++)
         x[n] += start[n];
-    m->pushed = contact_push_out(m->scene, &m->supports, m->scene->thickness / 2, m->weight,
-                                 start, x, force);
-    for (size_t n = 0; m->pushed && n < count(m); n++)
+    TRY(net_contact_project(m->contact, t, start, x));
+    if (m->contact->law.count == 0)
+        return STATUS_OK;
+    for (size_t n = 0; n < count(m); n++)
         x[n] -= start[n];
-    if (m->pushed)
-        pb_sweep_put(m->sweep, PB_D, 3, x);
-    for (int c = 0; c < 3; c++)
-        m->push[c] += force[c] / m->substeps;
+    pb_sweep_put(m->sweep, PB_D, 3, x);
+out:
+    return st;
 }
 
 /* Takes a substep; asked: measures how far from the end of its iterations it is. */
-static void substep(struct pb_motion *m, bool asked)
+static enum status substep(struct pb_motion *m, bool asked)
 {
     const bool xpbd = m->projection == PROJECTION_XPBD;
     const bool recalls = xpbd && (m->iterations > 1 || asked);
     double t = (double)++m->substep / m->substeps * m->scene->step;
+    enum status st = STATUS_OK;
 
     pb_sweep_predict(m->sweep, recalls);
     if (m->supports.moving)
@@ -370,18 +383,21 @@ static void substep(struct pb_motion *m, bool asked)
     pb_sweep_project(m->sweep, m->iterations, m->substep % m->bending_every == 0, recalls);
     if (asked && xpbd)
         measure(m, t);
-    if (m->scene->obstacle_count)
-        leave_obstacles(m);
+    if (m->contact)
+        TRY(meet_bodies(m, t));
     pb_sweep_finish(m->sweep);
+out:
+    return st;
 }
 
 enum status pb_motion_frame(void *motion, struct counters *counters)
 {
     struct pb_motion *m = motion;
+    enum status st = STATUS_OK;
 
-    memset(m->push, 0, sizeof m->push);
+    net_contact_frame(m->contact);
     for (int n = 1; n <= m->substeps; n++)
-        substep(m, n == m->substeps && m->frame % MEASURED == 0);
+        TRY(substep(m, n == m->substeps && m->frame % MEASURED == 0));
     m->frame++;
     counters->steps++;
     counters->substeps += m->substeps;
@@ -396,7 +412,8 @@ enum status pb_motion_frame(void *motion, struct counters *counters)
     }
     if (m->points.keep != 1)
         pb_sweep_put(m->sweep, PB_D, 3, m->work);
-    return STATUS_OK;
+out:
+    return st;
 }
 
 /* --- what came of it ---------------------------------------------------------------------
@@ -414,7 +431,5 @@ void pb_motion_contact(const void *motion, struct model_contact *contact)
 {
     const struct pb_motion *m = motion;
 
-    *contact = (struct model_contact){
-        .nodes = m->pushed, .least_gap = contact_push_gap(m->scene, m->net.nodes, m->x)};
-    memcpy(contact->force, m->push, sizeof contact->force);
+    *contact = net_contact_report(m->contact);
 }

@@ -4,324 +4,342 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact/contact_shape.h"
 #include "models/room.h"
+#include "models/vector.h"
 
-/* BLOCKS: swaps of all at once without progress before single ones; PASSES: of friction in
- * an iteration; REFINEMENTS: of a solution. */
-enum { BLOCKS = 4, PASSES = 2, REFINEMENTS = 2 };
+/* Most changes in a global step, and products in a change. */
+enum { MOST_CHANGES = 10, MOST_PRODUCTS = 200 };
+
+/* Conjugate gradients end at this share of the first residual, if errors of moves are also
+ * less than this share of the distance to the wall. */
+static const double LEFT = 0.01, CLOSE = 0.1;
 
 void pd_contact_clear(struct pd_contact *c)
 {
-    if (!c || !c->system)
+    if (!c->system)
         return;
-    pd_dual_clear(&c->dual);
-    pd_net_free_fields(c->system->net, c->alone);
-    pd_net_free_fields(c->system->net, c->free);
-    pd_net_free_fields(c->system->net, c->way);
-    free(c->touch);
-    free(c->row_memory);
+    contact_clear(&c->law);
+    pd_net_free_fields(c->system->net, c->field);
+    free(c->room);
+    free(c->row_room);
     memset(c, 0, sizeof *c);
 }
 
 enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
-                            struct pd_system *system, const double *mass,
-                            const double *rest, struct message *why)
+                            struct pd_system *system, const int *free_index)
 {
-    enum status st = STATUS_MEMORY;
+    enum status st;
     const struct pd_net *net = system->net;
+    const size_t nodes = (size_t)net->nodes;
+    struct contact_surface surface;
 
-    *c = (struct pd_contact){.scene = scene,
-                             .system = system,
-                             .mass = mass,
-                             .scale = 1,
-                             .nodes = net->nodes,
-                             .count = net->nodes * scene->obstacle_count};
-    for (int o = 0; o < scene->obstacle_count; o++)
-        c->friction |= scene->obstacles[o].friction > 0;
-    c->touch = calloc((size_t)c->count, sizeof *c->touch);
-    c->alone = pd_net_fields(net, 3);
-    c->free = pd_net_fields(net, 3);
-    c->way = pd_net_fields(net, 3);
-    if (!c->touch || !c->alone || !c->free || !c->way)
-        goto out;
-    TRY(pd_dual_init(&c->dual, system));
-    double gap = pd_contact_gap(c, rest);
-    if (gap < -PD_CONTACT_CLOSED * scene->length)
-        st = status_fail(why, STATUS_INPUT,
-                         "the sheet at rest reaches %.3g m into an obstacle", -gap);
+    *c = (struct pd_contact){.system = system, .free_index = free_index};
+    if (!(c->field = pd_net_fields(net, 3)))
+        TRY(STATUS_MEMORY);
+    TRY(room_cut(&c->room, ROOM(c->at, 3 * nodes), ROOM(c->change, 3 * nodes),
+                 ROOM(c->pushed, 3 * nodes), ROOM(c->goal, 3 * nodes),
+                 ROOM(c->force, 3 * nodes), ROOM(c->compliance, nodes)));
+    TRY(contact_surface_init_net(&surface, scene, (int[2]){net->n, net->m}));
+    TRY(contact_init(&c->law, scene, &surface));
+    return STATUS_OK;
 out:
-    if (st != STATUS_OK)
-        pd_contact_clear(c);
+    pd_contact_clear(c);
     return st;
 }
 
-/* --- geometry ----------------------------------------------------------------------------
- */
-
-static void node_at(const struct pd_contact *c, const double *x, int node, double p[3])
+/* Computes at[nodes][3] = x, three fields. */
+static void interleave(const struct pd_net *net, const double *x, double *at)
 {
     for (int i = 0; i < 3; i++)
-        p[i] = x[i * pd_net_stride(c->system->net) + node];
+        for (int k = 0; k < net->nodes; k++)
+            at[3 * k + i] = x[i * pd_net_stride(net) + k];
 }
 
-const struct scene_obstacle *pd_contact_obstacle(const struct pd_contact *c, int t)
+/* Computes x, three fields, = at[nodes][3]. */
+static void separate(const struct pd_net *net, const double *at, double *x)
 {
-    return &c->scene->obstacles[t / c->nodes];
-}
-
-double pd_contact_normal(const struct pd_contact *c, int t, const double *x,
-                         double normal[3])
-{
-    double p[3];
-
-    node_at(c, x, t % c->nodes, p);
-    return contact_shape_distance(pd_contact_obstacle(c, t), NULL, p, normal) -
-           c->scene->thickness / 2;
-}
-
-/* Returns the height of x over the plane that the touch has at `from`. */
-static double height(const struct pd_contact *c, int t, const double *from, const double *x,
-                     double normal[3])
-{
-    double gap = pd_contact_normal(c, t, from, normal), p[3], q[3];
-
-    node_at(c, from, t % c->nodes, p);
-    node_at(c, x, t % c->nodes, q);
     for (int i = 0; i < 3; i++)
-        gap += normal[i] * (q[i] - p[i]);
-    return gap;
+        for (int k = 0; k < net->nodes; k++)
+            x[i * pd_net_stride(net) + k] = at[3 * k + i];
 }
 
-double pd_contact_gap(const struct pd_contact *c, const double *x)
+enum status pd_contact_find(struct pd_contact *c, const double *x)
 {
-    double least = INFINITY;
+    interleave(c->system->net, x, c->at);
+    return contact_find(&c->law, c->at);
+}
 
-    for (int t = 0; t < c->count; t++) {
-        double gap = pd_contact_normal(c, t, x, NULL);
-        if (!(gap >= least))
-            least = gap;
-    }
-    return least;
+void pd_contact_begin(struct pd_contact *c, double t, double dt, const double *start)
+{
+    c->begun = false;
+    interleave(c->system->net, start, c->at);
+    contact_begin(&c->law, t, dt, c->at);
 }
 
 /* --- rows --------------------------------------------------------------------------------
  */
 
-enum status pd_contact_room(struct pd_contact *c, int rows)
+/* Adds C^T v, v[touches][3], to out[nodes][3], where nodes are free. */
+static void scatter(const struct pd_contact *c, const double *v, double *out)
 {
-    if (rows <= c->row_room)
-        return STATUS_OK;
-    size_t n = 2 * (size_t)rows;
-    free(c->row_memory);
-    enum status st = room_cut(&c->row_memory, ROOM(c->row, n), ROOM(c->row_touch, n),
-                              ROOM(c->row_value, n), ROOM(c->row_error, n));
-    c->row_room = st == STATUS_OK ? (int)n : 0;
+    const struct contact *law = &c->law;
+
+    for (const struct contact_touch *t = law->touch; t < law->touch + law->count;
+         t++, v += 3)
+        for (int k = t->first; k < t->first + t->count; k++)
+            for (int i = 0; i < 3; i++)
+                if (c->free_index[3 * law->node[k] + i] >= 0)
+                    out[3 * law->node[k] + i] += law->weight[k] * v[i];
+}
+
+/* Computes v[touches][3] = C x, x[nodes][3]. */
+static void gather(const struct pd_contact *c, const double *x, double *v)
+{
+    const struct contact *law = &c->law;
+
+    memset(v, 0, 3 * (size_t)law->count * sizeof *v);
+    for (const struct contact_touch *t = law->touch; t < law->touch + law->count;
+         t++, v += 3)
+        for (int k = t->first; k < t->first + t->count; k++)
+            for (int i = 0; i < 3; i++)
+                v[i] += law->weight[k] * x[3 * law->node[k] + i];
+}
+
+/* Multiplies a vector at a touch by `along` in the direction of its normal, by `across` in
+ * others. */
+static void stretch(const double n[3], double along, double across, const double v[3],
+                    double out[3])
+{
+    const double length = vector_dot(n, v);
+
+    for (int i = 0; i < 3; i++)
+        out[i] = across * v[i] + (along - across) * length * n[i];
+}
+
+/* Multiplies v[touches][3] by R. */
+static void weigh(const struct pd_contact *c, double *v)
+{
+    for (const struct contact_touch *t = c->law.touch; t < c->law.touch + c->law.count;
+         t++, v += 3)
+        stretch(t->normal, sqrt(c->factor * t->stiffness), sqrt(c->factor * t->drag), v, v);
+}
+
+/* Computes c->pushed = A^-1 C^T v. */
+static enum status push(struct pd_contact *c, const double *v)
+{
+    enum status st;
+    const struct pd_net *net = c->system->net;
+
+    memset(c->pushed, 0, 3 * (size_t)net->nodes * sizeof *c->pushed);
+    scatter(c, v, c->pushed);
+    separate(net, c->pushed, c->field);
+    TRY(pd_system_solve(c->system, c->field));
+    c->solves++;
+    interleave(net, c->field, c->pushed);
+out:
     return st;
 }
 
-void pd_contact_row(struct pd_contact *c, int t, const double direction[3], double error)
+static void add(int count, double factor, const double *b, double *a)
 {
-    struct pd_push *row = &c->row[c->row_count];
-
-    row->node = t % c->nodes;
-    memcpy(row->direction, direction, sizeof row->direction);
-    c->row_touch[c->row_count] = t;
-    c->row_error[c->row_count++] = error;
+    for (int n = 0; n < count; n++)
+        a[n] += factor * b[n];
 }
 
-/* Collects normals of the active set and the gaps left at x; returns the largest. */
-static double find_rows(struct pd_contact *c, const double *from, const double *x)
+static double dot(int count, const double *a, const double *b)
 {
+    double sum = 0;
+
+    for (int n = 0; n < count; n++)
+        sum += a[n] * b[n];
+    return sum;
+}
+
+/* --- a change ----------------------------------------------------------------------------
+ */
+
+/* Divides c->residual by about the diagonal of 1 + R S R, for c->scaled. Returns the
+ * largest error of a touch's move that the residual means, as a share of the distance to
+ * the wall. */
+static double divide(struct pd_contact *c)
+{
+    const struct contact *law = &c->law;
     double most = 0;
 
-    c->row_count = 0;
-    for (int t = 0; t < c->count; t++) {
-        double normal[3];
-        if (!c->touch[t].closed)
-            continue;
-        double low = height(c, t, from, x, normal);
-        pd_contact_row(c, t, normal, -low);
-        most = fmax(most, fabs(low));
+    for (int n = 0; n < law->count; n++) {
+        const struct contact_touch *t = &law->touch[n];
+        const struct contact_law *l = t->obstacle < 0 ? &law->self : &law->body;
+        const double room = fmax(t->D - l->start + l->range, CONTACT_LAW_FLOOR * l->range);
+        double soft = 0, off[3], *scaled = c->scaled + 3 * n;
+        for (int k = t->first; k < t->first + t->count; k++)
+            soft += law->weight[k] * law->weight[k] * c->compliance[law->node[k]];
+        stretch(t->normal, 1 / (1 + soft * t->stiffness), 1 / (1 + soft * t->drag),
+                c->residual + 3 * n, scaled);
+        stretch(t->normal, soft * sqrt(t->stiffness / c->factor),
+                soft * sqrt(t->drag / c->factor), scaled, off);
+        most = fmax(most, vector_length(off) / room);
     }
     return most;
 }
 
-/* Computes to = from + factor more, three fields. */
-static void add_field(const struct pd_contact *c, const double *from, double factor,
-                      const double *more, double *to)
-{
-    ptrdiff_t stride = pd_net_stride(c->system->net);
-
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < c->nodes; k++)
-            to[i * stride + k] = from[i * stride + k] + factor * more[i * stride + k];
-}
-
-/* Finds the forces that close the active set's rows, x = free + A^-1 C^T p. */
-static enum status solve_rows(struct pd_contact *c, const double *from, double *x)
+/* Takes the stiffness of the touches into c->change, that by the forces as they are. */
+static enum status stiffen(struct pd_contact *c)
 {
     enum status st = STATUS_OK;
-    int closed = 0;
-    double near = PD_CONTACT_CLOSED * c->scene->length;
+    const int count = 3 * c->law.count;
+    double before = 0, enough = 0;
 
-    for (int t = 0; t < c->count; t++)
-        closed += c->touch[t].closed;
-    TRY(pd_contact_room(c, closed));
-    double left = find_rows(c, from, c->free);
-    for (int r = 0; r < c->row_count; r++)
-        c->row_value[r] = 0;
-    add_field(c, c->free, 0, c->free, x);
-    for (int n = 0; n <= REFINEMENTS && c->row_count; n++) {
-        if (n && !(left > near))
+    gather(c, c->change, c->residual);
+    weigh(c, c->residual);
+    for (int n = 0; n < MOST_PRODUCTS; n++) {
+        const double off = divide(c), size = dot(count, c->residual, c->scaled);
+        enough = n ? enough : LEFT * LEFT * size;
+        if (size == 0 || (size <= enough && off <= CLOSE))
             break;
-        TRY(pd_dual_solve(&c->dual, PD_DUAL_NORMALS, c->row, c->row_count, near / 4,
-                          c->row_error));
-        for (int r = 0; r < c->row_count; r++)
-            c->row_value[r] += c->row_error[r];
-        TRY(pd_dual_push(&c->dual, c->row, c->row_count, c->row_value, c->way));
-        add_field(c, c->free, 1, c->way, x);
-        left = find_rows(c, from, x);
+        for (int i = 0; i < count; i++)
+            c->product[i] = c->direction[i] =
+                c->scaled[i] + (n ? size / before * c->direction[i] : 0);
+        before = size;
+        weigh(c, c->product);
+        TRY(push(c, c->product));
+        gather(c, c->pushed, c->product);
+        weigh(c, c->product);
+        add(count, 1, c->direction, c->product);
+        const double far = size / dot(count, c->direction, c->product);
+        add(count, -far, c->product, c->residual);
+        add(3 * c->system->net->nodes, -far, c->pushed, c->change);
     }
-    for (int r = 0; r < c->row_count; r++)
-        c->touch[c->row_touch[r]].press = c->row_value[r] / c->scale;
 out:
     return st;
 }
 
-/* --- the active set ----------------------------------------------------------------------
+static enum status make_room(struct pd_contact *c)
+{
+    const size_t rows = 6 * (size_t)c->law.count;
+
+    if (3 * c->law.count <= c->rows)
+        return STATUS_OK;
+    free(c->row_room);
+    enum status st = room_cut(&c->row_room, ROOM(c->residual, rows), ROOM(c->scaled, rows),
+                              ROOM(c->direction, rows), ROOM(c->product, rows));
+    c->rows = st == STATUS_OK ? (int)rows : 0;
+    return st;
+}
+
+/* Computes c->change from c->at by the free result x and the touches, and
+ * c->force[nodes][3], minus the forces of which it is made. */
+static enum status find_change(struct pd_contact *c, const double *x)
+{
+    enum status st = STATUS_OK;
+    const int count = 3 * c->system->net->nodes, rows = 3 * c->law.count;
+
+    interleave(c->system->net, x, c->change);
+    add(count, -1, c->at, c->change);
+    memset(c->force, 0, (size_t)count * sizeof *c->force);
+    if (!rows)
+        return STATUS_OK;
+    TRY(make_room(c));
+    for (int n = 0; n < rows; n++) {
+        const struct contact_touch *t = &c->law.touch[n / 3];
+        c->product[n] = -c->factor * (t->push * t->normal[n % 3] + t->rub[n % 3]);
+    }
+    scatter(c, c->product, c->force);
+    TRY(push(c, c->product));
+    add(count, -1, c->pushed, c->change);
+    TRY(stiffen(c));
+    gather(c, c->change, c->product);
+    weigh(c, c->product);
+    add(rows, -1, c->residual, c->product);
+    weigh(c, c->product);
+    scatter(c, c->product, c->force);
+    for (int k = 0; k < count; k++)
+        c->force[k] /= c->factor;
+out:
+    return st;
+}
+
+/* --- the global step ---------------------------------------------------------------------
  */
 
-static bool held_whole(const struct pd_contact *c, int node)
-{
-    const bool *held = c->system->held;
-
-    return held[node] && held[c->nodes + node] && held[2 * c->nodes + node];
-}
-
-/* Returns whether touch t pulls, or is open and below its plane. */
-static bool is_wrong(const struct pd_contact *c, int t, const double *from, const double *x)
-{
-    const struct pd_touch *touch = &c->touch[t];
-    double normal[3];
-
-    if (touch->closed)
-        return touch->press < 0;
-    return height(c, t, from, x, normal) < -PD_CONTACT_CLOSED * c->scene->length &&
-           !held_whole(c, t % c->nodes);
-}
-
-static void swap(struct pd_contact *c, int t)
-{
-    bool closed = !c->touch[t].closed;
-
-    for (int i = 0; i < 3; i++)
-        c->stale |= c->touch[t].tangent[i] != 0;
-    struct pd_touch next = {.closed = closed, .changes = c->touch[t].changes + closed};
-    if (closed && pd_contact_obstacle(c, t)->friction > 0)
-        next.rub = next.changes < PD_CONTACT_CHANGES ? PD_RUB_STICK : PD_RUB_SLIP;
-    c->touch[t] = next;
-}
-
-/* Swaps all wrong touches, or the last of them alone; returns how many were wrong. */
-static int pivot(struct pd_contact *c, const double *from, const double *x, bool single)
-{
-    int count = 0, last = -1;
-
-    for (int t = 0; t < c->count; t++)
-        if (is_wrong(c, t, from, x)) {
-            count++, last = t;
-            if (!single)
-                swap(c, t);
-        }
-    if (single && last >= 0)
-        swap(c, last);
-    return count;
-}
-
-/* Computes x = free + the pushes of the active set, with the right set. */
-static enum status press(struct pd_contact *c, const double *from, double *x)
+/* Finds the touches at c->goal, where the change ends. Their forces are *alike those of
+ * which it was made if what differs moves no node farther, by itself, than the law reaches.
+ */
+static enum status compare(struct pd_contact *c, bool *alike)
 {
     enum status st;
-    int best = c->count + 1, patience = BLOCKS;
+    const int count = 3 * c->system->net->nodes, touches = c->law.count;
+    double most = 0;
 
-    for (long n = 0; n < 20 + 4L * c->count; n++) {
-        bool single = patience == 0;
-        TRY(solve_rows(c, from, x));
-        int wrong = pivot(c, from, x, single);
-        if (wrong == 0)
-            return STATUS_OK;
-        if (wrong < best)
-            best = wrong, patience = BLOCKS;
-        else if (patience > 0)
-            patience--;
-    }
-    st = STATUS_DIVERGED;
-out:
-    return st;
-}
-
-/* Computes free = alone + the nodes' friction forces. */
-static enum status set_free(struct pd_contact *c)
-{
-    enum status st = STATUS_OK;
-    int count = 0;
-
-    c->stale = false;
-    add_field(c, c->alone, 0, c->alone, c->free);
-    for (int t = 0; t < c->count; t++)
-        count += c->touch[t].closed && c->touch[t].rub != PD_RUB_NONE;
-    if (!count)
+    TRY(contact_find(&c->law, c->goal));
+    *alike = !touches && !c->law.count;
+    if (*alike)
         return STATUS_OK;
-    TRY(pd_contact_room(c, count));
-    c->row_count = 0;
-    for (int t = 0; t < c->count; t++)
-        if (c->touch[t].closed && c->touch[t].rub != PD_RUB_NONE) {
-            c->row_value[c->row_count] = c->scale;
-            pd_contact_row(c, t, c->touch[t].tangent, 0);
-        }
-    TRY(pd_dual_push(&c->dual, c->row, count, c->row_value, c->way));
-    add_field(c, c->alone, 1, c->way, c->free);
+    memcpy(c->pushed, c->force, (size_t)count * sizeof *c->pushed);
+    contact_force(&c->law, c->pushed);
+    for (int k = 0; k < count; k++)
+        if (c->free_index[k] >= 0)
+            most = fmax(most, c->compliance[k / 3] * fabs(c->pushed[k]));
+    *alike = most <= c->law.body.range;
 out:
     return st;
 }
 
-/* --- the whole ---------------------------------------------------------------------------
- */
-
-static void add_up(struct pd_contact *c, const double *from)
+/* Moves c->at to where each touch by itself has the force of the law, and others those of
+ * the change that ends at c->goal. */
+static enum status settle(struct pd_contact *c)
 {
-    memset(c->force, 0, sizeof c->force);
-    c->pressed = 0;
-    for (int t = 0; t < c->count; t++) {
-        const struct pd_touch *touch = &c->touch[t];
-        double normal[3];
-        if (!touch->closed || !(touch->press > 0))
-            continue;
-        pd_contact_normal(c, t, from, normal);
-        for (int i = 0; i < 3; i++)
-            c->force[i] += touch->press * normal[i] + touch->tangent[i];
-        c->pressed++;
-    }
+    enum status st;
+    const int count = 3 * c->system->net->nodes;
+
+    for (int k = 0; k < count; k++)
+        c->goal[k] += c->compliance[k / 3] * c->force[k];
+    TRY(contact_project(&c->law, c->compliance, c->free_index, c->goal));
+    for (int k = 0; k < count; k++)
+        c->change[k] = c->goal[k] - c->at[k];
+    contact_shorten(&c->law, c->at, c->change);
+    add(count, 1, c->change, c->at);
+    TRY(contact_find(&c->law, c->at));
+out:
+    return st;
 }
 
-enum status pd_contact_apply(struct pd_contact *c, const double *from, const double *start,
-                             double *x)
+/* Finds the touches where the step's first change begins: where it starts, with held nodes
+ * where they are taken. */
+static enum status begin(struct pd_contact *c, const double *x)
+{
+    const struct pd_net *net = c->system->net;
+
+    interleave(net, x, c->change);
+    for (int k = 0; k < 3 * net->nodes; k++)
+        if (c->free_index[k] < 0)
+            c->at[k] = c->change[k];
+    c->begun = true;
+    return contact_find(&c->law, c->at);
+}
+
+enum status pd_contact_apply(struct pd_contact *c, double factor, double *x)
 {
     enum status st = STATUS_OK;
+    const struct pd_net *net = c->system->net;
+    bool alike = false;
 
-    for (int t = 0; from == start && t < c->count; t++)
-        c->touch[t].changes = 0;
-    add_field(c, x, 0, x, c->alone);
-    for (int pass = 1, changed = 1; changed; pass++) {
-        TRY(set_free(c));
-        TRY(press(c, from, x));
-        add_up(c, from);
-        if (!c->friction || pass == PASSES)
-            break;
-        TRY(pd_contact_rub(c, from, start, x, &changed));
-        changed |= c->stale;
+    c->factor = factor;
+    for (int k = 0; k < net->nodes; k++)
+        c->compliance[k] = factor / pd_system_diagonal(c->system, k);
+    if (!c->begun)
+        TRY(begin(c, x));
+    for (int n = 0; n < MOST_CHANGES && !alike; n++) {
+        TRY(find_change(c, x));
+        for (int k = 0; k < 3 * net->nodes; k++)
+            c->goal[k] = c->at[k] + c->change[k];
+        if (!contact_shorten(&c->law, c->at, c->change))
+            TRY(compare(c, &alike));
+        if (alike)
+            memcpy(c->at, c->goal, 3 * (size_t)net->nodes * sizeof *c->at);
+        else
+            TRY(settle(c));
     }
+    separate(net, c->at, x);
 out:
     return st;
 }

@@ -1,103 +1,65 @@
-/* pd_contact.h - obstacles in the global step: of all positions outside the obstacles the
- * nearest, in the metric of the constant matrix, to what the step would give without them.
+/* pd_contact.h - a global step that meets bodies by the law of the scene (models/contact).
  *
- * Nodes stay half a thickness off: the surface that is sampled lies at -/+ h/2 along the
- * normal of the mid-surface, and touches where the sheet lies flat on an obstacle.
+ * With A the constant matrix of the global step, y its free result, s^2 the square of its
+ * span, C the rows of the touches and f(x) the forces at them,
+ *     A x = A y + s^2 C^T f(x).
+ * Newton's method starts from the last iterate, which is outside of every wall, and takes
+ * the forces f - K C d for a change d:
+ *     (A + s^2 C^T K C) d = A (y - x) + s^2 C^T f.
+ * A remains as it was factored: with R = s sqrt(K), S = C A^-1 C^T and the change d_0 by
+ * the forces as they are,
+ *     d = d_0 - A^-1 C^T R u,    (1 + R S R) u = R C d_0,
+ * by conjugate gradients, each product a solve with A. K is symmetric: of friction it has
+ * the drag of the last iterate.
  *
- * Each iteration replaces an obstacle by its tangent plane at the nearest point of the last
- * iterate (the step's start in the first), which lies outside a convex obstacle, so that no
- * node is inside it after any iteration. With y the free result, C the active normals and
- * g(y) the gaps there, x = y + A^-1 C^T p, where
- *     S p = -g(y) on the active set, p >= 0, g(x) >= 0, p g(x) = 0,   S = C A^-1 C^T:
- * the dual of a strictly convex quadratic program; the matrix of the global step stays as
- * it was factored. The active set is found by block pivoting, all that is wrong swapped at
- * once; when that stops getting better, one by one, which ends for every positive definite
- * S (Murty 1974; Judice and Pires 1994). Bouaziz et al. 2014 meet obstacles with weighted
- * constraints in the local step, which give way; Ly et al. 2020 split A for contact, which
- * is exact in the limit of many iterations only.
+ * A change may end in a wall, or where forces are others by far. The next one then begins
+ * where each touch by itself has the force of the law (contact_project), the others those
+ * of this change; on the way there nodes leave a tenth of their distance to a wall.
  *
- * Friction (Coulomb), in turns with the above, the forces of the one fixed in the other:
- * the tangents of nodes that stick are held to where they were at the step's start, S
- * again; the force of one that slips follows projected gradients on the disc of radius mu
- * p, p of the last turn, and so ends against its way. Sticking ends when it takes more than
- * mu p, slipping when the way is along the force. On planes of one direction neither sees
- * the other; where the turns do not settle at once, the next iteration goes on. After a
- * fixed number of iterations friction on a curved obstacle may exceed mu p by what p still
- * changes; at a small tolerance it does not
- * (tests/projective_dynamics/projective_dynamics_contact.c).
+ * No loop goes to its end: the next iteration of projective dynamics goes on where they
+ * stopped. Where the iterations end, a step of implicit Euler has the forces of the law
+ * (tests/projective_dynamics/projective_dynamics_contact.c). Beside this, Bouaziz et al.
+ * 2014 meet obstacles with weighted constraints in the local step, and Ly et al. 2020 split
+ * A for contact, which is exact in the limit of many iterations only.
  */
 #ifndef PD_CONTACT_H
 #define PD_CONTACT_H
 
-#include "projective_dynamics/pd_dual.h"
-
-enum pd_rub { PD_RUB_NONE, PD_RUB_STICK, PD_RUB_SLIP };
-
-/* The most times that a node may come to stick in a step; later it slips. */
-enum { PD_CONTACT_CHANGES = 4 };
-
-/* One node before one obstacle: number = obstacle x nodes + node. */
-struct pd_touch {
-    bool closed;
-    enum pd_rub rub;
-    int changes;       /* changes to sticking in this step                             */
-    double press;      /* p >= 0 if closed                                     [kg m]  */
-    double tangent[3]; /* force across the normal, in the same unit                    */
-};
+#include "models/contact/contact.h"
+#include "projective_dynamics/pd_system.h"
 
 struct pd_contact {
-    const struct scene *scene; /*                                            borrowed  */
-    struct pd_system *system;  /*                                            borrowed  */
-    const double *mass;        /* [nodes]                               [kg] borrowed  */
-    struct pd_dual dual;
-    double scale;           /* Chebyshev's weight, by which x is overshot; else 1      */
-    bool friction;          /* any obstacle has it                                     */
-    int nodes, count;       /* touches                                                 */
-    struct pd_touch *touch; /* [count]                                       owned     */
-    int row_count, row_room;
-    void *row_memory;              /* of the rows                            owned     */
-    struct pd_push *row;           /* of the present active set                        */
-    int *row_touch;                /* [rows]                                           */
-    double *row_value, *row_error; /* [rows]                                           */
-    /* three fields each: without obstacles' forces; with those of slipping nodes; the push
-     * of the present rows                                                     owned   */
-    double *alone, *free, *way;
-    bool stale;      /* free holds tangents that are no more                        */
-    double force[3]; /* on the sheet in the last iteration                  [kg m]  */
-    int pressed;     /* nodes that carried any of it                                */
+    struct contact law;
+    struct pd_system *system; /* NULL: nothing to meet                       borrowed  */
+    const int *free_index;    /* [nodes][3] negative: held                   borrowed  */
+    double factor;            /* of forces, in the present global step       [s^2]     */
+    bool begun;               /* the touches are those at `at`                         */
+    void *room;               /* memory of the next six                      owned     */
+    double *at, *change;      /* [nodes][3] last iterate; its change         [m]       */
+    double *pushed;           /* [nodes][3] A^-1 C^T v                       [m]       */
+    double *force;            /* [nodes][3] minus those that make the change [N]       */
+    double *goal;             /* [nodes][3] where it ends                    [m]       */
+    double *compliance;       /* [nodes] by a force, others held             [m/N]     */
+    double *field;            /* three fields, work                          owned     */
+    int rows;                 /* numbers for which there is room                       */
+    void *row_room;           /* memory of the next four                     owned     */
+    double *residual, *scaled, *direction, *product; /* [touches][3]                   */
+    long solves;                                     /* with A so far                  */
 };
 
-/* Gaps are closed to this share of the sheet's length: round-off of solving with A. */
-#define PD_CONTACT_CLOSED 1e-12
-
-/* Initialises. STATUS_INPUT with a sentence if a node of the rest shape, three fields, lies
- * in an obstacle. */
+/* Initialises for a scene that has something to meet. */
 enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
-                            struct pd_system *system, const double *mass,
-                            const double *rest, struct message *why);
+                            struct pd_system *system, const int *free_index);
 void pd_contact_clear(struct pd_contact *c);
 
-/* Moves x, three fields, the free result of a global step, out of the obstacles. from: the
- * last iterate, start: the step's start. STATUS_DIVERGED if no active set was found. */
-enum status pd_contact_apply(struct pd_contact *c, const double *from, const double *start,
-                             double *x);
+/* Begins a step [t, t + dt] at `start`, three fields. */
+void pd_contact_begin(struct pd_contact *c, double t, double dt, const double *start);
 
-/* Return for touch t: its obstacle; the gap of its node at x [m], with the obstacle's
- * normal there, which may be NULL. */
-const struct scene_obstacle *pd_contact_obstacle(const struct pd_contact *c, int t);
-double pd_contact_normal(const struct pd_contact *c, int t, const double *x,
-                         double normal[3]);
+/* Moves x, three fields, from the free result of a global step to where contact takes it.
+ * factor: s^2, times the weight by which the result was overshot. */
+enum status pd_contact_apply(struct pd_contact *c, double factor, double *x);
 
-/* Make room for so many rows to be solved; add one, `error`: what is missing along it. */
-enum status pd_contact_room(struct pd_contact *c, int rows);
-void pd_contact_row(struct pd_contact *c, int t, const double direction[3], double error);
-
-/* Judges Coulomb friction (pd_contact_rub.c) at x, three fields: who sticks, who slips and
- * which way, and the forces; *changed unless all was right. */
-enum status pd_contact_rub(struct pd_contact *c, const double *from, const double *start,
-                           const double *x, int *changed);
-
-/* Returns the least gap of nodes at x to any obstacle, less h/2 [m]. */
-double pd_contact_gap(const struct pd_contact *c, const double *x);
+/* Finds touches and forces at x, three fields. */
+enum status pd_contact_find(struct pd_contact *c, const double *x);
 
 #endif

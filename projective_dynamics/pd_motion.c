@@ -145,21 +145,6 @@ static double fall(const struct pd_motion *m, int c, ptrdiff_t at)
     return scene->gravity[c] + wind * scene->wind[c] + (m->dead ? m->dead[at] : 0);
 }
 
-/* Keeps m->next of a node that touches an obstacle from pointing into it. */
-static void stop(struct pd_motion *m, int t)
-{
-    const ptrdiff_t stride = pd_net_stride(&m->energy.net);
-    double *a = m->next + t % m->contact.nodes, normal[3], along = 0;
-
-    if (pd_contact_normal(&m->contact, t, m->x, normal) >
-        PD_CONTACT_CLOSED * m->scene->length)
-        return;
-    for (int c = 0; c < 3; c++)
-        along += normal[c] * a[c * stride];
-    for (int c = 0; c < 3 && along < 0; c++)
-        a[c * stride] -= along * normal[c];
-}
-
 /* Makes BDF2's history before the start, where nothing pulls; m->next is work. */
 static enum status remember(struct pd_motion *m)
 {
@@ -173,8 +158,6 @@ static enum status remember(struct pd_motion *m)
             if (!m->system.held[c * net->nodes + k])
                 m->next[c * stride + k] =
                     fall(m, c, c * stride + k) - m->alpha * m->v[c * stride + k];
-    for (int t = 0; t < m->contact.count; t++)
-        stop(m, t);
     backward_start(&m->backward, m->dt, m->x, m->v, m->next);
 out:
     return st;
@@ -224,9 +207,8 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     TRY(pd_system_init(&m->system, &m->energy, &m->supports, 1 + m->alpha * m->span,
                        m->span * m->span, share > 0 ? share : 1, options->solver));
     TRY(pd_local_init(&m->local, &m->energy, m->span * m->span, share));
-    if (scene->obstacle_count)
-        TRY(pd_contact_init(&m->contact, scene, &m->system, m->energy.mass, m->energy.rest,
-                            why));
+    if (contact_wanted(scene))
+        TRY(pd_contact_init(&m->contact, scene, &m->system, m->supports.free_index));
     TRY(allocate(m));
     TRY(add_loads(m));
     if (options->chebyshev)
@@ -284,6 +266,8 @@ void pd_motion_begin(struct pd_motion *m)
         m->x[at] = m->base[at] = m->energy.rest[at] + m->shift[h];
     }
     pd_system_hold(&m->system, m->base);
+    if (m->contact.system)
+        pd_contact_begin(&m->contact, m->time, m->dt, m->start);
 }
 
 static double farthest(const struct pd_motion *m, const double *a, const double *b)
@@ -314,10 +298,10 @@ enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved)
     TRY(pd_system_solve(&m->system, m->next));
     if (m->options.chebyshev)
         pd_motion_overshoot(m, number);
-    if (m->options.chebyshev)
-        m->contact.scale = m->weight;
-    if (m->scene->obstacle_count)
-        TRY(pd_contact_apply(&m->contact, number ? m->x : m->start, m->start, m->next));
+    if (m->contact.system)
+        TRY(pd_contact_apply(&m->contact,
+                             m->span * m->span * (m->options.chebyshev ? m->weight : 1),
+                             m->next));
     if (moved)
         *moved = farthest(m, m->next, m->x);
     if (m->options.chebyshev) {
@@ -329,11 +313,16 @@ out:
     return st;
 }
 
-/* Adds the step's share of the frame's mean force. */
-static void add_push(struct pd_motion *m)
+/* Ends a step's contact: finds its forces, and adds their share of the frame's mean. */
+static enum status add_push(struct pd_motion *m)
 {
+    enum status st;
+
+    TRY(pd_contact_find(&m->contact, m->x));
     for (int c = 0; c < 3; c++)
-        m->push[c] += m->contact.force[c] / (m->span * m->span * m->options.substeps);
+        m->push[c] += m->contact.law.force[c] / m->options.substeps;
+out:
+    return st;
 }
 
 /* Estimates the movement that is left from the last changes, `moved` and `before`
@@ -386,29 +375,28 @@ static void pass_middle(struct pd_motion *m)
     }
 }
 
-/* Corrects BDF2's history after a step: a node that touches an obstacle, which comes
- * without notice, has Euler's velocity along the normal, and had it a step ago. */
+/* Corrects BDF2's history after a step: a node on which contact pushes, which comes without
+ * notice, has Euler's velocity along the normal, and had it a step ago. */
 static void touch(struct pd_motion *m)
 {
     const ptrdiff_t stride = pd_net_stride(&m->energy.net);
+    const struct contact *law = &m->contact.law;
 
-    for (int t = 0; t < m->contact.count; t++) {
-        const ptrdiff_t at = t % m->contact.nodes;
-        double normal[3], more = 0, ago = 0;
-        if (!m->contact.touch[t].closed)
-            continue;
-        pd_contact_normal(&m->contact, t, m->x, normal);
-        for (int c = 0; c < 3; c++) {
-            const ptrdiff_t k = c * stride + at;
-            const double v = (m->x[k] - m->start[k]) / m->dt;
-            more += normal[c] * (v - m->v[k]);
-            ago += normal[c] * (v - m->backward.v[k]);
+    for (const struct contact_touch *t = law->touch; t < law->touch + law->count; t++)
+        for (int n = t->first; t->push > 0 && n < t->first + t->count; n++) {
+            double more = 0, ago = 0;
+            for (int c = 0; c < 3; c++) {
+                const ptrdiff_t k = c * stride + law->node[n];
+                const double v = (m->x[k] - m->start[k]) / m->dt;
+                more += t->normal[c] * (v - m->v[k]);
+                ago += t->normal[c] * (v - m->backward.v[k]);
+            }
+            for (int c = 0; c < 3; c++) {
+                const ptrdiff_t k = c * stride + law->node[n];
+                m->v[k] += more * t->normal[c];
+                m->backward.v[k] += ago * t->normal[c];
+            }
         }
-        for (int c = 0; c < 3; c++) {
-            m->v[c * stride + at] += more * normal[c];
-            m->backward.v[c * stride + at] += ago * normal[c];
-        }
-    }
 }
 
 static enum status step(struct pd_motion *m, struct counters *counters)
@@ -418,7 +406,7 @@ static enum status step(struct pd_motion *m, struct counters *counters)
     double near = o->tolerance * m->scene->length, moved = INFINITY, value = INFINITY;
     double before = INFINITY;
     int number = 0;
-    long pushes = m->contact.dual.solves;
+    long pushes = m->contact.solves;
 
     pd_motion_begin(m);
     for (int n = 0; n < o->iterations && !(o->tolerance > 0 && moved <= near); n++) {
@@ -433,9 +421,9 @@ static enum status step(struct pd_motion *m, struct counters *counters)
     }
     if (moved < INFINITY)
         keep_left(m, before, moved);
-    counters->solves += m->contact.dual.solves - pushes;
-    if (m->scene->obstacle_count)
-        add_push(m);
+    counters->solves += m->contact.solves - pushes;
+    if (m->contact.system)
+        TRY(add_push(m));
     if (m->options.midpoint)
         pass_middle(m);
     else
@@ -513,7 +501,8 @@ void pd_motion_energy(const void *motion, struct energy *energy)
             double pull = m->scene->gravity[c] + (m->dead ? m->dead[at] : 0);
             potential -= m->energy.mass[k] * pull * (m->x[at] - m->energy.rest[at]);
         }
-    *energy = (struct energy){kinetic, pd_energy_value(&m->energy, m->x), potential};
+    *energy = (struct energy){
+        kinetic, pd_energy_value(&m->energy, m->x) + m->contact.law.energy, potential};
 }
 
 void pd_motion_size(const void *motion, struct model_size *size)
@@ -535,7 +524,6 @@ void pd_motion_contact(const void *motion, struct model_contact *contact)
 {
     const struct pd_motion *m = motion;
 
-    *contact = (struct model_contact){.nodes = m->contact.pressed,
-                                      .least_gap = pd_contact_gap(&m->contact, m->x)};
+    contact_report(&m->contact.law, contact);
     memcpy(contact->force, m->push, sizeof contact->force);
 }

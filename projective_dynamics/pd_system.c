@@ -266,13 +266,7 @@ out:
     return st;
 }
 
-enum status pd_system_column(struct pd_system *s, int group, int node, double *column)
+double pd_system_diagonal(const struct pd_system *s, int node)
 {
-    const struct pd_group *g = &s->group[group];
-
-    memset(column, 0, (size_t)s->net->nodes * sizeof *column);
-    if (s->held[g->first * s->net->nodes + node])
-        return STATUS_OK;
-    column[node] = 1;
-    return factor_solve(g->factor, column);
+    return s->stencil[(size_t)node * COUPLINGS];
 }

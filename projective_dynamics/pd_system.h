@@ -46,9 +46,8 @@ void pd_system_hold(const struct pd_system *s, double *base);
 /* Solves A x = b in place, three fields; held nodes keep b's value. */
 enum status pd_system_solve(struct pd_system *s, double *b);
 
-/* Computes column `node` of A^-1 in the components of group `group`: column[nodes]; zeros
- * at held nodes, and all zeros if the node is held. */
-enum status pd_system_column(struct pd_system *s, int group, int node, double *column);
+/* Returns A's diagonal at a node. */
+double pd_system_diagonal(const struct pd_system *s, int node);
 
 /* Computes y = A x, three fields, held nodes as if free: for residuals and tests. */
 void pd_system_multiply(const struct pd_system *s, const double *x, double *y);

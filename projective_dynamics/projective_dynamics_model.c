@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/net/net_surface.h"
 #include "projective_dynamics/pd_motion.h"
@@ -73,13 +74,14 @@ static enum status create(const struct scene *scene, const struct discretization
     const struct pd_options chosen = options_of(d);
 
     TRY(model_refuse_net(scene, d, why));
+    TRY(contact_rest_refuse(scene, why));
     if (d->parameters == PARAMETERS_MATCHED)
         TRY(refuse_damping(scene, why));
-    if (d->integrator == INTEGRATOR_MIDPOINT && scene->obstacle_count)
+    if (d->integrator == INTEGRATOR_MIDPOINT && contact_wanted(scene))
         return status_fail(
             why, STATUS_UNSUPPORTED,
-            "integrator=midpoint: without obstacles only, as a sheet that is "
-            "outside of them in the middle of a step may be inside at its end");
+            "integrator=midpoint: without contact only, as a sheet that is outside of "
+            "obstacles in the middle of a step may be inside at its end");
     if (own->acceleration == ACCELERATION_ADMM && own->constraint != CONSTRAINT_TRIANGLES)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "acceleration=admm: with constraint=triangles only");
@@ -125,7 +127,8 @@ const struct model projective_dynamics_model = {
     .title = "projective dynamics",
     .source = "Bouaziz, Martin, Liu, Kavan, Pauly 2014; on springs Liu et al. 2013; "
               "acceleration: Wang 2015",
-    .serves = SCENE_NEED_CONTACT | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
+    .serves = SCENE_NEED_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
+              SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_LOADS |
               SCENE_NEED_INITIAL_MOTION,
     .options = options,

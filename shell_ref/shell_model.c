@@ -6,6 +6,7 @@
 
 #include "iga/cloak_net.h"
 #include "iga/support_knots.h"
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "shell_ref/shell_motion.h"
@@ -120,6 +121,8 @@ static enum status refuse(const struct scene *scene, const struct discretization
 {
     enum status st = model_refuse(scene, shell_model.serves, why);
 
+    if (st == STATUS_OK)
+        st = contact_rest_refuse(scene, why);
     if (st != STATUS_OK)
         return st;
     if (d->points[2] > 1 || d->gauss[2])
@@ -332,10 +335,10 @@ const struct model shell_model = {
     .source =
         "Kiendl, Bletzinger, Linhard, Wuechner, Comput. Methods Appl. Mech. Engrg. 198 "
         "(2009) 3902-3914; Simo, Tarnow, ZAMP 43 (1992) 757-792",
-    .serves = SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |
-              SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS |
-              SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |
-              SCENE_NEED_INITIAL_MOTION,
+    .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
+              SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
+              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS |
+              SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST | SCENE_NEED_INITIAL_MOTION,
     .options = options,
     /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
      * about the same time: Newton's method takes fewer tangents. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/bspline_contact.h"
 #include "iga/support_knots.h"
 #include "models/damping.h"
 #include "models/linalg/order.h"
@@ -115,9 +116,12 @@ static enum status find_parity(struct shell_motion *m)
 static enum status make_room(struct shell_motion *m)
 {
     size_t nodes = (size_t)m->space->nodes;
+    const size_t pairs = (size_t)m->assembly.graph.start[nodes];
+    const bool linear = m->kinematics == KINEMATICS_LINEAR && contact_wanted(m->scene);
     enum status st = room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->load, 3 * nodes),
                               ROOM(m->held, 4 * (size_t)m->supports.held_count),
-                              ROOM(m->K, m->assembly.graph.start[nodes]));
+                              ROOM(m->K, pairs), ROOM(m->meets.tangent, linear ? pairs : 0),
+                              ROOM(m->meets.room, linear ? 15 * nodes : 0));
 
     if (st == STATUS_OK)
         memcpy(m->x, m->space->rest, 3 * nodes * sizeof *m->x);
@@ -144,9 +148,38 @@ static enum status make_large(struct shell_motion *m, const struct discretizatio
         .lag = rings ? 0 : large_motion_lag,
         .rings = rings,
         .full = d->newton == NEWTON_FULL,
-        .contact = m->scene->obstacle_count ? &m->contact : NULL,
+        .contact = contact_wanted(m->scene) ? &m->contact : NULL,
     };
     return large_motion_init(&m->large);
+}
+
+static int row(const void *space, double u, double v, int *node, double *shape)
+{
+    const struct shell_space *s = space;
+    double T[SHELL_DERIVATIVES * SHELL_MAX_LOCAL];
+
+    shell_space_at(s, u, v, node, T);
+    memcpy(shape, T, (size_t)s->local * sizeof *shape);
+    return s->local;
+}
+
+/* Makes the surface that meets bodies and itself, several samples a span. */
+static enum status meet(struct shell_motion *m)
+{
+    const struct shell_space *space = m->space;
+    struct contact_surface surface;
+    enum status st = bspline_contact_surface(m->scene, space->basis, space, row,
+                                             space->local, space->nodes, &surface);
+
+    m->meets = (struct contact_linear){.contact = &m->contact,
+                                       .newmark = &m->newmark,
+                                       .system = &m->system,
+                                       .K = (const double(*)[9])m->K,
+                                       .M = m->assembly.M,
+                                       .load = m->load,
+                                       .tangent = m->meets.tangent,
+                                       .room = m->meets.room};
+    return st == STATUS_OK ? contact_init(&m->contact, m->scene, &surface) : st;
 }
 
 static enum status build(struct shell_motion *m, const struct discretization *d,
@@ -171,12 +204,12 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
                            m->K));
     if (m->kinematics == KINEMATICS_NONLINEAR)
         TRY(make_large(m, d));
-    else if (!scene->obstacle_count)
+    else if (!contact_wanted(scene))
         TRY(find_parity(m));
     TRY(order_wide(m->space->basis[0].n, m->space->basis[1].n, 1, &order));
     TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order, d));
-    TRY(contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports,
-                          scene->thickness / 2, order, d));
+    if (contact_wanted(scene))
+        TRY(meet(m));
     if (m->kinematics == KINEMATICS_NONLINEAR)
         TRY(large_leapfrog_make(&m->large, d, why));
 out:
@@ -195,7 +228,8 @@ void shell_motion_clear(struct shell_motion *m)
     free(m->room);
     free(m->dead);
     large_motion_clear(&m->large);
-    contact_step_clear(&m->contact);
+    contact_linear_clear(&m->meets);
+    contact_clear(&m->contact);
     memset(m, 0, sizeof *m);
 }
 
@@ -234,14 +268,14 @@ static enum status step_linear(struct shell_motion *m, struct counters *counters
     struct newmark_held held;
     size_t count = 3 * (size_t)m->space->nodes;
 
-    if (!m->started)
+    if (!m->started) {
         TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
                           follow(m, m->time, &held), counters));
-    m->started = true;
+        m->started = m->meets.plain = true;
+    }
     const struct newmark_held *at = follow(m, m->time + n->dt, &held);
-    if (m->scene->obstacle_count) {
-        TRY(contact_step_linear(&m->contact, n, &m->system, stiffness(m), m->assembly.M,
-                                m->load, at, m->x, counters));
+    if (m->meets.contact) {
+        TRY(contact_linear_step(&m->meets, m->time, at, m->x, counters));
     } else {
         TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load, at));
         counters->solves++;
@@ -301,10 +335,10 @@ void shell_motion_contact(const void *state, struct model_contact *contact)
 {
     const struct shell_motion *m = state;
 
-    if (m->kinematics == KINEMATICS_NONLINEAR && m->scene->obstacle_count)
+    if (m->kinematics == KINEMATICS_NONLINEAR)
         large_motion_contact(&m->large, contact);
     else
-        contact_set_report(&m->contact.set, m->x, 1 / m->newmark.dt, contact);
+        contact_report(&m->contact, contact);
 }
 
 void shell_motion_size(const void *state, struct model_size *size)

@@ -19,6 +19,7 @@
 #ifndef SHELL_MOTION_H
 #define SHELL_MOTION_H
 
+#include "models/mechanics/contact_linear.h"
 #include "models/mechanics/large_motion.h"
 #include "shell_ref/shell_assembly.h"
 
@@ -43,8 +44,9 @@ struct shell_motion {
     bool started;   /* linear: the constant system is factored; nonlinear: strain_old
                        belongs to x                                                    */
 
-    struct large_motion large;   /* nonlinear only                                       */
-    struct contact_step contact; /* with obstacles only                                */
+    struct large_motion large; /* nonlinear only                                       */
+    struct contact contact;    /* all zero where there is nothing to meet                 */
+    struct contact_linear meets; /* linear kinematics with contact                     */
 };
 
 /* Initialises; `space` must have been made for the scene's sheet; kinematics and solver

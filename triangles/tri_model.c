@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/net/net_surface.h"
@@ -27,6 +28,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
     enum status st;
 
     TRY(model_refuse_net(scene, d, why));
+    TRY(contact_rest_refuse(scene, why));
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");
@@ -121,9 +123,9 @@ const struct model tri_model = {
         "membrane: St. Venant and Kirchhoff, or Baraff and Witkin 1998; bending: Bergou "
         "et al. 2006, or Grinspun et al. 2003; steps: Simo and Tarnow 1992, Baraff and "
         "Witkin 1998, leapfrog",
-    .serves = SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |
-              SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG |
-              SCENE_NEED_INITIAL_MOTION,
+    .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
+              SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
+              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION,
     .options = options,
     .defaults = {.points = {16, 16, 1},
                  .degree = {1, 1, 1},

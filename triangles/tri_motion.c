@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/mechanics/contact_push.h"
 #include "models/mechanics/frequency.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/mechanics/large_rest.h"
@@ -145,9 +144,8 @@ enum status tri_motion_step(void *state, struct counters *counters)
     enum status st;
 
     if (m->leapfrog) {
-        memset(m->push, 0, sizeof m->push);
         m->large.motion.rested = false;
-        TRY(spring_leapfrog_frame(m->leapfrog, m->x, m->push, &m->pushed, counters));
+        TRY(spring_leapfrog_frame(m->leapfrog, m->x, counters));
     } else {
         TRY(spring_large_frame(&m->large, (double)m->frame * m->scene->step, counters));
     }
@@ -226,14 +224,10 @@ void tri_motion_contact(const void *state, struct model_contact *contact)
 {
     const struct tri_motion *m = state;
 
-    if (!m->leapfrog || m->large.motion.rested) {
+    if (!m->leapfrog || m->large.motion.rested)
         large_motion_contact(&m->large.motion, contact);
-        return;
-    }
-    *contact = (struct model_contact){
-        .nodes = m->pushed,
-        .least_gap = contact_push_gap(m->scene, m->net.points.nodes, m->x)};
-    memcpy(contact->force, m->push, sizeof contact->force);
+    else
+        *contact = spring_leapfrog_contact(m->leapfrog);
 }
 
 void tri_motion_energy(const void *state, struct energy *energy)

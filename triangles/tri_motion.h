@@ -35,8 +35,6 @@ struct tri_motion {
     struct spring_cells cells; /* swept only, as what follows                        */
     struct spring_stencil stencil;
     struct spring_leapfrog *leapfrog; /*                                       owned   */
-    double push[3];                   /* of obstacles, mean over the last frame  [N]   */
-    int pushed;                       /* points carried at its end                     */
     double *v;                        /* [nodes][3] work                         [m/s] */
     long frame;
     double rest_energy; /* round-off of the energy at rest                       [J]   */

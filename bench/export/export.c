@@ -7,6 +7,9 @@
 #include "bench/files/folder.h"
 #include "models/damping.h"
 #include "models/reader/scene_file.h"
+#include "models/reader/scene_schema.h"
+
+#define MESH_FILE "obstacle_%d.obj"
 
 /* --- scene.yaml: what was set is in it, and what its truth changes; comments are not ---
  */
@@ -94,20 +97,53 @@ static void put_supports(const struct scene *s, struct output *out)
     }
 }
 
+/* Puts path and turn of an obstacle. */
+static void put_motion(const struct scene_obstacle *o, struct output *out)
+{
+    output_print(out, "%s", o->path_count ? "    path:\n" : "");
+    for (int k = 0; k < o->path_count; k++)
+        put(out, "      - [#, #, #, #]\n", o->path[k]);
+    if (!o->turn_count)
+        return;
+    put(out, "    turn:\n      axis: [#, #, #]\n", o->turn_axis);
+    put(out, "      about: [#, #, #]\n      angles:\n", o->turn_point);
+    for (int k = 0; k < o->turn_count; k++)
+        put(out, "        - [#, #]\n", o->turn[k]);
+}
+
+/* Puts the numbers of each kind; a mesh lies in a file of its own, where it is. */
 static void put_obstacles(const struct scene *s, struct output *out)
 {
     for (int n = 0; n < s->obstacle_count; n++) {
         const struct scene_obstacle *o = &s->obstacles[n];
-        const bool plane = o->kind == OBSTACLE_PLANE;
-        output_print(out, "%s", n ? "" : "obstacles:\n");
-        put(out,
-            plane ? "  - plane:\n      point: [#, #, #]\n"
-                  : "  - sphere:\n      center: [#, #, #]\n",
-            o->point);
-        put(out, plane ? "      normal: [#, #, #]\n" : "      radius: #\n",
-            plane ? o->normal : &o->radius);
-        put(out, "      friction: #\n", &o->friction);
+        const struct schema_key *kind = &scene_schema_obstacles[o->kind];
+        output_print(out, "%s  - %s:\n", n ? "" : "obstacles:\n", kind->key);
+        if (o->kind == OBSTACLE_MESH) {
+            output_print(out, "      file: " MESH_FILE "\n", n);
+            put(out, "      friction: #\n", &o->friction);
+        }
+        for (const struct schema_key *k = kind->keys; o->kind != OBSTACLE_MESH && k->key;
+             k++) {
+            const bool vector = k->type == SCHEMA_VECTOR;
+            if (!vector && k->type != SCHEMA_NUMBER)
+                continue;
+            output_print(out, "      %s: ", k->key);
+            put(out, vector ? "[#, #, #]\n" : "#\n",
+                (const void *)((const char *)o + k->offset));
+        }
+        put_motion(o, out);
     }
+}
+
+static void put_contact(const struct scene *s, struct output *out)
+{
+    const struct scene_contact *c = &s->contact;
+
+    if (!c->self && c->thickness == 0 && c->range == 0 && c->stiffness == 0)
+        return;
+    output_print(out, "contact: {self: %s", c->self ? "true" : "false");
+    put(out, ", thickness: #, range: #, stiffness: #, friction: #}\n",
+        (double[]){c->thickness, c->range, c->stiffness, c->friction});
 }
 
 static enum status write_scene(struct export_job *j, struct output *out)
@@ -120,6 +156,7 @@ static enum status write_scene(struct export_job *j, struct output *out)
     put_forces(scene, out);
     put_supports(scene, out);
     put_obstacles(scene, out);
+    put_contact(scene, out);
     put(out, "time: {step: #, end: #}\n", (double[]){scene->step, scene->end});
     for (int n = 0; n < scene->snapshot_count; n++)
         put(out, n ? ", #" : "snapshots: [#", &scene->snapshots[n]);
@@ -185,6 +222,17 @@ static void put_damping(const struct scene *c, bool undamped, bool at_rest,
                      d->value);
 }
 
+/* Tells whether obstacles.csv says all there is to the obstacles. */
+static bool in_table(const struct scene *c)
+{
+    bool all = !(scene_needs(c) & SCENE_NEED_MOVING_OBSTACLES);
+
+    for (int n = 0; n < c->obstacle_count; n++)
+        all = all && (c->obstacles[n].kind == OBSTACLE_PLANE ||
+                      c->obstacles[n].kind == OBSTACLE_SPHERE);
+    return all;
+}
+
 static void put_physics(const struct export_job *j, struct output *out)
 {
     const struct scene *c = &j->scene;
@@ -194,8 +242,10 @@ static void put_physics(const struct export_job *j, struct output *out)
     put_damping(c, j->undamped, j->known.closed && c->support_count, out);
     output_print(out,
                  "- From t = 0 at rest in the rest shape%s, without stress; large "
-                 "displacements; no self-contact.\n",
-                 needs & SCENE_NEED_INITIAL_MOTION ? " but for velocities.csv [m/s]" : "");
+                 "displacements; %s.\n",
+                 needs & SCENE_NEED_INITIAL_MOTION ? " but for velocities.csv [m/s]" : "",
+                 needs & SCENE_NEED_SELF_CONTACT ? "the sheet meets itself (scene.yaml)"
+                                                 : "no self-contact");
     if (needs & SCENE_NEED_DRAG)
         output_print(out,
                      "- Body drag: %g kg/m^3/s times (wind - velocity) per volume, wind "
@@ -203,8 +253,14 @@ static void put_physics(const struct export_job *j, struct output *out)
                      c->drag, c->wind[0], c->wind[1], c->wind[2]);
     if (needs & SCENE_NEED_CONTACT)
         output_print(out,
-                     "- Obstacles stand still: obstacles.csv; normals point outward; "
-                     "Coulomb friction. The sheet's faces, h/2 off its middle, touch.\n");
+                     "- Obstacles%s: obstacles.csv; normals point outward; "
+                     "Coulomb friction. The sheet's faces, h/2 off its middle, touch.\n",
+                     needs & SCENE_NEED_MOVING_OBSTACLES ? "" : " stand still");
+    if (needs & SCENE_NEED_CONTACT && !in_table(c))
+        output_print(
+            out, "  obstacles.csv has all there is to a `plane` or `sphere`; the rest of "
+                 "a `capsule`, `box` or `mesh`\n  (obstacle_N.obj) and of one that moves "
+                 "(`moving_...`, its place without the motion) is in scene.yaml.\n");
     if (needs & SCENE_NEED_LOADS)
         output_print(out,
                      "- Forces that keep their direction from t = 0: loads.csv [N].\n");
@@ -343,17 +399,19 @@ static const struct {
 };
 enum { FILES = sizeof files / sizeof *files };
 
-static enum status write_file(struct export_job *j, int n, const char *folder,
-                              struct message *why)
+typedef enum status write_one(struct export_job *j, struct output *out);
+
+static enum status write_file(struct export_job *j, const char *name, write_one *write,
+                              const char *folder, struct message *why)
 {
     struct output *out = NULL, *done;
     char path[4096];
     enum status st;
 
-    if (snprintf(path, sizeof path, "%s/%s", folder, files[n].name) >= (int)sizeof path)
+    if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path)
         return status_fail(why, STATUS_FILE, "%.60s...: the path is too long", folder);
     TRY(output_create(path, &out, why));
-    TRY(files[n].write(j, out));
+    TRY(write(j, out));
     done = out, out = NULL;
     TRY(output_close(done, why));
 out:
@@ -371,7 +429,13 @@ static enum status write_all(struct export_job *j, const char *format, const cha
     for (int n = 0; n < FILES; n++) {
         const bool picked = !format || !files[n].format || !strcmp(format, files[n].format);
         if (picked && (!files[n].need || needs & files[n].need))
-            TRY(write_file(j, n, folder, why));
+            TRY(write_file(j, files[n].name, files[n].write, folder, why));
+    }
+    for (j->body = 0; j->body < j->scene.obstacle_count; j->body++) {
+        char name[32];
+        snprintf(name, sizeof name, MESH_FILE, j->body);
+        if (j->scene.obstacles[j->body].kind == OBSTACLE_MESH)
+            TRY(write_file(j, name, export_mesh_body, folder, why));
     }
 out:
     return st;

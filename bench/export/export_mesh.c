@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "models/contact/contact_mesh.h"
+
 /* Finds the corners of the n-th triangle, counted from 0: counter-clockwise seen from where
  * u x v points. A cell's diagonals alternate, so that the mesh has no bias. */
 static void triangle(const struct export_sheet *s, int n, int corner[3])
@@ -40,6 +42,21 @@ enum status export_mesh_obj(struct export_job *j, struct output *out)
         output_print(out, "f %d/%d %d/%d %d/%d\n", c[0] + 1, c[0] + 1, c[1] + 1, c[1] + 1,
                      c[2] + 1, c[2] + 1);
     }
+    return STATUS_OK;
+}
+
+/* Writes a body as it lies in the scene, in metres. */
+enum status export_mesh_body(struct export_job *j, struct output *out)
+{
+    const struct contact_mesh_view m = contact_mesh_view(j->scene.obstacles[j->body].mesh);
+
+    output_print(out, "# obstacle %d of %s [m]\no obstacle\n", j->body, j->scene.name);
+    for (int n = 0; n < m.vertices; n++)
+        output_print(out, "v %.17g %.17g %.17g\n", m.vertex[n][0], m.vertex[n][1],
+                     m.vertex[n][2]);
+    for (int n = 0; n < m.triangles; n++)
+        output_print(out, "f %d %d %d\n", m.triangle[n][0] + 1, m.triangle[n][1] + 1,
+                     m.triangle[n][2] + 1);
     return STATUS_OK;
 }
 

@@ -9,6 +9,7 @@
 #include "bench/export/export_parts.h"
 #include "models/net/spring_net.h"
 #include "models/mechanics/dead_load.h"
+#include "models/reader/scene_schema.h"
 
 /* A stiffness over E h below this is round-off: long cells do not need that spring. */
 static const double NOTHING = 1e-12;
@@ -239,12 +240,16 @@ enum status export_numbers_obstacles(struct export_job *j, struct output *out)
         const struct scene_obstacle *o = &j->scene.obstacles[n];
         const double *p = o->point, *m = o->normal;
         const double size = hypot(m[0], hypot(m[1], m[2]));
+        output_print(out, "%s%s,%.17g,%.17g,%.17g",
+                     o->path_count + o->turn_count ? "moving_" : "",
+                     scene_schema_obstacles[o->kind].key, p[0], p[1], p[2]);
         if (o->kind == OBSTACLE_PLANE)
-            output_print(out, "plane,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,,%.17g\n", p[0],
-                         p[1], p[2], m[0] / size, m[1] / size, m[2] / size, o->friction);
+            output_print(out, ",%.17g,%.17g,%.17g", m[0] / size, m[1] / size, m[2] / size);
         else
-            output_print(out, "sphere,%.17g,%.17g,%.17g,,,,%.17g,%.17g\n", p[0], p[1], p[2],
-                         o->radius, o->friction);
+            output_print(out, ",,,");
+        print_cell(out, o->radius > 0 ? o->radius : NAN);
+        print_cell(out, o->friction);
+        output_print(out, "\n");
     }
     return STATUS_OK;
 }

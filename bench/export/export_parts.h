@@ -40,6 +40,7 @@ struct export_job {
     struct export_held held;
     struct truth known;    /* no times: no truth is known                                */
     struct message misfit; /* what matched springs cannot represent; empty: nothing      */
+    int body;              /* the obstacle of export_mesh_body                            */
     bool undamped;         /* the scene is damped by a factor a step, its truth is not   */
 };
 
@@ -48,6 +49,7 @@ enum status export_mesh_obj(struct export_job *j, struct output *out);
 enum status export_mesh_ply(struct export_job *j, struct output *out);
 enum status export_mesh_csv(struct export_job *j, struct output *out);
 enum status export_held_csv(struct export_job *j, struct output *out);
+enum status export_mesh_body(struct export_job *j, struct output *out);
 enum status export_numbers_materials(struct export_job *j, struct output *out);
 enum status export_numbers_times(struct export_job *j, struct output *out);
 enum status export_numbers_obstacles(struct export_job *j, struct output *out);

@@ -19,8 +19,7 @@ const struct looks_series looks_series[LOOKS_SERIES] = {
                        MEASURE_STRETCH_END},
     [LOOKS_ROUGHNESS] = {"roughness", "1", metric_roughness, MEASURE_ROUGHNESS_MAX,
                          MEASURE_ROUGHNESS_END},
-    [LOOKS_PENETRATION] = {"penetration", "m", metric_penetration, MEASURE_PENETRATION_MAX,
-                           -1},
+    [LOOKS_PENETRATION] = {"penetration", "m", NULL, MEASURE_PENETRATION_MAX, -1},
     [LOOKS_INTERSECTIONS] = {"intersections", "1", NULL, MEASURE_INTERSECTIONS_MAX,
                              MEASURE_INTERSECTIONS_END},
     [LOOKS_SPEED] = {"speed", "m/s", NULL, MEASURE_SPEED_MAX, MEASURE_SPEED_END},
@@ -57,6 +56,7 @@ void looks_add(struct looks *l, const struct scene *scene, double time, const do
     l->time[n] = time;
     for (int i = 0; i < LOOKS_SERIES; i++)
         l->series[i][n] = looks_series[i].value ? looks_series[i].value(scene, xyz) : NAN;
+    l->series[LOOKS_PENETRATION][n] = metric_penetration(scene, time, xyz);
     if (intersections)
         l->series[LOOKS_INTERSECTIONS][n] =
             metric_intersections_every(xyz, INTERSECTION_STEP);

@@ -101,8 +101,8 @@ double truth_plan_frame(const struct scene *scene);
 
 /* Writes what of a scene its motion depends on as text: a truth holds for every scene and
  * all settings with the same text, whatever their names, times and numerics. Lines `key
- * value...` with 17 digits: sheet, pose, material, loads, damping, supports and obstacles.
- * *text is freed by the receiver. STATUS_MEMORY. */
+ * value...` with 17 digits: sheet, pose, material, loads, damping, supports, obstacles and
+ * a contact that is not all by rule. *text is freed by the receiver. STATUS_MEMORY. */
 enum status truth_physics(const struct scene *scene, char **text);
 
 /* Compares a text with this scene's. STATUS_UNSUPPORTED: it is of other physics, and the

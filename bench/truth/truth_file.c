@@ -1,3 +1,4 @@
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,8 +9,10 @@
 #include "bench/files/store.h"
 #include "bench/harness/run.h"
 #include "bench/truth/truth_parts.h"
+#include "models/contact/contact_mesh.h"
 #include "models/damping.h"
 #include "models/grid.h"
+#include "models/reader/scene_schema.h"
 
 /* --- What it holds for --- */
 
@@ -42,16 +45,48 @@ static void print_loads(const struct scene *s, FILE *out)
     }
 }
 
+/* Prints a mesh as it lies in the scene: its numbers, and a mark made from all of it. */
+static void print_mesh(const struct scene_obstacle *o, FILE *out)
+{
+    if (o->mesh) {
+        const struct contact_mesh_view m = contact_mesh_view(o->mesh);
+        fprintf(out, "mesh %d %d %016" PRIx64 "\n", m.vertices, m.triangles, m.mark);
+    } else
+        fprintf(out, "mesh missing\n");
+    print(out, "friction", 1, &o->friction);
+}
+
 static void print_obstacles(const struct scene *s, FILE *out)
 {
     for (int n = 0; n < s->obstacle_count; n++) {
         const struct scene_obstacle *o = &s->obstacles[n];
-        bool plane = o->kind == OBSTACLE_PLANE;
-        print(out, plane ? "plane" : "sphere", 3, o->point);
-        print(out, plane ? "normal" : "radius", plane ? 3 : 1,
-              plane ? o->normal : &o->radius);
-        print(out, "friction", 1, &o->friction);
+        const struct schema_key *kind = &scene_schema_obstacles[o->kind], *k = kind->keys;
+        if (o->kind == OBSTACLE_MESH)
+            print_mesh(o, out);
+        for (; o->kind != OBSTACLE_MESH && k->key; k++)
+            if (k->type == SCHEMA_NUMBER || k->type == SCHEMA_VECTOR)
+                print(out, k == kind->keys ? kind->key : k->key,
+                      k->type == SCHEMA_VECTOR ? 3 : 1,
+                      (const void *)((const char *)o + k->offset));
+        for (int row = 0; row < o->path_count; row++)
+            print(out, "obstacle path", 4, o->path[row]);
+        if (o->turn_count) {
+            print(out, "turn axis", 3, o->turn_axis);
+            print(out, "turn about", 3, o->turn_point);
+        }
+        for (int row = 0; row < o->turn_count; row++)
+            print(out, "obstacle turn", 2, o->turn[row]);
     }
+}
+
+/* Prints only a contact that is not all by rule. */
+static void print_contact(const struct scene *s, FILE *out)
+{
+    const struct scene_contact *c = &s->contact;
+
+    if (c->self || c->thickness > 0 || c->range > 0 || c->stiffness > 0 || c->friction > 0)
+        print(out, "contact", 5,
+              (double[]){c->self, c->thickness, c->range, c->stiffness, c->friction});
 }
 
 /* Prints only the numbers that the kind of damping has. A factor a step is a physics that
@@ -97,6 +132,7 @@ enum status truth_physics(const struct scene *s, char **text)
     print_supports(s, out);
     print_loads(s, out);
     print_obstacles(s, out);
+    print_contact(s, out);
     if (fclose(out) != 0) {
         free(result);
         return STATUS_MEMORY;

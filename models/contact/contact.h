@@ -16,39 +16,52 @@
 #define CONTACT_H
 
 #include "models/contact/contact_law.h"
+#include "models/contact/contact_search.h"
 #include "models/contact/contact_shape.h"
 #include "models/contact/contact_surface.h"
 #include "models/model.h"
 
 struct contact_touch {
-    int sample, obstacle;   /* obstacle -1: the sheet itself                             */
-    int first, count;       /* its nodes and weights in contact's lists                  */
-    double D, normal[3];    /* distance [m]; the gradient of D by the sample's place     */
-    double area;            /* [m^2]                                                     */
+    int sample, obstacle; /* obstacle -1: the sheet itself                             */
+    int first, count;     /* its nodes and weights in contact's lists                  */
+    double D, normal[3];  /* distance [m]; the gradient of D by the sample's place     */
+    double D_old; /* when the step began                                      [m]   */
+    double area;  /* [m^2]                                                     */
     double push, stiffness; /* area times pressure [N] and its slope [N/m]             */
     double rub[3];          /* friction's force                                [N]     */
-    double drag;            /* its force over the way across the normal        [N/m]   */
+    double drag;            /* its force over the slip                         [N/m]   */
+    double grip;            /* its change by more slip the same way            [N/m]   */
 };
 
 struct contact {
     const struct scene *scene; /*                                            borrowed  */
     struct contact_surface surface; /*                            owned     */
     struct contact_law body, self;
+    struct contact_search search; /* with contact.self                       owned     */
+    enum status failed; /* of contact_limit: the next contact_find returns it          */
     struct contact_pose *pose, *pose_old; /* [obstacles]                owned     */
+    int finds;       /* calls of contact_find in the step                             */
     double t, dt;    /* the step: [t, t + dt]; dt INFINITY: no rates                 */
+    bool rests;      /* the pressure has no rate, only friction                      */
     double *x_old;   /* [nodes][3] where it starts                         owned     */
     int count, room; /* touches; of the last contact_find or contact_project         */
     struct contact_touch *touch; /*                            owned     */
     int weights, weight_room;
     int *node;       /* [weights]                                          owned     */
     double *weight;  /* [weights]                                          owned     */
+    double *spare;   /* [samples][4] a place, and how far from it no still body is met by
+                        contact_project [m]                                owned     */
     double energy;   /* of the last contact_find                            [J]      */
-    double least;    /* least D of the last contact_find, less the start of its law [m] */
+    double least;    /* least D of the same, less the start of its law; of
+                        contact_project a lower bound where that is positive [m] */
     double force[3]; /* on the sheet by bodies, of the same                 [N]      */
 };
 
 /* Returns whether the scene has anything to meet: without it nothing here is needed. */
 bool contact_wanted(const struct scene *scene);
+
+/* Returns whether anything in its scene has friction. */
+bool contact_rubs(const struct contact *c);
 
 /* Initialises, and takes over the surface (also on failure). */
 enum status contact_init(struct contact *c, const struct scene *scene,
@@ -57,6 +70,10 @@ void contact_clear(struct contact *c);
 
 /* Begins a step at x_old[nodes][3] and time t [s]; dt INFINITY: statics at time t. */
 void contact_begin(struct contact *c, double t, double dt, const double *x_old);
+
+/* Begins a step of a search for rest, at time t: the pressure has no rate, and friction is
+ * that of a way in the time dt. */
+void contact_begin_rest(struct contact *c, double t, double dt, const double *x_old);
 
 /* Finds the touches at x[nodes][3], with forces, stiffness, energy and report. STATUS_NAN,
  * STATUS_MEMORY. */
@@ -67,7 +84,12 @@ void contact_force(const struct contact *c, double *force);
 
 /* Returns the largest share, at most 1, of a change d of x that leaves a tenth of each
  * sample's distance to the wall. */
-double contact_limit(const struct contact *c, const double *x, const double *d);
+double contact_limit(struct contact *c, const double *x, const double *d);
+
+/* Shortens the change d[nodes][3] of x so that each sample leaves as much: before bodies
+ * each node's by a share of its own, before the sheet itself all by one; returns whether
+ * any was shortened. For samples of one node. */
+bool contact_shorten(struct contact *c, const double *x, double *d);
 
 /* Moves x[nodes][3], where a step would end without contact, to where it ends with it:
  * touches one after the other, each by the force that the law has where it then is

@@ -1,5 +1,6 @@
 #include "models/contact/contact_surface.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -79,6 +80,33 @@ enum status contact_surface_init(struct contact_surface *s, const struct scene *
                          s->node + (size_t)n * width, s->shape + (size_t)n * width);
     measure_lines(s, scene);
     share_areas(s, scene);
+out:
+    return st;
+}
+
+static int row_of_net(const void *points, double u, double v, int *node, double *shape)
+{
+    const int *n = points;
+
+    *node = (int)lround(u * (n[0] - 1)) * n[1] + (int)lround(v * (n[1] - 1));
+    *shape = 1;
+    return 1;
+}
+
+enum status contact_surface_init_net(struct contact_surface *s, const struct scene *scene,
+                                     const int points[2])
+{
+    enum status st;
+    const double ends[2] = {0, 1};
+    double *line[2];
+    void *room;
+
+    TRY(room_cut(&room, ROOM(line[0], points[0]), ROOM(line[1], points[1])));
+    for (int d = 0; d < 2; d++)
+        contact_surface_line(2, ends, points[d] - 1, line[d]);
+    st = contact_surface_init(s, scene, points, row_of_net, 1, points[0] * points[1],
+                              (const double *const *)line, points);
+    free(room);
 out:
     return st;
 }

@@ -36,6 +36,10 @@ struct contact_surface {
 enum status contact_surface_init(struct contact_surface *s, const struct scene *scene,
                                  const void *self, contact_row *row, int width, int nodes,
                                  const double *const line[2], const int points[2]);
+
+/* Makes the samples of a net whose nodes, number i points[1] + j, lie evenly at (u,v). */
+enum status contact_surface_init_net(struct contact_surface *s, const struct scene *scene,
+                                     const int points[2]);
 void contact_surface_clear(struct contact_surface *s);
 
 /* Fills line[(breaks - 1) per + 1] with `per` samples a span of the ascending

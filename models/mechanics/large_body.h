@@ -4,7 +4,8 @@
 #ifndef LARGE_BODY_H
 #define LARGE_BODY_H
 
-#include "models/mechanics/contact_step.h"
+#include "models/mechanics/contact_coupled.h"
+#include "models/mechanics/newmark.h"
 #include "models/model.h"
 
 /* The stress and geometry of an equation: stress of s0 e_old + s1 e(x) on the geometry (1 -
@@ -95,9 +96,11 @@ struct large_motion {
                                 method cannot take without                             */
     bool euler;              /* steps are Euler's implicit ones                        */
     int enough;              /* iterations after which a step is taken; 0: converged   */
-    struct contact_step *contact; /* NULL: no obstacles                                */
-    bool full;                    /* a new tangent in each iteration                   */
-    bool rings; /* nothing damps the membrane, and Newton's method expects it  */
+    struct contact *contact; /* NULL: nothing to meet                             */
+    struct contact_coupled coupled; /* where the sheet touches itself          owned   */
+    bool is_coupled; /* it has the present factor                                      */
+    bool full;       /* a new tangent in each iteration                   */
+    bool rings;      /* nothing damps the membrane, and Newton's method expects it  */
 
     double *strain_old;  /* strains at the step's start                         owned   */
     double *strain_mean; /* mean of the last step, in the same room; NULL: not rings   */
@@ -110,7 +113,7 @@ struct large_motion {
     bool rested;         /* x is an equilibrium (large_rest.h)                          */
     int halvings;        /* the present substep is step / 2^halvings                    */
     struct large_leapfrog *leapfrog; /* explicit steps; NULL: implicit         owned   */
-    double push[3]; /* force of obstacles, mean over the last step           [N]   */
+    double push[3]; /* force of bodies, mean over the last step              [N]   */
 };
 
 #endif

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact/contact_shape.h"
-#include "models/mechanics/contact_push.h"
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
 
@@ -35,10 +33,10 @@ struct large_leapfrog {
     double *inverse;           /* [nodes][3] row sums: 1/mass, 0 of held unknowns         */
     double *a;                 /* [nodes][3] acceleration at x, 0 of held unknowns        */
     double *x_start, *v_start; /* [nodes][3] where the frame began                      */
-    double *before, *weight;   /* [nodes][3], [nodes] with obstacles                      */
+    double *before;            /* [nodes][3] with contact                                 */
+    double *compliance;        /* [nodes] with contact: dt^2 / mass               [m/N]   */
     double *pull, *shift;      /* [held_count] with supports that move: force less load,
                                   and the step's way                                      */
-    int pushed;                /* nodes that obstacles carried at the end                 */
 };
 
 static size_t count_of(const struct large_leapfrog *l)
@@ -77,8 +75,6 @@ static void make_mass(struct large_leapfrog *l)
     for (size_t t = 0; t < count_of(l); t++) {
         double mass = m->M[m->graph->start[t / 3]];
         l->inverse[t] = m->supports->free_index[t] < 0 ? 0 : 1 / mass;
-        if (l->weight)
-            l->weight[t / 3] = mass;
     }
 }
 
@@ -105,7 +101,7 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
     struct large_leapfrog *l = NULL;
     size_t count = 3 * (size_t)m->graph->nodes;
     const struct large_path statics = {.s1 = 1, .g1 = 1};
-    bool obstacles = m->scene->obstacle_count > 0, moving = m->supports->moving;
+    bool meets = m->contact != NULL, moving = m->supports->moving;
     size_t held = moving ? (size_t)m->supports->held_count : 0;
 
     if (d->integrator != INTEGRATOR_LEAPFROG)
@@ -116,8 +112,8 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
     l->m = m, l->asked = d->substeps;
     TRY(room_cut(&l->room, ROOM(l->a, count), ROOM(l->x_start, count),
                  ROOM(l->v_start, count), ROOM(l->inverse, count),
-                 ROOM(l->before, obstacles ? count : 0),
-                 ROOM(l->weight, obstacles ? count / 3 : 0), ROOM(l->pull, held),
+                 ROOM(l->before, meets ? count : 0),
+                 ROOM(l->compliance, meets ? count / 3 : 0), ROOM(l->pull, held),
                  ROOM(l->shift, held)));
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &statics, m->rest, (struct large_foresight){0}, m->K));
@@ -167,6 +163,8 @@ static enum status store(struct large_leapfrog *l, double *elastic)
     const struct large_motion *m = l->m;
     enum status st = m->body.energy(m->body.self, m->x, elastic);
 
+    if (m->contact)
+        *elastic += m->contact->energy;
     l->stored = *elastic;
     for (size_t t = 0; t < count_of(l); t++)
         l->stored -= m->load[t] * (m->x[t] - m->rest[t]);
@@ -218,20 +216,23 @@ static void add_work(struct large_leapfrog *l)
         l->work += l->pull[h] * l->shift[h] / 2;
 }
 
-/* Pushes nodes out of obstacles; v of those that were pushed is that of their real way. */
-static void leave_obstacles(struct large_leapfrog *l, double dt)
+/* Ends a step that began at time t by contact; v is then that of the real way. */
+static enum status meet(struct large_leapfrog *l, double t, double dt)
 {
     struct large_motion *m = l->m;
-    double force[3] = {0, 0, 0};
-    double unit = (1 + m->newmark->alpha * dt / 2) / (dt * dt * l->substeps);
+    const double share = 1 + m->newmark->alpha * dt / 2;
 
-    l->pushed = contact_push_out(m->scene, m->supports, m->contact->set.offset, l->weight,
-                                 l->before, m->x, force);
-    for (size_t t = 0; l->pushed && t < count_of(l); t++)
-        if (m->supports->free_index[t] >= 0)
-            m->newmark->v[t] = (m->x[t] - l->before[t]) / dt;
+    for (int a = 0; a < m->graph->nodes; a++)
+        l->compliance[a] = dt * dt / share / m->M[m->graph->start[a]];
+    contact_begin(m->contact, t, dt, l->before);
+    enum status st =
+        contact_project(m->contact, l->compliance, m->supports->free_index, m->x);
+    for (size_t k = 0; m->contact->count && k < count_of(l); k++)
+        if (m->supports->free_index[k] >= 0)
+            m->newmark->v[k] = (m->x[k] - l->before[k]) / dt;
     for (int i = 0; i < 3; i++)
-        m->push[i] += unit * force[i];
+        m->push[i] += m->contact->force[i] / l->substeps;
+    return st;
 }
 
 /* Computes v <- keep v + push a. */
@@ -264,7 +265,7 @@ static enum status run(struct large_leapfrog *l, double t, struct counters *coun
         if (moving)
             move_supports(l, t + (n + 1) * dt, dt), add_work(l);
         if (l->before)
-            leave_obstacles(l, dt);
+            TRY(meet(l, t + n * dt, dt));
         TRY(accelerate(l, counters));
         if (moving)
             add_work(l);
@@ -349,9 +350,6 @@ out:
 
 void large_leapfrog_contact(const struct large_motion *m, struct model_contact *contact)
 {
-    *contact = (struct model_contact){
-        .nodes = m->leapfrog->pushed,
-        .least_gap =
-            contact_least_gap(m->scene, 0, m->graph->nodes, m->x) - m->contact->set.offset};
+    contact_report(m->contact, contact);
     memcpy(contact->force, m->push, sizeof contact->force);
 }

@@ -16,7 +16,7 @@
  * gained is done again in twice as many steps, which then stay; one that gains in 256 times
  * as many, or in the number that was asked for, is a death.
  *
- * Obstacles set nodes back after each step (contact_push.h).
+ * Contact moves the nodes at the end of each step (contact_project).
  */
 #ifndef LARGE_LEAPFROG_H
 #define LARGE_LEAPFROG_H

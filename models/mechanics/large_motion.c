@@ -25,6 +25,7 @@ enum { HALVINGS = 8, FINEST = 1 << HALVINGS };
 void large_motion_clear(struct large_motion *m)
 {
     large_leapfrog_free(m->leapfrog);
+    contact_coupled_clear(&m->coupled);
     free(m->room);
     free(m->strain_old);
     memset(m, 0, sizeof *m);
@@ -78,19 +79,26 @@ static void finish(struct large_motion *m, double dt, const double *x_old)
         n->v[m->supports->held[h]] = v_held[h];
 }
 
-/* Ends a substep under contact: its impact, and its share of the step's force. */
-static enum status meet_obstacles(struct large_motion *m, double dt,
-                                  struct counters *counters)
+/* Begins a substep that may touch: the predicted way, in m->x, ends before anything. */
+static void begin_contact(struct large_motion *m, double t, double dt, const double *x_old)
 {
-    enum status st;
-    struct model_contact contact;
+    const size_t count = count_of(m);
 
-    TRY(contact_step_impact(m->contact, m->M, dt, 1 / dt, m->newmark->v, m->newmark->work,
-                            counters));
-    contact_set_report(&m->contact->set, m->x, dt / m->newmark->dt, &contact);
+    contact_begin(m->contact, t, dt, x_old);
+    for (size_t k = 0; k < count; k++)
+        m->x[k] -= x_old[k];
+    const double share = contact_limit(m->contact, x_old, m->x);
+    for (size_t k = 0; k < count; k++)
+        m->x[k] = x_old[k] + share * m->x[k];
+}
+
+/* Adds the substep's share of the step's force. */
+static enum status end_contact(struct large_motion *m, double dt)
+{
+    enum status st = contact_find(m->contact, m->x);
+
     for (int i = 0; i < 3; i++)
-        m->push[i] += contact.force[i];
-out:
+        m->push[i] += dt / m->newmark->dt * m->contact->force[i];
     return st;
 }
 
@@ -100,7 +108,7 @@ void large_motion_contact(const struct large_motion *m, struct model_contact *co
         large_leapfrog_contact(m, contact);
         return;
     }
-    contact_set_report(&m->contact->set, m->x, 1, contact);
+    contact_report(m->contact, contact);
     memcpy(contact->force, m->push, sizeof contact->force);
 }
 
@@ -149,13 +157,13 @@ static enum status substep(struct large_motion *m, double t, double dt,
         if (m->enough != 1)
             m->x[k] += dt * (n->v[k] + dt * end * n->a[k]);
     }
-    move_supports(m, t, dt, mass, x_old, hat);
     if (m->contact)
-        contact_set_detect(&m->contact->set, x_old);
+        begin_contact(m, t, dt, x_old);
+    move_supports(m, t, dt, mass, x_old, hat);
     TRY(large_newton_solve(m, &equation, m->x, counters));
     finish(m, dt, x_old);
     if (m->contact)
-        TRY(meet_obstacles(m, dt, counters));
+        TRY(end_contact(m, dt));
     TRY(keep_strains(m));
     return STATUS_OK;
 out:

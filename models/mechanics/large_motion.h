@@ -21,9 +21,8 @@
  *
  * Explicit steps: large_leapfrog.h.
  *
- * Obstacles add a force r that is constant over the step; contact_step.h has its work, and
- * the impact that ends the step. Newton's method meets them at the planes that touch at the
- * step's start, by contact_solve in each iteration.
+ * Contact adds its force at x_1: what it stores in a step is no more than the work that the
+ * motion does on it, whatever the step.
  */
 #ifndef LARGE_MOTION_H
 #define LARGE_MOTION_H

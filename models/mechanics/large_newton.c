@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "models/mechanics/contact_system.h"
+
 /* Steps below this part of the length end the iteration. */
 static const double STEP_TOLERANCE = 1e-7;
 /* The tangent at the predictor is kept after the first step, the longest by far, only if
@@ -17,10 +19,14 @@ static const double FIRST_CHORD = 0.03;
  * all. (edge_drop, undamped, no viscosity, to 2 s, shell 16x16, p = 3: .96 of the
  * assemblies.) */
 static const double RINGING_CHORD = 0.8;
+/* The least share that is taken of steps under contact that go back and forth. */
+static const double SMALLEST_SHARE = 0.1;
+/* The change under contact, in ranges of the law, and the iterations after which it will
+ * do. */
+static const double LEEWAY = 0.01;
+enum { LEEWAY_AFTER = 12 };
 /* The most halvings of a step that leads to a surface without normals or to NaN. */
 enum { HALVINGS = 6 };
-/* Friction that has not settled after so many iterations stays as it is for the step. */
-enum { FRICTION_ITERATIONS = 20 };
 /* Steps in time that do not halve in so many iterations creep about a tangent without
  * stress, and most never converge: two halves of the time step are cheaper than going on.
  * (edge_drop, undamped, no lag, to 0.9 s, shell 16x16, p = 3: .60 of the assemblies.) */
@@ -42,6 +48,12 @@ static enum status residual(struct large_motion *m, const struct large_equation 
         return st;
     for (size_t t = 0; t < count; t++)
         r[t] = q->load * m->load[t] - r[t];
+    if (m->contact) {
+        st = contact_find(m->contact, x);
+        if (st != STATUS_OK)
+            return st;
+        contact_force(m->contact, r);
+    }
     if (q->mass == 0)
         return STATUS_OK;
     double *inertia = m->newmark->work;
@@ -66,6 +78,9 @@ static enum status factor(struct large_motion *m, double mass, struct counters *
     enum status st = STATUS_OK;
 
     m->added = 0;
+    if (m->is_coupled)
+        return contact_coupled_update(&m->coupled, m->contact, m->graph, m->supports, 1, K,
+                                      1, mass, m->M);
     if (mass > 0)
         return system_update(m->system, 1, K, mass, m->M);
     st = system_factor(m->system, 1, K, mass, m->M);
@@ -78,10 +93,10 @@ static enum status factor(struct large_motion *m, double mass, struct counters *
     return st;
 }
 
-/* Tells whether obstacles matter; statics do not see them. */
-static bool in_contact(const struct large_motion *m, const struct large_equation *q)
+/* Tells whether the sheet touched anything where the residual was last computed. */
+static bool touches(const struct large_motion *m)
 {
-    return m->contact && q->mass > 0;
+    return m->contact && m->contact->count > 0;
 }
 
 static enum status refresh(struct large_motion *m, const struct large_equation *q,
@@ -96,11 +111,9 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
         foresight.none = m->stressless;
         TRY(large_body_tangent(&m->body, &q->path, x, foresight, m->K));
         counters->assemblies++;
-        if (in_contact(m, q)) {
-            contact_set_forget(&m->contact->set);
-            m->factored = q->mass;
-            break;
-        }
+        m->is_coupled = m->contact && contact_coupled_wanted(m->contact);
+        if (m->contact && !m->is_coupled)
+            contact_system_tangent(m->contact, m->graph, m->K);
         st = factor(m, q->mass, counters);
         if (st != STATUS_INDEFINITE || q->mass == 0)
             break;
@@ -121,31 +134,12 @@ struct iteration {
     double tolerance; /* [m]                                                           */
     double chord; /* the tangent is kept if the next step is so much shorter           */
     double gain;  /* ratio of steps at the last new tangent                            */
-    enum contact_friction friction;
+    double share; /* of the last d that was taken where it overshot                    */
+    bool whole;   /* contact did not cut d short                                       */
 };
 
-/* Solves with obstacles, factoring as needed. */
-static enum status solve_contact(struct large_motion *m, const struct large_equation *q,
-                                 struct iteration *i, struct counters *counters)
-{
-    size_t count = count_of(m);
-    const struct contact_problem problem = {.k = 1,
-                                            .K = (const double(*)[9])m->K,
-                                            .m = q->mass,
-                                            .M = m->M,
-                                            .b = i->r,
-                                            .scale = 1,
-                                            .still = i->work,
-                                            .friction = i->friction};
-
-    for (size_t t = 0; t < count; t++)
-        i->work[t] = q->path.x_old[t] - i->x[t];
-    memset(i->next, 0, count * sizeof *i->next);
-    return contact_solve(&m->contact->set, m->system, &problem, i->next, counters);
-}
-
 /* Solves for i->next from i->r with the factored tangent. A tangent found not to be
- * positive definite, by conjugate gradients or contact, is replaced by one without stress;
+ * positive definite, by conjugate gradients, is replaced by one without stress;
  * so is one for which GMRES finds no solution, since it cannot tell why. */
 static enum status solve(struct large_motion *m, const struct large_equation *q,
                          struct iteration *i, double *size, struct counters *counters)
@@ -153,13 +147,10 @@ static enum status solve(struct large_motion *m, const struct large_equation *q,
     enum status st;
 
     for (int attempt = 0; attempt < 2; attempt++) {
-        if (in_contact(m, q)) {
-            st = solve_contact(m, q, i, counters);
-        } else {
-            memcpy(i->next, i->r, count_of(m) * sizeof *i->next);
-            st = system_solve(m->system, i->next);
-            counters->solves++;
-        }
+        memcpy(i->next, i->r, count_of(m) * sizeof *i->next);
+        st = m->is_coupled ? contact_coupled_solve(&m->coupled, i->next)
+                           : system_solve(m->system, i->next);
+        counters->solves++;
         const bool indefinite = st == STATUS_INDEFINITE || st == STATUS_UNSOLVED;
         if (!indefinite || m->stressless || q->mass == 0)
             break;
@@ -173,6 +164,33 @@ out:
     return st;
 }
 
+/* Returns the share of d that makes good what the last step, i->next, overshot: along it, d
+ * goes back by so much (Aitken). */
+static double relax(const struct large_motion *m, const struct iteration *i)
+{
+    double along = 0, square = 0;
+
+    for (size_t t = 0; t < count_of(m); t++) {
+        along += i->d[t] * i->next[t];
+        square += i->next[t] * i->next[t];
+    }
+    return square > 0 ? fmin(1, i->share / (1 - i->share * along / square)) : 1;
+}
+
+/* Cuts d short of what contact forbids, and where steps go back and forth. */
+static void shorten(const struct large_motion *m, struct iteration *i)
+{
+    double share = m->contact ? contact_limit(m->contact, i->x, i->d) : 1;
+
+    i->whole = share == 1;
+    i->share = touches(m) ? relax(m, i) : 1;
+    if (!(i->share > SMALLEST_SHARE))
+        i->share = SMALLEST_SHARE;
+    share = fmin(share, i->share);
+    for (size_t t = 0; share < 1 && t < count_of(m); t++)
+        i->d[t] *= share;
+}
+
 /* Takes the step d and computes the right-hand side there; halves d while there is none. */
 static enum status take_step(struct large_motion *m, const struct large_equation *q,
                              struct iteration *i)
@@ -184,7 +202,7 @@ static enum status take_step(struct large_motion *m, const struct large_equation
         i->x[t] += i->d[t];
     for (int n = 0; n <= HALVINGS; n++) {
         st = residual(m, q, i->x, i->r, i->work);
-        if (st == STATUS_OK)
+        if (!status_is_death(st))
             break;
         for (size_t t = 0; t < count; t++) {
             i->d[t] /= 2;
@@ -222,7 +240,7 @@ static enum status next_step(struct large_motion *m, const struct large_equation
     enum status st;
     double size = INFINITY, *swap;
 
-    if (q->chord > 0)
+    if (q->chord > 0 && !touches(m))
         TRY(solve(m, q, i, &size, counters));
     if (!(size <= chord_of(m, i) * i->size)) {
         fill_beside(m, q, i);
@@ -247,6 +265,22 @@ static bool settled(const struct large_motion *m, double size, double before)
     return m->added == 0 || size <= shrink * before || size <= round_off * m->scene->length;
 }
 
+/* Returns the change at which the n-th iteration may end: a touch that comes and goes with
+ * the last digits, at the end of what counts as contact, keeps it from any smaller. */
+static double leeway(const struct large_motion *m, const struct large_equation *q, int n)
+{
+    const bool exact = q->tolerance > 0;
+
+    return touches(m) && !exact && n >= LEEWAY_AFTER ? LEEWAY * m->contact->body.range : 0;
+}
+
+static double tolerance(const struct large_motion *m, const struct large_equation *q)
+{
+    const double most = STEP_TOLERANCE * m->scene->length;
+
+    return q->tolerance > 0 ? fmin(most, q->tolerance) : most;
+}
+
 enum status large_newton_solve(struct large_motion *m, const struct large_equation *q,
                                double *x, struct counters *counters)
 {
@@ -260,14 +294,14 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                           .r = room + count,
                           .next = room + 2 * count,
                           .work = room + 3 * count,
-                          .tolerance = STEP_TOLERANCE * m->scene->length,
+                          .tolerance = tolerance(m, q),
                           .chord = q->chord,
                           .gain = 1,
-                          .friction = CONTACT_FRICTION_ONCE};
+                          .share = 1};
 
     m->stressless = false;
     TRY(residual(m, q, x, i.r, i.work));
-    if (q->chord == 0 || m->factored != q->mass || m->worn) {
+    if (q->chord == 0 || m->factored != q->mass || m->worn || touches(m)) {
         const double *strain = m->rings && q->mass > 0
                                    ? m->strain_mean
                                    : m->strain_old; /* without its ringing */
@@ -277,27 +311,27 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
     TRY(solve(m, q, &i, &i.size, counters));
     swap = i.d, i.d = i.next, i.next = swap;
     m->worn = false;
+    memset(i.next, 0, count * sizeof *i.next);
+    shorten(m, &i);
     for (int n = 0; n < q->limit; n++) {
         counters->iterations++;
         if (i.size < best / 2)
             best = i.size, since = n;
-        if (q->mass > 0 && !in_contact(m, q) && n - since > PATIENCE) {
+        if (q->mass > 0 && !touches(m) && n - since > PATIENCE) {
             st = STATUS_DIVERGED;
             goto out;
         }
-        bool calm = i.size <= i.tolerance && settled(m, i.size, before);
+        bool calm = i.size <= fmax(i.tolerance, leeway(m, q, n)) && i.whole &&
+                    settled(m, i.size, before);
         before = i.size;
-        /* the length of a step says little about changes that friction still has to make */
-        bool rubbed = in_contact(m, q) && !m->contact->set.settled;
-        if ((calm && !rubbed) || n + 1 == q->enough) {
+        if (calm || n + 1 == q->enough) {
             for (size_t t = 0; t < count; t++)
                 x[t] += i.d[t];
             return STATUS_OK;
         }
-        if (n == FRICTION_ITERATIONS)
-            i.friction = CONTACT_FRICTION_KEPT;
         TRY(take_step(m, q, &i));
         TRY(next_step(m, q, &i, counters));
+        shorten(m, &i);
     }
     st = STATUS_DIVERGED;
 out:

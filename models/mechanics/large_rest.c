@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "models/mechanics/contact_system.h"
 #include "models/mechanics/large_newton.h"
 #include "models/mechanics/large_settle.h"
 #include "models/mechanics/pencil.h"
@@ -14,11 +15,6 @@ static const struct large_path statics = {.s1 = 1, .g1 = 1};
 static const double FIRST_INCREMENT = 1.0 / 8, SMALLEST_INCREMENT = 1e-7,
                     SMALLEST_MOVE = 1e-6, LARGEST_MOVE = 1.0 / 16;
 enum { MOST_INCREMENTS = 2000 };
-
-/* In modes, obstacles hold nodes by springs of so many times the largest stiffness, which
- * lowers bending modes by far less than a hundredth. Round-off of stiffer springs would
- * hide which modes cost nothing. */
-static const double HOLDING = 100;
 
 /* The quantity that grows from 0 to 1: the load, then the time of the supports' paths. */
 enum stage { LOADING, MOVING };
@@ -213,17 +209,6 @@ out:
     return st;
 }
 
-/* Returns the largest number on the tangent's diagonal [N/m]. */
-static double stiffest(const struct large_motion *m)
-{
-    double most = 0;
-
-    for (int a = 0; a < m->graph->nodes; a++)
-        for (int i = 0; i < 9; i += 4)
-            most = fmax(most, m->K[m->graph->start[a]][i]);
-    return most;
-}
-
 enum status large_rest_modes(struct large_motion *m, int count, double *omega,
                              struct message *why)
 {
@@ -232,8 +217,12 @@ enum status large_rest_modes(struct large_motion *m, int count, double *omega,
 
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &statics, m->x, (struct large_foresight){0}, m->K));
-    if (m->contact)
-        contact_set_stiffen(&m->contact->set, m->graph, HOLDING * stiffest(m), m->K);
+    if (m->contact) {
+        contact_begin_rest(m->contact, supports_rest_time(m->supports, m->scene),
+                           m->scene->step, m->x);
+        TRY(contact_find(m->contact, m->x));
+        contact_system_turned(m->contact, m->x, m->graph, m->K);
+    }
     TRY(pencil_modes(&p, m->supports, NULL, count, omega, why));
 out:
     return st;

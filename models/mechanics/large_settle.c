@@ -9,9 +9,9 @@
 /* Rest: the unbalanced share of the loads and the supports' reactions is below this. */
 static const double RESIDUAL = 1e-6;
 
-/* Nodes nearer than this share of the length touch: an obstacle is met at its tangent
- * plane, which is off by d^2 / 2 R where the last step moved by d. */
-static const double TOUCHING = 1e-8;
+/* The error of a step, in the slip from which friction is whole: friction is off by the
+ * square of it. */
+static const double SLIP = 1e-3;
 
 /* The mass is multiplied by FAILED after a step that failed, by SHORTER where the step
  * needed a tangent without stress - a shape with an unstable way out is to be left - or
@@ -27,6 +27,31 @@ static const double LONGEST = 1e-8;
 
 enum { MOST_STEPS = 600 };
 
+/* Begins a step at `last` as one of the scene's: friction is that of the way in its time.
+ */
+static void begin_contact(struct large_motion *m, const double *last)
+{
+    contact_begin_rest(m->contact, supports_rest_time(m->supports, m->scene),
+                       m->scene->step, last);
+}
+
+/* Returns the slip of a step from which friction is whole, INFINITY without friction. */
+static double whole_slip(const struct large_motion *m)
+{
+    return m->contact && contact_rubs(m->contact) ? m->contact->body.creep * m->scene->step
+                                                  : INFINITY;
+}
+
+/* Returns the friction of what slips faster than friction lets creep what it holds. */
+static double sliding(const struct contact *c)
+{
+    double sum = 0;
+
+    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
+        sum += t->grip > 0 ? 0 : vector_length(t->rub);
+    return sum;
+}
+
 /* Computes the unbalanced share of the loads and the supports' reactions at m->x. */
 static enum status unbalanced(struct large_motion *m, double *share)
 {
@@ -35,15 +60,19 @@ static enum status unbalanced(struct large_motion *m, double *share)
     double *f = m->room + 2 * 3 * (size_t)m->graph->nodes, left = 0, borne = 0;
 
     TRY(large_body_force(&m->body, &statics, m->x, f));
-    for (int t = 0; t < 3 * m->graph->nodes; t++) {
+    for (int t = 0; t < 3 * m->graph->nodes; t++)
         f[t] = m->load[t] - f[t];
+    if (m->contact) {
+        TRY(contact_find(m->contact, m->x));
+        contact_force(m->contact, f);
+        left = sliding(m->contact);
+    }
+    for (int t = 0; t < 3 * m->graph->nodes; t++) {
         if (m->supports->free_index[t] >= 0)
             continue;
         borne += fabs(f[t]);
         f[t] = 0;
     }
-    if (m->contact)
-        contact_set_balance(&m->contact->set, m->x, TOUCHING * m->scene->length, f);
     for (int a = 0; a < m->graph->nodes; a++) {
         left += vector_length(f + 3 * (size_t)a);
         borne += vector_length(m->load + 3 * (size_t)a);
@@ -65,11 +94,12 @@ static enum status step(struct large_motion *m, double mass, double *moved,
         .mass = mass,
         .hat = last,
         .load = 1,
+        .tolerance = SLIP * whole_slip(m),
         .limit = 30};
 
     memcpy(last, m->x, count * sizeof *last);
     if (m->contact)
-        contact_set_detect(&m->contact->set, last);
+        begin_contact(m, last);
     TRY(large_body_strain(&m->body, last, m->strain_old));
     m->factored = -1;
     st = large_newton_solve(m, &q, m->x, counters);
@@ -100,7 +130,6 @@ enum status large_settle(struct large_motion *m, struct counters *counters,
     enum status st = STATUS_OK;
     double first = 1 / (m->scene->step * m->scene->step), mass = first;
     double left = INFINITY, moved = 0;
-    struct model_contact contact;
     int n = 0;
 
     for (; n < MOST_STEPS && left > RESIDUAL; n++) {
@@ -115,10 +144,8 @@ enum status large_settle(struct large_motion *m, struct counters *counters,
         TRY(status_fail(why, STATUS_DIVERGED,
                         "no equilibrium in %d steps: forces of %.3g of the loads are left",
                         n, left));
-    if (m->contact) {
-        contact_set_report(&m->contact->set, m->x, 1, &contact);
-        memcpy(m->push, contact.force, sizeof m->push);
-    }
+    if (m->contact)
+        memcpy(m->push, m->contact->force, sizeof m->push);
     status_fail(why, STATUS_OK,
                 "Relaxed in %d steps: forces of %.2g of the loads are left unbalanced.", n,
                 left);

@@ -223,9 +223,9 @@ double metric_unevenness(const struct scene *scene, const double *xyz)
     return scene->length * sqrt(change / bending);
 }
 
-double metric_penetration(const struct scene *scene, const double *xyz)
+double metric_penetration(const struct scene *scene, double t, const double *xyz)
 {
-    double gap = contact_least_gap(scene, 0, GRID_POINTS, xyz);
+    double gap = contact_shape_least_gap(scene, t, GRID_POINTS, xyz);
 
     return isnan(gap) ? NAN : fmax(0, -gap);
 }

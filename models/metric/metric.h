@@ -49,8 +49,9 @@ double metric_inner_roughness(const struct scene *scene, const double *xyz);
  * give more than that. NaN for a flat sheet. */
 double metric_unevenness(const struct scene *scene, const double *xyz);
 
-/* Returns the greatest depth of a grid point in any obstacle [m]; 0 without obstacles. */
-double metric_penetration(const struct scene *scene, const double *xyz);
+/* Returns the greatest depth of a grid point in any obstacle at time t [m]; 0 without
+ * obstacles. */
+double metric_penetration(const struct scene *scene, double t, const double *xyz);
 
 /* Returns how far the sheet as a whole has been carried at time t: the mean displacement
  * of points uvw[count][3] (NULL: of the grid) that are at xyz[count][3], in the

@@ -26,7 +26,6 @@ static enum status make_systems(struct spring_large *l,
                                 const struct spring_large_plan *plan)
 {
     enum status st = STATUS_OK;
-    const struct scene *scene = plan->load->scene;
     const int *points = plan->load->net->points;
     int *order = malloc((size_t)plan->load->net->nodes * sizeof *order);
 
@@ -34,8 +33,6 @@ static enum status make_systems(struct spring_large *l,
         TRY(STATUS_MEMORY);
     order_nested(points[0], points[1], 1, REACH, order);
     TRY(system_init(&l->system, plan->graph, plan->supports, NULL, order, plan->d));
-    TRY(contact_step_init(&l->contact, scene, plan->graph, plan->supports,
-                          scene->thickness / 2, order, plan->d));
 out:
     free(order);
     return st;
@@ -44,7 +41,7 @@ out:
 void spring_large_clear(struct spring_large *l)
 {
     large_motion_clear(&l->motion);
-    contact_step_clear(&l->contact);
+    contact_clear(&l->contact);
     system_clear(&l->system);
     newmark_clear(&l->newmark);
     free(l->room);
@@ -55,6 +52,7 @@ enum status spring_large_init(struct spring_large *l, const struct spring_large_
 {
     enum status st;
     const struct scene *scene = plan->load->scene;
+    struct contact_surface surface;
     bool euler = plan->d->integrator == INTEGRATOR_IMPLICIT;
     bool explicit = plan->d->integrator == INTEGRATOR_LEAPFROG; /* divides by itself */
 
@@ -65,6 +63,10 @@ enum status spring_large_init(struct spring_large *l, const struct spring_large_
     TRY(newmark_init(&l->newmark, plan->load->net->nodes, scene->step / l->substeps,
                      damping_mass(scene) + damping_drag(scene), plan->load->beta));
     TRY(make_systems(l, plan));
+    if (contact_wanted(scene)) {
+        TRY(contact_surface_init_net(&surface, scene, plan->load->net->points));
+        TRY(contact_init(&l->contact, scene, &surface));
+    }
     l->motion = (struct large_motion){
         .body = *plan->body,
         .scene = scene,
@@ -81,7 +83,7 @@ enum status spring_large_init(struct spring_large *l, const struct spring_large_
         .lag = euler ? 0 : large_motion_lag,
         .euler = euler,
         .enough = plan->d->iterations,
-        .contact = scene->obstacle_count ? &l->contact : NULL,
+        .contact = contact_wanted(scene) ? &l->contact : NULL,
     };
     TRY(large_motion_init(&l->motion));
 out:

@@ -24,15 +24,15 @@ struct spring_large {
     struct large_motion motion;
     struct newmark newmark;
     struct system system;
-    struct contact_step contact; /* with obstacles only                                */
-    void *room;                  /* memory of the arrays                       owned   */
-    double *M;                   /* [pairs] lumped mass                        [kg]    */
-    double *held;                /* [4][held_count] work                               */
-    double (*K)[9];              /* [pairs] room for tangents                  [N/m]   */
+    struct contact contact; /* all zero where there is nothing to meet            */
+    void *room;             /* memory of the arrays                       owned   */
+    double *M;              /* [pairs] lumped mass                        [kg]    */
+    double *held;           /* [4][held_count] work                               */
+    double (*K)[9];         /* [pairs] room for tangents                  [N/m]   */
 };
 
 /* Initialises at rest. *l must stay where it is: it holds pointers into itself.
- * STATUS_INPUT with a sentence if the sheet begins in an obstacle. */
+ * STATUS_INPUT if the sheet begins in an obstacle. */
 enum status spring_large_init(struct spring_large *l, const struct spring_large_plan *plan);
 void spring_large_clear(struct spring_large *l);
 

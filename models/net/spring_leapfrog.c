@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/mechanics/contact_push.h"
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
 
@@ -19,12 +18,12 @@ struct spring_leapfrog {
     const struct scene *scene; /* the load's, as what follows                        */
     const struct spring_net *net;
     struct spring_sweep *sweep;
+    struct net_contact *contact; /* or NULL                                     owned   */
     int asked, substeps;
     double limit, dt; /* [s] */
     long frame;
     void *room;
     double (*c)[SWEEP_COUNT];     /* [nodes]                                            */
-    double *weight;               /* [nodes] force that moves a point in a step [N/m]   */
     double *x, *v;                /* [nodes][3] of the sweep                            */
     double *before;               /* [nodes][3] positions before a step                 */
     double *now, *kicked, *ahead; /* [nodes][3] work                                   */
@@ -37,6 +36,7 @@ void spring_leapfrog_free(struct spring_leapfrog *l)
     if (!l)
         return;
     spring_sweep_free(l->sweep);
+    net_contact_free(l->contact);
     free(l->room);
     free(l);
 }
@@ -87,13 +87,16 @@ static void set_point(struct spring_leapfrog *l, int a)
         c[SWEEP_FREE + i] = free;
         c[SWEEP_KICK + i] = free ? push * (load->load[3 * a + i] + s->clamp[a][i]) : 0;
     }
-    l->weight[a] = 1 / (push * l->dt);
+    if (l->contact)
+        l->contact->compliance[a] = push * l->dt;
 }
 
 static void set_step(struct spring_leapfrog *l, int substeps)
 {
     l->substeps = substeps;
     l->dt = l->scene->step / substeps;
+    if (l->contact)
+        l->contact->steps = substeps, l->contact->dt = l->dt;
     for (int a = 0; a < l->net->nodes; a++)
         set_point(l, a);
     spring_sweep_set(l->sweep, (const double(*)[SWEEP_COUNT])l->c);
@@ -108,9 +111,10 @@ static void put(struct spring_leapfrog *l, const double *x, const double *moves,
     spring_sweep_put(l->sweep, l->ahead, v);
 }
 
+/* Gets x; v only with stiffness damping. */
 static void get(const struct spring_leapfrog *l, double *x, double *v)
 {
-    spring_sweep_get(l->sweep, x, v);
+    spring_sweep_get(l->sweep, x, l->body.load->beta > 0 ? v : NULL);
     for (size_t n = 0; l->body.load->beta > 0 && n < count(l); n++)
         x[n] -= l->body.load->beta * v[n];
 }
@@ -214,13 +218,14 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
         return STATUS_MEMORY;
     l->body = *body, l->scene = body->load->scene, l->net = body->load->net;
     l->asked = substeps;
-    TRY(room_cut(&l->room, ROOM(l->c, nodes), ROOM(l->weight, nodes), ROOM(l->x, 3 * nodes),
-                 ROOM(l->v, 3 * nodes), ROOM(l->before, 3 * nodes), ROOM(l->now, 3 * nodes),
+    TRY(room_cut(&l->room, ROOM(l->c, nodes), ROOM(l->x, 3 * nodes), ROOM(l->v, 3 * nodes),
+                 ROOM(l->before, 3 * nodes), ROOM(l->now, 3 * nodes),
                  ROOM(l->kicked, 3 * nodes), ROOM(l->ahead, 3 * nodes),
                  ROOM(l->shift, body->supports->held_count),
                  ROOM(l->next, body->supports->held_count)));
     supports_shift(body->supports, l->scene, 0, l->shift);
     TRY(make_sweep(l, precision));
+    TRY(net_contact_make(l->scene, l->net, body->supports, &l->contact));
     l->limit = frequency_limit(body->omega, body->load->beta);
     TRY(frequency_steps(l->scene->step, l->limit, CHOSEN, substeps, &substeps, why));
     set_step(l, substeps);
@@ -255,37 +260,51 @@ void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x)
     start(l, x, l->now);
 }
 
-/* Pushes points out of obstacles; v of those that were pushed is that of their real way. */
-static int leave_obstacles(struct spring_leapfrog *l, double push[3])
+/* Gives a point's free components their place x and the velocity of their real way. */
+static void move(struct spring_leapfrog *l, int node)
 {
-    double force[3] = {0, 0, 0};
-
-    get(l, l->x, l->v);
-    int pushed = contact_push_out(l->scene, l->body.supports, l->scene->thickness / 2,
-                                  l->weight, l->before, l->x, force);
-    for (size_t n = 0; pushed && n < count(l); n++)
+    for (int i = 0; i < 3; i++) {
+        const int n = 3 * node + i;
+        const double v = (l->x[n] - l->before[n]) / l->dt;
         if (l->body.supports->free_index[n] >= 0)
-            l->v[n] = (l->x[n] - l->before[n]) / l->dt;
-    if (pushed)
-        put(l, l->x, l->v, l->v);
-    for (int i = 0; i < 3; i++)
-        push[i] += force[i] / l->substeps;
-    return pushed;
+            spring_sweep_hold(l->sweep, node, i, l->x[n] + l->body.load->beta * v, v);
+    }
+}
+
+/* Ends a step by the law of contact. In single precision the way is that of the velocity:
+ * differences of places would drown the creep of friction. */
+static enum status meet_bodies(struct spring_leapfrog *l, double t)
+{
+    enum status st;
+    const struct contact *c = &l->contact->law;
+
+    spring_sweep_get(l->sweep, NULL, l->v);
+    for (size_t n = 0; n < count(l); n++)
+        l->x[n] = l->before[n] + l->dt * l->v[n];
+    TRY(net_contact_project(l->contact, t, l->before, l->x));
+    for (int k = 0; k < c->weights; k++)
+        move(l, c->node[k]);
+out:
+    return st;
 }
 
 /* Takes steps that need work after each. */
-static void careful(struct spring_leapfrog *l, double push[3], int *pushed)
+static enum status careful(struct spring_leapfrog *l)
 {
+    enum status st = STATUS_OK;
+
     for (int n = 1; n <= l->substeps; n++) {
         double t = ((double)l->frame + (double)n / l->substeps) * l->scene->step;
-        if (l->scene->obstacle_count)
+        if (l->contact)
             get(l, l->before, l->v);
         spring_sweep_run(l->sweep, l->dt, 1);
         if (l->body.supports->moving)
             hold(l, t);
-        if (l->scene->obstacle_count)
-            *pushed = leave_obstacles(l, push);
+        if (l->contact)
+            TRY(meet_bodies(l, t));
     }
+out:
+    return st;
 }
 
 /* Chooses more steps for the next frame where the net has become stiffer, fewer where it no
@@ -312,11 +331,19 @@ static void scale(struct spring_leapfrog *l, double factor, const double *x)
     start(l, x, l->now);
 }
 
-enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x, double push[3],
-                                  int *pushed, struct counters *counters)
+struct model_contact spring_leapfrog_contact(const struct spring_leapfrog *l)
 {
-    if (l->scene->obstacle_count || l->body.supports->moving)
-        careful(l, push, pushed);
+    return net_contact_report(l->contact);
+}
+
+enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x,
+                                  struct counters *counters)
+{
+    enum status st = STATUS_OK;
+
+    net_contact_frame(l->contact);
+    if (l->contact || l->body.supports->moving)
+        TRY(careful(l));
     else
         spring_sweep_run(l->sweep, l->dt, l->substeps);
     l->frame++;
@@ -329,5 +356,6 @@ enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x, double p
     if (l->body.load->keep != 1)
         scale(l, l->body.load->keep, x);
     watch(l, x);
-    return STATUS_OK;
+out:
+    return st;
 }

@@ -7,12 +7,13 @@
  * sqrt(beta^2 + 4 / omega^2) - beta with stiffness damping beta. After every frame the
  * longest spring says how much stiffer the net has become, and the next frame takes more
  * steps if they would come within 2 % of the limit. A number of steps that was asked for is
- * kept: then it may blow up.
+ * kept: then it may blow up. Contact ends each step (contact_project).
  */
 #ifndef SPRING_LEAPFROG_H
 #define SPRING_LEAPFROG_H
 
 #include "models/mechanics/supports.h"
+#include "models/net/net_contact.h"
 #include "models/net/spring_load.h"
 #include "models/net/spring_stencil.h"
 #include "models/net/spring_sweep.h"
@@ -36,10 +37,12 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
 void spring_leapfrog_free(struct spring_leapfrog *l);
 
 /* Moves one frame, scene->step; then damps the velocity (spring_load.h). Positions go to
- * x[nodes][3]. *push += mean force of obstacles [N]; *pushed: points that they carry at its
- * end. STATUS_NAN. */
-enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x, double push[3],
-                                  int *pushed, struct counters *counters);
+ * x[nodes][3]. STATUS_NAN, STATUS_MEMORY. */
+enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x,
+                                  struct counters *counters);
+
+/* Returns the contact of the last frame (model.h). */
+struct model_contact spring_leapfrog_contact(const struct spring_leapfrog *l);
 
 /* Places the net at x[nodes][3] at time t [s], a whole number of frames, at rest. */
 void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x);

@@ -24,7 +24,7 @@ static enum status refuse_file(const struct named_file_kind *kind, const char *p
 enum status named_file_read(const struct named_file_kind *kind, const char *path,
                             char **bytes, size_t *size, struct message *why)
 {
-    const size_t most = YAML_TREE_MAX_TEXT + 1;
+    size_t most = kind->most ? kind->most : YAML_TREE_MAX_TEXT;
     enum status st = STATUS_OK;
     struct stat about;
     FILE *file;
@@ -39,11 +39,13 @@ enum status named_file_read(const struct named_file_kind *kind, const char *path
     file = fopen(path, "rb");
     if (!file)
         return refuse_file(kind, path, strerror(errno), why);
-    *bytes = malloc(most);
+    if (about.st_size > 0 && (size_t)about.st_size < most)
+        most = (size_t)about.st_size;
+    *bytes = malloc(most + 2);
     if (!*bytes)
         TRY(status_fail(why, STATUS_MEMORY, "a %s file: %s", kind->what,
                         status_text(STATUS_MEMORY)));
-    *size = fread(*bytes, 1, most, file);
+    *size = fread(*bytes, 1, most + 1, file);
     if (ferror(file))
         TRY(refuse_file(kind, path, strerror(errno), why));
 out:

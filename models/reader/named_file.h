@@ -22,6 +22,7 @@ struct named_file_kind {
      * out. The pointer may be NULL: lists then have no lines, and no file is read for
      * one. */
     char *(*describe)(const char *path);
+    size_t most; /* bytes of a file; 0: as many as a YAML text may have                 */
 };
 
 /* Finds the file of an argument: one with a '/' or its ending is a path already; another is
@@ -45,9 +46,9 @@ enum status named_file_names(const struct named_file_kind *kind,
                              struct message *why);
 void named_file_list_free(struct named_file_entry *entries, int count);
 
-/* Reads the bytes of a file, at most one more than a YAML text may have
- * (YAML_TREE_MAX_TEXT), so that its reader sees when it is too long. *bytes is freed by the
- * receiver. STATUS_FILE with a sentence. */
+/* Reads the bytes of a file, at most one more than its kind may have (YAML_TREE_MAX_TEXT
+ * by default), so that its reader sees when it is too long; behind them is room for one
+ * more. *bytes is freed by the receiver. STATUS_FILE with a sentence. */
 enum status named_file_read(const struct named_file_kind *kind, const char *path,
                             char **bytes, size_t *size, struct message *why);
 

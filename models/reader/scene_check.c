@@ -3,9 +3,13 @@
 #include "models/damping.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
-#include "models/contact/contact_shape.h"
+#include "models/contact/contact_law.h"
+#include "models/contact/contact_rest.h"
 #include "models/discretization.h"
+#include "models/reader/mesh_file.h"
 #include "models/vector.h"
 
 /* Axes written with four digits or more are meant as orthonormal, and the reader makes them
@@ -16,25 +20,31 @@
 /* The round-off of two ways to write the same path, relative to the shift. */
 #define TOL_PATH 1e-12
 
+/* [m] */
+#define LEAST_RANGE 1e-10
+
 static bool is_setting(const struct yaml_tree *node)
 {
     return node->line == 0;
 }
 
 /* Makes an axis that is nearly of length one exactly so. */
-static enum status check_axis(const struct yaml_tree *node, const char *name,
+static enum status check_axis(const struct yaml_tree *node, const char *owner,
                               double axis[3], struct message *why)
 {
     const double length = vector_length(axis);
+    const char *name = node ? node->key : "";
 
+    if (!node)
+        return STATUS_OK;
     if (length == 0)
-        return yaml_tree_refuse(node, why, "pose axis %s is zero, but must have length 1",
-                                name);
+        return yaml_tree_refuse(node, why, "%s axis %s is zero, but must have length 1",
+                                owner, name);
     if (fabs(length - 1) > TOL_AXES)
         return yaml_tree_refuse(node, why,
-                                "pose axis %s has length %.10g, but must have length 1, "
+                                "%s axis %s has length %.10g, but must have length 1, "
                                 "as [%.10g, %.10g, %.10g] has",
-                                name, length, axis[0] / length, axis[1] / length,
+                                owner, name, length, axis[0] / length, axis[1] / length,
                                 axis[2] / length);
     for (int i = 0; i < 3 && fabs(length - 1) > TOL_EXACT; i++)
         axis[i] /= length;
@@ -120,27 +130,36 @@ static void turn_upright(const double u[3], double cosine, double v[3])
         v[i] /= length;
 }
 
+/* Checks the axes u and v of a section, `owner` in sentences, and makes them orthonormal.
+ */
+static enum status check_axes(const struct yaml_tree *section, const char *owner,
+                              double axis_u[3], double axis_v[3], struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *u = section ? yaml_tree_find(section, "u") : NULL;
+    const struct yaml_tree *v = section ? yaml_tree_find(section, "v") : NULL;
+
+    TRY(check_axis(u, owner, axis_u, why));
+    TRY(check_axis(v, owner, axis_v, why));
+    const double cosine = vector_dot(axis_u, axis_v);
+    if (fabs(cosine) > TOL_AXES)
+        return yaml_tree_refuse(v ? v : u, why,
+                                "%s axes u and v have the product %.10g, but must be at "
+                                "right angles",
+                                owner, cosine);
+    if (fabs(cosine) > TOL_EXACT)
+        turn_upright(axis_u, cosine, axis_v);
+out:
+    return st;
+}
+
 static enum status check_pose(const struct yaml_tree *root, struct scene *scene,
                               struct message *why)
 {
     enum status st = STATUS_OK;
-    const struct yaml_tree *pose = yaml_tree_find(root, "pose");
-    const struct yaml_tree *u = pose ? yaml_tree_find(pose, "u") : NULL;
-    const struct yaml_tree *v = pose ? yaml_tree_find(pose, "v") : NULL;
-    double *axis_u = scene->axis_u, *axis_v = scene->axis_v;
 
-    if (u)
-        TRY(check_axis(u, "u", axis_u, why));
-    if (v)
-        TRY(check_axis(v, "v", axis_v, why));
-    const double cosine = vector_dot(axis_u, axis_v);
-    if (fabs(cosine) > TOL_AXES)
-        return yaml_tree_refuse(v ? v : u, why,
-                                "pose axes u and v have the product %.10g, but must be at "
-                                "right angles",
-                                cosine);
-    if (fabs(cosine) > TOL_EXACT)
-        turn_upright(axis_u, cosine, axis_v);
+    TRY(check_axes(yaml_tree_find(root, "pose"), "pose", scene->axis_u, scene->axis_v,
+                   why));
     TRY(check_shape(root, scene, why));
 out:
     return st;
@@ -270,22 +289,69 @@ static enum status check_supports(const struct yaml_tree *root, const struct sce
     return STATUS_OK;
 }
 
-static enum status check_obstacles(const struct yaml_tree *root, const struct scene *scene,
-                                   struct message *why)
+static enum status check_contact(const struct yaml_tree *root, const struct scene *scene,
+                                 struct message *why)
 {
-    const struct yaml_tree *list = yaml_tree_find(root, "obstacles");
-    const struct yaml_tree *node = list ? list->first : NULL;
+    const struct yaml_tree *section = yaml_tree_find(root, "contact");
+    const struct yaml_tree *range = section ? yaml_tree_find(section, "range") : NULL;
+    const struct contact_law law = contact_law_self(scene);
 
-    for (int o = 0; node; o++, node = node->next) {
-        const double depth = contact_rest_depth(scene, &scene->obstacles[o]);
-        if (depth > 0)
-            return yaml_tree_refuse(
-                node, why, CONTACT_REST_DEPTH ", but must stay clear of it", depth, o);
-    }
+    if (section && (law.range >= law.start || law.range < LEAST_RANGE))
+        return yaml_tree_refuse(range ? range : section, why,
+                                "contact has a range of %g m, but it must be %g m at least "
+                                "and less than its thickness of %g m, where contact starts",
+                                law.range, LEAST_RANGE, law.start);
     return STATUS_OK;
 }
 
-enum status scene_check(const struct yaml_tree *root, struct scene *scene,
+/* Reads the mesh that an obstacle names, if `files`; `section` is its own. */
+static enum status load_mesh(const struct yaml_tree *root, const struct yaml_tree *section,
+                             bool files, struct scene_obstacle *o, struct message *why)
+{
+    const struct yaml_tree *file = yaml_tree_find(section, "file");
+    const char *slash = *o->file == '/' ? NULL : strrchr(root->origin, '/');
+    const int folder = slash ? (int)(slash - root->origin) + 1 : 0;
+    const size_t length = strlen(o->file);
+    struct message inner = {""};
+    char path[4096];
+
+    if (length < 5 || strcmp(o->file + length - 4, ".obj") != 0)
+        return yaml_tree_refuse(file, why,
+                                "file is %s, but must name an OBJ file, as body.obj",
+                                yaml_tree_quote(o->file).text);
+    if (!files)
+        return STATUS_OK;
+    if (snprintf(path, sizeof path, "%.*s%s", folder, root->origin, o->file) >=
+        (int)sizeof path)
+        return yaml_tree_refuse(file, why, "the path of the mesh is too long");
+    const enum status st = mesh_file_read(path, o->point, o->scale, &o->mesh, &inner);
+    return st == STATUS_INPUT ? yaml_tree_refuse(file, why, "%s", inner.text) : st;
+}
+
+static enum status check_obstacles(const struct yaml_tree *root, bool files,
+                                   struct scene *scene, struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *list = yaml_tree_find(root, "obstacles");
+    const struct yaml_tree *node = list ? list->first : NULL;
+
+    for (int n = 0; node; n++, node = node->next) {
+        struct scene_obstacle *o = &scene->obstacles[n];
+        if (o->kind == OBSTACLE_BOX)
+            TRY(check_axes(yaml_tree_find(node, "box"), "box", o->axis[0], o->axis[1],
+                           why));
+        if (o->kind == OBSTACLE_MESH)
+            TRY(load_mesh(root, yaml_tree_find(node, "mesh"), files, o, why));
+        const double depth = contact_rest_depth(scene, o);
+        if (depth > 0)
+            return yaml_tree_refuse(
+                node, why, CONTACT_REST_DEPTH ", but must stay clear of it", depth, n);
+    }
+out:
+    return st;
+}
+
+enum status scene_check(const struct yaml_tree *root, bool files, struct scene *scene,
                         struct message *why)
 {
     enum status st = STATUS_OK;
@@ -296,7 +362,8 @@ enum status scene_check(const struct yaml_tree *root, struct scene *scene,
     TRY(check_snapshots(root, scene, why));
     TRY(check_supports(root, scene, why));
     TRY(check_loads(root, scene, why));
-    TRY(check_obstacles(root, scene, why));
+    TRY(check_contact(root, scene, why));
+    TRY(check_obstacles(root, files, scene, why));
 out:
     return st;
 }

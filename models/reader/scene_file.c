@@ -58,10 +58,9 @@ out:
     return st;
 }
 
-enum status scene_file_parse(const char *name, const char *text, size_t size,
-                             int setting_count, const char *const *settings,
-                             struct scene *scene, struct discretization *d,
-                             struct message *why)
+static enum status parse(const char *name, bool files, const char *text, size_t size,
+                         int setting_count, const char *const *settings,
+                         struct scene *scene, struct discretization *d, struct message *why)
 {
     enum status st = STATUS_OK;
     struct yaml_tree *root = NULL, numerics = {.kind = YAML_TREE_MAP, .origin = ""};
@@ -75,7 +74,7 @@ enum status scene_file_parse(const char *name, const char *text, size_t size,
     free(scene->text), scene->text = NULL;
     TRY(yaml_tree_parse(name, false, text, size, &root, why));
     TRY(apply(setting_count, settings, root, &numerics, why));
-    TRY(scene_schema_read(root, scene, why));
+    TRY(scene_schema_read(root, files, scene, why));
     TRY(scene_schema_read_numerics(&numerics, &work, why));
     TRY(annotate(text, size, setting_count, settings, &scene->text));
 out:
@@ -94,6 +93,14 @@ out:
     return st;
 }
 
+enum status scene_file_parse(const char *name, const char *text, size_t size,
+                             int setting_count, const char *const *settings,
+                             struct scene *scene, struct discretization *d,
+                             struct message *why)
+{
+    return parse(name, false, text, size, setting_count, settings, scene, d, why);
+}
+
 enum status scene_file_read(const char *path, int setting_count,
                             const char *const *settings, struct scene *scene,
                             struct discretization *d, struct message *why)
@@ -104,7 +111,7 @@ enum status scene_file_read(const char *path, int setting_count,
 
     memset(scene, 0, sizeof *scene);
     TRY(named_file_read(&scene_file_kind, path, &bytes, &size, why));
-    TRY(scene_file_parse(path, bytes, size, setting_count, settings, scene, d, why));
+    TRY(parse(path, true, bytes, size, setting_count, settings, scene, d, why));
 out:
     free(bytes);
     return st;

@@ -7,7 +7,8 @@
  *
  * What is wrong is said in one sentence without a line break, `file:line: ...` or
  * `--set KEY=VALUE: ...` (STATUS_INPUT), or `file: ...` where there is no line because the
- * file cannot be read (STATUS_FILE).
+ * file cannot be read (STATUS_FILE). Files that a scene names are sought from its folder,
+ * also those that a setting names.
  */
 #ifndef SCENE_FILE_H
 #define SCENE_FILE_H
@@ -25,7 +26,8 @@ enum status scene_file_read(const char *path, int setting_count,
                             const char *const *settings, struct scene *scene,
                             struct discretization *d, struct message *why);
 
-/* Reads likewise text[size] in memory (any bytes), called `name` in sentences. */
+/* Reads likewise text[size] in memory (any bytes), called `name` in sentences. No other
+ * file is read: meshes that it names are missing, and nothing meets them. */
 enum status scene_file_parse(const char *name, const char *text, size_t size,
                              int setting_count, const char *const *settings,
                              struct scene *scene, struct discretization *d,

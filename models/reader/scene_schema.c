@@ -9,10 +9,11 @@
 #include "models/damping.h"
 #include "models/model.h"
 #include "models/reader/scene_check.h"
+#include "models/vector.h"
 
 enum {
     SCENE_MAX_SUPPORTS = 100,
-    SCENE_MAX_PATH = 1000, /* rows of one support */
+    SCENE_MAX_PATH = 1000, /* rows of one support or obstacle */
     SCENE_MAX_LOADS = 100,
     SCENE_MAX_OBSTACLES = 100,
     SCENE_MAX_SNAPSHOTS = 10000,
@@ -102,46 +103,53 @@ static enum status read_fix(const struct schema_key *key, const struct yaml_tree
     return STATUS_OK;
 }
 
-static enum status read_path_row(const struct schema_key *key, const struct yaml_tree *row,
-                                 double out[4], struct message *why)
+static enum status read_row(const struct schema_key *key, const struct yaml_tree *row,
+                            double *out, struct message *why)
 {
     enum status st = STATUS_OK;
     const struct yaml_tree *number = row->first;
 
-    if (row->kind != YAML_TREE_LIST || row->count != 4)
+    if (row->kind != YAML_TREE_LIST || row->count != key->most)
         return schema_refuse(key, row, why);
-    for (int i = 0; i < 4; i++, number = number->next)
+    for (int i = 0; i < row->count; i++, number = number->next)
         TRY(schema_number(key, number, &out[i], why));
 out:
     return st;
 }
 
-static enum status read_path(const struct schema_key *key, const struct yaml_tree *node,
-                             void *target, struct message *why)
+/* Reads rows [t, ...] of `most` numbers into a table that the target owns. */
+static enum status read_table(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
 {
     enum status st = STATUS_OK;
-    struct scene_support *s = target;
     const struct yaml_tree *row = node->first;
+    const size_t width = (size_t)key->most;
+    double *table;
 
     if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > SCENE_MAX_PATH)
         return schema_refuse(key, node, why);
-    s->path = calloc((size_t)node->count, sizeof *s->path);
-    if (!s->path)
+    table = calloc((size_t)node->count * width, sizeof *table);
+    if (!table)
         return STATUS_MEMORY;
-    s->path_count = node->count;
-    for (int i = 0; i < node->count; i++, row = row->next) {
-        TRY(read_path_row(key, row, s->path[i], why));
-        if (i > 0 && s->path[i][0] <= s->path[i - 1][0])
+    memcpy((char *)target + key->offset, &table, sizeof table); /* whatever its rows */
+    *(int *)(void *)((char *)target + key->count_offset) = node->count;
+    for (int i = 0; i < node->count; i++, row = row->next, table += width) {
+        TRY(read_row(key, row, table, why));
+        if (i > 0 && *table <= *(table - width))
             return yaml_tree_refuse(row, why,
-                                    "path has time %g after %g, but times must "
-                                    "increase",
-                                    s->path[i][0], s->path[i - 1][0]);
+                                    "%s has time %g after %g, but times must increase",
+                                    key->key, *table, *(table - width));
     }
 out:
     return st;
 }
 
 /* clang-format off */
+#define TABLE(type, rows, columns) SCHEMA_SPECIAL, PLACE, .read = read_table, .most = columns, \
+    IN(type, rows), .count_offset = offsetof(struct type, rows##_count)
+#define PATH_OF(type) TABLE(type, path, 4), \
+    .want = "1 to 1000 rows [t, x, y, z] of numbers within -1e+06 and 1e+06"
+
 static const struct schema_key AT[] = {
     {"u", "along the length", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
      .want = "a number or [low, high] within 0 and 1"},
@@ -155,8 +163,7 @@ static const struct schema_key SUPPORT[] = {
     {"at", "where", SCHEMA_SECTION, .required = true, .keys = AT, .read = check_at},
     {"fix", "components that are held", SCHEMA_SPECIAL, .required = true, .read = read_fix,
      .want = "some of the letters x, y, z, each once, as in xyz"},
-    {"path", "displacement in time [s, m, m, m]", SCHEMA_SPECIAL, PLACE, .read = read_path,
-     .want = "1 to 1000 rows [t, x, y, z] of numbers within -1e+06 and 1e+06"},
+    {"path", "displacement in time [s, m, m, m]", PATH_OF(scene_support)},
     {NULL}};
 
 static const struct schema_key LOAD[] = {
@@ -206,57 +213,157 @@ out:
     return st;
 }
 
+/* Makes the axis of a turn one of length 1. */
+static enum status check_turn(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
+{
+    struct scene_obstacle *o = target;
+    const double length = vector_length(o->turn_axis);
+
+    (void)key;
+    if (!(length > 0))
+        return yaml_tree_refuse(yaml_tree_find(node, "axis"), why,
+                                "the axis of a turn is zero, but must have a direction");
+    for (int i = 0; i < 3; i++)
+        o->turn_axis[i] /= length;
+    return STATUS_OK;
+}
+
 /* clang-format off */
+static const struct schema_key TURN[] = {
+    {"axis", "direction of the axis", SCHEMA_VECTOR, .required = true, PLACE,
+     IN(scene_obstacle, turn_axis)},
+    {"about", "a point on the axis, which the path moves [m]", SCHEMA_VECTOR, .required = true,
+     PLACE, IN(scene_obstacle, turn_point)},
+    {"angles", "angle in time, right-handed [s, deg]", .required = true,
+     .type = TABLE(scene_obstacle, turn, 2),
+     .want = "1 to 1000 rows [t, angle] of numbers within -1e+06 and 1e+06"},
+    {NULL}};
+
+/* The last keys of every shape. */
+#define FRICTION \
+    {"friction", "Coulomb coefficient", SCHEMA_NUMBER, .low = 0, .high = 1e3, \
+     IN(scene_obstacle, friction)}, {NULL}
+
 static const struct schema_key PLANE[] = {
     {"point", "a point on the plane [m]", SCHEMA_VECTOR, .required = true, PLACE,
      IN(scene_obstacle, point)},
     {"normal", "direction away from the obstacle", SCHEMA_VECTOR, .required = true, PLACE,
      IN(scene_obstacle, normal)},
-    {"friction", "Coulomb coefficient", SCHEMA_NUMBER, .low = 0, .high = 1e3,
-     IN(scene_obstacle, friction)},
-    {NULL}};
+    FRICTION};
 
 static const struct schema_key SPHERE[] = {
     {"center", "centre [m]", SCHEMA_VECTOR, .required = true, PLACE,
      IN(scene_obstacle, point)},
     {"radius", "radius [m]", SCHEMA_NUMBER, .required = true, LENGTH,
      IN(scene_obstacle, radius)},
-    {"friction", "Coulomb coefficient", SCHEMA_NUMBER, .low = 0, .high = 1e3,
-     IN(scene_obstacle, friction)},
-    {NULL}};
+    FRICTION};
 
-static const struct schema_key OBSTACLE[] = {
-    {"plane", "a half-space", SCHEMA_SECTION, .keys = PLANE},
-    {"sphere", "a ball", SCHEMA_SECTION, .keys = SPHERE},
+static const struct schema_key CAPSULE[] = {
+    {"from", "centre of the one end's half ball [m]", SCHEMA_VECTOR, .required = true, PLACE,
+     IN(scene_obstacle, point)},
+    {"to", "centre of the other's [m]", SCHEMA_VECTOR, .required = true, PLACE,
+     IN(scene_obstacle, end)},
+    {"radius", "radius [m]", SCHEMA_NUMBER, .required = true, LENGTH,
+     IN(scene_obstacle, radius)},
+    FRICTION};
+
+static const struct schema_key BOX[] = {
+    {"center", "centre [m]", SCHEMA_VECTOR, .required = true, PLACE,
+     IN(scene_obstacle, point)},
+    {"size", "lengths along u, v and u x v [m]", SCHEMA_VECTOR, .required = true, LENGTH,
+     IN(scene_obstacle, size)},
+    {"u", "unit vector along the first edge; x", SCHEMA_VECTOR, PLACE,
+     IN(scene_obstacle, axis[0])},
+    {"v", "unit vector along the second, across u; y", SCHEMA_VECTOR, PLACE,
+     IN(scene_obstacle, axis[1])},
+    FRICTION};
+
+static const struct schema_key MESH[] = {
+    {"file", "OBJ file, sought from the scene's folder; faces counter-clockwise from outside",
+     SCHEMA_TEXT, .required = true, IN(scene_obstacle, file)},
+    {"at", "place of the file's origin [m]", SCHEMA_VECTOR, PLACE, IN(scene_obstacle, point)},
+    {"scale", "metres in a unit of the file; 1", SCHEMA_NUMBER, LENGTH,
+     IN(scene_obstacle, scale)},
+    FRICTION};
+
+const struct schema_key scene_schema_obstacles[] = {
+    [OBSTACLE_PLANE] = {"plane", "a half-space", SCHEMA_SECTION, .keys = PLANE},
+    [OBSTACLE_SPHERE] = {"sphere", "a ball", SCHEMA_SECTION, .keys = SPHERE},
+    [OBSTACLE_CAPSULE] = {"capsule", "a round rod", SCHEMA_SECTION, .keys = CAPSULE},
+    [OBSTACLE_BOX] = {"box", "a cuboid", SCHEMA_SECTION, .keys = BOX},
+    [OBSTACLE_MESH] = {"mesh", "triangles", SCHEMA_SECTION, .keys = MESH},
+    {"path", "displacement in time [s, m, m, m]", PATH_OF(scene_obstacle)},
+    {"turn", "turn in time", SCHEMA_SECTION, .keys = TURN, .read = check_turn},
     {NULL}};
 /* clang-format on */
+
+/* Reads one obstacle, which owns what was read, also on failure. */
+static enum status read_obstacle(const struct yaml_tree *node, struct scene_obstacle *o,
+                                 struct message *why)
+{
+    enum status st = STATUS_OK;
+    int shapes = 0;
+
+    TRY(schema_read(scene_schema_obstacles, node, "an obstacle", o, why));
+    for (int k = 0; k < OBSTACLE_KINDS; k++)
+        if (yaml_tree_find(node, scene_schema_obstacles[k].key))
+            o->kind = (enum obstacle_kind)k, shapes++;
+    if (shapes != 1)
+        return yaml_tree_refuse(node, why,
+                                "an obstacle has %d shapes, but must have one of plane, "
+                                "sphere, capsule, box, mesh",
+                                shapes);
+    if (o->kind == OBSTACLE_PLANE && !o->normal[0] && !o->normal[1] && !o->normal[2])
+        return yaml_tree_refuse(yaml_tree_find(node, "plane"), why,
+                                "a plane's normal is zero, but must "
+                                "point away from the obstacle");
+out:
+    return st;
+}
 
 static enum status read_obstacles(const struct schema_key *key,
                                   const struct yaml_tree *node, void *target,
                                   struct message *why)
 {
     enum status st = STATUS_OK;
+    struct scene_obstacle o = {.friction = 0};
 
     if (node->kind != YAML_TREE_LIST || node->count > SCENE_MAX_OBSTACLES)
         return schema_refuse(key, node, why);
     for (const struct yaml_tree *child = node->first; child; child = child->next) {
-        struct scene_obstacle o = {.friction = 0};
-
-        TRY(schema_read(OBSTACLE, child, "an obstacle", &o, why));
-        if (child->count != 1)
-            return yaml_tree_refuse(child, why,
-                                    "an obstacle has %d shapes, but must have "
-                                    "one, plane or sphere",
-                                    child->count);
-        o.kind = yaml_tree_find(child, "sphere") ? OBSTACLE_SPHERE : OBSTACLE_PLANE;
-        if (o.kind == OBSTACLE_PLANE && !o.normal[0] && !o.normal[1] && !o.normal[2])
-            return yaml_tree_refuse(child->first, why,
-                                    "a plane's normal is zero, but must "
-                                    "point away from the obstacle");
+        o = (struct scene_obstacle){.axis = {{1, 0, 0}, {0, 1, 0}}, .scale = 1};
+        TRY(read_obstacle(child, &o, why));
         TRY(scene_add_obstacle(target, &o));
+        scene_obstacle_clear(&o);
     }
 out:
+    scene_obstacle_clear(&o);
     return st;
+}
+
+static enum status read_self(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    struct scene *scene = target;
+    const bool yes = node->kind == YAML_TREE_SCALAR && !strcmp(node->text, "true");
+
+    if (!yes && (node->kind != YAML_TREE_SCALAR || strcmp(node->text, "false") != 0))
+        return schema_refuse(key, node, why);
+    scene->contact.self = yes;
+    return STATUS_OK;
+}
+
+/* Meets itself where the section is there and says nothing else. */
+static enum status check_contact(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why)
+{
+    struct scene *scene = target;
+
+    (void)key, (void)why;
+    if (!yaml_tree_find(node, "self"))
+        scene->contact.self = true;
+    return STATUS_OK;
 }
 
 static enum status refuse_numerics(const struct schema_key *key,
@@ -315,6 +422,19 @@ static const struct schema_key DAMPING[] = {
      IN(scene, damping.beta)},
     {NULL}};
 
+static const struct schema_key CONTACT[] = {
+    {"self", "the sheet meets itself; true", SCHEMA_SPECIAL, .read = read_self,
+     .want = "true or false"},
+    {"thickness", "distance of mid-surfaces where contact starts; 0: the sheet's [m]",
+     SCHEMA_NUMBER, .low = 0, .high = 1e6, IN(scene, contact.thickness)},
+    {"range", "way from there to the wall; 0: half the thickness [m]", SCHEMA_NUMBER,
+     .low = 0, .high = 1e6, IN(scene, contact.range)},
+    {"stiffness", "pressure at half the range; 0: by weight and speed [Pa]", SCHEMA_NUMBER,
+     NOT_NEGATIVE, IN(scene, contact.stiffness)},
+    {"friction", "Coulomb coefficient of the sheet on itself", SCHEMA_NUMBER, .low = 0,
+     .high = 1e3, IN(scene, contact.friction)},
+    {NULL}};
+
 static const struct schema_key MOTION[] = {
     {"velocity", "velocity of the sheet at the start [m/s]", SCHEMA_VECTOR, PLACE,
      IN(scene, velocity)},
@@ -346,9 +466,11 @@ static const struct schema_key SCENE[] = {
     {"loads", "forces that keep their direction", SCHEMA_SPECIAL, .keys = LOAD,
      .read = read_loads,
      .want = "a list of at most 100 loads {at: {...}, force: [x, y, z]}"},
-    {"obstacles", "what is in the way", SCHEMA_SPECIAL, .keys = OBSTACLE,
+    {"obstacles", "what is in the way", SCHEMA_SPECIAL, .keys = scene_schema_obstacles,
      .read = read_obstacles,
-     .want = "a list of at most 100 obstacles {plane: {...}} or {sphere: {...}}"},
+     .want = "a list of at most 100 obstacles, as {plane: {...}} or {sphere: {...}}"},
+    {"contact", "how the sheet meets itself and obstacles", SCHEMA_SECTION, .keys = CONTACT,
+     .read = check_contact},
     {"time", "steps", SCHEMA_SECTION, .required = true, .keys = TIME},
     {"snapshots", "times at which frames are stored [s]", SCHEMA_NUMBERS, .low = 0, .high = 1e6,
      .order = SCHEMA_INCREASING, .most = SCENE_MAX_SNAPSHOTS, IN(scene, snapshots),
@@ -398,13 +520,13 @@ static void gather(const struct discretization *d, struct schema_key all[MOST_OP
     all[count] = (struct schema_key){NULL};
 }
 
-enum status scene_schema_read(const struct yaml_tree *root, struct scene *scene,
+enum status scene_schema_read(const struct yaml_tree *root, bool files, struct scene *scene,
                               struct message *why)
 {
     enum status st = STATUS_OK;
 
     TRY(schema_read(SCENE, root, "the scene", scene, why));
-    TRY(scene_check(root, scene, why));
+    TRY(scene_check(root, files, scene, why));
 out:
     return st;
 }

@@ -7,8 +7,14 @@
 #include "models/scene.h"
 #include "models/reader/schema.h"
 
-/* Reads a scene's tree into *scene, which comes from scene_init. Errors as schema_read. */
-enum status scene_schema_read(const struct yaml_tree *root, struct scene *scene,
+/* The keys of an obstacle: first its kinds, by enum obstacle_kind; targets are obstacles.
+ */
+extern const struct schema_key scene_schema_obstacles[];
+
+/* Reads a scene's tree into *scene, which comes from scene_init. Files that it names are
+ * sought from the folder of the root's origin; without `files` they are not read, and
+ * meshes are missing. Errors as schema_read. */
+enum status scene_schema_read(const struct yaml_tree *root, bool files, struct scene *scene,
                               struct message *why);
 
 /* Reads the section `discretization` of a tree made of settings, if it is there, into *d.

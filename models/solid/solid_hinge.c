@@ -85,6 +85,20 @@ void solid_hinge_functions(const struct solid_space *space, int element, int row
             turn(h, 1, f + (size_t)r * (size_t)row + a);
 }
 
+int solid_hinge_row(const struct solid_space *space, int used, int *node, double *shape)
+{
+    const struct solid_hinge *h = &space->hinge;
+    int left = 0;
+
+    for (int a = 0; h->column && a < used; a += h->layers)
+        if (h->column[node[a] / h->layers])
+            turn(h, 1, shape + a);
+    for (int a = 0; a < used; a++)
+        if (shape[a] != 0)
+            node[left] = node[a], shape[left++] = shape[a];
+    return left;
+}
+
 void solid_hinge_forces(const struct solid_space *space, double *f)
 {
     const struct solid_hinge *h = &space->hinge;

@@ -23,6 +23,10 @@ enum status solid_hinge_init(struct solid_space *space, const struct scene *scen
 void solid_hinge_functions(const struct solid_space *space, int element, int rows, int row,
                            double *f);
 
+/* Turns values shape[used] of the functions of whole columns, node[used], likewise, and
+ * drops those that are zero; returns how many are left. */
+int solid_hinge_row(const struct solid_space *space, int used, int *node, double *shape);
+
 /* Turns forces f[nodes][3] on the nodes likewise. */
 void solid_hinge_forces(const struct solid_space *space, double *f);
 

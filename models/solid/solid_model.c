@@ -29,7 +29,7 @@ void solid_model_contact(const void *state, struct model_contact *contact)
     if (m->large.contact)
         large_motion_contact(&m->large, contact);
     else
-        contact_set_report(&m->contact.set, m->x, m->force_unit, contact);
+        contact_report(&m->contact, contact);
 }
 
 void solid_model_net(const void *state, double *xyz)
@@ -141,12 +141,8 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
     const bool served =
         columns == SUPPORTS_WHOLE || (columns == SUPPORTS_HINGED && d->points[2] == 2);
     const bool lumped = lumped_mass_wanted(d);
-    const bool can = possible && served && !scene->obstacle_count && !lumped;
+    const bool can = possible && served && !lumped;
 
-    if (d->unknowns == UNKNOWNS_THICKNESS && scene->obstacle_count)
-        return status_fail(why, STATUS_INPUT,
-                           "unknowns=thickness can't meet obstacles, which touch one face "
-                           "of the sheet; use points");
     if (d->unknowns == UNKNOWNS_THICKNESS && lumped)
         return status_fail(why, STATUS_INPUT,
                            "unknowns=thickness has no row sums, its functions don't sum to "

@@ -15,10 +15,10 @@ struct solid_sheet {
 
 /* The scene's needs that solid_motion supports; bits of scene_need. */
 #define SOLID_MODEL_SERVES                                                                 \
-    (SCENE_NEED_CONTACT | SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS |                  \
-     SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS |                           \
-     SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |            \
-     SCENE_NEED_INITIAL_MOTION)
+    (SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |          \
+     SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |           \
+     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG |     \
+     SCENE_NEED_CURVED_REST | SCENE_NEED_INITIAL_MOTION)
 
 void solid_model_size(const void *state, struct model_size *size);
 void solid_model_contact(const void *state, struct model_contact *contact);
@@ -38,8 +38,8 @@ enum status solid_model_matrices(const void *state, struct matrix *K, struct mat
 void solid_model_describe(const void *state, struct message *line);
 
 /* Chooses the basis through the thickness: what was asked, or the thickness basis where
- * `possible`, all supports take whole columns or the middle of one of two layers, and there
- * are no obstacles (which touch one face). STATUS_INPUT if it was asked but is not
+ * `possible` and all supports take whole columns or the middle of one of two layers.
+ * STATUS_INPUT if it was asked but is not
  * possible. */
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
                               bool possible, bool *thickness, struct message *why);

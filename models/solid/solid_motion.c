@@ -73,7 +73,8 @@ void solid_motion_clear(struct solid_motion *m)
     large_motion_clear(&m->large);
     solid_green_clear(&m->green);
     system_clear(&m->system);
-    contact_step_clear(&m->contact);
+    contact_linear_clear(&m->meets);
+    contact_clear(&m->contact);
     newmark_clear(&m->newmark);
     supports_clear(&m->supports);
     solid_assembly_clear(&m->assembly);
@@ -124,7 +125,7 @@ static enum status make_large(struct solid_motion *m, const struct discretizatio
         .held = m->held,
         .relief = d->viscosity == VISCOSITY_MEMBRANE,
         .full = d->newton == NEWTON_FULL,
-        .contact = m->scene->obstacle_count ? &m->contact : NULL,
+        .contact = contact_wanted(m->scene) ? &m->contact : NULL,
     };
     TRY(large_motion_init(&m->large));
     TRY(large_leapfrog_make(&m->large, d, why));
@@ -140,6 +141,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     enum status st;
     const size_t count = 3 * (size_t)space->nodes;
     const bool nonlinear = d->kinematics == KINEMATICS_NONLINEAR;
+    const bool meets = contact_wanted(scene) && !nonlinear;
     struct solid_motion new = {.scene = scene, .space = space, .kinematics = d->kinematics};
     memcpy(new.points, d->points, sizeof new.points);
     struct solid_material material =
@@ -154,7 +156,8 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     new.newmark.gamma = drag_on_d(scene, d->kinematics);
     TRY(room_cut(&new.room, ROOM(new.x, count), ROOM(new.load, count),
                  ROOM(new.held, 4 * (size_t) new.supports.held_count),
-                 ROOM(new.tangent, nonlinear ? pairs : 0)));
+                 ROOM(new.tangent, nonlinear || meets ? pairs : 0),
+                 ROOM(new.meets.room, meets ? 5 * count : 0)));
     memcpy(new.x, space->rest, count * sizeof *new.x);
     st = solid_assembly_compute(&new.assembly, new.x);
     if (st != STATUS_OK) {
@@ -168,12 +171,10 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     *m = new; /* before the system, which keeps pointers into it */
     memset(&new, 0, sizeof new);
     st = system_init(&m->system, &m->assembly.graph, &m->supports,
-                     d->kinematics == KINEMATICS_LINEAR ? space->parity : NULL, order, d);
+                     d->kinematics == KINEMATICS_LINEAR && !meets ? space->parity : NULL,
+                     order, d);
     if (st == STATUS_OK)
         st = follow(m);
-    if (st == STATUS_OK)
-        st = contact_step_init(&m->contact, scene, &m->assembly.graph, &m->supports, 0,
-                               order, d);
     if (st == STATUS_OK && nonlinear)
         st = make_large(m, d, why);
     if (st != STATUS_OK)
@@ -181,6 +182,19 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
 out:
     solid_motion_clear(&new);
     return st;
+}
+
+enum status solid_motion_meet(struct solid_motion *m, struct contact_surface *surface)
+{
+    m->meets = (struct contact_linear){.contact = &m->contact,
+                                       .newmark = &m->newmark,
+                                       .system = &m->system,
+                                       .K = (const double(*)[9])m->assembly.K,
+                                       .M = m->assembly.M,
+                                       .load = m->load,
+                                       .tangent = m->tangent,
+                                       .room = m->meets.room};
+    return contact_init(&m->contact, m->scene, surface);
 }
 
 static double *held_row(struct solid_motion *m, int row)
@@ -229,24 +243,9 @@ static enum status start_linear(struct solid_motion *m, struct counters *counter
         held = path_motion(m, m->time);
     TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
                       m->supports.moving ? &held : NULL, counters));
-    m->started = true;
+    m->meets.plain = m->started = true;
 out:
     return st;
-}
-
-/* Starts with obstacles: the steps need no acceleration and factor for themselves. */
-static void start_contact(struct solid_motion *m)
-{
-    struct newmark_held held;
-
-    if (m->supports.moving)
-        held = path_motion(m, m->time);
-    for (int h = 0; m->supports.moving && h < m->supports.held_count; h++) {
-        m->newmark.d[m->supports.held[h]] = held.d[h];
-        m->newmark.v[m->supports.held[h]] = held.v[h];
-    }
-    contact_set_forget(&m->contact.set);
-    m->started = true;
 }
 
 static void damp_velocity(struct solid_motion *m)
@@ -258,90 +257,26 @@ static void damp_velocity(struct solid_motion *m)
         m->newmark.v[t] *= factor;
 }
 
-/* Takes a step among obstacles, but for the velocity's damping; held: the motion of the
- * held unknowns at its end, NULL at rest. */
-static enum status contact_linear(struct solid_motion *m, const struct newmark_held *held,
-                                  struct counters *counters)
-{
-    enum status st;
-    size_t count = 3 * (size_t)m->space->nodes;
-
-    TRY(contact_step_linear(&m->contact, &m->newmark, &m->system, stiffness(m),
-                            m->assembly.M, m->load, held, m->x, counters));
-    m->force_unit = 1 / m->newmark.dt;
-    for (size_t t = 0; t < count; t++)
-        m->x[t] = m->space->rest[t] + m->newmark.d[t];
-out:
-    return st;
-}
-
 static enum status step_linear(struct solid_motion *m, struct counters *counters)
 {
     enum status st;
     struct newmark_held held;
     size_t count = 3 * (size_t)m->space->nodes;
 
-    if (!m->started && contact_set_used(&m->contact.set))
-        start_contact(m);
-    else if (!m->started)
+    if (!m->started)
         TRY(start_linear(m, counters));
     if (m->supports.moving)
         held = path_motion(m, m->time + m->newmark.dt);
-    if (contact_set_used(&m->contact.set))
-        return contact_linear(m, m->supports.moving ? &held : NULL, counters);
-    TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
-                     m->supports.moving ? &held : NULL));
-    counters->solves++;
-    for (size_t t = 0; t < count; t++)
-        m->x[t] = m->space->rest[t] + m->newmark.d[t];
-out:
-    return st;
-}
-
-/* Fills what newmark.h's w is without motion: d1 = 0, v1 = 2 (d1 - d0) / dt - v0. */
-static void still_values(const struct newmark *n, size_t count, double *still)
-{
-    for (size_t t = 0; t < count; t++)
-        still[t] = -n->beta * (2 * n->d[t] / n->dt + n->v[t]) / newmark_k(n);
-}
-
-/* Does so on the present matrices of kinematics that rebuild. */
-static enum status contact_rebuilt(struct solid_motion *m, const struct newmark_held *held,
-                                   struct counters *counters)
-{
-    enum status st;
-    struct newmark *n = &m->newmark;
-    struct contact_set *c = &m->contact.set;
-    size_t count = 3 * (size_t)m->space->nodes;
-    double *w = n->work + count, *still = n->work + 2 * count, k = newmark_k(n);
-    const struct contact_problem problem = {.k = k,
-                                            .K = stiffness(m),
-                                            .m = newmark_m(n),
-                                            .M = m->assembly.M,
-                                            .b = n->work,
-                                            .scale = (1 + 2 * n->beta / n->dt) / k,
-                                            .still = still};
-
-    contact_set_detect(c, m->x);
-    contact_set_forget(c);
-    newmark_predict(n, &m->system, stiffness(m), m->assembly.M, m->load, held);
-    still_values(n, count, still);
-    memset(w, 0, count * sizeof *w);
-    for (int h = 0; held && h < m->supports.held_count; h++)
-        w[m->supports.held[h]] = (held->d[h] + n->beta * held->v[h]) / k;
-    TRY(contact_solve(c, &m->system, &problem, w, counters));
-    m->force_unit = 1;
-    newmark_correct(n, &m->system, w, held);
-    if (m->kinematics == KINEMATICS_INCREMENTAL && contact_set_any(c)) {
-        contact_set_arrest(c, n->v, w, m->contact.arrest);
-        for (size_t t = 0; t < count; t++)
-            n->v[t] += w[t];
-        contact_set_arrest(c, n->a, w, m->contact.arrest);
-        for (size_t t = 0; t < count; t++)
-            n->a[t] += w[t];
+    const struct newmark_held *at = m->supports.moving ? &held : NULL;
+    if (m->meets.contact) {
+        TRY(contact_linear_step(&m->meets, m->time, at, m->x, counters));
+    } else {
+        TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
+                         at));
+        counters->solves++;
     }
     for (size_t t = 0; t < count; t++)
-        m->x[t] += n->d[t];
+        m->x[t] = m->space->rest[t] + m->newmark.d[t];
 out:
     return st;
 }
@@ -360,12 +295,15 @@ static enum status step_rebuilt(struct solid_motion *m, struct counters *counter
     compute_load(m);
     if (m->supports.moving)
         held = step_motion(m, m->time + n->dt);
-    if (contact_set_used(&m->contact.set))
-        return contact_rebuilt(m, m->supports.moving ? &held : NULL, counters);
-    TRY(system_update(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
-    TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load,
-                     m->supports.moving ? &held : NULL));
-    counters->solves++;
+    const struct newmark_held *at = m->supports.moving ? &held : NULL;
+    if (m->meets.contact) {
+        TRY(contact_linear_rebuilt(&m->meets, m->time, at, m->x, counters));
+    } else {
+        TRY(system_update(&m->system, newmark_k(n), stiffness(m), newmark_m(n),
+                          m->assembly.M));
+        TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load, at));
+        counters->solves++;
+    }
     for (size_t t = 0; t < count; t++)
         m->x[t] += n->d[t];
 out:

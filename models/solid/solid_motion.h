@@ -13,16 +13,13 @@
  * a viscosity E dt. Body drag, of which the paper has none, therefore acts on d / dt there,
  * and on v elsewhere; and an initial velocity, which it has not either, begins as d / dt.
  *
- * Obstacles meet control points (the paper's detection on the control net; the sheet lies
- * in its points' convex hull, so that the net touches first): `linear` as in
- * contact_step.h, `nonlinear` as in large_motion.h. Under `printed` points in contact are
- * prescribed as the paper prescribes moving supports (eq. 20-22), the rate of d included;
- * under `incremental` the same, then such a point's normal velocity and acceleration are
- * those of the obstacle, zero. Neither of the two has an energy, and no bound.
+ * Contact acts on the mid-surface: `nonlinear` as in large_motion.h, the others as in
+ * contact_linear.h. `printed` and `incremental` have no energy, and no bound of it.
  */
 #ifndef SOLID_MOTION_H
 #define SOLID_MOTION_H
 
+#include "models/mechanics/contact_linear.h"
 #include "models/mechanics/dead_load.h"
 #include "models/mechanics/large_motion.h"
 #include "models/mechanics/newmark.h"
@@ -45,9 +42,9 @@ struct solid_motion {
     double time;  /* [s]                                                              */
     bool started; /* the constant system is factored                                  */
 
-    /* These are used with obstacles only. */
-    struct contact_step contact;
-    double force_unit; /* unit of the set's forces                            [N]     */
+    /* These are used where there is something to meet only. */
+    struct contact contact;
+    struct contact_linear meets; /* but in nonlinear kinematics                        */
 
     /* These are used in nonlinear kinematics only. */
     struct solid_green green;
@@ -62,6 +59,10 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                               const struct discretization *d, const int *order,
                               struct message *why);
 void solid_motion_clear(struct solid_motion *m);
+
+/* Takes over the mid-surface that meets bodies and itself, after solid_motion_init; where
+ * the scene wants it (contact_wanted). */
+enum status solid_motion_meet(struct solid_motion *m, struct contact_surface *surface);
 
 /* Puts the scene's loads on the functions of u, v and w; once, before the first step. */
 enum status solid_motion_add_loads(struct solid_motion *m,

@@ -73,6 +73,30 @@ static void check_needs(void)
     scene_clear(&s);
 }
 
+/* A scene's obstacle is a copy, that of a mesh excepted. */
+static void check_bodies(void)
+{
+    double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 2}}, turn[1][2] = {{3, 45}};
+    char file[] = "a.obj";
+    struct scene_obstacle o = {.kind = OBSTACLE_MESH,
+                               .path_count = 2,
+                               .path = path,
+                               .turn_count = 1,
+                               .turn = turn,
+                               .file = file};
+    struct scene s;
+
+    REQUIRE(scene_init(&s) == STATUS_OK);
+    REQUIRE(scene_add_obstacle(&s, &o) == STATUS_OK);
+    path[1][3] = turn[0][1] = 0, file[0] = 'b';
+    CHECK(s.obstacles[0].path[1][3] == 2 && s.obstacles[0].turn[0][1] == 45);
+    CHECK(!strcmp(s.obstacles[0].file, "a.obj") && !s.obstacles[0].mesh);
+    CHECK(scene_needs(&s) == (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_OBSTACLES));
+    s.contact.self = true;
+    CHECK(scene_needs(&s) & SCENE_NEED_SELF_CONTACT);
+    scene_clear(&s);
+}
+
 static void check_path(void)
 {
     double path[3][4] = {{0, 0, 0, 0}, {1, 0, 0, 2}, {3, 4, 0, 2}};
@@ -155,6 +179,7 @@ int main(void)
     check_numbers();
     check_needs();
     check_path();
+    check_bodies();
     check_discretization();
     check_clamped();
     return check_result();

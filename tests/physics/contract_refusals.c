@@ -154,6 +154,13 @@ static void add_need(struct scene *scene, unsigned need, double w)
     case SCENE_NEED_CONTACT:
         REQUIRE(scene_add_obstacle(scene, &floor) == STATUS_OK);
         return;
+    case SCENE_NEED_MOVING_OBSTACLES:
+        floor.path = path, floor.path_count = 2;
+        REQUIRE(scene_add_obstacle(scene, &floor) == STATUS_OK);
+        return;
+    case SCENE_NEED_SELF_CONTACT:
+        scene->contact.self = true;
+        return;
     case SCENE_NEED_DRAG:
         scene->drag = 1;
         return;

@@ -191,6 +191,13 @@ static void world(void)
         "loads=[{at: {u: 1}, force: [0, 3, -1]}, {at: {u: 1, v: 0}, force: [0.5, 0, 0]}]",
         "motion={velocity: [1, 2, 3], spin: [0, 0, 0]}", NULL};
 
+    static const char *const others[] = {
+        "obstacles=[{sphere: {center: [1, 2, -3], radius: 0.5}, path: [[0, 0, 0, 0]]}, "
+        "{capsule: {from: [1, 2, -8], to: [1, 3, -8], radius: 2}}, {mesh: "
+        "{file: " SOURCE_DIR
+        "/tests/bad_scenes/mesh_inside.obj, at: [0, 0, -9], friction: 0.5}}]",
+        NULL};
+
     CHECK(scratch_files(exported("edge_drop", "5,4", NULL)) == 8);
     const char *folder = exported("edge_drop", "5,4", all);
     CHECK(scratch_files(folder) == 12);
@@ -198,6 +205,7 @@ static void world(void)
     CHECK(is(0, "kind", "plane") && cell(0, "z") == -1 && cell(0, "friction") == 0.25);
     CHECK_NEAR(cell(0, "normal_z"), 0.8, TOL_ONE);
     CHECK(cell(1, "radius") == 0.5 && cell(1, "z") == -3);
+    CHECK(is(0, "radius", "") && is(1, "normal_x", ""));
     open_table(folder, "paths");
     CHECK(reference_rows(table) == 2 && cell(1, "z") == 2);
     open_table(folder, "loads");
@@ -209,6 +217,12 @@ static void world(void)
     open_table(folder, "velocities");
     CHECK(reference_rows(table) == 20 && sum_column("z") == 16 * 3); /* not where held */
     CHECK(cell(5, "x") == 0 && cell(6, "x") == 1);
+    folder = exported("edge_drop", "5,4", others);
+    CHECK(scratch_files(folder) == 10); /* a mesh has its own */
+    open_table(folder, "obstacles");
+    CHECK(reference_rows(table) == 3 && is(0, "kind", "moving_sphere"));
+    CHECK(is(1, "kind", "capsule") && cell(1, "radius") == 2 && cell(1, "z") == -8);
+    CHECK(is(2, "kind", "mesh") && cell(2, "friction") == 0.5);
 }
 
 /* --- the mesh --- */
@@ -399,6 +413,16 @@ static void scenes_come_back(void)
          {"damping={kind: velocity_rate, value: 0.3}",
           "loads=[{at: {u: 1, v: [0.2, 1]}, force: [0, 0, -0.1]}]"},
          2},
+        {"sphere",
+         {"obstacles=[{box: {center: [0, 0, -9], size: [1, 2, 3], u: [0, 1, 0], v: [0.6, "
+          "0, "
+          "0.8], friction: 0.1}}, {capsule: {from: [0, 0, -9], to: [0, 1, -8], radius: "
+          "0.5}, "
+          "path: [[0, 0, 0, 0], [1, 0, 0.125, -1]]}, {mesh: {file: " SOURCE_DIR
+          "/tests/bad_scenes/mesh_inside.obj, at: [0, 0.1, -8], scale: 0.3, friction: 2}, "
+          "turn: {axis: [1, 0, 0], about: [1, 2, 3], angles: [[0, 0], [0.1, 33]]}}]",
+          "contact={self: true, thickness: 0.02, range: 0.003, friction: 0.5}"},
+         2},
     };
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
@@ -438,6 +462,7 @@ static void rules(void)
         {"edge_drop", "21,21", "14 times from 0.1 to 1.4 s", "obstacles.csv"},
         {"rest_small", "21,21", "any, as long as the sheet is at rest", "undamped"},
         {"sphere", "21,21", "2 1/s times mass", "paths.csv"},
+        {"sphere", "21,21", "Obstacles stand still: obstacles.csv", "obstacle_N.obj"},
         {"corners_drop", "21,21", "No truth is stored", "loads.csv"},
         {"corners_patch", "16,16", "ends at u = 0.1, between vertices", "undamped"},
         {"drag_fall", "21,21", "2.5 kg/m^3/s times (wind - velocity)", "held.csv:"},

@@ -64,8 +64,7 @@ static double (*const metric[LOOKS_SERIES])(const struct scene *, const double *
     [LOOKS_DROP] = metric_drop,
     [LOOKS_ANGLE] = metric_angle,
     [LOOKS_STRETCH] = metric_stretch,
-    [LOOKS_ROUGHNESS] = metric_roughness,
-    [LOOKS_PENETRATION] = metric_penetration};
+    [LOOKS_ROUGHNESS] = metric_roughness};
 
 /* A measure is called after its series. */
 static bool is_called(int measure, const char *series, const char *end)
@@ -112,6 +111,25 @@ static void test_series(void)
     reduce(STATUS_UNSUPPORTED);
     for (int m = 0; m < MEASURE_GAMMA; m++)
         CHECK(isnan(value[m]));
+    end();
+}
+
+/* A look at a body that moves is one at its time. */
+static void test_moving(void)
+{
+    static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.5}};
+    struct scene_obstacle plane = {
+        .kind = OBSTACLE_PLANE, .normal = {0, 0, 1}, .path_count = 2, .path = path};
+    double *xyz = calloc(3 * GRID_POINTS, sizeof *xyz);
+
+    begin();
+    REQUIRE(xyz);
+    sheet.obstacles = &plane, looks.count = 0;
+    looks_add(&looks, &sheet, 0, xyz, false);
+    looks_add(&looks, &sheet, 0.5, xyz, false);
+    CHECK(looks.series[LOOKS_PENETRATION][0] == 0);
+    CHECK(looks.series[LOOKS_PENETRATION][1] == 0.25);
+    free(xyz);
     end();
 }
 
@@ -320,6 +338,7 @@ int main(void)
 {
     test_series();
     test_load();
+    test_moving();
     test_energy();
     test_crossing();
     test_truth();

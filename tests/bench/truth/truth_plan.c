@@ -148,6 +148,9 @@ static void check_frames(void)
  * numerics do not. NULL: the scene as it is. */
 #define HELD(at)    "supports=[{at: {" at "}, fix: xyz}]"
 #define LED(path)   "supports=[{at: {u: 0}, fix: xyz, path: [" path "]}]"
+#define BODY(text)  "obstacles=[{" text "}}]"
+#define SPUN(text)  "obstacles[0].turn={axis: " text "}"
+#define OCTAHEDRON  SOURCE_DIR "/tests/bad_scenes/mesh_inside.obj"
 #define PULL(rest)  "loads=[{at: {" rest "]}]"
 #define PLANE(rest) "obstacles=[{plane: {" rest "}}]"
 static const struct pair {
@@ -206,6 +209,32 @@ static const struct pair {
     {"edge_drop", PULL("u: 1}, force: [0,0,1"), PULL("v: 1}, force: [0,0,1")},
     {"edge_drop", PULL("u: [0.5,1]}, force: [0,0,1"), PULL("u: [0.4,1]}, force: [0,0,1")},
     {"edge_drop", PULL("u: [0.5,1]}, force: [0,0,1"), PULL("u: [0.5,0.9]}, force: [0,0,1")},
+    {"ground", NULL, "contact={}"},
+    {"ground", "contact.stiffness=2", "contact.stiffness=3"},
+    {"ground", "contact.range=1e-4", "contact.range=2e-4"},
+    {"edge_drop", BODY("capsule: {from: [0,0,9], to: [0,0,8], radius: 1"),
+     BODY("capsule: {from: [0,0,9], to: [0,1,8], radius: 1")},
+    {"edge_drop", BODY("capsule: {from: [0,0,9], to: [0,0,8], radius: 1"),
+     BODY("capsule: {from: [0,0,9], to: [0,0,8], radius: 2")},
+    {"edge_drop", BODY("box: {center: [0,0,9], size: [1,1,1]"),
+     BODY("box: {center: [0,0,9], size: [1,1,2]")},
+    {"edge_drop", BODY("box: {center: [0,0,9], size: [1,1,1]"),
+     BODY("box: {center: [0,0,9], size: [1,1,1], u: [0.6,0.8,0], v: [-0.8,0.6,0]")},
+    {"edge_drop", BODY("mesh: {file: " OCTAHEDRON ", at: [0,0,9]"),
+     BODY("mesh: {file: " OCTAHEDRON ", at: [0,0,8]")},
+    {"edge_drop", BODY("mesh: {file: " OCTAHEDRON ", at: [0,0,9]"),
+     BODY("mesh: {file: " OCTAHEDRON ", at: [0,0,9], scale: 2")},
+    {"sphere", "obstacles[0].path=[[0,0,0,0],[1,0,0,1]]",
+     "obstacles[0].path=[[0,0,0,0],[1,0,0,2]]"},
+    {"sphere", SPUN("[0,0,1], about: [1,0,0], angles: [[0,0],[1,9]]"),
+     SPUN("[0,0,1], about: [1,1,0], angles: [[0,0],[1,9]]")},
+    {"sphere", SPUN("[0,0,1], about: [1,0,0], angles: [[0,0],[1,9]]"),
+     SPUN("[0,1,0], about: [1,0,0], angles: [[0,0],[1,9]]")},
+    {"sphere", SPUN("[0,0,1], about: [1,0,0], angles: [[0,0],[1,9]]"),
+     SPUN("[0,0,1], about: [1,0,0], angles: [[0,0],[1,8]]")},
+    {"sphere", NULL, "contact={self: false}", true},
+    {"edge_drop", BODY("mesh: {file: " OCTAHEDRON ", at: [0,0,9]"),
+     BODY("mesh: {at: [0.0,0,9], file: " OCTAHEDRON), true},
     {"cloak", NULL, "pose.opening=61"}, {"cloak", NULL, "pose.flare=11"},
     {"sphere", NULL, "time.step=0.0025", true}, {"sphere", NULL, "time.end=0.3", true},
     {"sphere", NULL, "snapshots=[0.1]", true},

@@ -248,25 +248,25 @@ static void test_penetration(void)
     REQUIRE(scene_init(&scene) == STATUS_OK);
     scene.thickness = 0.01;
     fill_rest(&scene, xyz);
-    CHECK(metric_penetration(&scene, xyz) == 0);
+    CHECK(metric_penetration(&scene, 0, xyz) == 0);
     scene.obstacles = obstacle;
     scene.obstacle_count = 1;
-    CHECK_NEAR(metric_penetration(&scene, xyz), 0.255, TOL_ROUND); /* the lower layer */
+    CHECK_NEAR(metric_penetration(&scene, 0, xyz), 0.255, TOL_ROUND); /* the lower layer */
     /* a ceiling: the upper layer alone is in it; and by less than the thickness */
     obstacle[0] = (struct scene_obstacle){
         .kind = OBSTACLE_PLANE, .point = {5, 5, 0.002}, .normal = {0, 0, -2}};
-    CHECK_NEAR(metric_penetration(&scene, xyz), 0.003, TOL_ROUND);
+    CHECK_NEAR(metric_penetration(&scene, 0, xyz), 0.003, TOL_ROUND);
     obstacle[0].normal[2] = 2, obstacle[0].point[2] = -0.002; /* a floor: the lower */
-    CHECK_NEAR(metric_penetration(&scene, xyz), 0.003, TOL_ROUND);
+    CHECK_NEAR(metric_penetration(&scene, 0, xyz), 0.003, TOL_ROUND);
     obstacle[0].point[2] = -1;
-    CHECK(metric_penetration(&scene, xyz) == 0);
+    CHECK(metric_penetration(&scene, 0, xyz) == 0);
     /* nearest grid points to the centre: half a step off in u and v, h/2 in w */
     scene.obstacle_count = 2;
     double off = 0.5 / 99;
-    CHECK_NEAR(metric_penetration(&scene, xyz), 0.4 - sqrt(2 * off * off + 0.005 * 0.005),
-               TOL_ROUND);
+    CHECK_NEAR(metric_penetration(&scene, 0, xyz),
+               0.4 - sqrt(2 * off * off + 0.005 * 0.005), TOL_ROUND);
     xyz[100] = NAN;
-    CHECK(isnan(metric_penetration(&scene, xyz)));
+    CHECK(isnan(metric_penetration(&scene, 0, xyz)));
     scene.obstacles = NULL; /* the array is ours */
     scene.obstacle_count = 0;
     scene_clear(&scene);

@@ -99,6 +99,37 @@ static void check_axes(void)
     clear(&r);
 }
 
+static void check_bodies(const struct scene *s)
+{
+    const struct scene_obstacle *o = s->obstacles, *mesh = &o[4];
+
+    CHECK(!o[0].path_count && !o[0].turn_count && o[1].kind == OBSTACLE_SPHERE);
+    CHECK(o[2].kind == OBSTACLE_CAPSULE && o[2].point[1] == 2 && o[2].end[2] == 8);
+    CHECK(o[2].path_count == 2 && o[2].path[1][0] == 1 && o[2].path[1][3] == 4);
+    CHECK(o[3].kind == OBSTACLE_BOX && o[3].size[2] == 3 && o[3].axis[0][1] == 1 &&
+          o[3].axis[1][2] == 1 && o[3].friction == 2);
+    CHECK(mesh->kind == OBSTACLE_MESH && !strcmp(mesh->file, "a.obj") && !mesh->mesh);
+    CHECK(mesh->point[2] == 9 && mesh->scale == 2 && mesh->turn_count == 2);
+    CHECK(mesh->turn_axis[2] == 1 && mesh->turn_point[0] == 1 && mesh->turn[1][1] == 90);
+    CHECK(s->contact.self && s->contact.thickness == 0.02 && s->contact.range == 0.004);
+    CHECK(s->contact.stiffness == 5 && s->contact.friction == 0.25);
+    CHECK(scene_needs(s) & SCENE_NEED_MOVING_OBSTACLES);
+    CHECK(scene_needs(s) & SCENE_NEED_SELF_CONTACT);
+}
+
+/* Without the section a sheet does not meet itself, nor where the section says so. */
+static void check_self(void)
+{
+    static const char *const said[] = {"contact={self: false, range: 0.001}", "contact={}"};
+
+    for (int n = -1; n < 2; n++) {
+        struct read r = read_text(MINIMAL, NULL, n >= 0, said + (n >= 0 ? n : 0));
+        CHECK(r.s.contact.self == (n == 1));
+        CHECK(!(scene_needs(&r.s) & SCENE_NEED_SELF_CONTACT) == (n != 1));
+        clear(&r);
+    }
+}
+
 static void check_everything(void)
 {
     static const char text[] =
@@ -118,6 +149,13 @@ static void check_everything(void)
         "obstacles:\n"
         "- plane: {point: [0, 0, -1], normal: [0, 0, 2], friction: 0.3}\n"
         "- sphere: {center: [1, 0, 0], radius: 0.5}\n"
+        "- capsule: {from: [1, 2, 9], to: [3, 4, 8], radius: 0.5}\n"
+        "  path: [[0, 0, 0, 0], [1, 2, 3, 4]]\n"
+        "- box: {center: [0, 0, 9], size: [1, 2, 3], u: [0, 1, 0], v: [0, 0, 1], friction: "
+        "2}\n"
+        "- mesh: {file: a.obj, at: [7, 8, 9], scale: 2}\n"
+        "  turn: {axis: [0, 0, 4], about: [1, 2, 3], angles: [[0, 0], [1, 90]]}\n"
+        "contact: {thickness: 0.02, range: 0.004, stiffness: 5, friction: 0.25}\n"
         "time: {step: 0.1, end: 1}\n"
         "snapshots: [0, 0.5, 1]\n";
     struct read r = read_text(text, NULL, 0, NULL);
@@ -129,7 +167,7 @@ static void check_everything(void)
     CHECK(s.drag == 2 && s.wind[0] == 3 && s.gravity[2] == -9.81 && s.poisson == -0.5);
     CHECK(s.damping.kind == DAMPING_RAYLEIGH);
     CHECK(s.damping.alpha == 0.1 && s.damping.beta == 1e-3);
-    REQUIRE(s.support_count == 2 && s.obstacle_count == 2 && s.snapshot_count == 3);
+    REQUIRE(s.support_count == 2 && s.obstacle_count == 5 && s.snapshot_count == 3);
     a = &s.supports[0], b = &s.supports[1];
     CHECK(a->lo[0] == 0 && a->hi[0] == 0 && a->lo[1] == 0.25 && a->hi[1] == 0.5);
     CHECK(a->lo[2] == 0 && a->hi[2] == 1 && a->fix == (FIX_X | FIX_Z) && a->line == 10);
@@ -144,6 +182,7 @@ static void check_everything(void)
     CHECK(s.obstacles[1].kind == OBSTACLE_SPHERE && s.obstacles[1].radius == 0.5);
     CHECK(s.obstacles[1].point[0] == 1 && s.obstacles[1].friction == 0);
     CHECK(s.snapshots[1] == 0.5);
+    check_bodies(&s);
     clear(&r);
 }
 
@@ -354,6 +393,7 @@ int main(void)
     check_minimal();
     check_axes();
     check_everything();
+    check_self();
     check_settings();
     check_printed();
     check_foreign();

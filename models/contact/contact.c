@@ -1,0 +1,550 @@
+#include "models/contact/contact.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/vector.h"
+
+/* The x of the law that one change leaves to what comes from farther off, and the share of
+ * their x that it leaves to others: the pressure grows little more than fourfold in a
+ * change, and Newton's method, which knows its slope only, is not thrown back far. */
+static const double LEFT = 0.5;
+
+/* The calls of contact_find in a step after which friction's stiffness is its force over
+ * the slip. What slips has none of its own across, and Newton's steps may go from one way
+ * of slipping to the other for ever; that of the force is more, and they never overshoot. */
+enum { CAREFUL = 9 };
+
+bool contact_wanted(const struct scene *scene)
+{
+    return scene->obstacle_count > 0 || scene->contact.self;
+}
+
+bool contact_rubs(const struct contact *c)
+{
+    bool any = c->scene->contact.friction > 0;
+
+    for (int o = 0; o < c->scene->obstacle_count; o++)
+        any |= c->scene->obstacles[o].friction > 0;
+    return any;
+}
+
+void contact_clear(struct contact *c)
+{
+    contact_search_clear(&c->search);
+    contact_surface_clear(&c->surface);
+    free(c->pose);
+    free(c->pose_old);
+    free(c->x_old);
+    free(c->spare);
+    free(c->touch);
+    free(c->node);
+    free(c->weight);
+    memset(c, 0, sizeof *c);
+}
+
+enum status contact_init(struct contact *c, const struct scene *scene,
+                         struct contact_surface *surface)
+{
+    const size_t bodies = (size_t)scene->obstacle_count;
+    *c = (struct contact){.scene = scene,
+                          .surface = *surface,
+                          .body = contact_law_body(scene),
+                          .self = contact_law_self(scene),
+                          .pose = calloc(bodies + 1, sizeof *c->pose),
+                          .pose_old = calloc(bodies + 1, sizeof *c->pose_old),
+                          .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old),
+                          .spare = calloc(4 * (size_t)surface->count, sizeof *c->spare)};
+    *surface = (struct contact_surface){0};
+    const bool all = c->pose && c->pose_old && c->x_old && c->spare;
+    enum status st = all ? STATUS_OK : STATUS_MEMORY;
+    if (st == STATUS_OK && scene->contact.self)
+        st = contact_search_init(&c->search, &c->surface, c->self.start);
+    if (st != STATUS_OK)
+        contact_clear(c);
+    return st;
+}
+
+void contact_begin(struct contact *c, double t, double dt, const double *x_old)
+{
+    const double end = isfinite(dt) ? t + dt : t;
+
+    c->t = t, c->dt = dt, c->rests = false;
+    c->finds = 0;
+    memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
+    for (int o = 0; o < c->scene->obstacle_count; o++) {
+        contact_pose_at(&c->scene->obstacles[o], t, &c->pose_old[o]);
+        contact_pose_at(&c->scene->obstacles[o], end, &c->pose[o]);
+    }
+}
+
+void contact_begin_rest(struct contact *c, double t, double dt, const double *x_old)
+{
+    contact_begin(c, t, dt, x_old);
+    c->rests = true;
+}
+
+/* --- the list of touches -----------------------------------------------------------------
+ */
+
+/* Makes room for one more touch of so many weights. */
+static enum status make_room(struct contact *c, int weights)
+{
+    if (c->count == c->room) {
+        const int room = 2 * c->room + 64;
+        struct contact_touch *touch = realloc(c->touch, (size_t)room * sizeof *touch);
+        if (!touch)
+            return STATUS_MEMORY;
+        c->touch = touch, c->room = room;
+    }
+    if (c->weights + weights > c->weight_room) {
+        const int room = 2 * c->weight_room + weights + 64;
+        int *node = realloc(c->node, (size_t)room * sizeof *node);
+        c->node = node ? node : c->node;
+        double *weight = realloc(c->weight, (size_t)room * sizeof *weight);
+        c->weight = weight ? weight : c->weight;
+        if (!node || !weight)
+            return STATUS_MEMORY;
+        c->weight_room = room;
+    }
+    return STATUS_OK;
+}
+
+static void empty(struct contact *c)
+{
+    c->count = c->weights = 0;
+    c->energy = 0;
+    c->least = INFINITY;
+    memset(c->force, 0, sizeof c->force);
+}
+
+/* Appends a touch of a sample with a body, at the distance D with the normal n. */
+static enum status add_body_touch(struct contact *c, int sample, int obstacle, double D,
+                                  const double n[3])
+{
+    const struct contact_surface *s = &c->surface;
+    const int used = s->used[sample];
+    enum status st = make_room(c, used);
+
+    if (st != STATUS_OK)
+        return st;
+    memcpy(c->node + c->weights, s->node + (size_t)sample * s->width,
+           (size_t)used * sizeof *c->node);
+    memcpy(c->weight + c->weights, s->shape + (size_t)sample * s->width,
+           (size_t)used * sizeof *c->weight);
+    c->touch[c->count++] = (struct contact_touch){.sample = sample,
+                                                  .obstacle = obstacle,
+                                                  .first = c->weights,
+                                                  .count = used,
+                                                  .D = D,
+                                                  .normal = {n[0], n[1], n[2]},
+                                                  .area = s->area[sample]};
+    c->weights += used;
+    return STATUS_OK;
+}
+
+/* Appends a touch of a sample with another place of the sheet. Each of the two sides has
+ * half the law at samples of its own. */
+static enum status add_own_touch(struct contact *c, const struct contact_foot *foot)
+{
+    const struct contact_surface *s = &c->surface;
+    const int used = s->used[foot->sample];
+    enum status st = make_room(c, used + foot->count);
+
+    if (st != STATUS_OK)
+        return st;
+    int *node = c->node + c->weights;
+    double *weight = c->weight + c->weights;
+    memcpy(node, s->node + (size_t)foot->sample * s->width, (size_t)used * sizeof *node);
+    memcpy(weight, s->shape + (size_t)foot->sample * s->width,
+           (size_t)used * sizeof *weight);
+    for (int k = 0; k < foot->count; k++) {
+        node[used + k] = c->search.node[foot->first + k];
+        weight[used + k] = -c->search.weight[foot->first + k];
+    }
+    c->touch[c->count++] = (struct contact_touch){
+        .sample = foot->sample,
+        .obstacle = -1,
+        .first = c->weights,
+        .count = used + foot->count,
+        .D = foot->distance,
+        .normal = {foot->normal[0], foot->normal[1], foot->normal[2]},
+        .area = foot->strength * s->area[foot->sample] / 2};
+    c->weights += used + foot->count;
+    return STATUS_OK;
+}
+
+/* Appends the touches of the sheet with itself at x. */
+static enum status find_own(struct contact *c, const double *x)
+{
+    enum status st = STATUS_OK;
+
+    if (!c->scene->contact.self)
+        return STATUS_OK;
+    TRY(contact_search_find(&c->search, x));
+    for (int n = 0; n < c->search.count; n++)
+        TRY(add_own_touch(c, &c->search.foot[n]));
+out:
+    return st;
+}
+
+/* Computes how far the touch's places have moved against each other since the step began.
+ */
+static void relative_way(const struct contact *c, const struct contact_touch *t,
+                         const double *x, double way[3])
+{
+    way[0] = way[1] = way[2] = 0;
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++) {
+            size_t u = 3 * (size_t)c->node[k] + i;
+            way[i] += c->weight[k] * (x[u] - c->x_old[u]);
+        }
+    if (t->obstacle >= 0 && c->scene->obstacles[t->obstacle].path_count +
+                                    c->scene->obstacles[t->obstacle].turn_count >
+                                0) {
+        double y[3], before[3];
+        contact_surface_at(&c->surface, t->sample, x, y);
+        contact_pose_carry(&c->pose[t->obstacle], &c->pose_old[t->obstacle], y, before);
+        for (int i = 0; i < 3; i++)
+            way[i] -= y[i] - before[i];
+    }
+}
+
+static const struct contact_law *law_of(const struct contact *c,
+                                        const struct contact_touch *t)
+{
+    return t->obstacle < 0 ? &c->self : &c->body;
+}
+
+static double friction_of(const struct contact *c, const struct contact_touch *t)
+{
+    return t->obstacle < 0 ? c->scene->contact.friction
+                           : c->scene->obstacles[t->obstacle].friction;
+}
+
+/* Splits a way into its length along n, returned, and what is across, in `slip`. */
+static double split(const double way[3], const double n[3], double slip[3])
+{
+    const double along = vector_dot(way, n);
+
+    for (int i = 0; i < 3; i++)
+        slip[i] = way[i] - along * n[i];
+    return along;
+}
+
+/* Returns the distance of a touch when the step began. A body's is measured: the way along
+ * the normal would take a sheet that slides on a ball for one that leaves it. */
+static double distance_before(const struct contact *c, const struct contact_touch *t,
+                              double along)
+{
+    double y[3];
+
+    if (t->obstacle < 0)
+        return t->D - along;
+    contact_surface_at(&c->surface, t->sample, c->x_old, y);
+    return contact_shape_distance(&c->scene->obstacles[t->obstacle],
+                                  &c->pose_old[t->obstacle], y, NULL);
+}
+
+/* Adds a touch's pressure and friction to the totals. */
+static void add_up(struct contact *c, const struct contact_touch *t)
+{
+    const struct contact_law *law = law_of(c, t);
+
+    c->least = fmin(c->least, t->D - law->start);
+    c->energy += t->area * contact_law_potential(law, t->D);
+    for (int i = 0; t->obstacle >= 0 && i < 3; i++)
+        c->force[i] += t->push * t->normal[i] + t->rub[i];
+}
+
+/* Computes the forces of a touch at x. */
+static void press(struct contact *c, struct contact_touch *t, const double *x)
+{
+    const struct contact_law *law = law_of(c, t);
+    const double mu = friction_of(c, t);
+    double way[3], slip[3];
+
+    if (!isfinite(c->dt)) {
+        t->push = t->area * contact_law_pressure(law, t->D, &t->stiffness);
+        t->stiffness *= t->area;
+        return;
+    }
+    relative_way(c, t, x, way);
+    const double along = split(way, t->normal, slip);
+    const double D_old = distance_before(c, t, along);
+    t->push = t->area * contact_law_push(law, t->D, D_old, c->rests ? INFINITY : c->dt,
+                                         &t->stiffness);
+    t->stiffness *= t->area;
+    if (mu == 0)
+        return;
+    const double size = vector_length(slip);
+    const double share = contact_law_friction(law, size, c->dt);
+    const double stick = 2 * mu * t->push / (law->creep * c->dt);
+    t->drag = size > 0 ? mu * t->push * share / size : stick;
+    t->grip = c->finds > CAREFUL ? t->drag : stick * fmax(0, 1 - size / (law->creep * c->dt));
+    for (int i = 0; i < 3; i++)
+        t->rub[i] = -t->drag * slip[i];
+}
+
+/* Returns the distance of y from a body: exact where contact has started, or where it is
+ * less than the least so far, else some number from there up to it. */
+static double body_distance(const struct contact *c, int obstacle, const double y[3],
+                            double normal[3])
+{
+    return contact_shape_near(&c->scene->obstacles[obstacle], &c->pose[obstacle], y,
+                              c->body.start + fmax(c->least, 0), normal);
+}
+
+enum status contact_find(struct contact *c, const double *x)
+{
+    enum status st = c->failed;
+
+    c->failed = STATUS_OK;
+    c->finds++;
+    empty(c);
+    TRY(st);
+    for (int n = 0; n < c->surface.count; n++) {
+        double y[3], normal[3];
+        contact_surface_at(&c->surface, n, x, y);
+        for (int o = 0; o < c->scene->obstacle_count; o++) {
+            double D = body_distance(c, o, y, normal);
+            if (isnan(D))
+                return STATUS_NAN;
+            c->least = fmin(c->least, D - c->body.start);
+            if (D < c->body.start)
+                TRY(add_body_touch(c, n, o, D, normal));
+        }
+    }
+    TRY(find_own(c, x));
+    for (int n = 0; n < c->count; n++) {
+        press(c, &c->touch[n], x);
+        add_up(c, &c->touch[n]);
+    }
+out:
+    return st;
+}
+
+void contact_force(const struct contact *c, double *force)
+{
+    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
+        for (int k = t->first; k < t->first + t->count; k++)
+            for (int i = 0; i < 3; i++)
+                force[3 * (size_t)c->node[k] + i] +=
+                    c->weight[k] * (t->push * t->normal[i] + t->rub[i]);
+}
+
+/* --- steps that stay outside -------------------------------------------------------------
+ */
+
+/* Returns the share of the change d of a sample at y that leaves enough before a body. The
+ * distance is no more than the way shorter, so that the first share is safe; steps towards
+ * the end of a longer one are tried while they are. */
+static double limit_sample(const struct contact *c, int obstacle, const double y[3],
+                           const double d[3], double share)
+{
+    enum { TRIES = 60 };
+    static const double SHORTER = 0.95;
+    const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
+    const double wall = c->body.start - c->body.range, way = vector_length(d);
+    const double far = wall + way * share + LEFT * c->body.range;
+    const double room = contact_shape_near(o, &c->pose[obstacle], y, far, NULL) - wall;
+    const double least = LEFT * fmin(room, c->body.range);
+
+    if (!(room > 0) || room - way * share >= least)
+        return share;
+    for (int n = 0; n < TRIES; n++) {
+        double end[3];
+        for (int i = 0; i < 3; i++)
+            end[i] = y[i] + share * d[i];
+        double left = contact_shape_distance(o, &c->pose[obstacle], end, NULL) - wall;
+        if (left >= least)
+            break;
+        share *= fmin((room - least) / (room - left), SHORTER);
+    }
+    return share;
+}
+
+double contact_limit(struct contact *c, const double *x, const double *d)
+{
+    double share = 1, own = 1;
+
+    for (int n = 0; n < c->surface.count; n++) {
+        double y[3], way[3];
+        contact_surface_at(&c->surface, n, x, y);
+        contact_surface_at(&c->surface, n, d, way);
+        for (int o = 0; o < c->scene->obstacle_count; o++)
+            share = limit_sample(c, o, y, way, share);
+    }
+    if (c->scene->contact.self)
+        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
+                                         c->self.range, &own);
+    return c->failed == STATUS_OK ? fmin(share, own) : 0;
+}
+
+bool contact_shorten(struct contact *c, const double *x, double *d)
+{
+    const struct contact_surface *s = &c->surface;
+    double own = 1;
+    bool any = false;
+
+    for (int n = 0; n < s->count; n++) {
+        double y[3], way[3], share = 1;
+        contact_surface_at(s, n, x, y);
+        contact_surface_at(s, n, d, way);
+        for (int o = 0; o < c->scene->obstacle_count; o++)
+            share = limit_sample(c, o, y, way, share);
+        any |= share < 1;
+        for (int k = 0; share < 1 && k < s->used[n]; k++)
+            for (int i = 0; i < 3; i++)
+                d[3 * (size_t)s->node[(size_t)n * s->width + k] + i] *= share;
+    }
+    if (c->scene->contact.self)
+        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
+                                         c->self.range, &own);
+    for (int k = 0; own < 1 && k < 3 * s->nodes; k++)
+        d[k] *= own;
+    return any || own < 1;
+}
+
+/* Moves the nodes of a touch by the force f, in so far as they are free. */
+static void yield_to(const struct contact *c, const struct contact_touch *t,
+                     const double f[3], const double *compliance, const int *held,
+                     double *x)
+{
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++) {
+            size_t u = 3 * (size_t)c->node[k] + i;
+            if (held[u] >= 0)
+                x[u] += c->weight[k] * compliance[c->node[k]] * f[i];
+        }
+}
+
+/* Returns how far the touch opens along n by a unit of force along n [m/N]. */
+static double opening(const struct contact *c, const struct contact_touch *t,
+                      const double n[3], const double *compliance, const int *held)
+{
+    double sum = 0;
+
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++)
+            if (held[3 * (size_t)c->node[k] + i] >= 0)
+                sum += n[i] * n[i] * c->weight[k] * c->weight[k] * compliance[c->node[k]];
+    return sum;
+}
+
+/* Ends a touch's step by the law: normal force first, then friction. */
+static void settle(struct contact *c, struct contact_touch *t, const double *compliance,
+                   const int *held, double *x)
+{
+    const struct contact_law *law = law_of(c, t);
+    const double mu = friction_of(c, t), open = opening(c, t, t->normal, compliance, held);
+    double way[3], slip[3], force[3], across[3];
+
+    relative_way(c, t, x, way);
+    const double along = split(way, t->normal, slip), size = vector_length(slip);
+    if (t->obstacle < 0) /* others have moved it */
+        t->D = t->D_old + along;
+    t->push = contact_law_solve(law, t->D, t->D_old, c->dt, t->area, open);
+    t->D += open * t->push;
+    for (int i = 0; i < 3; i++)
+        force[i] = t->push * t->normal[i];
+    if (mu > 0 && size > 0) {
+        for (int i = 0; i < 3; i++)
+            across[i] = slip[i] / size;
+        double most = mu * t->push * opening(c, t, across, compliance, held);
+        double share = contact_law_hold(law, size, c->dt, most);
+        for (int i = 0; i < 3; i++)
+            force[i] += t->rub[i] = -mu * t->push * share * across[i];
+    }
+    yield_to(c, t, force, compliance, held, x);
+    add_up(c, t);
+}
+
+/* Notes where a touch that was found at x was when the step began. */
+static void look_back(const struct contact *c, struct contact_touch *t, const double *x)
+{
+    double way[3];
+
+    relative_way(c, t, x, way);
+    t->D_old = distance_before(c, t, vector_dot(way, t->normal));
+}
+
+/* Tells whether a sample at y has come less far from where it was looked at than the bodies
+ * were from it: most of a sheet need not be looked at in each of an explicit method's
+ * steps.
+ */
+static bool keeps_off(struct contact *c, const double *spare, const double y[3])
+{
+    double way[3];
+
+    vector_between(spare, y, way);
+    const double square = vector_dot(way, way);
+    if (!(square < spare[3] * spare[3]))
+        return false;
+    if (spare[3] < c->least)
+        c->least = fmin(c->least, spare[3] - sqrt(square));
+    return true;
+}
+
+/* Ends a sample's step by the law of bodies; *room: how far it is from the nearest, 0 if
+ * that may come nearer by itself. */
+static enum status meet_bodies(struct contact *c, int sample, const double *compliance,
+                               const int *held, double *x, double *room)
+{
+    enum status st = STATUS_OK;
+
+    for (int o = 0; o < c->scene->obstacle_count; o++) {
+        const struct scene_obstacle *body = &c->scene->obstacles[o];
+        double y[3], normal[3];
+        contact_surface_at(&c->surface, sample, x, y);
+        const double D = contact_shape_distance(body, &c->pose[o], y, normal);
+        const double off = D - c->body.start;
+        if (isnan(D))
+            return STATUS_NAN;
+        const bool still = body->path_count + body->turn_count == 0;
+        *room = fmin(*room, still ? fmax(off, 0) : 0);
+        if (off >= 0) {
+            c->least = fmin(c->least, off);
+            continue;
+        }
+        TRY(add_body_touch(c, sample, o, D, normal));
+        look_back(c, &c->touch[c->count - 1], x);
+        settle(c, &c->touch[c->count - 1], compliance, held, x);
+    }
+out:
+    return st;
+}
+
+enum status contact_project(struct contact *c, const double *compliance, const int *held,
+                            double *x)
+{
+    enum status st = STATUS_OK;
+
+    empty(c);
+    TRY(find_own(c, x));
+    const int own = c->count;
+    for (int n = 0; n < own; n++)
+        look_back(c, &c->touch[n], x);
+    for (int n = 0; n < own; n++)
+        settle(c, &c->touch[n], compliance, held, x);
+    for (int n = 0; n < c->surface.count; n++) {
+        double *spare = c->spare + 4 * (size_t)n, y[3], room = INFINITY;
+        contact_surface_at(&c->surface, n, x, y);
+        if (keeps_off(c, spare, y))
+            continue;
+        TRY(meet_bodies(c, n, compliance, held, x, &room));
+        memcpy(spare, y, sizeof y);
+        spare[3] = room;
+    }
+out:
+    return st;
+}
+
+void contact_report(const struct contact *c, struct model_contact *report)
+{
+    *report = (struct model_contact){.least_gap = c->least};
+    for (int n = 0; n < c->count; n++)
+        report->nodes += c->touch[n].push > 0;
+    memcpy(report->force, c->force, sizeof report->force);
+}

@@ -1,0 +1,86 @@
+/* contact_foot.h - the place of a sheet that is closest to one of its samples.
+ *
+ * The grid of samples (contact_surface.h) is cut into triangles as intersection.h cuts its
+ * cells; they are numbered by the sample at their first corner:
+ *   2 (i points[1] + j):      (i,j), (i+1,j), (i+1,j+1)
+ *   2 (i points[1] + j) + 1:  (i,j), (i+1,j+1), (i,j+1).
+ * The closest point of those is refined, so that foot, distance and normal move
+ * continuously with the sheet. Positions y[count][3] of the samples come from x[nodes][3].
+ *
+ * A smooth surface (rows of several nodes) has the foot that is closest on itself: D is
+ * then once continuously differentiable, and the normal its gradient.
+ *
+ * A net is its triangles, and has the foot at which y - foot is parallel to the normal
+ * interpolated between the corners (from central differences). The closest point of the
+ * triangles would not do: on the hollow side of an edge it jumps from face to face, and
+ * with it the normal, just where the force pushes a sample to, so that Newton's method
+ * finds no end. Here foot and normal are continuous. The force lies along y - foot, and the
+ * foot's weights are those of the point where it acts, so momentum and angular momentum are
+ * kept exactly; it differs from the energy's gradient by the angle between face and
+ * normal, of first order in the cell's size and of mean 0 across a cell.
+ */
+#ifndef CONTACT_FOOT_H
+#define CONTACT_FOOT_H
+
+#include "models/contact/contact_surface.h"
+
+struct contact_foot {
+    int sample;
+    int side; /* of its sample: 0 above, along the normal, 1 below                   */
+    int first, count; /* its nodes and weights in the lists of contact_search         */
+    double u, v;
+    double distance;  /*                                                     [m] >= 0 */
+    double normal[3]; /* unit, from the foot to the sample                             */
+    double strength;  /* its share in the law, 0 to 1                                  */
+};
+
+/* A sheet at some time. */
+struct contact_sheet {
+    const struct contact_surface *surface; /*                              borrowed  */
+    const double *x, *y;  /* [nodes][3], [samples][3]                     borrowed  */
+    const double *normal; /* [samples][3] as contact_foot_normal computes them       */
+    const bool *ready;    /* [samples] those that `normal` has; NULL: none           */
+};
+
+/* A point of a triangle and its distance from a sample. */
+struct contact_place {
+    int triangle;
+    double share[3];   /* of the corners; their sum is 1                                 */
+    double square;     /* of the distance                                           [m^2] */
+    double square_cos; /* of the way's angle to the sheet's normal                     */
+};
+
+/* Computes the samples at the corners of a triangle. */
+static inline void contact_foot_corners(const struct contact_surface *s, int triangle,
+                                        int corner[3])
+{
+    const int m = s->points[1], first = triangle / 2;
+
+    corner[0] = first;
+    corner[1] = triangle % 2 ? first + m + 1 : first + m;
+    corner[2] = triangle % 2 ? first + 1 : first + m + 1;
+}
+
+/* Returns the squared distance of y from the triangle p, and the shares of the corners in
+ * the closest point. A triangle may be a segment or a point. */
+double contact_foot_nearest(const double y[3], const double *const p[3], double share[3]);
+
+/* Returns the distance of the segments p[0] p[1] and p[2] p[3], and the parameters of the
+ * closest points on them; segments may be points. */
+double contact_foot_between(const double *const p[4], double at[2]);
+
+/* Computes the normal of the sheet at a sample, along (d/du) x (d/dv), of any length; 0 if
+ * it has none. */
+void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3]);
+
+/* Returns how many nodes a foot has at most. */
+int contact_foot_width(const struct contact_surface *s);
+
+/* Refines the closest point of the triangles into the foot of a sample with its nodes and
+ * weights, [contact_foot_width]; all but foot->first. In a foot at the sample itself the
+ * normal is the surface's. */
+void contact_foot_refine(const struct contact_sheet *sheet, int sample,
+                         const struct contact_place *place, struct contact_foot *foot,
+                         int *node, double *weight);
+
+#endif

@@ -1,0 +1,538 @@
+#include "models/contact/contact_search.h"
+
+#include <stdlib.h>
+
+#include "models/contact/contact_advance.h"
+#include "models/room.h"
+#include "models/vector.h"
+
+/* A triangle near a sample, and how near when it was found [m]. */
+struct contact_near {
+    int sample, triangle;
+    double distance;
+};
+
+struct contact_pair {
+    int cell, other;
+};
+
+/* Samples or pairs of cells from which threads are worth their start; of a piece. */
+enum { PARALLEL = 1000, PIECE = 64, FIRST_ROOM = 1024 };
+
+/* Margin over start: start and margin stay below the distance along the sheet from which
+ * pairs count, so that flat parts have nothing near. */
+static const double margin_share = 0.2;
+/* A share of start that rounding can't reach. */
+static const double rounding = 1e-9;
+static const double half_pi = 1.5707963267948966, square_cos = 0.5;
+
+/* The distance along the sheet, over the least that counts, and the squared cosine from
+ * which a foot has its whole share in the law. */
+static const double whole_apart = 1.5, whole_square_cos = 0.75;
+
+void contact_search_clear(struct contact_search *s)
+{
+    contact_tree_clear(&s->tree);
+    free(s->near);
+    free(s->pair);
+    free(s->room);
+    memset(s, 0, sizeof *s);
+}
+
+static bool samples_are_nodes(const struct contact_surface *s)
+{
+    if (s->width != 1)
+        return false;
+    for (int n = 0; n < s->count; n++)
+        if (s->node[n] != n || s->shape[n] != 1)
+            return false;
+    return true;
+}
+
+enum status contact_search_init(struct contact_search *s,
+                                const struct contact_surface *surface, double start)
+{
+    enum status st = STATUS_OK;
+    const size_t count = surface->count, width = contact_foot_width(surface);
+
+    *s = (struct contact_search){.sheet = {.surface = surface},
+                                 .start = start,
+                                 .margin = margin_share * start,
+                                 .plain = samples_are_nodes(surface),
+                                 .stale = true};
+    TRY(contact_tree_init(&s->tree, surface, half_pi * start));
+    TRY(room_cut(&s->room, ROOM(s->own, s->plain ? 0 : 3 * count), ROOM(s->kept, 3 * count),
+                 ROOM(s->normal, 3 * count), ROOM(s->ready, count), ROOM(s->use, count),
+                 ROOM(s->first, count + 1), ROOM(s->active, count),
+                 ROOM(s->foot, 2 * count), ROOM(s->node, 2 * count * width),
+                 ROOM(s->weight, 2 * count * width)));
+out:
+    if (st)
+        contact_search_clear(s);
+    return st;
+}
+
+/* Makes room for `count` elements of an array that may move; `array` is the address of its
+ * pointer. */
+static enum status grow(void *array, size_t size, long count, long *room)
+{
+    const long more = 2 * count > FIRST_ROOM ? 2 * count : FIRST_ROOM;
+    void *all;
+
+    if (count <= *room)
+        return STATUS_OK;
+    memcpy(&all, array, sizeof all); /* a pointer of any type */
+    all = realloc(all, more * size);
+    if (!all)
+        return STATUS_MEMORY;
+    memcpy(array, &all, sizeof all);
+    *room = more;
+    return STATUS_OK;
+}
+
+/* Computes a vector at the samples from the nodes'. */
+static const double *at_samples(const struct contact_search *s, const double *x,
+                                double *own)
+{
+    const int count = s->sheet.surface->count;
+
+    if (s->plain)
+        return x;
+#pragma omp parallel for if (count >= PARALLEL)
+    for (int n = 0; n < count; n++)
+        contact_surface_at(s->sheet.surface, n, x, own + 3 * (long)n);
+    return own;
+}
+
+/* Returns how far samples have moved since triangles were found, at most, less the shift of
+ * the middle one; NaN if a place is not finite. */
+static double moved(const struct contact_search *s)
+{
+    const long count = s->sheet.surface->count;
+    const double *y = s->sheet.y, *old = s->kept;
+    double shift[3], most = 0, none = 0;
+
+    vector_between(old + 3 * (count / 2), y + 3 * (count / 2), shift);
+#pragma omp simd reduction(max : most) reduction(+ : none)
+    for (long n = 0; n < count; n++) {
+        const double a = y[3 * n] - old[3 * n] - shift[0];
+        const double b = y[3 * n + 1] - old[3 * n + 1] - shift[1];
+        const double c = y[3 * n + 2] - old[3 * n + 2] - shift[2];
+        const double square = a * a + b * b + c * c;
+        most = square > most ? square : most;
+        none += 0 * square;
+    }
+    return sqrt(most) + rounding * s->start + none;
+}
+
+/* Places the samples; computes how far they have moved. */
+static enum status place_samples(struct contact_search *s, const double *x, double *way)
+{
+    s->sheet.x = x, s->sheet.y = at_samples(s, x, s->own);
+    *way = moved(s);
+    return isfinite(*way) ? STATUS_OK : STATUS_NAN;
+}
+
+static double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static bool has_corner(const int corner[3], int sample)
+{
+    return corner[0] == sample || corner[1] == sample || corner[2] == sample;
+}
+
+/* Tells whether a triangle is of no use to a sample: it is its corner, or all of the
+ * triangle is too near along the sheet. */
+static bool useless(const struct contact_search *s, int sample, const int corner[3])
+{
+    if (has_corner(corner, sample))
+        return true;
+    for (int k = 0; k < 3; k++) {
+        double share[3] = {0};
+        share[k] = 1;
+        if (!contact_tree_near(&s->tree, s->tree.apart, sample, corner, share))
+            return false;
+    }
+    return true;
+}
+
+/* Finds the triangles of a cell near the samples of another; returns how many. */
+static int near_of_cell(const struct contact_search *s, int samples, int cell,
+                        struct contact_near *near)
+{
+    int sample[4], count = 0;
+    const int many = contact_tree_samples(&s->tree, samples, sample);
+    const int first = contact_tree_triangle(&s->tree, cell);
+    const double reach = s->start + s->margin;
+
+    for (int k = 0; k < 2; k++) {
+        int corner[3];
+        const double *p[3];
+        double low[3], high[3], share[3];
+        contact_foot_corners(s->sheet.surface, first + k, corner);
+        for (int c = 0; c < 3; c++)
+            p[c] = s->sheet.y + 3 * (long)corner[c];
+        for (int i = 0; i < 3; i++) {
+            low[i] = smaller(smaller(p[0][i], p[1][i]), p[2][i]) - reach;
+            high[i] = larger(larger(p[0][i], p[1][i]), p[2][i]) + reach;
+        }
+        for (int n = 0; n < many; n++) {
+            const double *y = s->sheet.y + 3 * (long)sample[n];
+            if (y[0] < low[0] || y[0] > high[0] || y[1] < low[1] || y[1] > high[1] ||
+                y[2] < low[2] || y[2] > high[2] || useless(s, sample[n], corner))
+                continue;
+            const double distance = sqrt(contact_foot_nearest(y, p, share));
+            if (distance < reach)
+                near[count++] = (struct contact_near){sample[n], first + k, distance};
+        }
+    }
+    return count;
+}
+
+static enum status keep_pair(struct contact_tree_search *search, int cell, int other)
+{
+    struct contact_search *s = search->context;
+    const enum status st =
+        grow(&s->pair, sizeof *s->pair, s->pair_count + 1, &s->pair_room);
+
+    if (st == STATUS_OK)
+        s->pair[s->pair_count++] = (struct contact_pair){cell, other};
+    return st;
+}
+
+/* Finds near triangles of all pairs of cells, in no order. */
+static enum status test_pairs(struct contact_search *s)
+{
+    const long pieces = (s->pair_count + PIECE - 1) / PIECE;
+    enum status st = STATUS_OK;
+
+    s->near_count = 0;
+#pragma omp parallel for schedule(dynamic, 4) if (s->pair_count >= PARALLEL)
+    for (long piece = 0; piece < pieces; piece++) {
+        struct contact_near found[16 * PIECE];
+        int count = 0;
+        for (long n = piece * PIECE; n < (piece + 1) * PIECE && n < s->pair_count; n++) {
+            const struct contact_pair *p = &s->pair[n];
+            count += near_of_cell(s, p->cell, p->other, found + count);
+            if (p->cell != p->other)
+                count += near_of_cell(s, p->other, p->cell, found + count);
+        }
+        if (count)
+#pragma omp critical
+        {
+            const enum status more =
+                grow(&s->near, sizeof *s->near, s->near_count + count, &s->near_room);
+            if (more == STATUS_OK)
+                memcpy(s->near + s->near_count, found, count * sizeof *found);
+            s->near_count += more == STATUS_OK ? count : 0;
+            st = st ? st : more;
+        }
+    }
+    return st;
+}
+
+static bool nearer(const struct contact_near *a, const struct contact_near *b)
+{
+    return a->distance < b->distance ||
+           (a->distance == b->distance && a->triangle < b->triangle);
+}
+
+/* Sorts near triangles by sample and then by distance: by counts, then by insertion. */
+static enum status sort_near(struct contact_search *s)
+{
+    const int samples = s->sheet.surface->count;
+    int *first = s->first;
+    struct contact_near *sorted = malloc((s->near_count + 1) * sizeof *sorted);
+
+    if (!sorted)
+        return STATUS_MEMORY;
+    memset(first, 0, (samples + 1L) * sizeof *first);
+    for (long n = 0; n < s->near_count; n++)
+        first[s->near[n].sample + 1]++;
+    s->actives = 0;
+    for (int n = 0; n < samples; n++) {
+        if (first[n + 1])
+            s->active[s->actives++] = n;
+        first[n + 1] += first[n];
+    }
+    for (long n = 0; n < s->near_count; n++)
+        sorted[first[s->near[n].sample]++] = s->near[n];
+    memmove(first + 1, first, samples * sizeof *first); /* each is now the next one's */
+    first[0] = 0;
+    for (int n = 0; n < s->actives; n++)
+        for (int k = first[s->active[n]] + 1; k < first[s->active[n] + 1]; k++) {
+            const struct contact_near near = sorted[k];
+            int to = k;
+            for (; to > first[s->active[n]] && nearer(&near, &sorted[to - 1]); to--)
+                sorted[to] = sorted[to - 1];
+            sorted[to] = near;
+        }
+    free(s->near);
+    s->near = sorted, s->near_room = s->near_count;
+    return STATUS_OK;
+}
+
+static void use(struct contact_search *s, int sample)
+{
+    if (!s->ready[sample])
+        s->use[s->uses++] = sample;
+    s->ready[sample] = true;
+}
+
+/* Lists the samples whose normals are needed. */
+static void list_used(struct contact_search *s)
+{
+    s->uses = 0;
+    memset(s->ready, 0, s->sheet.surface->count * sizeof *s->ready);
+    for (long n = 0; n < s->near_count; n++) {
+        int corner[3];
+        contact_foot_corners(s->sheet.surface, s->near[n].triangle, corner);
+        use(s, s->near[n].sample);
+        for (int k = 0; k < 3; k++)
+            use(s, corner[k]);
+    }
+}
+
+static void find_normals(struct contact_search *s)
+{
+    s->sheet.ready = NULL;
+#pragma omp parallel for if (s->uses >= PARALLEL)
+    for (int n = 0; n < s->uses; n++)
+        contact_foot_normal(&s->sheet, s->use[n], s->normal + 3 * (long)s->use[n]);
+    s->sheet.normal = s->normal, s->sheet.ready = s->ready;
+}
+
+/* Finds near triangles again. */
+static enum status seek(struct contact_search *s)
+{
+    enum status st = STATUS_OK;
+    struct contact_tree_search search = {s->start + s->margin, 0, s, keep_pair};
+
+    s->sought++;
+    s->pair_count = 0;
+    contact_tree_fit(&s->tree, s->sheet.y, NULL);
+    TRY(contact_tree_visit(&s->tree, &search));
+    TRY(test_pairs(s));
+    TRY(sort_near(s));
+    list_used(s);
+    memcpy(s->kept, s->sheet.y, 3 * (size_t)s->sheet.surface->count * sizeof *s->kept);
+out:
+    s->stale = st != STATUS_OK;
+    return st;
+}
+
+/* Returns the squared cosine of the angle between the way from a point of a triangle to a
+ * sample and the sheet's normal there; in a face it is along the face's. */
+static double square_cos_of(const struct contact_search *s, const int corner[3],
+                            const double share[3], const double way[3])
+{
+    double n[3] = {0};
+
+    if (share[0] > 0 && share[1] > 0 && share[2] > 0)
+        return 1;
+    for (int k = 0; k < 3; k++)
+        if (share[k] > 0) {
+            double at[3];
+            contact_foot_normal(&s->sheet, corner[k], at);
+            for (int i = 0; i < 3; i++)
+                n[i] += share[k] * at[i];
+        }
+    const double along = vector_dot(n, way),
+                 sizes = vector_dot(n, n) * vector_dot(way, way);
+    return sizes > 0 ? along * along / sizes : 1;
+}
+
+/* Takes a triangle for the closest on its side of a sample, if it is. */
+static void consider(const struct contact_search *s, int sample, const double normal[3],
+                     int triangle, struct contact_place best[2])
+{
+    const double *y = s->sheet.y + 3 * (long)sample, *p[3];
+    struct contact_place here = {.triangle = triangle};
+    double way[3];
+    int corner[3];
+
+    contact_foot_corners(s->sheet.surface, triangle, corner);
+    if (has_corner(corner, sample))
+        return;
+    for (int k = 0; k < 3; k++)
+        p[k] = s->sheet.y + 3 * (long)corner[k];
+    here.square = contact_foot_nearest(y, p, here.share);
+    if (!(here.square < s->start * s->start))
+        return;
+    for (int i = 0; i < 3; i++)
+        way[i] = here.share[0] * p[0][i] + here.share[1] * p[1][i] +
+                 here.share[2] * p[2][i] - y[i];
+    struct contact_place *side = &best[vector_dot(way, normal) < 0];
+    if (here.square > side->square ||
+        (here.square == side->square && triangle > side->triangle))
+        return;
+    if (contact_tree_near(&s->tree, s->tree.apart, sample, corner, here.share))
+        return;
+    here.square_cos = square_cos_of(s, corner, here.share, way);
+    if (here.square_cos > square_cos)
+        *side = here;
+}
+
+/* Begins with nothing on either side of a sample. */
+static void begin(const struct contact_search *s, int sample, double normal[3],
+                  struct contact_place best[2])
+{
+    contact_foot_normal(&s->sheet, sample, normal);
+    best[0] = best[1] = (struct contact_place){-1, {0}, s->start * s->start, 0};
+}
+
+/* Returns 0 below low, 1 above high, and a smooth curve between. */
+static double rise(double x, double low, double high)
+{
+    const double t = fmin(fmax((x - low) / (high - low), 0), 1);
+
+    return t * t * (3 - 2 * t);
+}
+
+/* Returns the foot's share in the law, which grows from nothing beside what doesn't count:
+ * places near along the sheet, also those to which a foot on a smooth surface went back,
+ * and those seen under 45 degrees. Forces would else jump. */
+static double strength(const struct contact_search *s, const struct contact_place *place,
+                       const struct contact_foot *foot)
+{
+    const struct contact_surface *f = s->sheet.surface;
+    const int i = foot->sample / f->points[1], j = foot->sample % f->points[1];
+    const double du = (foot->u - f->line[0][i]) * f->flat[0][f->points[0] - 1];
+    const double dv = (foot->v - f->line[1][j]) * f->flat[1][f->points[1] - 1];
+
+    return rise(hypot(du, dv), s->tree.apart, whole_apart * s->tree.apart) *
+           rise(place->square_cos, square_cos, whole_square_cos);
+}
+
+/* Refines what was found of a sample into two feet; those without nodes are none. */
+static void finish(const struct contact_search *s, int sample,
+                   const struct contact_place best[2], struct contact_foot foot[2])
+{
+    const int width = contact_foot_width(s->sheet.surface);
+
+    for (int k = 0; k < 2; k++) {
+        foot[k].count = 0;
+        if (best[k].triangle < 0)
+            continue;
+        foot[k].side = k;
+        foot[k].first = (int)(foot + k - s->foot) * width;
+        contact_foot_refine(&s->sheet, sample, &best[k], &foot[k], s->node + foot[k].first,
+                            s->weight + foot[k].first);
+        foot[k].strength = strength(s, &best[k], &foot[k]);
+        if (!(foot[k].distance < s->start && foot[k].strength > 0))
+            foot[k].count = 0;
+    }
+}
+
+/* Moves the feet, two places a sample, together. */
+static void gather(struct contact_search *s)
+{
+    for (int n = 0; n < 2 * s->actives; n++)
+        if (s->foot[n].count) {
+            if (s->count != n)
+                s->foot[s->count] = s->foot[n];
+            s->count++;
+        }
+}
+
+enum status contact_search_find(struct contact_search *s, const double *x)
+{
+    enum status st = STATUS_OK;
+    double way;
+
+    s->count = 0;
+    TRY(place_samples(s, x, &way));
+    if (s->stale || 2 * way > s->margin) {
+        TRY(seek(s));
+        way = rounding * s->start;
+    }
+    if (s->actives)
+        find_normals(s);
+#pragma omp parallel for schedule(dynamic, 64) if (s->actives >= PARALLEL)
+    for (int n = 0; n < s->actives; n++) {
+        const int sample = s->active[n];
+        struct contact_place best[2];
+        double normal[3];
+        begin(s, sample, normal, best);
+        for (int k = s->first[sample]; k < s->first[sample + 1]; k++) {
+            const double least = s->near[k].distance - 2 * way;
+            if (least > 0 && least * least > larger(best[0].square, best[1].square))
+                break;
+            consider(s, sample, normal, s->near[k].triangle, best);
+        }
+        finish(s, sample, best, &s->foot[2 * n]);
+    }
+    gather(s);
+out:
+    return st;
+}
+
+void contact_search_forget(struct contact_search *s)
+{
+    s->stale = true;
+}
+
+/* Tells whether a point is outside the box of a cell by the start of contact. */
+static bool outside(const struct contact_search *s, int cell, const double y[3])
+{
+    const int m = s->sheet.surface->points[1];
+    const double *p = s->sheet.y + 3 * (long)(cell / (m - 1) * m + cell % (m - 1));
+    const double *q = p + 3 * (long)m;
+
+    for (int i = 0; i < 3; i++)
+        if (y[i] < smaller(smaller(p[i], p[i + 3]), smaller(q[i], q[i + 3])) - s->start ||
+            y[i] > larger(larger(p[i], p[i + 3]), larger(q[i], q[i + 3])) + s->start)
+            return true;
+    return false;
+}
+
+enum status contact_search_find_all(struct contact_search *s, const double *x)
+{
+    const int cells = (s->sheet.surface->points[0] - 1) * (s->sheet.surface->points[1] - 1);
+    enum status st = STATUS_OK;
+    double way;
+
+    s->count = 0;
+    TRY(place_samples(s, x, &way));
+    s->sheet.ready = NULL;
+    s->stale = true; /* the lists are used */
+    s->actives = s->sheet.surface->count;
+    for (int sample = 0; sample < s->actives; sample++) {
+        struct contact_place best[2];
+        double normal[3];
+        begin(s, sample, normal, best);
+        for (int cell = 0; cell < cells; cell++)
+            if (!outside(s, cell, s->sheet.y + 3 * (long)sample)) {
+                const int triangle = contact_tree_triangle(&s->tree, cell);
+                consider(s, sample, normal, triangle, best);
+                consider(s, sample, normal, triangle + 1, best);
+            }
+        finish(s, sample, best, &s->foot[2 * sample]);
+    }
+    gather(s);
+out:
+    return st;
+}
+
+enum status contact_search_limit(struct contact_search *s, const double *x, const double *d,
+                                 double wall, double range, double *share)
+{
+    enum status st = STATUS_OK;
+    double *own = NULL, way;
+
+    TRY(place_samples(s, x, &way));
+    if (!s->plain)
+        TRY(room_cut((void **)&own, ROOM(own, 3 * (size_t)s->sheet.surface->count)));
+    st = contact_advance_share(&s->tree, s->sheet.y, at_samples(s, d, own), wall, range,
+                               share);
+out:
+    free(own);
+    return st;
+}

@@ -1,0 +1,85 @@
+#include "models/net/net_contact.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void net_contact_free(struct net_contact *c)
+{
+    if (!c)
+        return;
+    contact_clear(&c->law);
+    free(c->compliance);
+    free(c);
+}
+
+enum status net_contact_make(const struct scene *scene, const struct spring_net *net,
+                             const struct supports *supports, struct net_contact **contact)
+{
+    enum status st;
+    struct contact_surface surface = {0};
+    struct net_contact *c = NULL;
+
+    *contact = NULL;
+    if (!contact_wanted(scene))
+        return STATUS_OK;
+    c = calloc(1, sizeof *c);
+    if (!c)
+        return STATUS_MEMORY;
+    c->supports = supports;
+    TRY(contact_surface_init_net(&surface, scene, net->points));
+    TRY(contact_init(&c->law, scene, &surface));
+    c->compliance = calloc((size_t)net->nodes, sizeof *c->compliance);
+    if (!c->compliance)
+        TRY(STATUS_MEMORY);
+    contact_begin(&c->law, 0, INFINITY, net->rest);
+    TRY(contact_find(&c->law, net->rest));
+    contact_report(&c->law, &c->frame);
+    *contact = c, c = NULL;
+out:
+    net_contact_free(c);
+    return st;
+}
+
+void net_contact_frame(struct net_contact *c)
+{
+    if (c)
+        memset(c->frame.force, 0, sizeof c->frame.force);
+}
+
+void net_contact_begin(struct net_contact *c, double t, const double *start)
+{
+    if (c)
+        contact_begin(&c->law, t - c->dt, c->dt, start);
+}
+
+void net_contact_end(struct net_contact *c)
+{
+    struct model_contact now;
+
+    if (!c)
+        return;
+    contact_report(&c->law, &now);
+    for (int i = 0; i < 3; i++)
+        now.force[i] = c->frame.force[i] + now.force[i] / c->steps;
+    c->frame = now;
+}
+
+enum status net_contact_project(struct net_contact *c, double t, const double *start,
+                                double *x)
+{
+    enum status st = STATUS_OK;
+
+    if (!c)
+        return st;
+    net_contact_begin(c, t, start);
+    TRY(contact_project(&c->law, c->compliance, c->supports->free_index, x));
+    net_contact_end(c);
+out:
+    return st;
+}
+
+struct model_contact net_contact_report(const struct net_contact *c)
+{
+    return c ? c->frame : (struct model_contact){.least_gap = INFINITY};
+}

@@ -1,0 +1,43 @@
+/* net_contact.h - the contact of a net, whose samples are its nodes (contact.h), in steps
+ * that end without contact and are then set right, and what it comes to in a frame.
+ */
+#ifndef NET_CONTACT_H
+#define NET_CONTACT_H
+
+#include "models/contact/contact.h"
+#include "models/mechanics/supports.h"
+#include "models/net/spring_net.h"
+
+struct net_contact {
+    struct contact law;
+    const struct supports *supports; /*                                        borrowed */
+    int steps;                       /* of a frame                                      */
+    double dt;                       /* length of a step                       [s]      */
+    double *compliance; /* [nodes] move at a step's end by a unit of force [m/N] owned  */
+    struct model_contact frame; /* touches and gap at its end, mean force              */
+};
+
+/* Makes the contact of a net at rest; *contact is NULL where the scene has none, and the
+ * functions below then do nothing. The owner sets `steps`, `dt` and `compliance`. */
+enum status net_contact_make(const struct scene *scene, const struct spring_net *net,
+                             const struct supports *supports, struct net_contact **contact);
+void net_contact_free(struct net_contact *c);
+
+/* Begins a frame. */
+void net_contact_frame(struct net_contact *c);
+
+/* Begins a step that ends at time t [s] and starts at start[nodes][3]. */
+void net_contact_begin(struct net_contact *c, double t, const double *start);
+
+/* Adds the contact of the step, as last found or projected, to that of the frame. */
+void net_contact_end(struct net_contact *c);
+
+/* Begins, projects and ends a step: moves x[nodes][3] from where it would end without
+ * contact. */
+enum status net_contact_project(struct net_contact *c, double t, const double *start,
+                                double *x);
+
+/* Returns the contact of the last frame, model.h's `contact`. */
+struct model_contact net_contact_report(const struct net_contact *c);
+
+#endif

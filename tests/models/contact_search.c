@@ -1,0 +1,525 @@
+/* Feet of a sheet on itself: kept triangles against every pair, geometry against closed
+ * forms, and steps that never let a sheet through itself. */
+#include "models/contact/contact_search.h"
+
+#include <omp.h>
+#include <stdint.h>
+
+#include "models/metric/intersection.h"
+#include "models/vector.h"
+#include "tests/check.h"
+
+/* Sums of a few products of numbers near 1. */
+static const double rounding = 1e-14;
+/* The same, of differences of 1e-3 after moves of 5. */
+static const double far_rounding = 1e-11;
+static const double turn = 6.283185307179586;
+
+enum { SIDE_MAX = 512, POINTS_MAX = 4096 };
+static double place[POINTS_MAX][3], change[POINTS_MAX][3];
+static uint64_t state = 20261127;
+
+/* [-1, 1); xorshift64* */
+static double random_about_0(void)
+{
+    state ^= state >> 12, state ^= state << 25, state ^= state >> 27;
+    return (double)(state * 2685821657736338717u >> 11) * 0x1p-52 - 1;
+}
+
+/* A net of n[0] x n[1] points on a unit square. */
+static int net_row(const void *self, double u, double v, int *node, double *shape)
+{
+    const int *n = self;
+
+    node[0] = (int)lround(u * (n[0] - 1)) * n[1] + (int)lround(v * (n[1] - 1));
+    shape[0] = 1;
+    return 1;
+}
+
+static void make_surface(struct contact_surface *s, const int points[2], const void *self,
+                         contact_row *row, int width, int nodes)
+{
+    double line[2][SIDE_MAX];
+    struct scene scene;
+
+    for (int d = 0; d < 2; d++)
+        for (int i = 0; i < points[d]; i++)
+            line[d][i] = i / (points[d] - 1.);
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    scene.length = scene.width = 1;
+    REQUIRE(contact_surface_init(s, &scene, self, row, width, nodes,
+                                 (const double *const[]){line[0], line[1]},
+                                 points) == STATUS_OK);
+    scene_clear(&scene);
+}
+
+/* The shapes of a unit square; contact starts at the distance `start`. */
+static const double start = 0.02, radius = 0.05, inner = 0.1;
+
+static void flat(double u, double v, double x[3])
+{
+    x[0] = 0.6 * u - 0.48 * v, x[1] = 0.8 * u + 0.36 * v, x[2] = 0.8 * v;
+}
+
+/* A cylinder between two planes that are 0.8 start apart. */
+static void folded(double u, double v, double x[3])
+{
+    const double r = 0.4 * start, arc = r * turn / 4, s = u - 0.5;
+    const double angle = fmax(fmin(s / r, turn / 4), -turn / 4);
+
+    x[0] = r * cos(angle) - fmax(fabs(s) - arc, 0);
+    x[1] = v, x[2] = r * sin(angle) + 0.05 * v * x[0];
+}
+
+/* An involute of a circle: its turns are a circumference apart, here 0.7 start. */
+static void rolled(double u, double v, double x[3])
+{
+    const double a = 0.7 * start / turn, angle = sqrt(2 * (u + inner) / a);
+
+    x[0] = a * (cos(angle) + angle * sin(angle)), x[1] = v;
+    x[2] = a * (sin(angle) - angle * cos(angle));
+}
+
+static void helicoid(double u, double v, double x[3])
+{
+    x[0] = (0.01 + v) * cos(10 * turn * u), x[1] = (0.01 + v) * sin(10 * turn * u);
+    x[2] = 10 * 0.8 * start * u;
+}
+
+static void crumpled(double u, double v, double x[3])
+{
+    x[0] = u + radius * sin(turn * (4 * u + 3 * v) + 1) + 0.05 * random_about_0();
+    x[1] = v + radius * sin(turn * (4 * v - 5 * u) + 2) + 0.05 * random_about_0();
+    x[2] = radius * sin(turn * (5 * u + 2 * v)) + 0.02 * random_about_0();
+}
+
+static void doubled(double u, double v, double x[3])
+{
+    x[0] = u < 0.5 ? u : 1 - u, x[1] = v, x[2] = 0;
+}
+
+static void needle(double u, double v, double x[3])
+{
+    x[0] = u + v, x[1] = x[2] = 0;
+}
+
+static void point(double u, double v, double x[3])
+{
+    x[0] = x[1] = x[2] = 0 * u * v;
+}
+
+static const struct shape {
+    const char *name;
+    void (*point)(double u, double v, double x[3]);
+    int least, most; /* feet of 25 x 21 points                                        */
+} shapes[] = {{"flat", flat, 0, 0},
+              {"folded", folded, 504, 525},
+              {"rolled", rolled, 650, 1050},
+              {"helicoid", helicoid, 200, 1050},
+              {"crumpled", crumpled, 200, 1050},
+              {"doubled", doubled, 400, 600},
+              {"needle", needle, 0, 1050},
+              {"point", point, 0, 1050}};
+enum { SHAPES = sizeof shapes / sizeof *shapes };
+
+static void shape_net(const struct shape *shape, const int n[2])
+{
+    for (int k = 0; k < n[0] * n[1]; k++)
+        shape->point(k / n[1] / (n[0] - 1.), k % n[1] / (n[1] - 1.), place[k]);
+}
+
+static void check_same(const struct contact_search *a, const struct contact_search *b)
+{
+    const size_t width = contact_foot_width(a->sheet.surface);
+    int different = 0;
+
+    if (!CHECK(a->count == b->count))
+        return;
+    for (int n = 0; n < a->count; n++) {
+        struct contact_foot p = a->foot[n], q = b->foot[n];
+        const int *i = a->node + p.first, *j = b->node + q.first;
+        const double *v = a->weight + p.first, *w = b->weight + q.first;
+        p.first = q.first = 0;
+        different += memcmp(&p, &q, sizeof p) || memcmp(i, j, p.count * sizeof *i) ||
+                     memcmp(v, w, p.count * sizeof *v) || (size_t)p.count > width;
+    }
+    CHECK(different == 0);
+}
+
+/* What a foot is: where its weights say, D along the normal from the sample, not beside
+ * it along the sheet. */
+static void check_feet(const struct contact_search *s)
+{
+    const struct contact_surface *f = s->sheet.surface;
+    int wrong = 0;
+
+    for (int n = 0; n < s->count; n++) {
+        const struct contact_foot *foot = &s->foot[n];
+        double y[3], sum = 0;
+        contact_surface_at(f, foot->sample, place[0], y);
+        for (int k = 0; k < foot->count; k++) {
+            sum += s->weight[foot->first + k];
+            for (int i = 0; i < 3; i++)
+                y[i] -= s->weight[foot->first + k] * place[s->node[foot->first + k]][i];
+        }
+        for (int i = 0; i < 3; i++)
+            y[i] -= foot->distance * foot->normal[i];
+        const double du = foot->u - f->line[0][foot->sample / f->points[1]];
+        const double dv = foot->v - f->line[1][foot->sample % f->points[1]];
+        wrong += !(fabs(sum - 1) < rounding) || !(vector_length(y) < rounding) ||
+                 !(fabs(vector_length(foot->normal) - 1) < rounding) ||
+                 !(sqrt(du * du + dv * dv) > 0.25 * turn * start * 0.8) ||
+                 !(foot->distance >= 0 && foot->distance < start);
+        if (n > 0 && foot->sample <= foot[-1].sample)
+            wrong += foot->sample < foot[-1].sample ||
+                     (n > 1 && foot->sample == foot[-2].sample);
+    }
+    CHECK(wrong == 0);
+}
+
+/* While the sheet moves bit by bit, what is found with kept triangles is what every pair
+ * says, at any number of threads. */
+static void test_every_pair(void)
+{
+    enum { CALLS = 9 };
+    const int n[2] = {25, 21};
+    struct contact_surface surface;
+
+    make_surface(&surface, n, n, net_row, 1, n[0] * n[1]);
+    for (int k = 0; k < SHAPES; k++) {
+        struct contact_search kept, all;
+        REQUIRE(contact_search_init(&kept, &surface, start) == STATUS_OK);
+        REQUIRE(contact_search_init(&all, &surface, start) == STATUS_OK);
+        shape_net(&shapes[k], n);
+        for (int call = 0; call < CALLS; call++) {
+            omp_set_num_threads(1 + call % 4);
+            REQUIRE(contact_search_find(&kept, place[0]) == STATUS_OK);
+            REQUIRE(contact_search_find_all(&all, place[0]) == STATUS_OK);
+            check_same(&kept, &all);
+            check_feet(&kept);
+            if (call == 0)
+                CHECK(kept.count >= shapes[k].least && kept.count <= shapes[k].most);
+            for (int p = 0; p < n[0] * n[1]; p++)
+                for (int i = 0; i < 3; i++)
+                    place[p][i] += 0.1 + (call < CALLS * 2 / 3 ? 0.02 : 0.2) * start *
+                                             sin(3 * place[p][(i + 1) % 3] + 5 * i + call);
+        }
+        CHECK(kept.sought <= 16);
+        contact_search_clear(&kept);
+        contact_search_clear(&all);
+    }
+    contact_surface_clear(&surface);
+}
+
+/* The involute by an interpolating polynomial in u, at Chebyshev's points, and lines along
+ * v: a smooth surface. */
+enum { ORDER = 64 };
+static int smooth_row(const void *self, double u, double v, int *node, double *shape)
+{
+    double sum = 0;
+    int exact = -1;
+
+    (void)self;
+    for (int k = 0; k < ORDER; k++) {
+        const double way = u - (1 - cos(turn / 2 * k / (ORDER - 1))) / 2;
+        const double weight = (k % 2 ? -1 : 1) * (k == 0 || k == ORDER - 1 ? 0.5 : 1);
+        node[2 * k] = 2 * k, node[2 * k + 1] = 2 * k + 1;
+        shape[2 * k] = weight / way;
+        sum += weight / way;
+        exact = way == 0 ? k : exact;
+    }
+    for (int k = 0; k < ORDER; k++) {
+        const double share = exact < 0 ? shape[2 * k] / sum : k == exact;
+        shape[2 * k] = (1 - v) * share, shape[2 * k + 1] = v * share;
+    }
+    return 2 * ORDER;
+}
+
+/* Compares feet with the closed form: the involute's turns have common normals. Returns the
+ * largest errors of distance over start and of the normal, where there are turns on both
+ * sides. */
+static void compare_rolled(const struct contact_search *s, double *distance, double *normal)
+{
+    const double a = 0.7 * start / turn;
+    int compared = 0;
+
+    *distance = *normal = 0;
+    for (int n = 0; n < s->count; n++) {
+        const struct contact_foot *foot = &s->foot[n];
+        const struct contact_surface *f = s->sheet.surface;
+        const double u = f->line[0][foot->sample / f->points[1]];
+        const double angle = sqrt(2 * (u + inner) / a);
+        const double along = foot->normal[0] * cos(angle) + foot->normal[2] * sin(angle);
+        if (foot->u < 0.02 || foot->u > 0.98)
+            continue;
+        *distance = fmax(*distance, fabs(foot->distance / start - 0.7));
+        *normal = fmax(*normal, fabs(along));
+        compared++;
+    }
+    CHECK(compared > s->sheet.surface->count);
+}
+
+/* A curve through itself and back, in loops as tight as contact is wide. */
+static void looped(double u, double v, double x[3])
+{
+    x[0] = 0.03 * sin(turn * 5 * u) + 0.01 * u, x[1] = v;
+    x[2] = 0.012 * sin(turn * 8.3 * u + 1);
+}
+
+/* Errors of interpolation by polynomials of order 64 and of differences, seen
+ * 3e-7. */
+static const double smooth_error = 1e-6;
+
+static void test_smooth(void)
+{
+    const int n[2] = {64, 3};
+    struct contact_surface surface;
+    struct contact_search search;
+    double distance, normal;
+
+    for (int k = 0; k < 2 * ORDER; k++)
+        rolled((1 - cos(turn / 2 * (k / 2) / (ORDER - 1))) / 2, k % 2, place[k]);
+    make_surface(&surface, n, NULL, smooth_row, 2 * ORDER, 2 * ORDER);
+    REQUIRE(contact_search_init(&search, &surface, start) == STATUS_OK);
+    REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
+    check_feet(&search);
+    compare_rolled(&search, &distance, &normal);
+    CHECK_NEAR(distance, 0, smooth_error);
+    CHECK_NEAR(normal, 0, smooth_error);
+    for (int k = 0; k < 2 * ORDER; k++)
+        looped((1 - cos(turn / 2 * (k / 2) / (ORDER - 1))) / 2, k % 2, place[k]);
+    for (int points = 14; points < 40; points++) {
+        const int few[2] = {points, 3};
+        contact_search_clear(&search);
+        contact_surface_clear(&surface);
+        make_surface(&surface, few, NULL, smooth_row, 2 * ORDER, 2 * ORDER);
+        REQUIRE(contact_search_init(&search, &surface, start) == STATUS_OK);
+        REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
+        check_feet(&search);
+        CHECK(search.count > 50);
+    }
+    contact_search_clear(&search);
+    contact_surface_clear(&surface);
+}
+
+/* A net's distances and normals are of second order. */
+static void test_order(void)
+{
+    double error[2][2];
+
+    for (int k = 0; k < 2; k++) {
+        const int n[2] = {k ? 481 : 241, 3};
+        struct contact_surface surface;
+        struct contact_search search;
+        make_surface(&surface, n, n, net_row, 1, n[0] * n[1]);
+        REQUIRE(contact_search_init(&search, &surface, start) == STATUS_OK);
+        shape_net(&shapes[2], n);
+        REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
+        compare_rolled(&search, &error[k][0], &error[k][1]);
+        contact_search_clear(&search);
+        contact_surface_clear(&surface);
+    }
+    for (int i = 0; i < 2; i++) {
+        CHECK(error[1][i] < error[0][i] / 3.5 && error[0][i] < 0.1);
+    }
+}
+
+/* Two concentric arcs of a net, one turned by an angle and moved along the axis. */
+static void place_arcs(int half, int m, double cell, double angle, double shift)
+{
+    for (int k = 0; k < 2 * half * m; k++) {
+        const int i = k / m, in = i >= half;
+        const double r = in ? 0.2 - 0.6 * start : 0.2;
+        const double at = cell * (in ? 2 * half - 1 - i : i) + (in ? angle : 0);
+        place[k][0] = r * cos(at), place[k][2] = r * sin(at);
+        place[k][1] = cell * 0.2 * (k % m) + (in ? shift : 0);
+    }
+}
+
+/* While one layer slides along another, hollow side and outer side, feet and normals move
+ * as smoothly as it does. */
+static void test_sliding(void)
+{
+    enum { HALF = 12, M = 6, STEPS = 600 };
+    const int n[2] = {2 * HALF, M};
+    const double cell = 0.1, step = 2 * cell / STEPS;
+    static double normal[2 * HALF * M][3], at[2 * HALF * M][2];
+    double turned = 0, moved = 0;
+    long compared = 0;
+    struct contact_surface surface;
+    struct contact_search search;
+
+    make_surface(&surface, n, n, net_row, 1, n[0] * n[1]);
+    REQUIRE(contact_search_init(&search, &surface, start) == STATUS_OK);
+    memset(at, 0, sizeof at);
+    for (int k = 0; k <= STEPS; k++) {
+        bool seen[2 * HALF * M] = {false};
+        place_arcs(HALF, M, cell, k * step + 0.01, 0.2 * (k * step * 0.7 + 0.003));
+        REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
+        for (int f = 0; f < search.count; f++) {
+            const struct contact_foot *foot = &search.foot[f];
+            const double u = foot->u * (2 * HALF - 1), v = foot->v * (M - 1);
+            const int i = foot->sample / M, on = i < HALF ? i : 2 * HALF - 1 - i;
+            double way[3];
+            vector_between(normal[foot->sample], foot->normal, way);
+            if (at[foot->sample][0] > 0 && on > 3 && on < HALF - 3) {
+                turned = fmax(turned, vector_length(way));
+                moved =
+                    fmax(moved, hypot(u - at[foot->sample][0], v - at[foot->sample][1]));
+                compared++;
+            }
+            memcpy(normal[foot->sample], foot->normal, sizeof way);
+            at[foot->sample][0] = u, at[foot->sample][1] = v;
+            seen[foot->sample] = true;
+        }
+        for (int p = 0; p < 2 * HALF * M; p++)
+            at[p][0] = seen[p] ? at[p][0] : 0;
+    }
+    CHECK(compared > STEPS * HALF * M / 2);
+    CHECK(turned < 20 * step); /* about the border; a face's edge would be 300 */
+    CHECK(moved < 2 * step / cell);
+    contact_search_clear(&search);
+    contact_surface_clear(&surface);
+}
+
+/* Positions that are no numbers are said, and forgotten. */
+static void test_not_a_number(void)
+{
+    const int n[2] = {20, 20};
+    struct contact_surface surface;
+    struct contact_search search;
+    double share;
+
+    make_surface(&surface, n, n, net_row, 1, 400);
+    REQUIRE(contact_search_init(&search, &surface, start) == STATUS_OK);
+    shape_net(&shapes[1], n);
+    REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
+    const int count = search.count;
+    const double old = place[99][1];
+    place[99][1] = NAN;
+    CHECK(contact_search_find(&search, place[0]) == STATUS_NAN && search.count == 0);
+    CHECK(contact_search_find_all(&search, place[0]) == STATUS_NAN);
+    CHECK(contact_search_limit(&search, place[0], place[0], 0, 1, &share) == STATUS_NAN);
+    place[99][1] = old;
+    REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
+    CHECK(count > 300 && search.count == count);
+    contact_search_clear(&search);
+    contact_surface_clear(&surface);
+}
+
+/* Two layers with a wide loop between them. */
+static void place_layers(const int n[2], double gap)
+{
+    for (int p = 0; p < n[0] * n[1]; p++) {
+        const int i = p / n[1], up = i >= n[0] / 2, on = up ? n[0] - 1 - i : i;
+        const bool loop = on == n[0] / 2 - 1;
+        place[p][0] = 0.03 * on + (loop ? 0.1 : 0), place[p][1] = 0.05 * (p % n[1]);
+        place[p][2] = (up - 0.5) * (loop ? 3 * start : gap);
+    }
+}
+
+/* Layers come from afar and leave again: feet are found from the start of contact on,
+ * though triangles are seldom found again. */
+static void test_approach(void)
+{
+    enum { STEPS = 50 };
+    const int n[2] = {40, 20};
+    const double step = 0.031 * start;
+    struct contact_surface surface;
+    struct contact_search search;
+
+    make_surface(&surface, n, n, net_row, 1, n[0] * n[1]);
+    REQUIRE(contact_search_init(&search, &surface, start) == STATUS_OK);
+    for (int k = 0; k < 2 * STEPS; k++) {
+        const double gap = 2.01 * start - (k < STEPS ? k : 2 * STEPS - k) * step;
+        place_layers(n, gap);
+        REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
+        CHECK(search.count == (gap < start ? n[1] * (n[0] - 2) : 0));
+        CHECK_NEAR(search.count ? search.foot[99].distance : gap, gap, rounding);
+    }
+    CHECK(search.sought < STEPS);
+    contact_search_clear(&search);
+    contact_surface_clear(&surface);
+}
+
+/* Two layers that come nearer: half of the gap over the wall is used up, to a
+ * hundredth; a motion that both have is free. */
+static void test_limit_of_layers(void)
+{
+    const int n[2] = {40, 20};
+    const double wall = start / 2, gap = 0.8 * start - wall;
+    struct contact_surface surface;
+    struct contact_search search;
+
+    make_surface(&surface, n, n, net_row, 1, n[0] * n[1]);
+    REQUIRE(contact_search_init(&search, &surface, start) == STATUS_OK);
+    place_layers(n, 0.8 * start);
+    for (int k = 0; k < 5; k++) {
+        const double closing = k * 0.4 * gap, want = fmin(1, 0.5 * gap / closing);
+        double share;
+        for (int p = 0; p < n[0] * n[1]; p++) {
+            const int up = p / n[1] >= n[0] / 2;
+            change[p][0] = 5, change[p][1] = k, change[p][2] = 3 - up * closing;
+        }
+        REQUIRE(contact_search_limit(&search, place[0], change[0], wall, 1, &share) ==
+                STATUS_OK);
+        CHECK(share <= want + far_rounding && share >= 0.97 * want);
+    }
+    contact_search_clear(&search);
+    contact_surface_clear(&surface);
+}
+
+/* Changes at random, long and short, cut to their limits, one after the other: nothing ever
+ * crosses, and nothing stops. */
+static void test_limit(void)
+{
+    enum { ROUNDS = 60 };
+    const int n[2] = {24, 20};
+    const double near = 0.01; /* pairs that count are then all that share no corner */
+    struct contact_surface surface;
+    struct intersection work = {0};
+
+    make_surface(&surface, n, n, net_row, 1, n[0] * n[1]);
+    for (int k = 0; k < 4; k++) {
+        struct contact_search search;
+        double done = 0;
+        long crossings = 0, cuts = 0;
+        REQUIRE(contact_search_init(&search, &surface, near) == STATUS_OK);
+        shape_net(&shapes[k], n);
+        for (int round = 0; round < ROUNDS; round++) {
+            const double size = pow(10, -1 - round % 3), noise = k < 2 ? 0.3 : 0.05;
+            double share;
+            for (int p = 0; p < n[0] * n[1]; p++)
+                for (int i = 0; i < 3; i++)
+                    change[p][i] = size * (sin(5 * place[p][(i + 1) % 3] + i + 7 * round) +
+                                           noise * random_about_0());
+            REQUIRE(contact_search_limit(&search, place[0], change[0], 0, 1, &share) ==
+                    STATUS_OK);
+            for (int p = 0; p < n[0] * n[1]; p++)
+                for (int i = 0; i < 3; i++)
+                    place[p][i] += share * change[p][i];
+            REQUIRE(intersection_count(&work, n[1], n[0], place[0], &crossings) ==
+                    STATUS_OK);
+            CHECK(crossings == 0);
+            CHECK(share > 0);
+            done += share * size, cuts += share < 1;
+        }
+        CHECK(cuts > ROUNDS / 4 && done > 0.01);
+        contact_search_clear(&search);
+    }
+    intersection_clear(&work);
+    contact_surface_clear(&surface);
+}
+
+int main(void)
+{
+    test_every_pair();
+    test_smooth();
+    test_order();
+    test_sliding();
+    test_not_a_number();
+    test_approach();
+    test_limit_of_layers();
+    test_limit();
+    return check_result();
+}

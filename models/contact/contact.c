@@ -516,6 +516,32 @@ out:
     return st;
 }
 
+/* Adds and ends the touches with bodies. */
+static enum status project_bodies(struct contact *c, const double *compliance,
+                                  const int *held, double *x)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < c->surface.count; n++) {
+        double *spare = c->spare + 4 * (size_t)n, y[3], room = INFINITY;
+        contact_surface_at(&c->surface, n, x, y);
+        if (keeps_off(c, spare, y))
+            continue;
+        TRY(meet_bodies(c, n, compliance, held, x, &room));
+        memcpy(spare, y, sizeof y);
+        spare[3] = room;
+    }
+out:
+    return st;
+}
+
+enum status contact_project_bodies(struct contact *c, const double *compliance,
+                                   const int *held, double *x)
+{
+    empty(c);
+    return project_bodies(c, compliance, held, x);
+}
+
 enum status contact_project(struct contact *c, const double *compliance, const int *held,
                             double *x)
 {
@@ -528,15 +554,7 @@ enum status contact_project(struct contact *c, const double *compliance, const i
         look_back(c, &c->touch[n], x);
     for (int n = 0; n < own; n++)
         settle(c, &c->touch[n], compliance, held, x);
-    for (int n = 0; n < c->surface.count; n++) {
-        double *spare = c->spare + 4 * (size_t)n, y[3], room = INFINITY;
-        contact_surface_at(&c->surface, n, x, y);
-        if (keeps_off(c, spare, y))
-            continue;
-        TRY(meet_bodies(c, n, compliance, held, x, &room));
-        memcpy(spare, y, sizeof y);
-        spare[3] = room;
-    }
+    TRY(project_bodies(c, compliance, held, x));
 out:
     return st;
 }

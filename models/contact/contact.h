@@ -99,6 +99,10 @@ bool contact_shorten(struct contact *c, const double *x, double *d);
 enum status contact_project(struct contact *c, const double *compliance, const int *held,
                             double *x);
 
+/* Does so as if the sheet could not meet itself. */
+enum status contact_project_bodies(struct contact *c, const double *compliance,
+                                   const int *held, double *x);
+
 /* Fills *report from the last contact_find or contact_project. */
 void contact_report(const struct contact *c, struct model_contact *report);
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "fem_ref/hex_space.h"
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/room.h"
@@ -179,6 +180,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct hex *h = NULL;
 
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
+    TRY(contact_rest_refuse(scene, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(refuse(d, why));
     TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));

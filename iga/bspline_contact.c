@@ -7,6 +7,19 @@
 /* The samples of a span where the surface is smooth. */
 enum { SAMPLES = 4 };
 
+/* Turns the trapezoidal rule of spans into Boole's, which is exact for an even pressure on
+ * what has degree 5: a flat sheet on a floor then stays flat. */
+static void weigh(struct contact_surface *s, const struct bspline basis[2])
+{
+    static const double boole[SAMPLES] = {28. / 45, 64. / 45, 24. / 45, 64. / 45};
+
+    for (int n = 0; n < s->count; n++) {
+        const int at[2] = {n / s->points[1], n % s->points[1]};
+        for (int d = 0; d < 2; d++)
+            s->area[n] *= basis[d].p > 1 ? boole[at[d] % SAMPLES] : 1;
+    }
+}
+
 enum status bspline_contact_surface(const struct scene *scene,
                                     const struct bspline basis[2], const void *self,
                                     contact_row *row, int width, int nodes,
@@ -30,6 +43,8 @@ enum status bspline_contact_surface(const struct scene *scene,
     }
     st = contact_surface_init(surface, scene, self, row, width, nodes,
                               (const double *const *)line, points);
+    if (st == STATUS_OK)
+        weigh(surface, basis);
 out:
     free(room);
     return st;

@@ -8,6 +8,7 @@
 #include "iga/cloak_net.h"
 #include "iga/plate_space.h"
 #include "iga/support_knots.h"
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/solid/solid_hinge.h"
@@ -373,6 +374,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct plate *p = NULL;
 
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
+    TRY(contact_rest_refuse(scene, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
     if (d->remedy == REMEDY_CLAMPED && scene->shape != SCENE_FLAT)

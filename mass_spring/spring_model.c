@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "mass_spring/spring_rest.h"
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/net/net_surface.h"
 
@@ -29,7 +30,8 @@ static void destroy(void *state)
     free(state);
 }
 
-static enum status refuse(const struct discretization *d, struct message *why)
+static enum status refuse(const struct scene *scene, const struct discretization *d,
+                          struct message *why)
 {
     const struct spring_own *own = OWN(spring_own, d);
     const bool momentum = d->integrator == INTEGRATOR_MOMENTUM;
@@ -58,6 +60,10 @@ static enum status refuse(const struct discretization *d, struct message *why)
     if (own->strain_limit > 0 && (momentum || d->integrator == INTEGRATOR_LEAPFROG))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "strain_limit: with integrator=implicit or explicit only");
+    if (own->strain_limit > 0 && d->integrator != INTEGRATOR_EXPLICIT &&
+        contact_wanted(scene))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "strain_limit: with contact with integrator=explicit only");
     return STATUS_OK;
 }
 
@@ -68,7 +74,8 @@ static enum status create(const struct scene *scene, const struct discretization
     struct spring_motion *m = NULL;
 
     TRY(model_refuse_net(scene, d, why));
-    TRY(refuse(d, why));
+    TRY(contact_rest_refuse(scene, why));
+    TRY(refuse(scene, d, why));
     m = calloc(1, sizeof *m);
     if (!m)
         TRY(STATUS_MEMORY);
@@ -122,8 +129,8 @@ const struct model spring_model = {
     .title = "mass-spring net",
     .source =
         "Provot 1995; implicit steps: Baraff and Witkin 1998; bending: Choi and Ko 2002",
-    .serves = SCENE_NEED_CONTACT | SCENE_NEED_MOVING_OBSTACLES | SCENE_NEED_LOADS |
-              SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
+    .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
+              SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION,
     .options = options,
     .defaults = {.points = {10, 10, 1},

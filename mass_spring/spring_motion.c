@@ -261,23 +261,6 @@ static enum status step_explicit(struct spring_motion *m, double t,
     return STATUS_OK;
 }
 
-/* Limits strains; an implicit step, whose contact is in x, only as far as that allows. */
-static void limit_strains(struct spring_motion *m)
-{
-    size_t count = 3 * (size_t)m->net.nodes;
-    double *x = m->target, share;
-
-    memcpy(x, m->x, count * sizeof *x);
-    spring_strain_limit(&m->net, &m->newton.supports, m->strain_limit, m->x);
-    if (!m->contact || m->integrator == INTEGRATOR_EXPLICIT)
-        return;
-    for (size_t n = 0; n < count; n++)
-        m->x[n] -= x[n];
-    share = contact_limit(&m->contact->law, x, m->x);
-    for (size_t n = 0; n < count; n++)
-        m->x[n] = x[n] + share * m->x[n];
-}
-
 static enum status substep(struct spring_motion *m, struct counters *counters)
 {
     enum status st;
@@ -290,7 +273,7 @@ static enum status substep(struct spring_motion *m, struct counters *counters)
     else
         TRY(step_implicit(m, t, counters));
     if (m->strain_limit > 0)
-        limit_strains(m);
+        spring_strain_limit(&m->net, &m->newton.supports, m->strain_limit, m->x);
     if (m->integrator == INTEGRATOR_EXPLICIT)
         TRY(net_contact_project(m->contact, t, m->start, m->x));
     else

@@ -16,8 +16,8 @@
  *            (clothbench verify energy); the membrane's viscosity takes what crumples.
  *
  * Contact is part of what Euler's implicit step minimises (spring_newton.h), and of
- * momentum's equation; it ends an explicit step (contact_project). Strains are limited
- * after an implicit step as far as the distances to walls allow (contact_limit).
+ * momentum's equation; it ends an explicit step, after strains are limited
+ * (contact_project).
  *
  * Damping: mass and alpha are c = alpha m; beta is beta K V with the clamped Jacobian at
  * the start of the step, which is positive semi-definite: it only takes energy.

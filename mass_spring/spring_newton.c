@@ -72,6 +72,7 @@ out:
 void spring_newton_clear(struct spring_newton *s)
 {
     system_clear(&s->system);
+    contact_coupled_clear(&s->coupled);
     supports_clear(&s->supports);
     free(s->hinges);
     free(s->room);
@@ -141,7 +142,8 @@ static void assemble(struct spring_newton *s, const struct spring_problem *p,
     for (long n = 0; p->viscosity && n < pairs; n++)
         for (int t = 0; t < 9; t++)
             s->K[n][t] += p->viscosity * p->V[n][t];
-    if (p->contact)
+    s->is_coupled = p->contact && contact_coupled_wanted(p->contact);
+    if (p->contact && !s->is_coupled)
         contact_system_tangent(p->contact, g, s->K);
 }
 
@@ -152,6 +154,22 @@ static double product(size_t count, const double *a, const double *b)
     for (size_t t = 0; t < count; t++)
         sum += a[t] * b[t];
     return sum;
+}
+
+/* Solves d = K^-1 r where the sheet touches itself. */
+static enum status solve_coupled(struct spring_newton *s, const struct contact *contact,
+                                 const double *r, double *d, struct counters *counters)
+{
+    enum status st =
+        contact_coupled_update(&s->coupled, contact, &s->net->graph, &s->supports, 1,
+                               (const double(*)[9])s->K, 1, 0, NULL);
+
+    if (st != STATUS_OK)
+        return st;
+    counters->factorisations++;
+    counters->solves++;
+    memcpy(d, r, 3 * (size_t)s->net->nodes * sizeof *d);
+    return contact_coupled_solve(&s->coupled, d);
 }
 
 /* Solves d = K^-1 r; near: see iterative_tolerate. made: K is new. */
@@ -241,8 +259,11 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
             counters->assemblies++;
             moved = 0;
         }
-        TRY(solve(s, once ? LAST_TOLERANCE : LINEAR_TOLERANCE,
-                  n ? NEAR * limits->tolerance : 0, make, x, r, d, counters));
+        if (s->is_coupled)
+            TRY(solve_coupled(s, p->contact, r, d, counters));
+        else
+            TRY(solve(s, once ? LAST_TOLERANCE : LINEAR_TOLERANCE,
+                      n ? NEAR * limits->tolerance : 0, make, x, r, d, counters));
         counters->iterations++;
         double size = blocks_longest(s->net->nodes, d), part;
         bool cut;

@@ -22,6 +22,7 @@
 
 #include "mass_spring/spring_force.h"
 #include "models/contact/contact.h"
+#include "models/mechanics/contact_coupled.h"
 #include "models/mechanics/supports.h"
 #include "models/mechanics/system.h"
 #include "models/model.h"
@@ -31,11 +32,13 @@ struct spring_newton {
     struct supports supports;
     struct discretization linear; /* its solver and preconditioner */
     struct system system; /* empty before spring_newton_system                         */
-    void *room;           /* memory of the arrays                               owned   */
-    double (*K)[9];       /* [pairs]                                                    */
-    double *hinges;       /* [pairs] spring_force_hinges                       owned   */
-    double *work;         /* [6][nodes][3]                                              */
-    const double *at;     /* [nodes][3] where K is of                         borrowed  */
+    struct contact_coupled coupled; /* in its place where the sheet touches itself     */
+    bool is_coupled;
+    void *room;       /* memory of the arrays                               owned   */
+    double (*K)[9];   /* [pairs]                                                    */
+    double *hinges;   /* [pairs] spring_force_hinges                       owned   */
+    double *work;     /* [6][nodes][3]                                              */
+    const double *at; /* [nodes][3] where K is of                         borrowed  */
 };
 
 struct spring_problem {

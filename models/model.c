@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact/contact_shape.h"
-
 void matrix_clear(struct matrix *m)
 {
     free(m->row);
@@ -25,22 +23,9 @@ static enum status refuse(unsigned missing, const char *which, struct message *w
     return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no %s%s", text, which);
 }
 
-/* Refuses a sheet that begins in an obstacle, whatever the model and net. */
-static enum status refuse_depth(const struct scene *scene, struct message *why)
-{
-    for (int o = 0; o < scene->obstacle_count; o++) {
-        const double depth = contact_rest_depth(scene, &scene->obstacles[o]);
-        if (depth > 0)
-            return status_fail(why, STATUS_INPUT, CONTACT_REST_DEPTH, depth, o);
-    }
-    return STATUS_OK;
-}
-
 enum status model_refuse(const struct scene *scene, unsigned serves, struct message *why)
 {
-    const enum status st = refuse(scene_needs(scene) & ~serves, "", why);
-
-    return st == STATUS_OK ? refuse_depth(scene, why) : st;
+    return refuse(scene_needs(scene) & ~serves, "", why);
 }
 
 /* Refuses as in "integrator=bdf2: shell has implicit, leapfrog". */
@@ -110,7 +95,6 @@ enum status model_refuse_net(const struct scene *scene, const struct discretizat
         if (scene->supports[n].lo[2] > 0.5 || scene->supports[n].hi[2] < 0.5)
             missing |= thickness;
     TRY(refuse(missing, missing & thickness ? " that leave out the mid-surface" : "", why));
-    TRY(refuse_depth(scene, why));
     TRY(refuse_points(d, why));
     TRY(model_refuse_options(d, why));
 out:

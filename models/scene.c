@@ -226,12 +226,15 @@ void scene_table_at(int rows, int columns, const double *table, double t, double
         else
             high = middle;
     }
-    const double *after = table + (k < rows ? k : rows - 1) * columns;
-    const double *before = k > 0 ? table + (k - 1) * columns : after;
-    const double part = k > 0 && k < rows ? (t - before[0]) / (after[0] - before[0]) : 0;
+    const int before = k > 0 ? k - 1 : 0, after = k < rows ? k : rows - 1;
 
-    for (int i = 1; i < columns; i++)
-        value[i - 1] = rows ? before[i] + part * (after[i] - before[i]) : 0;
+    for (int i = 1; i < columns; i++) {
+        value[i - 1] = rows > 0 ? table[before * columns + i] : 0;
+        if (before < after)
+            value[i - 1] += (t - table[before * columns]) /
+                            (table[after * columns] - table[before * columns]) *
+                            (table[after * columns + i] - table[before * columns + i]);
+    }
 }
 
 void scene_support_shift(const struct scene_support *support, double t, double shift[3])

@@ -7,7 +7,7 @@
 #include "models/room.h"
 #include "models/vector.h"
 
-/* The softening that the choice of substeps tolerates, without and with obstacles, and a
+/* The softening that the choice of substeps tolerates, without and with contact, and a
  * bending mode's phase in the substeps from one bending to the next (pb_motion.h). */
 static const double SOFTENING = 10, SOFTENING_CONTACT = 0.4, BENDING = 0.4;
 
@@ -205,7 +205,7 @@ static enum status set_steps(struct pb_motion *m, const struct discretization *d
 {
     double step = m->scene->step, most = stiffest(m);
     double bending = bending_frequency(m);
-    double borne = m->scene->obstacle_count ? SOFTENING_CONTACT : SOFTENING;
+    double borne = contact_wanted(m->scene) ? SOFTENING_CONTACT : SOFTENING;
     double least = fmax(sqrt(most / borne), bending / BENDING);
     double n = d->substeps ? d->substeps : fmax(1, ceil(step * least));
 

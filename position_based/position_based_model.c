@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/net/net_surface.h"
 #include "position_based/pb_motion.h"
@@ -31,6 +32,7 @@ static enum status create(const struct scene *scene, const struct discretization
     struct pb_motion *m = NULL;
 
     TRY(model_refuse_net(scene, d, why));
+    TRY(contact_rest_refuse(scene, why));
     if (d->iterations < 1)
         return status_fail(why, STATUS_INPUT,
                            "iterations: position_based takes a fixed number, 1 or more");
@@ -105,8 +107,8 @@ const struct model position_based_model = {
     .title = "position-based constraints",
     .source = "Macklin, Mueller, Chentanez 2016 (XPBD), small steps: Macklin et al. 2019; "
               "Mueller et al. 2007 (PBD)",
-    .serves = SCENE_NEED_CONTACT | SCENE_NEED_MOVING_OBSTACLES | SCENE_NEED_LOADS |
-              SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
+    .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
+              SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION,
     .options = options,
     .defaults = {.points = {10, 10, 1},

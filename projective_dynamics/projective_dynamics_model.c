@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/net/net_surface.h"
 #include "projective_dynamics/pd_motion.h"
@@ -73,6 +74,7 @@ static enum status create(const struct scene *scene, const struct discretization
     const struct pd_options chosen = options_of(d);
 
     TRY(model_refuse_net(scene, d, why));
+    TRY(contact_rest_refuse(scene, why));
     if (d->parameters == PARAMETERS_MATCHED)
         TRY(refuse_damping(scene, why));
     if (d->integrator == INTEGRATOR_MIDPOINT && contact_wanted(scene))

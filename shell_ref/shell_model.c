@@ -6,6 +6,7 @@
 
 #include "iga/cloak_net.h"
 #include "iga/support_knots.h"
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "shell_ref/shell_motion.h"
@@ -120,6 +121,8 @@ static enum status refuse(const struct scene *scene, const struct discretization
 {
     enum status st = model_refuse(scene, shell_model.serves, why);
 
+    if (st == STATUS_OK)
+        st = contact_rest_refuse(scene, why);
     if (st != STATUS_OK)
         return st;
     if (d->points[2] > 1 || d->gauss[2])

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/net/net_surface.h"
@@ -27,6 +28,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
     enum status st;
 
     TRY(model_refuse_net(scene, d, why));
+    TRY(contact_rest_refuse(scene, why));
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");

@@ -100,15 +100,15 @@ static void put_supports(const struct scene *s, struct output *out)
 /* Puts path and turn of an obstacle. */
 static void put_motion(const struct scene_obstacle *o, struct output *out)
 {
-    output_print(out, "%s", o->path_count ? "      path:\n" : "");
+    output_print(out, "%s", o->path_count ? "    path:\n" : "");
     for (int k = 0; k < o->path_count; k++)
-        put(out, "        - [#, #, #, #]\n", o->path[k]);
+        put(out, "      - [#, #, #, #]\n", o->path[k]);
     if (!o->turn_count)
         return;
-    put(out, "      turn:\n        axis: [#, #, #]\n", o->turn_axis);
-    put(out, "        about: [#, #, #]\n        angles:\n", o->turn_point);
+    put(out, "    turn:\n      axis: [#, #, #]\n", o->turn_axis);
+    put(out, "      about: [#, #, #]\n      angles:\n", o->turn_point);
     for (int k = 0; k < o->turn_count; k++)
-        put(out, "          - [#, #]\n", o->turn[k]);
+        put(out, "        - [#, #]\n", o->turn[k]);
 }
 
 /* Puts the numbers of each kind; a mesh lies in a file of its own, where it is. */

@@ -175,12 +175,18 @@ out:
     return st;
 }
 
+/* Tells whether the samples are of a quick run. */
+static bool is_quick(const struct bench *b)
+{
+    return samples_of(&b->samples, "flat 12x12", "step").count > 0;
+}
+
 /* Returns the exponent by which a time grows with the number of points, from the fewest to
  * the most. */
 static double growth(const struct bench *b, const struct shape *shape, const char *what)
 {
-    const int *side = b->quick ? quick_sides : sides;
-    const int last = (b->quick ? QUICK_SIDES : SIDES) - 1;
+    const int *side = is_quick(b) ? quick_sides : sides;
+    const int last = (is_quick(b) ? QUICK_SIDES : SIDES) - 1;
     double seconds[2];
 
     for (int k = 0; k < 2; k++) {
@@ -205,12 +211,12 @@ static enum status print(const struct bench *b, struct message *why)
                                                   {"repeats"}};
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "Searching a sheet for contact with itself");
-    const int count = b->quick ? QUICK_SIDES : SIDES;
+    const int count = is_quick(b) ? QUICK_SIDES : SIDES;
 
     (void)why;
     for (int k = 0; k < SHAPES * count; k++) {
         char name[SAMPLES_NAME];
-        const int side = (b->quick ? quick_sides : sides)[k % count];
+        const int side = (is_quick(b) ? quick_sides : sides)[k % count];
         snprintf(name, sizeof name, "%s %dx%d", shapes[k / count].name, side, side);
         const double seconds = samples_number(&b->samples, name, "step");
         const struct clock_summary kept = samples_of(&b->samples, name, "kept");
@@ -230,7 +236,7 @@ static enum status print(const struct bench *b, struct message *why)
     table_note(
         t, "A sheet of 1 m, contact from 2 mm on. The column `step` is an explicit step of "
            "the net's springs, `kept` a search whose near triangles still hold, `again` "
-           "one that finds them again (after samples have moved 0.4 mm relative to the "
+           "one that finds them again (after samples have moved 0.2 mm relative to the "
            "sheet's middle), `every pair` one that looks at all samples and cells, boxes "
            "first, and finds the same.");
     table_note(

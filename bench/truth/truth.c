@@ -40,7 +40,7 @@ static enum status check_drape(const struct scene *scene, struct message *why)
     rest = metric_rest_field(scene);
     if (!rest)
         return STATUS_MEMORY;
-    if (contact_least_gap(scene, 0, GRID_POINTS, rest) <= scene->thickness)
+    if (contact_shape_least_gap(scene, 0, GRID_POINTS, rest) <= scene->thickness)
         st = status_fail(
             why, STATUS_UNSUPPORTED,
             "%s has no truth: it is laid on an obstacle, and a drape has many "

@@ -11,9 +11,23 @@
  * change, and Newton's method, which knows its slope only, is not thrown back far. */
 static const double LEFT = 0.5;
 
+/* The calls of contact_find in a step after which friction's stiffness is its force over
+ * the slip. What slips has none of its own across, and Newton's steps may go from one way
+ * of slipping to the other for ever; that of the force is more, and they never overshoot. */
+enum { CAREFUL = 9 };
+
 bool contact_wanted(const struct scene *scene)
 {
     return scene->obstacle_count > 0 || scene->contact.self;
+}
+
+bool contact_rubs(const struct contact *c)
+{
+    bool any = c->scene->contact.friction > 0;
+
+    for (int o = 0; o < c->scene->obstacle_count; o++)
+        any |= c->scene->obstacles[o].friction > 0;
+    return any;
 }
 
 void contact_clear(struct contact *c)
@@ -23,6 +37,7 @@ void contact_clear(struct contact *c)
     free(c->pose);
     free(c->pose_old);
     free(c->x_old);
+    free(c->spare);
     free(c->touch);
     free(c->node);
     free(c->weight);
@@ -33,16 +48,17 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                          struct contact_surface *surface)
 {
     const size_t bodies = (size_t)scene->obstacle_count;
-
     *c = (struct contact){.scene = scene,
                           .surface = *surface,
                           .body = contact_law_body(scene),
                           .self = contact_law_self(scene),
                           .pose = calloc(bodies + 1, sizeof *c->pose),
                           .pose_old = calloc(bodies + 1, sizeof *c->pose_old),
-                          .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old)};
+                          .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old),
+                          .spare = calloc(4 * (size_t)surface->count, sizeof *c->spare)};
     *surface = (struct contact_surface){0};
-    enum status st = c->pose && c->pose_old && c->x_old ? STATUS_OK : STATUS_MEMORY;
+    const bool all = c->pose && c->pose_old && c->x_old && c->spare;
+    enum status st = all ? STATUS_OK : STATUS_MEMORY;
     if (st == STATUS_OK && scene->contact.self)
         st = contact_search_init(&c->search, &c->surface, c->self.start);
     if (st != STATUS_OK)
@@ -54,12 +70,19 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
 {
     const double end = isfinite(dt) ? t + dt : t;
 
-    c->t = t, c->dt = dt;
+    c->t = t, c->dt = dt, c->rests = false;
+    c->finds = 0;
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
     for (int o = 0; o < c->scene->obstacle_count; o++) {
         contact_pose_at(&c->scene->obstacles[o], t, &c->pose_old[o]);
         contact_pose_at(&c->scene->obstacles[o], end, &c->pose[o]);
     }
+}
+
+void contact_begin_rest(struct contact *c, double t, double dt, const double *x_old)
+{
+    contact_begin(c, t, dt, x_old);
+    c->rests = true;
 }
 
 /* --- the list of touches -----------------------------------------------------------------
@@ -147,7 +170,7 @@ static enum status add_own_touch(struct contact *c, const struct contact_foot *f
         .count = used + foot->count,
         .D = foot->distance,
         .normal = {foot->normal[0], foot->normal[1], foot->normal[2]},
-        .area = s->area[foot->sample] / 2};
+        .area = foot->strength * s->area[foot->sample] / 2};
     c->weights += used + foot->count;
     return STATUS_OK;
 }
@@ -250,7 +273,8 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     relative_way(c, t, x, way);
     const double along = split(way, t->normal, slip);
     const double D_old = distance_before(c, t, along);
-    t->push = t->area * contact_law_push(law, t->D, D_old, c->dt, &t->stiffness);
+    t->push = t->area * contact_law_push(law, t->D, D_old, c->rests ? INFINITY : c->dt,
+                                         &t->stiffness);
     t->stiffness *= t->area;
     if (mu == 0)
         return;
@@ -258,9 +282,18 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     const double share = contact_law_friction(law, size, c->dt);
     const double stick = 2 * mu * t->push / (law->creep * c->dt);
     t->drag = size > 0 ? mu * t->push * share / size : stick;
-    t->grip = stick * fmax(0, 1 - size / (law->creep * c->dt));
+    t->grip = c->finds > CAREFUL ? t->drag : stick * fmax(0, 1 - size / (law->creep * c->dt));
     for (int i = 0; i < 3; i++)
         t->rub[i] = -t->drag * slip[i];
+}
+
+/* Returns the distance of y from a body: exact where contact has started, or where it is
+ * less than the least so far, else some number from there up to it. */
+static double body_distance(const struct contact *c, int obstacle, const double y[3],
+                            double normal[3])
+{
+    return contact_shape_near(&c->scene->obstacles[obstacle], &c->pose[obstacle], y,
+                              c->body.start + fmax(c->least, 0), normal);
 }
 
 enum status contact_find(struct contact *c, const double *x)
@@ -268,14 +301,14 @@ enum status contact_find(struct contact *c, const double *x)
     enum status st = c->failed;
 
     c->failed = STATUS_OK;
+    c->finds++;
     empty(c);
     TRY(st);
     for (int n = 0; n < c->surface.count; n++) {
         double y[3], normal[3];
         contact_surface_at(&c->surface, n, x, y);
         for (int o = 0; o < c->scene->obstacle_count; o++) {
-            double D =
-                contact_shape_distance(&c->scene->obstacles[o], &c->pose[o], y, normal);
+            double D = body_distance(c, o, y, normal);
             if (isnan(D))
                 return STATUS_NAN;
             c->least = fmin(c->least, D - c->body.start);
@@ -314,7 +347,8 @@ static double limit_sample(const struct contact *c, int obstacle, const double y
     static const double SHORTER = 0.95;
     const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
     const double wall = c->body.start - c->body.range, way = vector_length(d);
-    const double room = contact_shape_distance(o, &c->pose[obstacle], y, NULL) - wall;
+    const double far = wall + way * share + LEFT * c->body.range;
+    const double room = contact_shape_near(o, &c->pose[obstacle], y, far, NULL) - wall;
     const double least = LEFT * fmin(room, c->body.range);
 
     if (!(room > 0) || room - way * share >= least)
@@ -343,8 +377,8 @@ double contact_limit(struct contact *c, const double *x, const double *d)
             share = limit_sample(c, o, y, way, share);
     }
     if (c->scene->contact.self)
-        c->failed =
-            contact_search_limit(&c->search, x, d, c->self.start - c->self.range, &own);
+        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
+                                         c->self.range, &own);
     return c->failed == STATUS_OK ? fmin(share, own) : 0;
 }
 
@@ -366,8 +400,8 @@ bool contact_shorten(struct contact *c, const double *x, double *d)
                 d[3 * (size_t)s->node[(size_t)n * s->width + k] + i] *= share;
     }
     if (c->scene->contact.self)
-        c->failed =
-            contact_search_limit(&c->search, x, d, c->self.start - c->self.range, &own);
+        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
+                                         c->self.range, &own);
     for (int k = 0; own < 1 && k < 3 * s->nodes; k++)
         d[k] *= own;
     return any || own < 1;
@@ -436,28 +470,67 @@ static void look_back(const struct contact *c, struct contact_touch *t, const do
     t->D_old = distance_before(c, t, vector_dot(way, t->normal));
 }
 
+/* Tells whether a sample at y has come less far from where it was looked at than the bodies
+ * were from it: most of a sheet need not be looked at in each of an explicit method's
+ * steps.
+ */
+static bool keeps_off(struct contact *c, const double *spare, const double y[3])
+{
+    double way[3];
+
+    vector_between(spare, y, way);
+    const double square = vector_dot(way, way);
+    if (!(square < spare[3] * spare[3]))
+        return false;
+    if (spare[3] < c->least)
+        c->least = fmin(c->least, spare[3] - sqrt(square));
+    return true;
+}
+
+/* Ends a sample's step by the law of bodies; *room: how far it is from the nearest, 0 if
+ * that may come nearer by itself. */
+static enum status meet_bodies(struct contact *c, int sample, const double *compliance,
+                               const int *held, double *x, double *room)
+{
+    enum status st = STATUS_OK;
+
+    for (int o = 0; o < c->scene->obstacle_count; o++) {
+        const struct scene_obstacle *body = &c->scene->obstacles[o];
+        double y[3], normal[3];
+        contact_surface_at(&c->surface, sample, x, y);
+        const double D = contact_shape_distance(body, &c->pose[o], y, normal);
+        const double off = D - c->body.start;
+        if (isnan(D))
+            return STATUS_NAN;
+        const bool still = body->path_count + body->turn_count == 0;
+        *room = fmin(*room, still ? fmax(off, 0) : 0);
+        if (off >= 0) {
+            c->least = fmin(c->least, off);
+            continue;
+        }
+        TRY(add_body_touch(c, sample, o, D, normal));
+        look_back(c, &c->touch[c->count - 1], x);
+        settle(c, &c->touch[c->count - 1], compliance, held, x);
+    }
+out:
+    return st;
+}
+
 /* Adds and ends the touches with bodies. */
 static enum status project_bodies(struct contact *c, const double *compliance,
                                   const int *held, double *x)
 {
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < c->surface.count; n++)
-        for (int o = 0; o < c->scene->obstacle_count; o++) {
-            double y[3], normal[3];
-            contact_surface_at(&c->surface, n, x, y);
-            double D =
-                contact_shape_distance(&c->scene->obstacles[o], &c->pose[o], y, normal);
-            if (isnan(D))
-                return STATUS_NAN;
-            if (!(D < c->body.start)) {
-                c->least = fmin(c->least, D - c->body.start);
-                continue;
-            }
-            TRY(add_body_touch(c, n, o, D, normal));
-            look_back(c, &c->touch[c->count - 1], x);
-            settle(c, &c->touch[c->count - 1], compliance, held, x);
-        }
+    for (int n = 0; n < c->surface.count; n++) {
+        double *spare = c->spare + 4 * (size_t)n, y[3], room = INFINITY;
+        contact_surface_at(&c->surface, n, x, y);
+        if (keeps_off(c, spare, y))
+            continue;
+        TRY(meet_bodies(c, n, compliance, held, x, &room));
+        memcpy(spare, y, sizeof y);
+        spare[3] = room;
+    }
 out:
     return st;
 }

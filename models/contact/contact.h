@@ -40,20 +40,28 @@ struct contact {
     struct contact_search search; /* with contact.self                       owned     */
     enum status failed; /* of contact_limit: the next contact_find returns it          */
     struct contact_pose *pose, *pose_old; /* [obstacles]                owned     */
+    int finds;       /* calls of contact_find in the step                             */
     double t, dt;    /* the step: [t, t + dt]; dt INFINITY: no rates                 */
+    bool rests;      /* the pressure has no rate, only friction                      */
     double *x_old;   /* [nodes][3] where it starts                         owned     */
     int count, room; /* touches; of the last contact_find or contact_project         */
     struct contact_touch *touch; /*                            owned     */
     int weights, weight_room;
     int *node;       /* [weights]                                          owned     */
     double *weight;  /* [weights]                                          owned     */
+    double *spare;   /* [samples][4] a place, and how far from it no still body is met by
+                        contact_project [m]                                owned     */
     double energy;   /* of the last contact_find                            [J]      */
-    double least;    /* least D of the last contact_find, less the start of its law [m] */
+    double least;    /* least D of the same, less the start of its law; of
+                        contact_project a lower bound where that is positive [m] */
     double force[3]; /* on the sheet by bodies, of the same                 [N]      */
 };
 
 /* Returns whether the scene has anything to meet: without it nothing here is needed. */
 bool contact_wanted(const struct scene *scene);
+
+/* Returns whether anything in its scene has friction. */
+bool contact_rubs(const struct contact *c);
 
 /* Initialises, and takes over the surface (also on failure). */
 enum status contact_init(struct contact *c, const struct scene *scene,
@@ -62,6 +70,10 @@ void contact_clear(struct contact *c);
 
 /* Begins a step at x_old[nodes][3] and time t [s]; dt INFINITY: statics at time t. */
 void contact_begin(struct contact *c, double t, double dt, const double *x_old);
+
+/* Begins a step of a search for rest, at time t: the pressure has no rate, and friction is
+ * that of a way in the time dt. */
+void contact_begin_rest(struct contact *c, double t, double dt, const double *x_old);
 
 /* Finds the touches at x[nodes][3], with forces, stiffness, energy and report. STATUS_NAN,
  * STATUS_MEMORY. */

@@ -8,11 +8,29 @@ struct change {
     struct contact_tree_search search;
     const struct contact_tree *tree;
     const double *y, *d; /* [samples][3]                                             */
-    double wall, share;
+    double apart;        /* pairs nearer along the sheet are left out             [m] */
+    double wall, range, share;
 };
 
-/* The part of a distance over the wall that may be used up, and the tenth that stays. */
-static const double spent = 0.9;
+/* The least part that is used up of a distance over the wall, or of the range above it:
+ * more is taken of what is farther off, down to the middle of the range. */
+static const double spent = 0.5;
+
+/* Pairs are left out so many cells farther along the sheet than contact leaves them out:
+ * the closest point of a cell next to a sharp bend is its corner at the bend, which no law
+ * pushes off. */
+enum { CELLS = 2 };
+
+/* Returns their length along the sheet, of the longest cells; 0 for a net [m]. */
+static double beside_bends(const struct contact_surface *s)
+{
+    double most[2] = {0, 0};
+
+    for (int d = 0; d < 2; d++)
+        for (int k = 0; k + 1 < s->points[d]; k++)
+            most[d] = fmax(most[d], s->flat[d][k + 1] - s->flat[d][k]);
+    return s->width > 1 ? CELLS * hypot(most[0], most[1]) : 0;
+}
 
 /* Four samples: one and a triangle, or two edges. */
 struct meeting {
@@ -36,7 +54,7 @@ static double distance_after(const struct change *c, const struct meeting *m, do
     }
     if (!m->edges) {
         const double distance = sqrt(contact_foot_nearest(y[0], p + 1, at));
-        *near = contact_tree_near(c->tree, m->sample[0], m->sample + 1, at);
+        *near = contact_tree_near(c->tree, c->apart, m->sample[0], m->sample + 1, at);
         return distance;
     }
     const double distance = contact_foot_between(p, at);
@@ -48,7 +66,7 @@ static double distance_after(const struct change *c, const struct meeting *m, do
         way[d] =
             flat[0] + at[0] * (flat[1] - flat[0]) - flat[2] - at[1] * (flat[3] - flat[2]);
     }
-    *near = way[0] * way[0] + way[1] * way[1] < c->tree->apart * c->tree->apart;
+    *near = way[0] * way[0] + way[1] * way[1] < c->apart * c->apart;
     return distance;
 }
 
@@ -84,12 +102,13 @@ static void cut(struct change *c, const struct meeting *m)
         return;
     const double floor = distance > c->wall ? c->wall : 0, clear = distance - floor;
     const double motion = motion_between(c, m);
-    double at = 0, left = spent * clear;
+    const double kept = (1 - spent) * fmin(clear, c->range);
+    double at = 0, left = clear - kept;
     for (int turn = 0; turn < 16 && left > 0.01 * clear; turn++) {
         at += left / motion;
         if (!(at < c->share)) /* also of no motion */
             return;
-        left = distance_after(c, m, at, &ignored) - floor - (1 - spent) * clear;
+        left = distance_after(c, m, at, &ignored) - floor - kept;
     }
     c->share = at;
     c->search.share = at / spent;
@@ -131,9 +150,16 @@ static enum status cut_cells(struct contact_tree_search *search, int cell, int o
 }
 
 enum status contact_advance_share(struct contact_tree *tree, const double *y,
-                                  const double *d, double wall, double *share)
+                                  const double *d, double wall, double range, double *share)
 {
-    struct change c = {{wall, 1 / spent, &c, cut_cells}, tree, y, d, wall, 1};
+    struct change c = {{wall, 1 / spent, &c, cut_cells},
+                       tree,
+                       y,
+                       d,
+                       .apart = tree->apart + beside_bends(tree->surface),
+                       .wall = wall,
+                       .range = range,
+                       .share = 1};
     enum status st = STATUS_OK;
 
     for (long n = 0; n < 3L * tree->surface->count; n++)

@@ -378,6 +378,11 @@ struct bend {
     double y[3], d[2][3], dd[3][3]; /* value; by u, v; by uu, uv, vv                   */
 };
 
+/* The most times that the surface is taken to second order, two being enough but in bends
+ * as tight as its spans; and the change in u and v at which it is not taken again. */
+enum { MOST_BENDS = 8 };
+static const double settled = 1e-7;
+
 /* The step of differences in u and v: errors of 1e-8 in slopes and in curvatures. */
 static const double spread = 0x1p-13;
 
@@ -444,10 +449,13 @@ static void refine_smooth(const struct contact_sheet *sheet,
 
     place_at(s, place->triangle, place->share, &u, &v);
     const double start_u = u, start_v = v;
-    for (int turn = 0; turn < 2; turn++) {
+    for (int turn = 0; turn < MOST_BENDS; turn++) {
+        const double u_old = u, v_old = v;
         bend_at(s, x, u, v, node, weight, &b);
         for (int step = 0; step < 16 && bend_step(&b, at, &u, &v) > 1e-14; step++)
             ;
+        if (fabs(u - u_old) + fabs(v - v_old) < settled)
+            break;
     }
     if (fabs(u - start_u) * (s->points[0] - 1) > astray ||
         fabs(v - start_v) * (s->points[1] - 1) > astray)

@@ -31,6 +31,7 @@ struct contact_foot {
     double u, v;
     double distance;  /*                                                     [m] >= 0 */
     double normal[3]; /* unit, from the foot to the sample                             */
+    double strength;  /* its share in the law, 0 to 1                                  */
 };
 
 /* A sheet at some time. */
@@ -44,8 +45,9 @@ struct contact_sheet {
 /* A point of a triangle and its distance from a sample. */
 struct contact_place {
     int triangle;
-    double share[3]; /* of the corners; their sum is 1                                 */
-    double square;   /* of the distance                                           [m^2] */
+    double share[3];   /* of the corners; their sum is 1                                 */
+    double square;     /* of the distance                                           [m^2] */
+    double square_cos; /* of the way's angle to the sheet's normal                     */
 };
 
 /* Computes the samples at the corners of a triangle. */

@@ -28,6 +28,7 @@ struct obstacle_mesh {
     double (*face)[3]; /* [triangles] unit normals                                     */
     double (*bend)[3]; /* [vertices] sums of normals times angles; 0 on a rim          */
     struct box *box;   /* [2 leaves - 1]                                               */
+    bool outward;      /* closed, and all beyond the root's box is outside             */
 };
 
 /* --- making ----------------------------------------------------------------------------
@@ -264,6 +265,25 @@ static enum status join(const struct obstacle_mesh *m, struct edge *edge,
     return STATUS_OK;
 }
 
+/* Tells whether the mesh is closed and faces away from what it encloses. */
+static bool is_outward(const struct obstacle_mesh *m)
+{
+    double volume = 0;
+
+    for (int t = 0; t < m->triangles; t++) {
+        double a[3], e[3], f[3], n[3];
+        for (int k = 0; k < 3; k++)
+            if (m->beside[t][k] < 0)
+                return false;
+        vector_between(m->box[0].lo, corner_of(m, t, 0), a);
+        vector_between(corner_of(m, t, 0), corner_of(m, t, 1), e);
+        vector_between(corner_of(m, t, 0), corner_of(m, t, 2), f);
+        vector_cross(e, f, n);
+        volume += vector_dot(a, n);
+    }
+    return volume > 0;
+}
+
 static enum status make_neighbours(const struct obstacle_mesh *m, struct message *why)
 {
     struct edge *edge = malloc(3 * (size_t)m->triangles * sizeof *edge);
@@ -299,6 +319,7 @@ enum status contact_mesh_make(int vertices, const double (*vertex)[3], int trian
     make_tree(m);
     TRY(make_normals(m, why));
     TRY(make_neighbours(m, why));
+    m->outward = is_outward(m);
     *mesh = m, room = NULL;
 out:
     free(room);
@@ -395,8 +416,9 @@ static double square_to_box(const struct box *b, const double x[3])
     double sum = 0;
 
     for (int i = 0; i < 3; i++) {
-        const double off = fmax(fmax(b->lo[i] - x[i], x[i] - b->hi[i]), 0);
-        sum += off * off;
+        const double under = b->lo[i] - x[i], over = x[i] - b->hi[i];
+        const double off = under > over ? under : over;
+        sum += off > 0 ? off * off : 0;
     }
     return sum;
 }
@@ -404,22 +426,30 @@ static double square_to_box(const struct box *b, const double x[3])
 /* Finds the nearest point that is nearer than sqrt(f->square): nearer halves first. */
 static void search(const struct obstacle_mesh *m, const double x[3], struct foot *f)
 {
-    int stack[STACK] = {0}, depth = 1;
+    struct {
+        int box;
+        double square;
+    } stack[STACK] = {{0, square_to_box(&m->box[0], x)}};
+    int depth = 1;
 
     while (depth > 0) {
-        const int n = stack[--depth], leaf = n - (m->leaves - 1);
-        if (square_to_box(&m->box[n], x) >= f->square)
+        const int n = stack[--depth].box, leaf = n - (m->leaves - 1);
+        if (stack[depth].square >= f->square)
             continue;
         if (leaf >= 0) {
             for (int t = first_of(m, leaf); t < first_of(m, leaf + 1); t++)
                 try_triangle(m, x, t, f);
             continue;
         }
-        const int left = 2 * n + 1;
-        const bool first =
-            square_to_box(&m->box[left], x) < square_to_box(&m->box[left + 1], x);
-        stack[depth++] = left + first;
-        stack[depth++] = left + !first;
+        for (int k = 1; k <= 2; k++) {
+            stack[depth + k - 1].box = 2 * n + k;
+            stack[depth + k - 1].square = square_to_box(&m->box[2 * n + k], x);
+        }
+        if (stack[depth].square < stack[depth + 1].square) {
+            const __typeof__(stack[0]) nearer = stack[depth];
+            stack[depth] = stack[depth + 1], stack[depth + 1] = nearer;
+        }
+        depth += 2;
     }
 }
 
@@ -444,7 +474,7 @@ double contact_mesh_distance(const struct obstacle_mesh *mesh, const double x[3]
 
     if (!isfinite(vector_dot(x, x)))
         return vector_dot(x, x);
-    if (off >= most)
+    if (mesh->outward && off > 0 && off >= most)
         return off;
     search(mesh, x, &f);
     pseudonormal(mesh, &f, n);

@@ -31,9 +31,9 @@ enum status contact_mesh_make(int vertices, const double (*vertex)[3], int trian
                               struct message *why);
 
 /* Returns the signed distance of x [m] if it is less than `most` [m], else some number from
- * `most` up to the distance, found without a search where x is off the mesh's box by as
- * much. *normal is the distance's gradient, of length 1, and only set in the first case.
- * NaN if x is. */
+ * `most` up to the distance: found without a search where x is off the box of a closed mesh
+ * that faces outwards by as much. *normal is the distance's gradient, of length 1, and only
+ * set in the first case. NaN if x is. */
 double contact_mesh_distance(const struct obstacle_mesh *mesh, const double x[3],
                              double most, double normal[3]);
 

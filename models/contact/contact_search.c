@@ -26,6 +26,10 @@ static const double margin_share = 0.2;
 static const double rounding = 1e-9;
 static const double half_pi = 1.5707963267948966, square_cos = 0.5;
 
+/* The distance along the sheet, over the least that counts, and the squared cosine from
+ * which a foot has its whole share in the law. */
+static const double whole_apart = 1.5, whole_square_cos = 0.75;
+
 void contact_search_clear(struct contact_search *s)
 {
     contact_tree_clear(&s->tree);
@@ -153,7 +157,7 @@ static bool useless(const struct contact_search *s, int sample, const int corner
     for (int k = 0; k < 3; k++) {
         double share[3] = {0};
         share[k] = 1;
-        if (!contact_tree_near(&s->tree, sample, corner, share))
+        if (!contact_tree_near(&s->tree, s->tree.apart, sample, corner, share))
             return false;
     }
     return true;
@@ -324,15 +328,15 @@ out:
     return st;
 }
 
-/* Tells whether the way from a point of a triangle to a sample is more than 45 degrees off
- * the sheet's normal there; in a face it is along the face's. */
-static bool steep(const struct contact_search *s, const int corner[3],
-                  const double share[3], const double way[3])
+/* Returns the squared cosine of the angle between the way from a point of a triangle to a
+ * sample and the sheet's normal there; in a face it is along the face's. */
+static double square_cos_of(const struct contact_search *s, const int corner[3],
+                            const double share[3], const double way[3])
 {
     double n[3] = {0};
 
     if (share[0] > 0 && share[1] > 0 && share[2] > 0)
-        return false;
+        return 1;
     for (int k = 0; k < 3; k++)
         if (share[k] > 0) {
             double at[3];
@@ -340,8 +344,9 @@ static bool steep(const struct contact_search *s, const int corner[3],
             for (int i = 0; i < 3; i++)
                 n[i] += share[k] * at[i];
         }
-    const double along = vector_dot(n, way);
-    return along * along < square_cos * vector_dot(n, n) * vector_dot(way, way);
+    const double along = vector_dot(n, way),
+                 sizes = vector_dot(n, n) * vector_dot(way, way);
+    return sizes > 0 ? along * along / sizes : 1;
 }
 
 /* Takes a triangle for the closest on its side of a sample, if it is. */
@@ -368,8 +373,10 @@ static void consider(const struct contact_search *s, int sample, const double no
     if (here.square > side->square ||
         (here.square == side->square && triangle > side->triangle))
         return;
-    if (!contact_tree_near(&s->tree, sample, corner, here.share) &&
-        !steep(s, corner, here.share, way))
+    if (contact_tree_near(&s->tree, s->tree.apart, sample, corner, here.share))
+        return;
+    here.square_cos = square_cos_of(s, corner, here.share, way);
+    if (here.square_cos > square_cos)
         *side = here;
 }
 
@@ -378,7 +385,30 @@ static void begin(const struct contact_search *s, int sample, double normal[3],
                   struct contact_place best[2])
 {
     contact_foot_normal(&s->sheet, sample, normal);
-    best[0] = best[1] = (struct contact_place){-1, {0}, s->start * s->start};
+    best[0] = best[1] = (struct contact_place){-1, {0}, s->start * s->start, 0};
+}
+
+/* Returns 0 below low, 1 above high, and a smooth curve between. */
+static double rise(double x, double low, double high)
+{
+    const double t = fmin(fmax((x - low) / (high - low), 0), 1);
+
+    return t * t * (3 - 2 * t);
+}
+
+/* Returns the foot's share in the law, which grows from nothing beside what doesn't count:
+ * places near along the sheet, also those to which a foot on a smooth surface went back,
+ * and those seen under 45 degrees. Forces would else jump. */
+static double strength(const struct contact_search *s, const struct contact_place *place,
+                       const struct contact_foot *foot)
+{
+    const struct contact_surface *f = s->sheet.surface;
+    const int i = foot->sample / f->points[1], j = foot->sample % f->points[1];
+    const double du = (foot->u - f->line[0][i]) * f->flat[0][f->points[0] - 1];
+    const double dv = (foot->v - f->line[1][j]) * f->flat[1][f->points[1] - 1];
+
+    return rise(hypot(du, dv), s->tree.apart, whole_apart * s->tree.apart) *
+           rise(place->square_cos, square_cos, whole_square_cos);
 }
 
 /* Refines what was found of a sample into two feet; those without nodes are none. */
@@ -395,7 +425,8 @@ static void finish(const struct contact_search *s, int sample,
         foot[k].first = (int)(foot + k - s->foot) * width;
         contact_foot_refine(&s->sheet, sample, &best[k], &foot[k], s->node + foot[k].first,
                             s->weight + foot[k].first);
-        if (!(foot[k].distance < s->start))
+        foot[k].strength = strength(s, &best[k], &foot[k]);
+        if (!(foot[k].distance < s->start && foot[k].strength > 0))
             foot[k].count = 0;
     }
 }
@@ -491,7 +522,7 @@ out:
 }
 
 enum status contact_search_limit(struct contact_search *s, const double *x, const double *d,
-                                 double wall, double *share)
+                                 double wall, double range, double *share)
 {
     enum status st = STATUS_OK;
     double *own = NULL, way;
@@ -499,7 +530,8 @@ enum status contact_search_limit(struct contact_search *s, const double *x, cons
     TRY(place_samples(s, x, &way));
     if (!s->plain)
         TRY(room_cut((void **)&own, ROOM(own, 3 * (size_t)s->sheet.surface->count)));
-    st = contact_advance_share(&s->tree, s->sheet.y, at_samples(s, d, own), wall, share);
+    st = contact_advance_share(&s->tree, s->sheet.y, at_samples(s, d, own), wall, range,
+                               share);
 out:
     free(own);
     return st;

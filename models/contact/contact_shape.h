@@ -35,18 +35,9 @@ double contact_shape_near(const struct scene_obstacle *o, const struct contact_p
 void contact_pose_carry(const struct contact_pose *to, const struct contact_pose *from,
                         const double x[3], double y[3]);
 
-/* Returns how far a sheet at rest reaches into a body at t = 0 [m], 0 if it does not: the
- * distance at which their contact starts (contact_law_body) less the least distance of its
- * mid-surface. Exact for planes and spheres that do not turn; else the least at points of a
- * grid that is refined, up to 128 x 128 cells, where the body may be near, so that what
- * reaches in between its points may be missed by half a cell's diagonal. Every model
- * refuses a scene whose sheet begins in a body (model_refuse), as the reader of scenes
- * does, with the line. */
-double contact_rest_depth(const struct scene *scene, const struct scene_obstacle *o);
-#define CONTACT_REST_DEPTH "the sheet at rest reaches %.3g m into obstacle %d"
-
 /* Returns the least distance of x[count][3] to any body of the scene at time t [m]:
  * INFINITY without bodies or points, NaN if a coordinate is NaN. */
-double contact_least_gap(const struct scene *scene, double t, long count, const double *x);
+double contact_shape_least_gap(const struct scene *scene, double t, long count,
+                               const double *x);
 
 #endif

@@ -50,8 +50,8 @@ out:
     return st;
 }
 
-bool contact_tree_near(const struct contact_tree *t, int sample, const int corner[3],
-                       const double share[3])
+bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
+                       const int corner[3], const double share[3])
 {
     double du = -t->flat[sample][0], dv = -t->flat[sample][1];
 
@@ -59,7 +59,7 @@ bool contact_tree_near(const struct contact_tree *t, int sample, const int corne
         du += share[k] * t->flat[corner[k]][0];
         dv += share[k] * t->flat[corner[k]][1];
     }
-    return du * du + dv * dv < t->apart * t->apart;
+    return du * du + dv * dv < apart * apart;
 }
 
 int contact_tree_triangle(const struct contact_tree *t, int cell)
@@ -118,9 +118,10 @@ static void take(struct contact_box *box, int first, const double a[3])
     }
 }
 
-static void join(struct contact_box *box, const struct contact_box *other, int count)
+static void join(struct contact_box *box, const struct contact_box *other, int first,
+                 int end)
 {
-    for (int i = 0; i < count; i++) {
+    for (int i = first; i < end; i++) {
         box->low[i] = other->low[i] < box->low[i] ? other->low[i] : box->low[i];
         box->high[i] = other->high[i] > box->high[i] ? other->high[i] : box->high[i];
     }
@@ -148,25 +149,32 @@ static void set_corners(struct contact_box *box, int first, const double *a, lon
     take(box, first, a + 3 * (m + 1));
 }
 
-static void fit_cell(const struct contact_tree *t, int cell, struct contact_box *box)
+static void fit_places(const struct contact_tree *t, int cell, struct contact_box *box)
+{
+    const int m = t->surface->points[1];
+    const long corner = cell + cell / (m - 1);
+
+    set_corners(box, PLACE, t->y + 3 * corner, m);
+    if (t->d)
+        set_corners(box, MOTION, t->d + 3 * corner, m);
+}
+
+static void fit_slopes(const struct contact_tree *t, int cell, struct contact_box *box)
 {
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
     const double *y = t->y + 3 * ((long)i * m + j);
 
-    set_corners(box, PLACE, y, m);
     set_slopes(box, ALONG_U, y, m, 1, t->per_length[0][i]);
     set_slopes(box, ALONG_V, y, 1, m, t->per_length[1][j]);
-    if (t->d)
-        set_corners(box, MOTION, t->d + 3 * ((long)i * m + j), m);
 }
 
-/* Returns a box, in `own` if it is that of a cell. */
-static const struct contact_box *box_at(const struct contact_tree *t, int l, int n,
-                                        struct contact_box *own)
+/* Returns a box for its slopes, in `own` if it is that of a cell. */
+static const struct contact_box *slopes_at(const struct contact_tree *t, int l, int n,
+                                           struct contact_box *own)
 {
     if (l > 0)
         return &t->level[l].box[n];
-    fit_cell(t, n, own);
+    fit_slopes(t, n, own);
     return own;
 }
 
@@ -185,23 +193,34 @@ static int children(const struct contact_tree *t, int l, int n, int child[4])
     return count;
 }
 
+/* Fits a box around its children. */
+static void fit_box(const struct contact_tree *t, int l, int n, int components)
+{
+    struct contact_box *box = &t->level[l].box[n];
+    int child[4];
+    const int parts = children(t, l, n, child);
+
+    for (int k = 0; k < parts; k++) {
+        struct contact_box own, *part = l > 1 ? &t->level[l - 1].box[child[k]] : &own;
+        if (l == 1) {
+            fit_places(t, child[k], part);
+            fit_slopes(t, child[k], part);
+        }
+        if (k == 0)
+            *box = *part;
+        else
+            join(box, part, 0, components);
+    }
+}
+
 void contact_tree_fit(struct contact_tree *t, const double *y, const double *d)
 {
-    const int components = d ? COMPONENTS : MOTION;
-
     t->y = y, t->d = d;
     for (int l = 1; l < t->levels; l++) {
-        const struct contact_tree_level *level = &t->level[l];
-        const int count = level->n[0] * level->n[1];
+        const int count = t->level[l].n[0] * t->level[l].n[1];
 #pragma omp parallel for if (count >= PARALLEL)
-        for (int n = 0; n < count; n++) {
-            struct contact_box own, *box = &level->box[n];
-            int child[4];
-            const int parts = children(t, l, n, child);
-            *box = *box_at(t, l - 1, child[0], &own);
-            for (int k = 1; k < parts; k++)
-                join(box, box_at(t, l - 1, child[k], &own), components);
-        }
+        for (int n = 0; n < count; n++)
+            fit_box(t, l, n, d ? COMPONENTS : MOTION);
     }
 }
 
@@ -232,7 +251,8 @@ static double flatness(const struct contact_box *box)
     vector_cross(a, b, n);
     const double aa = vector_dot(a, a), ab = vector_dot(a, b), bb = vector_dot(b, b);
     const double least = (aa + bb) / 2 - sqrt((aa - bb) * (aa - bb) / 4 + ab * ab);
-    return (least > 0 ? sqrt(least) : 0) - hypot(radius(half[0], n), radius(half[1], n));
+    const double of_a = radius(half[0], n), of_b = radius(half[1], n);
+    return (least > 0 ? sqrt(least) : 0) - sqrt(of_a * of_a + of_b * of_b);
 }
 
 /* A box of a level by its number. */
@@ -252,25 +272,28 @@ static double gap_of_neighbours(const struct contact_tree *t, int l, const struc
 
     if (abs(di) > 1 || abs(dj) > 1)
         return 0;
-    hull = *p->box;
-    join(&hull, q->box, MOTION);
+    hull = *slopes_at(t, l, p->n, &own);
+    join(&hull, slopes_at(t, l, q->n, &own), ALONG_U, MOTION);
     if (di && dj) {
-        join(&hull, box_at(t, l, p->n + dj, &own), MOTION);
-        join(&hull, box_at(t, l, q->n - dj, &own), MOTION);
+        join(&hull, slopes_at(t, l, p->n + dj, &own), ALONG_U, MOTION);
+        join(&hull, slopes_at(t, l, q->n - dj, &own), ALONG_U, MOTION);
     }
     return t->apart * flatness(&hull);
 }
 
-/* Returns the distance of two boxes. */
-static double gap_of_boxes(const struct contact_box *p, const struct contact_box *q)
+/* Tells whether two boxes are at least `reach` apart. */
+static bool boxes_apart(const struct contact_box *p, const struct contact_box *q,
+                        double reach)
 {
     double square = 0;
 
     for (int i = 0; i < 3; i++) {
         const double gap = larger(p->low[i] - q->high[i], q->low[i] - p->high[i]);
+        if (gap >= reach)
+            return true;
         square += gap > 0 ? gap * gap : 0;
     }
-    return sqrt(square);
+    return square >= reach * reach;
 }
 
 /* Returns how far points of two boxes move relative to each other, at most. */
@@ -290,7 +313,7 @@ static bool left_out(const struct contact_tree *t, const struct contact_tree_sea
     const double reach =
         search->reach + (t->d ? search->share * motion(p->box, q->box) : 0);
 
-    return gap_of_boxes(p->box, q->box) >= reach || gap_of_neighbours(t, l, p, q) >= reach;
+    return boxes_apart(p->box, q->box, reach) || gap_of_neighbours(t, l, p, q) >= reach;
 }
 
 /* Finds the parts of a box of level l, in `own` if they are cells; returns how many. */
@@ -300,8 +323,12 @@ static int open_box(const struct contact_tree *t, int l, int n, struct part part
     int child[4];
     const int count = children(t, l, n, child);
 
-    for (int k = 0; k < count; k++)
-        part[k] = (struct part){child[k], box_at(t, l - 1, child[k], &own[k])};
+    for (int k = 0; k < count; k++) {
+        if (l == 1)
+            fit_places(t, child[k], &own[k]);
+        part[k] =
+            (struct part){child[k], l == 1 ? &own[k] : &t->level[l - 1].box[child[k]]};
+    }
     return count;
 }
 
@@ -352,7 +379,10 @@ enum status contact_tree_visit(const struct contact_tree *t,
                                struct contact_tree_search *search)
 {
     struct contact_box own;
-    const struct part all = {0, box_at(t, t->levels - 1, 0, &own)};
+    const int top = t->levels - 1;
+    const struct part all = {0, top ? t->level[top].box : &own};
 
-    return inside(t, search, t->levels - 1, &all);
+    if (!top)
+        fit_places(t, 0, &own);
+    return inside(t, search, top, &all);
 }

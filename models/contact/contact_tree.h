@@ -34,9 +34,9 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
 void contact_tree_clear(struct contact_tree *t);
 
 /* Tells whether a point of a triangle, by the shares of its corners, is nearer to a sample
- * than `apart` along the sheet. */
-bool contact_tree_near(const struct contact_tree *t, int sample, const int corner[3],
-                       const double share[3]);
+ * than `apart` along the sheet [m]. */
+bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
+                       const int corner[3], const double share[3]);
 
 /* Returns the first of a cell's two triangles (contact_foot.h). */
 int contact_tree_triangle(const struct contact_tree *t, int cell);

@@ -138,7 +138,7 @@ static bool fill(struct contact_coupled *w, const struct contact *c,
     memset(w->K, 0, (size_t)pairs * sizeof *w->K);
     memset(w->M, 0, (size_t)pairs * sizeof *w->M);
     for (long n = 0; n < body->start[body->nodes]; n++) {
-        w->M[w->place[n]] = M[n];
+        w->M[w->place[n]] = M ? M[n] : 0;
         for (int i = 0; i < 9; i++)
             w->K[w->place[n]][i] = k / force * K[n][i];
     }

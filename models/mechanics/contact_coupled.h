@@ -21,7 +21,8 @@ struct contact_coupled {
 bool contact_coupled_wanted(const struct contact *c);
 
 /* Factorises k K + m M with the stiffness of the touches times `force`; K, M [pairs] of the
- * body's graph. The pattern is made anew where the touches' places are not in it. */
+ * body's graph; M may be NULL if m == 0. The pattern is made anew where the touches' places
+ * are not in it. */
 enum status contact_coupled_update(struct contact_coupled *w, const struct contact *c,
                                    const struct blocks *graph, const struct supports *held,
                                    double k, const double (*K)[9], double force, double m,

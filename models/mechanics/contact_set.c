@@ -294,7 +294,7 @@ void contact_set_report(const struct contact_set *c, const double *x, double uni
                         struct model_contact *report)
 {
     *report = (struct model_contact){
-        .least_gap = contact_least_gap(c->scene, 0, c->nodes, x) - c->offset};
+        .least_gap = contact_shape_least_gap(c->scene, 0, c->nodes, x) - c->offset};
     for (int a = 0; contact_set_used(c) && a < c->nodes; a++) {
         report->nodes += c->touched[a];
         for (int i = 0; i < 3; i++)

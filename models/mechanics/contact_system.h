@@ -7,9 +7,13 @@
 
 /* Adds the stiffness of the touches of the last contact_find to K[pairs]: of the pressure
  * along the normals, without its turning, and of friction across them. Positive
- * semidefinite.
- */
+ * semidefinite. Returns false, with K spoilt, if the graph lacks a pair of a touch. */
 bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
                             double (*K)[9]);
+
+/* Adds the same with the turning of the normals of bodies at x[nodes][3], where
+ * contact_find looked: what leans on a round body may slide off. */
+bool contact_system_turned(const struct contact *c, const double *x,
+                           const struct blocks *graph, double (*K)[9]);
 
 #endif

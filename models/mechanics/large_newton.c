@@ -21,6 +21,10 @@ static const double FIRST_CHORD = 0.03;
 static const double RINGING_CHORD = 0.8;
 /* The least share that is taken of steps under contact that go back and forth. */
 static const double SMALLEST_SHARE = 0.1;
+/* The change under contact, in ranges of the law, and the iterations after which it will
+ * do. */
+static const double LEEWAY = 0.01;
+enum { LEEWAY_AFTER = 12 };
 /* The most halvings of a step that leads to a surface without normals or to NaN. */
 enum { HALVINGS = 6 };
 /* Steps in time that do not halve in so many iterations creep about a tangent without
@@ -198,7 +202,7 @@ static enum status take_step(struct large_motion *m, const struct large_equation
         i->x[t] += i->d[t];
     for (int n = 0; n <= HALVINGS; n++) {
         st = residual(m, q, i->x, i->r, i->work);
-        if (st == STATUS_OK)
+        if (!status_is_death(st))
             break;
         for (size_t t = 0; t < count; t++) {
             i->d[t] /= 2;
@@ -261,6 +265,22 @@ static bool settled(const struct large_motion *m, double size, double before)
     return m->added == 0 || size <= shrink * before || size <= round_off * m->scene->length;
 }
 
+/* Returns the change at which the n-th iteration may end: a touch that comes and goes with
+ * the last digits, at the end of what counts as contact, keeps it from any smaller. */
+static double leeway(const struct large_motion *m, const struct large_equation *q, int n)
+{
+    const bool exact = q->tolerance > 0;
+
+    return touches(m) && !exact && n >= LEEWAY_AFTER ? LEEWAY * m->contact->body.range : 0;
+}
+
+static double tolerance(const struct large_motion *m, const struct large_equation *q)
+{
+    const double most = STEP_TOLERANCE * m->scene->length;
+
+    return q->tolerance > 0 ? fmin(most, q->tolerance) : most;
+}
+
 enum status large_newton_solve(struct large_motion *m, const struct large_equation *q,
                                double *x, struct counters *counters)
 {
@@ -274,7 +294,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                           .r = room + count,
                           .next = room + 2 * count,
                           .work = room + 3 * count,
-                          .tolerance = STEP_TOLERANCE * m->scene->length,
+                          .tolerance = tolerance(m, q),
                           .chord = q->chord,
                           .gain = 1,
                           .share = 1};
@@ -301,7 +321,8 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
             st = STATUS_DIVERGED;
             goto out;
         }
-        bool calm = i.size <= i.tolerance && i.whole && settled(m, i.size, before);
+        bool calm = i.size <= fmax(i.tolerance, leeway(m, q, n)) && i.whole &&
+                    settled(m, i.size, before);
         before = i.size;
         if (calm || n + 1 == q->enough) {
             for (size_t t = 0; t < count; t++)

@@ -29,13 +29,14 @@ struct large_equation {
     const double *hat; /* [nodes][3]; NULL if mass == 0                       borrowed */
     double load;       /* factor on m->load                                            */
     double chord;      /* a tangent is kept while steps shrink by this; 0: never       */
+    double tolerance;  /* steps below it end the iteration; 0: 1e-7 lengths     [m]    */
     int limit;         /* iterations                                                   */
     int enough;        /* iterations to stop after, converged or not; 0: none          */
 };
 
 /* Solves for x[nodes][3]: predictor on entry, with held unknowns where they shall be;
- * solution on return. Stops when a step is below 1e-7 of the sheet's length, and friction
- * settled. Mass that had to be added to the tangent shortens steps before convergence: then
+ * solution on return. Stops when a step is below the tolerance, at most 1e-7 of the sheet's
+ * length. Mass that had to be added to the tangent shortens steps before convergence: then
  * the steps must shrink fast as well, as they do towards an unstable equilibrium (which
  * m->added > 0 indicates). STATUS_DIVERGED if that takes too many iterations; the codes of
  * body and factor. */

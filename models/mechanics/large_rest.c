@@ -218,10 +218,10 @@ enum status large_rest_modes(struct large_motion *m, int count, double *omega,
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &statics, m->x, (struct large_foresight){0}, m->K));
     if (m->contact) {
-        contact_begin(m->contact, supports_rest_time(m->supports, m->scene), m->scene->step,
-                      m->x);
+        contact_begin_rest(m->contact, supports_rest_time(m->supports, m->scene),
+                           m->scene->step, m->x);
         TRY(contact_find(m->contact, m->x));
-        contact_system_tangent(m->contact, m->graph, m->K);
+        contact_system_turned(m->contact, m->x, m->graph, m->K);
     }
     TRY(pencil_modes(&p, m->supports, NULL, count, omega, why));
 out:

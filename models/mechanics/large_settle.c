@@ -9,6 +9,10 @@
 /* Rest: the unbalanced share of the loads and the supports' reactions is below this. */
 static const double RESIDUAL = 1e-6;
 
+/* The error of a step, in the slip from which friction is whole: friction is off by the
+ * square of it. */
+static const double SLIP = 1e-3;
+
 /* The mass is multiplied by FAILED after a step that failed, by SHORTER where the step
  * needed a tangent without stress - a shape with an unstable way out is to be left - or
  * moved too far, and by GOOD where it went well. */
@@ -27,8 +31,25 @@ enum { MOST_STEPS = 600 };
  */
 static void begin_contact(struct large_motion *m, const double *last)
 {
-    contact_begin(m->contact, supports_rest_time(m->supports, m->scene), m->scene->step,
-                  last);
+    contact_begin_rest(m->contact, supports_rest_time(m->supports, m->scene),
+                       m->scene->step, last);
+}
+
+/* Returns the slip of a step from which friction is whole, INFINITY without friction. */
+static double whole_slip(const struct large_motion *m)
+{
+    return m->contact && contact_rubs(m->contact) ? m->contact->body.creep * m->scene->step
+                                                  : INFINITY;
+}
+
+/* Returns the friction of what slips faster than friction lets creep what it holds. */
+static double sliding(const struct contact *c)
+{
+    double sum = 0;
+
+    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
+        sum += t->grip > 0 ? 0 : vector_length(t->rub);
+    return sum;
 }
 
 /* Computes the unbalanced share of the loads and the supports' reactions at m->x. */
@@ -44,6 +65,7 @@ static enum status unbalanced(struct large_motion *m, double *share)
     if (m->contact) {
         TRY(contact_find(m->contact, m->x));
         contact_force(m->contact, f);
+        left = sliding(m->contact);
     }
     for (int t = 0; t < 3 * m->graph->nodes; t++) {
         if (m->supports->free_index[t] >= 0)
@@ -72,6 +94,7 @@ static enum status step(struct large_motion *m, double mass, double *moved,
         .mass = mass,
         .hat = last,
         .load = 1,
+        .tolerance = SLIP * whole_slip(m),
         .limit = 30};
 
     memcpy(last, m->x, count * sizeof *last);

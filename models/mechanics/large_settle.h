@@ -10,8 +10,9 @@
  * motion (contact.h), in steps that grow while they succeed (pseudo-transient continuation;
  * Kelley, Keyes 1998). That is a slow lowering of the sheet: which of many equilibria
  * friction holds is that of this way. At the end no more than 1e-6 of the loads and support
- * reactions is left unbalanced, summed over nodes as lengths; what friction holds creeps
- * there as contact_law.h says, slower than `creep`. m->push is the force of bodies. It may
+ * reactions is left unbalanced, summed over nodes as lengths, the friction of what slips
+ * faster than `creep` added; what friction holds creeps as contact_law.h says. The pressure
+ * has no rate here. m->push is the force of bodies. It may
  * be an unstable state where symmetry leads to one: large_rest_modes tells.
  * STATUS_DIVERGED, with what is left in a sentence, if there is no such state within the
  * budget: a sheet that slides off and falls has none. On success *why tells of it, too.

@@ -225,7 +225,7 @@ double metric_unevenness(const struct scene *scene, const double *xyz)
 
 double metric_penetration(const struct scene *scene, double t, const double *xyz)
 {
-    double gap = contact_least_gap(scene, t, GRID_POINTS, xyz);
+    double gap = contact_shape_least_gap(scene, t, GRID_POINTS, xyz);
 
     return isnan(gap) ? NAN : fmax(0, -gap);
 }

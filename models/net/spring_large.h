@@ -32,7 +32,7 @@ struct spring_large {
 };
 
 /* Initialises at rest. *l must stay where it is: it holds pointers into itself.
- * STATUS_INPUT with a sentence if the sheet begins in an obstacle. */
+ * STATUS_INPUT if the sheet begins in an obstacle. */
 enum status spring_large_init(struct spring_large *l, const struct spring_large_plan *plan);
 void spring_large_clear(struct spring_large *l);
 

@@ -111,9 +111,10 @@ static void put(struct spring_leapfrog *l, const double *x, const double *moves,
     spring_sweep_put(l->sweep, l->ahead, v);
 }
 
+/* Gets x; v only with stiffness damping. */
 static void get(const struct spring_leapfrog *l, double *x, double *v)
 {
-    spring_sweep_get(l->sweep, x, v);
+    spring_sweep_get(l->sweep, x, l->body.load->beta > 0 ? v : NULL);
     for (size_t n = 0; l->body.load->beta > 0 && n < count(l); n++)
         x[n] -= l->body.load->beta * v[n];
 }
@@ -259,21 +260,30 @@ void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x)
     start(l, x, l->now);
 }
 
-/* Ends a step by the law of contact: points that it moves get the velocity of their real
- * way. */
+/* Gives a point's free components their place x and the velocity of their real way. */
+static void move(struct spring_leapfrog *l, int node)
+{
+    for (int i = 0; i < 3; i++) {
+        const int n = 3 * node + i;
+        const double v = (l->x[n] - l->before[n]) / l->dt;
+        if (l->body.supports->free_index[n] >= 0)
+            spring_sweep_hold(l->sweep, node, i, l->x[n] + l->body.load->beta * v, v);
+    }
+}
+
+/* Ends a step by the law of contact. In single precision the way is that of the velocity:
+ * differences of places would drown the creep of friction. */
 static enum status meet_bodies(struct spring_leapfrog *l, double t)
 {
     enum status st;
-    double *without = l->ahead;
+    const struct contact *c = &l->contact->law;
 
-    get(l, l->x, l->v);
-    memcpy(without, l->x, count(l) * sizeof *without);
-    TRY(net_contact_project(l->contact, t, l->before, l->x));
-    if (l->contact->law.count == 0)
-        return STATUS_OK;
+    spring_sweep_get(l->sweep, NULL, l->v);
     for (size_t n = 0; n < count(l); n++)
-        l->v[n] += (l->x[n] - without[n]) / l->dt;
-    put(l, l->x, l->v, l->v);
+        l->x[n] = l->before[n] + l->dt * l->v[n];
+    TRY(net_contact_project(l->contact, t, l->before, l->x));
+    for (int k = 0; k < c->weights; k++)
+        move(l, c->node[k]);
 out:
     return st;
 }

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "models/contact/contact_law.h"
-#include "models/contact/contact_shape.h"
+#include "models/contact/contact_rest.h"
 #include "models/discretization.h"
 #include "models/reader/mesh_file.h"
 #include "models/vector.h"
@@ -19,6 +19,9 @@
 #define TOL_EXACT 1e-9
 /* The round-off of two ways to write the same path, relative to the shift. */
 #define TOL_PATH 1e-12
+
+/* [m] */
+#define LEAST_RANGE 1e-10
 
 static bool is_setting(const struct yaml_tree *node)
 {
@@ -293,15 +296,15 @@ static enum status check_contact(const struct yaml_tree *root, const struct scen
     const struct yaml_tree *range = section ? yaml_tree_find(section, "range") : NULL;
     const struct contact_law law = contact_law_self(scene);
 
-    if (law.range >= law.start)
-        return yaml_tree_refuse(range, why,
-                                "contact has a range of %g m, but it must be less than its "
-                                "thickness of %g m, where contact starts",
-                                law.range, law.start);
+    if (section && (law.range >= law.start || law.range < LEAST_RANGE))
+        return yaml_tree_refuse(range ? range : section, why,
+                                "contact has a range of %g m, but it must be %g m at least "
+                                "and less than its thickness of %g m, where contact starts",
+                                law.range, LEAST_RANGE, law.start);
     return STATUS_OK;
 }
 
-/* Reads the mesh that an obstacle names, if `files`; `section` is the obstacle's. */
+/* Reads the mesh that an obstacle names, if `files`; `section` is its own. */
 static enum status load_mesh(const struct yaml_tree *root, const struct yaml_tree *section,
                              bool files, struct scene_obstacle *o, struct message *why)
 {
@@ -335,9 +338,10 @@ static enum status check_obstacles(const struct yaml_tree *root, bool files,
     for (int n = 0; node; n++, node = node->next) {
         struct scene_obstacle *o = &scene->obstacles[n];
         if (o->kind == OBSTACLE_BOX)
-            TRY(check_axes(node->first, "box", o->axis[0], o->axis[1], why));
+            TRY(check_axes(yaml_tree_find(node, "box"), "box", o->axis[0], o->axis[1],
+                           why));
         if (o->kind == OBSTACLE_MESH)
-            TRY(load_mesh(root, node->first, files, o, why));
+            TRY(load_mesh(root, yaml_tree_find(node, "mesh"), files, o, why));
         const double depth = contact_rest_depth(scene, o);
         if (depth > 0)
             return yaml_tree_refuse(

@@ -240,27 +240,24 @@ static const struct schema_key TURN[] = {
      .want = "1 to 1000 rows [t, angle] of numbers within -1e+06 and 1e+06"},
     {NULL}};
 
-/* What every obstacle has; the last of its keys. */
-#define OBSTACLE_KEYS \
+/* The last keys of every shape. */
+#define FRICTION \
     {"friction", "Coulomb coefficient", SCHEMA_NUMBER, .low = 0, .high = 1e3, \
-     IN(scene_obstacle, friction)}, \
-    {"path", "displacement in time [s, m, m, m]", PATH_OF(scene_obstacle)}, \
-    {"turn", "turn in time", SCHEMA_SECTION, .keys = TURN, .read = check_turn}, \
-    {NULL}
+     IN(scene_obstacle, friction)}, {NULL}
 
 static const struct schema_key PLANE[] = {
     {"point", "a point on the plane [m]", SCHEMA_VECTOR, .required = true, PLACE,
      IN(scene_obstacle, point)},
     {"normal", "direction away from the obstacle", SCHEMA_VECTOR, .required = true, PLACE,
      IN(scene_obstacle, normal)},
-    OBSTACLE_KEYS};
+    FRICTION};
 
 static const struct schema_key SPHERE[] = {
     {"center", "centre [m]", SCHEMA_VECTOR, .required = true, PLACE,
      IN(scene_obstacle, point)},
     {"radius", "radius [m]", SCHEMA_NUMBER, .required = true, LENGTH,
      IN(scene_obstacle, radius)},
-    OBSTACLE_KEYS};
+    FRICTION};
 
 static const struct schema_key CAPSULE[] = {
     {"from", "centre of the one end's half ball [m]", SCHEMA_VECTOR, .required = true, PLACE,
@@ -269,7 +266,7 @@ static const struct schema_key CAPSULE[] = {
      IN(scene_obstacle, end)},
     {"radius", "radius [m]", SCHEMA_NUMBER, .required = true, LENGTH,
      IN(scene_obstacle, radius)},
-    OBSTACLE_KEYS};
+    FRICTION};
 
 static const struct schema_key BOX[] = {
     {"center", "centre [m]", SCHEMA_VECTOR, .required = true, PLACE,
@@ -280,15 +277,15 @@ static const struct schema_key BOX[] = {
      IN(scene_obstacle, axis[0])},
     {"v", "unit vector along the second, across u; y", SCHEMA_VECTOR, PLACE,
      IN(scene_obstacle, axis[1])},
-    OBSTACLE_KEYS};
+    FRICTION};
 
 static const struct schema_key MESH[] = {
-    {"file", "OBJ file, seen from the scene's folder; closed and counter-clockwise",
+    {"file", "OBJ file, sought from the scene's folder; faces counter-clockwise from outside",
      SCHEMA_TEXT, .required = true, IN(scene_obstacle, file)},
     {"at", "place of the file's origin [m]", SCHEMA_VECTOR, PLACE, IN(scene_obstacle, point)},
     {"scale", "metres in a unit of the file; 1", SCHEMA_NUMBER, LENGTH,
      IN(scene_obstacle, scale)},
-    OBSTACLE_KEYS};
+    FRICTION};
 
 const struct schema_key scene_schema_obstacles[] = {
     [OBSTACLE_PLANE] = {"plane", "a half-space", SCHEMA_SECTION, .keys = PLANE},
@@ -296,25 +293,29 @@ const struct schema_key scene_schema_obstacles[] = {
     [OBSTACLE_CAPSULE] = {"capsule", "a round rod", SCHEMA_SECTION, .keys = CAPSULE},
     [OBSTACLE_BOX] = {"box", "a cuboid", SCHEMA_SECTION, .keys = BOX},
     [OBSTACLE_MESH] = {"mesh", "triangles", SCHEMA_SECTION, .keys = MESH},
-    [OBSTACLE_KINDS] = {NULL}};
+    {"path", "displacement in time [s, m, m, m]", PATH_OF(scene_obstacle)},
+    {"turn", "turn in time", SCHEMA_SECTION, .keys = TURN, .read = check_turn},
+    {NULL}};
 /* clang-format on */
 
-/* Reads one shape, which owns what was read, also on failure. */
+/* Reads one obstacle, which owns what was read, also on failure. */
 static enum status read_obstacle(const struct yaml_tree *node, struct scene_obstacle *o,
                                  struct message *why)
 {
     enum status st = STATUS_OK;
+    int shapes = 0;
 
-    if (node->kind == YAML_TREE_MAP && node->count != 1)
+    TRY(schema_read(scene_schema_obstacles, node, "an obstacle", o, why));
+    for (int k = 0; k < OBSTACLE_KINDS; k++)
+        if (yaml_tree_find(node, scene_schema_obstacles[k].key))
+            o->kind = (enum obstacle_kind)k, shapes++;
+    if (shapes != 1)
         return yaml_tree_refuse(node, why,
                                 "an obstacle has %d shapes, but must have one of plane, "
                                 "sphere, capsule, box, mesh",
-                                node->count);
-    TRY(schema_read(scene_schema_obstacles, node, "an obstacle", o, why));
-    while (strcmp(scene_schema_obstacles[o->kind].key, node->first->key))
-        o->kind++;
+                                shapes);
     if (o->kind == OBSTACLE_PLANE && !o->normal[0] && !o->normal[1] && !o->normal[2])
-        return yaml_tree_refuse(node->first, why,
+        return yaml_tree_refuse(yaml_tree_find(node, "plane"), why,
                                 "a plane's normal is zero, but must "
                                 "point away from the obstacle");
 out:

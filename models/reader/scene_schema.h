@@ -7,7 +7,8 @@
 #include "models/scene.h"
 #include "models/reader/schema.h"
 
-/* The keys of each kind of obstacle, by enum obstacle_kind; targets are obstacles. */
+/* The keys of an obstacle: first its kinds, by enum obstacle_kind; targets are obstacles.
+ */
 extern const struct schema_key scene_schema_obstacles[];
 
 /* Reads a scene's tree into *scene, which comes from scene_init. Files that it names are

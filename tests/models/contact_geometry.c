@@ -1,4 +1,5 @@
 /* Distances and normals of bodies, and their poses. */
+#include "models/contact/contact_rest.h"
 #include "models/contact/contact_shape.h"
 
 #include <math.h>
@@ -175,18 +176,19 @@ static void check_least(void)
     double x[3][3] = {{1, 2, 4}, {1, 0, 0}, {5, 5, 5}};
 
     REQUIRE(scene_init(&scene) == STATUS_OK);
-    CHECK(contact_least_gap(&scene, 0, 3, x[0]) == INFINITY);
+    CHECK(contact_shape_least_gap(&scene, 0, 3, x[0]) == INFINITY);
     REQUIRE(scene_add_obstacle(&scene, slope) == STATUS_OK);
-    CHECK_NEAR(contact_least_gap(&scene, 0, 1, x[0]), 0.8, rounding);
-    CHECK_NEAR(contact_least_gap(&scene, 0, 3, x[0]), -3.6, 4 * rounding); /* (1,0,0) */
+    CHECK_NEAR(contact_shape_least_gap(&scene, 0, 1, x[0]), 0.8, rounding);
+    CHECK_NEAR(contact_shape_least_gap(&scene, 0, 3, x[0]), -3.6,
+               4 * rounding); /* (1,0,0) */
     REQUIRE(scene_add_obstacle(&scene, ball) == STATUS_OK);
-    CHECK_NEAR(contact_least_gap(&scene, 0, 1, x[1]), -3.6, 4 * rounding);
-    CHECK(contact_least_gap(&scene, 0, 0, x[0]) == INFINITY);
+    CHECK_NEAR(contact_shape_least_gap(&scene, 0, 1, x[1]), -3.6, 4 * rounding);
+    CHECK(contact_shape_least_gap(&scene, 0, 0, x[0]) == INFINITY);
     lift.turn_count = 0;
     REQUIRE(scene_add_obstacle(&scene, &lift) == STATUS_OK);
-    CHECK_NEAR(contact_least_gap(&scene, 3, 1, x[0]), 0.8 - 1.5 * 0.8, 4 * rounding);
+    CHECK_NEAR(contact_shape_least_gap(&scene, 3, 1, x[0]), 0.8 - 1.5 * 0.8, 4 * rounding);
     x[2][1] = NAN;
-    CHECK(isnan(contact_least_gap(&scene, 0, 3, x[0])));
+    CHECK(isnan(contact_shape_least_gap(&scene, 0, 3, x[0])));
     scene_clear(&scene);
 }
 

@@ -84,6 +84,23 @@ static void give_ball(int n, bool spiky)
         }
 }
 
+/* A thin tip at z = 1 whose one side has many faces: their number must not tilt it. */
+static void give_tip(void)
+{
+    enum { ROW = 21 };
+
+    given.vertices = given.triangles = 0;
+    for (int n = 0; n < ROW; n++)
+        add_vertex(0.1, 0.01 * n - 0.1, 0);
+    add_vertex(-0.1, 0.1, 0);
+    add_vertex(-0.1, -0.1, 0);
+    add_vertex(0, 0, 1);
+    for (int n = 0; n < ROW + 2; n++)
+        add_triangle(n, (n + 1) % (ROW + 2), ROW + 2);
+    for (int n = 0; n < ROW; n++)
+        add_triangle(ROW + 1, n + 1, n);
+}
+
 static double noise(int n)
 {
     const double x = sin(12.9898 * n + 1) * 43758.5453;
@@ -127,7 +144,8 @@ static double winding(const double x[3])
     return sum / (4 * PI);
 }
 
-/* The least distance of all triangles, each by halving its sides' parameters: convex. */
+/* The least distance of all triangles, each by steps downhill that shorten where none
+ * leads down: it is convex. */
 static double brute(const double x[3])
 {
     double least = INFINITY;
@@ -135,8 +153,9 @@ static double brute(const double x[3])
     for (int t = 0; t < given.triangles; t++) {
         const int *c = given.triangle[t];
         double at[2] = {0, 0}, best = INFINITY;
-        for (double width = 1; width > 1e-9; width /= 2) {
+        for (double width = 1, before; width > 1e-9; width *= best < before ? 1 : 0.5) {
             const double from[2] = {at[0], at[1]};
+            before = best;
             for (int k = 0; k < 25; k++) {
                 const double p = fmin(fmax(from[0] + width * (k % 5 - 2) / 2, 0), 1),
                              q = fmin(fmax(from[1] + width * (k / 5 - 2) / 2, 0), 1 - p);
@@ -182,40 +201,55 @@ static void check_box(void)
     free(body.mesh);
 }
 
-/* Sign and size against sums over all triangles, where faces bend by much: by the winding
- * number and by brute force. */
+/* Sign and size at a point against sums over all triangles: by the winding number and by
+ * brute force. Returns the distance. */
+static double check_point(const struct obstacle_mesh *mesh, const double x[3], bool smooth)
+{
+    double normal[3], foot[3], ahead[3], behind[3];
+    const double d = contact_mesh_distance(mesh, x, INFINITY, normal);
+
+    CHECK(d < 0 ? winding(x) > 0.5 : winding(x) < 0.5);
+    CHECK_NEAR(fabs(d), brute(x), halvings);
+    CHECK_NEAR(dot(normal, normal), 1, rounding);
+    for (int i = 0; i < 3; i++) {
+        foot[i] = x[i] - d * normal[i];
+        ahead[i] = x[i] + 1e-5 * normal[i], behind[i] = x[i] - 1e-5 * normal[i];
+    }
+    CHECK_NEAR(contact_mesh_distance(mesh, foot, INFINITY, NULL), 0, rounding);
+    CHECK(contact_mesh_distance(mesh, x, d + 1e-3, NULL) == d);
+    const double least = contact_mesh_distance(mesh, x, d - 1e-3, NULL);
+    CHECK(least >= d - 1e-3 && least <= d + rounding);
+    if (smooth && fabs(d) > 1e-4)
+        CHECK_NEAR((contact_mesh_distance(mesh, ahead, INFINITY, NULL) -
+                    contact_mesh_distance(mesh, behind, INFINITY, NULL)) /
+                       2e-5,
+                   1, difference);
+    return d;
+}
+
+/* Where faces bend by much: at vertices, edges and anywhere. */
 static void check_spikes(void)
 {
-    int inside = 0;
-
-    give_ball(6, true);
-    struct obstacle_mesh *mesh = make();
-    REQUIRE(mesh);
-    for (int n = 0; n < 400; n++) {
-        double x[3], normal[3], foot[3], ahead[3], behind[3];
-        const double *v = given.vertex[n % given.vertices];
-        for (int i = 0; i < 3; i++) /* at vertices, edges and anywhere */
-            x[i] = n % 2 ? 1.2 * noise(3 * n + i)
-                         : v[i] + (n % 4 ? 1e-3 : 1e-9) * noise(3 * n + i);
-        const double d = contact_mesh_distance(mesh, x, INFINITY, normal);
-        CHECK(d < 0 ? winding(x) > 0.5 : winding(x) < 0.5);
-        inside += d < 0;
-        CHECK_NEAR(fabs(d), brute(x), halvings);
-        CHECK_NEAR(dot(normal, normal), 1, rounding);
-        for (int i = 0; i < 3; i++) {
-            foot[i] = x[i] - d * normal[i];
-            ahead[i] = x[i] + 1e-5 * normal[i], behind[i] = x[i] - 1e-5 * normal[i];
+    for (int shape = 0; shape < 2; shape++) {
+        int inside = 0;
+        if (shape)
+            give_tip();
+        else
+            give_ball(6, true);
+        struct obstacle_mesh *mesh = make();
+        REQUIRE(mesh);
+        for (int n = 0; n < 400; n++) {
+            double x[3];
+            const double *v = given.vertex[shape ? given.vertices - 1 : n % given.vertices];
+            for (int i = 0; i < 3; i++)
+                x[i] = n % 2 ? (shape ? 0.2 : 1.2) * noise(3 * n + i)
+                             : v[i] + (n % 4 ? 1e-3 : 1e-9) * noise(3 * n + i);
+            inside += check_point(mesh, x, n % 2) < 0; /* ridges are rare */
         }
-        CHECK_NEAR(contact_mesh_distance(mesh, foot, INFINITY, NULL), 0, rounding);
-        if (n % 2 && fabs(d) > 1e-4) /* ridges are rare */
-            CHECK_NEAR((contact_mesh_distance(mesh, ahead, INFINITY, NULL) -
-                        contact_mesh_distance(mesh, behind, INFINITY, NULL)) /
-                           2e-5,
-                       1, difference);
+        CHECK(inside > 10 && inside < 350);
+        CHECK(isnan(contact_mesh_distance(mesh, (double[3]){0, NAN, 0}, 1, NULL)));
+        free(mesh);
     }
-    CHECK(inside > 50 && inside < 350);
-    CHECK(isnan(contact_mesh_distance(mesh, (double[3]){0, NAN, 0}, 1, NULL)));
-    free(mesh);
 }
 
 /* A fine ball is the ball within its faces' depth; both ways round. */
@@ -231,6 +265,7 @@ static void check_ball(void)
             given.triangle[t][1] = given.triangle[t][2], given.triangle[t][2] = a;
         }
         struct obstacle_mesh *mesh = make();
+        int early = 0; /* found without a search */
         REQUIRE(mesh);
         for (int n = 0; n < 2000; n++) {
             double x[3];
@@ -239,7 +274,11 @@ static void check_ball(void)
             const double d = contact_mesh_distance(mesh, x, INFINITY, NULL);
             const double out = (flip ? -1 : 1) * d - (sqrt(dot(x, x)) - 1);
             CHECK(out > -rounding && out < 2 * depth);
+            const double near = contact_mesh_distance(mesh, x, 0.1, NULL);
+            CHECK(d < 0.1 ? near == d : near >= 0.1 && near <= d + rounding);
+            early += near != d;
         }
+        CHECK(flip ? !early : early > 500);
         free(mesh);
     }
 }
@@ -265,8 +304,9 @@ static void check_open(void)
     REQUIRE(mesh);
     CHECK(contact_mesh_view(mesh).triangles == 2);
     for (size_t k = 0; k < sizeof row / sizeof *row; k++)
-        CHECK_NEAR(contact_mesh_distance(mesh, row[k].x, INFINITY, NULL), row[k].distance,
-                   rounding);
+        for (int near = 0; near < 2; near++)
+            CHECK_NEAR(contact_mesh_distance(mesh, row[k].x, near ? 0 : INFINITY, NULL),
+                       row[k].distance, rounding);
     free(mesh);
 }
 

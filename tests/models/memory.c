@@ -3,6 +3,7 @@
  *   test_memory [CONTESTANT] */
 #define _GNU_SOURCE /* vasprintf, open_memstream */
 #include "bench/harness/contestant.h"
+#include "models/reader/scene_file.h"
 #include "models/grid.h"
 #include "tests/failing_memory.h"
 
@@ -116,8 +117,28 @@ static void try_models(const char *only)
     }
 }
 
+/* Reads a scene with every part of an obstacle that has memory of its own. */
+static enum status read_bodies(const void *what, struct message *why)
+{
+    const char *const settings[] = {
+        "obstacles=[{sphere: {center: [0,0,-9], radius: 1}, path: [[0,0,0,0]], turn: "
+        "{axis: "
+        "[0,0,1], about: [0,0,0], angles: [[0,0]]}}, {mesh: {file: " SOURCE_DIR
+        "/tests/bad_scenes/mesh_inside.obj, at: [0,0,-9]}}]"};
+    struct discretization d = {.weights = NULL};
+    struct scene scene;
+    enum status st = scene_file_read(SOURCE_DIR "/models/scenes/edge_drop.yaml", 1,
+                                     settings, &scene, &d, why);
+
+    (void)what;
+    scene_clear(&scene);
+    return st;
+}
+
 int main(int argc, char **argv)
 {
+    if (argc == 1)
+        try_all(&(struct deed){"a scene with bodies", read_bodies, NULL, .every = true});
     try_models(argc > 1 ? argv[1] : NULL);
     return asked ? check_result() : 77; /* libraries that cannot be wrapped */
 }

@@ -192,7 +192,7 @@ static void world(void)
         "motion={velocity: [1, 2, 3], spin: [0, 0, 0]}", NULL};
 
     static const char *const others[] = {
-        "obstacles=[{sphere: {center: [1, 2, -3], radius: 0.5, path: [[0, 0, 0, 0]]}}, "
+        "obstacles=[{sphere: {center: [1, 2, -3], radius: 0.5}, path: [[0, 0, 0, 0]]}, "
         "{capsule: {from: [1, 2, -8], to: [1, 3, -8], radius: 2}}, {mesh: "
         "{file: " SOURCE_DIR
         "/tests/bad_scenes/mesh_inside.obj, at: [0, 0, -9], friction: 0.5}}]",
@@ -417,10 +417,10 @@ static void scenes_come_back(void)
          {"obstacles=[{box: {center: [0, 0, -9], size: [1, 2, 3], u: [0, 1, 0], v: [0.6, "
           "0, "
           "0.8], friction: 0.1}}, {capsule: {from: [0, 0, -9], to: [0, 1, -8], radius: "
-          "0.5, "
-          "path: [[0, 0, 0, 0], [1, 0, 0.125, -1]]}}, {mesh: {file: " SOURCE_DIR
-          "/tests/bad_scenes/mesh_inside.obj, at: [0, 0.1, -8], scale: 0.3, friction: 2, "
-          "turn: {axis: [1, 0, 0], about: [1, 2, 3], angles: [[0, 0], [0.1, 33]]}}}]",
+          "0.5}, "
+          "path: [[0, 0, 0, 0], [1, 0, 0.125, -1]]}, {mesh: {file: " SOURCE_DIR
+          "/tests/bad_scenes/mesh_inside.obj, at: [0, 0.1, -8], scale: 0.3, friction: 2}, "
+          "turn: {axis: [1, 0, 0], about: [1, 2, 3], angles: [[0, 0], [0.1, 33]]}}]",
           "contact={self: true, thickness: 0.02, range: 0.003, friction: 0.5}"},
          2},
     };

@@ -129,7 +129,28 @@ static void test_intersection(const char *folder)
         const char *name = rows[n].surface;
         CHECK(cell(&s, name, 0) == rows[n].pairs);
         CHECK_NEAR(cell(&s, name, 1) * cell(&s, name, 3) / cell(&s, name, 2), 1, 1e-9);
-        CHECK(cell(&s, name, 4) == TIMING_REPEATS_QUICK);
+        CHECK(cell(&s, name, 4) == TIMING_REPEATS_QUICK && cell(&s, name, 5) > 0);
+    }
+    said_clear(&s);
+}
+
+/* Checks the feet that made sheets have, the ratios and the repeats. */
+static void test_contact(const char *folder)
+{
+    static const struct {
+        const char *net;
+        double feet;
+    } rows[] = {
+        {"flat 12x12", 0}, {"flat 24x24", 0}, {"folded 12x12", 66}, {"folded 24x24", 276}};
+    struct said s;
+
+    twice(&s, "contact", folder);
+    for (int n = 0; n < LENGTH(rows); n++) {
+        const char *name = rows[n].net;
+        CHECK(cell(&s, name, 0) == rows[n].feet);
+        CHECK_NEAR(cell(&s, name, 1) * cell(&s, name, 3) / cell(&s, name, 2), 1, 1e-9);
+        CHECK_NEAR(cell(&s, name, 4) * cell(&s, name, 6) / cell(&s, name, 5), 1, 1e-9);
+        CHECK(cell(&s, name, 7) == TIMING_REPEATS_QUICK);
     }
     said_clear(&s);
 }
@@ -180,6 +201,7 @@ int main(int argc, char **argv)
     remove_earlier(argv[1]);
     test_bandwidth(argv[1]);
     test_intersection(argv[1]);
+    test_contact(argv[1]);
     test_libraries(argv[1]);
     test_runs(argv[1]);
     return check_result();

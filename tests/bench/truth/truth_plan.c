@@ -149,7 +149,7 @@ static void check_frames(void)
 #define HELD(at)    "supports=[{at: {" at "}, fix: xyz}]"
 #define LED(path)   "supports=[{at: {u: 0}, fix: xyz, path: [" path "]}]"
 #define BODY(text)  "obstacles=[{" text "}}]"
-#define SPUN(text)  "obstacles[0].sphere.turn={axis: " text "}"
+#define SPUN(text)  "obstacles[0].turn={axis: " text "}"
 #define OCTAHEDRON  SOURCE_DIR "/tests/bad_scenes/mesh_inside.obj"
 #define PULL(rest)  "loads=[{at: {" rest "]}]"
 #define PLANE(rest) "obstacles=[{plane: {" rest "}}]"
@@ -224,8 +224,8 @@ static const struct pair {
      BODY("mesh: {file: " OCTAHEDRON ", at: [0,0,8]")},
     {"edge_drop", BODY("mesh: {file: " OCTAHEDRON ", at: [0,0,9]"),
      BODY("mesh: {file: " OCTAHEDRON ", at: [0,0,9], scale: 2")},
-    {"sphere", "obstacles[0].sphere.path=[[0,0,0,0],[1,0,0,1]]",
-     "obstacles[0].sphere.path=[[0,0,0,0],[1,0,0,2]]"},
+    {"sphere", "obstacles[0].path=[[0,0,0,0],[1,0,0,1]]",
+     "obstacles[0].path=[[0,0,0,0],[1,0,0,2]]"},
     {"sphere", SPUN("[0,0,1], about: [1,0,0], angles: [[0,0],[1,9]]"),
      SPUN("[0,0,1], about: [1,1,0], angles: [[0,0],[1,9]]")},
     {"sphere", SPUN("[0,0,1], about: [1,0,0], angles: [[0,0],[1,9]]"),

@@ -263,8 +263,8 @@ static void test_penetration(void)
     /* nearest grid points to the centre: half a step off in u and v, h/2 in w */
     scene.obstacle_count = 2;
     double off = 0.5 / 99;
-    CHECK_NEAR(metric_penetration(&scene, 0, xyz), 0.4 - sqrt(2 * off * off + 0.005 * 0.005),
-               TOL_ROUND);
+    CHECK_NEAR(metric_penetration(&scene, 0, xyz),
+               0.4 - sqrt(2 * off * off + 0.005 * 0.005), TOL_ROUND);
     xyz[100] = NAN;
     CHECK(isnan(metric_penetration(&scene, 0, xyz)));
     scene.obstacles = NULL; /* the array is ours */

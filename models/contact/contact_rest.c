@@ -1,0 +1,129 @@
+#include "models/contact/contact_rest.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "models/contact/contact_law.h"
+#include "models/contact/contact_shape.h"
+#include "models/vector.h"
+
+/* The round-off of positions, relative to the largest; and the distance at which a plane's
+ * point is taken for infinitely far, in widths. */
+static const double ROUNDING = 1e-13, FAR = 1e12;
+
+/* Returns v of the straight line along u that is nearest to a point d[3] from the origin:
+ * on a cloak the one at its azimuth, or at the end of the opening nearer to that. */
+static double nearest_line(const struct scene *scene, const double d[3])
+{
+    const double along = vector_dot(d, scene->axis_v);
+    double e_w[3], v = along / scene->width;
+
+    if (scene->shape == SCENE_CLOAK) {
+        scene_normal(scene, e_w);
+        v = (1 + tan(atan2(along, vector_dot(d, e_w)) / 2) /
+                     scene_cloak_quarter_tangent(scene)) /
+            2;
+    }
+    return fmin(fmax(v, 0), 1);
+}
+
+/* Computes the point of the sheet nearest to a ball's centre, or the lowest over a plane.
+ */
+static void nearest_point(const struct scene *scene, const struct scene_obstacle *o,
+                          const double shift[3], double x[3])
+{
+    const bool ball = o->kind == OBSTACLE_SPHERE;
+    const double size = vector_length(o->normal);
+    double d[3], b[3], ab[3];
+
+    for (int i = 0; i < 3; i++) /* for a plane: a point far below it */
+        d[i] = ball ? o->point[i] + shift[i] - scene->origin[i]
+                    : -FAR * scene->width * o->normal[i] / size;
+    const double v = nearest_line(scene, d);
+    scene_rest_point(scene, (double[3]){0, v, 0.5}, x);
+    scene_rest_point(scene, (double[3]){1, v, 0.5}, b);
+    for (int i = 0; i < 3; i++) {
+        ab[i] = b[i] - x[i];
+        d[i] += scene->origin[i] - x[i];
+    }
+    const double u = fmin(fmax(vector_dot(d, ab) / vector_dot(ab, ab), 0), 1);
+    for (int i = 0; i < 3; i++)
+        x[i] += u * ab[i];
+}
+
+/* A search for the least distance of the mid-surface at rest. */
+struct least {
+    const struct scene *scene;
+    const struct scene_obstacle *obstacle;
+    struct contact_pose pose;
+    double distance; /* least so far, or that of contact                        [m]   */
+    double place[3];
+};
+
+/* Returns the distance of x, or some number from `most` up to it. */
+static double try_point(struct least *l, const double x[3], double most)
+{
+    const double distance = contact_shape_near(l->obstacle, &l->pose, x, most, NULL);
+
+    if (distance < l->distance) {
+        l->distance = distance;
+        memcpy(l->place, x, sizeof l->place);
+    }
+    return distance;
+}
+
+/* Searches the part of size 2^-level that begins at from[2]. The distance of a point
+ * differs from that of the middle by no more than they are apart. */
+static void search_part(struct least *l, int level, const double from[2])
+{
+    enum { FINEST = 7 };
+    const double half = ldexp(0.5, -level);
+    double x[3], corner[4][3], reach = 0;
+
+    scene_rest_point(l->scene, (double[3]){from[0] + half, from[1] + half, .5}, x);
+    for (int k = 0; k < 4; k++) {
+        double way[3];
+        scene_rest_point(
+            l->scene,
+            (double[3]){from[0] + 2 * half * (k & 1), from[1] + half * (k & 2), .5},
+            corner[k]);
+        vector_between(x, corner[k], way);
+        reach = fmax(reach, vector_length(way));
+    }
+    const double middle = try_point(l, x, l->distance + reach);
+    if (middle - reach >= l->distance)
+        return;
+    for (int k = 0; k < 4; k++)
+        if (level == FINEST)
+            try_point(l, corner[k], l->distance);
+        else
+            search_part(l, level + 1,
+                        (double[2]){from[0] + half * (k & 1), from[1] + half * (k >> 1)});
+}
+
+double contact_rest_depth(const struct scene *scene, const struct scene_obstacle *o)
+{
+    struct least l = {.scene = scene, .obstacle = o};
+    const double start = contact_law_body(scene).start;
+
+    contact_pose_at(o, 0, &l.pose);
+    l.distance = start;
+    if ((o->kind == OBSTACLE_PLANE || o->kind == OBSTACLE_SPHERE) && !o->turn_count) {
+        nearest_point(scene, o, l.pose.shift, l.place);
+        l.distance = contact_shape_distance(o, &l.pose, l.place, NULL);
+    } else
+        search_part(&l, 0, (double[2]){0, 0});
+    const double depth = start - l.distance;
+    const double far = vector_length(l.place) + vector_length(o->point);
+    return depth > ROUNDING * (far + o->radius) ? depth : 0;
+}
+
+enum status contact_rest_refuse(const struct scene *scene, struct message *why)
+{
+    for (int o = 0; o < scene->obstacle_count; o++) {
+        const double depth = contact_rest_depth(scene, &scene->obstacles[o]);
+        if (depth > 0)
+            return status_fail(why, STATUS_INPUT, CONTACT_REST_DEPTH, depth, o);
+    }
+    return STATUS_OK;
+}

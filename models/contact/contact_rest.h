@@ -1,0 +1,19 @@
+/* contact_rest.h - sheets that begin in a body. */
+#ifndef CONTACT_REST_H
+#define CONTACT_REST_H
+
+#include "models/scene.h"
+
+/* Returns how far a sheet at rest reaches into a body at t = 0 [m], 0 if it does not: the
+ * distance at which their contact starts (contact_law_body) less the least distance of its
+ * mid-surface. Exact for planes and spheres that do not turn; else the least at points of a
+ * grid that is refined, up to 128 x 128 cells, where the body may be near, so that what
+ * reaches in between its points may be missed by half a cell's diagonal. */
+double contact_rest_depth(const struct scene *scene, const struct scene_obstacle *o);
+#define CONTACT_REST_DEPTH "the sheet at rest reaches %.3g m into obstacle %d"
+
+/* Refuses a sheet that begins in a body, as the reader of scenes does, with the line:
+ * STATUS_INPUT with a sentence. */
+enum status contact_rest_refuse(const struct scene *scene, struct message *why);
+
+#endif

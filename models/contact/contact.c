@@ -313,7 +313,8 @@ enum status contact_find(struct contact *c, const double *x)
             double D = body_distance(c, o, y, normal);
             if (isnan(D))
                 return STATUS_NAN;
-            c->least = fmin(c->least, D - c->body.start);
+            if (D - c->body.start < c->least)
+                c->least = D - c->body.start;
             if (D < c->body.start)
                 TRY(add_body_touch(c, n, o, D, normal));
         }
@@ -362,9 +363,11 @@ static double limit_sample(const struct contact *c, int obstacle, const double y
     const double far = wall + way * share + LEFT * c->body.range;
     double normal[3];
     const double room = contact_shape_near(o, &c->pose[obstacle], y, far, normal) - wall;
-    const double least = LEFT * fmin(room, c->body.range);
 
-    if (!(room > 0) || room - way * share >= least)
+    if (!(room > 0) || room - way * share >= LEFT * c->body.range)
+        return share;
+    const double least = LEFT * fmin(room, c->body.range);
+    if (room - way * share >= least)
         return share;
     const double slope = vector_dot(normal, d);
     for (int n = 0; n < TRIES; n++) {

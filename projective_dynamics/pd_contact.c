@@ -38,7 +38,8 @@ enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
         TRY(STATUS_MEMORY);
     TRY(room_cut(&c->room, ROOM(c->at, 3 * nodes), ROOM(c->change, 3 * nodes),
                  ROOM(c->pushed, 3 * nodes), ROOM(c->goal, 3 * nodes),
-                 ROOM(c->force, 3 * nodes), ROOM(c->compliance, nodes)));
+                 ROOM(c->force, 3 * nodes), ROOM(c->alone, 3 * nodes),
+                 ROOM(c->compliance, nodes)));
     TRY(contact_surface_init_net(&surface, scene, (int[2]){net->n, net->m}));
     TRY(contact_init(&c->law, scene, &surface));
     return STATUS_OK;
@@ -79,14 +80,16 @@ void pd_contact_begin(struct pd_contact *c, double t, double dt, const double *s
 /* --- rows --------------------------------------------------------------------------------
  */
 
-/* Adds C^T v, v[touches][3], to out[nodes][3], where nodes are free. */
-static void scatter(const struct pd_contact *c, const double *v, double *out)
+/* Adds C^T v, v[touches][3], to out[nodes][3], where nodes are free; of touches with bodies
+ * only if that is asked for. */
+static void scatter(const struct pd_contact *c, const double *v, bool bodies, double *out)
 {
     const struct contact *law = &c->law;
 
     for (const struct contact_touch *t = law->touch; t < law->touch + law->count;
          t++, v += 3)
-        for (int k = t->first; k < t->first + t->count; k++)
+        for (int k = t->first; k < t->first + t->count && (t->obstacle >= 0 || !bodies);
+             k++)
             for (int i = 0; i < 3; i++)
                 if (c->free_index[3 * law->node[k] + i] >= 0)
                     out[3 * law->node[k] + i] += law->weight[k] * v[i];
@@ -131,7 +134,7 @@ static enum status push(struct pd_contact *c, const double *v)
     const struct pd_net *net = c->system->net;
 
     memset(c->pushed, 0, 3 * (size_t)net->nodes * sizeof *c->pushed);
-    scatter(c, v, c->pushed);
+    scatter(c, v, false, c->pushed);
     separate(net, c->pushed, c->field);
     TRY(pd_system_solve(c->system, c->field));
     c->solves++;
@@ -220,14 +223,16 @@ static enum status make_room(struct pd_contact *c)
     if (3 * c->law.count <= c->rows)
         return STATUS_OK;
     free(c->row_room);
-    enum status st = room_cut(&c->row_room, ROOM(c->residual, rows), ROOM(c->scaled, rows),
-                              ROOM(c->direction, rows), ROOM(c->product, rows));
+    enum status st =
+        room_cut(&c->row_room, ROOM(c->residual, rows), ROOM(c->scaled, rows),
+                 ROOM(c->direction, rows), ROOM(c->product, rows), ROOM(c->start, rows));
     c->rows = st == STATUS_OK ? (int)rows : 0;
     return st;
 }
 
-/* Computes c->change from c->at by the free result x and the touches, and
- * c->force[nodes][3], minus the forces of which it is made. */
+/* Computes c->change from c->at by the free result x and the touches; c->force[nodes][3],
+ * minus the forces of which it is made; and c->alone[nodes][3], where it would take each
+ * node without the forces of bodies on itself. */
 static enum status find_change(struct pd_contact *c, const double *x)
 {
     enum status st = STATUS_OK;
@@ -236,24 +241,30 @@ static enum status find_change(struct pd_contact *c, const double *x)
     interleave(c->system->net, x, c->change);
     add(count, -1, c->at, c->change);
     memset(c->force, 0, (size_t)count * sizeof *c->force);
-    if (!rows)
-        return STATUS_OK;
-    TRY(make_room(c));
-    for (int n = 0; n < rows; n++) {
-        const struct contact_touch *t = &c->law.touch[n / 3];
-        c->product[n] = -c->factor * (t->push * t->normal[n % 3] + t->rub[n % 3]);
+    memset(c->alone, 0, (size_t)count * sizeof *c->alone);
+    if (rows) {
+        TRY(make_room(c));
+        for (int n = 0; n < rows; n++) {
+            const struct contact_touch *t = &c->law.touch[n / 3];
+            c->product[n] = c->factor * (t->push * t->normal[n % 3] + t->rub[n % 3]);
+            c->start[n] = c->product[n];
+        }
+        TRY(push(c, c->product));
+        add(count, 1, c->pushed, c->change);
+        TRY(stiffen(c));
+        gather(c, c->change, c->product);
+        weigh(c, c->product);
+        add(rows, -1, c->residual, c->product);
+        weigh(c, c->product);
+        for (int n = 0; n < rows; n++)
+            c->product[n] = (c->product[n] - c->start[n]) / c->factor;
+        scatter(c, c->product, false, c->force);
+        scatter(c, c->product, true, c->alone);
     }
-    scatter(c, c->product, c->force);
-    TRY(push(c, c->product));
-    add(count, -1, c->pushed, c->change);
-    TRY(stiffen(c));
-    gather(c, c->change, c->product);
-    weigh(c, c->product);
-    add(rows, -1, c->residual, c->product);
-    weigh(c, c->product);
-    scatter(c, c->product, c->force);
-    for (int k = 0; k < count; k++)
-        c->force[k] /= c->factor;
+    for (int k = 0; k < count; k++) {
+        c->goal[k] = c->at[k] + c->change[k];
+        c->alone[k] = c->goal[k] + c->compliance[k / 3] * c->alone[k];
+    }
 out:
     return st;
 }
@@ -284,18 +295,16 @@ out:
     return st;
 }
 
-/* Moves c->at to where each touch by itself has the force of the law, and others those of
- * the change that ends at c->goal. */
+/* Moves c->at to where each touch with a body has the force of the law by itself, and
+ * others those of the change, as far as nothing is in the way. */
 static enum status settle(struct pd_contact *c)
 {
     enum status st;
     const int count = 3 * c->system->net->nodes;
 
+    TRY(contact_project_bodies(&c->law, c->compliance, c->free_index, c->alone));
     for (int k = 0; k < count; k++)
-        c->goal[k] += c->compliance[k / 3] * c->force[k];
-    TRY(contact_project(&c->law, c->compliance, c->free_index, c->goal));
-    for (int k = 0; k < count; k++)
-        c->change[k] = c->goal[k] - c->at[k];
+        c->change[k] = c->alone[k] - c->at[k];
     contact_shorten(&c->law, c->at, c->change);
     add(count, 1, c->change, c->at);
     TRY(contact_find(&c->law, c->at));
@@ -304,9 +313,10 @@ out:
 }
 
 /* Finds the touches where the step's first change begins: where it starts, with held nodes
- * where they are taken. */
+ * where they are taken; if a body has moved over the sheet, in front of that. */
 static enum status begin(struct pd_contact *c, const double *x)
 {
+    enum status st;
     const struct pd_net *net = c->system->net;
 
     interleave(net, x, c->change);
@@ -314,7 +324,13 @@ static enum status begin(struct pd_contact *c, const double *x)
         if (c->free_index[k] < 0)
             c->at[k] = c->change[k];
     c->begun = true;
-    return contact_find(&c->law, c->at);
+    TRY(contact_find(&c->law, c->at));
+    if (c->law.least < -c->law.body.range) {
+        memcpy(c->alone, c->at, 3 * (size_t)net->nodes * sizeof *c->alone);
+        TRY(settle(c));
+    }
+out:
+    return st;
 }
 
 enum status pd_contact_apply(struct pd_contact *c, double factor, double *x)
@@ -330,8 +346,6 @@ enum status pd_contact_apply(struct pd_contact *c, double factor, double *x)
         TRY(begin(c, x));
     for (int n = 0; n < MOST_CHANGES && !alike; n++) {
         TRY(find_change(c, x));
-        for (int k = 0; k < 3 * net->nodes; k++)
-            c->goal[k] = c->at[k] + c->change[k];
         if (!contact_shorten(&c->law, c->at, c->change))
             TRY(compare(c, &alike));
         if (alike)

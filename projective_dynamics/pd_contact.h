@@ -13,8 +13,9 @@
  * the drag of the last iterate.
  *
  * A change may end in a wall, or where forces are others by far. The next one then begins
- * where each touch by itself has the force of the law (contact_project), the others those
- * of this change; on the way there nodes leave a tenth of their distance to a wall.
+ * where each touch with a body has the force of the law by itself (contact_project_bodies),
+ * the others those of this change; on the way there nodes leave a tenth of their distance
+ * to a wall. Where a body has moved over the sheet, the step's first change begins so, too.
  *
  * No loop goes to its end: the next iteration of projective dynamics goes on where they
  * stopped. Where the iterations end, a step of implicit Euler has the forces of the law
@@ -34,17 +35,18 @@ struct pd_contact {
     const int *free_index;    /* [nodes][3] negative: held                   borrowed  */
     double factor;            /* of forces, in the present global step       [s^2]     */
     bool begun;               /* the touches are those at `at`                         */
-    void *room;               /* memory of the next six                      owned     */
+    void *room;               /* memory of the next seven                     owned     */
     double *at, *change;      /* [nodes][3] last iterate; its change         [m]       */
     double *pushed;           /* [nodes][3] A^-1 C^T v                       [m]       */
     double *force;            /* [nodes][3] minus those that make the change [N]       */
     double *goal;             /* [nodes][3] where it ends                    [m]       */
+    double *alone;            /* [nodes][3] see find_change                  [m]       */
     double *compliance;       /* [nodes] by a force, others held             [m/N]     */
     double *field;            /* three fields, work                          owned     */
     int rows;                 /* numbers for which there is room                       */
-    void *row_room;           /* memory of the next four                     owned     */
-    double *residual, *scaled, *direction, *product; /* [touches][3]                   */
-    long solves;                                     /* with A so far                  */
+    void *row_room;           /* memory of the next five                     owned     */
+    double *residual, *scaled, *direction, *product, *start; /* [touches][3] */
+    long solves; /* with A so far                  */
 };
 
 /* Initialises for a scene that has something to meet. */

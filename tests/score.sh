@@ -67,6 +67,18 @@ awk 'BEGIN { for (k = 0; k < 5; k++) for (n = 0; n < 4; n++)
     printf "%g,%d,%d,%d,%d,0\n", k / 10, n % 2, int(n / 2), n % 2, int(n / 2) }' >"$scratch/still.csv"
 says "truth at 42 times from 0.1 to 4.2 s" "$scratch/light.yaml" "$scratch/still.csv"
 
+# A strip that is folded through itself from the third frame on, 5 mm then and 10 mm later.
+awk 'BEGIN { for (k = 0; k < 5; k++) for (n = 0; n < 121; n++) {
+    u = n % 11 / 10; b = (u - 0.6) / 0.4; end = 0.005 * (1.0001 - k)
+    x = u <= 0.5 ? 2 * u : 1 - 0.73 * b; z = u <= 0.5 ? 0 : 0.21 + (end - 0.21) * b
+    if (u > 0.55 && u < 0.65) x = 1
+    printf "%g,%.9g,%.9g,%.9g,%.9g,%.9g\n", k / 10, u, int(n / 11) / 10, x, int(n / 11) / 10, z } }' \
+    >"$scratch/folded.csv"
+says "Passes through itself, first in frame 3 (0.2 s)" free_fall "$scratch/folded.csv"
+says '"contact": [{"kind": "through_itself", "frame": 3, "time": 0.20000000000000001, "value": 0.00' \
+    free_fall "$scratch/folded.csv" --format json
+says "No frame passes through itself or has a vertex in a body." sphere "$truths/sphere.h5"
+
 echo "0,0,0,0,0,0" >"$scratch/one.csv"
 refuses "No such file" edge_drop "$scratch/absent.csv"
 refuses "no folder of several" "$scratch/one.csv"

@@ -219,9 +219,8 @@ static enum status read_frames(struct score *s, struct frames *frames,
         TRY(st);
     }
     if (s->frames > 1)
-        TRY(score_contact_end(&s->contact, s->last,
-                              w->time[WINDOW - 1] - w->time[WINDOW - 2], w->xyz[WINDOW - 2],
-                              w->xyz[WINDOW - 1]));
+        score_contact_end(&s->contact, s->last, w->time[WINDOW - 1] - w->time[WINDOW - 2],
+                          w->xyz[WINDOW - 2], w->xyz[WINDOW - 1]);
     if (!s->frames)
         st = status_fail(why, STATUS_INPUT, "%s: has no frames", frames_name(frames));
 out:

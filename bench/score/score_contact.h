@@ -18,13 +18,12 @@
 #define SCORE_CONTACT_REACH 0.02
 
 #define SCORE_CONTACT_KIND_LIST(X)                                                         \
-    X(ITSELF, "through_itself")                 /* the first time; depth [m]          */   \
-    X(ITSELF_DEEPEST, "through_itself_deepest") /* depth [m]                          */   \
-    X(TOUCHES, "touches_itself")                /* the first time, never through; 0   */   \
-    X(BODY, "through_body")                     /* the first time; depth [m]          */   \
-    X(BODY_DEEPEST, "through_body_deepest")     /* depth [m]                          */   \
-    X(REST_BODY, "rests_on_body")               /* least distance at the end [m]      */   \
-    X(REST_ITSELF, "rests_on_itself")           /* least distance at the end [m]      */
+    X(ITSELF, "through_itself")             /* the first time; depth [m]          */       \
+    X(ITSELF_WORST, "through_itself_worst") /* on most pairs; depth [m]           */       \
+    X(BODY, "through_body")                 /* the first time; depth [m]          */       \
+    X(BODY_DEEPEST, "through_body_deepest") /* depth [m]                          */       \
+    X(REST_BODY, "rests_on_body")           /* least distance at the end [m]      */       \
+    X(REST_ITSELF, "rests_on_itself")       /* least distance at the end [m]      */
 
 enum score_contact_kind {
 #define SCORE_CONTACT_KIND(code, name) SCORE_CONTACT_##code,
@@ -62,13 +61,13 @@ void score_contact_clear(struct score_contact *c); /* all-zero is allowed */
  * and nothing is found in this frame. */
 enum status score_contact_take(struct score_contact *c, double t, const double *xyz);
 
-/* Finds what rests in the last frame taken, at `time`, and the one `seconds` before it.
- * STATUS_MEMORY. */
-enum status score_contact_end(struct score_contact *c, double time, double seconds,
-                              const double *before, const double *xyz);
+/* Finds what rests in the last frame taken, at `time`, and the one `seconds` before it. */
+void score_contact_end(struct score_contact *c, double time, double seconds,
+                       const double *before, const double *xyz);
 
-/* Returns whether an event is to be told: it has happened, the deepest is not the first,
- * and what touches does not pass through. */
+/* Returns whether an event is to be told: it has happened, and the deepest is not the
+ * first.
+ */
 bool score_contact_tells(const struct score_contact *c, enum score_contact_kind kind);
 
 /* Returns the name of a kind: "through_itself", ... */

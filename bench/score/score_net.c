@@ -328,36 +328,9 @@ out:
     return st;
 }
 
-/* A triangle, with the place of its middle on a curve that fills the sheet. */
-struct placed {
-    unsigned long place;
-    int corner[3];
-};
-
-static int compare_places(const void *a, const void *b)
-{
-    const struct placed *left = a, *right = b;
-
-    return (left->place > right->place) - (left->place < right->place);
-}
-
-/* Places a triangle: the bits of u and v in turn (Morton 1966). */
-static void place_triangle(const struct score_net *net, struct placed *t)
-{
-    t->place = 0;
-    for (int d = 0; d < 2; d++) {
-        double middle = 0;
-        for (int k = 0; k < 3; k++)
-            middle += net->uv[2L * t->corner[k] + d] / 3;
-        const unsigned long x = (unsigned long)(fmin(fmax(middle, 0), 1) * 65535);
-        for (int bit = 0; bit < 16; bit++)
-            t->place |= (x >> bit & 1) << (2 * bit + d);
-    }
-}
-
 /* Lists the cells' triangles of a net in rows and columns; returns how many, 0: it has
  * none. */
-static int cut_cells(struct point *p, const struct score_net *net, struct placed *t)
+static int cut_cells(struct point *p, const struct score_net *net, int (*corner)[3])
 {
     for (int n = 0; n < net->vertices; n++)
         p[n] = (struct point){{net->uv[2 * n], net->uv[2 * n + 1]}, n};
@@ -367,11 +340,50 @@ static int cut_cells(struct point *p, const struct score_net *net, struct placed
     if (!sort_rows(p, columns, rows, net->vertices))
         return 0;
     for (int n = 0; n < count; n++) {
-        intersection_corners(columns, n, t[n].corner);
+        intersection_corners(columns, n, corner[n]);
         for (int k = 0; k < 3; k++)
-            t[n].corner[k] = p[t[n].corner[k]].vertex;
+            corner[n][k] = p[corner[n][k]].vertex;
     }
     return count;
+}
+
+/* A face, and its place among all: in strips along u, from one end of each to the other. */
+struct face {
+    double place;
+    int corner[3];
+};
+
+static int compare_places(const void *a, const void *b)
+{
+    const struct face *left = a, *right = b;
+
+    return (left->place > right->place) - (left->place < right->place);
+}
+
+/* Copies faces in the order of their places. */
+static enum status sort_faces(const struct score_net *net, const struct frames_net *frames,
+                              int (*corner)[3])
+{
+    const int count = frames->triangles;
+    const double strips = ceil(sqrt(count / 2.));
+    struct face *face = malloc((size_t)count * sizeof *face);
+
+    if (!face)
+        return STATUS_MEMORY;
+    for (int n = 0; n < count; n++) {
+        double u = 0, v = 0;
+        memcpy(face[n].corner, frames->triangle[n], sizeof face[n].corner);
+        for (int k = 0; k < 3; k++) {
+            u += net->uv[2L * face[n].corner[k]] / 3;
+            v += net->uv[2L * face[n].corner[k] + 1] / 3;
+        }
+        face[n].place = 2 * floor(strips * v) + u;
+    }
+    qsort(face, (size_t)count, sizeof *face, compare_places);
+    for (int n = 0; n < count; n++)
+        memcpy(corner[n], face[n].corner, sizeof corner[n]);
+    free(face);
+    return STATUS_OK;
 }
 
 enum status score_net_triangles(const struct score_net *net,
@@ -381,23 +393,16 @@ enum status score_net_triangles(const struct score_net *net,
     const int faces = frames->triangles;
     const size_t room = (size_t)(faces ? faces : 2 * net->vertices);
     struct point *p = malloc((size_t)net->vertices * sizeof *p);
-    struct placed *t = malloc(room * sizeof *t);
     enum status st = STATUS_OK;
 
     *count = 0;
     *corner = malloc(room * sizeof **corner);
-    TRY(p && t && *corner ? STATUS_OK : STATUS_MEMORY);
-    for (int n = 0; n < faces; n++)
-        memcpy(t[n].corner, frames->triangle[n], sizeof t[n].corner);
-    *count = faces ? faces : cut_cells(p, net, t);
-    for (int n = 0; n < *count; n++)
-        place_triangle(net, &t[n]);
-    qsort(t, (size_t)*count, sizeof *t, compare_places);
-    for (int n = 0; n < *count; n++)
-        memcpy((*corner)[n], t[n].corner, sizeof t[n].corner);
+    TRY(p && *corner ? STATUS_OK : STATUS_MEMORY);
+    *count = faces ? faces : cut_cells(p, net, *corner);
+    if (faces)
+        st = sort_faces(net, frames, *corner);
 out:
     free(p);
-    free(t);
     return st;
 }
 

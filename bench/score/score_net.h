@@ -39,8 +39,8 @@ enum status score_net_map(const struct score_net *net, const struct frames_net *
 void score_map_clear(struct score_map *map); /* all-zero is allowed */
 
 /* Lists the triangles of a net that has a map: its faces, else the cells between rows and
- * columns, cut as in intersection.h. Those that follow each other are near each other.
- * *corner [*count][3] is freed by the receiver. STATUS_MEMORY. */
+ * columns, cut as in intersection.h. *corner [*count][3] is freed by the receiver.
+ * STATUS_MEMORY. */
 enum status score_net_triangles(const struct score_net *net,
                                 const struct frames_net *frames, int *count,
                                 int (**corner)[3]);

@@ -29,6 +29,7 @@ enum status truth_crossing_judge(struct truth *made)
 {
     double *middle = malloc(3 * LAYER * sizeof *middle);
     struct intersection work = {.keep_pairs = true,
+                                .shake = CROSSING_SHAKE,
                                 .most = CROSSING_PAIRS_MOST * 2 * LAYER};
     int end = made->claimed;
     enum status st = middle ? STATUS_OK : STATUS_MEMORY;

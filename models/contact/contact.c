@@ -576,6 +576,26 @@ out:
     return st;
 }
 
+/* Adds and ends the touches with bodies. */
+static enum status project_bodies(struct contact *c, const double *compliance,
+                                  const int *held, double *x)
+{
+    enum status st = STATUS_OK;
+    const int near = list_near(c, x);
+
+    for (int o = 0; o < c->scene->obstacle_count; o++)
+        TRY(meet_body(c, o, near, compliance, held, x));
+out:
+    return st;
+}
+
+enum status contact_project_bodies(struct contact *c, const double *compliance,
+                                   const int *held, double *x)
+{
+    empty(c);
+    return project_bodies(c, compliance, held, x);
+}
+
 enum status contact_project(struct contact *c, const double *compliance, const int *held,
                             double *x)
 {
@@ -586,9 +606,7 @@ enum status contact_project(struct contact *c, const double *compliance, const i
     for (int n = 0; n < c->count; n++)
         look_back(c, &c->touch[n], x);
     settle(c, 0, compliance, held, x);
-    const int near = list_near(c, x);
-    for (int o = 0; o < c->scene->obstacle_count; o++)
-        TRY(meet_body(c, o, near, compliance, held, x));
+    TRY(project_bodies(c, compliance, held, x));
 out:
     return st;
 }

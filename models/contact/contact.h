@@ -103,6 +103,10 @@ bool contact_shorten(struct contact *c, const double *x, double *d);
 enum status contact_project(struct contact *c, const double *compliance, const int *held,
                             double *x);
 
+/* Does so as if the sheet could not meet itself. */
+enum status contact_project_bodies(struct contact *c, const double *compliance,
+                                   const int *held, double *x);
+
 /* Computes change[nodes][3], which takes from v[nodes][3], the velocity at x after
  * contact_find at the end of a step of the trapezoidal rule, the bounce that is the rule's:
  * it ends with twice the mean velocity less that of its start, so that it throws back what

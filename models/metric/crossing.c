@@ -1,26 +1,30 @@
 #include "models/metric/crossing.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "models/metric/predicate.h"
+#include "models/metric/triangle.h"
 #include "models/vector.h"
+
+/* The largest depth that is looked for, in diagonals of the box around the sheet. */
+static const double REACH = 0.1;
+
+/* The cosines of the largest angles from a triangle's normal at which it faces a vertex,
+ * and at which it is straight ahead. */
+static const double FACING = 0.95, STRAIGHT = 0.99999;
+
+/* The distance from the rim up to which a point is on it, of points of about 1. */
+static const double ROUNDING = 1e-12;
 
 /* The work space of a measurement, all arrays in one block. */
 struct work {
     const struct intersection *s;
-    double tolerance;   /* in the units of the points                                    */
-    double *point;      /* [points][3] moved a little: no corner lies on a plane         */
-    int *site;          /* [triangles] of the crossing, by union and find                */
-    int *part;          /* [points] of the sheet, likewise                               */
-    int *size;          /* [points] vertices of a part                                   */
-    int largest;        /* part                                                          */
-    double *far;        /* [points] depth of a part; negative: bounds no crossing        */
-    double *depth;      /* [triangles] of a crossing; INFINITY: it cuts nothing off      */
-    double *bound;      /* [triangles] lower bound of it                                 */
-    unsigned char *cut; /* [triangles] a bit for each edge that is cut                   */
+    double *far;  /* [points] distance from the facing triangle; 0: there is none        */
+    double *deep; /* [points] largest distance in a part                                 */
+    int *side;    /* [points] of the facing triangle; 0: there is none                   */
+    int *part;    /* [points] of the sheet that is on one side, by union and find        */
+    int *rim;     /* [points] 0: triangles close around it, else it is on the rim        */
 };
 
 static int root_of(int *parent, int n)
@@ -37,193 +41,194 @@ static void join(int *parent, int a, int b)
     parent[a > b ? a : b] = a > b ? b : a;
 }
 
-/* Moves a coordinate by less than a thousandth of the tolerance, by a hash of its number
- * (Steele, Lea, Flood 2014, SplitMix64). */
-static double moved(const struct work *w, long n)
+static enum status make_room(const struct intersection *s, struct work *w)
 {
-    uint64_t bits = (uint64_t)(n + 1) * 0x9e3779b97f4a7c15u;
+    const size_t points = (size_t)s->points;
 
-    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9u;
-    bits = (bits ^ bits >> 27) * 0x94d049bb133111ebu;
-    return w->s->point[n] +
-           1e-3 * w->tolerance * ((double)((bits ^ bits >> 31) >> 11) * 0x1p-52 - 1);
-}
-
-static enum status make_room(const struct intersection *s, double tolerance, struct work *w)
-{
-    const size_t points = (size_t)s->points, triangles = (size_t)s->triangles;
-
-    *w = (struct work){.s = s, .tolerance = tolerance / s->scale};
-    w->point = malloc((4 * points + 2 * triangles) * sizeof *w->point +
-                      (2 * points + triangles) * sizeof *w->site + triangles);
-    if (!w->point)
+    *w = (struct work){.s = s};
+    w->far = calloc(points, 2 * sizeof *w->far + 3 * sizeof *w->side);
+    if (!w->far)
         return STATUS_MEMORY;
-    w->far = w->point + 3 * points;
-    w->depth = w->far + points;
-    w->bound = w->depth + triangles;
-    w->part = (int *)(w->bound + triangles);
-    w->size = w->part + points;
-    w->site = w->size + points;
-    w->cut = (unsigned char *)(w->site + triangles);
-    for (long n = 0; n < 3 * s->points; n++)
-        w->point[n] = moved(w, n);
-    for (int n = 0; n < s->points; n++)
-        w->part[n] = n, w->size[n] = 0, w->far[n] = -1;
-    for (int n = 0; n < s->triangles; n++)
-        w->site[n] = n, w->depth[n] = INFINITY, w->bound[n] = 0, w->cut[n] = 0;
+    w->deep = w->far + points;
+    w->side = (int *)(w->deep + points);
+    w->part = w->side + points;
+    w->rim = w->part + points;
     return STATUS_OK;
 }
 
-/* Returns the distance of x from the plane of q. */
-static double off_plane(const double *const q[3], const double x[3])
+/* Finds the rim: around a vertex inside, each neighbour is a corner of two triangles. */
+static void find_rim(struct work *w)
 {
-    double a[3], b[3], d[3], normal[3];
+    int c[3];
 
-    vector_between(q[0], q[1], a);
-    vector_between(q[0], q[2], b);
-    vector_between(q[0], x, d);
-    vector_cross(a, b, normal);
-    const double size = vector_length(normal);
-    return size > 0 ? fabs(vector_dot(normal, d)) / size : 0;
-}
-
-/* Tells whether the segment a b passes through q, on whose sides its ends lie. */
-static bool passes(const double a[3], const double b[3], int side_a, int side_b,
-                   const double *const q[3])
-{
-    if (side_a * side_b >= 0)
-        return false;
-    const int side = predicate_side(a, b, q[0], q[1]);
-    return side && predicate_side(a, b, q[1], q[2]) == side &&
-           predicate_side(a, b, q[2], q[0]) == side;
-}
-
-/* Marks the edges of a triangle that pass through another one. */
-static void mark_edges(struct work *w, int triangle, int other)
-{
-    int p[3], q[3], side[3];
-    const double *x[3], *y[3];
-    double *bound = &w->bound[root_of(w->site, triangle)];
-
-    intersection_triangle(w->s, triangle, p);
-    intersection_triangle(w->s, other, q);
-    for (int k = 0; k < 3; k++)
-        x[k] = w->point + 3L * p[k], y[k] = w->point + 3L * q[k];
-    for (int k = 0; k < 3; k++)
-        side[k] = predicate_side(y[0], y[1], y[2], x[k]);
-    for (int k = 0; k < 3; k++) {
-        const int next = (k + 1) % 3;
-        if (!passes(x[k], x[next], side[k], side[next], y))
-            continue;
-        w->cut[triangle] |= 1u << k;
-        *bound = fmax(*bound, fmin(off_plane(y, x[k]), off_plane(y, x[next])));
+    for (int n = 0; n < 3 * w->s->triangles; n++) {
+        intersection_triangle(w->s, n / 3, c);
+        w->rim[c[n % 3]] ^= c[(n + 1) % 3] ^ c[(n + 2) % 3];
     }
 }
 
-/* Finds the crossings, and the parts into which they cut the sheet. */
+/* Returns the cosine of the angle between the way from x to a triangle's nearest point and
+ * the triangle's normal; 0: it has none. */
+static double cosine(const struct intersection *s, const double x[3], const int corner[3],
+                     const double foot[3])
+{
+    const double *p = s->point + 3L * corner[0];
+    double way[3], a[3], b[3], normal[3];
+
+    vector_between(x, foot, way);
+    vector_between(p, s->point + 3L * corner[1], a);
+    vector_between(p, s->point + 3L * corner[2], b);
+    vector_cross(a, b, normal);
+    const double size = vector_length(normal) * vector_length(way);
+    return size > 0 ? fabs(vector_dot(way, normal)) / size : 0;
+}
+
+bool crossing_faces(const struct intersection *s, const struct intersection_search *search,
+                    const int corner[3], const double foot[3])
+{
+    for (int k = 0; k < 3; k++)
+        if (search->x == s->point + 3L * corner[k])
+            return false;
+    return cosine(s, search->x, corner, foot) >= FACING;
+}
+
+/* Tells whether a vertex is beyond the rim: what it sees of the facing triangle is on the
+ * rim, and not straight ahead. */
+static bool is_beyond_rim(const struct work *w, const struct intersection_search *search)
+{
+    double foot[3];
+
+    if (cosine(w->s, search->x, search->corner, search->foot) > STRAIGHT)
+        return false;
+    for (int k = 0; k < 3; k++) {
+        const int from = search->corner[k], to = search->corner[(k + 1) % 3];
+        const double *const a = w->s->point + 3L * from, *const b = w->s->point + 3L * to;
+        if (w->rim[from] && w->rim[to] &&
+            triangle_distance((const double *const[3]){a, b, a}, search->foot, foot) <=
+                ROUNDING)
+            return true;
+    }
+    return false;
+}
+
+/* Finds the facing triangle of each vertex, and its side. */
+static void find_sides(struct work *w)
+{
+    const struct intersection *s = w->s;
+    const double *box = s->level[s->levels - 1].box[0];
+    double diagonal[3];
+
+    vector_between(box, box + 3, diagonal);
+    for (int n = 0; n < s->points; n++) {
+        struct intersection_search search = {.x = s->point + 3L * n,
+                                             .counts = crossing_faces,
+                                             .least = REACH * vector_length(diagonal)};
+        if (!intersection_nearest(s, &search) || is_beyond_rim(w, &search))
+            continue;
+        w->far[n] = search.least;
+        w->side[n] = predicate_side(s->point + 3L * search.corner[0],
+                                    s->point + 3L * search.corner[1],
+                                    s->point + 3L * search.corner[2], search.x);
+    }
+}
+
+/* Finds the parts: vertices that are joined by edges and lie on the same side. */
 static void find_parts(struct work *w)
 {
     const struct intersection *s = w->s;
+    int c[3];
 
-    for (long n = 0; n < s->pair_count; n++)
-        join(w->site, s->pairs[n].first, s->pairs[n].second);
-    for (long n = 0; n < s->pair_count; n++) {
-        mark_edges(w, s->pairs[n].first, s->pairs[n].second);
-        mark_edges(w, s->pairs[n].second, s->pairs[n].first);
-    }
-    for (int n = 0; n < s->triangles; n++) {
-        int corner[3];
-        intersection_triangle(s, n, corner);
-        for (int k = 0; k < 3; k++)
-            if (!(w->cut[n] >> k & 1))
-                join(w->part, corner[k], corner[(k + 1) % 3]);
+    for (int n = 0; n < s->points; n++)
+        w->part[n] = n;
+    for (int n = 0; n < 3 * s->triangles; n++) {
+        intersection_triangle(s, n / 3, c);
+        if (w->side[c[n % 3]] == w->side[c[(n + 1) % 3]])
+            join(w->part, c[n % 3], c[(n + 1) % 3]);
     }
     for (int n = 0; n < s->points; n++) {
         w->part[n] = root_of(w->part, n);
-        if (++w->size[w->part[n]] > w->size[w->largest])
-            w->largest = w->part[n];
+        w->deep[w->part[n]] = fmax(w->deep[w->part[n]], w->far[n]);
     }
 }
 
-/* Tells whether a triangle has no vertex in the part that is the search's context. */
-static bool is_rest(const struct intersection *s, const struct intersection_search *search,
-                    const int corner[3], const double foot[3])
+/* Computes how far triangle p lies beyond the plane of another one, with the smaller of
+ * both sides' largest distances of its corners; and takes the depths of the parts that its
+ * edges join across that plane into *depth. */
+static double beyond(const struct work *w, int triangle, int other, double *depth)
 {
-    const struct work *w = search->context;
-    const int part = w->part[(search->x - s->point) / 3];
+    int p[3], q[3], side[3];
+    double e[2][3], d[3], normal[3], most[2] = {0, 0};
 
-    (void)foot;
-    return w->part[corner[0]] != part && w->part[corner[1]] != part &&
-           w->part[corner[2]] != part;
+    intersection_triangle(w->s, triangle, p);
+    intersection_triangle(w->s, other, q);
+    const double *const y[3] = {w->s->point + 3L * q[0], w->s->point + 3L * q[1],
+                                w->s->point + 3L * q[2]};
+    vector_between(y[0], y[1], e[0]);
+    vector_between(y[0], y[2], e[1]);
+    vector_cross(e[0], e[1], normal);
+    for (int k = 0; k < 3; k++) {
+        const double *x = w->s->point + 3L * p[k];
+        vector_between(y[0], x, d);
+        side[k] = predicate_side(y[0], y[1], y[2], x);
+        most[side[k] > 0] = fmax(most[side[k] > 0], fabs(vector_dot(normal, d)));
+    }
+    for (int k = 0; k < 3; k++) {
+        const int a = p[k], b = p[(k + 1) % 3];
+        if (side[k] * side[(k + 1) % 3] < 0 && w->side[a] * w->side[b] < 0)
+            *depth = fmax(*depth, fmin(w->deep[w->part[a]], w->deep[w->part[b]]));
+    }
+    const double size = vector_length(normal);
+    return size > 0 ? fmin(most[0], most[1]) / size : 0;
 }
 
-/* Computes the depths of the parts that bound a crossing. */
-static void measure_parts(struct work *w)
+static int compare_numbers(const void *a, const void *b)
 {
-    const struct intersection *s = w->s;
-    int corner[3];
-
-    for (long n = 0; n < 2 * s->pair_count; n++) {
-        intersection_triangle(s, n % 2 ? s->pairs[n / 2].second : s->pairs[n / 2].first,
-                              corner);
-        for (int k = 0; k < 3; k++)
-            w->far[w->part[corner[k]]] = 0;
-    }
-    w->far[w->largest] = -1;
-    for (int n = 0; n < s->points; n++) {
-        double *far = &w->far[w->part[n]];
-        struct intersection_search search = {s->point + 3L * n, w, is_rest, *far, INFINITY};
-        if (*far < 0)
-            continue;
-        intersection_nearest(s, &search);
-        if (isfinite(search.least))
-            *far = fmax(*far, search.least);
-    }
+    return *(const int *)a - *(const int *)b;
 }
 
-/* Takes the smallest depth among the parts that a crossing bounds, but those that are
- * rounding. */
-static void measure_crossings(struct work *w)
+/* Counts the triangles that are in pairs. */
+static enum status count_triangles(const struct intersection *s, int *count)
 {
-    const struct intersection *s = w->s;
+    const long room = 2 * s->pair_count;
+    int *all = malloc((size_t)room * sizeof *all);
 
-    for (long n = 0; n < 2 * s->pair_count; n++) {
-        const int triangle = n % 2 ? s->pairs[n / 2].second : s->pairs[n / 2].first;
-        double *depth = &w->depth[root_of(w->site, triangle)];
-        int corner[3];
-        intersection_triangle(s, triangle, corner);
-        for (int k = 0; k < 3; k++) {
-            const double far = w->far[w->part[corner[k]]];
-            *depth = far > w->tolerance ? fmin(*depth, far) : *depth;
-        }
-    }
+    if (!all)
+        return STATUS_MEMORY;
+    for (long n = 0; n < room; n++)
+        all[n] = n % 2 ? s->pairs[n / 2].second : s->pairs[n / 2].first;
+    qsort(all, (size_t)room, sizeof *all, compare_numbers);
+    for (long n = 0; n < room; n++)
+        *count += !n || all[n] != all[n - 1];
+    free(all);
+    return STATUS_OK;
 }
 
 enum status crossing_measure(const struct intersection *s, double tolerance,
                              struct crossing *crossing)
 {
-    struct work w;
+    struct work w = {NULL};
+    double depth = 0;
     enum status st;
 
     *crossing = (struct crossing){0};
-    TRY(make_room(s, tolerance, &w));
+    if (!s->pair_count)
+        return STATUS_OK;
+    TRY(make_room(s, &w));
+    find_rim(&w);
+    find_sides(&w);
     find_parts(&w);
-    measure_parts(&w);
-    measure_crossings(&w);
     for (long n = 0; n < s->pair_count; n++) {
-        const int pair[2] = {s->pairs[n].first, s->pairs[n].second},
-                  site = root_of(w.site, pair[0]);
-        if (!(w.bound[site] > w.tolerance))
-            continue;
-        const double depth = isinf(w.depth[site]) ? w.bound[site] : w.depth[site];
-        crossing->pairs++;
-        crossing->depth = fmax(crossing->depth, s->scale * depth);
-        for (int k = 0; k < 2; k++) { /* counted once */
-            crossing->triangles += !(w.cut[pair[k]] & 8);
-            w.cut[pair[k]] |= 8;
-        }
+        const int first = s->pairs[n].first, second = s->pairs[n].second;
+        const double there = beyond(&w, first, second, &depth),
+                     back = beyond(&w, second, first, &depth);
+        depth = fmax(depth, fmin(there, back));
+    }
+    if (depth * s->scale > tolerance) {
+        crossing->pairs = s->pair_count;
+        crossing->depth = depth * s->scale;
+        TRY(count_triangles(s, &crossing->triangles));
     }
 out:
-    free(w.point);
+    free(w.far);
     return st;
 }

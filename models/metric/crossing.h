@@ -1,40 +1,46 @@
 /* crossing.h - tells how deep a sheet passes through itself, and touching from passing
  * through.
  *
- * Pairs of triangles that meet (intersection.h) and have triangles in common form a
- * crossing. The edges that pass through a triangle cut the sheet into parts. The depth of a
- * part is the largest distance of one of its vertices from the triangles that have no
- * vertex in it: how far it has come through the rest. The depth of a crossing is the
- * smallest among the parts that it bounds, without the largest part of the sheet: the least
- * way back. Where it cuts nothing off, as two edges that are slit into each other, it is a
- * lower bound: the largest distance by which both ends of an edge lie beyond the triangle
- * that it passes through. A crossing with no edge beyond by more than a tolerance only
- * touches: a closed tube along its seam, or a sheet that lies on itself without a gap.
- *
- * Source of the parts: Baraff, Witkin, Kass, Untangling cloth, ACM Trans. Graph. 22 (2003).
+ * The facing triangle of a vertex is the nearest one, among those without this vertex, that
+ * is seen from it within 45 degrees of its normal. Vertices that are joined by edges and
+ * see facing triangles from the same side form a part, whose depth is the largest distance
+ * of one of its vertices from its facing triangle. An edge that passes through a triangle
+ * and joins two parts has the depth of the less deep part: the way that it has come
+ * through, seen from the side to which the way back is shorter. The depth of the sheet is
+ * that of its deepest edge. So a flap that has come through by 3 mm is 3 mm deep, on every
+ * net and beyond the sheet's rim, and a sheet that only touches itself, as a closed tube
+ * along its seam, has no depth. Nothing beyond a tenth of the sheet's extent is looked for:
+ * what is deeper has at least about that depth.
  */
 #ifndef CROSSING_H
 #define CROSSING_H
 
 #include "models/metric/intersection.h"
 
-/* The tolerance for positions of a sheet of about a metre: what files with six digits or
- * 32-bit floats round away [m]. */
+/* The depth up to which a sheet only touches itself: what files with six digits or 32-bit
+ * floats round away of positions of about a metre. And the `shake` (intersection.h) of the
+ * count, which leaves no corner on a plane. [m] */
 #define CROSSING_TOLERANCE 1e-6
+#define CROSSING_SHAKE     1e-9
 
 /* The most pairs a triangle that are worth a count (intersection.h): a sheet that lies on
  * itself twice has five. */
 enum { CROSSING_PAIRS_MOST = 8 };
 
 struct crossing {
-    long pairs;    /* pairs of triangles in crossings that do not only touch           */
-    int triangles; /* triangles in these pairs                                         */
-    double depth;  /* depth of the deepest crossing                               [m]   */
+    long pairs;    /* of triangles that meet; 0: it is no deeper than the tolerance      */
+    int triangles; /* in these pairs                                                     */
+    double depth;  /* [m]                                                                */
 };
 
-/* Measures the crossings after a count with keep_pairs; tolerance [m] > 0, above
- * what positions are rounded to. STATUS_MEMORY. */
+/* Measures the depth after a count with keep_pairs and CROSSING_SHAKE; tolerance [m] > 0.
+ * STATUS_MEMORY. */
 enum status crossing_measure(const struct intersection *s, double tolerance,
                              struct crossing *crossing);
+
+/* Tells whether a triangle faces the point of the sheet that is searched from (`counts` of
+ * intersection_search): x must be in s->point. */
+bool crossing_faces(const struct intersection *s, const struct intersection_search *search,
+                    const int corner[3], const double foot[3]);
 
 #endif

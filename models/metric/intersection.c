@@ -69,9 +69,13 @@ static enum status make_room(struct intersection *s, long boxes)
     return s->candidate && s->hit && s->room ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* Copies the points, scaled by a power of two so that the largest coordinate is near 1. */
+/* Copies the points, scaled by a power of two so that the largest coordinate is near 1, and
+ * shaken: along a direction without meaning (the plastic number's powers), in proportion to
+ * a point's number, so that parts of a sheet that lie on each other move apart as wholes.
+ */
 static enum status scale_points(struct intersection *s, const double *xyz)
 {
+    static const double direction[3] = {1, .7548776662466927, .5698402909980532};
     const long n = 3 * s->points;
     double size = 0;
     int exponent;
@@ -84,7 +88,8 @@ static enum status scale_points(struct intersection *s, const double *xyz)
     frexp(size, &exponent);
     s->scale = ldexp(1, exponent);
     for (long i = 0; i < n; i++) {
-        double x = ldexp(xyz[i], -exponent);
+        const double along = s->shake * (double)(i / 3) / (double)s->points;
+        const double x = ldexp(xyz[i] + along * direction[i % 3], -exponent);
         s->point[i] = fabs(x) < negligible ? 0 : x;
     }
     return STATUS_OK;
@@ -312,66 +317,48 @@ out:
     return st;
 }
 
-/* Computes vectors a, b whose products with the mean steps along u and v of the corners
- * p[2][2] (v, u) are 1 and 0, 0 and 1. */
-static void dual_basis(const double *const p[2][2], double a[3], double b[3])
-{
-    double u[3], v[3];
-
-    for (int c = 0; c < 3; c++) {
-        u[c] = p[0][1][c] - p[0][0][c] + p[1][1][c] - p[1][0][c];
-        v[c] = p[1][0][c] - p[0][0][c] + p[1][1][c] - p[0][1][c];
-    }
-    const double uu = vector_dot(u, u), uv = vector_dot(u, v), vv = vector_dot(v, v),
-                 det = uu * vv - uv * uv;
-    for (int c = 0; c < 3; c++) {
-        a[c] = (vv * u[c] - uv * v[c]) / det;
-        b[c] = (uu * v[c] - uv * u[c]) / det;
-    }
-}
-
-/* Tells whether the gradient with the columns u, v, seen along the axes a, b, certainly has
- * a positive definite symmetric part. Its entries are off by some 1e-15 of size^(1/2) at
- * most; a mean gradient is the unit matrix over the number of cells of the block. */
+/* Tells whether the gradient with the columns u, v of a triangle, seen along the axes a, b,
+ * certainly has a positive definite symmetric part: entries are about 1 or less, and off by
+ * some 1e-15. */
 static bool is_definite(const double a[3], const double b[3], const double u[3],
-                        const double v[3], double cells)
+                        const double v[3])
 {
-    const double size = fmax(vector_dot(a, a), vector_dot(b, b)) *
-                        fmax(vector_dot(u, u), vector_dot(v, v)) * cells * cells;
-    const double au = vector_dot(a, u) * cells, bv = vector_dot(b, v) * cells,
-                 skew = (vector_dot(a, v) + vector_dot(b, u)) * cells;
+    const double au = vector_dot(a, u), bv = vector_dot(b, v),
+                 skew = vector_dot(a, v) + vector_dot(b, u),
+                 size = fmax(vector_dot(a, a), vector_dot(b, b)) *
+                        fmax(vector_dot(u, u), vector_dot(v, v));
 
     return size < 1e6 && au > 1e-3 && bv > 1e-3 && 4 * au * bv - skew * skew > 1e-3;
 }
 
-/* Tells whether the block of cells in box n of level l certainly does not meet itself: a
- * piecewise linear map of a rectangle to the plane whose gradients have positive definite
- * symmetric parts is one to one, as (f(p) - f(q)) . (p - q) > 0. */
+/* Tells whether the cells of box n of level l certainly do not meet each other: a piecewise
+ * linear map of a rectangle to the plane whose gradients have positive definite symmetric
+ * parts is one to one, as (f(p) - f(q)) . (p - q) > 0. The axes are the box's first row and
+ * column, over the squares of their mean steps. */
 static bool is_monotone(const struct intersection *s, int l, int n)
 {
     const struct intersection_level *level = &s->level[l];
     const int i0 = n % level->n_u << l, j0 = n / level->n_u << l,
-              i1 = (int)fmin(i0 + (1 << l), s->n_u - 1),
-              j1 = (int)fmin(j0 + (1 << l), s->n_v - 1);
-    const double *const x = s->point, *const corner[2][2] = {{x + 3L * (j0 * s->n_u + i0),
-                                                              x + 3L * (j0 * s->n_u + i1)},
-                                                             {x + 3L * (j1 * s->n_u + i0),
-                                                              x + 3L * (j1 * s->n_u + i1)}};
-    double a[3], b[3], u[3], v[3];
+              i1 = i0 + (1 << l) < s->n_u ? i0 + (1 << l) : s->n_u - 1,
+              j1 = j0 + (1 << l) < s->n_v ? j0 + (1 << l) : s->n_v - 1;
+    const double *first = s->point + 3L * (j0 * s->n_u + i0);
+    double axis[2][3], step[2][3];
 
-    dual_basis(corner, a, b);
-    for (int j = j0; j < j1; j++)
-        for (int i = i0; i < i1; i++) {
-            const double *p = x + 3L * (j * s->n_u + i), *q = p + 3L * s->n_u;
-            vector_between(p, p + 3, u);
-            vector_between(p + 3, q + 3, v);
-            if (!is_definite(a, b, u, v, i1 - i0))
-                return false;
-            vector_between(q, q + 3, u);
-            vector_between(p, q, v);
-            if (!is_definite(a, b, u, v, i1 - i0))
-                return false;
-        }
+    vector_between(first, first + 3L * (i1 - i0), axis[0]);
+    vector_between(first, first + 3L * (j1 - j0) * s->n_u, axis[1]);
+    for (int d = 0; d < 2; d++) {
+        const double scale = (d ? j1 - j0 : i1 - i0) / vector_dot(axis[d], axis[d]);
+        for (int c = 0; c < 3; c++)
+            axis[d][c] *= scale;
+    }
+    for (int k = 0; k < 2 * (i1 - i0) * (j1 - j0); k++) {
+        const int i = i0 + k / 2 % (i1 - i0), j = j0 + k / 2 / (i1 - i0);
+        const double *p = s->point + 3L * (j * s->n_u + i), *q = p + 3L * s->n_u;
+        vector_between(k % 2 ? q : p, (k % 2 ? q : p) + 3, step[0]);
+        vector_between(k % 2 ? p : p + 3, k % 2 ? q : q + 3, step[1]);
+        if (!is_definite(axis[0], axis[1], step[0], step[1]))
+            return false;
+    }
     return true;
 }
 
@@ -508,9 +495,12 @@ static void approach_cell(const struct intersection *s, int cell,
         const double *const p[3] = {s->point + 3L * corner[0], s->point + 3L * corner[1],
                                     s->point + 3L * corner[2]},
                             far = triangle_distance(p, search->x, foot);
-        if (far < search->least &&
-            (!search->counts || search->counts(s, search, corner, foot)))
-            search->least = far;
+        if (!(far < search->least) ||
+            (search->counts && !search->counts(s, search, corner, foot)))
+            continue;
+        search->least = far;
+        memcpy(search->corner, corner, sizeof corner);
+        memcpy(search->foot, foot, sizeof foot);
     }
 }
 
@@ -532,14 +522,17 @@ static void approach(const struct intersection *s, int l, int n,
         int next = 0;
         for (int i = 1; i < count; i++)
             next = far[i] < far[next] ? i : next;
-        if (far[next] >= search->least || search->least <= search->enough)
+        if (far[next] >= search->least)
             return;
         approach(s, l - 1, child[next], search);
         far[next] = INFINITY;
     }
 }
 
-void intersection_nearest(const struct intersection *s, struct intersection_search *search)
+bool intersection_nearest(const struct intersection *s, struct intersection_search *search)
 {
+    const double most = search->least;
+
     approach(s, s->levels - 1, 0, search);
+    return search->least < most;
 }

@@ -39,6 +39,9 @@ struct intersection_pair {
  * intersection_clear, which leaves all-zero. */
 struct intersection {
     bool keep_pairs;                 /* set by the caller: fill `pairs` too            */
+    double shake;                    /* set by the caller: points are moved by up to so
+                                        much, each otherwise, so that none lies on the
+                                        plane of others; 0: not [m]                    */
     long most;                       /* set by the caller: end a count at about so many
                                         pairs, lest a heap take for ever; 0: no end    */
     struct intersection_pair *pairs; /* [pair_count], ascending                 owned  */
@@ -100,9 +103,12 @@ struct intersection_search {
     /* Tells whether a triangle with its nearest point counts; NULL: each does. */
     bool (*counts)(const struct intersection *s, const struct intersection_search *search,
                    const int corner[3], const double foot[3]);
-    double enough; /* a distance at which it ends: a nearer one needs no search          */
-    double least;  /* the distance found; the caller sets the largest that is looked for */
+    double least;   /* the distance found; the caller sets the largest that is looked for */
+    int corner[3];  /* of the triangle found                                              */
+    double foot[3]; /* the point found                                                   */
 };
-void intersection_nearest(const struct intersection *s, struct intersection_search *search);
+
+/* Searches; returns whether a triangle was found. */
+bool intersection_nearest(const struct intersection *s, struct intersection_search *search);
 
 #endif

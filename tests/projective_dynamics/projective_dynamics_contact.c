@@ -328,6 +328,74 @@ static void check_held(void)
     scene_clear(&scene);
 }
 
+/* Returns the least distance of the sheet from its own wall, INFINITY if it meets itself
+ * nowhere [m]. */
+static double own_clearance(const struct pd_motion *m)
+{
+    const struct contact *law = &m->contact.law;
+    double least = INFINITY;
+
+    for (int t = 0; t < law->count; t++)
+        if (law->touch[t].obstacle < 0)
+            least = fmin(least, law->touch[t].D - law->self.start + law->self.range);
+    return least;
+}
+
+/* An edge that is taken over the sheet and laid down folds it onto itself, not through. */
+static void check_fold(const struct variant *v)
+{
+    struct scene scene;
+    struct pd_motion m;
+    struct pd_options o = options_of(v, 10, 0);
+    double path[4][4] = {
+        {0, 0, 0, 0}, {0.2, 0.3, 0, 0.3}, {0.6, 0.8, 0, 0.3}, {0.8, 0.8, 0, 0.06}};
+    struct scene_support edge = {
+        .hi = {0, 1, 1}, .fix = FIX_XYZ, .path = path, .path_count = 4};
+    double least = INFINITY;
+
+    floor_scene(&scene, 0, 0.3);
+    scene.contact.self = true;
+    scene.contact.thickness = 0.06; /* half a cell: what is nearer, the net would miss */
+    scene.obstacles[0].point[2] = -0.03;
+    REQUIRE(scene_add_support(&scene, &edge) == STATUS_OK);
+    pd_fixture_motion(&m, &scene, &o);
+    for (int frame = 0; frame < 200; frame++) {
+        pd_fixture_frames(&m, 1);
+        least = fmin(least, own_clearance(&m));
+        CHECK(clearance(&m) > 0);
+    }
+    printf("%s folded: %.1e of the range from its own wall\n", v->name,
+           least / m.contact.law.self.range);
+    CHECK(least > 0 && least < INFINITY);
+    pd_motion_clear(&m);
+    scene_clear(&scene);
+}
+
+/* A floor that rises at 4 m/s, two ranges of the law a step and more, lifts the sheet. */
+static void check_lifted(const struct variant *v)
+{
+    struct scene scene;
+    struct pd_motion m;
+    struct pd_options o = options_of(v, 10, 0);
+    double path[2][4] = {{0, 0, 0, 0}, {0.1, 0, 0, 0.4}};
+
+    floor_scene(&scene, 0, 0.3);
+    scene.obstacles[0].path = path;
+    scene.obstacles[0].path_count = 2;
+    pd_fixture_motion(&m, &scene, &o);
+    for (int frame = 1; frame <= 20; frame++) {
+        pd_fixture_frames(&m, 1);
+        const double lowest =
+            0.02 * frame - 0.005 + m.contact.law.body.start - m.contact.law.body.range;
+        for (int k = 0; k < m.energy.net.nodes; k++)
+            CHECK(m.x[2 * pd_net_stride(&m.energy.net) + k] > lowest);
+    }
+    pd_motion_clear(&m);
+    scene.obstacles[0].path = NULL;
+    scene.obstacles[0].path_count = 0;
+    scene_clear(&scene);
+}
+
 int main(void)
 {
     for (const struct variant *v = variants; v < variants + VARIANTS; v++) {
@@ -339,6 +407,8 @@ int main(void)
         check_thrown(v, 0);
         check_thrown(v, 0.3);
         check_incline(v);
+        check_lifted(v);
+        check_fold(v);
     }
     check_held();
     return check_result();

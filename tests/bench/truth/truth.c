@@ -163,6 +163,37 @@ static void packs(void)
     truth_clear(&plain);
 }
 
+/* A claim ends where the sheet passes through itself by more than its points were moved:
+ * from the second time on its end is folded over and 1 cm through it. */
+static void crossing_ends_claim(void)
+{
+    static const double packing[] = {.001, .011};
+
+    for (int k = 0; k < 2; k++) {
+        struct truth made, read;
+        char *text = NULL;
+        make_up(&made);
+        for (int n = 0; n < GRID_POINTS; n++) {
+            double uvw[3];
+            grid_point(n, uvw);
+            const double u = uvw[0], back = (u - .6) / .4;
+            double *x = made.xyz[1] + 3 * n;
+            x[0] = u < .5 ? 2 * u : u < .6 ? 1 : 1 - .73 * back;
+            x[1] = uvw[1];
+            x[2] = u < .5 ? 0 : u < .6 ? 2.1 * (u - .5) : .21 - .22 * back;
+        }
+        made.value[0][TRUTH_PACKING] = made.value[1][TRUTH_PACKING] = packing[k];
+        REQUIRE(truth_file_read(write_made_up(&made), &read, &text, NULL) == STATUS_OK);
+        CHECK(read.claimed == 1 + k && !read.xyz[1] == !k);
+        CHECK(read.value[0][TRUTH_CROSSINGS] == 0);
+        CHECK((read.value[1][TRUTH_CROSSINGS] > 0) == !k);
+        CHECK_NEAR(read.value[1][TRUTH_CROSSING_DEPTH], k ? 0 : .01, 1e-6);
+        truth_clear(&made);
+        truth_clear(&read);
+        free(text);
+    }
+}
+
 static enum status find(const char *scene, int count, const char *const *settings, int n,
                         const double *time, struct truth **t, struct message *why)
 {
@@ -384,6 +415,7 @@ int main(int argc, char **argv)
     kept_runs();
     levels();
     packs();
+    crossing_ends_claim();
     make_up(&made);
     const char *file = write_made_up(&made);
     file_comes_back(&made, file);

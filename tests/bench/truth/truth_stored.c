@@ -75,6 +75,38 @@ static void check_origin(const char *name, const struct scene *s)
     truth_clear(&made);
 }
 
+/* A truth is claimed up to its sheet's first crossing, which is found here among all its
+ * frames by exact predicates alone; 0: it has none. */
+static void claim_ends_at_crossing(const char *name, double first)
+{
+    struct asked a;
+    struct truth all, claimed, *truth = NULL;
+    struct message why = {""};
+    char *path = NULL;
+    int n = 0;
+
+    asked_open(&a, name, 0, NULL, 0, NULL, NULL);
+    REQUIRE(named_file_find(&truth_file_kind, name, &path, NULL) == STATUS_OK);
+    REQUIRE(truth_file_find(path, &a.scene, &all, &why) == STATUS_OK); /* not searched */
+    REQUIRE(truth_file_find(name, &a.scene, &claimed, &why) == STATUS_OK);
+    while (n < all.claimed && metric_intersections(all.xyz[n]) == 0)
+        n++;
+    CHECK(claimed.claimed == n && (n < all.claimed) == (first > 0));
+    CHECK(isnan(all.value[0][TRUTH_CROSSINGS]) && claimed.value[0][TRUTH_CROSSINGS] == 0);
+    if (first > 0) {
+        CHECK_NEAR(all.time[n], first, 1e-9);
+        CHECK(!claimed.xyz[n] && claimed.value[n][TRUTH_CROSSINGS] > 0 &&
+              claimed.value[n][TRUTH_CROSSING_DEPTH] > 0);
+        CHECK(truth_find(a.path, &a.settings, 1, &first, NULL, &truth, &why) ==
+              STATUS_UNSUPPORTED);
+        CHECK(strstr(why.text, "is known to 0.32 s"));
+    }
+    truth_clear(&all);
+    truth_clear(&claimed);
+    free(path);
+    asked_close(&a);
+}
+
 /* Each file holds for the scene whose name it has, as it comes with the program. */
 static void each_has_its_scene(void)
 {
@@ -173,6 +205,8 @@ int main(int argc, char **argv)
     each_has_its_scene();
     each_scene_is_known();
     strip_is_the_beam();
+    claim_ends_at_crossing("flap", 0.34);
+    claim_ends_at_crossing("flag", 0);
     mid_size("edge_drop", TRUTH_SOLID, 2);
     mid_size("edge_drop", TRUTH_SHELL, 4);
     return check_result();

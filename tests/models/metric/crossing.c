@@ -1,0 +1,194 @@
+/* Depths of sheets that pass through themselves, known by construction; and sheets that
+ * touch themselves, which do not pass through. */
+#include "models/metric/crossing.h"
+
+#include "tests/check.h"
+
+enum { N = 41, POINTS = N * N };
+static double xyz[POINTS][3];
+
+/* Points are moved by so much before they are counted [m]. */
+#define SHAKEN CROSSING_SHAKE
+
+/* Fills the grid with a profile (x, z) of u, extruded along y = v. */
+static void extrude(void (*profile)(double u, double v, double *x, double *z))
+{
+    for (int n = 0; n < POINTS; n++) {
+        const double u = n % N / (N - 1.), v = n / N / (N - 1.);
+        profile(u, v, &xyz[n][0], &xyz[n][2]);
+        xyz[n][1] = v;
+    }
+}
+
+static double deep, tilt; /* of the flap's end [m], along v                             */
+
+/* A sheet from x = 0 to 1 at z = 0, and back above it to x = .312, where its end is `deep`
+ * below at v = 1, and `tilt` less at v = 0. */
+static void flap(double u, double v, double *x, double *z)
+{
+    const double top = .3141, end = -deep + tilt * (1 - v);
+
+    *x = u < .5 ? 2 * u : u < .6 ? 1 : 1 - 1.72 * (u - .6);
+    *z = u < .5 ? 0 : u < .6 ? 10 * top * (u - .5) : top + (end - top) * (u - .6) / .4;
+}
+
+/* Folds it in half, without a gap. */
+static void doubled(double u, double v, double *x, double *z)
+{
+    (void)v;
+    *x = u < .5 ? u : 1 - u, *z = 0;
+}
+
+/* Folds it back over itself, with a ridge of the upper side that touches the lower one. */
+static void ridged(double u, double v, double *x, double *z)
+{
+    (void)v;
+    *x = u < .5 ? 2 * u : u < .6 ? 1 : 1 - 1.72 * (u - .6);
+    *z = u < .5 ? 0 : u < .6 ? u - .5 : fabs(u - .8) / 2;
+}
+
+/* A square tube, closed along the seam u = 0, 1. */
+static void tube(double u, double v, double *x, double *z)
+{
+    const double s = 4 * u - (int)(4 * u);
+    const int side = (int)(4 * u) % 4;
+
+    (void)v;
+    *x = side == 0 ? s : side == 1 ? 1 : side == 2 ? 1 - s : 0;
+    *z = side == 0 ? 0 : side == 1 ? s : side == 2 ? 1 : 1 - s;
+}
+
+static void heap(double u, double v, double *x, double *z)
+{
+    (void)u, (void)v;
+    *x = *z = 0;
+}
+
+/* Counts and measures; a sheet that does not touch itself has no pair. */
+static struct crossing measure(double tolerance, bool touches)
+{
+    struct intersection work = {.keep_pairs = true, .most = 1 << 18};
+    struct crossing found;
+    long pairs, shaken;
+
+    CHECK(intersection_count(&work, N, N, xyz[0], &pairs) == STATUS_OK);
+    CHECK((pairs > 0) == touches);
+    work.shake = CROSSING_SHAKE;
+    CHECK(intersection_count(&work, N, N, xyz[0], &shaken) == STATUS_OK);
+    CHECK(crossing_measure(&work, tolerance, &found) == STATUS_OK);
+    CHECK(found.pairs <= shaken && found.triangles <= 2 * found.pairs);
+    intersection_clear(&work);
+    return found;
+}
+
+/* The end of a flap comes through the sheet by a known way, all of it or one corner; up to
+ * the tolerance it only touches. */
+static void comes_through(void)
+{
+    static const struct {
+        double deep, tilt, tolerance;
+        bool meets, passes;
+    } row[] = {{.1, 0, 1e-6, true, true},      {.01, 0, 1e-6, true, true},
+               {.1, .15, 1e-6, true, true},    {1e-5, 0, 1e-6, true, true},
+               {1e-5, 0, 1.1e-5, true, false}, {0, 0, 1e-6, true, false},
+               {-.01, 0, 1e-6, false, false},  {1e-7, 0, 1e-6, true, false}};
+
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
+        deep = row[n].deep, tilt = row[n].tilt;
+        extrude(flap);
+        const struct crossing c = measure(row[n].tolerance, row[n].meets);
+        CHECK((c.pairs > 0) == row[n].passes && (c.triangles > 0) == row[n].passes);
+        CHECK_NEAR(c.depth, row[n].passes ? deep : 0, SHAKEN);
+    }
+}
+
+/* A sheet has one depth however it is turned and shifted. */
+static void turned(void)
+{
+    deep = .02, tilt = 0;
+    extrude(flap);
+    for (int n = 0; n < POINTS; n++) {
+        const double x = xyz[n][0], z = xyz[n][2];
+        xyz[n][0] = 10 + .6 * x - .8 * z;
+        xyz[n][2] = .8 * x + .6 * z;
+    }
+    CHECK_NEAR(measure(1e-6, true).depth, .02, SHAKEN);
+}
+
+static void touches(void)
+{
+    void (*const shape[])(double, double, double *, double *) = {doubled, ridged, tube,
+                                                                 heap};
+    for (size_t n = 0; n < sizeof shape / sizeof *shape; n++) {
+        extrude(shape[n]);
+        const struct crossing c = measure(1e-6, true);
+        if (!CHECK(c.pairs == 0 && c.triangles == 0 && c.depth == 0))
+            printf("shape %zu: %ld pairs, %g m\n", n, c.pairs, c.depth);
+    }
+}
+
+/* Two squares slit into each other: every edge that passes through ends .05 to both sides
+ * at least. */
+static void slit(void)
+{
+    enum { SIDE = 11, SQUARE = SIDE * SIDE, CELLS = 2 * (SIDE - 1) * (SIDE - 1) };
+    static double x[2 * SQUARE][3];
+    static int corner[2 * CELLS][3];
+    struct intersection work = {.keep_pairs = true, .shake = CROSSING_SHAKE};
+    struct crossing found;
+    long pairs;
+
+    for (int n = 0; n < SQUARE; n++) {
+        const double s = n % SIDE / 10., t = n / SIDE / 10.;
+        memcpy(x[n], (double[]){s, t, 0}, sizeof *x);
+        memcpy(x[n + SQUARE], (double[]){.55, t + .53, s - .45}, sizeof *x);
+    }
+    for (int n = 0; n < CELLS; n++) {
+        intersection_corners(SIDE, n, corner[n]);
+        for (int k = 0; k < 3; k++)
+            corner[n + CELLS][k] = corner[n][k] + SQUARE;
+    }
+    REQUIRE(intersection_count_mesh(&work, 2 * SQUARE, x[0], 2 * CELLS, corner, &pairs) ==
+            STATUS_OK);
+    REQUIRE(crossing_measure(&work, 1e-6, &found) == STATUS_OK);
+    CHECK(pairs > 0 && found.pairs == pairs);
+    CHECK(found.depth >= .05);
+    x[7][1] = NAN;
+    CHECK(intersection_count_mesh(&work, 2 * SQUARE, x[0], 2 * CELLS, corner, &pairs) ==
+              STATUS_NAN &&
+          pairs == -1);
+    intersection_clear(&work);
+}
+
+/* A mesh has the pairs of the grid that has the same triangles, in whatever order they are
+ * listed; a triangle that is listed twice adds no pair with its copy. */
+static void lists_are_grids(void)
+{
+    enum { CELLS = 2 * (N - 1) * (N - 1) };
+    static int corner[CELLS + 1][3];
+    struct intersection work = {.most = 0};
+    long grid, mesh;
+
+    deep = .1, tilt = 0;
+    extrude(flap);
+    REQUIRE(intersection_count(&work, N, N, xyz[0], &grid) == STATUS_OK && grid > 100);
+    for (int n = 0; n < CELLS; n++)
+        intersection_corners(N, n * 7 % CELLS, corner[n]); /* 7 and 3200 share no divisor */
+    intersection_corners(N, 0, corner[CELLS]);             /* which meets nothing */
+    for (int n = 0; n < 2; n++) {
+        REQUIRE(intersection_count_mesh(&work, POINTS, xyz[0], CELLS + n, corner, &mesh) ==
+                STATUS_OK);
+        CHECK(mesh == grid);
+    }
+    intersection_clear(&work);
+}
+
+int main(void)
+{
+    comes_through();
+    turned();
+    touches();
+    slit();
+    lists_are_grids();
+    return check_result();
+}

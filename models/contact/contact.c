@@ -469,6 +469,25 @@ static void yield_to(const struct contact *c, const struct contact_touch *t, dou
         }
 }
 
+/* Returns a touch's distance at x, along the normal that it had where it was found. */
+static double distance_now(const struct contact *c, const struct contact_touch *t,
+                           const double *x)
+{
+    double way[3];
+
+    relative_way(c, t, x, way);
+    return t->D_flat + vector_dot(way, t->normal);
+}
+
+/* Tells whether a touch's push is less than the law has at x, by more than round-off. */
+static bool lacks(const struct contact *c, const struct contact_touch *t, const double *x)
+{
+    const double D = distance_now(c, t, x), round_off = 1e-9;
+    const double p = contact_law_push(law_of(c, t), D, t->D_old, c->dt, NULL);
+
+    return t->area * p > (1 + round_off) * t->push;
+}
+
 /* Ends the step of touches with a body, or of the sheet's own: with a body of all as if
  * they had the same pressure, which leaves flat what lands flat; then of one after the
  * other as the others now press. */
@@ -487,6 +506,8 @@ static void settle(struct contact *c, int first, const double *compliance, const
         yield_to(c, t, 1, compliance, held, x);
     for (struct contact_touch *t = from; t < end; t++) {
         const struct contact_touch before = *t;
+        if (!lacks(c, t, x))
+            continue;
         yield_to(c, t, -1, compliance, held, x);
         press_by(c, t, compliance, held, false, x);
         if (t->push < before.push) /* others that rely on it would sink */
@@ -494,9 +515,7 @@ static void settle(struct contact *c, int first, const double *compliance, const
         yield_to(c, t, 1, compliance, held, x);
     }
     for (struct contact_touch *t = from; t < end; t++) {
-        double way[3];
-        relative_way(c, t, x, way);
-        t->D = t->D_flat + vector_dot(way, t->normal);
+        t->D = distance_now(c, t, x);
         add_up(c, t);
     }
 }

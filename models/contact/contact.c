@@ -39,6 +39,8 @@ void contact_clear(struct contact *c)
     free(c->x_old);
     free(c->area);
     free(c->spare);
+    free(c->near);
+    free(c->pressed);
     free(c->touch);
     free(c->node);
     free(c->weight);
@@ -57,10 +59,13 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                           .pose_old = calloc(bodies + 1, sizeof *c->pose_old),
                           .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old),
                           .area = calloc((size_t)surface->nodes, sizeof *c->area),
-                          .spare = calloc(4 * (size_t)surface->count, sizeof *c->spare)};
+                          .spare = calloc(4 * (size_t)surface->count, sizeof *c->spare),
+                          .near = calloc((size_t)surface->count, sizeof *c->near),
+                          .pressed = calloc((size_t)surface->nodes, sizeof *c->pressed)};
     const struct contact_surface *s = &c->surface;
     *surface = (struct contact_surface){0};
-    const bool all = c->pose && c->pose_old && c->x_old && c->area && c->spare;
+    const bool all =
+        c->pose && c->pose_old && c->x_old && c->area && c->spare && c->near && c->pressed;
     enum status st = all ? STATUS_OK : STATUS_MEMORY;
     for (int n = 0; all && n < s->count; n++)
         for (int k = n * s->width; k < n * s->width + s->used[n]; k++)
@@ -450,58 +455,111 @@ bool contact_shorten(struct contact *c, const double *x, double *d)
     return any || own < 1;
 }
 
-/* Moves the nodes of a touch by the force f, in so far as they are free. */
-static void yield_to(const struct contact *c, const struct contact_touch *t,
-                     const double f[3], const double *compliance, const int *held,
-                     double *x)
+/* Returns how far the touch opens along n by a unit of force along n [m/N], by itself or if
+ * those around it have the same pressure. */
+static double opening(const struct contact *c, const struct contact_touch *t,
+                      const double n[3], const double *compliance, const int *held,
+                      bool together)
+{
+    double sum = 0;
+
+    for (int k = t->first; k < t->first + t->count; k++) {
+        const int a = c->node[k];
+        const double share = together ? c->pressed[a] / t->area : c->weight[k];
+        for (int i = 0; i < 3; i++)
+            if (held[3 * (size_t)a + i] >= 0)
+                sum += n[i] * n[i] * c->weight[k] * share * compliance[a];
+    }
+    return sum;
+}
+
+/* Finds a touch's force by the law, from its way up to x: normal force first, then
+ * friction. */
+static void press_by(const struct contact *c, struct contact_touch *t,
+                     const double *compliance, const int *held, bool together,
+                     const double *x)
+{
+    const struct contact_law *law = law_of(c, t);
+    const double mu = friction_of(c, t);
+    const double open = opening(c, t, t->normal, compliance, held, together);
+    double way[3], slip[3], across[3];
+
+    relative_way(c, t, x, way);
+    const double along = split(way, t->normal, slip), size = vector_length(slip);
+    t->push = contact_law_solve(law, t->D_flat + along, t->D_old, c->dt, t->area, open);
+    memset(t->rub, 0, sizeof t->rub);
+    if (mu == 0 || size == 0)
+        return;
+    for (int i = 0; i < 3; i++)
+        across[i] = slip[i] / size;
+    const double most = mu * t->push * opening(c, t, across, compliance, held, together);
+    const double share = contact_law_hold(law, size, c->dt, most);
+    for (int i = 0; i < 3; i++)
+        t->rub[i] = -mu * t->push * share * across[i];
+}
+
+/* Moves the nodes of a touch by `times` its force, in so far as they are free. */
+static void yield_to(const struct contact *c, const struct contact_touch *t, double times,
+                     const double *compliance, const int *held, double *x)
 {
     for (int k = t->first; k < t->first + t->count; k++)
         for (int i = 0; i < 3; i++) {
             size_t u = 3 * (size_t)c->node[k] + i;
             if (held[u] >= 0)
-                x[u] += c->weight[k] * compliance[c->node[k]] * f[i];
+                x[u] += times * c->weight[k] * compliance[c->node[k]] *
+                        (t->push * t->normal[i] + t->rub[i]);
         }
 }
 
-/* Returns how far the touch opens along n by a unit of force along n [m/N]. */
-static double opening(const struct contact *c, const struct contact_touch *t,
-                      const double n[3], const double *compliance, const int *held)
+/* Returns a touch's distance at x, along the normal that it had where it was found. */
+static double distance_now(const struct contact *c, const struct contact_touch *t,
+                           const double *x)
 {
-    double sum = 0;
-
-    for (int k = t->first; k < t->first + t->count; k++)
-        for (int i = 0; i < 3; i++)
-            if (held[3 * (size_t)c->node[k] + i] >= 0)
-                sum += n[i] * n[i] * c->weight[k] * c->weight[k] * compliance[c->node[k]];
-    return sum;
-}
-
-/* Ends a touch's step by the law: normal force first, then friction. */
-static void settle(struct contact *c, struct contact_touch *t, const double *compliance,
-                   const int *held, double *x)
-{
-    const struct contact_law *law = law_of(c, t);
-    const double mu = friction_of(c, t), open = opening(c, t, t->normal, compliance, held);
-    double way[3], slip[3], force[3], across[3];
+    double way[3];
 
     relative_way(c, t, x, way);
-    const double along = split(way, t->normal, slip), size = vector_length(slip);
-    if (t->obstacle < 0) /* others have moved it */
-        t->D = t->D_old + along;
-    t->push = contact_law_solve(law, t->D, t->D_old, c->dt, t->area, open);
-    t->D += open * t->push;
-    for (int i = 0; i < 3; i++)
-        force[i] = t->push * t->normal[i];
-    if (mu > 0 && size > 0) {
-        for (int i = 0; i < 3; i++)
-            across[i] = slip[i] / size;
-        double most = mu * t->push * opening(c, t, across, compliance, held);
-        double share = contact_law_hold(law, size, c->dt, most);
-        for (int i = 0; i < 3; i++)
-            force[i] += t->rub[i] = -mu * t->push * share * across[i];
+    return t->D_flat + vector_dot(way, t->normal);
+}
+
+/* Tells whether a touch's push is less than the law has at x, by more than round-off. */
+static bool lacks(const struct contact *c, const struct contact_touch *t, const double *x)
+{
+    const double D = distance_now(c, t, x), round_off = 1e-9;
+    const double p = contact_law_push(law_of(c, t), D, t->D_old, c->dt, NULL);
+
+    return t->area * p > (1 + round_off) * t->push;
+}
+
+/* Ends the step of touches with a body, or of the sheet's own: with a body of all as if
+ * they had the same pressure, which leaves flat what lands flat; then of one after the
+ * other as the others now press. */
+static void settle(struct contact *c, int first, const double *compliance, const int *held,
+                   double *x)
+{
+    struct contact_touch *from = c->touch + first, *end = c->touch + c->count;
+
+    memset(c->pressed, 0, (size_t)c->surface.nodes * sizeof *c->pressed);
+    for (const struct contact_touch *t = from; t < end; t++)
+        for (int k = t->first; k < t->first + t->count; k++)
+            c->pressed[c->node[k]] += fabs(c->weight[k]) * t->area;
+    for (struct contact_touch *t = from; t < end && t->obstacle >= 0; t++)
+        press_by(c, t, compliance, held, true, x);
+    for (struct contact_touch *t = from; t < end; t++)
+        yield_to(c, t, 1, compliance, held, x);
+    for (struct contact_touch *t = from; t < end; t++) {
+        const struct contact_touch before = *t;
+        if (!lacks(c, t, x))
+            continue;
+        yield_to(c, t, -1, compliance, held, x);
+        press_by(c, t, compliance, held, false, x);
+        if (t->push < before.push) /* others that rely on it would sink */
+            *t = before;
+        yield_to(c, t, 1, compliance, held, x);
     }
-    yield_to(c, t, force, compliance, held, x);
-    add_up(c, t);
+    for (struct contact_touch *t = from; t < end; t++) {
+        t->D = distance_now(c, t, x);
+        add_up(c, t);
+    }
 }
 
 /* Notes where a touch that was found at x was when the step began. */
@@ -510,7 +568,9 @@ static void look_back(const struct contact *c, struct contact_touch *t, const do
     double way[3];
 
     relative_way(c, t, x, way);
-    t->D_old = distance_before(c, t, vector_dot(way, t->normal));
+    const double along = vector_dot(way, t->normal);
+    t->D_old = distance_before(c, t, along);
+    t->D_flat = t->D - along;
 }
 
 /* Tells whether a sample at y has come less far from where it was looked at than the bodies
@@ -530,31 +590,49 @@ static bool keeps_off(struct contact *c, const double *spare, const double y[3])
     return true;
 }
 
-/* Ends a sample's step by the law of bodies; *room: how far it is from the nearest, 0 if
- * that may come nearer by itself. */
-static enum status meet_bodies(struct contact *c, int sample, const double *compliance,
-                               const int *held, double *x, double *room)
+/* Lists the samples that must be looked at, with their places. */
+static int list_near(struct contact *c, const double *x)
+{
+    int count = 0;
+
+    for (int n = 0; n < c->surface.count; n++) {
+        double *spare = c->spare + 4 * (size_t)n, y[3];
+        contact_surface_at(&c->surface, n, x, y);
+        if (keeps_off(c, spare, y))
+            continue;
+        memcpy(spare, y, sizeof y);
+        spare[3] = INFINITY;
+        c->near[count++] = n;
+    }
+    return count;
+}
+
+/* Ends the step of samples by the law of a body, together: a sheet that lands flat stays
+ * flat. Their spare is how far they are from it, 0 if it may come nearer by itself. */
+static enum status meet_body(struct contact *c, int obstacle, int count,
+                             const double *compliance, const int *held, double *x)
 {
     enum status st = STATUS_OK;
+    const struct scene_obstacle *body = &c->scene->obstacles[obstacle];
+    const bool still = body->path_count + body->turn_count == 0;
+    const int first = c->count;
 
-    for (int o = 0; o < c->scene->obstacle_count; o++) {
-        const struct scene_obstacle *body = &c->scene->obstacles[o];
-        double y[3], normal[3];
-        contact_surface_at(&c->surface, sample, x, y);
-        const double D = contact_shape_distance(body, &c->pose[o], y, normal);
+    for (int n = 0; n < count; n++) {
+        double y[3], normal[3], *spare = &c->spare[4 * (size_t)c->near[n] + 3];
+        contact_surface_at(&c->surface, c->near[n], x, y);
+        const double D = contact_shape_distance(body, &c->pose[obstacle], y, normal);
         const double off = D - c->body.start;
         if (isnan(D))
             return STATUS_NAN;
-        const bool still = body->path_count + body->turn_count == 0;
-        *room = fmin(*room, still ? fmax(off, 0) : 0);
+        *spare = fmin(*spare, still ? fmax(off, 0) : 0);
         if (off >= 0) {
             c->least = fmin(c->least, off);
             continue;
         }
-        TRY(add_body_touch(c, sample, o, D, normal));
+        TRY(add_body_touch(c, c->near[n], obstacle, D, normal));
         look_back(c, &c->touch[c->count - 1], x);
-        settle(c, &c->touch[c->count - 1], compliance, held, x);
     }
+    settle(c, first, compliance, held, x);
 out:
     return st;
 }
@@ -564,16 +642,10 @@ static enum status project_bodies(struct contact *c, const double *compliance,
                                   const int *held, double *x)
 {
     enum status st = STATUS_OK;
+    const int near = list_near(c, x);
 
-    for (int n = 0; n < c->surface.count; n++) {
-        double *spare = c->spare + 4 * (size_t)n, y[3], room = INFINITY;
-        contact_surface_at(&c->surface, n, x, y);
-        if (keeps_off(c, spare, y))
-            continue;
-        TRY(meet_bodies(c, n, compliance, held, x, &room));
-        memcpy(spare, y, sizeof y);
-        spare[3] = room;
-    }
+    for (int o = 0; o < c->scene->obstacle_count; o++)
+        TRY(meet_body(c, o, near, compliance, held, x));
 out:
     return st;
 }
@@ -592,11 +664,9 @@ enum status contact_project(struct contact *c, const double *compliance, const i
 
     empty(c);
     TRY(find_own(c, x));
-    const int own = c->count;
-    for (int n = 0; n < own; n++)
+    for (int n = 0; n < c->count; n++)
         look_back(c, &c->touch[n], x);
-    for (int n = 0; n < own; n++)
-        settle(c, &c->touch[n], compliance, held, x);
+    settle(c, 0, compliance, held, x);
     TRY(project_bodies(c, compliance, held, x));
 out:
     return st;

@@ -25,8 +25,8 @@ struct contact_touch {
     int sample, obstacle; /* obstacle -1: the sheet itself                             */
     int first, count;     /* its nodes and weights in contact's lists                  */
     double D, normal[3];  /* distance [m]; the gradient of D by the sample's place     */
-    double D_old; /* when the step began                                      [m]   */
-    double area;  /* [m^2]                                                     */
+    double D_old, D_flat; /* when the step began; D less its way along the normal  [m]   */
+    double area;          /* [m^2]                                                     */
     double push, stiffness; /* area times pressure [N] and its slope [N/m]             */
     double rub[3];          /* friction's force                                [N]     */
     double drag;            /* its force over the slip                         [N/m]   */
@@ -53,6 +53,8 @@ struct contact {
     double *weight;  /* [weights]                                          owned     */
     double *spare;   /* [samples][4] a place, and how far from it no still body is met by
                         contact_project [m]                                owned     */
+    int *near;       /* [samples] those that it looks at                   owned     */
+    double *pressed; /* [nodes] their shares of the areas that touch       owned     */
     double energy;   /* of the last contact_find                            [J]      */
     double least;    /* least D of the same, less the start of its law; of
                         contact_project a lower bound where that is positive [m] */
@@ -94,10 +96,10 @@ double contact_limit(struct contact *c, const double *x, const double *d);
 bool contact_shorten(struct contact *c, const double *x, double *d);
 
 /* Moves x[nodes][3], where a step would end without contact, to where it ends with it:
- * touches one after the other, each by the force that the law has where it then is
- * (contact_law_solve). compliance[nodes]: a node's move at the step's end by a force on it
- * [m/N]; held[3 nodes] (negative: held, as supports' free_index) does not move. STATUS_NAN,
- * STATUS_MEMORY. */
+ * a body's touches at once, the sheet's own one after the other, each by the force that the
+ * law has where it then is (contact_law_solve). compliance[nodes]: a node's move at the
+ * step's end by a force on it [m/N]; held[3 nodes] (negative: held, as supports'
+ * free_index) does not move. STATUS_NAN, STATUS_MEMORY. */
 enum status contact_project(struct contact *c, const double *compliance, const int *held,
                             double *x);
 

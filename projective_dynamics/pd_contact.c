@@ -51,17 +51,21 @@ out:
 /* Computes at[nodes][3] = x, three fields. */
 static void interleave(const struct pd_net *net, const double *x, double *at)
 {
+    const ptrdiff_t stride = pd_net_stride(net);
+
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < net->nodes; k++)
-            at[3 * k + i] = x[i * pd_net_stride(net) + k];
+            at[3 * k + i] = x[i * stride + k];
 }
 
 /* Computes x, three fields, = at[nodes][3]. */
 static void separate(const struct pd_net *net, const double *at, double *x)
 {
+    const ptrdiff_t stride = pd_net_stride(net);
+
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < net->nodes; k++)
-            x[i * pd_net_stride(net) + k] = at[3 * k + i];
+            x[i * stride + k] = at[3 * k + i];
 }
 
 enum status pd_contact_find(struct pd_contact *c, const double *x)

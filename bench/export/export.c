@@ -139,7 +139,8 @@ static void put_contact(const struct scene *s, struct output *out)
 {
     const struct scene_contact *c = &s->contact;
 
-    if (!c->self && c->thickness == 0 && c->range == 0 && c->stiffness == 0)
+    if (!c->self && c->thickness == 0 && c->range == 0 && c->stiffness == 0 &&
+        c->friction == 0)
         return;
     output_print(out, "contact: {self: %s", c->self ? "true" : "false");
     put(out, ", thickness: #, range: #, stiffness: #, friction: #}\n",

@@ -14,6 +14,7 @@
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
 #include "bench/files/xdmf.h"
+#include "models/contact/contact.h"
 #include "models/grid.h"
 #include "models/reader/scene_file.h"
 #include "models/reader/scene_schema.h"
@@ -54,6 +55,29 @@ static enum status written(const struct store *s, bool good, struct message *why
     return good ? STATUS_OK : hdf5_file_fail(s->target.path, "cannot be written", why);
 }
 
+/* Writes the law of contact, of a scene that has some, with the numbers of its rules. */
+static bool put_contact(hid_t file, const struct scene *scene)
+{
+    const struct contact_law self = contact_law_self(scene), body = contact_law_body(scene);
+    const double weight = contact_law_weight(scene);
+    const struct {
+        const char *key;
+        double value;
+    } row[] = {
+        {"contact_thickness", self.start},
+        {"contact_range", self.range},
+        {"contact_stiffness", self.stiffness},
+        {"contact_friction", scene->contact.friction},
+        {"contact_distance", contact_law_distance(&body, weight)},
+        {"contact_edge", contact_law_edge(&body, scene_bending_stiffness(scene), weight)},
+    };
+    bool good = true;
+
+    for (size_t i = 0; contact_wanted(scene) && i < sizeof row / sizeof *row; i++)
+        good = good && hdf5_file_put_double(file, row[i].key, row[i].value) >= 0;
+    return good;
+}
+
 static enum status put_run(struct store *s, const struct store_run *run,
                            struct message *why)
 {
@@ -83,7 +107,8 @@ static enum status put_run(struct store *s, const struct store_run *run,
     return written(s,
                    good && hdf5_file_put_double(s->file, "length", scene->length) >= 0 &&
                        hdf5_file_put_double(s->file, "width", scene->width) >= 0 &&
-                       hdf5_file_put_double(s->file, "thickness", scene->thickness) >= 0,
+                       hdf5_file_put_double(s->file, "thickness", scene->thickness) >= 0 &&
+                       put_contact(s->file, scene),
                    why);
 }
 

@@ -11,6 +11,10 @@
  *                     quick ("yes", of a quick run only), made_for (run_file.h),
  *                     warnings (a line each, if there are any: harness/warnings.h),
  *                     length, width, thickness [m], nodes, unknowns, factor_entries,
+ *                     contact_thickness, contact_range [m], contact_stiffness [Pa],
+ *                     contact_friction (the law of the sheet on itself, of scenes with
+ *                     contact only), contact_distance, contact_edge [m] (from a body under
+ *                     the sheet's weight: of its mid-surface, and lambda),
  *                     solver, unknown_basis, model_bytes (of a run that was timed)
  *   provenance        a group whose attributes are provenance.h's keys
  *   time              [F]                          double [s]

@@ -4,10 +4,14 @@
 
 #include "bench/harness/net_fit.h"
 #include "iga/support_knots.h"
+#include "models/contact/contact.h"
 
 /* Bounds: span over thickness from which degree 2 loses a tenth; thickness over side; share
  * of a swing lost in a second; span over the length that a clamp bends. */
 static const double LONG_SPAN = 20, THICK = 0.1, SWING_LOST = 0.01, BENDS = 4;
+
+/* Samples of contact a span, of degree 2 and above (iga/bspline_contact.c). */
+static const double SPAN_SAMPLES = 4;
 
 static bool is_solid(const struct run *r)
 {
@@ -162,6 +166,38 @@ static bool clamp_is_narrow(const struct run *r, double number[])
            number[0] > BENDS * number[1];
 }
 
+/* Returns the longest span of a net, in metres. */
+static double longest_span(const struct run *r)
+{
+    return fmax(r->scene.length / spans_of(r, 0), r->scene.width / spans_of(r, 1));
+}
+
+/* Takes the law at a body under the sheet's weight. */
+static bool edge_is_short(const struct run *r, double number[])
+{
+    const struct contact_law law = contact_law_body(&r->scene);
+
+    number[0] = longest_span(r);
+    number[1] = contact_law_edge(&law, scene_bending_stiffness(&r->scene),
+                                 contact_law_weight(&r->scene));
+    return contact_wanted(&r->scene) && number[0] > number[1];
+}
+
+/* Between two samples of contact, four a span of smooth nets, a chord lies as deep in a
+ * round body as the arc is high: s^2 / 8 R. */
+static bool body_is_round(const struct run *r, double number[])
+{
+    const struct contact_law law = contact_law_body(&r->scene);
+    const double s = longest_span(r) / (in_plane_degree(r) > 1 ? SPAN_SAMPLES : 1);
+
+    number[0] = 0, number[1] = law.range;
+    for (int o = 0; o < r->scene.obstacle_count; o++)
+        if (r->scene.obstacles[o].radius > 0)
+            number[0] =
+                fmax(number[0], s * s / 8 / (r->scene.obstacles[o].radius + law.start));
+    return number[0] > number[1];
+}
+
 static bool weighs_nothing(const struct run *r, double number[])
 {
     const double *g = r->scene.gravity;
@@ -210,6 +246,14 @@ const struct warnings_rule warnings_rules[] = {
      "where a cured net asks for strain it stretches and shrinks by turns, by 32 %% at 13 "
      "times, 15 %% at 3 times; finer spans, or knots_u and knots_v that are dense where it "
      "bends"},
+    {"edge", "doc/contact.md", edge_is_short,
+     "spans of %.2g m, but at the edge of a zone of contact the sheet bends within lambda "
+     "= "
+     "%.2g m: the edge is as sharp as the net"},
+    {"round", "doc/contact.md", body_is_round,
+     "between the samples of contact a round body comes up to %.2g m nearer, but contact "
+     "has "
+     "a range of %.2g m: the body reaches into the sheet"},
     {"gravity", "key gravity, m/s^2", weighs_nothing, "the scene has no gravity"},
     {NULL},
 };

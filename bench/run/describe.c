@@ -7,8 +7,9 @@
 
 #include "bench/harness/warnings.h"
 #include "bench/ui/table.h"
-#include "models/damping.h"
 #include "models/clock.h"
+#include "models/contact/contact.h"
+#include "models/damping.h"
 #include "models/grid.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/metric/metric.h"
@@ -46,6 +47,38 @@ static void describe_scene(const struct scene *scene, FILE *file)
                 scene->velocity[0], scene->velocity[1], scene->velocity[2], scene->spin[0],
                 scene->spin[1], scene->spin[2]);
     fprintf(file, "\ntime            to %g s in steps of %g s\n", scene->end, scene->step);
+}
+
+/* Prints the law by which the sheet meets bodies and itself, and how it rests. */
+static void describe_contact(const struct scene *scene, FILE *file)
+{
+    const struct contact_law self = contact_law_self(scene), body = contact_law_body(scene);
+    const double weight = contact_law_weight(scene);
+    char bodies[80] = "", itself[80] = "";
+    struct message line;
+
+    if (!contact_wanted(scene))
+        return;
+    if (scene->obstacle_count)
+        snprintf(bodies, sizeof bodies, "from %.4g m off bodies, range %.4g m; ",
+                 body.start, body.range);
+    if (scene->contact.self)
+        snprintf(itself, sizeof itself,
+                 "from t = %.4g m off itself, range %.4g m, friction %g; ", self.start,
+                 self.range, scene->contact.friction);
+    snprintf(line.text, sizeof line.text,
+             "%s%skappa = %.4g Pa; distances are those of the "
+             "mid-surface",
+             bodies, itself, self.stiffness);
+    table_print_item("contact", 16, line.text, file);
+    if (!(weight > 0))
+        return;
+    snprintf(line.text, sizeof line.text,
+             "under its weight of %.4g Pa it rests %.4g m from a body or half its distance "
+             "from itself, and leaves them over lambda = %.2g m",
+             weight, contact_law_distance(&body, weight),
+             contact_law_edge(&body, scene_bending_stiffness(scene), weight));
+    table_print_item("", 16, line.text, file);
 }
 
 /* Returns how far its weight bends a cantilever of this Gamma, in words. */
@@ -86,6 +119,7 @@ void describe_setup(const struct run *run, FILE *file)
     if (model->describe)
         model->describe(run->state, &note);
     describe_scene(&run->scene, file);
+    describe_contact(&run->scene, file);
     fprintf(file, "Gamma           %.4g (weight against bending: %s)\n",
             scene_gamma(&run->scene), bending(scene_gamma(&run->scene)));
     fprintf(file, "model           %s: %s\n", model->name, model->title);

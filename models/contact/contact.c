@@ -11,6 +11,11 @@
  * change, and Newton's method, which knows its slope only, is not thrown back far. */
 static const double LEFT = 0.5;
 
+/* The calls of contact_find in a step after which no change turns a slip round: it ends
+ * where there is none. What slips has no stiffness along its way, so that Newton's steps
+ * may go from one way of slipping to the other for ever. */
+enum { CAREFUL = 9 };
+
 bool contact_wanted(const struct scene *scene)
 {
     return scene->obstacle_count > 0 || scene->contact.self;
@@ -317,7 +322,8 @@ enum status contact_find(struct contact *c, const double *x)
             double D = body_distance(c, o, y, normal);
             if (isnan(D))
                 return STATUS_NAN;
-            c->least = fmin(c->least, D - c->body.start);
+            if (D - c->body.start < c->least)
+                c->least = D - c->body.start;
             if (D < c->body.start)
                 TRY(add_body_touch(c, n, o, D, normal));
         }
@@ -343,6 +349,16 @@ void contact_force(const struct contact *c, double *force)
 /* --- steps that stay outside -------------------------------------------------------------
  */
 
+/* Returns a bound of the least distance on a way whose ends have these distances and
+ * slopes: distances to convex bodies lie over their tangents. */
+static double lowest(const double distance[2], const double slope[2])
+{
+    if (slope[0] >= 0 || slope[1] <= 0)
+        return fmin(distance[0], distance[1]);
+    const double at = (distance[0] - distance[1] + slope[1]) / (slope[1] - slope[0]);
+    return distance[0] + slope[0] * at;
+}
+
 /* Returns the share of the change d of a sample at y that leaves enough before a body. The
  * distance is no more than the way shorter, so that the first share is safe; steps towards
  * the end of a longer one are tried while they are. */
@@ -354,21 +370,45 @@ static double limit_sample(const struct contact *c, int obstacle, const double y
     const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
     const double wall = c->body.start - c->body.range, way = vector_length(d);
     const double far = wall + way * share + LEFT * c->body.range;
-    const double room = contact_shape_near(o, &c->pose[obstacle], y, far, NULL) - wall;
-    const double least = LEFT * fmin(room, c->body.range);
+    double normal[3];
+    const double room = contact_shape_near(o, &c->pose[obstacle], y, far, normal) - wall;
 
-    if (!(room > 0) || room - way * share >= least)
+    if (!(room > 0) || room - way * share >= LEFT * c->body.range)
         return share;
+    const double least = LEFT * fmin(room, c->body.range);
+    if (room - way * share >= least)
+        return share;
+    const double slope = vector_dot(normal, d);
     for (int n = 0; n < TRIES; n++) {
         double end[3];
         for (int i = 0; i < 3; i++)
             end[i] = y[i] + share * d[i];
-        double left = contact_shape_distance(o, &c->pose[obstacle], end, NULL) - wall;
+        double left = contact_shape_distance(o, &c->pose[obstacle], end, normal) - wall;
+        left = lowest((double[2]){room, left},
+                      (double[2]){share * slope, share * vector_dot(normal, d)});
         if (left >= least)
             break;
         share *= fmin((room - least) / (room - left), SHORTER);
     }
     return share;
+}
+
+/* Returns the share of a change d that ends the slip of a touch instead of turning it
+ * round. */
+static double limit_slip(const struct contact *c, const struct contact_touch *t,
+                         const double *d)
+{
+    double way[3] = {0}, change[3];
+
+    if (!(t->drag > 0) || t->grip > 0)
+        return 1;
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++)
+            way[i] += c->weight[k] * d[3 * (size_t)c->node[k] + i];
+    split(way, t->normal, change);
+    const double size = vector_length(t->rub) / t->drag;
+    const double back = vector_dot(t->rub, change) / t->drag; /* rub is against the slip */
+    return back > size * size ? size * size / back : 1;
 }
 
 double contact_limit(struct contact *c, const double *x, const double *d)
@@ -382,6 +422,8 @@ double contact_limit(struct contact *c, const double *x, const double *d)
         for (int o = 0; o < c->scene->obstacle_count; o++)
             share = limit_sample(c, o, y, way, share);
     }
+    for (int n = 0; c->finds > CAREFUL && n < c->count; n++)
+        share = fmin(share, limit_slip(c, &c->touch[n], d));
     if (c->scene->contact.self)
         c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
                                          c->self.range, &own);

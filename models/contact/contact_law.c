@@ -97,6 +97,19 @@ double contact_law_distance(const struct contact_law *law, double p)
     return wall(law) + law->range / (1 + sqrt(p / law->stiffness));
 }
 
+double contact_law_weight(const struct scene *scene)
+{
+    return scene->density * scene->thickness * vector_length(scene->gravity);
+}
+
+double contact_law_edge(const struct contact_law *law, double bending, double pressure)
+{
+    double slope;
+
+    contact_law_pressure(law, contact_law_distance(law, pressure), &slope);
+    return pow(4 * bending / slope, 0.25);
+}
+
 double contact_law_push(const struct contact_law *law, double D, double D_old, double dt,
                         double *slope)
 {

@@ -45,6 +45,15 @@ double contact_law_potential(const struct contact_law *law, double D);
 /* Returns the distance at which the pressure is p >= 0 [m]. */
 double contact_law_distance(const struct contact_law *law, double p);
 
+/* Returns the weight of the sheet per area [Pa], the pressure under which it rests. */
+double contact_law_weight(const struct scene *scene);
+
+/* Returns lambda = (4 B / -p')^(1/4) under the pressure p > 0 [m], INFINITY at none: the
+ * length in which a sheet of the bending stiffness B [N m] comes to rest at the edge of a
+ * zone of contact, as a beam on an elastic bed (Hetenyi 1946). Nets with longer spans
+ * don't resolve it. */
+double contact_law_edge(const struct contact_law *law, double bending, double pressure);
+
 /* Returns the pressure with its rate: of a distance D that was D_old a time dt ago
  * (INFINITY: at rest), and minus its derivative by D. */
 double contact_law_push(const struct contact_law *law, double D, double D_old, double dt,

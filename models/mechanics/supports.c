@@ -135,13 +135,11 @@ out:
 enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
                                 bool obstacles, struct message *why)
 {
-    if (scene->obstacle_count && !obstacles)
+    if ((scene->obstacle_count || scene->contact.self) && !obstacles)
         return status_fail(
             why, STATUS_UNSUPPORTED,
-            "unsupported: static equilibrium with obstacles is found at large "
-            "displacements "
-            "by shell, triangles and solids only; a motion with damping comes to rest on "
-            "them");
+            "unsupported: static equilibrium with contact is found at large displacements "
+            "by shell, triangles and solids only; a motion with damping comes to rest");
     if (scene->obstacle_count && s->moving)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "unsupported: no static equilibrium with obstacles and supports "

@@ -33,7 +33,8 @@ void supports_clear(struct supports *s);
 
 /* Refuses, with STATUS_INPUT or STATUS_UNSUPPORTED and a sentence, where a scene has no
  * static equilibrium that the model can find: nothing is held and there are no obstacles;
- * or there are, and it cannot rest on `obstacles`, or supports move besides. */
+ * or there are, or the sheet meets itself, and it cannot rest on `obstacles`; or supports
+ * move besides them. */
 enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
                                 bool obstacles, struct message *why);
 

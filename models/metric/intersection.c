@@ -328,7 +328,7 @@ static bool is_definite(const double a[3], const double b[3], const double u[3],
                  size = fmax(vector_dot(a, a), vector_dot(b, b)) *
                         fmax(vector_dot(u, u), vector_dot(v, v));
 
-    return size < 1e6 && au > 1e-3 && bv > 1e-3 && 4 * au * bv - skew * skew > 1e-3;
+    return size < 1e6 && au > 1e-3 && 4 * au * bv - skew * skew > 1e-3;
 }
 
 /* Tells whether the cells of box n of level l certainly do not meet each other: a piecewise

@@ -2,8 +2,8 @@
 
 #include "bench/verify/verify_check.h"
 
-/* Claims, of the clamp's way: what sticks creeps, and what slips is seen when it has gone
- * as far, SLIPPED; both are some hundredths of the shortest way. */
+/* Claims, of the clamp's way: what sticks creeps, some 1e-3 of the length, and slips within
+ * a hundredth of a second; both are hundredths of the shortest way. */
 #define SEEN 0.03, NULL
 static const struct verify_subject entries[] = {
     {"iga_reduced", SEEN, {40}, {3}},
@@ -14,12 +14,13 @@ static const struct verify_subject entries[] = {
 static const struct verify_field field = {.subject = entries};
 
 /* The clamp goes FARTHER than to where the foot shall slip, beginning slowly; the foot has
- * slipped when it is SLIPPED off, in lengths. B = 100 rho h: the strip is soon at rest. */
-static const double TIME = 2, FARTHER = 1.2, SLIPPED = 2e-3, THICK = 0.01, CONTACT = 0.002;
+ * slipped when it is faster than what sticks, CREEP [m/s]. B = 100 rho h: the strip is soon
+ * at rest. */
+static const double TIME = 2, FARTHER = 1.2, CREEP = 1e-3, THICK = 0.01, CONTACT = 0.002;
 
-/* Where foot and clamp were in the last frame, and the clamp when the foot slipped. */
+/* Of the last frame; and the clamp's height when the foot slipped [m]; NAN: not yet. */
 struct seen {
-    double foot, clamp, slipped; /* [m]; NAN: not yet */
+    double foot, speed, clamp, slipped;
 };
 
 static enum status look(void *context, const struct motion *m, struct message *why)
@@ -30,9 +31,10 @@ static enum status look(void *context, const struct motion *m, struct message *w
     (void)why;
     m->model->probe(m->state, 2, (double[]){1, 0.5, 0.5, 0, 0.5, 0.5}, x[0]);
     const double foot = fabs(x[0][0]), clamp = x[1][2];
-    if (isnan(s->slipped) && m->frames && foot > SLIPPED)
-        s->slipped = clamp + (s->clamp - clamp) * (foot - SLIPPED) / (foot - s->foot);
-    s->foot = foot, s->clamp = clamp;
+    const double speed = (foot - s->foot) / m->scene->step;
+    if (isnan(s->slipped) && m->frames > 1 && speed > CREEP)
+        s->slipped = clamp + (s->clamp - clamp) * (speed - CREEP) / (speed - s->speed);
+    s->foot = foot, s->speed = speed, s->clamp = clamp;
     return STATUS_OK;
 }
 

@@ -11,9 +11,11 @@
 #include "tests/said.h"
 
 /* Settings of rows are parted by semicolons. */
-#define SHEET "sheet={length: 1, width: 1, thickness: 0.01};"
-#define LIGHT "material={young: 1e5, poisson: 0, density: 0.5};"
-#define CLAMP "supports=[{at: {u: [0,0.1], v: [0.9,1]}, fix: xyz}];"
+#define SHEET        "sheet={length: 1, width: 1, thickness: 0.01};"
+#define LIGHT        "material={young: 1e5, poisson: 0, density: 0.5};"
+#define TABLE        SHEET "obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1]}}];"
+#define BALL(radius) SHEET "obstacles=[{sphere: {center: [0,0,-2], radius: " radius "}}];"
+#define CLAMP        "supports=[{at: {u: [0,0.1], v: [0.9,1]}, fix: xyz}];"
 
 static const struct row {
     const char *rule, *contestant;
@@ -80,6 +82,16 @@ static const struct row {
     {"clamp", "iga_selective_3", true, SHEET LIGHT "gravity=[0,0,-1310]"},
     {"clamp", "shell_3", false, SHEET LIGHT "gravity=[0,0,-1310]"},
     {"clamp", "mass_spring", false, SHEET LIGHT "gravity=[0,0,-1e5]"},
+    /* 7 spans; lambda = 5.54 cm where a span is 5.71 cm, 5.37 cm where it is 5. */
+    {"edge", "shell", true, TABLE "sheet.length=0.4;sheet.width=0.4"},
+    {"edge", "shell", false, TABLE "sheet.length=0.35;sheet.width=0.35"},
+    {"edge", "shell", true, TABLE "sheet.length=0.35;sheet.width=0.4"},
+    {"edge", "shell", false, SHEET},
+    /* 28 samples, 1 / 28^2 / 8 (R + 5 mm) is the range, 2.5 mm, at R = 5.9 cm. */
+    {"round", "shell", true, BALL("0.058")},
+    {"round", "shell", false, BALL("0.06")},
+    {"round", "mass_spring", true, BALL("0.6")},
+    {"round", "shell", false, TABLE},
     {"gravity", "iga", true, "gravity=[0,0,0]"},
     {"gravity", "iga", false, "gravity=[0,0,1e-9]"},
     {"gravity", "shell", false, "gravity=[1,0,0]"},

@@ -16,7 +16,7 @@ static const struct verify_field field = {.subject = entries};
  * per width, the other is led down to the slope DOWN and then away. The law's speed of
  * creep is 1 mm/s. */
 static const double R = 0.15, CONTACT = 0.002, WIDTH = 0.05, PULL = 1, DOWN = 1.0;
-static const double TOP = 0.6, LED = 1, SLIDE = 0.2, SPEED = 0.005;
+static const double TOP = 0.6, LED = 1, SLIDE = 0.3, SPEED = 0.01;
 static const double B = 3.3e6 * 3e-4 * 3e-4 * 3e-4 / 12;
 
 /* Means of the last frames, in x and z: a step's force swings with what iterations leave.

@@ -417,10 +417,35 @@ static enum status begin_contact(struct judged *r)
     return STATUS_OK;
 }
 
-/* Looks at the middle of the sheet at every third point of the grid. */
+/* The points of the middle of the sheet that judges of contact look at: every third of the
+ * grid. */
+enum { STEP = 3, U = (GRID_U - 1) / STEP + 1, V = (GRID_V - 1) / STEP + 1 };
+
+/* Returns the least distance of the middle x[V U][3] from a body since the frame before, as
+ * if sheet and bodies had moved evenly: what lies on the other side now has passed through.
+ * Keeps x for the next frame. */
+static double least_gap(const struct judged *r, const double *x)
+{
+    enum { TIMES = 8 };
+    const struct scene *s = &r->run.scene;
+    double *before = r->first + GRID_POINTS, *between = before + GRID_POINTS,
+           gap = INFINITY;
+
+    for (int k = r->frames ? 1 : TIMES; k <= TIMES; k++) {
+        const double share = (double)k / TIMES;
+        for (int n = 0; n < 3 * U * V; n++)
+            between[n] = share < 1 ? before[n] + share * (x[n] - before[n]) : x[n];
+        const double now = contact_shape_least_gap(s, r->time - (1 - share) * s->step,
+                                                   (long)U * V, between);
+        if (!(now >= gap))
+            gap = now;
+    }
+    memcpy(before, x, 3 * U * V * sizeof *x);
+    return gap;
+}
+
 static double measure_contact(struct judged *r)
 {
-    enum { STEP = 3, U = (GRID_U - 1) / STEP + 1, V = (GRID_V - 1) / STEP + 1 };
     enum { LAYER = 3 * GRID_U * GRID_V };
     const struct scene *s = &r->run.scene;
     const double start = contact_law_body(s).start;
@@ -434,7 +459,7 @@ static double measure_contact(struct judged *r)
         const double *x = r->xyz + 3 * at + n % 3;
         r->first[n] = (x[0] + x[LAYER]) / 2;
     }
-    const double gap = contact_shape_least_gap(s, r->time, (long)U * V, r->first);
+    const double gap = least_gap(r, r->first);
     if (!(gap >= t->gap))
         t->gap = gap, t->gap_time = r->time;
     r->work.most = (long)CROSSING_PAIRS_MOST * 2 * U * V;

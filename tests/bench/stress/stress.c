@@ -288,6 +288,10 @@ static void check_runs(const char *path, const char *folder)
         {"closing", "hex_nonlinear", STRESS_ACCURATE},
         {"crushed", "mass_spring_leapfrog", STRESS_DEGRADED}, /* two walls, no room */
         {"stopping", "projective_dynamics", STRESS_ACCURATE},
+        {"struck", "shell_2", STRESS_ACCURATE},
+        {"struck", "mass_spring", STRESS_ACCURATE},
+        {"struck", "projective_dynamics", STRESS_ACCURATE},
+        {"struck", "position_based", STRESS_ACCURATE},
         {"thrown_at_ball", "triangles", STRESS_ACCURATE},
         {"pressed_fold", "mass_spring_leapfrog", STRESS_ACCURATE},
         {"thick_contact", "triangles", STRESS_ACCURATE},

@@ -267,6 +267,9 @@ static void check_contact(void)
          NULL, 0.25, NAN, tol, "nearest to a body: 2.5 mm at 0.05 s"},
         {{{"through", ""}, STRESS_CONTACT, BODIES(LID("0.0075", "")), .bound = 0.5},
          NULL, 0.75, 0.04, tol, "through a body: 2.5 mm deep at 0.05 s"},
+        {{{"plate between frames", ""}, STRESS_CONTACT, BODIES("{box: {center: [1,0.75,-0.02],"
+         " size: [3,3,0.008]}, path: [[0,0,0,0],[0.02,0,0,0],[0.025,0,0,0.04]]}"),
+         .bound = 0.5}, NULL, 0.8625, 0.025, tol, "through a body: 3.6"},
         {{{"fold", ""}, STRESS_CONTACT, .physics = {SHEET, TIME, "contact={}"}, .bound =
          0.5}, fold, 0.8, 0.02, TOL_FOLD, "through itself from 0.02 s, deepest by "},
         {{{"open", ""}, STRESS_CONTACT, .physics = {SHEET, TIME, "contact={}"}, .bound =

@@ -246,14 +246,15 @@ static const struct command_option options[] = {
 const struct command stress_command = {
     .name = "stress",
     .summary =
-        "run hard cases: thin, stiff, nearly incompressible, long steps, odd nets, units",
+        "run hard cases: thin, stiff, incompressible, long steps, odd nets, units, contact",
     .arguments = "[CASE]... [OPTION]...",
     .text =
         "Runs every contestant on hard cases, each in a process of its own with a time\n"
         "limit. A run ends as accurate or degraded, by its error against the truth that\n"
         "the case names; as refused, with the model's sentence; or as died, with time\n"
         "and cause. The bound on the error is the same for all and is printed with its\n"
-        "reason.\n",
+        "reason. Cases of contact also tell how near the middle of the sheet came to a\n"
+        "body, and when and how deep it passed through one or through itself.\n",
     .examples = "stress\nstress --quick\nstress thin_5 buckling --models iga,shell\n",
     .most = 64,
     .options = options,

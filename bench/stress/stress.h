@@ -1,5 +1,6 @@
 /* stress.h - hard cases, for every contestant: thin to h/L = 1e-5, nearly incompressible,
- * steps of 0.1 s, nets of one element, other units, ten thousand steps, ... A contestant's
+ * steps of 0.1 s, nets of one element, other units, ten thousand steps, bodies that press,
+ * stop and have needles, ... A contestant's
  * run of a case ends in exactly one of four ways, never in silence:
  *
  *   accurate   it ran, and its error is within the case's bound
@@ -35,7 +36,11 @@
     X(STILL, "motion where there should be none, RMSE over L")                             \
     X(STILL_REST, "motion away from the model's own equilibrium, RMSE over L")             \
     X(SHIFTED, "where it comes to rest, RMSE over L")                                      \
-    X(SHELL, "against a finer nonlinear shell, RMSE over L")
+    X(SHELL, "against a finer nonlinear shell, RMSE over L")                               \
+    X(CONTACT,                                                                             \
+      "way into the distance at which contact with a body starts, over twice that; more "  \
+      "than half: through it or itself")                                                   \
+    X(SLIDE, "mean way along the plane against the rigid block's, over L; and as above")
 
 enum stress_truth {
 #define STRESS_TRUTH_CODE(code, text) STRESS_##code,
@@ -56,6 +61,8 @@ struct stress_case {
     const char *numerics[STRESS_SETTINGS]; /* the same, of every contestant               */
     int side;            /* points a side of nets; 0: 10; 1: one element                  */
     double weight_ratio; /* NURBS weights: of every other row to the rest; 0: none        */
+    int needles; /* triangles of a double cone under the sheet; 0: no such body;
+                    negative: as many, and one whose corners are on a line             */
     double length, mass, time; /* SIMILAR: the other units in ours [m], [kg], [s]         */
     double bound;              /* largest error of an accurate run                        */
     const char *why;           /* reason for the bound                                    */

@@ -135,6 +135,84 @@ CASE(two_corners, "hung from two corners", .truth = STRESS_SHELL, /* Gamma = 50 
                  "time={step: 0.005, end: 0.3}"},
      .bound = 0.02, .why = "a fiftieth of the length");
 
+/* Contact. The law is that of the sheet's thickness: it starts at half of it before a body,
+ * and its wall is at a quarter, which is an error of 0.25. */
+#define TOUCH                                                                              \
+    .truth = STRESS_CONTACT, .bound = 0.5,                                                 \
+    .why = "the middle surface is where a body begins"
+#define SLIDE          .truth = STRESS_SLIDE, .bound = 0.01, .why = "a hundredth of the length"
+#define UNDAMPED       "sheet.thickness=0.02", "material={young: 2e6, poisson: 0.3, density: 150}"
+#define FELT           UNDAMPED, "damping={kind: mass, value: 2}"
+#define FREE           FELT, "supports=[]"
+#define FLOOR(z, more) "{plane: {point: [0,0," z "], normal: [0,0,1]" more
+#define LID(z, more)   "{plane: {point: [0,0," z "], normal: [0,0,-1]" more
+#define SHORT          "time={step: 0.005, end: 0.1}"
+
+CASE(touching, "begins where contact starts", TOUCH, .quick = true,
+     .physics = {FREE, "obstacles=[" FLOOR("-0.01", "}}]"), SHORT});
+CASE(overlapping, "begins a quarter of h in a plane", TOUCH, .quick = true,
+     .physics = {FREE, "obstacles=[" FLOOR("-0.005", "}}]"), SHORT});
+CASE(coplanar, "begins on a plane and a box with its edges", TOUCH,
+     .physics = {
+         FREE,
+         "obstacles=[" FLOOR("-0.01",
+                             "}}, ") "{box: {center: [0.5,0.5,-0.11], size: [1,1,0.2]}}]",
+         SHORT});
+
+/* Two planes that come together at 0.5 m/s, by `way` each. */
+#define CLOSED(way)                                                                        \
+    .physics = {FREE,                                                                      \
+                "obstacles=[" FLOOR("-0.05", "}, path: [[0,0,0,0],[0.1,0,0," way "]]}, ")  \
+                    LID("0.05", "}, path: [[0,0,0,0],[0.1,0,0,-" way "]]}]"),              \
+                "time={step: 0.005, end: 0.12}"}
+CASE(closing, "two planes leave 0.6 h", TOUCH, CLOSED("0.044"));
+CASE(crushed, "two planes leave 0.4 h, less than the law has room for", TOUCH,
+     CLOSED("0.046"));
+CASE(stopping, "lifted at 5 m/s by a plane that stops at once", TOUCH, .quick = true,
+     .physics = {FREE, "obstacles=[" FLOOR("-0.01", "}, path: [[0,0,0,0],[0.1,0,0,0.5]]}]"),
+                 "time={step: 0.005, end: 0.2}"});
+CASE(struck, "struck by a plate of h that moves by 5 h a step", TOUCH,
+     .physics = {FREE,
+                 "obstacles=[{box: {center: [0.5,0.5,-0.021], size: [1.4,1.4,0.02]}, "
+                 "path: [[0,0,0,0],[0.1,0,0,2]]}]",
+                 SHORT});
+CASE(thrown_at_ball, "thrown at a ball at 20 m/s", TOUCH,
+     .physics = {"sheet.thickness=0.03",
+                 "material={young: 1e7, poisson: 0.3, density: 150}", "supports=[]",
+                 "obstacles=[{sphere: {center: [0.5,0.5,-0.35], radius: 0.3}}]",
+                 "motion={velocity: [0,0,-20]}", "time={step: 0.001, end: 0.05}"});
+
+#define EDGE(u, path) "{at: {u: " u ", w: 0.5}, fix: xyz, path: [" path "]}"
+CASE(pressed_fold, "folded by an edge, then pressed to 1.9 h in 0.2 s", TOUCH,
+     .physics = {
+         FELT, "pose.origin=[0,0,0.01]", "contact={}",
+         "supports=[" EDGE("0", "[0,0,0,0],[0.075,0.0304,0,0.148],[0.15,0.1172,0,0.2739],"
+                                "[0.225,0.2469,0,0.3589],[0.3,0.4,0,0.3905],"
+                                "[0.375,0.5531,0,0.3642],[0.45,0.6828,0,0.2844],"
+                                "[0.525,0.7696,0,0.1638],[0.6,0.8,0,0.021]") "]",
+         "obstacles=[" FLOOR("0", "}}, ")
+             LID("0.5", "}, path: [[0.6,0,0,0],[0.8,0,0,-0.462]]}]"),
+         "time={step: 0.005, end: 0.9}"});
+CASE(thick_contact, "contact three spacings thick, ends brought to less", TOUCH,
+     .physics = {
+         FELT, "contact={thickness: 0.333}",
+         "supports=[" EDGE("0", "[0,0,0,0]") ", " EDGE("1",
+                                                       "[0,0,0,0],[0.4,-0.75,0,0]") "]",
+         "time={step: 0.005, end: 0.5}"});
+
+#define INCLINE(mu)                                                                        \
+    .physics = {UNDAMPED, "supports=[]", "gravity=[2,0,-9.6]",                             \
+                "obstacles=[" FLOOR("-0.01", ", friction: " mu "}}]"),                     \
+                "time={step: 0.005, end: 0.4}"}
+CASE(friction_0, "incline of 12 degrees, friction 0", SLIDE, INCLINE("0"));
+CASE(friction_5, "incline of 12 degrees, friction 5", SLIDE, INCLINE("5"));
+
+#define ONTO_NEEDLES .physics = {FREE, "time={step: 0.005, end: 0.2}"}
+CASE(needles, "a body of triangles up to 160,000 times as long as wide", TOUCH,
+     ONTO_NEEDLES, .needles = 200);
+CASE(flat_triangle, "one of them with its corners on a line", TOUCH, ONTO_NEEDLES,
+     .needles = -200);
+
 const struct command_item *const stress_case_items[] = {
     /* clang-format off */
     &thin_2.item, &thin_3.item, &thin_4.item, &thin_5.item, &poisson_0.item,
@@ -144,6 +222,9 @@ const struct command_item *const stress_case_items[] = {
     &step_small.item, &step_large.item, &millimetres.item, &inches.item, &soft.item,
     &stiff.item, &swing_10000.item, &violent_drop.item, &spinning_bar.item,
     &buckling.item, &still.item, &rest_start.item, &thrown.item, &two_corners.item,
+    &touching.item, &overlapping.item, &coplanar.item, &closing.item, &crushed.item,
+    &stopping.item, &struck.item, &thrown_at_ball.item, &pressed_fold.item, &thick_contact.item,
+    &friction_0.item, &friction_5.item, &needles.item, &flat_triangle.item,
     NULL,
     /* clang-format on */
 };

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bench/harness/child.h"
 #include "bench/harness/derived_key.h"
@@ -11,8 +12,21 @@
 #include "fem_ref/elastica.h"
 #include "fem_ref/kirchhoff.h"
 #include "models/clock.h"
+#include "models/contact/contact_law.h"
+#include "models/contact/contact_mesh.h"
+#include "models/contact/contact_rest.h"
+#include "models/contact/contact_shape.h"
 #include "models/grid.h"
+#include "models/metric/crossing.h"
 #include "models/metric/metric.h"
+
+/* The worst of what a run has touched. */
+struct touched {
+    double gap, gap_time; /* least distance of the middle from a body [m], [s]   */
+    double through_time;  /* when it first passes through itself; NaN: never [s] */
+    struct crossing with; /* itself, where that is deepest                       */
+    double deepest_time;  /* of that                                         [s] */
+};
 
 /* A run of a hard case, on its way to an error. */
 struct judged {
@@ -27,6 +41,8 @@ struct judged {
     double load;                  /* on that plate [N/m^2]                             */
     struct energy *energies;      /* [frames of the scene + 1]                   owned */
     struct truth *truth;          /* of STRESS_SHELL                             owned */
+    struct touched touched;       /* of the judges of contact                          */
+    struct intersection work;     /* of the same                                 owned */
 };
 
 /* The judge of a truth: it measures the error at rest, at the end of the motion, or at all
@@ -69,6 +85,39 @@ static enum status give_weights(struct discretization *d, double ratio)
     return STATUS_OK;
 }
 
+/* Puts a flat double cone under the sheet, whose triangles get ever narrower round its
+ * axis; `needles` as in struct stress_case. STATUS_INPUT with a sentence: no such mesh. */
+static enum status give_needles(struct scene *s, int needles, struct message *why)
+{
+    enum { ROUND_MOST = 100 };
+    const double radius = 0.4, height = 0.025, below = 0.011, turn = 8 * atan(1);
+    const int round = needles < 0 ? -needles / 2 : needles / 2;
+    double vertex[ROUND_MOST + 3][3];
+    int triangle[2 * ROUND_MOST + 1][3];
+    struct scene_obstacle body = {.kind = OBSTACLE_MESH, .scale = 1};
+    enum status st;
+
+    for (int n = 0; n < round; n++) {
+        const double angle = turn * pow((double)n / round, 3);
+        const int next = (n + 1) % round;
+        vertex[n][0] = 0.5 + radius * cos(angle), vertex[n][1] = 0.5 + radius * sin(angle);
+        vertex[n][2] = -below - height;
+        memcpy(triangle[2 * n], (int[]){n, next, round}, sizeof *triangle);
+        memcpy(triangle[2 * n + 1], (int[]){next, n, round + 1}, sizeof *triangle);
+    }
+    for (int n = 0; n < 3; n++) { /* the two tips, and the middle of its axis */
+        vertex[round + n][0] = vertex[round + n][1] = 0.5;
+        vertex[round + n][2] = -below - height * (n == 1 ? 2 : n / 2);
+    }
+    memcpy(triangle[2 * round], (int[]){round, round + 1, round + 2}, sizeof *triangle);
+    TRY(contact_mesh_make(round + 3, (const double(*)[3])vertex, 2 * round + (needles < 0),
+                          (const int(*)[3])triangle, &body.mesh, why));
+    TRY(scene_add_obstacle(s, &body));
+    st = contact_rest_refuse(s, why);
+out:
+    return st;
+}
+
 /* Reads the case's scene and the contestant's numerics, E from Gamma; errors as run_read.
  */
 static enum status read_run(const struct stress_job *job, struct run *run,
@@ -85,7 +134,9 @@ static enum status read_run(const struct stress_job *job, struct run *run,
         run->scene.young =
             derived_key_solve("gamma", "material.young", c->gamma, &run->scene);
     if (c->weight_ratio > 0)
-        st = give_weights(&run->discretization, c->weight_ratio);
+        TRY(give_weights(&run->discretization, c->weight_ratio));
+    if (c->needles)
+        st = give_needles(&run->scene, c->needles, why);
 out:
     settings_clear(&settings);
     return st;
@@ -359,6 +410,121 @@ static double measure_shell(struct judged *r)
     return metric_rmse(r->xyz, r->truth->xyz[n]) / s->length;
 }
 
+static enum status begin_contact(struct judged *r)
+{
+    r->touched = (struct touched){.gap = INFINITY, .through_time = NAN};
+    r->work.keep_pairs = true, r->work.shake = CROSSING_SHAKE;
+    return STATUS_OK;
+}
+
+/* The points of the middle of the sheet that judges of contact look at: every third of the
+ * grid. */
+enum { STEP = 3, U = (GRID_U - 1) / STEP + 1, V = (GRID_V - 1) / STEP + 1 };
+
+/* Returns the least distance of the middle x[V U][3] from a body since the frame before, as
+ * if sheet and bodies had moved evenly: what lies on the other side now has passed through.
+ * Keeps x for the next frame. */
+static double least_gap(const struct judged *r, const double *x)
+{
+    enum { TIMES = 8 };
+    const struct scene *s = &r->run.scene;
+    double *before = r->first + GRID_POINTS, *between = before + GRID_POINTS,
+           gap = INFINITY;
+
+    for (int k = r->frames ? 1 : TIMES; k <= TIMES; k++) {
+        const double share = (double)k / TIMES;
+        for (int n = 0; n < 3 * U * V; n++)
+            between[n] = share < 1 ? before[n] + share * (x[n] - before[n]) : x[n];
+        const double now = contact_shape_least_gap(s, r->time - (1 - share) * s->step,
+                                                   (long)U * V, between);
+        if (!(now >= gap))
+            gap = now;
+    }
+    memcpy(before, x, 3 * U * V * sizeof *x);
+    return gap;
+}
+
+static double measure_contact(struct judged *r)
+{
+    enum { LAYER = 3 * GRID_U * GRID_V };
+    const struct scene *s = &r->run.scene;
+    const double start = contact_law_body(s).start;
+    struct touched *t = &r->touched;
+    struct crossing with = {0};
+    long pairs = 0;
+
+    r->run.model->sample(r->run.state, r->xyz);
+    for (int n = 0; n < 3 * U * V; n++) {
+        const int at = n / 3 % U * STEP + n / 3 / U * STEP * GRID_U;
+        const double *x = r->xyz + 3 * at + n % 3;
+        r->first[n] = (x[0] + x[LAYER]) / 2;
+    }
+    const double gap = least_gap(r, r->first);
+    if (!(gap >= t->gap))
+        t->gap = gap, t->gap_time = r->time;
+    r->work.most = (long)CROSSING_PAIRS_MOST * 2 * U * V;
+    if (s->contact.self &&
+        (intersection_count(&r->work, U, V, r->first, &pairs) != STATUS_OK ||
+         (pairs && crossing_measure(&r->work, CROSSING_TOLERANCE, &with) != STATUS_OK)))
+        return NAN;
+    if (with.pairs && isnan(t->through_time))
+        t->through_time = r->time;
+    if (with.depth > t->with.depth)
+        t->with = with, t->deepest_time = r->time;
+    return isnan(gap) ? NAN
+                      : fmax(fmax(0, 1 - gap / start) / 2,
+                             with.pairs ? 0.5 + with.depth / (2 * start) : 0);
+}
+
+/* Takes the way of the middle of all points along the first obstacle, a plane under the
+ * sheet that gravity crosses. */
+static double measure_slide(struct judged *r)
+{
+    const struct scene *s = &r->run.scene;
+    const double touched = measure_contact(r), bound = 0.5;
+    const double fall = s->gravity[0] + s->obstacles[0].friction * s->gravity[2];
+    double way = 0;
+
+    for (int n = 0; n < GRID_POINTS; n++)
+        way += r->xyz[3 * n] / GRID_POINTS;
+    way -= s->origin[0] + s->length / 2;
+    way = fabs(way - fmax(0, fall) * r->time * r->time / 2) / s->length;
+    return touched <= bound ? way : touched;
+}
+
+/* Tells what the run has touched up to now. */
+static void tell_contact(const struct judged *r, char *text, size_t size)
+{
+    const struct touched *t = &r->touched;
+    const struct scene *s = &r->run.scene;
+    const double start = contact_law_body(s).start;
+    int used = 0;
+
+    if (s->obstacle_count)
+        used = snprintf(
+            text, size,
+            t->gap > 0 ? "nearest to a body: %.3g mm at %.3g s, of %.3g mm where "
+                         "contact starts"
+                       : "through a body: %.3g mm deep at %.3g s, %.3g mm off is where "
+                         "contact starts",
+            fabs(t->gap) * 1e3, t->gap_time, start * 1e3);
+    if (s->contact.self && isnan(t->through_time))
+        snprintf(text + used, size - (size_t)used, "%snot through itself",
+                 used ? "; " : "");
+    else if (s->contact.self)
+        snprintf(
+            text + used, size - (size_t)used,
+            "%sthrough itself from %.3g s, deepest by %.3g mm on %d triangles at %.3g s",
+            used ? "; " : "", t->through_time, t->with.depth * 1e3, t->with.triangles,
+            t->deepest_time);
+}
+
+static enum status end_contact(struct judged *r)
+{
+    tell_contact(r, r->result->sentence.text, sizeof r->result->sentence.text);
+    return STATUS_OK;
+}
+
 static const struct judge judges[STRESS_TRUTHS] = {
     [STRESS_PLATE] = {AT_REST, make_plate, measure_plate, NULL},
     [STRESS_ELASTICA] = {AT_REST, NULL, measure_elastica, NULL},
@@ -370,6 +536,8 @@ static const struct judge judges[STRESS_TRUTHS] = {
     [STRESS_STILL_REST] = {AT_FRAMES, begin_still_rest, measure_still, NULL},
     [STRESS_SHIFTED] = {AT_END, NULL, measure_shifted, NULL},
     [STRESS_SHELL] = {AT_FRAMES, begin_shell, measure_shell, NULL},
+    [STRESS_CONTACT] = {AT_FRAMES, begin_contact, measure_contact, end_contact},
+    [STRESS_SLIDE] = {AT_FRAMES, begin_contact, measure_slide, end_contact},
 };
 
 /* --- one job ----------------------------------------------------------------------------
@@ -388,6 +556,14 @@ static enum status judge(struct judged *r)
     TRY(j->end ? j->end(r) : STATUS_OK);
     result->end = stress_result_end(result->error, r->job->c->bound);
 out:
+    if (status_is_death(st) && j->end == end_contact) { /* even then it is told */
+        const struct message said = *r->why;
+        struct message told = {""};
+        tell_contact(r, told.text, sizeof told.text);
+        if (*told.text)
+            status_fail(r->why, st, "%.500s; before: %.400s",
+                        *said.text ? said.text : status_text(st), told.text);
+    }
     return st;
 }
 
@@ -428,6 +604,7 @@ out:
     kirchhoff_destroy(r.plate);
     truth_destroy(r.truth);
     run_close(&r.run);
+    intersection_clear(&r.work);
     free(r.energies);
     free(r.xyz);
     return settle_result(st, &said, result, why);

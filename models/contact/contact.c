@@ -307,6 +307,49 @@ static double body_distance(const struct contact *c, int obstacle, const double 
                               c->body.start + fmax(c->least, 0), normal);
 }
 
+static bool is_still(const struct scene_obstacle *o)
+{
+    return o->path_count + o->turn_count == 0;
+}
+
+/* Returns the distance of a sample that a step leads to y, D from a body, as seen from the
+ * side from which they have met: a step may lead through a thin body, or so deep into it
+ * that its nearest face is the far one. There the distance is that from the plane of the
+ * face that it came through, and *normal this face's. The distance changes by the way at
+ * most, so that most are done with at once. */
+static double met_distance(const struct contact *c, int sample, int obstacle,
+                           const double y[3], double D, double normal[3])
+{
+    enum { TRIES = 60 };
+    const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
+    const struct contact_pose *pose = &c->pose[obstacle];
+    const double reached = 1e-3 * c->body.range;
+    double old[3], from[3], at[3], way[3], far[3], entry[3], passed = 0;
+
+    if (!isfinite(c->dt))
+        return D;
+    contact_surface_at(&c->surface, sample, c->x_old, old);
+    contact_pose_carry(&c->pose_old[obstacle], pose, old, from);
+    vector_between(from, y, way);
+    const double length = vector_length(way);
+    if (!(D <= length))
+        return D;
+    double left = contact_shape_distance(o, pose, from, entry);
+    if (!(left > 0) || left + contact_shape_distance(o, pose, y, far) > length)
+        return D;
+    for (int n = 0; n < TRIES && left > reached && passed < length; n++) {
+        passed += left;
+        for (int i = 0; i < 3; i++)
+            at[i] = from[i] + way[i] * passed / length;
+        left = contact_shape_distance(o, pose, at, entry);
+    }
+    if (passed <= 0 || passed > length || left > reached || vector_dot(entry, far) >= 0)
+        return D;
+    memcpy(normal, entry, sizeof entry);
+    return fmin(0, (y[0] - at[0]) * entry[0] + (y[1] - at[1]) * entry[1] +
+                       (y[2] - at[2]) * entry[2]);
+}
+
 enum status contact_find(struct contact *c, const double *x)
 {
     enum status st = c->failed;
@@ -322,6 +365,8 @@ enum status contact_find(struct contact *c, const double *x)
             double D = body_distance(c, o, y, normal);
             if (isnan(D))
                 return STATUS_NAN;
+            if (!is_still(&c->scene->obstacles[o])) /* before others changes end */
+                D = met_distance(c, n, o, y, D, normal);
             if (D - c->body.start < c->least)
                 c->least = D - c->body.start;
             if (D < c->body.start)
@@ -362,8 +407,8 @@ static double lowest(const double distance[2], const double slope[2])
 /* Returns the share of the change d of a sample at y that leaves enough before a body. The
  * distance is no more than the way shorter, so that the first share is safe; steps towards
  * the end of a longer one are tried while they are. */
-static double limit_sample(const struct contact *c, int obstacle, const double y[3],
-                           const double d[3], double share)
+static double limit_sample(const struct contact *c, int sample, int obstacle,
+                           const double y[3], const double d[3], double share)
 {
     enum { TRIES = 60 };
     static const double SHORTER = 0.95;
@@ -371,8 +416,11 @@ static double limit_sample(const struct contact *c, int obstacle, const double y
     const double wall = c->body.start - c->body.range, way = vector_length(d);
     const double far = wall + way * share + LEFT * c->body.range;
     double normal[3];
-    const double room = contact_shape_near(o, &c->pose[obstacle], y, far, normal) - wall;
+    double room = contact_shape_near(o, &c->pose[obstacle], y, far, normal);
 
+    if (!is_still(o)) /* what is behind a body that came over it may come back */
+        room = met_distance(c, sample, obstacle, y, room, normal);
+    room -= wall;
     if (!(room > 0) || room - way * share >= LEFT * c->body.range)
         return share;
     const double least = LEFT * fmin(room, c->body.range);
@@ -420,7 +468,7 @@ double contact_limit(struct contact *c, const double *x, const double *d)
         contact_surface_at(&c->surface, n, x, y);
         contact_surface_at(&c->surface, n, d, way);
         for (int o = 0; o < c->scene->obstacle_count; o++)
-            share = limit_sample(c, o, y, way, share);
+            share = limit_sample(c, n, o, y, way, share);
     }
     for (int n = 0; c->finds > CAREFUL && n < c->count; n++)
         share = fmin(share, limit_slip(c, &c->touch[n], d));
@@ -441,7 +489,7 @@ bool contact_shorten(struct contact *c, const double *x, double *d)
         contact_surface_at(s, n, x, y);
         contact_surface_at(s, n, d, way);
         for (int o = 0; o < c->scene->obstacle_count; o++)
-            share = limit_sample(c, o, y, way, share);
+            share = limit_sample(c, n, o, y, way, share);
         any |= share < 1;
         for (int k = 0; share < 1 && k < s->used[n]; k++)
             for (int i = 0; i < 3; i++)
@@ -614,16 +662,17 @@ static enum status meet_body(struct contact *c, int obstacle, int count,
 {
     enum status st = STATUS_OK;
     const struct scene_obstacle *body = &c->scene->obstacles[obstacle];
-    const bool still = body->path_count + body->turn_count == 0;
+    const bool still = is_still(body);
     const int first = c->count;
 
     for (int n = 0; n < count; n++) {
         double y[3], normal[3], *spare = &c->spare[4 * (size_t)c->near[n] + 3];
         contact_surface_at(&c->surface, c->near[n], x, y);
-        const double D = contact_shape_distance(body, &c->pose[obstacle], y, normal);
-        const double off = D - c->body.start;
+        double D = contact_shape_distance(body, &c->pose[obstacle], y, normal);
         if (isnan(D))
             return STATUS_NAN;
+        D = met_distance(c, c->near[n], obstacle, y, D, normal);
+        const double off = D - c->body.start;
         *spare = fmin(*spare, still ? fmax(off, 0) : 0);
         if (off >= 0) {
             c->least = fmin(c->least, off);

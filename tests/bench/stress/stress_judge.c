@@ -207,6 +207,118 @@ static void check_shapes(void)
     CHECK(r.end == STRESS_REFUSED && strstr(r.sentence.text, "no static equilibrium"));
 }
 
+#define LID(z, more) "{plane: {point: [0,0," z "], normal: [0,0,-1]}" more "}"
+#define BED(mu)      "{plane: {point: [0,0,-0.02], normal: [0,0,1], friction: " mu "}}"
+#define TILTED       "gravity=[2,0,-9.6]"
+#define BODIES(list) .physics = {SHEET, TIME, TILTED, "obstacles=[" list "]"}
+
+/* Slides by a millimetre a frame. */
+static void slide(const void *state, double *xyz)
+{
+    const struct scripted *s = state;
+
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        scene_rest_point(s->scene, uvw, xyz + 3 * n);
+        xyz[3 * n] += rise * s->frame;
+    }
+}
+
+/* Folds over from u = 0.6 on, and comes through itself with the edge u = 1 by 2 mm in
+ * frames 4 and 5, by 3 mm in 6 and 7. */
+static void fold(const void *state, double *xyz)
+{
+    const int frame = ((const struct scripted *)state)->frame;
+    const double high = 0.05, end = frame < 4 || frame > 7 ? 0.02
+                                    : frame < 6            ? -2e-3
+                                                           : -3e-3;
+
+    slide(state, xyz);
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        const double s = (uvw[0] - 0.6) * LENGTH;
+        if (s <= 0)
+            continue;
+        xyz[3 * n] -= 2 * s;
+        xyz[3 * n + 2] += s < 0.2 ? high * s / 0.2 : high + (end - high) * (s - 0.2) / 0.6;
+    }
+}
+
+/* Checks the judges of contact: of a sheet that rises towards a lid, slides on a bed, and
+ * comes through itself. */
+static void check_contact(void)
+{
+    /* Where grid points are not above each other, a fold's depth is less by a spacing times
+     * its slope, a part of 3 mm. */
+    const double TOL_FOLD = 0.1;
+    const struct {
+        struct stress_case c;
+        void (*sample)(const void *state, double *xyz);
+        double error, time, tol;
+        const char *text;
+    } known[] = {
+        /* clang-format off */
+        {{{"lid", ""}, STRESS_CONTACT, BODIES(LID("0.0125", "")), .bound = 0.5},
+         NULL, 0.25, NAN, tol, "nearest to a body: 2.5 mm at 0.05 s, of 5 mm where"},
+        {{{"lid that comes", ""}, STRESS_CONTACT, BODIES(LID("0.0225",
+         ", path: [[0,0,0,0],[0.05,0,0,-0.01]]")), .bound = 0.5},
+         NULL, 0.25, NAN, tol, "nearest to a body: 2.5 mm at 0.05 s"},
+        {{{"through", ""}, STRESS_CONTACT, BODIES(LID("0.0075", "")), .bound = 0.5},
+         NULL, 0.75, 0.04, tol, "through a body: 2.5 mm deep at 0.05 s"},
+        {{{"plate between frames", ""}, STRESS_CONTACT, BODIES("{box: {center: [1,0.75,-0.02],"
+         " size: [3,3,0.008]}, path: [[0,0,0,0],[0.02,0,0,0],[0.025,0,0,0.04]]}"),
+         .bound = 0.5}, NULL, 0.8625, 0.025, tol, "through a body: 3.6"},
+        {{{"fold", ""}, STRESS_CONTACT, .physics = {SHEET, TIME, "contact={}"}, .bound =
+         0.5}, fold, 0.8, 0.02, TOL_FOLD, "through itself from 0.02 s, deepest by "},
+        {{{"open", ""}, STRESS_CONTACT, .physics = {SHEET, TIME, "contact={}"}, .bound =
+         0.5}, slide, 0, NAN, tol, "not through itself"},
+        {{{"unasked", ""}, STRESS_CONTACT, BODIES(BED("0")), .bound = 0.5},
+         fold, 0, NAN, tol, "nearest to a body: 17 mm at 0.03 s"},
+        {{{"slides", ""}, STRESS_SLIDE, BODIES(BED("0.1")), .bound = 1}, slide, (0.01 - 1.04
+         * 0.05 * 0.05 / 2) / LENGTH, NAN, tol, "nearest to a body: 20 mm"},
+        {{{"held", ""}, STRESS_SLIDE, BODIES(BED("5")), .bound = 1}, slide, 0.01 / LENGTH,
+         NAN, tol, "nearest to a body: 20 mm"},
+        {{{"slides off", ""}, STRESS_SLIDE, BODIES(BED("5") ", " LID("0.0075", "")), .bound
+         = 0.5}, NULL, 0.75, 0.04, tol, "through a body: 2.5 mm deep"},
+        {{{"needles", ""}, STRESS_CONTACT, .physics = {SHEET, TIME}, .needles = 40, .bound =
+         0.5}, NULL, 0, NAN, tol, "nearest to a body: 11"},
+        /* clang-format on */
+    };
+
+    for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
+        begin();
+        other.sample = known[n].sample ? known[n].sample : other.sample;
+        const struct stress_result r = judge(&known[n].c);
+        if (!CHECK_NEAR(r.error, known[n].error, known[n].tol) ||
+            !CHECK(isnan(known[n].time) ? isnan(r.time)
+                                        : fabs(r.time - known[n].time) < tol) ||
+            !CHECK(strstr(r.sentence.text, known[n].text)))
+            printf("  %s: %g until %g: %s\n", known[n].c.item.name, r.error, r.time,
+                   r.sentence.text);
+    }
+    begin(); /* also of the dead it is told what they have touched */
+    script.dies = 4, script.death = STATUS_NAN;
+    CHECK(strstr(judge(&known[0].c).sentence.text,
+                 "number; before: nearest to a body: 9.5 mm at 0.015 s"));
+}
+
+/* Checks that a mesh that is none, and one that reaches into the sheet, are refused. */
+static void check_needles(void)
+{
+    struct stress_case c = {
+        {"flat", ""}, STRESS_CONTACT, .physics = {SHEET, TIME}, .needles = -40};
+
+    begin();
+    struct stress_result r = judge(&c);
+    CHECK(r.end == STRESS_REFUSED && strstr(r.sentence.text, "three corners on a line"));
+    c.needles = 40;
+    c.physics[0] = "sheet={length: 2, width: 1.5, thickness: 0.03}";
+    r = judge(&c);
+    CHECK(r.end == STRESS_REFUSED && strstr(r.sentence.text, "into obstacle 0"));
+}
+
 /* Checks the words of deaths, refusals and failures. */
 static void check_ends(void)
 {
@@ -316,6 +428,8 @@ int main(void)
     check_similar();
     check_energy();
     check_shapes();
+    check_contact();
+    check_needles();
     check_ends();
     check_nets();
     free(path);

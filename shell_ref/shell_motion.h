@@ -12,9 +12,8 @@
  * no slope (a slope held at one point has no limit under refinement). An area holds all
  * that does not vanish on it (support_knots.h), and so its border's slopes as well.
  *
- * Obstacles: control points keep half a thickness off, on which the surfaces lie that are
- * sampled; the mid-surface lies in their convex hull. linear steps as contact_step.h says,
- * nonlinear as large_motion.h does.
+ * Obstacles: samples of the mid-surface meet them (contact.h); linear steps as
+ * contact_linear.h says, nonlinear as large_motion.h does.
  */
 #ifndef SHELL_MOTION_H
 #define SHELL_MOTION_H

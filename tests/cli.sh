@@ -231,6 +231,10 @@ says err 'warning: damping velocity_scale is no rate'
 good run edge_drop --set time.end=0.05 --set 'damping={kind: none}'
 [[ $err == *warning* ]] && fail "a warning for the defaults: $err"
 [[ $err == *$'\033'* || $err == *$'\r'* ]] && fail 'a progress bar without a terminal'
+[[ $err == *kappa* ]] && fail "a law of contact without contact: $err"
+good run fold --model triangles_explicit --set time.end=0.005 --set discretization.points=[31,7]
+says err 'contact         from 0.001 m off bodies, range 0.0005 m; from t = 0.002 m off itself' 'kappa' \
+    'it rests 0.0009807 m off a body' 'lambda = 0.0066 m' 'warning: spans of'
 good run edge_drop --set discretization.kinematics=linear --set time.end=0.05
 says err 'warning: small-strain' 'more than 10 %' 'kinematics linear'
 # rho = 2.5e-3, 4e-3, 1e-3 kg/m^3: Gamma = 1.9, 3.1, 0.77, on either side of 0.9 and of 2.9

@@ -37,7 +37,10 @@ bool distrust(const struct scene *scene, const double value[MEASURES],
                 stretched ? ", another model beside it" : "");
     if (crossed && moved)
         message_add(sentence,
-                    "%san end before %.3g s, as no model here keeps a sheet off itself",
+                    scene->contact.self
+                        ? "%san end before %.3g s"
+                        : "%san end before %.3g s, as nothing keeps this sheet off itself "
+                          "(section contact)",
                     coarse ? ", or " : "", begin);
     message_add(sentence, ".");
     return true;

@@ -73,11 +73,12 @@ static void describe_contact(const struct scene *scene, FILE *file)
     table_print_item("contact", 16, line.text, file);
     if (!(weight > 0))
         return;
-    snprintf(line.text, sizeof line.text,
-             "under its weight of %.4g Pa it rests %.4g m from a body or half its distance "
-             "from itself, and leaves them over lambda = %.2g m",
-             weight, contact_law_distance(&body, weight),
-             contact_law_edge(&body, scene_bending_stiffness(scene), weight));
+    snprintf(
+        line.text, sizeof line.text,
+        "under its weight of %.4g Pa it rests %.4g m off a body, twice as far off itself, "
+        "and leaves it over lambda = %.2g m",
+        weight, contact_law_distance(&body, weight),
+        contact_law_edge(&body, scene_bending_stiffness(scene), weight));
     table_print_item("", 16, line.text, file);
 }
 

@@ -129,6 +129,14 @@ struct verify_field {
 #define VERIFY_LOCKED "iga_nonlinear_3,iga_reduced_3,iga_selective,hex_nonlinear"
 #define VERIFY_TWINS  "mass_spring_momentum"
 
+/* Fields of projective dynamics, whose own iterations end before a stiff sheet is
+ * stretched.
+ */
+#define VERIFY_TO_THE_END                                                                  \
+    .more = "iterated to the end",                                                         \
+    .settings = {"discretization.acceleration=chebyshev",                                  \
+                 "discretization.iterations=100000", "discretization.tolerance=1e-9"}
+
 /* Sets two square nets; keeps the last `count` nets alone. */
 void verify_subject_square(struct verify_subject *s, int coarse, int fine);
 void verify_subject_last(struct verify_subject *s, int count);

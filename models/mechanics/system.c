@@ -266,52 +266,6 @@ enum status system_factor(struct system *s, double k, const double (*K)[9], doub
     return factor_refactor(s->factor);
 }
 
-/* Computes C = A B, 3x3; not aliased. */
-static void multiply(const double A[9], const double B[9], double C[9])
-{
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            C[3 * i + j] =
-                A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
-}
-
-/* Computes B <- P_a B P_b; on the diagonal what P_a removes gets B's mean diagonal. */
-static void project_block(const double Pa[9], const double Pb[9], bool diagonal,
-                          double B[9])
-{
-    double work[9], mean = (B[0] + B[4] + B[8]) / 3;
-
-    multiply(Pa, B, work);
-    multiply(work, Pb, B);
-    for (int t = 0; diagonal && t < 9; t++)
-        B[t] += mean * ((t % 4 == 0) - Pa[t]);
-}
-
-enum status system_factor_projected(struct system *s, double k, const double (*K)[9],
-                                    double m, const double *M, const double (*D)[9],
-                                    const double (*P)[9], const unsigned char *touched)
-{
-    const struct blocks *g = s->graph;
-    double *value = s->iterative ? NULL : factor_values(s->factor), work[9];
-
-    if (value)
-        factor_clear_values(s->factor);
-    for (int a = 0; a < g->nodes; a++)
-        for (long n = g->start[a]; n < g->start[a + 1]; n++) {
-            int b = g->node[n];
-            double mass = M ? m * M[n] : 0;
-            double *B = value ? work : iterative_matrix(s->iterative)[n];
-            for (int t = 0; t < 9; t++)
-                B[t] = (K ? k * K[n][t] : 0) + (t % 4 ? 0 : mass) +
-                       (D && a == b ? D[a][t] : 0);
-            if (touched[a] || touched[b])
-                project_block(P[a], P[b], a == b, B);
-            for (int t = 0; value && t < 9; t++)
-                value[s->slot[9 * n + t]] = B[t];
-        }
-    return value ? factor_refactor(s->factor) : iterative_update(s->iterative, false);
-}
-
 void system_multiply(const struct system *s, double k, const double (*K)[9], double m,
                      const double *M, const double *x, double *y, double *work)
 {

@@ -54,16 +54,6 @@ void system_single(struct system *s);
  * system_solve, which its caller counts. */
 void system_work(struct system *s, struct counters *counters);
 
-/* Factorises P A P + S for A = k K + m M + D, D[nodes][3][3] on the diagonal, or NULL:
- * nodes a that are touched[a] may move only in the range of the orthogonal projector
- * P[a][3][3], which is the identity on the other nodes and does not mix held components
- * with free ones. S puts the node's mean diagonal of A on what P takes out, so that the
- * matrix is positive definite and its pattern that of A: for right-hand sides P b the
- * solution is in P's range, and the one of P A P there. K may be NULL if k == 0. */
-enum status system_factor_projected(struct system *s, double k, const double (*K)[9],
-                                    double m, const double *M, const double (*D)[9],
-                                    const double (*P)[9], const unsigned char *touched);
-
 /* Computes y = (k K + m M) x; x, y [nodes][3], work [nodes][3], not aliased. */
 void system_multiply(const struct system *s, double k, const double (*K)[9], double m,
                      const double *M, const double *x, double *y, double *work);

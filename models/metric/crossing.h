@@ -23,9 +23,9 @@
 #define CROSSING_TOLERANCE 1e-6
 #define CROSSING_SHAKE     1e-9
 
-/* The most pairs a triangle that are worth a count (intersection.h): a sheet that lies on
- * itself twice has five. */
-enum { CROSSING_PAIRS_MOST = 8 };
+/* The most pairs a triangle that are worth a count (intersection.h): a crumpled sheet has
+ * less than one. */
+enum { CROSSING_PAIRS_MOST = 2 };
 
 struct crossing {
     long pairs;    /* of triangles that meet; 0: it is no deeper than the tolerance      */

@@ -13,25 +13,28 @@
 #define KEPT 1e-4, NULL
 static const double ROUGH = 10, TURN = 0.02, GAIN = 1e-3, NONE = 1e-9;
 
-#define SPRINGS                                                                            \
-    {"triangles,triangles_explicit,mass_spring_momentum,mass_spring_leapfrog", KEPT},      \
-        {"mass_spring", KEPT, .settings = {"discretization.tolerance=1e-7"}},              \
-        {"position_based", KEPT},                                                          \
-        {"projective_dynamics", 1e-3, NULL,                                                \
-         .changed = "1e-4 of momentum, as of others; its iterations leave 5e-4"},          \
+#define NETS "triangles,triangles_explicit,mass_spring_momentum,mass_spring_leapfrog"
+#define PROJECTED                                                                          \
     {                                                                                      \
-        NULL                                                                               \
+        "projective_dynamics", 0, "its iterations leave 5e-4 of a push, of friction 0.01"  \
     }
 static const struct verify_subject entries[] = {
     {"iga_linear,hex_linear,shell_linear", 0, "turns by small angles alone", {8}, {8}},
     {"iga_paper", 0, "the paper's scheme", {8}, {8}},
     {"iga_incremental", 0, "forgets its stress", {8}, {8}},
     {"iga_nonlinear,hex_nonlinear,shell_2,shell_explicit_3", KEPT, {8}, {8}},
-    SPRINGS};
+    {"mass_spring", KEPT, .settings = {"discretization.tolerance=1e-7"}},
+    {NETS ",position_based", KEPT},
+    PROJECTED,
+    {NULL}};
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, VERIFY_REMEDIES, {11}, {11}};
 static const struct verify_subject folding[] = {
-    {"iga_reduced,shell_3,shell_explicit_3", KEPT, {12}, {12}, .dear = true}, SPRINGS};
+    {"iga_reduced,shell_3,shell_explicit_3", KEPT, {12}, {12}, .dear = true},
+    {"mass_spring", 0, "its iteration fails where the sheet closes"},
+    {NETS ",position_based", KEPT},
+    PROJECTED,
+    {NULL}};
 static const struct verify_field folded = {
     .subject = folding, .along = {21}, .across = {21}};
 
@@ -195,6 +198,9 @@ static void add_fold(struct verify_subject *s)
 {
     const double pressed = 0.25 * 0.5; /* [N s] */
     struct sums sums = {0};
+
+    if (s->sheet->quick && isnan(s->tolerance))
+        return;
     struct verify_trial t =
         verify_trial_of(s, "free_fall", "momentum gained, over what presses");
 
@@ -205,6 +211,8 @@ static void add_fold(struct verify_subject *s)
     if (fly(&t, &sums)) {
         verify_row_judge_error(t.row, vector_length(sums.momentum[1]) / pressed, 0);
         verify_row_note(t.row, "touches in %d frames", sums.touched);
+        if (!sums.touched)
+            verify_row_end(t.row, VERIFY_NOT_APPLICABLE, "which shows nothing");
         verify_subject_claim(s, TURN, NULL);
         verify_row_judge_error(
             verify_sheet_add(s, "angular momentum without its torque"),

@@ -6,17 +6,19 @@
  * a hundredth of a second; both are hundredths of the shortest way. */
 #define SEEN 0.03, NULL
 static const struct verify_subject entries[] = {
-    {"iga_reduced", SEEN, {40}, {3}},
-    {"shell_3", SEEN, {40}, {4}},
-    {"triangles,mass_spring", SEEN, {40}, {3}},
-    {"mass_spring_momentum,position_based,projective_dynamics", SEEN, {40}, {3}},
+    {"iga_reduced", SEEN, {40}, {3}, .dear = true},
+    {"shell_3", SEEN, {40}, {4}, .dear = true},
+    {"triangles,mass_spring,mass_spring_momentum", SEEN, {40}, {3}},
+    {"position_based", 0, "bends by its iterations", {40}, {3}, .dear = true},
+    {"projective_dynamics", SEEN, {40}, {3}, VERIFY_TO_THE_END, .dear = true},
     {NULL}};
 static const struct verify_field field = {.subject = entries};
 
 /* The clamp goes FARTHER than to where the foot shall slip, beginning slowly; the foot has
- * slipped when it is faster than what sticks, CREEP [m/s]. B = 100 rho h: the strip is soon
- * at rest. */
-static const double TIME = 2, FARTHER = 1.2, CREEP = 1e-3, THICK = 0.01, CONTACT = 0.002;
+ * slipped when it is faster than what sticks, CREEP [m/s], after BUCKLED, when that is
+ * over. B = 100 rho h: the strip is soon at rest. */
+static const double TIME = 2, FARTHER = 1.2, BUCKLED = 0.8, CREEP = 1e-3, THICK = 0.01,
+                    CONTACT = 0.002;
 
 /* Of the last frame; and the clamp's height when the foot slipped [m]; NAN: not yet. */
 struct seen {
@@ -32,7 +34,7 @@ static enum status look(void *context, const struct motion *m, struct message *w
     m->model->probe(m->state, 2, (double[]){1, 0.5, 0.5, 0, 0.5, 0.5}, x[0]);
     const double foot = fabs(x[0][0]), clamp = x[1][2];
     const double speed = (foot - s->foot) / m->scene->step;
-    if (isnan(s->slipped) && m->frames > 1 && speed > CREEP)
+    if (isnan(s->slipped) && m->time > BUCKLED && speed > CREEP)
         s->slipped = clamp + (s->clamp - clamp) * (speed - CREEP) / (speed - s->speed);
     s->foot = foot, s->speed = speed, s->clamp = clamp;
     return STATUS_OK;
@@ -76,5 +78,4 @@ const struct verify_check verify_stickslip = {
     "inextensible elastica by shooting, tests/reference/contact_stickslip.csv; after Sano, "
     "Yamaguchi, Wada 2017",
     "contact_stickslip",
-    .slow = true,
     .parts = {{&field, add_row, .every = 4}}};

@@ -24,8 +24,10 @@ static void make_up(struct truth *made, const double off[TIMES], double half, do
 {
     REQUIRE(truth_init(made, TIMES, TIMES, times) == STATUS_OK);
     for (int n = 0; n < TIMES; n++) {
-        for (int k = 0; k < GRID_POINTS; k++)
+        for (int k = 0; k < GRID_POINTS; k++) {
+            grid_point(k, made->xyz[n] + 3 * k);
             made->xyz[n][3 * k + 2] = off[n] + (k < LAYER ? -half : half);
+        }
         made->error[n] = bar;
     }
     made->foreign = true;

@@ -365,7 +365,7 @@ enum status contact_find(struct contact *c, const double *x)
             double D = body_distance(c, o, y, normal);
             if (isnan(D))
                 return STATUS_NAN;
-            if (!is_still(&c->scene->obstacles[o])) /* before others changes end */
+            if (!is_still(&c->scene->obstacles[o])) /* changes stop before still ones */
                 D = met_distance(c, n, o, y, D, normal);
             if (D - c->body.start < c->least)
                 c->least = D - c->body.start;

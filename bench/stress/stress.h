@@ -61,8 +61,8 @@ struct stress_case {
     const char *numerics[STRESS_SETTINGS]; /* the same, of every contestant               */
     int side;            /* points a side of nets; 0: 10; 1: one element                  */
     double weight_ratio; /* NURBS weights: of every other row to the rest; 0: none        */
-    int needles; /* triangles of a double cone under the sheet; 0: no such body;
-                    negative: as many, and one whose corners are on a line             */
+    int needles;         /* triangles of a double cone under the sheet; 0: no such body;
+                            negative: as many, and one whose corners are on a line             */
     double length, mass, time; /* SIMILAR: the other units in ours [m], [kg], [s]         */
     double bound;              /* largest error of an accurate run                        */
     const char *why;           /* reason for the bound                                    */

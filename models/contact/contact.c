@@ -365,7 +365,7 @@ enum status contact_find(struct contact *c, const double *x)
             double D = body_distance(c, o, y, normal);
             if (isnan(D))
                 return STATUS_NAN;
-            if (!is_still(&c->scene->obstacles[o])) /* before others changes end */
+            if (!is_still(&c->scene->obstacles[o])) /* changes stop before still ones */
                 D = met_distance(c, n, o, y, D, normal);
             if (D - c->body.start < c->least)
                 c->least = D - c->body.start;
@@ -578,6 +578,36 @@ static bool lacks(const struct contact *c, const struct contact_touch *t, const 
     return t->area * p > (1 + round_off) * t->push;
 }
 
+/* Gives each touch from `first` on that lacks force what it lacks, one after the other as
+ * the others now press; returns whether any did. */
+static bool relieve(const struct contact *c, int first, const double *compliance,
+                    const int *held, double *x)
+{
+    bool any = false;
+
+    for (struct contact_touch *t = c->touch + first; t < c->touch + c->count; t++) {
+        const struct contact_touch before = *t;
+        if (!lacks(c, t, x))
+            continue;
+        any = true;
+        yield_to(c, t, -1, compliance, held, x);
+        press_by(c, t, compliance, held, false, x);
+        if (t->push < before.push) /* others that rely on it would sink */
+            *t = before;
+        yield_to(c, t, 1, compliance, held, x);
+    }
+    return any;
+}
+
+/* Takes the touches from `first` on as they are at x. */
+static void take(struct contact *c, int first, const double *x)
+{
+    for (struct contact_touch *t = c->touch + first; t < c->touch + c->count; t++) {
+        t->D = distance_now(c, t, x);
+        add_up(c, t);
+    }
+}
+
 /* Ends the step of touches with a body, or of the sheet's own: with a body of all as if
  * they had the same pressure, which leaves flat what lands flat; then of one after the
  * other as the others now press. */
@@ -594,20 +624,7 @@ static void settle(struct contact *c, int first, const double *compliance, const
         press_by(c, t, compliance, held, true, x);
     for (struct contact_touch *t = from; t < end; t++)
         yield_to(c, t, 1, compliance, held, x);
-    for (struct contact_touch *t = from; t < end; t++) {
-        const struct contact_touch before = *t;
-        if (!lacks(c, t, x))
-            continue;
-        yield_to(c, t, -1, compliance, held, x);
-        press_by(c, t, compliance, held, false, x);
-        if (t->push < before.push) /* others that rely on it would sink */
-            *t = before;
-        yield_to(c, t, 1, compliance, held, x);
-    }
-    for (struct contact_touch *t = from; t < end; t++) {
-        t->D = distance_now(c, t, x);
-        add_up(c, t);
-    }
+    relieve(c, first, compliance, held, x);
 }
 
 /* Notes where a touch that was found at x was when the step began. */
@@ -686,15 +703,23 @@ out:
     return st;
 }
 
+/* The rounds in which bodies that close from two sides find how each presses against the
+ * other; their forces rise to those of the law, from below. */
+enum { ROUNDS = 32 };
+
 /* Adds and ends the touches with bodies. */
 static enum status project_bodies(struct contact *c, const double *compliance,
                                   const int *held, double *x)
 {
     enum status st = STATUS_OK;
-    const int near = list_near(c, x);
+    const int near = list_near(c, x), first = c->count;
+    int rounds = c->scene->obstacle_count > 1 ? ROUNDS : 0;
 
     for (int o = 0; o < c->scene->obstacle_count; o++)
         TRY(meet_body(c, o, near, compliance, held, x));
+    while (rounds-- > 0 && relieve(c, first, compliance, held, x))
+        ;
+    take(c, first, x);
 out:
     return st;
 }
@@ -716,6 +741,7 @@ enum status contact_project(struct contact *c, const double *compliance, const i
     for (int n = 0; n < c->count; n++)
         look_back(c, &c->touch[n], x);
     settle(c, 0, compliance, held, x);
+    take(c, 0, x);
     TRY(project_bodies(c, compliance, held, x));
 out:
     return st;

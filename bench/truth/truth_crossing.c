@@ -1,4 +1,5 @@
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "bench/truth/truth_parts.h"
@@ -25,13 +26,13 @@ out:
     return st == STATUS_NAN ? STATUS_INPUT : st;
 }
 
-enum status truth_crossing_judge(struct truth *made)
+/* Searches the claimed fields. */
+static enum status search(struct truth *made)
 {
     double *middle = malloc(3 * LAYER * sizeof *middle);
     struct intersection work = {.keep_pairs = true,
                                 .shake = CROSSING_SHAKE,
                                 .most = CROSSING_PAIRS_MOST * 2 * LAYER};
-    int end = made->claimed;
     enum status st = middle ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
@@ -41,14 +42,28 @@ enum status truth_crossing_judge(struct truth *made)
         TRY(measure(made->xyz[n], v[TRUTH_PACKING], &work, middle, &found));
         v[TRUTH_CROSSINGS] = (double)found.pairs;
         v[TRUTH_CROSSING_DEPTH] = found.depth;
-        if (found.pairs && n < end)
-            end = n;
     }
+out:
+    intersection_clear(&work);
+    free(middle);
+    return st;
+}
+
+enum status truth_crossing_judge(struct truth *made)
+{
+    enum status st = STATUS_OK;
+    bool known = true;
+    int end = 0;
+
+    for (int n = 0; n < made->claimed; n++)
+        known &= !isnan(made->value[n][TRUTH_CROSSINGS]);
+    if (!known)
+        TRY(search(made));
+    while (end < made->claimed && made->value[end][TRUTH_CROSSINGS] == 0)
+        end++;
     for (int n = end; n < made->claimed; n++)
         made->xyz[n] = NULL;
     made->claimed = end;
 out:
-    intersection_clear(&work);
-    free(middle);
     return st;
 }

@@ -204,6 +204,14 @@ static const struct {
         {"error", "m"}};
 enum { COLUMNS = sizeof columns / sizeof *columns };
 
+/* What truth_crossing_judge finds, for files that have it: a search of all that come with
+ * the program takes a second. */
+static const struct {
+    enum truth_column column;
+    const char *name, *unit;
+} crossings[] = {{TRUTH_CROSSINGS, "crossing_pairs", "1"},
+                 {TRUTH_CROSSING_DEPTH, "crossing_depth", "m"}};
+
 static double *cell(const struct truth *t, int n, int column)
 {
     return column < TRUTH_STORED ? &t->value[n][column] : &t->error[n];
@@ -242,6 +250,13 @@ static enum status put_columns(struct store *store, const struct truth *made,
             column[n] = *cell(made, n, c);
         st =
             store_metric(store, columns[c].name, columns[c].unit, column, made->times, why);
+    }
+    for (int c = 0; c < 2 && st == STATUS_OK && made->claimed; c++) {
+        for (int n = 0; n < made->times; n++)
+            column[n] = made->value[n][crossings[c].column];
+        if (!isnan(column[0]))
+            st = store_metric(store, crossings[c].name, crossings[c].unit, column,
+                              made->times, why);
     }
     free(column);
     return st;
@@ -343,6 +358,30 @@ out:
     return st;
 }
 
+/* Reads the crossings that the file has. */
+static enum status read_crossings(const struct store_read *file, struct truth *made)
+{
+    enum status st = STATUS_OK;
+    double *column = NULL;
+    int rows, width;
+
+    for (int c = 0; c < 2; c++) {
+        char name[64];
+        snprintf(name, sizeof name, "metrics/%s", crossings[c].name);
+        if (!store_read_has(file, name))
+            continue;
+        TRY(store_read_array(file, name, &column, &rows, &width, NULL));
+        if (rows != made->times || width != 1)
+            TRY(STATUS_INPUT);
+        for (int n = 0; n < rows; n++)
+            made->value[n][crossings[c].column] = column[n];
+        free(column), column = NULL;
+    }
+out:
+    free(column);
+    return st;
+}
+
 /* Reads what room[size] takes of a text; of a file without it `else_say`, if not NULL. */
 static enum status read_text(const struct store_read *file, const char *group,
                              const char *key, const char *else_say, char *room, size_t size)
@@ -368,6 +407,7 @@ static enum status read_made(const struct store_read *file, struct truth *made,
     TRY(store_read_array(file, "time", &time, &times, &width, NULL));
     TRY(claimed > times ? STATUS_INPUT : truth_init(made, times, claimed, time));
     TRY(read_columns(file, made));
+    TRY(read_crossings(file, made));
     for (int n = 0; n < claimed; n++)
         TRY(store_read_frame(file, n, made->xyz[n], NULL));
     TRY(read_text(file, "/", "note", NULL, made->source, sizeof made->source));

@@ -23,7 +23,7 @@ static const double RINGING_CHORD = 0.8;
 static const double SMALLEST_SHARE = 0.1;
 /* The change under contact, in ranges of the law, and the iterations after which it will
  * do. */
-static const double LEEWAY = 0.01;
+static const double LEEWAY = 1e-3;
 enum { LEEWAY_AFTER = 12 };
 /* The most halvings of a step that leads to a surface without normals or to NaN. */
 enum { HALVINGS = 6 };

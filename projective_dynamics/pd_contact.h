@@ -1,11 +1,9 @@
 /* pd_contact.h - a global step that meets bodies by the law of the scene (models/contact).
  *
- * With A the constant matrix of the global step, y its free result, s^2 the square of its
- * span, C the rows of the touches and f(x) the forces at them,
- *     A x = A y + s^2 C^T f(x).
- * Newton's method starts from the last iterate, which is outside of every wall, and takes
- * the forces f - K C d for a change d:
- *     (A + s^2 C^T K C) d = A (y - x) + s^2 C^T f.
+ * Here A is the constant matrix of the global step, y its free result, s^2 the square of
+ * its span, C the rows of the touches and f(x) the forces at them, A x = A y + s^2 C^T
+ * f(x). Newton's method starts from the last iterate, which is outside of every wall, and
+ * takes the forces f - K C d for a change d: (A + s^2 C^T K C) d = A (y - x) + s^2 C^T f.
  * A remains as it was factored: with R = s sqrt(K), S = C A^-1 C^T and the change d_0 by
  * the forces as they are,
  *     d = d_0 - A^-1 C^T R u,    (1 + R S R) u = R C d_0,

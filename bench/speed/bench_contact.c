@@ -8,7 +8,7 @@
 #include "models/net/spring_sweep.h"
 
 static const double half_pi = 1.5707963267948966;
-/* Of a sheet of 1 m: where contact starts, and the gap of a fold [m]. */
+/* A sheet of 1 m: where contact starts, and the gap of a fold [m]. */
 static const double start = 0.002, gap = 0.0016;
 
 static void flat(double u, double v, double x[3])

@@ -133,7 +133,8 @@ enum truth_column {
     /* Read from the file beside it (truth_file_read), NaN where there is none: */
     TRUTH_THIRD = TRUTH_STORED, /* how far it is [m]                                    */
     TRUTH_THIRD_BAR,            /* its own error bar [m]                                */
-    /* From the file, or computed where it is read; NaN where nothing was claimed before: */
+    /* Columns of the file, or computed where it is read; NaN where nothing was claimed
+       before: */
     TRUTH_CROSSINGS,      /* pairs of triangles where its sheet passes through itself [1] */
     TRUTH_CROSSING_DEPTH, /* how deep (models/metric/crossing.h) [m]                    */
     TRUTH_COLUMNS

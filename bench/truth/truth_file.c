@@ -204,7 +204,7 @@ static const struct {
         {"error", "m"}};
 enum { COLUMNS = sizeof columns / sizeof *columns };
 
-/* What truth_crossing_judge finds, for files that have it: a search of all that come with
+/* The finds of truth_crossing_judge, for files that have it: a search of all that come with
  * the program takes a second. */
 static const struct {
     enum truth_column column;

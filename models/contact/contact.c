@@ -81,7 +81,7 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
 {
     const double end = isfinite(dt) ? t + dt : t;
 
-    c->t = t, c->dt = dt, c->rests = false;
+    c->dt = dt, c->rests = false;
     c->finds = 0, c->error = 0;
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
     for (int o = 0; o < c->scene->obstacle_count; o++) {
@@ -459,9 +459,21 @@ static double limit_slip(const struct contact *c, const struct contact_touch *t,
     return back > size * size ? size * size / back : 1;
 }
 
+/* Returns the share of a change that keeps the sheet from coming through itself; 0 with
+ * c->failed. */
+static double limit_own(struct contact *c, const double *x, const double *d)
+{
+    double share = 1;
+
+    if (c->scene->contact.self)
+        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
+                                         c->self.range, &share);
+    return c->failed == STATUS_OK ? share : 0;
+}
+
 double contact_limit(struct contact *c, const double *x, const double *d)
 {
-    double share = 1, own = 1;
+    double share = 1;
 
     for (int n = 0; n < c->surface.count; n++) {
         double y[3], way[3];
@@ -472,16 +484,12 @@ double contact_limit(struct contact *c, const double *x, const double *d)
     }
     for (int n = 0; c->finds > CAREFUL && n < c->count; n++)
         share = fmin(share, limit_slip(c, &c->touch[n], d));
-    if (c->scene->contact.self)
-        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
-                                         c->self.range, &own);
-    return c->failed == STATUS_OK ? fmin(share, own) : 0;
+    return fmin(share, limit_own(c, x, d));
 }
 
 bool contact_shorten(struct contact *c, const double *x, double *d)
 {
     const struct contact_surface *s = &c->surface;
-    double own = 1;
     bool any = false;
 
     for (int n = 0; n < s->count; n++) {
@@ -495,9 +503,7 @@ bool contact_shorten(struct contact *c, const double *x, double *d)
             for (int i = 0; i < 3; i++)
                 d[3 * (size_t)s->node[(size_t)n * s->width + k] + i] *= share;
     }
-    if (c->scene->contact.self)
-        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
-                                         c->self.range, &own);
+    const double own = limit_own(c, x, d);
     for (int k = 0; own < 1 && k < 3 * s->nodes; k++)
         d[k] *= own;
     return any || own < 1;

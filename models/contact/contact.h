@@ -42,7 +42,7 @@ struct contact {
     struct contact_pose *pose, *pose_old; /* [obstacles]                owned     */
     int finds;       /* calls of contact_find in the step                             */
     double error;    /* how far x may be from the solution, 0: not told           [m]    */
-    double t, dt;    /* the step: [t, t + dt]; dt INFINITY: no rates                 */
+    double dt;       /* of the step; INFINITY: no rates                     [s]    */
     bool rests;      /* the pressure has no rate, only friction                      */
     double *x_old;   /* [nodes][3] where it starts                         owned     */
     double *area;    /* [nodes] their shares of the samples'       [m^2]    owned     */
@@ -86,8 +86,9 @@ enum status contact_find(struct contact *c, const double *x);
 /* Adds the forces of the touches to force[nodes][3]. */
 void contact_force(const struct contact *c, double *force);
 
-/* Returns the largest share, at most 1, of a change d of x that leaves a tenth of each
- * sample's distance to the wall. */
+/* Returns the largest share, at most 1, of a change d of x that leaves each sample half of
+ * its distance to the wall, or half of the range where that is less; after some calls of
+ * contact_find in a step, one that turns no slip round, too. */
 double contact_limit(struct contact *c, const double *x, const double *d);
 
 /* Shortens the change d[nodes][3] of x so that each sample leaves as much: before bodies

@@ -6,7 +6,7 @@
 
 #include "models/scene.h"
 
-/* Where a body is: x = turn X + shift for its points X where the scene places it. */
+/* A body's place: x = turn X + shift for its points X where the scene places it. */
 struct contact_pose {
     double turn[3][3]; /* rotation                                                     */
     double shift[3];   /*                                                        [m]   */

@@ -7,7 +7,7 @@
 #include "models/mechanics/contact_coupled.h"
 #include "models/mechanics/newmark.h"
 
-/* What the steps of a body work with; borrowed but `coupled`. */
+/* The parts that the steps of a body work with; borrowed but `coupled`. */
 struct contact_linear {
     struct contact *contact;
     struct newmark *newmark; /* d and v; a is not used by contact_linear_step          */

@@ -24,7 +24,8 @@ static const struct verify_field field = {.subject = entries};
 static const double TIME = 2, FARTHER = 1.2, BUCKLED = 0.8, CREEP = 1e-3, THICK = 0.01,
                     CONTACT = 0.002;
 
-/* Of the last frame; and the clamp's height when the foot slipped [m]; NAN: not yet. */
+/* Values of the last frame; and the clamp's height when the foot slipped [m]; NAN: not yet.
+ */
 struct seen {
     double foot, speed, clamp, slipped;
 };

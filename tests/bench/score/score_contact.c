@@ -1,4 +1,4 @@
-/* What is said of a sheet that passes through itself or a body, or rests on a margin:
+/* The sentences on a sheet that passes through itself or a body, or rests on a margin:
  * frames that are made to do so at a known frame, place and depth, and others that do not
  * quite. */
 #include "bench/score/score_contact.h"

@@ -10,6 +10,23 @@ void grid_point(int n, double uvw[3])
     uvw[2] = n / (GRID_U * GRID_V) / (GRID_W - 1.0);
 }
 
+void grid_columns(int sheets, int sheet, int column[2])
+{
+    column[0] = sheet * GRID_U / sheets;
+    column[1] = (sheet + 1) * GRID_U / sheets - 1;
+}
+
+int grid_sheet(int sheets, int i)
+{
+    return ((i + 1) * sheets - 1) / GRID_U;
+}
+
+bool grid_cut(int sheets, int i)
+{
+    return sheets > 1 && i + 1 < GRID_U &&
+           grid_sheet(sheets, i) < grid_sheet(sheets, i + 1);
+}
+
 void grid_sample(void (*probe)(const void *state, int n, const double *uvw, double *xyz),
                  const void *state, double *xyz)
 {

@@ -7,7 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/grid.h"
 #include "models/vector.h"
+
+/* The round-off of u, in columns of the grid. */
+#define ROUND_OFF 1e-12
 
 void scene_clear(struct scene *scene)
 {
@@ -35,6 +39,7 @@ enum status scene_init(struct scene *scene)
         .length = 1.0,
         .width = 1.0,
         .thickness = 0.01,
+        .sheets = 1,
         .axis_u = {1, 0, 0},
         .axis_v = {0, 1, 0},
         .young = 1.0,
@@ -150,6 +155,8 @@ unsigned scene_needs(const struct scene *scene)
             needs |= SCENE_NEED_MOVING_OBSTACLES;
     if (scene->contact.self)
         needs |= SCENE_NEED_SELF_CONTACT;
+    if (scene->sheets > 1)
+        needs |= SCENE_NEED_SHEETS;
     if (scene->load_count > 0)
         needs |= SCENE_NEED_LOADS;
     if (scene->drag > 0)
@@ -184,6 +191,42 @@ void scene_needs_text(unsigned needs, char *text, int size)
 const char *const scene_shape_words[] = {
     [SCENE_FLAT] = "flat", [SCENE_CLOAK] = "cloak", NULL};
 
+int scene_sheet_at(const struct scene *scene, double u, double *s)
+{
+    double at = u * (GRID_U - 1);
+    int column[2];
+
+    *s = u;
+    if (scene->sheets < 2)
+        return 0;
+    const double nearest = round(fmin(fmax(at, 0), GRID_U - 1));
+    const int sheet = grid_sheet(scene->sheets, (int)nearest);
+    grid_columns(scene->sheets, sheet, column);
+    if (fabs(at - nearest) < ROUND_OFF)
+        at = nearest;
+    *s = fmin(fmax((at - column[0]) / (column[1] - column[0]), 0), 1);
+    return sheet;
+}
+
+double scene_sheet_u(const struct scene *scene, int sheet, double s)
+{
+    int column[2];
+
+    if (scene->sheets < 2)
+        return s;
+    grid_columns(scene->sheets, sheet, column);
+    return (column[0] + s * (column[1] - column[0])) / (GRID_U - 1);
+}
+
+struct scene scene_sheet(const struct scene *scene, int sheet)
+{
+    struct scene one = *scene;
+
+    one.sheets = 1;
+    one.pose[0] = scene->pose[sheet];
+    return one;
+}
+
 void scene_normal(const struct scene *scene, double e_w[3])
 {
     vector_cross(scene->axis_u, scene->axis_v, e_w);
@@ -191,16 +234,17 @@ void scene_normal(const struct scene *scene, double e_w[3])
 
 void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3])
 {
-    double e_w[3];
+    double e_w[3], s;
 
     if (scene->shape == SCENE_CLOAK) {
         scene_cloak_point(scene, uvw, xyz);
         return;
     }
-    scene_normal(scene, e_w);
+    const struct scene_pose *pose = &scene->pose[scene_sheet_at(scene, uvw[0], &s)];
+    vector_cross(pose->axis_u, pose->axis_v, e_w);
     for (int i = 0; i < 3; i++)
-        xyz[i] = scene->origin[i] + uvw[0] * scene->length * scene->axis_u[i] +
-                 uvw[1] * scene->width * scene->axis_v[i] +
+        xyz[i] = pose->origin[i] + s * scene->length * pose->axis_u[i] +
+                 uvw[1] * scene->width * pose->axis_v[i] +
                  (uvw[2] - 0.5) * scene->thickness * e_w[i];
 }
 
@@ -246,9 +290,9 @@ bool scene_is_cantilever(const struct scene *scene)
 {
     const struct scene_support *s = scene->supports;
 
-    return scene->support_count == 1 && s->lo[0] == 0 && s->hi[0] == 0 && s->lo[1] == 0 &&
-           s->hi[1] == 1 && s->lo[2] == 0 && s->hi[2] == 1 && s->fix == FIX_XYZ &&
-           !s->path_count;
+    return scene->sheets < 2 && scene->support_count == 1 && s->lo[0] == 0 &&
+           s->hi[0] == 0 && s->lo[1] == 0 && s->hi[1] == 1 && s->lo[2] == 0 &&
+           s->hi[2] == 1 && s->fix == FIX_XYZ && !s->path_count;
 }
 
 bool scene_edge_clamped(const struct scene *scene, int i, bool end)

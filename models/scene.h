@@ -4,6 +4,11 @@
  * flat at rest,
  *   X(u,v,w) = origin + u L e_u + v W e_v + (w - 1/2) h e_w,   e_w = e_u x e_v,
  * so that `origin` is the mid-surface corner; or it has the curved rest shape of cloak.h.
+ *
+ * A scene may have several flat sheets, alike but for where they lie. They share u: sheet k
+ * of K has the columns of the material grid that grid_columns tells, the rest is void.
+ * Everywhere u is this one of the scene, unless it is called s, which runs from 0 to 1
+ * along each sheet. With one sheet they are the same.
  */
 #ifndef SCENE_H
 #define SCENE_H
@@ -28,6 +33,13 @@ enum scene_shape {
     SCENE_CLOAK, /* cloak.h */
 };
 
+enum { SCENE_MAX_SHEETS = 8 };
+
+/* The place of a flat sheet at rest. */
+struct scene_pose {
+    double origin[3], axis_u[3], axis_v[3]; /* [m]; axes orthonormal */
+};
+
 struct scene_damping {
     enum damping_kind kind;
     double value;
@@ -43,6 +55,7 @@ struct scene_support {
     double (*path)[4]; /* [path_count][t, dx, dy, dz], t increasing; linear between,
                           constant outside                          [s, m]  owned  */
     int line;          /* in the scene file; 0 if made in memory                   */
+    int sheet;         /* named by the scene file, from 1; 0: none                 */
 };
 
 /* A dead force, spread evenly over the material points lo <= (u,v,w) <= hi: an edge, a
@@ -50,11 +63,13 @@ struct scene_support {
 struct scene_load {
     double lo[3], hi[3];
     double force[3]; /* in all                                                [N]     */
+    int sheet;       /* named by the scene file, from 1; 0: none                       */
 };
 
-/* How the sheet meets bodies and itself (models/contact/contact_law.h); 0: by rule. */
+/* How sheets meet bodies, themselves and each other (models/contact/contact_law.h); 0: by
+ * rule. */
 struct scene_contact {
-    bool self;        /* the sheet meets itself                                    */
+    bool self;        /* sheets meet themselves and each other                     */
     double thickness; /* distance of mid-surfaces where contact starts; h    [m]   */
     double range;     /* from there to the wall; thickness / 2               [m]   */
     double stiffness; /* pressure at half the range                          [Pa]  */
@@ -101,7 +116,13 @@ struct scene {
     char *text;   /* the file as read, with the settings applied below it   owned     */
 
     double length, width, thickness; /*                                       [m] > 0 */
-    double origin[3], axis_u[3], axis_v[3]; /* axes orthonormal                       */
+    int sheets;                      /* 0, 1: one                                    */
+    union {
+        struct scene_pose pose[SCENE_MAX_SHEETS]; /* of the sheets                  */
+        struct {
+            double origin[3], axis_u[3], axis_v[3]; /* of the first                   */
+        };
+    };
     enum scene_shape shape; /* at rest                                       */
     double opening, flare;  /* angles of a cloak                       [deg] */
 
@@ -141,7 +162,8 @@ struct scene {
     X(CURVED_REST, "curved rest shape")                                                    \
     X(INITIAL_MOTION, "initial motion")                                                    \
     X(MOVING_OBSTACLES, "moving obstacles")                                                \
-    X(SELF_CONTACT, "contact of the sheet with itself")
+    X(SELF_CONTACT, "contact of the sheet with itself")                                    \
+    X(SHEETS, "several sheets")
 
 enum scene_need_bit {
 #define SCENE_NEED_BIT(name, sentence) SCENE_NEED_BIT_##name,
@@ -185,7 +207,19 @@ void scene_obstacle_clear(struct scene_obstacle *obstacle);
 /* "flat", "cloak"; NULL ends. */
 extern const char *const scene_shape_words[];
 
-/* Computes e_w = e_u x e_v. */
+/* Returns the sheet, from 0, that has u, and computes s along it; a u in the void belongs
+ * to the end of the nearest sheet. */
+int scene_sheet_at(const struct scene *scene, double u, double *s);
+
+/* Returns u at s of a sheet; scene_sheet_at then returns s to round-off, 0 and 1 exactly.
+ */
+double scene_sheet_u(const struct scene *scene, int sheet, double s);
+
+/* Returns the scene with that sheet as its only one; supports and loads stay as they are.
+ * Borrows all that the scene owns: not to be cleared. */
+struct scene scene_sheet(const struct scene *scene, int sheet);
+
+/* Computes e_w = e_u x e_v of the first sheet. */
 void scene_normal(const struct scene *scene, double e_w[3]);
 
 /* Returns the rest position of a material point [m]. */

@@ -65,6 +65,7 @@ enum status contact_surface_init(struct contact_surface *s, const struct scene *
 
     *s = (struct contact_surface){.self = self,
                                   .row = row,
+                                  .sheets = scene->sheets > 1 ? scene->sheets : 1,
                                   .points = {points[0], points[1]},
                                   .count = (int)count,
                                   .width = width,

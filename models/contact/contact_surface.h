@@ -1,5 +1,6 @@
 /* contact_surface.h - the mid-surface of a sheet as contact sees it: a grid of samples,
- * each a weighted sum of a model's nodes, with its share of the area at rest.
+ * each a weighted sum of a model's nodes, with its share of the area at rest. Several
+ * sheets have as many rows each, one after the other, and no cells in between.
  *
  * Contact is integrated at the samples (trapezoidal rule), and the triangles between them
  * are what other samples and other surfaces meet. A net of points has them at its nodes; a
@@ -18,7 +19,8 @@ typedef int contact_row(const void *self, double u, double v, int *node, double 
 struct contact_surface {
     const void *self; /* of `row`                                            borrowed  */
     contact_row *row;
-    int points[2];   /* samples along u and v                                            */
+    int sheets;      /* that share the samples along u                                   */
+    int points[2];   /* samples along u, of all sheets, and v                            */
     int count;       /* points[0] points[1]; sample = i points[1] + j                    */
     int width;       /* most nodes of a row                                              */
     int nodes;       /* of the model                                                     */
@@ -37,7 +39,8 @@ enum status contact_surface_init(struct contact_surface *s, const struct scene *
                                  const void *self, contact_row *row, int width, int nodes,
                                  const double *const line[2], const int points[2]);
 
-/* Makes the samples of a net whose nodes, number i points[1] + j, lie evenly at (u,v). */
+/* Makes the samples of a net whose nodes, number i points[1] + j, lie evenly on each sheet;
+ * points[0] are those of all sheets. */
 enum status contact_surface_init_net(struct contact_surface *s, const struct scene *scene,
                                      const int points[2]);
 void contact_surface_clear(struct contact_surface *s);

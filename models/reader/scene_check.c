@@ -153,6 +153,66 @@ out:
     return st;
 }
 
+/* Checks the places of several sheets, which meet unless the scene says otherwise. */
+static enum status check_sheets(const struct yaml_tree *root, struct scene *scene,
+                                struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *list = yaml_tree_find(root, "sheets");
+    const struct yaml_tree *pose = yaml_tree_find(root, "pose");
+    const struct yaml_tree *row = list ? list->first : NULL;
+
+    if (list && pose)
+        return yaml_tree_refuse(is_setting(list) ? list : pose, why,
+                                "the scene has both pose and sheets, but must have one: "
+                                "the rows of sheets say where each lies");
+    for (struct scene_pose *p = scene->pose; row; p++, row = row->next)
+        TRY(check_axes(row, "sheet", p->axis_u, p->axis_v, why));
+    if (list && !yaml_tree_find(root, "contact"))
+        scene->contact.self = true;
+out:
+    return st;
+}
+
+/* Turns the range of u along a sheet, where a support or load has one, into that of the
+ * scene. */
+static enum status check_place(const struct scene *scene, const struct yaml_tree *node,
+                               int sheet, double *lo, double *hi, struct message *why)
+{
+    const struct yaml_tree *at = yaml_tree_find(node, "at"), *u = yaml_tree_find(at, "u");
+
+    if (sheet > 1 && sheet > scene->sheets)
+        return yaml_tree_refuse(yaml_tree_find(at, "sheet"), why,
+                                "sheet is %d, but the scene has %d", sheet, scene->sheets);
+    if (u && !sheet && scene->sheets > 1)
+        return yaml_tree_refuse(u, why,
+                                "the scene has %d sheets, and u runs along one: it must be "
+                                "named, as in {sheet: 1, u: 0}",
+                                scene->sheets);
+    if (sheet) {
+        *lo = scene_sheet_u(scene, sheet - 1, *lo);
+        *hi = scene_sheet_u(scene, sheet - 1, *hi);
+    }
+    return STATUS_OK;
+}
+
+static enum status check_places(const struct yaml_tree *root, struct scene *scene,
+                                struct message *why)
+{
+    enum status st = STATUS_OK;
+    const struct yaml_tree *supports = yaml_tree_find(root, "supports");
+    const struct yaml_tree *loads = yaml_tree_find(root, "loads"), *node;
+
+    node = supports ? supports->first : NULL;
+    for (struct scene_support *s = scene->supports; node; s++, node = node->next)
+        TRY(check_place(scene, node, s->sheet, &s->lo[0], &s->hi[0], why));
+    node = loads ? loads->first : NULL;
+    for (struct scene_load *l = scene->loads; node; l++, node = node->next)
+        TRY(check_place(scene, node, l->sheet, &l->lo[0], &l->hi[0], why));
+out:
+    return st;
+}
+
 static enum status check_pose(const struct yaml_tree *root, struct scene *scene,
                               struct message *why)
 {
@@ -356,7 +416,9 @@ enum status scene_check(const struct yaml_tree *root, bool files, struct scene *
 {
     enum status st = STATUS_OK;
 
+    TRY(check_sheets(root, scene, why));
     TRY(check_pose(root, scene, why));
+    TRY(check_places(root, scene, why));
     TRY(check_time(root, scene, why));
     TRY(check_damping(root, scene, why));
     TRY(check_snapshots(root, scene, why));

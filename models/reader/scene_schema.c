@@ -151,6 +151,8 @@ out:
     .want = "1 to 1000 rows [t, x, y, z] of numbers within -1e+06 and 1e+06"
 
 static const struct schema_key AT[] = {
+    {"sheet", "the sheet whose u it is, from 1", SCHEMA_COUNT, .low = 1,
+     .high = SCENE_MAX_SHEETS, IN(scene_support, sheet)},
     {"u", "along the length", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
      .want = "a number or [low, high] within 0 and 1"},
     {"v", "along the width", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
@@ -207,6 +209,7 @@ static enum status read_loads(const struct schema_key *key, const struct yaml_tr
         memcpy(load.lo, p.at.lo, sizeof load.lo);
         memcpy(load.hi, p.at.hi, sizeof load.hi);
         memcpy(load.force, p.force, sizeof load.force);
+        load.sheet = p.at.sheet;
         TRY(scene_add_load(target, &load));
     }
 out:
@@ -342,6 +345,24 @@ out:
     return st;
 }
 
+static enum status read_sheets(const struct schema_key *key, const struct yaml_tree *node,
+                               void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct scene *scene = target;
+    int k = 0;
+
+    if (node->kind != YAML_TREE_LIST || node->count < 2 || node->count > SCENE_MAX_SHEETS)
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *row = node->first; row; row = row->next) {
+        scene->pose[k] = (struct scene_pose){.axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}};
+        TRY(schema_read(key->keys, row, "a sheet", &scene->pose[k++], why));
+    }
+    scene->sheets = k;
+out:
+    return st;
+}
+
 static enum status read_self(const struct schema_key *key, const struct yaml_tree *node,
                              void *target, struct message *why)
 {
@@ -397,6 +418,14 @@ static const struct schema_key POSE[] = {
      .high = 90, IN(scene, flare)},
     {NULL}};
 
+static const struct schema_key SHEETS[] = {
+    {"origin", "mid-surface corner u = v = 0 [m]", SCHEMA_VECTOR, PLACE, .required = true,
+     IN(scene_pose, origin)},
+    {"u", "unit vector along the length; x", SCHEMA_VECTOR, PLACE, IN(scene_pose, axis_u)},
+    {"v", "unit vector along the width, across u; y", SCHEMA_VECTOR, PLACE,
+     IN(scene_pose, axis_v)},
+    {NULL}};
+
 static const struct schema_key MATERIAL[] = {
     {"young", "E [Pa]", SCHEMA_NUMBER, .required = true, POSITIVE, IN(scene, young)},
     {"poisson", "nu [1]", SCHEMA_NUMBER, .required = true, .open = true, .low = -1,
@@ -423,7 +452,7 @@ static const struct schema_key DAMPING[] = {
     {NULL}};
 
 static const struct schema_key CONTACT[] = {
-    {"self", "the sheet meets itself; true", SCHEMA_SPECIAL, .read = read_self,
+    {"self", "sheets meet themselves and each other; true", SCHEMA_SPECIAL, .read = read_self,
      .want = "true or false"},
     {"thickness", "distance of mid-surfaces where contact starts; 0: the sheet's [m]",
      SCHEMA_NUMBER, .low = 0, .high = 1e6, IN(scene, contact.thickness)},
@@ -455,6 +484,9 @@ static const struct schema_key SCENE[] = {
     {"about", "what happens, for lists", SCHEMA_TEXT, IN(scene, about)},
     {"sheet", "the sheet", SCHEMA_SECTION, .required = true, .keys = SHEET},
     {"pose", "its rest pose", SCHEMA_SECTION, .keys = POSE},
+    {"sheets", "in place of pose: several sheets, alike but for their places", SCHEMA_SPECIAL,
+     .keys = SHEETS, .read = read_sheets,
+     .want = "a list of 2 to 8 sheets {origin: [x, y, z], u: [...], v: [...]}"},
     {"material", "isotropic, linear", SCHEMA_SECTION, .required = true, .keys = MATERIAL},
     {"gravity", "acceleration [m/s^2]", SCHEMA_VECTOR, PLACE, IN(scene, gravity)},
     {"drag", "body drag", SCHEMA_SECTION, .keys = DRAG},

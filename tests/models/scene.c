@@ -1,6 +1,7 @@
 /* Scenes and discretizations made in memory: geometry, needs, paths, copies, words. */
 #include "models/discretization.h"
 #include "models/damping.h"
+#include "models/grid.h"
 #include "models/scene.h"
 #include "tests/check.h"
 
@@ -173,8 +174,38 @@ static void check_clamped(void)
     }
 }
 
+/* The grid's columns and u of sheets: ends are exact, a void belongs to the nearest. */
+static void check_sheets(void)
+{
+    struct scene s;
+    double at;
+
+    REQUIRE(scene_init(&s) == STATUS_OK);
+    CHECK(scene_sheet_at(&s, 0.1, &at) == 0 && at == 0.1);
+    CHECK(scene_sheet_u(&s, 0, 0.1) == 0.1 && !grid_cut(1, 49));
+    for (s.sheets = 2; s.sheets <= SCENE_MAX_SHEETS; s.sheets++) {
+        int column[2], cuts = 0;
+        for (int i = 0; i < GRID_U; i++) {
+            const int k = scene_sheet_at(&s, i / (GRID_U - 1.0), &at);
+            grid_columns(s.sheets, k, column);
+            CHECK(column[0] <= i && i <= column[1] && grid_sheet(s.sheets, i) == k);
+            CHECK((at == 0) == (i == column[0]) && (at == 1) == (i == column[1]));
+            CHECK_NEAR(scene_sheet_u(&s, k, at), i / (GRID_U - 1.0), TOL_ROUND);
+            if (grid_cut(s.sheets, i)) {
+                CHECK(i == column[1] && ++cuts == k + 1);
+                CHECK(scene_sheet_at(&s, (i + 0.4) / (GRID_U - 1), &at) == k && at == 1);
+                CHECK(scene_sheet_at(&s, (i + 0.6) / (GRID_U - 1), &at) == k + 1);
+                CHECK(at == 0);
+            }
+        }
+        CHECK(cuts == s.sheets - 1 && column[1] == GRID_U - 1);
+    }
+    scene_clear(&s);
+}
+
 int main(void)
 {
+    check_sheets();
     check_rest_point();
     check_numbers();
     check_needs();

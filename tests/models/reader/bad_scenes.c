@@ -154,6 +154,12 @@ static const struct {
     {"obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1]}, turn: {axis: [0,2,0], about: "
      "[0.5,0,-1], angles: [[0,0],[0.5,90],[0.25,0]]}}]",
      "angles has time 0.25 after 0.5"},
+    {"sheets=[{origin: [0,0,0]}]", "sheets is a list of 1, but must be a list of 2 to 8"},
+    {"sheets=[{origin: [0,0,0]},{u: [1,0,0]}]", "a sheet lacks the key 'origin'"},
+    {"sheets=[{origin: [0,0,0]},{origin: [0,0,1],u: [2,0,0]}]",
+     "sheet axis u has length 2"},
+    {"supports=[{at: {sheet: 2, u: 0}, fix: x}]", "sheet is 2, but the scene has 1"},
+    {"loads=[{at: {sheet: 0}, force: [1,0,0]}]", "sheet is '0', but must be"},
     {"contact.self=yes", "self is 'yes', but must be true or false"},
     {"contact.thickness=-1", "thickness is '-1'"},
     {"contact.range=0.01", "contact has a range of 0.01 m, but it must be"},

@@ -130,6 +130,41 @@ static void check_self(void)
     }
 }
 
+/* Three sheets, which meet; u of a support or load runs along the sheet that it names. */
+static void check_sheets(void)
+{
+    static const char *said[] = {
+        "sheets=[{origin: [0,0,0]},{origin: [0,0,1],v: [0,0,1]},{origin: [7,0,2]}]",
+        "supports=[{at: {sheet: 3, u: [0.5,1]}, fix: z},{at: {v: 0}, fix: xyz}]",
+        "loads=[{at: {sheet: 2, u: 0}, force: [1,0,0]}]", "contact.self=false"};
+    struct read r = read_text(MINIMAL, NULL, 3, said);
+    const struct scene_support *s = r.s.supports;
+    double x[3], at;
+
+    REQUIRE(r.st == STATUS_OK && r.s.sheets == 3);
+    CHECK(r.s.contact.self && scene_needs(&r.s) & SCENE_NEED_SHEETS);
+    CHECK_NEAR(s[0].lo[0], (66 + 16.5) / 99, 1e-15);
+    CHECK(s[0].hi[0] == 1 && s[1].lo[0] == 0 && s[1].hi[0] == 1);
+    CHECK_NEAR(r.s.loads[0].lo[0], 33 / 99., 1e-15);
+    CHECK(scene_sheet_at(&r.s, s[0].lo[0], &at) == 2);
+    CHECK_NEAR(at, 0.5, 1e-15);
+    scene_rest_point(&r.s, (double[3]){r.s.loads[0].lo[0], 1, 0.5}, x);
+    CHECK_NEAR(x[2], 1 + r.s.width, 1e-15);
+    clear(&r);
+
+    r = read_text(MINIMAL, NULL, 4, said);
+    CHECK(r.st == STATUS_OK && !r.s.contact.self);
+    clear(&r);
+    said[1] = "pose.kind=cloak";
+    r = try_text(MINIMAL, NULL, 2, said);
+    CHECK(r.st == STATUS_INPUT && strstr(r.why.text, "both pose and sheets"));
+    clear(&r);
+    said[1] = "supports=[{at: {u: 0}, fix: z}]";
+    r = try_text(MINIMAL, NULL, 2, said);
+    CHECK(r.st == STATUS_INPUT && strstr(r.why.text, "it must be named, as in {sheet: 1"));
+    clear(&r);
+}
+
 static void check_everything(void)
 {
     static const char text[] =
@@ -394,6 +429,7 @@ int main(void)
     check_axes();
     check_everything();
     check_self();
+    check_sheets();
     check_settings();
     check_printed();
     check_foreign();

@@ -610,7 +610,7 @@ static void test_sheets_meet(void)
     open_sheets(2, n, &surface, &search);
     for (int p = 0; p < n[0] * M; p++) {
         const int up = p / M >= ROWS;
-        place[p][0] = 0.1 * start * (p / M % ROWS), place[p][1] = 0.1 * start * (p % M);
+        place[p][0] = p / M % ROWS / (ROWS - 1.), place[p][1] = p % M / (M - 1.);
         place[p][2] = gap * up;
         change[p][0] = change[p][1] = 0, change[p][2] = -closing * up;
     }

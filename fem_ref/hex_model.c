@@ -7,14 +7,13 @@
 #include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
-#include "models/room.h"
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"
 
 struct hex {
     struct solid_sheet sheet; /* first: solid_model.h                                  */
     struct hex_tables tables;
-    int points[3];
+    int points[3]; /* of one sheet                                                     */
 };
 
 /* clang-format off */
@@ -53,16 +52,18 @@ static enum status refuse(const struct discretization *d, struct message *why)
     return STATUS_OK;
 }
 
-static double *rest_points(const struct scene *scene, const int points[3])
+static double *rest_points(const struct scene *scene, int sheets, const int points[3])
 {
-    size_t nodes = (size_t)points[0] * (size_t)points[1] * (size_t)points[2];
+    size_t nodes =
+        (size_t)sheets * (size_t)points[0] * (size_t)points[1] * (size_t)points[2];
     double *x = malloc(3 * nodes * sizeof *x), *next = x;
 
-    for (int i = 0; x && i < points[0]; i++)
+    for (int i = 0; x && i < sheets * points[0]; i++)
         for (int j = 0; j < points[1]; j++)
             for (int k = 0; k < points[2]; k++, next += 3) {
-                double uvw[3] = {(double)i / (points[0] - 1), (double)j / (points[1] - 1),
-                                 (double)k / (points[2] - 1)};
+                const double s = (double)(i % points[0]) / (points[0] - 1);
+                double uvw[3] = {scene_sheet_u(scene, i / points[0], s),
+                                 (double)j / (points[1] - 1), (double)k / (points[2] - 1)};
                 scene_rest_point(scene, uvw, next);
             }
     return x;
@@ -97,6 +98,18 @@ static enum status add_loads(struct hex *h)
     return solid_motion_add_loads(&h->sheet.motion, line);
 }
 
+/* Finds the first node at[3] of the cell of a material point, and its ends' weights. */
+static void find_cell(const struct hex *h, const double uvw[3], int at[3],
+                      double weight[3][2])
+{
+    double s;
+    const int sheet = scene_sheet_at(h->sheet.motion.scene, uvw[0], &s);
+
+    for (int i = 0; i < 3; i++)
+        at[i] = grid_cell(h->points[i], i ? uvw[i] : s, weight[i]);
+    at[0] += sheet * h->points[0];
+}
+
 /* Interpolates the nodes' positions trilinearly. */
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
@@ -106,8 +119,7 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         double weight[3][2], sum[3] = {0};
         int at[3];
-        for (int i = 0; i < 3; i++)
-            at[i] = grid_cell(h->points[i], uvw[i], weight[i]);
+        find_cell(h, uvw, at, weight);
         if (h->sheet.space.thickness_basis) {
             weight[2][0] = 1;
             weight[2][1] = 2 * uvw[2] - 1;
@@ -137,8 +149,7 @@ static int row(const void *self, double u, double v, int *node, double *shape)
     double weight[3][2];
     int at[3], used = 0;
 
-    for (int i = 0; i < 3; i++)
-        at[i] = grid_cell(n[i], uvw[i], weight[i]);
+    find_cell(h, uvw, at, weight);
     if (h->sheet.space.thickness_basis)
         layer_values(NULL, 0.5, weight[2]);
     for (int i = 0; i < 2; i++)
@@ -153,18 +164,11 @@ static int row(const void *self, double u, double v, int *node, double *shape)
 static enum status meet(struct hex *h, const struct scene *scene)
 {
     enum status st;
-    const double ends[2] = {0, 1};
+    const int points[2] = {scene_sheets(scene) * h->points[0], h->points[1]};
     struct contact_surface surface;
-    double *line[2];
-    void *room;
 
-    TRY(room_cut(&room, ROOM(line[0], h->points[0]), ROOM(line[1], h->points[1])));
-    for (int d = 0; d < 2; d++)
-        contact_surface_line(2, ends, h->points[d] - 1, line[d]);
-    st = contact_surface_init(&surface, scene, h, row, 8, h->sheet.space.nodes,
-                              (const double *const *)line, h->points);
-    free(room);
-    TRY(st);
+    TRY(contact_surface_init_even(&surface, scene, h, row, 8, h->sheet.space.nodes,
+                                  points));
     TRY(solid_motion_meet(&h->sheet.motion, &surface));
 out:
     return st;
@@ -176,6 +180,7 @@ static enum status create(const struct scene *scene, const struct discretization
     enum status st;
     bool thickness;
     const double middle[2] = {0.5, 0.5};
+    const int sheets = scene_sheets(scene);
     double *x = NULL;
     struct hex *h = NULL;
 
@@ -188,14 +193,16 @@ static enum status create(const struct scene *scene, const struct discretization
     if (!h)
         TRY(STATUS_MEMORY);
     memset(h, 0, sizeof *h);
-    x = rest_points(scene, d->points);
+    x = rest_points(scene, sheets, d->points);
     if (!x)
         TRY(STATUS_MEMORY);
     memcpy(h->points, d->points, sizeof h->points);
-    TRY(hex_space_init(&h->sheet.space, &h->tables, d->points, x, thickness,
+    TRY(hex_space_init(&h->sheet.space, &h->tables, sheets, d->points, x, thickness,
                        d->remedy == REMEDY_INCOMPATIBLE));
-    TRY(solid_model_init(&h->sheet, scene, d, d->points, d->points[2] == 2 ? middle : NULL,
-                         why));
+    solid_space_spread(&h->sheet.space, scene);
+    TRY(solid_model_init(&h->sheet, scene, d,
+                         (const int[]){sheets * d->points[0], d->points[1], d->points[2]},
+                         d->points[2] == 2 ? middle : NULL, why));
     TRY(add_loads(h));
     if (contact_wanted(scene))
         TRY(meet(h, scene));

@@ -60,26 +60,27 @@ static void functions(const struct solid_space *space, int element,
     memcpy(out->weight, t->weight, sizeof t->weight);
 }
 
-static void number_elements(struct solid_space *space, const int points[3])
+static void number_elements(struct solid_space *space, int sheets, const int points[3])
 {
     int m = points[1], l = points[2], *node = space->ien;
 
-    for (int i = 0; i < points[0] - 1; i++)
-        for (int j = 0; j < m - 1; j++)
+    for (int i = 0; i < sheets * points[0] - 1; i++)
+        for (int j = 0; j < m - 1 && (i + 1) % points[0] != 0; j++)
             for (int k = 0; k < l - 1; k++)
                 for (int t = 0; t < HEX_LOCAL; t++)
                     *node++ = ((i + (t >> 2)) * m + j + (t >> 1 & 1)) * l + k + (t & 1);
 }
 
-static void place_nodes(struct solid_space *space, const int points[3], const double *x)
+static void place_nodes(struct solid_space *space, int sheets, const int points[3],
+                        const double *x)
 {
     int node = 0;
 
     memcpy(space->rest, x, 3 * (size_t)space->nodes * sizeof *x);
-    for (int i = 0; i < points[0]; i++)
+    for (int i = 0; i < sheets * points[0]; i++)
         for (int j = 0; j < points[1]; j++)
             for (int k = 0; k < points[2]; k++, node++) {
-                space->uvw[node][0] = (double)i / (points[0] - 1);
+                space->uvw[node][0] = (double)(i % points[0]) / (points[0] - 1);
                 space->uvw[node][1] = (double)j / (points[1] - 1);
                 space->uvw[node][2] = !space->thickness_basis ? (double)k / (points[2] - 1)
                                       : k == 0                ? SUPPORTS_MIDDLE
@@ -93,15 +94,15 @@ static void place_nodes(struct solid_space *space, const int points[3], const do
         }
 }
 
-enum status hex_space_init(struct solid_space *space, struct hex_tables *tables,
+enum status hex_space_init(struct solid_space *space, struct hex_tables *tables, int sheets,
                            const int points[3], const double *x, bool thickness,
                            bool incompatible)
 {
     enum status st;
     int per_column = (points[1] - 1) * (points[2] - 1);
     struct solid_space new = {
-        .nodes = points[0] * points[1] * points[2],
-        .elements = (points[0] - 1) * per_column,
+        .nodes = sheets * points[0] * points[1] * points[2],
+        .elements = sheets * (points[0] - 1) * per_column,
         .local = HEX_LOCAL,
         .gauss = HEX_GAUSS,
         .thickness_basis = thickness,
@@ -116,8 +117,8 @@ enum status hex_space_init(struct solid_space *space, struct hex_tables *tables,
         new.centre_gradient = &tables->centre[0][0];
     }
     TRY(solid_space_allocate(&new, per_column, 1));
-    number_elements(&new, points);
-    place_nodes(&new, points, x);
+    number_elements(&new, sheets, points);
+    place_nodes(&new, sheets, points, x);
     *space = new;
     return STATUS_OK;
 out:

@@ -21,10 +21,12 @@ struct hex_tables {
     double mode[HEX_GAUSS][3][HEX_MODES];
 };
 
-/* Makes a net of points[3] nodes (each >= 2) whose node (i,j,k) lies at x[node][3] [m];
- * copied. With `thickness` (points[2] == 2 only) each column's unknowns are its middle and
- * half its thickness vector. *tables must outlive *space and be 64-byte aligned. */
-enum status hex_space_init(struct solid_space *space, struct hex_tables *tables,
+/* Makes nets of points[3] nodes (each >= 2), as many as sheets, one after the other, whose
+ * node (i,j,k) lies at x[node][3] [m]; copied. Nothing connects them, and the parameters of
+ * nodes are those of their net. With `thickness` (points[2] == 2 only) each column's
+ * unknowns are its middle and half its thickness vector. *tables must outlive *space and be
+ * 64-byte aligned. */
+enum status hex_space_init(struct solid_space *space, struct hex_tables *tables, int sheets,
                            const int points[3], const double *x, bool thickness,
                            bool incompatible);
 

@@ -105,7 +105,15 @@ int bspline_open_degree(const struct discretization *d, int i, int usual)
 
 enum status bspline_copy(const struct bspline *from, struct bspline *to)
 {
-    return bspline_init(to, from->p, from->n + from->p + 1, from->U, NULL);
+    const size_t bytes = ((size_t)from->n + (size_t)from->p + 1) * sizeof *from->U;
+    double *U = malloc(bytes);
+
+    if (!U)
+        return STATUS_MEMORY;
+    memcpy(U, from->U, bytes);
+    *to = *from;
+    to->U = U;
+    return STATUS_OK;
 }
 
 void bspline_clear(struct bspline *b)
@@ -114,6 +122,40 @@ void bspline_clear(struct bspline *b)
         return;
     free(b->U);
     *b = (struct bspline){0};
+}
+
+enum status bspline_repeat(struct bspline *b, int parts)
+{
+    const int knots = b->n + b->p + 1; /* the last p + 1 are the next part's first */
+    double *U;
+
+    if (parts < 2)
+        return STATUS_OK;
+    U = malloc(((size_t)parts * (size_t)b->n + (size_t)b->p + 1) * sizeof *U);
+    if (!U)
+        return STATUS_MEMORY;
+    for (int k = 0; k < parts; k++)
+        for (int i = 0; i < knots; i++)
+            U[k * b->n + i] = k + b->U[i];
+    free(b->U);
+    b->U = U, b->n *= parts, b->parts = parts;
+    return STATUS_OK;
+}
+
+struct bspline bspline_part(const struct bspline *b, int k)
+{
+    const int n = b->n / (b->parts > 1 ? b->parts : 1);
+
+    return (struct bspline){.p = b->p, .n = n, .U = b->U + k * n};
+}
+
+int bspline_alive(const struct bspline *b, int part, double s, int order, double *out)
+{
+    const struct bspline one = bspline_part(b, part);
+    const int span = bspline_span(&one, part + s);
+
+    bspline_eval(&one, span, part + s, order, out);
+    return part * one.n + span - one.p;
 }
 
 int bspline_span(const struct bspline *b, double u)

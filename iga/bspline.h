@@ -4,6 +4,9 @@
  * p+1 equal knots at either end, non-decreasing, U[0] = 0, U[n+p] = 1, inner multiplicity
  * <= p (continuity C^{p-m} >= C^0). On span k, U[k] <= u < U[k+1], exactly the p+1
  * functions N_{k-p}..N_k are not zero; every routine returns only those.
+ *
+ * A basis may be several of such parts, alike and side by side on [0, parts], for as many
+ * sheets: a knot between two parts is there p + 1 times, so that nothing connects them.
  * Source: Piegl & Tiller 1997, The NURBS Book, ch. 2; numbering of algorithms from there.
  */
 #ifndef BSPLINE_H
@@ -17,6 +20,7 @@ struct bspline {
     int p;     /* degree 1..BSPLINE_MAX_DEGREE                                         */
     int n;     /* functions, > p                                                       */
     double *U; /* knots [n + p + 1]                                            owned   */
+    int parts; /* 0, 1: one                                                            */
 };
 
 /* Makes uniform open knots. STATUS_INPUT (with sentence) unless 1 <= p <= max and n > p. */
@@ -35,6 +39,17 @@ enum status bspline_init_direction(struct bspline *b, const struct discretizatio
 int bspline_open_degree(const struct discretization *d, int i, int usual);
 enum status bspline_copy(const struct bspline *from, struct bspline *to);
 void bspline_clear(struct bspline *b);
+
+/* Puts so many copies of a basis of one part in its place. STATUS_MEMORY. */
+enum status bspline_repeat(struct bspline *b, int parts);
+
+/* Returns a part, k <= u <= k + 1, whose functions begin at k n of the basis; borrows its
+ * knots. */
+struct bspline bspline_part(const struct bspline *b, int k);
+
+/* Evaluates as bspline_eval the functions alive at s, 0 to 1, of a part, out[order + 1][p +
+ * 1]; returns the first. */
+int bspline_alive(const struct bspline *b, int part, double s, int order, double *out);
 
 /* Returns span k of u in [0,1]; u = 1 belongs to the last non-empty span (A2.1). Below 0
  * and above 1 it is the first and the last span, whose polynomials bspline_eval then

@@ -14,7 +14,7 @@ static void weigh(struct contact_surface *s, const struct bspline basis[2])
     static const double boole[SAMPLES] = {28. / 45, 64. / 45, 24. / 45, 64. / 45};
 
     for (int n = 0; n < s->count; n++) {
-        const int at[2] = {n / s->points[1], n % s->points[1]};
+        const int at[2] = {n / s->points[1] % s->rows, n % s->points[1]};
         for (int d = 0; d < 2; d++)
             s->area[n] *= basis[d].p > 1 ? boole[at[d] % SAMPLES] : 1;
     }
@@ -34,12 +34,17 @@ enum status bspline_contact_surface(const struct scene *scene,
     TRY(room_cut(&room, ROOM(line[0], SAMPLES * most), ROOM(line[1], SAMPLES * most),
                  ROOM(knot, most), ROOM(span, most)));
     for (int d = 0; d < 2; d++) {
-        const struct bspline *b = &basis[d];
-        const int spans = bspline_spans(b, span);
-        for (int k = 0; k < spans; k++)
-            knot[k] = b->U[span[k]];
-        knot[spans] = 1;
-        points[d] = contact_surface_line(spans + 1, knot, b->p > 1 ? SAMPLES : 1, line[d]);
+        const struct bspline b = bspline_part(&basis[d], 0);
+        const int spans = bspline_spans(&b, span);
+        points[d] = 0;
+        for (int sheet = 0; sheet < (d ? 1 : basis[0].n / b.n); sheet++) {
+            for (int k = 0; k <= spans; k++) {
+                const double at = k < spans ? b.U[span[k]] : 1;
+                knot[k] = d ? at : scene_sheet_u(scene, sheet, at);
+            }
+            points[d] += contact_surface_line(spans + 1, knot, b.p > 1 ? SAMPLES : 1,
+                                              line[d] + points[d]);
+        }
     }
     st = contact_surface_init(surface, scene, self, row, width, nodes,
                               (const double *const *)line, points);

@@ -135,15 +135,21 @@ enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
 {
     enum status st = line_rule_room(rule, b);
     double *at = malloc(2 * (size_t)b->n * sizeof *at), *weight = at ? at + b->n : NULL;
-    const int count = at && st == STATUS_OK ? greville(b, derivative, at, weight) : 0;
+    const int parts = b->parts > 1 ? b->parts : 1;
+    int count = at && st == STATUS_OK;
 
-    for (int q = 0, e = 0; q < count; q++) {
-        while (e + 1 < rule->spans && at[q] >= b->U[rule->span[e + 1]])
-            e++;
-        const double size = line_rule_size(rule, b, e);
-        const int to = e * LINE_RULE_MOST + rule->count[e]++;
-        rule->x[to] = (at[q] - b->U[rule->span[e]]) / size;
-        rule->part[to] = weight[q] / size;
+    for (int k = 0; k < parts && count; k++) {
+        const struct bspline part = bspline_part(b, k);
+        const int spans = rule->spans / parts;
+        count = greville(&part, derivative, at, weight);
+        for (int q = 0, e = k * spans; q < count; q++) {
+            while (e + 1 < (k + 1) * spans && at[q] >= b->U[rule->span[e + 1]])
+                e++;
+            const double size = line_rule_size(rule, b, e);
+            const int to = e * LINE_RULE_MOST + rule->count[e]++;
+            rule->x[to] = (at[q] - b->U[rule->span[e]]) / size;
+            rule->part[to] = weight[q] / size;
+        }
     }
     free(at);
     if (!count) {

@@ -33,6 +33,7 @@ static const struct schema_key options[] = {
     {NULL}};
 /* clang-format on */
 
+/* Places the control points of a flat sheet. */
 static void make_box(const struct scene *scene, struct patch *patch)
 {
     double corner[3][3], at[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, origin[3];
@@ -44,6 +45,18 @@ static void make_box(const struct scene *scene, struct patch *patch)
             corner[i][j] -= origin[j];
     }
     patch_set_box(patch, origin, corner[0], corner[1], corner[2]);
+}
+
+static void make_boxes(const struct scene *scene, const struct patch *patch)
+{
+    struct patch part = *patch;
+
+    part.basis[0] = bspline_part(&patch->basis[0], 0);
+    for (int k = 0; k < patch->basis[0].n / part.basis[0].n; k++) {
+        const struct scene sheet = scene_sheet(scene, k);
+        make_box(&sheet, &part);
+        part.point += 3 * (size_t)patch_nodes(&part);
+    }
 }
 
 static enum status make_cloak(const struct scene *scene, struct patch *patch,
@@ -91,6 +104,9 @@ static enum status make_patch(const struct scene *scene, const struct discretiza
     if (scene->shape != SCENE_FLAT && d->weight_count)
         return status_fail(why, STATUS_INPUT,
                            "weights: a curved rest shape brings its own; give none");
+    if (scene->sheets > 1 && d->weight_count)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "unsupported: no weights with several sheets");
     for (int i = 0; i < 2; i++)
         TRY(support_knots_basis(&basis[i], scene, d, i, SUPPORT_KNOTS_SOLID, why));
     TRY(bspline_init_direction(&basis[2], d, 2, why));
@@ -98,7 +114,7 @@ static enum status make_patch(const struct scene *scene, const struct discretiza
     if (scene->shape == SCENE_CLOAK)
         TRY(make_cloak(scene, patch, why));
     else
-        make_box(scene, patch);
+        make_boxes(scene, patch);
     if (d->weight_count)
         TRY(give_weights(d, patch, why));
 out:
@@ -107,17 +123,16 @@ out:
     return st;
 }
 
-/* Evaluates the functions alive at x in direction i of the patch; returns the first. */
-static int alive(const struct plate *p, int i, double x, double *value)
+/* Evaluates the functions alive at u, v or w (i = 2); returns the first. */
+static int alive(const struct plate *p, int i, double at, double *value)
 {
     const struct bspline *b = &p->patch.basis[i];
-    int span = bspline_span(b, x);
+    const int sheet = i ? 0 : scene_sheet_at(&p->scene, at, &at);
 
-    if (i == 2)
-        plate_space_thickness(&p->patch, p->sheet.space.thickness_basis, x, value);
-    else
-        bspline_eval(b, span, x, 0, value);
-    return span - b->p;
+    if (i < 2)
+        return bspline_alive(b, sheet, at, 0, value);
+    plate_space_thickness(&p->patch, p->sheet.space.thickness_basis, at, value);
+    return bspline_span(b, at) - b->p;
 }
 
 /* Evaluates the functions through the thickness, all of one element. */
@@ -131,11 +146,13 @@ static void layer_values(const void *context, double w, double *N)
 static enum status add_loads(struct plate *p, struct message *why)
 {
     struct dead_load_line line[3];
+    struct bspline part[3];
 
     if (p->sheet.motion.scene->load_count && p->patch.weight)
         return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no loads with weights");
     for (int i = 0; i < 3; i++) {
-        const struct bspline *b = &p->patch.basis[i];
+        const struct bspline *b = &part[i];
+        part[i] = bspline_part(&p->patch.basis[i], 0);
         line[i] = (struct dead_load_line){b->n,        b->p,           b->n - b->p + 1,
                                           b->U + b->p, bspline_values, b};
     }
@@ -276,7 +293,7 @@ static void clamp_edges(struct plate *p, const struct scene *scene)
 
     for (int i = 0; i < 2; i++)
         for (int end = 0; end < 2; end++)
-            if (scene_edge_clamped(scene, i, end))
+            if (scene_edge_clamped(scene, 0, i, end))
                 plate_space_clamp(&p->tables, &p->patch, i, end,
                                   scene->thickness / length[i], scene->poisson);
 }
@@ -377,9 +394,9 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(contact_rest_refuse(scene, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
-    if (d->remedy == REMEDY_CLAMPED && scene->shape != SCENE_FLAT)
+    if (d->remedy == REMEDY_CLAMPED && (scene->shape != SCENE_FLAT || scene->sheets > 1))
         TRY(status_fail(why, STATUS_UNSUPPORTED,
-                        "remedy=clamped is for flat sheets; use selective"));
+                        "remedy=clamped is for one flat sheet; use selective"));
     p = calloc(1, sizeof *p);
     if (!p)
         TRY(STATUS_MEMORY);
@@ -389,6 +406,7 @@ static enum status create(const struct scene *scene, const struct discretization
     one_element = p->patch.basis[2].n == p->patch.basis[2].p + 1 && !d->weight_count;
     TRY(solid_model_basis(scene, d, one_element, &thickness, why));
     TRY(plate_space_init(&p->sheet.space, &p->tables, &p->patch, d->gauss, thickness));
+    solid_space_spread(&p->sheet.space, scene);
     if (d->remedy == REMEDY_REDUCED)
         TRY(plate_space_reduce(&p->sheet.space, &p->tables, &p->patch));
     if (has_layer(d))

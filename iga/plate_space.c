@@ -163,13 +163,14 @@ static void column_coefficients(const struct bspline *b, const double *point, do
 static void place_nodes(struct solid_space *space, const struct patch *patch)
 {
     const struct bspline *b = patch->basis;
+    const int rows = bspline_part(&b[0], 0).n;
     int l = b[2].n, node = 0;
 
     memcpy(space->rest, patch->point, 3 * (size_t)space->nodes * sizeof *space->rest);
     for (int i = 0; i < b[0].n; i++)
         for (int j = 0; j < b[1].n; j++)
             for (int k = 0; k < l; k++, node++) {
-                space->uvw[node][0] = bspline_greville(&b[0], i);
+                space->uvw[node][0] = bspline_greville(&b[0], i % rows);
                 space->uvw[node][1] = bspline_greville(&b[1], j);
                 space->uvw[node][2] = !space->thickness_basis ? bspline_greville(&b[2], k)
                                       : k == 0                ? SUPPORTS_MIDDLE

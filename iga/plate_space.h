@@ -1,6 +1,6 @@
 /* plate_space.h - a B-spline patch as a solid_space: elements are the non-empty knot spans,
  * nodes the control points or, with the thickness basis, Legendre coefficients of each
- * column of control points.
+ * column of control points. Their parameters along u are those of their part (bspline.h).
  */
 #ifndef PLATE_SPACE_H
 #define PLATE_SPACE_H

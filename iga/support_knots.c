@@ -21,6 +21,15 @@ bool support_knots_clamps_line(const struct scene_support *s, int i)
            s->lo[2] < s->hi[2];
 }
 
+double support_knots_at(const struct scene *scene, const struct bspline *b, int direction,
+                        int i)
+{
+    const int n = bspline_part(b, 0).n;
+    const double at = bspline_greville(b, i % n);
+
+    return direction ? at : scene_sheet_u(scene, i / n, at);
+}
+
 static bool has_ends(const struct scene_support *s, int i)
 {
     return s->hi[i] - s->lo[i] > APART || support_knots_clamps_line(s, i);
@@ -34,9 +43,9 @@ static int find_ends(const struct scene *scene, int i, double *end)
     int all = 0, count = 0;
 
     for (int n = 0; n < scene->support_count; n++) {
-        const double lo = scene->supports[n].lo[i], hi = scene->supports[n].hi[i];
-        if (has_ends(&scene->supports[n], i))
-            end[++all] = lo, end[++all] = hi;
+        const struct scene_support s = scene_support_along(scene, n);
+        if (has_ends(&s, i))
+            end[++all] = s.lo[i], end[++all] = s.hi[i];
     }
     qsort(end + 1, (size_t)all, sizeof *end, ascending);
     end[0] = 0;
@@ -91,9 +100,10 @@ static int write_knots(int p, const double *end, int count, int times, const int
     return n;
 }
 
-enum status support_knots_basis(struct bspline *b, const struct scene *scene,
-                                const struct discretization *d, int i,
-                                enum support_knots_border border, struct message *why)
+/* Makes the basis of one sheet. */
+static enum status make_basis(struct bspline *b, const struct scene *scene,
+                              const struct discretization *d, int i,
+                              enum support_knots_border border, struct message *why)
 {
     const int p = d->degree[i], inner = d->points[i] - p - 1;
     const size_t room = 2 * (size_t)scene->support_count + 2;
@@ -123,6 +133,15 @@ out:
     return st;
 }
 
+enum status support_knots_basis(struct bspline *b, const struct scene *scene,
+                                const struct discretization *d, int i,
+                                enum support_knots_border border, struct message *why)
+{
+    enum status st = make_basis(b, scene, d, i, border, why);
+
+    return st == STATUS_OK ? bspline_repeat(b, i ? 1 : scene->sheets) : st;
+}
+
 int support_knots_repeats(const struct scene *scene, int i, int degree,
                           enum support_knots_border border)
 {
@@ -133,8 +152,8 @@ int support_knots_repeats(const struct scene *scene, int i, int degree,
     return count * full(degree, border);
 }
 
-/* Widens [*lo, *hi] to the abscissae of the first and the last function that does not
- * vanish on it. */
+/* Widens [*lo, *hi] of one part to the abscissae of the first and the last function that
+ * does not vanish on it. */
 static void widen(const struct bspline *b, double *lo, double *hi)
 {
     int first = 0, last = b->n - 1;
@@ -157,9 +176,19 @@ enum status support_knots_hold(const struct scene *scene, const struct bspline b
         return STATUS_MEMORY;
     if (bytes)
         memcpy(*held, scene->supports, bytes);
-    for (int n = 0; n < scene->support_count; n++)
-        for (int i = 0; i < 2; i++)
-            if (has_ends(&scene->supports[n], i))
-                widen(&basis[i], &(*held)[n].lo[i], &(*held)[n].hi[i]);
+    for (int n = 0; n < scene->support_count; n++) {
+        double *lo = (*held)[n].lo, *hi = (*held)[n].hi, ignored;
+        const int first = scene_sheet_at(scene, *lo, &ignored),
+                  last = scene_sheet_at(scene, *hi, &ignored);
+        struct scene_support s = scene_support_along(scene, n);
+        for (int i = 0; i < 2; i++) {
+            const struct bspline part = bspline_part(&basis[i], 0);
+            if (!has_ends(&s, i))
+                continue;
+            widen(&part, &s.lo[i], &s.hi[i]);
+            lo[i] = i ? s.lo[i] : scene_sheet_u(scene, first, s.lo[i]);
+            hi[i] = i ? s.hi[i] : scene_sheet_u(scene, last, s.hi[i]);
+        }
+    }
     return STATUS_OK;
 }

@@ -28,13 +28,19 @@ bool support_knots_clamps_line(const struct scene_support *s, int i);
 enum support_knots_border { SUPPORT_KNOTS_SOLID, SUPPORT_KNOTS_SHELL };
 
 /* Makes direction i (u or v) of a discretization: its knots; or as many as make its points,
- * at supports' ends as above and between them in spans as even as can be. Ends nearer to
+ * at supports' ends as above and between them in spans as even as can be. Several sheets
+ * have a part each along u, with the ends of all their supports. Ends nearer to
  * one another than 1e-4 are one; where points are too few, all ends' knots repeat less. */
 enum status support_knots_basis(struct bspline *b, const struct scene *scene,
                                 const struct discretization *d, int i,
                                 enum support_knots_border border, struct message *why);
 
-/* Returns how many of the knots between 0 and 1 are full repeats at ends. */
+/* Returns u (direction 0) or v of the Greville abscissa of function i of a scene's basis.
+ */
+double support_knots_at(const struct scene *scene, const struct bspline *b, int direction,
+                        int i);
+
+/* Returns how many of the knots of a sheet are full repeats at ends between 0 and 1. */
 int support_knots_repeats(const struct scene *scene, int i, int degree,
                           enum support_knots_border border);
 

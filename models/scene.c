@@ -191,6 +191,11 @@ void scene_needs_text(unsigned needs, char *text, int size)
 const char *const scene_shape_words[] = {
     [SCENE_FLAT] = "flat", [SCENE_CLOAK] = "cloak", NULL};
 
+int scene_sheets(const struct scene *scene)
+{
+    return scene->sheets > 1 ? scene->sheets : 1;
+}
+
 int scene_sheet_at(const struct scene *scene, double u, double *s)
 {
     double at = u * (GRID_U - 1);
@@ -216,6 +221,15 @@ double scene_sheet_u(const struct scene *scene, int sheet, double s)
         return s;
     grid_columns(scene->sheets, sheet, column);
     return (column[0] + s * (column[1] - column[0])) / (GRID_U - 1);
+}
+
+struct scene_support scene_support_along(const struct scene *scene, int support)
+{
+    struct scene_support s = scene->supports[support];
+
+    scene_sheet_at(scene, s.lo[0], &s.lo[0]);
+    scene_sheet_at(scene, s.hi[0], &s.hi[0]);
+    return s;
 }
 
 struct scene scene_sheet(const struct scene *scene, int sheet)
@@ -295,14 +309,20 @@ bool scene_is_cantilever(const struct scene *scene)
            s->hi[2] == 1 && s->fix == FIX_XYZ && !s->path_count;
 }
 
-bool scene_edge_clamped(const struct scene *scene, int i, bool end)
+bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end)
 {
+    double from[3] = {scene_sheet_u(scene, sheet, 0), 0, 0};
+    double to[3] = {scene_sheet_u(scene, sheet, 1), 1, 1};
+
+    if (end)
+        from[i] = to[i];
+    else
+        to[i] = from[i];
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
         bool whole = s->fix == FIX_XYZ;
         for (int k = 0; k < 3; k++)
-            whole = whole && (s->lo[k] <= 0 || (k == i && end)) &&
-                    (s->hi[k] >= 1 || (k == i && !end));
+            whole = whole && s->lo[k] <= from[k] && s->hi[k] >= to[k];
         if (whole)
             return true;
     }

@@ -207,6 +207,9 @@ void scene_obstacle_clear(struct scene_obstacle *obstacle);
 /* "flat", "cloak"; NULL ends. */
 extern const char *const scene_shape_words[];
 
+/* Returns how many sheets there are, at least 1. */
+int scene_sheets(const struct scene *scene);
+
 /* Returns the sheet, from 0, that has u, and computes s along it; a u in the void belongs
  * to the end of the nearest sheet. */
 int scene_sheet_at(const struct scene *scene, double u, double *s);
@@ -214,6 +217,10 @@ int scene_sheet_at(const struct scene *scene, double u, double *s);
 /* Returns u at s of a sheet; scene_sheet_at then returns s to round-off, 0 and 1 exactly.
  */
 double scene_sheet_u(const struct scene *scene, int sheet, double s);
+
+/* Returns a support with its range of u as s of the sheets where it begins and ends. Its
+ * path is borrowed. */
+struct scene_support scene_support_along(const struct scene *scene, int support);
 
 /* Returns the scene with that sheet as its only one; supports and loads stay as they are.
  * Borrows all that the scene owns: not to be cleared. */
@@ -272,9 +279,9 @@ void scene_support_shift(const struct scene_support *support, double t, double s
  * rests. */
 bool scene_is_cantilever(const struct scene *scene);
 
-/* Tells whether one of the supports holds all of the edge where u (i = 0) or v begins, or
- * ends, in x, y, z; it may move. */
-bool scene_edge_clamped(const struct scene *scene, int i, bool end);
+/* Tells whether one of the supports holds all of the edge of a sheet where u (i = 0) or v
+ * begins, or ends, in x, y, z; it may move. */
+bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end);
 
 /* Returns the bending stiffness D = E h^3 / 12 (1 - nu^2) [N m]. */
 double scene_bending_stiffness(const struct scene *scene);

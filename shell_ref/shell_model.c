@@ -39,9 +39,10 @@ static enum status check_remedy(const struct discretization *d, struct message *
  * an edge that is clamped, or towards it [m]; INFINITY where none does. Of a plate that
  * carries the pressure p = rho h g L (g, L: of gravity, of the sheet, in its plane) the
  * fastest growing wave is 2 pi sqrt(2 D / p) long. */
-static double wrinkle(const struct scene *scene)
+static double wrinkle(const struct scene *scene, int sheet)
 {
-    const double *axis[2] = {scene->axis_u, scene->axis_v};
+    const struct scene_pose *pose = &scene->pose[sheet];
+    const double *axis[2] = {pose->axis_u, pose->axis_v};
     const double side[2] = {scene->length, scene->width};
     double g[2] = {0}, push = 0;
     bool pushed = false;
@@ -52,8 +53,8 @@ static double wrinkle(const struct scene *scene)
     for (int i = 0; i < 2; i++) {
         push += fabs(g[i]) * side[i];
         for (int end = 0; end < 2; end++)
-            pushed |=
-                scene_edge_clamped(scene, i, end) && (end ? -g[i] : g[i]) < fabs(g[1 - i]);
+            pushed |= scene_edge_clamped(scene, sheet, i, end) &&
+                      (end ? -g[i] : g[i]) < fabs(g[1 - i]);
     }
     if (!pushed || push == 0)
         return INFINITY;
@@ -76,9 +77,12 @@ static bool wrinkles(const struct scene *scene, const struct discretization *d,
                      struct message *reason)
 {
     enum { SPANS = 10, FEW = 4 };
-    const double side[2] = {scene->length, scene->width}, length = wrinkle(scene);
-    double longest = 0;
+    const double side[2] = {scene->length, scene->width};
+    double longest = 0, length = wrinkle(scene, 0);
     int enough[2];
+
+    for (int k = 1; k < scene->sheets; k++)
+        length = fmin(length, wrinkle(scene, k));
 
     for (int i = 0; i < 2; i++) {
         const int spans = d->points[i] - d->degree[i];
@@ -141,8 +145,8 @@ static void make_flat(const struct scene *scene, const struct bspline basis[2],
     int m = basis[1].n;
 
     for (int a = 0; a < basis[0].n * m; a++) {
-        const double uvw[3] = {bspline_greville(&basis[0], a / m),
-                               bspline_greville(&basis[1], a % m), 0.5};
+        const double uvw[3] = {support_knots_at(scene, &basis[0], 0, a / m),
+                               support_knots_at(scene, &basis[1], 1, a % m), 0.5};
         scene_rest_point(scene, uvw, point + 3 * (size_t)a);
     }
 }
@@ -177,14 +181,12 @@ out:
     return st;
 }
 
-/* Evaluates the functions alive at x in direction i; returns the first. */
-static int alive(const struct shell *s, int i, double x, double *value)
+/* Evaluates the functions alive at u (i = 0) or v; returns the first. */
+static int alive(const struct shell *s, int i, double at, double *value)
 {
-    const struct bspline *b = &s->space.basis[i];
-    int span = bspline_span(b, x);
+    const int sheet = i ? 0 : scene_sheet_at(s->motion.scene, at, &at);
 
-    bspline_eval(b, span, x, 1, value);
-    return span - b->p;
+    return bspline_alive(&s->space.basis[i], sheet, at, 1, value);
 }
 
 static void destroy(void *state)
@@ -263,7 +265,7 @@ static void evaluate_rational(const struct shell *s, double u, double v, double 
     int node[SHELL_MAX_LOCAL], local = s->space.local;
 
     memset(middle, 0, 3 * sizeof *middle);
-    shell_space_at(&s->space, u, v, node, T);
+    shell_space_at(&s->space, 0, u, v, node, T);
     for (int a = 0; a < local; a++)
         for (int i = 0; i < 3; i++) {
             double x = s->motion.x[3 * (size_t)node[a] + (size_t)i];
@@ -338,7 +340,8 @@ const struct model shell_model = {
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS |
-              SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST | SCENE_NEED_INITIAL_MOTION,
+              SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST | SCENE_NEED_INITIAL_MOTION |
+              SCENE_NEED_SHEETS,
     .options = options,
     /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
      * about the same time: Newton's method takes fewer tangents. */

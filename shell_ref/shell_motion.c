@@ -32,20 +32,30 @@ static enum status add_loads(struct shell_motion *m)
 {
     const struct bspline *b = m->space->basis;
     struct dead_load_line line[3] = {{0}, {0}, {.n = 1}};
+    struct bspline part[2];
 
-    for (int i = 0; i < 2; i++)
-        line[i] = (struct dead_load_line){
-            b[i].n, b[i].p, b[i].n - b[i].p + 1, b[i].U + b[i].p, bspline_values, &b[i]};
+    for (int i = 0; i < 2; i++) {
+        part[i] = bspline_part(&b[i], 0);
+        line[i] =
+            (struct dead_load_line){part[i].n,       b[i].p,         part[i].n - b[i].p + 1,
+                                    b[i].U + b[i].p, bspline_values, &part[i]};
+    }
     return dead_load_make(m->scene, line, &m->dead, m->load);
 }
 
-/* Widens an edge in direction d to the second row of control points, at either end. */
-static void clamp_edge(struct scene_support *s, int d, const struct bspline *b)
+/* Widens an edge of a sheet in direction d to the second row of control points, at either
+ * end. */
+static void clamp_edge(const struct scene *scene, struct scene_support *s, int d,
+                       const struct bspline *b)
 {
-    if (s->lo[d] == 0)
-        s->hi[d] = bspline_greville(b, 1);
-    else if (s->hi[d] == 1)
-        s->lo[d] = bspline_greville(b, b->n - 2);
+    const int n = bspline_part(b, 0).n;
+    double at = s->lo[1];
+    const int first = d ? 0 : n * scene_sheet_at(scene, s->lo[0], &at);
+
+    if (at == 0)
+        s->hi[d] = support_knots_at(scene, b, d, first + 1);
+    else if (at == 1)
+        s->lo[d] = support_knots_at(scene, b, d, first + n - 2);
 }
 
 /* Makes the scene's supports, borrowed paths and all, with clamped edges two rows wide. */
@@ -67,7 +77,7 @@ static enum status clamp_edges(struct shell_motion *m, struct message *why)
             continue;
         for (int d = 0; d < 2; d++)
             if (s->lo[d] == s->hi[d] && s->lo[1 - d] < s->hi[1 - d])
-                clamp_edge(s, d, &m->space->basis[d]);
+                clamp_edge(scene, s, d, &m->space->basis[d]);
     }
 out:
     return st;
@@ -82,8 +92,8 @@ static enum status hold(struct shell_motion *m, struct message *why)
     if (!uvw)
         goto out;
     for (int a = 0; a < nodes; a++) {
-        uvw[a][0] = bspline_greville(&m->space->basis[0], a / rows);
-        uvw[a][1] = bspline_greville(&m->space->basis[1], a % rows);
+        uvw[a][0] = support_knots_at(m->scene, &m->space->basis[0], 0, a / rows);
+        uvw[a][1] = support_knots_at(m->scene, &m->space->basis[1], 1, a % rows);
         uvw[a][2] = 0.5;
     }
     TRY(clamp_edges(m, why));
@@ -102,7 +112,7 @@ static enum status find_parity(struct shell_motion *m)
     const int count = 3 * m->space->nodes;
     int normal = -1;
 
-    for (int i = 0; i < 3 && s->shape == SCENE_FLAT; i++)
+    for (int i = 0; i < 3 && s->shape == SCENE_FLAT && s->sheets < 2; i++)
         if (s->axis_u[i] == 0 && s->axis_v[i] == 0)
             normal = i;
     if (normal < 0)
@@ -153,14 +163,15 @@ static enum status make_large(struct shell_motion *m, const struct discretizatio
     return large_motion_init(&m->large);
 }
 
-static int row(const void *space, double u, double v, int *node, double *shape)
+static int row(const void *motion, double u, double v, int *node, double *shape)
 {
-    const struct shell_space *s = space;
-    double T[SHELL_DERIVATIVES * SHELL_MAX_LOCAL];
+    const struct shell_motion *m = motion;
+    double T[SHELL_DERIVATIVES * SHELL_MAX_LOCAL], s;
+    const int sheet = scene_sheet_at(m->scene, u, &s);
 
-    shell_space_at(s, u, v, node, T);
-    memcpy(shape, T, (size_t)s->local * sizeof *shape);
-    return s->local;
+    shell_space_at(m->space, sheet, s, v, node, T);
+    memcpy(shape, T, (size_t)m->space->local * sizeof *shape);
+    return m->space->local;
 }
 
 /* Makes the surface that meets bodies and itself, several samples a span. */
@@ -168,8 +179,8 @@ static enum status meet(struct shell_motion *m)
 {
     const struct shell_space *space = m->space;
     struct contact_surface surface;
-    enum status st = bspline_contact_surface(m->scene, space->basis, space, row,
-                                             space->local, space->nodes, &surface);
+    enum status st = bspline_contact_surface(m->scene, space->basis, m, row, space->local,
+                                             space->nodes, &surface);
 
     m->meets = (struct contact_linear){.contact = &m->contact,
                                        .newmark = &m->newmark,

@@ -27,7 +27,7 @@ static enum status check(const struct bspline basis[2], const int gauss[2],
                          struct message *why)
 {
     for (int d = 0; d < 2; d++) {
-        const struct bspline *b = &basis[d];
+        const struct bspline part = bspline_part(&basis[d], 0), *b = &part;
         if (b->p < 2)
             return status_fail(why, STATUS_INPUT,
                                "degree %d: a Kirchhoff-Love shell needs degree 2 or more",
@@ -282,20 +282,15 @@ out:
     return st;
 }
 
-void shell_space_at(const struct shell_space *space, double u, double v, int *node,
-                    double *T)
+void shell_space_at(const struct shell_space *space, int part, double s, double v,
+                    int *node, double *T)
 {
-    const double at[2] = {u, v};
     double N[2][3 * BSPLINE_MAX_ORDER];
-    int first[2], order[2], a = 0;
+    const int first[2] = {bspline_alive(&space->basis[0], part, s, 2, N[0]),
+                          bspline_alive(&space->basis[1], 0, v, 2, N[1])};
+    const int order[2] = {space->basis[0].p + 1, space->basis[1].p + 1};
+    int a = 0;
 
-    for (int d = 0; d < 2; d++) {
-        const struct bspline *b = &space->basis[d];
-        int span = bspline_span(b, at[d]);
-        bspline_eval(b, span, at[d], 2, N[d]);
-        first[d] = span - b->p;
-        order[d] = b->p + 1;
-    }
     for (int i = 0; i < order[0]; i++)
         for (int j = 0; j < order[1]; j++, a++) {
             node[a] = (first[0] + i) * space->basis[1].n + first[1] + j;

@@ -114,8 +114,9 @@ size_t shell_space_size(const struct shell_space *space, int rule);
 int shell_space_functions(const struct shell_space *space, int rule, int element,
                           double *room, const double **T);
 
-/* Evaluates the functions alive at (u,v): T[SHELL_DERIVATIVES][local], node[local]. */
-void shell_space_at(const struct shell_space *space, double u, double v, int *node,
-                    double *T);
+/* Evaluates the functions alive at s of a part (bspline.h) along u, and v:
+ * T[SHELL_DERIVATIVES][local], node[local]. */
+void shell_space_at(const struct shell_space *space, int part, double s, double v,
+                    int *node, double *T);
 
 #endif

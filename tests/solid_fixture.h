@@ -107,7 +107,7 @@ static inline void solid_make(struct solid *s, enum solid_kind kind, struct patc
         REQUIRE(plate_space_init(&s->space, &s->tables, &s->patch, gauss, thickness) ==
                 STATUS_OK);
     else
-        REQUIRE(hex_space_init(&s->space, &s->hex, (int[]){b[0].n, b[1].n, b[2].n},
+        REQUIRE(hex_space_init(&s->space, &s->hex, 1, (int[]){b[0].n, b[1].n, b[2].n},
                                s->patch.point, thickness,
                                kind == SOLID_INCOMPATIBLE) == STATUS_OK);
     if (kind == SOLID_REDUCED)

@@ -123,7 +123,7 @@ double contact_rest_depth(const struct scene *scene, const struct scene_obstacle
 {
     double depth = 0;
 
-    for (int k = 0; k < (scene->sheets > 1 ? scene->sheets : 1); k++) {
+    for (int k = 0; k < scene_sheets(scene); k++) {
         const struct scene one = scene_sheet(scene, k);
         depth = fmax(depth, depth_of_sheet(&one, o));
     }

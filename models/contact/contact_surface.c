@@ -67,8 +67,7 @@ enum status contact_surface_init(struct contact_surface *s, const struct scene *
     *s = (struct contact_surface){.self = self,
                                   .row = row,
                                   .points = {points[0], points[1]},
-                                  .rows =
-                                      points[0] / (scene->sheets > 1 ? scene->sheets : 1),
+                                  .rows = points[0] / scene_sheets(scene),
                                   .count = (int)count,
                                   .width = width,
                                   .nodes = nodes};
@@ -90,25 +89,33 @@ out:
     return st;
 }
 
-enum status contact_surface_init_net(struct contact_surface *s, const struct scene *scene,
-                                     const int points[2])
+enum status contact_surface_init_even(struct contact_surface *s, const struct scene *scene,
+                                      const void *self, contact_row *row, int width,
+                                      int nodes, const int points[2])
 {
     enum status st;
-    const int sheets = scene->sheets > 1 ? scene->sheets : 1, rows = points[0] / sheets;
+    const int sheets = scene_sheets(scene), rows = points[0] / sheets;
     double *line[2];
     void *room;
 
     TRY(room_cut(&room, ROOM(line[0], points[0]), ROOM(line[1], points[1])));
-    for (int k = 0; k < sheets; k++)
-        contact_surface_line(
-            2, (double[2]){scene_sheet_u(scene, k, 0), scene_sheet_u(scene, k, 1)},
-            rows - 1, line[0] + k * rows);
-    contact_surface_line(2, (double[2]){0, 1}, points[1] - 1, line[1]);
-    st = contact_surface_init(s, scene, NULL, NULL, 1, points[0] * points[1],
+    for (int k = 0; k < sheets; k++) {
+        const double ends[2] = {scene_sheet_u(scene, k, 0), scene_sheet_u(scene, k, 1)};
+        contact_surface_line(2, ends, rows - 1, line[0] + k * rows);
+    }
+    contact_surface_line(2, (const double[2]){0, 1}, points[1] - 1, line[1]);
+    st = contact_surface_init(s, scene, self, row, width, nodes,
                               (const double *const *)line, points);
     free(room);
 out:
     return st;
+}
+
+enum status contact_surface_init_net(struct contact_surface *s, const struct scene *scene,
+                                     const int points[2])
+{
+    return contact_surface_init_even(s, scene, NULL, NULL, 1, points[0] * points[1],
+                                     points);
 }
 
 int contact_surface_line(int breaks, const double *at, int per, double *line)

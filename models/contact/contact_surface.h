@@ -53,6 +53,11 @@ enum status contact_surface_init(struct contact_surface *s, const struct scene *
                                  const void *self, contact_row *row, int width, int nodes,
                                  const double *const line[2], const int points[2]);
 
+/* Makes samples that lie evenly on each sheet. */
+enum status contact_surface_init_even(struct contact_surface *s, const struct scene *scene,
+                                      const void *self, contact_row *row, int width,
+                                      int nodes, const int points[2]);
+
 /* Makes the samples of a net whose nodes, number i points[1] + j, lie evenly on each sheet;
  * points[0] are those of all sheets. */
 enum status contact_surface_init_net(struct contact_surface *s, const struct scene *scene,

@@ -156,7 +156,7 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
     return STATUS_OK;
 }
 
-/* Finds the parity of a flat sheet in Legendre functions through the thickness
+/* Finds the parity of one flat sheet in Legendre functions through the thickness
  * (solid_space.h), 0/1 per component; NULL unless the normal is a coordinate axis.
  * STATUS_MEMORY. */
 static enum status find_parity(const struct scene *scene, int nodes, int layers,
@@ -167,7 +167,7 @@ static enum status find_parity(const struct scene *scene, int nodes, int layers,
     int normal = -1;
 
     scene_normal(scene, w);
-    for (int i = 0; i < 3 && scene->shape == SCENE_FLAT; i++)
+    for (int i = 0; i < 3 && scene->shape == SCENE_FLAT && scene->sheets < 2; i++)
         if (fabs(w[i]) == 1 && u[i] == 0 && v[i] == 0)
             normal = i;
     if (normal < 0)

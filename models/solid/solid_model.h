@@ -18,7 +18,7 @@ struct solid_sheet {
     (SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |          \
      SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |           \
      SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG |     \
-     SCENE_NEED_CURVED_REST | SCENE_NEED_INITIAL_MOTION)
+     SCENE_NEED_CURVED_REST | SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS)
 
 void solid_model_size(const void *state, struct model_size *size);
 void solid_model_contact(const void *state, struct model_contact *contact);

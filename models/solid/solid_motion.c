@@ -86,8 +86,10 @@ void solid_motion_clear(struct solid_motion *m)
 static void frames(const void *body, double (*Q)[9])
 {
     const struct solid_motion *m = body;
+    const int sheet = m->points[0] * m->points[1] * m->points[2];
 
-    frames_of_net(m->points, m->space->thickness_basis, m->x, Q);
+    for (int a = 0; a < m->space->nodes; a += sheet)
+        frames_of_net(m->points, m->space->thickness_basis, m->x + 3 * (size_t)a, Q + a);
 }
 
 /* Sets up an iterated system; its solutions are increments of d, or steps of Newton. */

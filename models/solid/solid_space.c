@@ -27,3 +27,10 @@ enum status solid_space_allocate(struct solid_space *space, int per_column, int 
 out:
     return st;
 }
+
+void solid_space_spread(struct solid_space *space, const struct scene *scene)
+{
+    for (int n = 0; scene->sheets > 1 && n < space->nodes; n++)
+        space->uvw[n][0] =
+            scene_sheet_u(scene, n / (space->nodes / scene->sheets), space->uvw[n][0]);
+}

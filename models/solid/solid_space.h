@@ -12,7 +12,7 @@
 
 #include <stdbool.h>
 
-#include "models/status.h"
+#include "models/scene.h"
 
 /* Vectors of 4 doubles: rows of basis functions are padded to a multiple of it with zeros,
  * so that the kernels have no remainders. */
@@ -110,5 +110,9 @@ void solid_space_clear(struct solid_space *space);
  * elements numbered in columns of `per_column`, of which `width` + 1 neighbouring ones
  * share nodes. */
 enum status solid_space_allocate(struct solid_space *space, int per_column, int width);
+
+/* Turns the nodes' parameters s along their sheets, which have as many nodes each, one
+ * after the other, into the scene's u. */
+void solid_space_spread(struct solid_space *space, const struct scene *scene);
 
 #endif

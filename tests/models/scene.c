@@ -166,7 +166,7 @@ static void check_clamped(void)
         REQUIRE(scene_add_support(&s, &cases[n].support) == STATUS_OK);
         for (int edge = 0; edge < 4; edge++) {
             strcat(edges, edge ? " " : "");
-            strcat(edges, scene_edge_clamped(&s, edge / 2, edge % 2) ? "yes" : "no");
+            strcat(edges, scene_edge_clamped(&s, 0, edge / 2, edge % 2) ? "yes" : "no");
         }
         if (!CHECK(!strcmp(edges, cases[n].edges)))
             printf("support %zu: %s\n", n, edges);

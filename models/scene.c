@@ -191,6 +191,11 @@ void scene_needs_text(unsigned needs, char *text, int size)
 const char *const scene_shape_words[] = {
     [SCENE_FLAT] = "flat", [SCENE_CLOAK] = "cloak", NULL};
 
+int scene_sheets(const struct scene *scene)
+{
+    return scene->sheets > 1 ? scene->sheets : 1;
+}
+
 int scene_sheet_at(const struct scene *scene, double u, double *s)
 {
     double at = u * (GRID_U - 1);

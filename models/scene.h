@@ -207,6 +207,9 @@ void scene_obstacle_clear(struct scene_obstacle *obstacle);
 /* "flat", "cloak"; NULL ends. */
 extern const char *const scene_shape_words[];
 
+/* Returns how many sheets there are, at least 1. */
+int scene_sheets(const struct scene *scene);
+
 /* Returns the sheet, from 0, that has u, and computes s along it; a u in the void belongs
  * to the end of the nearest sheet. */
 int scene_sheet_at(const struct scene *scene, double u, double *s);

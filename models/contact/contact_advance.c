@@ -66,7 +66,8 @@ static double distance_after(const struct change *c, const struct meeting *m, do
         way[d] =
             flat[0] + at[0] * (flat[1] - flat[0]) - flat[2] - at[1] * (flat[3] - flat[2]);
     }
-    *near = way[0] * way[0] + way[1] * way[1] < c->apart * c->apart;
+    *near = way[0] * way[0] + way[1] * way[1] < c->apart * c->apart &&
+            !contact_surface_apart(c->tree->surface, m->sample[0], m->sample[2]);
     return distance;
 }
 

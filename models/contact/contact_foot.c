@@ -143,7 +143,7 @@ void contact_foot_normal(const struct contact_sheet *sheet, int sample, double n
         memcpy(normal, sheet->normal + 3 * (long)sample, 3 * sizeof *normal);
         return;
     }
-    difference(y + 3 * (long)sample, i, s->points[0], m, along_u);
+    difference(y + 3 * (long)sample, i % s->rows, s->rows, m, along_u);
     difference(y + 3 * (long)sample, j, m, 1, along_v);
     vector_cross(along_u, along_v, normal);
 }
@@ -179,7 +179,7 @@ static int neighbour(const struct contact_surface *s, int triangle, int corner)
     const int *by = step[triangle % 2][corner], m = s->points[1];
     const int i = triangle / 2 / m + by[0], j = triangle / 2 % m + by[1];
 
-    if (i < 0 || j < 0 || i >= s->points[0] - 1 || j >= m - 1)
+    if (i < 0 || j < 0 || i >= s->points[0] - 1 || j >= m - 1 || contact_surface_cut(s, i))
         return -1;
     return 2 * (i * m + j) + by[2];
 }
@@ -259,8 +259,9 @@ static int along_border(const struct contact_surface *s, const struct face *f, i
 {
     const int m = s->points[1], to = f->corner[beyond];
     const int step = to - f->corner[3 - inner - beyond];
-    const int at = step == m || step == -m ? to / m : to % m;
-    const int last = s->points[step == 1 || step == -1] - 1;
+    const bool on_u = step == m || step == -m;
+    const int at = on_u ? to / m % s->rows : to % m;
+    const int last = (on_u ? s->rows : m) - 1;
 
     if (at == 0 || at == last)
         return -1;
@@ -374,6 +375,7 @@ static int surface_at(const struct contact_surface *s, const double *x, double u
 
 /* The surface near (u,v) to second order, by differences of its points. */
 struct bend {
+    double low, high; /* u of the sheet's ends                                         */
     double u, v;
     double y[3], d[2][3], dd[3][3]; /* value; by u, v; by uu, uv, vv                   */
 };
@@ -383,31 +385,33 @@ struct bend {
 enum { MOST_BENDS = 8 };
 static const double settled = 1e-7;
 
-/* The step of differences in u and v: errors of 1e-8 in slopes and in curvatures. */
+/* The step of differences along u and v, in sheets: errors of 1e-8 in slopes and in
+ * curvatures. */
 static const double spread = 0x1p-13;
 
 static void bend_at(const struct contact_surface *s, const double *x, double u, double v,
                     int *node, double *weight, struct bend *b)
 {
+    const double step = spread * (b->high - b->low);
     double p[3][3][3];
 
-    b->u = clamp(u, spread, 1 - spread), b->v = clamp(v, spread, 1 - spread);
+    b->u = clamp(u, b->low + step, b->high - step), b->v = clamp(v, spread, 1 - spread);
     for (int k = 0; k < 9; k++)
-        surface_at(s, x, b->u + (k / 3 - 1) * spread, b->v + (k % 3 - 1) * spread, node,
+        surface_at(s, x, b->u + (k / 3 - 1) * step, b->v + (k % 3 - 1) * spread, node,
                    weight, p[k / 3][k % 3]);
     for (int i = 0; i < 3; i++) {
         b->y[i] = p[1][1][i];
-        b->d[0][i] = (p[2][1][i] - p[0][1][i]) / (2 * spread);
+        b->d[0][i] = (p[2][1][i] - p[0][1][i]) / (2 * step);
         b->d[1][i] = (p[1][2][i] - p[1][0][i]) / (2 * spread);
-        b->dd[0][i] = (p[2][1][i] - 2 * p[1][1][i] + p[0][1][i]) / (spread * spread);
+        b->dd[0][i] = (p[2][1][i] - 2 * p[1][1][i] + p[0][1][i]) / (step * step);
         b->dd[1][i] =
-            (p[2][2][i] - p[2][0][i] - p[0][2][i] + p[0][0][i]) / (4 * spread * spread);
+            (p[2][2][i] - p[2][0][i] - p[0][2][i] + p[0][0][i]) / (4 * step * spread);
         b->dd[2][i] = (p[1][2][i] - 2 * p[1][1][i] + p[1][0][i]) / (spread * spread);
     }
 }
 
-/* Moves (u,v) to the closest point of the bend by one step of Newton's method within 0..1;
- * returns the larger change. */
+/* Moves (u,v) to the closest point of the bend by one step of Newton's method within the
+ * sheet; returns the larger change. */
 static double bend_step(const struct bend *b, const double at[3], double *u, double *v)
 {
     const double du = *u - b->u, dv = *v - b->v;
@@ -429,10 +433,10 @@ static double bend_step(const struct bend *b, const double at[3], double *u, dou
     const double det = uu * vv - uv * uv;
     if (!(det > 0))
         return 0;
-    double new_u = clamp(*u + (vv * g[0] - uv * g[1]) / det, 0, 1);
+    double new_u = clamp(*u + (vv * g[0] - uv * g[1]) / det, b->low, b->high);
     double new_v = clamp(*v + (g[1] - uv * (new_u - *u)) / vv, 0, 1);
     if (new_v == 0 || new_v == 1)
-        new_u = clamp(*u + (g[0] - uv * (new_v - *v)) / uu, 0, 1);
+        new_u = clamp(*u + (g[0] - uv * (new_v - *v)) / uu, b->low, b->high);
     const double change = fmax(fabs(new_u - *u), fabs(new_v - *v));
     *u = new_u, *v = new_v;
     return change;
@@ -444,8 +448,9 @@ static void refine_smooth(const struct contact_sheet *sheet,
 {
     const struct contact_surface *s = sheet->surface;
     const double *x = sheet->x, *at = sheet->y + 3 * (long)foot->sample;
+    const double *end = s->line[0] + place->triangle / 2 / s->points[1] / s->rows * s->rows;
     double u, v, from[3], normal[3];
-    struct bend b;
+    struct bend b = {.low = *end, .high = end[s->rows - 1]};
 
     place_at(s, place->triangle, place->share, &u, &v);
     const double start_u = u, start_v = v;
@@ -457,7 +462,7 @@ static void refine_smooth(const struct contact_sheet *sheet,
         if (fabs(u - u_old) + fabs(v - v_old) < settled)
             break;
     }
-    if (fabs(u - start_u) * (s->points[0] - 1) > astray ||
+    if (fabs(u - start_u) * ((s->rows - 1) / (b.high - b.low)) > astray ||
         fabs(v - start_v) * (s->points[1] - 1) > astray)
         u = start_u, v = start_v;
     foot->u = u, foot->v = v;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "models/contact/contact_foot.h"
 #include "models/contact/contact_law.h"
 #include "models/contact/contact_shape.h"
 #include "models/vector.h"
@@ -101,7 +102,7 @@ static void search_part(struct least *l, int level, const double from[2])
                         (double[2]){from[0] + half * (k & 1), from[1] + half * (k >> 1)});
 }
 
-double contact_rest_depth(const struct scene *scene, const struct scene_obstacle *o)
+static double depth_of_sheet(const struct scene *scene, const struct scene_obstacle *o)
 {
     struct least l = {.scene = scene, .obstacle = o};
     const double start = contact_law_body(scene).start;
@@ -118,12 +119,86 @@ double contact_rest_depth(const struct scene *scene, const struct scene_obstacle
     return depth > ROUNDING * (far + o->radius) ? depth : 0;
 }
 
+double contact_rest_depth(const struct scene *scene, const struct scene_obstacle *o)
+{
+    double depth = 0;
+
+    for (int k = 0; k < (scene->sheets > 1 ? scene->sheets : 1); k++) {
+        const struct scene one = scene_sheet(scene, k);
+        depth = fmax(depth, depth_of_sheet(&one, o));
+    }
+    return depth;
+}
+
+/* Tells whether the way from p to q goes through a sheet. */
+static bool goes_through(const struct scene *sheet, const double p[3], const double q[3])
+{
+    double e_w[3], way[2][3], at[3];
+
+    scene_normal(sheet, e_w);
+    vector_between(sheet->origin, p, way[0]);
+    vector_between(sheet->origin, q, way[1]);
+    const double a = vector_dot(way[0], e_w), b = vector_dot(way[1], e_w), t = a / (a - b);
+    for (int i = 0; i < 3; i++)
+        at[i] = way[0][i] + t * (way[1][i] - way[0][i]);
+    const double u = vector_dot(at, sheet->axis_u), v = vector_dot(at, sheet->axis_v);
+    return t >= 0 && t <= 1 && u >= 0 && u <= sheet->length && v >= 0 && v <= sheet->width;
+}
+
+/* Returns the least distance of the corners and edges of a sheet from another, whose
+ * corners are q: those around each; 0 where an edge goes through it [m]. */
+static double distance_from(const struct scene *other, const double p[4][3],
+                            const double q[4][3])
+{
+    double least = INFINITY, share[3];
+
+    for (int k = 0; k < 4; k++) {
+        const double *const half[2][3] = {{q[0], q[1], q[2]}, {q[0], q[2], q[3]}};
+        for (int h = 0; h < 2; h++)
+            least = fmin(least, sqrt(contact_foot_nearest(p[k], half[h], share)));
+        for (int l = 0; l < 4; l++) {
+            const double *const edges[] = {p[k], p[(k + 1) % 4], q[l], q[(l + 1) % 4]};
+            least = fmin(least, contact_foot_between(edges, share));
+        }
+        if (goes_through(other, p[k], p[(k + 1) % 4]))
+            least = 0;
+    }
+    return least;
+}
+
+double contact_rest_overlap(const struct scene *scene, int sheet, int *before)
+{
+    const double start = contact_law_self(scene).start;
+    double p[4][3], q[4][3], most = 0;
+
+    for (int k = 0; k < sheet && scene->contact.self; k++) {
+        const struct scene one = scene_sheet(scene, sheet), other = scene_sheet(scene, k);
+        for (int n = 0; n < 4; n++) {
+            const double uvw[3] = {n == 1 || n == 2, n > 1, 0.5};
+            scene_rest_point(&one, uvw, p[n]);
+            scene_rest_point(&other, uvw, q[n]);
+        }
+        const double least =
+            fmin(distance_from(&other, (const double(*)[3])p, (const double(*)[3])q),
+                 distance_from(&one, (const double(*)[3])q, (const double(*)[3])p));
+        if (start - least > fmax(most, ROUNDING * (vector_length(p[0]) + scene->length)))
+            most = start - least, *before = k;
+    }
+    return most;
+}
+
 enum status contact_rest_refuse(const struct scene *scene, struct message *why)
 {
     for (int o = 0; o < scene->obstacle_count; o++) {
         const double depth = contact_rest_depth(scene, &scene->obstacles[o]);
         if (depth > 0)
             return status_fail(why, STATUS_INPUT, CONTACT_REST_DEPTH, depth, o);
+    }
+    for (int k = 1, before; k < scene->sheets; k++) {
+        const double overlap = contact_rest_overlap(scene, k, &before);
+        if (overlap > 0)
+            return status_fail(why, STATUS_INPUT, CONTACT_REST_OVERLAP, k + 1, overlap,
+                               before + 1);
     }
     return STATUS_OK;
 }

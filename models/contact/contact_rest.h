@@ -1,10 +1,10 @@
-/* contact_rest.h - sheets that begin in a body. */
+/* contact_rest.h - sheets that begin in a body, or in each other. */
 #ifndef CONTACT_REST_H
 #define CONTACT_REST_H
 
 #include "models/scene.h"
 
-/* Returns how far a sheet at rest reaches into a body at t = 0 [m], 0 if it does not: the
+/* Returns how far a sheet at rest reaches into a body at t = 0 [m], 0 if none does: the
  * distance at which their contact starts (contact_law_body) less the least distance of its
  * mid-surface. Exact for planes and spheres that do not turn; else the least at points of a
  * grid that is refined, up to 128 x 128 cells, where the body may be near, so that what
@@ -12,8 +12,13 @@
 double contact_rest_depth(const struct scene *scene, const struct scene_obstacle *o);
 #define CONTACT_REST_DEPTH "the sheet at rest reaches %.3g m into obstacle %d"
 
-/* Refuses a sheet that begins in a body, as the reader of scenes does, with the line:
- * STATUS_INPUT with a sentence. */
+/* Returns by how much a sheet, from 0, lies nearer to another before it than where their
+ * contact starts, at rest, and which that is [m]; 0 if none, or if sheets do not meet. */
+double contact_rest_overlap(const struct scene *scene, int sheet, int *before);
+#define CONTACT_REST_OVERLAP "sheet %d begins %.3g m too near to sheet %d, in contact"
+
+/* Refuses sheets that begin in a body or in each other, as the reader of scenes does, with
+ * the line: STATUS_INPUT with a sentence. */
 enum status contact_rest_refuse(const struct scene *scene, struct message *why);
 
 #endif

@@ -404,10 +404,14 @@ static double strength(const struct contact_search *s, const struct contact_plac
 {
     const struct contact_surface *f = s->sheet.surface;
     const int i = foot->sample / f->points[1], j = foot->sample % f->points[1];
-    const double du = (foot->u - f->line[0][i]) * f->flat[0][f->points[0] - 1];
+    const double *end = f->line[0] + i / f->rows * f->rows;
+    const double du =
+        (foot->u - f->line[0][i]) * (f->flat[0][f->rows - 1] / (end[f->rows - 1] - *end));
     const double dv = (foot->v - f->line[1][j]) * f->flat[1][f->points[1] - 1];
+    const bool other = contact_surface_apart(f, foot->sample, place->triangle / 2);
 
-    return rise(hypot(du, dv), s->tree.apart, whole_apart * s->tree.apart) *
+    return rise(other ? INFINITY : hypot(du, dv), s->tree.apart,
+                whole_apart * s->tree.apart) *
            rise(place->square_cos, square_cos, whole_square_cos);
 }
 
@@ -495,7 +499,8 @@ static bool outside(const struct contact_search *s, int cell, const double y[3])
 
 enum status contact_search_find_all(struct contact_search *s, const double *x)
 {
-    const int cells = (s->sheet.surface->points[0] - 1) * (s->sheet.surface->points[1] - 1);
+    const int m = s->sheet.surface->points[1];
+    const int cells = (s->sheet.surface->points[0] - 1) * (m - 1);
     enum status st = STATUS_OK;
     double way;
 
@@ -509,7 +514,8 @@ enum status contact_search_find_all(struct contact_search *s, const double *x)
         double normal[3];
         begin(s, sample, normal, best);
         for (int cell = 0; cell < cells; cell++)
-            if (!outside(s, cell, s->sheet.y + 3 * (long)sample)) {
+            if (!contact_surface_cut(s->sheet.surface, cell / (m - 1)) &&
+                !outside(s, cell, s->sheet.y + 3 * (long)sample)) {
                 const int triangle = contact_tree_triangle(&s->tree, cell);
                 consider(s, sample, normal, triangle, best);
                 consider(s, sample, normal, triangle + 1, best);

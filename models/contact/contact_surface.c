@@ -27,9 +27,10 @@ static double distance_at_rest(const struct scene *scene, const double a[3],
 static void measure_lines(struct contact_surface *s, const struct scene *scene)
 {
     for (int i = 1; i < s->points[0]; i++)
-        s->flat[0][i] = s->flat[0][i - 1] +
-                        distance_at_rest(scene, (double[3]){s->line[0][i - 1], .5, .5},
-                                         (double[3]){s->line[0][i], .5, .5});
+        if (!contact_surface_cut(s, i - 1))
+            s->flat[0][i] = s->flat[0][i - 1] +
+                            distance_at_rest(scene, (double[3]){s->line[0][i - 1], .5, .5},
+                                             (double[3]){s->line[0][i], .5, .5});
     for (int j = 1; j < s->points[1]; j++)
         s->flat[1][j] = s->flat[1][j - 1] +
                         distance_at_rest(scene, (double[3]){0, s->line[1][j - 1], .5},
@@ -42,7 +43,7 @@ static void share_areas(struct contact_surface *s, const struct scene *scene)
     const int m = s->points[1];
 
     for (int i = 0; i + 1 < s->points[0]; i++)
-        for (int j = 0; j + 1 < m; j++) {
+        for (int j = 0; j + 1 < m && !contact_surface_cut(s, i); j++) {
             double corner[4][3], d[2][3], normal[3];
             for (int k = 0; k < 4; k++)
                 scene_rest_point(
@@ -65,8 +66,9 @@ enum status contact_surface_init(struct contact_surface *s, const struct scene *
 
     *s = (struct contact_surface){.self = self,
                                   .row = row,
-                                  .sheets = scene->sheets > 1 ? scene->sheets : 1,
                                   .points = {points[0], points[1]},
+                                  .rows =
+                                      points[0] / (scene->sheets > 1 ? scene->sheets : 1),
                                   .count = (int)count,
                                   .width = width,
                                   .nodes = nodes};
@@ -77,35 +79,32 @@ enum status contact_surface_init(struct contact_surface *s, const struct scene *
     for (int d = 0; d < 2; d++)
         memcpy(s->line[d], line[d], (size_t)points[d] * sizeof *line[d]);
     for (int n = 0; n < s->count; n++)
-        s->used[n] = row(self, line[0][n / points[1]], line[1][n % points[1]],
-                         s->node + (size_t)n * width, s->shape + (size_t)n * width);
+        if (row)
+            s->used[n] = row(self, line[0][n / points[1]], line[1][n % points[1]],
+                             s->node + (size_t)n * width, s->shape + (size_t)n * width);
+        else
+            s->used[n] = 1, s->node[n] = n, s->shape[n] = 1;
     measure_lines(s, scene);
     share_areas(s, scene);
 out:
     return st;
 }
 
-static int row_of_net(const void *points, double u, double v, int *node, double *shape)
-{
-    const int *n = points;
-
-    *node = (int)lround(u * (n[0] - 1)) * n[1] + (int)lround(v * (n[1] - 1));
-    *shape = 1;
-    return 1;
-}
-
 enum status contact_surface_init_net(struct contact_surface *s, const struct scene *scene,
                                      const int points[2])
 {
     enum status st;
-    const double ends[2] = {0, 1};
+    const int sheets = scene->sheets > 1 ? scene->sheets : 1, rows = points[0] / sheets;
     double *line[2];
     void *room;
 
     TRY(room_cut(&room, ROOM(line[0], points[0]), ROOM(line[1], points[1])));
-    for (int d = 0; d < 2; d++)
-        contact_surface_line(2, ends, points[d] - 1, line[d]);
-    st = contact_surface_init(s, scene, points, row_of_net, 1, points[0] * points[1],
+    for (int k = 0; k < sheets; k++)
+        contact_surface_line(
+            2, (double[2]){scene_sheet_u(scene, k, 0), scene_sheet_u(scene, k, 1)},
+            rows - 1, line[0] + k * rows);
+    contact_surface_line(2, (double[2]){0, 1}, points[1] - 1, line[1]);
+    st = contact_surface_init(s, scene, NULL, NULL, 1, points[0] * points[1],
                               (const double *const *)line, points);
     free(room);
 out:

@@ -19,22 +19,36 @@ typedef int contact_row(const void *self, double u, double v, int *node, double 
 struct contact_surface {
     const void *self; /* of `row`                                            borrowed  */
     contact_row *row;
-    int sheets;      /* that share the samples along u                                   */
     int points[2];   /* samples along u, of all sheets, and v                            */
+    int rows;        /* samples along u of one sheet                                     */
     int count;       /* points[0] points[1]; sample = i points[1] + j                    */
     int width;       /* most nodes of a row                                              */
     int nodes;       /* of the model                                                     */
     void *room;      /* of the arrays                                         owned   */
-    double *line[2]; /* [points] parameters, ascending from 0 to 1                    */
+    double *line[2]; /* [points] parameters, ascending from 0 to 1; along u the ends of
+                        sheets are those of scene.h                                     */
     int *used;       /* [count] nodes of the row                                      */
     int *node;       /* [count][width]                                                */
     double *shape;   /* [count][width]                                                */
     double *area;    /* [count]                                               [m^2]   */
     double *flat[2]; /* [points] lengths at rest along u (v = 1/2) and v (u = 0) from the
-                        edge, for distances along the sheet                   [m]     */
+                        edge of each sheet, for distances along it             [m]     */
 };
 
-/* Makes the samples at line[0] x line[1] (copied). */
+/* Tells whether two samples are of two sheets, which no way along a sheet connects. */
+static inline bool contact_surface_apart(const struct contact_surface *s, int a, int b)
+{
+    return s->rows < s->points[0] &&
+           a / (s->rows * s->points[1]) != b / (s->rows * s->points[1]);
+}
+
+/* Tells whether the cells from row i on would lie between two sheets: there are none. */
+static inline bool contact_surface_cut(const struct contact_surface *s, int i)
+{
+    return s->rows < s->points[0] && (i + 1) % s->rows == 0;
+}
+
+/* Makes the samples at line[0] x line[1] (copied); `row` NULL: they are the nodes. */
 enum status contact_surface_init(struct contact_surface *s, const struct scene *scene,
                                  const void *self, contact_row *row, int width, int nodes,
                                  const double *const line[2], const int points[2]);

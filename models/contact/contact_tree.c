@@ -55,6 +55,8 @@ bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
 {
     double du = -t->flat[sample][0], dv = -t->flat[sample][1];
 
+    if (contact_surface_apart(t->surface, sample, corner[0]))
+        return false;
     for (int k = 0; k < 3; k++) {
         du += share[k] * t->flat[corner[k]][0];
         dv += share[k] * t->flat[corner[k]][1];
@@ -70,7 +72,7 @@ int contact_tree_triangle(const struct contact_tree *t, int cell)
 int contact_tree_samples(const struct contact_tree *t, int cell, int sample[4])
 {
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
-    const bool last_u = i + 2 == t->surface->points[0], last_v = j + 2 == m;
+    const bool last_u = (i + 2) % t->surface->rows == 0, last_v = j + 2 == m;
     int count = 0;
 
     sample[count++] = i * m + j;
@@ -92,7 +94,7 @@ int contact_tree_edges(const struct contact_tree *t, int cell, int edge[5][2])
     int count = 0;
 
     for (int k = 0; k < 5; k++)
-        if (k < 3 || (k == 3 ? i + 2 == t->surface->points[0] : j + 2 == m)) {
+        if (k < 3 || (k == 3 ? (i + 2) % t->surface->rows == 0 : j + 2 == m)) {
             edge[count][0] = all[k][0];
             edge[count++][1] = all[k][1];
         }
@@ -178,7 +180,8 @@ static const struct contact_box *slopes_at(const struct contact_tree *t, int l, 
     return own;
 }
 
-/* Finds the children of box n of level l in the level below; returns how many. */
+/* Finds the children of box n of level l in the level below; returns how many. Of the cells
+ * those between two sheets are none. */
 static int children(const struct contact_tree *t, int l, int n, int child[4])
 {
     const struct contact_tree_level *below = &t->level[l - 1];
@@ -187,7 +190,8 @@ static int children(const struct contact_tree *t, int l, int n, int child[4])
 
     for (int k = 0; k < 4; k++) {
         const int p = 2 * i + k / 2, q = 2 * j + k % 2;
-        if (p < below->n[0] && q < below->n[1])
+        if (p < below->n[0] && q < below->n[1] &&
+            !(l == 1 && contact_surface_cut(t->surface, p)))
             child[count++] = p * below->n[1] + q;
     }
     return count;
@@ -261,6 +265,15 @@ struct part {
     const struct contact_box *box;
 };
 
+/* Tells whether boxes of a level from row p to q reach over several sheets. */
+static bool of_sheets(const struct contact_tree *t, int l, int p, int q)
+{
+    const int rows = t->surface->rows, end = t->surface->points[0] - 1;
+    const int last = (q + 1) << l < end ? (q + 1) << l : end;
+
+    return rows <= end && (p << l) / rows != last / rows;
+}
+
 /* Returns how far points of two boxes of a level, neighbours or the same, that lie at least
  * t->apart along the sheet from each other are apart in space. */
 static double gap_of_neighbours(const struct contact_tree *t, int l, const struct part *p,
@@ -268,9 +281,10 @@ static double gap_of_neighbours(const struct contact_tree *t, int l, const struc
 {
     const int wide = t->level[l].n[1];
     const int di = q->n / wide - p->n / wide, dj = q->n % wide - p->n % wide;
+    const int first = di < 0 ? q->n / wide : p->n / wide;
     struct contact_box hull, own;
 
-    if (abs(di) > 1 || abs(dj) > 1)
+    if (abs(di) > 1 || abs(dj) > 1 || of_sheets(t, l, first, first + abs(di)))
         return 0;
     hull = *slopes_at(t, l, p->n, &own);
     join(&hull, slopes_at(t, l, q->n, &own), ALONG_U, MOTION);

@@ -411,6 +411,21 @@ out:
     return st;
 }
 
+static enum status check_stack(const struct yaml_tree *root, const struct scene *scene,
+                               struct message *why)
+{
+    const struct yaml_tree *list = yaml_tree_find(root, "sheets");
+    const struct yaml_tree *row = list ? list->first : NULL;
+
+    for (int k = 0, before; row; k++, row = row->next) {
+        const double overlap = contact_rest_overlap(scene, k, &before);
+        if (overlap > 0)
+            return yaml_tree_refuse(row, why, CONTACT_REST_OVERLAP, k + 1, overlap,
+                                    before + 1);
+    }
+    return STATUS_OK;
+}
+
 enum status scene_check(const struct yaml_tree *root, bool files, struct scene *scene,
                         struct message *why)
 {
@@ -426,6 +441,7 @@ enum status scene_check(const struct yaml_tree *root, bool files, struct scene *
     TRY(check_loads(root, scene, why));
     TRY(check_contact(root, scene, why));
     TRY(check_obstacles(root, files, scene, why));
+    TRY(check_stack(root, scene, why));
 out:
     return st;
 }

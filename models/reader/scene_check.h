@@ -11,9 +11,9 @@ enum { SCENE_MAX_FRAMES = 10000000 }; /* end / step */
  * from the folder of the root's origin. Refused, with one sentence at the line to blame:
  * axes that are not orthonormal (to a thousandth, and are then made so), both pose and
  * sheets, a place along a sheet that is not named or not there, a sheet that
- * begins in an obstacle, a range of contact that is not less than its thickness, meshes
- * that cannot be read, numbers of a damping or pose that its kind does not
- * take or needs, a cloak that reaches its own axis, more than SCENE_MAX_FRAMES frames,
+ * begins in an obstacle or in another, a range of contact that is not less than its
+ * thickness, meshes that cannot be read, numbers of a damping or pose that its kind does
+ * not take or needs, a cloak that reaches its own axis, more than SCENE_MAX_FRAMES frames,
  * snapshots after the end, supports that hold the same points in the same component along
  * different paths.
  *

@@ -511,8 +511,126 @@ static void test_limit(void)
     contact_surface_clear(&surface);
 }
 
+/* A net of several sheets, n[0] rows in all, in a search. */
+static void open_sheets(int sheets, const int n[2], struct contact_surface *surface,
+                        struct contact_search *search)
+{
+    struct scene scene;
+
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    scene.sheets = sheets;
+    for (int k = 1; k < sheets; k++)
+        scene.pose[k] = scene.pose[0];
+    REQUIRE(contact_surface_init_net(surface, &scene, n) == STATUS_OK);
+    REQUIRE(contact_search_init(search, surface, start) == STATUS_OK);
+    scene_clear(&scene);
+}
+
+static void close_sheets(struct contact_surface *surface, struct contact_search *search)
+{
+    contact_search_clear(search);
+    contact_surface_clear(surface);
+}
+
+/* Crumpled sheets through each other: kept triangles against every pair. */
+static void test_pairs_of_sheets(void)
+{
+    for (int sheets = 2; sheets <= 8; sheets += 3) {
+        const int n[2] = {sheets * 7, 21};
+        struct contact_surface surface, same;
+        struct contact_search kept, all;
+
+        open_sheets(sheets, n, &surface, &kept);
+        open_sheets(sheets, n, &same, &all);
+        for (int call = 0; call < 9; call++) {
+            shape_net(&shapes[4], n);
+            REQUIRE(contact_search_find(&kept, place[0]) == STATUS_OK);
+            REQUIRE(contact_search_find_all(&all, place[0]) == STATUS_OK);
+            check_same(&kept, &all);
+            CHECK(kept.count > n[0] * n[1] / 8);
+        }
+        close_sheets(&surface, &kept);
+        close_sheets(&same, &all);
+    }
+}
+
+/* Sheets far from each other have the feet and limits that each has alone, to the bit. */
+static void test_sheets_alone(void)
+{
+    enum { ROWS = 25, M = 21, COUNT = ROWS * M, SHEETS = 3 };
+    static double at[COUNT][3];
+    const int n[2] = {SHEETS * ROWS, M}, one[2] = {ROWS, M};
+    struct contact_surface surface, lone;
+    struct contact_search all, alone;
+    double share, least = 1;
+    int first = 0;
+
+    open_sheets(SHEETS, n, &surface, &all);
+    open_sheets(1, one, &lone, &alone);
+    for (int k = 0; k < SHEETS; k++)
+        for (int p = 0; p < COUNT; p++) {
+            double *x = place[k * COUNT + p];
+            shapes[2 + k].point(p / M / (ROWS - 1.), p % M / (M - 1.), x);
+            for (int i = 0; i < 3; i++)
+                x[i] += 32 * k, change[k * COUNT + p][i] = 0.05 * random_about_0();
+        }
+    REQUIRE(contact_search_find(&all, place[0]) == STATUS_OK);
+    for (int k = 0; k < SHEETS; k++) {
+        memcpy(at, place + k * COUNT, sizeof at);
+        REQUIRE(contact_search_find(&alone, at[0]) == STATUS_OK);
+        for (int f = 0; f < alone.count && first + f < all.count; f++) {
+            const struct contact_foot *a = &all.foot[first + f], *b = &alone.foot[f];
+            CHECK(a->sample == b->sample + k * COUNT && a->distance == b->distance);
+            CHECK(!memcmp(a->normal, b->normal, sizeof a->normal) && a->v == b->v);
+            CHECK_NEAR(a->strength, b->strength, far_rounding);
+        }
+        first += alone.count;
+        REQUIRE(contact_search_limit(&alone, at[0], change[k * COUNT], 0, 1, &share) ==
+                STATUS_OK);
+        least = fmin(least, share);
+    }
+    CHECK(first == all.count && least < 1);
+    REQUIRE(contact_search_limit(&all, place[0], change[0], 0, 1, &share) == STATUS_OK);
+    CHECK(share == least);
+    close_sheets(&surface, &all);
+    close_sheets(&lone, &alone);
+}
+
+/* Two flat sheets, one over the other, meet at every sample, on one side, and come nearer
+ * by half of what is left. Where each ends, the other is a place like any. */
+static void test_sheets_meet(void)
+{
+    enum { ROWS = 12, M = 9 };
+    const int n[2] = {2 * ROWS, M};
+    const double gap = 0.8 * start, wall = start / 2, closing = gap - wall;
+    struct contact_surface surface;
+    struct contact_search search;
+    double share;
+
+    open_sheets(2, n, &surface, &search);
+    for (int p = 0; p < n[0] * M; p++) {
+        const int up = p / M >= ROWS;
+        place[p][0] = p / M % ROWS / (ROWS - 1.), place[p][1] = p % M / (M - 1.);
+        place[p][2] = gap * up;
+        change[p][0] = change[p][1] = 0, change[p][2] = -closing * up;
+    }
+    REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
+    CHECK(search.count == n[0] * M);
+    for (int f = 0; f < search.count; f++) {
+        CHECK_NEAR(search.foot[f].distance, gap, rounding);
+        CHECK(search.foot[f].strength == 1);
+    }
+    REQUIRE(contact_search_limit(&search, place[0], change[0], wall, 1, &share) ==
+            STATUS_OK);
+    CHECK(share <= 0.5 + far_rounding && share > 0.48);
+    close_sheets(&surface, &search);
+}
+
 int main(void)
 {
+    test_pairs_of_sheets();
+    test_sheets_alone();
+    test_sheets_meet();
     test_every_pair();
     test_smooth();
     test_order();

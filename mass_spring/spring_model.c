@@ -89,9 +89,9 @@ out:
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct spring_motion *m = state;
-    const struct net_surface net = {m->net.points[0], m->net.points[1], m->x, 3, 1};
+    const struct net_surface net = {m->net.rows, m->net.points[1], m->x, 3, 1};
 
-    net_surface_points(&net, m->scene->thickness, n, uvw, xyz);
+    net_surface_points(&net, m->scene, n, uvw, xyz);
 }
 
 static void sample(const void *state, double *xyz)
@@ -131,7 +131,8 @@ const struct model spring_model = {
         "Provot 1995; implicit steps: Baraff and Witkin 1998; bending: Choi and Ko 2002",
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
-              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION,
+              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
+              SCENE_NEED_SHEETS,
     .options = options,
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},

@@ -33,9 +33,11 @@ static const double LARGEST_RISE = 0.5;
 static void frames(const void *body, double (*Q)[9])
 {
     const struct spring_newton *s = body;
-    const int points[3] = {s->net->points[0], s->net->points[1], 1};
+    const int points[3] = {s->net->rows, s->net->points[1], 1};
+    const int nodes = points[0] * points[1];
 
-    frames_of_net(points, false, s->at, Q);
+    for (int first = 0; first < s->net->nodes; first += nodes)
+        frames_of_net(points, false, s->at + 3 * first, Q + first);
 }
 
 static enum status make_hinges(struct spring_newton *s)

@@ -150,6 +150,7 @@ static enum status make_sweep(struct pb_motion *m, enum precision precision)
     const double *cell = m->net.cell, diagonal = hypot(cell[0], cell[1]);
     struct pb_plan plan = {.n = m->net.points[0],
                            .m = m->net.points[1],
+                           .sheet = m->net.rows,
                            .precision = precision,
                            .rest = {cell[0], cell[1], diagonal, diagonal},
                            .gain = 1 + m->points.beta / m->dt,

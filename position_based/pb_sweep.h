@@ -68,7 +68,8 @@ struct pb_odd {
 
 /* The part of a sweep that does not change from step to step. */
 struct pb_plan {
-    int n, m; /* points                                                                */
+    int n, m;  /* points                                                                */
+    int sheet; /* rows after which another sheet begins; n: there is one               */
     enum precision precision;
     double rest[PB_SPRINGS]; /* lengths                                         [m]    */
     double mean[2];          /* spring_plate_mean                                      */

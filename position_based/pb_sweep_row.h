@@ -194,18 +194,21 @@ INLINE void NAME(row)(struct pb_sweep *s, const enum pb_kind kind, int row, ptrd
     }
 }
 
-/* Projects all constraints of a kind: `rows` colours of rows, from `low` to the last but
- * `high` (0: rows are independent, and are done at once), and `colours` along them. */
+/* Projects all constraints of a kind: `rows` colours of a sheet's rows, from `low` to the
+ * last but `high` (0: rows are independent, and are done at once), and `colours` along
+ * them. */
 INLINE void NAME(kind)(struct pb_sweep *s, const enum pb_kind kind, const int rows,
                        const int low, const int high, void *const *masks, const int colours,
                        const bool recalls)
 {
     if (!s->used[kind])
         return;
-    for (int r = 0; r < rows; r++)
-        for (int i = low + r; i < s->plan.n - high; i += rows)
-            for (int k = 0; k < colours; k++)
-                NAME(row)(s, kind, i, s->pitch, masks ? masks[k] : NULL, recalls);
+    for (int first = 0; rows && first < s->plan.n; first += s->plan.sheet)
+        for (int r = 0; r < rows; r++)
+            for (int i = low + r; i < s->plan.sheet - high; i += rows)
+                for (int k = 0; k < colours; k++)
+                    NAME(row)
+                    (s, kind, first + i, s->pitch, masks ? masks[k] : NULL, recalls);
     for (int k = 0; rows == 0 && k < colours; k++)
         NAME(row)(s, kind, 0, s->plan.n * s->pitch, masks[k], recalls);
 }

@@ -46,19 +46,20 @@ struct lines {
 
 static struct lines inside(const struct pd_net *net, int k)
 {
-    int i = k / net->m, j = k % net->m;
+    int i = k / net->m % net->rows, j = k % net->m;
 
-    return (struct lines){i > 0 && i<net->n - 1, j> 0 && j < net->m - 1};
+    return (struct lines){i > 0 && i<net->rows - 1, j> 0 && j < net->m - 1};
 }
 
 /* Returns whether a clamped node k is on a clamped line along u, along v (area: both). */
 static struct lines on_line(const struct pd_net *net, int k, const bool *clamped)
 {
-    int i = k / net->m, j = k % net->m, m = net->m;
+    int i = k / net->m % net->rows, j = k % net->m, m = net->m;
 
     if (!clamped[k])
         return (struct lines){false, false};
-    return (struct lines){(i > 0 && clamped[k - m]) || (i < net->n - 1 && clamped[k + m]),
+    return (struct lines){(i > 0 && clamped[k - m]) ||
+                              (i < net->rows - 1 && clamped[k + m]),
                           (j > 0 && clamped[k - 1]) || (j < net->m - 1 && clamped[k + 1])};
 }
 
@@ -104,13 +105,14 @@ static void add_clamps(struct pd_bending *b, const struct scene *scene, int k,
     const struct pd_net *net = b->net;
     struct lines has = inside(net, k);
     double half = D * b->area[k] / (1 + (line.v ? has.u : has.v));
-    int i = k / net->m, j = k % net->m;
+    int i = k / net->m % net->rows, j = k % net->m;
+    const struct scene_pose *pose = &scene->pose[k / net->m / net->rows];
 
     for (int s = -1; s <= 1; s += 2) {
-        if (line.v && i + s >= 0 && i + s < net->n)
-            add_clamp(b, k, s * net->m, net->du, scene->axis_u, s, half);
+        if (line.v && i + s >= 0 && i + s < net->rows)
+            add_clamp(b, k, s * net->m, net->du, pose->axis_u, s, half);
         if (line.u && j + s >= 0 && j + s < net->m)
-            add_clamp(b, k, s, net->dv, scene->axis_v, s, half);
+            add_clamp(b, k, s, net->dv, pose->axis_v, s, half);
     }
 }
 

@@ -28,14 +28,14 @@ static void set_triangles(struct pd_energy *e, const struct scene *scene,
         e->deviator = e->trace = area * PAPER_STRETCH * PAPER_STRETCH;
     double larger = fmax(e->deviator, e->trace);
     for (int k = 0; k < net->nodes; k++) {
-        int i = k / net->m, j = k % net->m;
-        int beside_u = (j > 0) + (j < net->m - 1), beside_v = (i > 0) + (i < net->n - 1);
-        if (i < net->n - 1)
+        int i = k / net->m % net->rows, j = k % net->m;
+        int beside_u = (j > 0) + (j < net->m - 1), beside_v = (i > 0) + (i < net->rows - 1);
+        if (i < net->rows - 1)
             e->edge[PD_EDGE_U][k] = larger * beside_u / (net->du * net->du);
         if (j < net->m - 1)
             e->edge[PD_EDGE_V][k] = larger * beside_v / (net->dv * net->dv);
     }
-    e->constraints += 2 * (net->n - 1) * (net->m - 1);
+    e->constraints += 2 * (net->n - net->n / net->rows) * (net->m - 1);
 }
 
 /* Springs k of rest length l along a direction n, one a cell of area A, are a material with
@@ -62,9 +62,9 @@ static void fill_edges(struct pd_energy *e, const double spring[PD_EDGES], doubl
 
     for (int c = 0; c < PD_EDGES; c++)
         for (int k = 0; k < net->nodes; k++) {
-            int i = k / net->m, j = k % net->m;
+            int i = k / net->m % net->rows, j = k % net->m;
             bool rim = (c == PD_EDGE_U && (j == 0 || j == net->m - 1)) ||
-                       (c == PD_EDGE_V && (i == 0 || i == net->n - 1));
+                       (c == PD_EDGE_V && (i == 0 || i == net->rows - 1));
             if (!pd_net_has(net, (enum pd_edge)c, k))
                 continue;
             e->edge[c][k] = spring[c] * (rim ? rim_share : 1);
@@ -97,8 +97,8 @@ static void set_mass(struct pd_energy *e, const struct scene *scene,
                          : scene->density * scene->thickness;
 
     for (int k = 0; k < net->nodes; k++) {
-        int i = k / net->m, j = k % net->m;
-        double u = i > 0 && i < net->n - 1 ? net->du : net->du / 2;
+        int i = k / net->m % net->rows, j = k % net->m;
+        double u = i > 0 && i < net->rows - 1 ? net->du : net->du / 2;
         double v = j > 0 && j < net->m - 1 ? net->dv : net->dv / 2;
         e->area[k] = u * v;
         e->mass[k] = density * e->area[k];
@@ -110,9 +110,8 @@ static void set_rest(struct pd_energy *e, const struct scene *scene)
     const struct pd_net *net = &e->net;
 
     for (int k = 0; k < net->nodes; k++) {
-        double uvw[3] = {(double)(k / net->m) / (net->n - 1),
-                         (double)(k % net->m) / (net->m - 1), 0.5};
-        double x[3];
+        double uvw[3], x[3];
+        pd_net_parameters(net, scene, k, uvw);
         scene_rest_point(scene, uvw, x);
         for (int c = 0; c < 3; c++)
             e->rest[c * pd_net_stride(net) + k] = x[c];
@@ -149,7 +148,7 @@ enum status pd_energy_init(struct pd_energy *e, const struct scene *scene, int n
     enum status st;
     struct pd_energy new = {.constraint = constraint};
 
-    pd_net_init(&new.net, n, m, scene->length, scene->width);
+    pd_net_init(&new.net, scene, n, m);
     TRY(allocate(&new));
     set_mass(&new, scene, parameters);
     set_rest(&new, scene);

@@ -35,19 +35,17 @@ static double velocity_factor(const struct pd_motion *m)
  * that is in the part. */
 static enum status hold_nodes(struct pd_motion *m, struct message *why)
 {
-    const int *points = m->options.points;
-    size_t nodes = (size_t)points[0] * (size_t)points[1];
-    double(*uvw)[3] = malloc(nodes * sizeof *uvw);
+    struct pd_net net;
+    double(*uvw)[3];
     enum status st;
 
+    pd_net_init(&net, m->scene, m->options.points[0], m->options.points[1]);
+    uvw = malloc((size_t)net.nodes * sizeof *uvw);
     if (!uvw)
         return STATUS_MEMORY;
-    for (size_t k = 0; k < nodes; k++) {
-        uvw[k][0] = (double)((int)k / points[1]) / (points[0] - 1);
-        uvw[k][1] = (double)((int)k % points[1]) / (points[1] - 1);
-        uvw[k][2] = 0.5;
-    }
-    st = supports_init(&m->supports, m->scene, (int)nodes, uvw, why);
+    for (int k = 0; k < net.nodes; k++)
+        pd_net_parameters(&net, m->scene, k, uvw[k]);
+    st = supports_init(&m->supports, m->scene, net.nodes, uvw, why);
     free(uvw);
     return st;
 }
@@ -186,8 +184,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                            const struct pd_options *options, struct message *why)
 {
     enum status st;
-    bool *clamped =
-        calloc((size_t)options->points[0] * (size_t)options->points[1], sizeof *clamped);
+    bool *clamped = NULL;
     double share = 0;
 
     *m = (struct pd_motion){.scene = scene, .options = *options};
@@ -195,9 +192,9 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     m->span = options->second     ? backward_span(m->dt)
               : options->midpoint ? m->dt / 2
                                   : m->dt;
-    if (!clamped)
-        return STATUS_MEMORY;
     TRY(hold_nodes(m, why));
+    if (!(clamped = malloc((size_t)m->supports.nodes * sizeof *clamped)))
+        TRY(STATUS_MEMORY);
     find_clamped(m, clamped);
     TRY(pd_energy_init(&m->energy, scene, options->points[0], options->points[1],
                        options->constraint, options->parameters, clamped));

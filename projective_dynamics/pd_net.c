@@ -6,12 +6,24 @@
 
 enum { LINE = 8 }; /* numbers of a cache line */
 
-void pd_net_init(struct pd_net *net, int n, int m, double length, double width)
+void pd_net_init(struct pd_net *net, const struct scene *scene, int n, int m)
 {
-    *net = (struct pd_net){.n = n, .m = m, .nodes = n * m};
-    net->du = length / (n - 1);
-    net->dv = width / (m - 1);
+    const int sheets = scene->sheets > 1 ? scene->sheets : 1;
+
+    *net = (struct pd_net){.n = sheets * n, .m = m, .nodes = sheets * n * m, .rows = n};
+    net->du = scene->length / (n - 1);
+    net->dv = scene->width / (m - 1);
     net->pad = (m + 1 + 2 * LINE) / LINE * LINE;
+}
+
+void pd_net_parameters(const struct pd_net *net, const struct scene *scene, int k,
+                       double uvw[3])
+{
+    const int i = k / net->m, n = net->rows;
+
+    uvw[0] = scene_sheet_u(scene, i / n, (double)(i % n) / (n - 1));
+    uvw[1] = (double)(k % net->m) / (net->m - 1);
+    uvw[2] = 0.5;
 }
 
 ptrdiff_t pd_net_stride(const struct pd_net *net)
@@ -44,9 +56,10 @@ void pd_net_ends(const struct pd_net *net, enum pd_edge edge, int to[2])
 
 bool pd_net_has(const struct pd_net *net, enum pd_edge edge, int k)
 {
-    int i = k / net->m, j = k % net->m;
+    int i = k / net->m % net->rows, j = k % net->m;
 
-    return (edge == PD_EDGE_V || i < net->n - 1) && (edge == PD_EDGE_U || j < net->m - 1);
+    return (edge == PD_EDGE_V || i < net->rows - 1) &&
+           (edge == PD_EDGE_U || j < net->m - 1);
 }
 
 double pd_net_length(const struct pd_net *net, enum pd_edge edge)

@@ -99,9 +99,9 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct pd_motion *m = state;
     const struct pd_net *net = &m->energy.net;
-    const struct net_surface surface = {net->n, net->m, m->x, 1, pd_net_stride(net)};
+    const struct net_surface surface = {net->rows, net->m, m->x, 1, pd_net_stride(net)};
 
-    net_surface_points(&surface, m->scene->thickness, n, uvw, xyz);
+    net_surface_points(&surface, m->scene, n, uvw, xyz);
 }
 
 static void sample(const void *state, double *xyz)
@@ -130,7 +130,7 @@ const struct model projective_dynamics_model = {
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_LOADS |
-              SCENE_NEED_INITIAL_MOTION,
+              SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS,
     .options = options,
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},

@@ -69,10 +69,10 @@ out:
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct tri_motion *m = state;
-    const struct net_surface net = {m->net.points.points[0], m->net.points.points[1], m->x,
-                                    3, 1};
+    const struct net_surface net = {m->net.points.rows, m->net.points.points[1], m->x, 3,
+                                    1};
 
-    net_surface_points(&net, m->scene->thickness, n, uvw, xyz);
+    net_surface_points(&net, m->scene, n, uvw, xyz);
 }
 
 static void sample(const void *state, double *xyz)
@@ -125,7 +125,8 @@ const struct model tri_model = {
         "Witkin 1998, leapfrog",
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
-              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION,
+              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
+              SCENE_NEED_SHEETS,
     .options = options,
     .defaults = {.points = {16, 16, 1},
                  .degree = {1, 1, 1},

@@ -199,7 +199,7 @@ enum status tri_motion_matrices(const void *state, struct matrix *K, struct matr
     double(*tangent)[9] = NULL, *mass = NULL;
 
     bare.support_count = 0;
-    TRY(tri_net_init(&net, &bare, m->net.points.points,
+    TRY(tri_net_init(&net, &bare, m->asked.points,
                      m->net.hinge_count ? BENDING_HINGE : BENDING_QUADRATIC));
     TRY(tri_body_init(&body, &bare, &net, m->body.membrane));
     tangent = calloc((size_t)body.body.pairs, sizeof *tangent);

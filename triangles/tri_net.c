@@ -12,12 +12,12 @@ static int node_of(const struct tri_net *net, int i, int j)
     return i * net->points.points[1] + j;
 }
 
-/* Returns whether four diagonals meet at the node. */
+/* Returns whether four diagonals meet at the node: even i + j in its sheet. */
 static bool is_hub(const struct tri_net *net, int node)
 {
     int m = net->points.points[1];
 
-    return (node / m + node % m) % 2 == 0;
+    return (node / m % net->points.rows + node % m) % 2 == 0;
 }
 
 /* Adds the two triangles of a cell: right angles at its points that are no hubs. */
@@ -44,11 +44,11 @@ static void add_hinge(struct tri_net *net, int a, int b, int c, int d, double st
 static void add_edge(struct tri_net *net, double D, int i, int j, int along)
 {
     const struct spring_net *p = &net->points;
-    int across = 1 - along, at = along ? i : j; /* of the edge's line                  */
+    int across = 1 - along;
     int end[2] = {node_of(net, i, j), node_of(net, i + !along, j + along)};
     int step = along ? p->points[1] : 1;
 
-    if (at == 0 || at == p->points[across] - 1)
+    if (spring_net_on_rim(p, i, j, along))
         return;
     for (int k = 0; k < 2; k++) {
         int before = end[k] - step, behind = end[k] + step;
@@ -78,7 +78,8 @@ static void fill(struct tri_net *net, double D)
     for (int i = 0; i < n; i++) {
         net->triangle_at[i] = net->triangle_count;
         net->hinge_at[i] = net->hinge_count;
-        for (int j = 0; i + 1 < n && j < m; j++) {
+        const bool last = i % net->points.rows == net->points.rows - 1; /* of its sheet */
+        for (int j = 0; !last && j < m; j++) {
             if (j + 1 < m)
                 add_triangles(net, i, j);
             if (D > 0 && j + 1 < m)
@@ -195,10 +196,11 @@ enum status tri_net_init(struct tri_net *net, const struct scene *scene,
 {
     enum status st;
     struct tri_net new = {0};
-    size_t n = (size_t)points[0], m = (size_t)points[1];
+    size_t n, m = (size_t)points[1];
     bool hinges = bending == BENDING_HINGE;
 
     TRY(spring_net_init(&new.points, scene, points, PARAMETERS_MATCHED, false));
+    n = (size_t) new.points.points[0];
     TRY(room_cut(&new.room, ROOM(new.triangles, 2 * n * m),
                  ROOM(new.hinges, hinges ? 6 * n * m : 0), ROOM(new.triangle_at, n + 1),
                  ROOM(new.hinge_at, n + 1), ROOM(new.form_at, n + 1)));

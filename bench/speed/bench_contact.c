@@ -89,6 +89,7 @@ static enum status make_sweep(struct net *net)
     const int count = net->side * net->side;
     const struct spring_sweep_plan plan = {.n = net->side,
                                            .m = net->side,
+                                           .sheet = net->side,
                                            .law = SWEEP_LENGTHS,
                                            .precision = PRECISION_DOUBLE};
     double(*c)[SWEEP_COUNT] = calloc((size_t)count, sizeof *c);

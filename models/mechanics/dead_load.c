@@ -53,6 +53,65 @@ static void line_means(const struct dead_load_line *line, double lo, double hi,
     }
 }
 
+static int sheets_of(const struct scene *scene)
+{
+    return scene->sheets > 1 ? scene->sheets : 1;
+}
+
+/* Computes the range [lo, hi] along u as s of a sheet; returns its length, which is 1 for a
+ * line on that sheet. */
+static double part_on(const struct scene *scene, int sheet, double lo, double hi,
+                      double s[2])
+{
+    const double from = scene_sheet_u(scene, sheet, 0), to = scene_sheet_u(scene, sheet, 1);
+
+    if (!(hi > lo)) {
+        const bool on = scene_sheet_at(scene, lo, &s[0]) == sheet;
+        s[1] = s[0];
+        return on;
+    }
+    s[0] = fmin(fmax((lo - from) / (to - from), 0), 1);
+    s[1] = fmin(fmax((hi - from) / (to - from), 0), 1);
+    return s[1] - s[0];
+}
+
+/* Adds `force` [N] to one sheet's nodes, by the means of the functions there. */
+static void add_sheet(const struct dead_load_line line[3], double *const mean[3],
+                      const double force[3], double *f)
+{
+    const size_t n[3] = {(size_t)line[0].n, (size_t)line[1].n, (size_t)line[2].n};
+
+    for (size_t a = 0; a < n[0] * n[1] * n[2]; a++, f += 3) {
+        double share =
+            mean[0][a / (n[1] * n[2])] * mean[1][a / n[2] % n[1]] * mean[2][a % n[2]];
+        for (int i = 0; i < 3; i++)
+            f[i] += share * force[i];
+    }
+}
+
+/* Adds a load; work: as for line_means. */
+static void add_load(const struct scene *scene, const struct scene_load *load,
+                     const struct dead_load_line line[3], double *const mean[3],
+                     double *work, double *f)
+{
+    const size_t count = 3 * (size_t)line[0].n * (size_t)line[1].n * (size_t)line[2].n;
+    double whole = 0, s[2], force[3];
+
+    for (int d = 1; d < 3; d++)
+        line_means(&line[d], load->lo[d], load->hi[d], mean[d], work);
+    for (int k = 0; k < sheets_of(scene); k++)
+        whole += part_on(scene, k, load->lo[0], load->hi[0], s);
+    for (int k = 0; k < sheets_of(scene); k++, f += count) {
+        const double part = part_on(scene, k, load->lo[0], load->hi[0], s);
+        if (part == 0)
+            continue;
+        line_means(&line[0], s[0], s[1], mean[0], work);
+        for (int i = 0; i < 3; i++)
+            force[i] = part / whole * load->force[i];
+        add_sheet(line, mean, force, f);
+    }
+}
+
 enum status dead_load_add(const struct scene *scene, const struct dead_load_line line[3],
                           double *f)
 {
@@ -63,18 +122,8 @@ enum status dead_load_add(const struct scene *scene, const struct dead_load_line
         return STATUS_MEMORY;
     mean[0] = all, mean[1] = mean[0] + n[0], mean[2] = mean[1] + n[1];
     work = mean[2] + n[2];
-    for (int l = 0; l < scene->load_count; l++) {
-        const struct scene_load *load = &scene->loads[l];
-        double *to = f;
-        for (int d = 0; d < 3; d++)
-            line_means(&line[d], load->lo[d], load->hi[d], mean[d], work);
-        for (size_t a = 0; a < n[0] * n[1] * n[2]; a++, to += 3) {
-            double share =
-                mean[0][a / (n[1] * n[2])] * mean[1][a / n[2] % n[1]] * mean[2][a % n[2]];
-            for (int i = 0; i < 3; i++)
-                to[i] += share * load->force[i];
-        }
-    }
+    for (int l = 0; l < scene->load_count; l++)
+        add_load(scene, &scene->loads[l], line, mean, work, f);
     free(all);
     return STATUS_OK;
 }
@@ -82,7 +131,8 @@ enum status dead_load_add(const struct scene *scene, const struct dead_load_line
 enum status dead_load_make(const struct scene *scene, const struct dead_load_line line[3],
                            double **dead, double *load)
 {
-    const size_t count = 3 * (size_t)line[0].n * (size_t)line[1].n * (size_t)line[2].n;
+    const size_t count = 3 * (size_t)sheets_of(scene) * (size_t)line[0].n *
+                         (size_t)line[1].n * (size_t)line[2].n;
 
     if (!scene->load_count)
         return STATUS_OK;

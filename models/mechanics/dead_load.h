@@ -1,11 +1,11 @@
-/* dead_load.h - a scene's loads as forces on the coefficients of a tensor-product net:
+/* dead_load.h - a scene's loads as forces on the coefficients of tensor-product nets:
  * their work over a displacement sum N_a d_a, N_a a product of functions of u, v, w. */
 #ifndef DEAD_LOAD_H
 #define DEAD_LOAD_H
 
 #include "models/scene.h"
 
-/* The functions of one direction on [0,1]. */
+/* The functions of one direction on [0,1]; along u they are those of each sheet, s. */
 struct dead_load_line {
     int n;            /* functions                                                 */
     int degree;       /* degree of the pieces                                      */
@@ -17,7 +17,7 @@ struct dead_load_line {
     const void *context;
 };
 
-/* Adds to f[line[0].n][line[1].n][line[2].n][3] [N]. STATUS_MEMORY. */
+/* Adds to f[sheets][line[0].n][line[1].n][line[2].n][3] [N]. STATUS_MEMORY. */
 enum status dead_load_add(const struct scene *scene, const struct dead_load_line line[3],
                           double *f);
 

@@ -51,14 +51,16 @@ static void evaluate(const struct net_surface *net, double u, double v, double m
     }
 }
 
-void net_surface_points(const struct net_surface *net, double thickness, int n,
+void net_surface_points(const struct net_surface *net, const struct scene *scene, int n,
                         const double *uvw, double *xyz)
 {
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
-        double off[3];
-        evaluate(net, uvw[0], uvw[1], xyz, off);
+        struct net_surface sheet = *net;
+        double off[3], u;
+        sheet.x += scene_sheet_at(scene, uvw[0], &u) * net->n * net->m * net->node;
+        evaluate(&sheet, u, uvw[1], xyz, off);
         double length = vector_length(off);
         for (int c = 0; c < 3 && length > 0; c++)
-            xyz[c] += (uvw[2] - 0.5) * thickness * (off[c] / length);
+            xyz[c] += (uvw[2] - 0.5) * scene->thickness * (off[c] / length);
     }
 }

@@ -1,22 +1,25 @@
-/* net_surface.h - a net of points on the mid-surface as a surface: bilinear in each cell,
- * with bilinear normals too, so that a thick sheet has no gaps between cells. */
+/* net_surface.h - nets of points on the mid-surfaces of sheets as surfaces: bilinear in
+ * each cell, with bilinear normals too, so that a thick sheet has no gaps between cells. */
 #ifndef NET_SURFACE_H
 #define NET_SURFACE_H
 
 #include <stddef.h>
 
-/* Component c of point (i, j) at x[(i m + j) node + c component]; x is borrowed. */
+#include "models/scene.h"
+
+/* Component c of point (i, j) at x[(i m + j) node + c component]; x is borrowed. Row n is
+ * the first of the second sheet. */
 struct net_surface {
-    int n, m; /* points along u, v; >= 2                                               */
+    int n, m; /* points of a sheet along u, v; >= 2                                    */
     const double *x;
     ptrdiff_t node, component;
 };
 
-/* Evaluates material points uvw[n][3] of a sheet of this thickness, xyz[n][3]: the surface
- * and (w - 1/2) thickness along its unit normal, the mean of the cell's four points'
+/* Evaluates material points uvw[n][3] of the scene's sheets, xyz[n][3]: the surface and
+ * (w - 1/2) thickness along its unit normal, the mean of the cell's four points'
  * normals: of tangents by central differences, one-sided on the rim. No normal where they
  * are parallel. */
-void net_surface_points(const struct net_surface *net, double thickness, int n,
+void net_surface_points(const struct net_surface *net, const struct scene *scene, int n,
                         const double *uvw, double *xyz);
 
 #endif

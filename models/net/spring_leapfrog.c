@@ -183,6 +183,7 @@ static enum status make_sweep(struct spring_leapfrog *l, enum precision precisio
     const struct spring_stencil *s = l->body.stencil;
     struct spring_sweep_plan plan = {.n = net->points[0],
                                      .m = net->points[1],
+                                     .sheet = net->rows,
                                      .precision = precision,
                                      .lag = l->body.load->beta,
                                      .law = l->body.cells                   ? SWEEP_CELLS

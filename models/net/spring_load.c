@@ -35,7 +35,7 @@ enum status spring_load_init(struct spring_load *l, const struct scene *scene,
     size_t nodes = (size_t)net->nodes;
     /* The nodes' hat functions distribute the loads, as the solids' functions do. */
     const struct dead_load_line line[3] = {
-        {.n = net->points[0], .degree = 1}, {.n = net->points[1], .degree = 1}, {.n = 1}};
+        {.n = net->rows, .degree = 1}, {.n = net->points[1], .degree = 1}, {.n = 1}};
 
     *l = (struct spring_load){.scene = scene,
                               .net = net,

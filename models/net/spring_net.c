@@ -17,35 +17,45 @@ static const struct line {
 
 enum { LINE_COUNT = sizeof LINES / sizeof *LINES };
 
-int spring_net_node(const struct spring_net *net, int i, int j)
+int spring_net_beside(const struct spring_net *net, int i, int j, int di, int dj)
 {
-    return i < 0 || j < 0 || i >= net->points[0] || j >= net->points[1]
+    const int row = i % net->rows + di, place = j + dj;
+
+    return row < 0 || place < 0 || row >= net->rows || place >= net->points[1]
                ? -1
-               : i * net->points[1] + j;
+               : (i + di) * net->points[1] + place;
+}
+
+bool spring_net_on_rim(const struct spring_net *net, int i, int j, int along)
+{
+    const int at = along ? i % net->rows : j;
+
+    return at == 0 || at == (along ? net->rows : net->points[1]) - 1;
 }
 
 /* Returns the node `count` steps along the line from (i, j), -1 beyond the rim. */
 static int along(const struct spring_net *net, int i, int j, const struct line *line,
                  int count)
 {
-    return spring_net_node(net, i + count * line->di, j + count * line->dj);
+    return spring_net_beside(net, i, j, count * line->di, count * line->dj);
 }
 
 /* Tells whether the line is on the rim, where it belongs to one row of cells only. */
 static bool on_rim(const struct spring_net *net, int i, int j, const struct line *line)
 {
-    return (line->direction == SPRING_U && (j == 0 || j == net->points[1] - 1)) ||
-           (line->direction == SPRING_V && (i == 0 || i == net->points[0] - 1));
+    return (line->direction == SPRING_U && spring_net_on_rim(net, i, j, 0)) ||
+           (line->direction == SPRING_V && spring_net_on_rim(net, i, j, 1));
 }
 
 static void set_nodes(struct spring_net *net, const struct scene *scene)
 {
-    int n = net->points[0], m = net->points[1];
+    int n = net->rows, m = net->points[1];
 
     for (int a = 0; a < net->nodes; a++) {
         int i = a / m, j = a % m;
-        double share = (i == 0 || i == n - 1 ? 0.5 : 1) * (j == 0 || j == m - 1 ? 0.5 : 1);
-        net->uvw[a][0] = (double)i / (n - 1);
+        double share = (spring_net_on_rim(net, i, j, 1) ? 0.5 : 1) *
+                       (spring_net_on_rim(net, i, j, 0) ? 0.5 : 1);
+        net->uvw[a][0] = scene_sheet_u(scene, i / n, (double)(i % n) / (n - 1));
         net->uvw[a][1] = (double)j / (m - 1);
         net->uvw[a][2] = 0.5;
         scene_rest_point(scene, net->uvw[a], net->rest + 3 * (size_t)a);
@@ -214,9 +224,11 @@ enum status spring_net_init(struct spring_net *net, const struct scene *scene,
                             const int points[2], enum parameters parameters, bool whole)
 {
     enum status st;
+    const int sheets = scene->sheets > 1 ? scene->sheets : 1;
     struct spring_net new = {
-        .points = {points[0], points[1]},
-        .nodes = points[0] * points[1],
+        .points = {sheets * points[0], points[1]},
+        .rows = points[0],
+        .nodes = sheets * points[0] * points[1],
         .cell = {scene->length / (points[0] - 1), scene->width / (points[1] - 1)}};
 
     assert(points[0] >= 2 && points[1] >= 2);

@@ -1,5 +1,7 @@
-/* spring_net.h - a net of n x m point masses over the mid-surface, node i m + j at
- * (u,v) = (i/(n-1), j/(m-1)), with its springs and hinges (spring_law.h).
+/* spring_net.h - a net of n x m point masses over the mid-surface of each sheet, node i m +
+ * j of the first at (u,v) = (i/(n-1), j/(m-1)), with its springs and hinges (spring_law.h).
+ * The rows of several sheets follow each other, and nothing connects the last row of one
+ * with the first of the next.
  *
  * A hinge is three nodes in line with a strut from the first to the last. A point has no
  * rotation, so that holding it does not clamp the sheet there; but a solid's column, held
@@ -36,7 +38,9 @@ struct clamp {
 };
 
 struct spring_net {
-    int points[2], nodes;
+    int points[2]; /* rows of all sheets, points of a row                   */
+    int rows;      /* of one sheet                                          */
+    int nodes;
     double cell[2]; /* a_u, a_v                                    [m]   */
     struct spring_law law;
     void *room;       /* memory of the arrays                        owned   */
@@ -51,14 +55,17 @@ struct spring_net {
     struct blocks graph;
 };
 
-/* Makes a net; points: n, m >= 2. whole: the graph has all couplings of spring_stencil.h,
- * also where long cells have no spring. */
+/* Makes a net; points: n, m >= 2 of a sheet. whole: the graph has all couplings of
+ * spring_stencil.h, also where long cells have no spring. */
 enum status spring_net_init(struct spring_net *net, const struct scene *scene,
                             const int points[2], enum parameters parameters, bool whole);
 void spring_net_clear(struct spring_net *net);
 
-/* Returns the node (i, j), or -1 beyond the rim. */
-int spring_net_node(const struct spring_net *net, int i, int j);
+/* Returns the node di rows and dj places from (i, j), or -1 beyond the rim of its sheet. */
+int spring_net_beside(const struct spring_net *net, int i, int j, int di, int dj);
+
+/* Tells whether the node (i, j) lies on a rim of its sheet along u (0) or v (1). */
+bool spring_net_on_rim(const struct spring_net *net, int i, int j, int along);
 
 /* Returns how far a hinge reaches, in nodes: 2, or 1 without hinges. */
 int spring_net_reach(const struct spring_net *net);

@@ -33,8 +33,8 @@ double spring_plate_beside(const struct spring_net *net, int before, int behind)
 static void add_clamp(struct plate *p, int i, int j, int di, int dj, double stiffness)
 {
     const struct spring_net *net = p->net;
-    int root = spring_net_node(net, i, j), next = spring_net_node(net, i + di, j + dj);
-    int second = spring_net_node(net, i + 2 * di, j + 2 * dj);
+    int root = i * net->points[1] + j, next = spring_net_beside(net, i, j, di, dj);
+    int second = spring_net_beside(net, i, j, 2 * di, 2 * dj);
 
     if (next < 0 || net->clamped[next])
         return;
@@ -58,8 +58,8 @@ static bool between(const struct spring_net *net, int i, int j, int along, int n
 {
     int di = along == 0, dj = along == 1;
 
-    node[0] = spring_net_node(net, i - di, j - dj),
-    node[1] = spring_net_node(net, i + di, j + dj);
+    node[0] = spring_net_beside(net, i, j, -di, -dj),
+    node[1] = spring_net_beside(net, i, j, di, dj);
     return node[0] >= 0 && node[1] >= 0;
 }
 
@@ -67,8 +67,8 @@ static bool between(const struct spring_net *net, int i, int j, int along, int n
 static void add_line(struct plate *p, int i, int j, int along, bool both)
 {
     const struct spring_net *net = p->net;
-    int across = along == 0 ? j : i, at = spring_net_node(net, i, j), node[2];
-    bool rim = across == 0 || across == net->points[1 - along] - 1;
+    int at = i * net->points[1] + j, node[2];
+    bool rim = spring_net_on_rim(net, i, j, along);
     double a = net->cell[along], strip = net->cell[1 - along] * (rim ? 0.5 : 1);
     double nu = p->poisson, B = p->stiffness * (rim ? 1 - nu * nu : 1) * strip;
 
@@ -118,12 +118,13 @@ static void add_mean(struct plate *p, int at, const int u[2], const int v[2])
 static void add_twist(struct plate *p, int i, int j)
 {
     const struct spring_net *net = p->net;
+    const int at = i * net->points[1] + j;
     const struct spring_plate_form form = {
         .kind = SPRING_PLATE_TWIST,
-        .at = spring_net_node(net, i, j),
+        .at = at,
         .count = 4,
-        .node = {spring_net_node(net, i, j), spring_net_node(net, i, j + 1),
-                 spring_net_node(net, i + 1, j), spring_net_node(net, i + 1, j + 1)},
+        .node = {at, spring_net_beside(net, i, j, 0, 1), spring_net_beside(net, i, j, 1, 0),
+                 spring_net_beside(net, i, j, 1, 1)},
         .weight = {1, -1, -1, 1},
         .stiffness = 2 * (1 - p->poisson) * p->stiffness / (net->cell[0] * net->cell[1])};
 

@@ -17,8 +17,8 @@ int spring_stencil_node(const struct spring_net *net, int node, int neighbour)
 {
     const int *step = spring_stencil_step[neighbour];
 
-    return spring_net_node(net, node / net->points[1] + step[0],
-                           node % net->points[1] + step[1]);
+    return spring_net_beside(net, node / net->points[1], node % net->points[1], step[0],
+                             step[1]);
 }
 
 /* Returns which neighbour of a is b. */
@@ -173,7 +173,7 @@ double spring_stencil_energy(const struct spring_stencil *s, const double *x)
 
 double spring_stencil_stretch2(const struct spring_stencil *s, const double *x)
 {
-    int n = s->net->points[0], m = s->net->points[1];
+    int n = s->net->points[0], m = s->net->points[1], rows = s->net->rows;
     double most = 1;
 
     for (int k = SPRING_STENCIL_NEAR / 2; k < SPRING_STENCIL_NEAR; k++) {
@@ -181,13 +181,16 @@ double spring_stencil_stretch2(const struct spring_stencil *s, const double *x)
         double scale = s->square[k] > 0 ? 1 / s->square[k] : 0;
         int first = step[1] < 0, last = m - (step[1] > 0),
             off = 3 * (step[0] * m + step[1]);
-        for (int i = 0; i < n - step[0]; i++)
+        for (int i = 0; i < n; i++) {
+            if (i % rows + step[0] >= rows)
+                continue;
             for (int j = first; j < last; j++) {
                 const double *p = x + 3 * (i * m + j);
                 double e[3] = {p[off] - p[0], p[off + 1] - p[1], p[off + 2] - p[2]};
                 double q = scale * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
                 most = q > most ? q : most;
             }
+        }
     }
     return most;
 }

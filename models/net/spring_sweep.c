@@ -27,9 +27,7 @@ enum { SWEEP_V = 2, SWEEP_SETS = 3 };
 enum { SWEEP_SHARED = 3600 };
 
 /* Parts of the room for cells, a stride each: tensions along their sides and diagonals, of
- * which the rising one begins at their first point, and only one is there; which cells
- * there are, and which begin where four diagonals meet in strips that begin with an even
- * row and with an odd one. */
+ * which the rising one begins at their first point, and only one is there. */
 enum {
     CELL_BOTTOM,
     CELL_TOP,
@@ -37,16 +35,15 @@ enum {
     CELL_RIGHT,
     CELL_RISING,
     CELL_FALLING,
-    CELL_SIDES,
-    CELL_THERE = CELL_SIDES,
-    CELL_LAST, /* those of the last strip, whose last row has none */
-    CELL_EVEN,
-    CELL_ODD,
-    CELL_PARTS
+    CELL_SIDES
 };
+
+/* Masks of a strip's cells: which there are, and which begin where four diagonals meet. */
+enum { CELL_THERE, CELL_HUB, CELL_MASKS };
 
 struct spring_sweep {
     int n, m;         /* rows, points of a row                                         */
+    int sheet;        /* rows of a sheet                                               */
     int rows, strips; /* rows of a strip, strips                                       */
     int kinds;        /* different strips                                              */
     enum precision precision;
@@ -63,7 +60,10 @@ struct spring_sweep {
     int *clamps;                      /* [strips + 1] where those of a strip begin     */
     struct spring_cells cells; /* with cells only, as what follows                     */
     ptrdiff_t stride;
-    char *cell_room; /* [CELL_PARTS][stride]; NULL: springs                            */
+    char *cell_room;  /* [CELL_SIDES][stride]; NULL: springs                            */
+    void **mask;      /* [strips] of [CELL_MASKS][count]                               */
+    char *mask_table; /* [strips] of them, as `table`                                   */
+    size_t mask_bytes;
 };
 
 static ptrdiff_t whole_vectors(ptrdiff_t points)
@@ -88,6 +88,18 @@ static int places(const struct spring_sweep *s)
 static ptrdiff_t place_of(const struct spring_sweep *s, int node)
 {
     return s->first + node / s->m * s->pitch + node % s->m;
+}
+
+/* Returns the first of the table's entries that equals entry *kinds, which counts as one of
+ * them if it is the first of its kind. */
+static void *shared(char *table, size_t bytes, int *kinds)
+{
+    char *new = table + (size_t)*kinds *bytes, *same = table;
+
+    while (memcmp(same, new, bytes))
+        same += bytes;
+    *kinds += same == new;
+    return same;
 }
 
 #define REAL    float
@@ -148,15 +160,17 @@ static enum status allocate(struct spring_sweep *s, int clamps)
 
     s->stride = 2 * SWEEP_PAD + whole_vectors(s->pitch) + s->count;
     s->strip_bytes = size * (size_t)(places(s) * s->count);
+    s->mask_bytes = s->law == SWEEP_CELLS ? size * (size_t)(CELL_MASKS * s->count) : 0;
     enum status st = room_cut(
         &s->room, ROOM(field[0][0], bytes), ROOM(field[0][1], bytes),
         ROOM(field[0][2], bytes), ROOM(field[1][0], bytes), ROOM(field[1][1], bytes),
         ROOM(field[1][2], bytes), ROOM(field[2][0], bytes), ROOM(field[2][1], bytes),
         ROOM(field[2][2], bytes), ROOM(s->strip, (size_t)s->strips),
         ROOM(s->table, (size_t)s->strips * s->strip_bytes), ROOM(s->clamp, (size_t)clamps),
-        ROOM(s->clamps, (size_t)s->strips + 1),
+        ROOM(s->clamps, (size_t)s->strips + 1), ROOM(s->mask, (size_t)s->strips),
+        ROOM(s->mask_table, (size_t)s->strips * s->mask_bytes),
         ROOM(s->cell_room,
-             s->law == SWEEP_CELLS ? size * CELL_PARTS * (size_t)s->stride : 0));
+             s->law == SWEEP_CELLS ? size * CELL_SIDES * (size_t)s->stride : 0));
     for (int n = 0; st == STATUS_OK && n < 3 * SWEEP_SETS; n++)
         s->field[n / 3][n % 3] = field[n / 3][n % 3];
     return st;
@@ -190,7 +204,7 @@ enum status spring_sweep_make(const struct spring_sweep_plan *plan,
     if (!s)
         return STATUS_MEMORY;
     s->n = plan->n, s->m = plan->m, s->precision = plan->precision, s->lag = plan->lag;
-    s->law = plan->law;
+    s->law = plan->law, s->sheet = plan->sheet;
     lay_out(s);
     TRY(allocate(s, plan->clamps));
     set_clamps(s, plan);
@@ -208,12 +222,9 @@ void spring_sweep_set(struct spring_sweep *s, const double (*c)[SWEEP_COUNT])
 {
     s->kinds = 0;
     for (int i = 0; i < s->strips; i++) {
-        char *new = s->table + (size_t)s->kinds * s->strip_bytes, *same = s->table;
-        BY_PRECISION(s, coefficients, s, i, c, new);
-        while (memcmp(same, new, s->strip_bytes))
-            same += s->strip_bytes;
-        s->strip[i] = same;
-        s->kinds += same == new;
+        BY_PRECISION(s, coefficients, s, i, c,
+                     s->table + (size_t)s->kinds * s->strip_bytes);
+        s->strip[i] = shared(s->table, s->strip_bytes, &s->kinds);
     }
 }
 

@@ -60,6 +60,7 @@ struct spring_sweep; /* opaque; positions, velocities and coefficients          
 /* The plan of n x m points. All but the arrays is copied. */
 struct spring_sweep_plan {
     int n, m;
+    int sheet; /* rows after which another sheet begins; n: there is one               */
     enum precision precision;
     double lag; /* beta [s]                                                            */
     enum spring_sweep_law law;

@@ -128,15 +128,24 @@ static REAL *NAME(cell_room)(const struct spring_sweep *s, int part)
     return (REAL *)s->cell_room + part * s->stride + SWEEP_PAD + whole_vectors(s->pitch);
 }
 
+/* Makes the masks of all strips: a sheet's last row begins no cells. */
 static void NAME(cells_set)(struct spring_sweep *s)
 {
-    for (int i = 0; i < s->rows; i++)
-        for (int j = 0; j < s->m - 1; j++) {
-            ptrdiff_t at = i * s->pitch + j;
-            NAME(cell_room)(s, CELL_THERE)[at] = 1;
-            NAME(cell_room)(s, CELL_LAST)[at] = (s->strips - 1) * s->rows + i < s->n - 1;
-            NAME(cell_room)(s, (i + j) % 2 == 0 ? CELL_EVEN : CELL_ODD)[at] = 1;
-        }
+    int kinds = 0;
+
+    for (int strip = 0; strip < s->strips; strip++) {
+        REAL *mask = (REAL *)(s->mask_table + (size_t)kinds * s->mask_bytes);
+        memset(mask, 0, s->mask_bytes);
+        for (int i = 0; i < s->rows; i++)
+            for (int j = 0; j < s->m - 1; j++) {
+                const int row = (strip * s->rows + i) % s->sheet;
+                REAL *at = mask + i * s->pitch + j;
+                at[CELL_THERE * s->count] =
+                    row < s->sheet - 1 && strip * s->rows + i < s->n;
+                at[CELL_HUB * s->count] = (row + j) % 2 == 0;
+            }
+        s->mask[strip] = shared(s->mask_table, s->mask_bytes, &kinds);
+    }
 }
 
 static struct NAME(law) NAME(law_of)(const struct spring_cells *c)
@@ -153,8 +162,8 @@ static void NAME(cells_strip)(const struct spring_sweep *s, const struct NAME(la
                               int now, int i)
 {
     const enum membrane membrane = s->cells.membrane;
-    const REAL *there = NAME(cell_room)(s, i == s->strips - 1 ? CELL_LAST : CELL_THERE);
-    const REAL *hub = NAME(cell_room)(s, i * s->rows % 2 ? CELL_ODD : CELL_EVEN), *x[3];
+    const REAL *there = (const REAL *)s->mask[i] + CELL_THERE * s->count;
+    const REAL *hub = (const REAL *)s->mask[i] + CELL_HUB * s->count, *x[3];
 
     for (int k = 0; k < 3; k++)
         x[k] = (const REAL *)s->field[now][k] + s->first + i * s->count;

@@ -1,0 +1,186 @@
+/* Tests scenes of several sheets, a row a model: sheets that never meet move as each does
+ * alone, hang as each does and swing with its frequencies. */
+#include "tests/opened_run.h"
+#include "tests/run_fixture.h"
+
+/* Positions of a sheet against those of its run alone [m]: round-off of its place at rest,
+ * which the motion lets grow, or the tolerances of Newton's method and of conjugate
+ * gradients, which see the largest of all sheets. */
+static const double SAME = 1e-11, SOLVED = 1e-9, STOPPED = 2e-7;
+
+/* Energies of all against the sum of each [J]; they are some hundredths. */
+static const double ENERGY = 1e-6;
+
+/* Places at rest, to which different steps led [m]; frequencies, by different matrices. */
+static const double HUNG = 1e-6, SWINGS = 1e-6;
+
+enum { SHEETS = 3, LOADED = 1, FRAMES = 25, SIDE = 9, MOST_MODES = 8 };
+
+#define KEY  "discretization."
+#define FINE KEY "points=[23,20]" /* more than a sweep does at once */
+static const struct row {
+    const char *model, *settings;
+    double apart; /* tolerance of positions                                            */
+    int modes;    /* frequencies to compare                                            */
+} rows[] = {
+    {"mass_spring", KEY "tolerance=1e-10", SOLVED, 0},
+    {"mass_spring", KEY "integrator=explicit;" KEY "substeps=24", SAME, 0},
+    {"mass_spring", KEY "integrator=leapfrog;" KEY "substeps=24", SAME, 0},
+    {"mass_spring",
+     KEY "integrator=leapfrog;" KEY "substeps=24;" KEY "springs=lengths;" KEY
+         "bending=strut",
+     SAME, 0},
+    {"mass_spring", KEY "integrator=momentum", STOPPED, 0},
+    {"triangles", KEY "integrator=momentum", STOPPED, 4},
+    {"triangles", KEY "integrator=implicit", STOPPED, 0},
+    {"triangles", KEY "integrator=leapfrog;" KEY "substeps=24", SAME, 0},
+    {"triangles", KEY "integrator=leapfrog;" KEY "substeps=24;" KEY "bending=hinge", SAME,
+     4},
+    {"triangles", KEY "integrator=leapfrog;" KEY "substeps=96;" FINE, SAME, 0},
+    {"position_based", "time.end=10", SAME, 0},
+    {"position_based", KEY "iterations=3", SAME, 0},
+    {"projective_dynamics", "time.end=10", SAME, 0},
+    {"projective_dynamics", KEY "constraint=edges;" KEY "integrator=bdf2", SAME, 0},
+    {"projective_dynamics", KEY "acceleration=admm", SAME, 0},
+    {"projective_dynamics", FINE, SAME, 0},
+};
+
+/* Reads a sheet of .8 kg/m^2, .5 m x .4 m, on an odd number of rows. */
+static void read_sheet(struct run *run, const struct row *row, const char *damping)
+{
+    struct settings set = {0};
+    struct run_plan plan = {SCENES "ground.yaml", named(row->model), &set, 0};
+    struct message why = {""};
+
+    set_words(&set, "sheet={length: 0.5, width: 0.4, thickness: 0.004};"
+                    "pose={origin: [0,0,0], u: [1,0,0], v: [0,1,0]};"
+                    "material={young: 1e5, poisson: 0.3, density: 200};obstacles=[];"
+                    "snapshots=[];time={step: 0.005, end: 10};discretization.points=[7,6]");
+    settings_set(&set, damping);
+    set_words(&set, row->settings);
+    if (!CHECK(run_read(run, &plan, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    settings_clear(&set);
+}
+
+/* Adds sheet k as sheet `at` of the scene: each has other axes, and hangs by its end; one
+ * has a load on its other edge. */
+static void add_sheet(struct scene *scene, int k, int at)
+{
+    static const struct scene_pose pose[SHEETS] = {
+        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+        {{0, 0, 2}, {0, 0.6, 0.8}, {-1, 0, 0}},
+        {{2, 0, 0}, {0.8, 0, -0.6}, {0, -1, 0}},
+    };
+    struct scene_support held = {.lo = {0, 0, 0}, .hi = {0, 1, 1}, .fix = FIX_XYZ};
+    struct scene_load load = {.lo = {0, 0, 0}, .hi = {0, 1, 1}, .force = {0.1, 0, -0.05}};
+
+    scene->pose[at] = pose[k];
+    held.lo[0] = held.hi[0] = scene_sheet_u(scene, at, 1);
+    REQUIRE(scene_add_support(scene, &held) == STATUS_OK);
+    load.lo[0] = load.hi[0] = scene_sheet_u(scene, at, 0);
+    REQUIRE(k != LOADED || scene_add_load(scene, &load) == STATUS_OK);
+}
+
+/* Opens all sheets, or one of them alone, far from each other and with a load on half of
+ * them all. */
+static void open_sheets(struct run *run, const struct row *row, int alone)
+{
+    struct scene_load load = {.lo = {0, 0.5, 0}, .hi = {1, 1, 1}};
+
+    read_sheet(run, row, "damping={kind: mass, value: 2}");
+    run->scene.spin[1] = 0.5;
+    run->scene.sheets = alone < 0 ? SHEETS : 1;
+    for (int k = 0; k < SHEETS; k++)
+        if (alone < 0 || alone == k)
+            add_sheet(&run->scene, k, alone < 0 ? k : 0);
+    load.force[0] = 0.3 * run->scene.sheets;
+    REQUIRE(scene_add_load(&run->scene, &load) == STATUS_OK);
+    opened_build(run);
+}
+
+/* Returns the largest distance of sheet k of `all` from its run alone [m]. */
+static double apart(const struct run *all, const struct run *alone, int k)
+{
+    double most = 0;
+
+    for (int n = 0; n < SIDE * SIDE; n++) {
+        double uvw[3] = {(double)(n / SIDE) / (SIDE - 1), (double)(n % SIDE) / (SIDE - 1),
+                         n % 2},
+               x[3], y[3];
+        alone->model->probe(alone->state, 1, uvw, x);
+        uvw[0] = scene_sheet_u(&all->scene, k, uvw[0]);
+        all->model->probe(all->state, 1, uvw, y);
+        for (int i = 0; i < 3; i++)
+            if (!(fabs(x[i] - y[i]) <= most))
+                most = fabs(x[i] - y[i]);
+    }
+    return most;
+}
+
+static double total_of(const struct run *run)
+{
+    struct energy e;
+
+    run->model->energy(run->state, &e);
+    return e.kinetic + e.elastic + e.potential;
+}
+
+/* Moves, or (statics) hangs, all sheets at once, and each alone. */
+static void check_apart(const struct row *row, bool statics, double allowed)
+{
+    struct run all, alone;
+    double most = 0, sum = 0;
+
+    open_sheets(&all, row, -1);
+    if (statics)
+        opened_settle(&all);
+    else
+        opened_steps(&all, FRAMES);
+    for (int k = 0; k < SHEETS; k++) {
+        open_sheets(&alone, row, k);
+        if (statics)
+            opened_settle(&alone);
+        else
+            opened_steps(&alone, FRAMES);
+        most = fmax(most, apart(&all, &alone, k));
+        sum += total_of(&alone);
+        run_close(&alone);
+    }
+    printf("%s %s: %.2g m apart%s\n", row->model, row->settings, most,
+           statics ? " at rest" : "");
+    CHECK_NEAR(most, 0, allowed);
+    CHECK_NEAR(total_of(&all), sum, ENERGY);
+    run_close(&all);
+}
+
+/* Compares the frequencies at rest: each as often as there are sheets. */
+static void check_modes(const struct row *row)
+{
+    struct run all, alone;
+    struct message why;
+    double omega[SHEETS * MOST_MODES], want[MOST_MODES];
+
+    open_sheets(&all, row, -1);
+    open_sheets(&alone, row, 0);
+    REQUIRE(row->modes <= MOST_MODES);
+    CHECK(all.model->modes(all.state, SHEETS * row->modes, omega, &why) == STATUS_OK);
+    CHECK(alone.model->modes(alone.state, row->modes, want, &why) == STATUS_OK);
+    for (int n = 0; n < SHEETS * row->modes; n++)
+        CHECK_RELATIVE(omega[n], want[n / SHEETS], SWINGS);
+    run_close(&all);
+    run_close(&alone);
+}
+
+int main(void)
+{
+    for (int n = 0; n < LENGTH(rows); n++) {
+        const struct row *row = &rows[n];
+        check_apart(row, false, row->apart);
+        if (named(row->model)->model->equilibrium)
+            check_apart(row, true, HUNG);
+        if (row->modes)
+            check_modes(row);
+    }
+    return check_result();
+}

@@ -27,6 +27,16 @@ bool grid_cut(int sheets, int i)
            grid_sheet(sheets, i) < grid_sheet(sheets, i + 1);
 }
 
+void grid_middle(const double *xyz, int step, double *middle)
+{
+    for (int j = 0; j < GRID_V; j += step)
+        for (int i = 0; i < GRID_U; i += step, middle += 3) {
+            const double *below = xyz + 3 * (j * GRID_U + i);
+            for (int c = 0; c < 3; c++)
+                middle[c] = 0.5 * (below[c] + below[3 * GRID_U * GRID_V + c]);
+        }
+}
+
 void grid_sample(void (*probe)(const void *state, int n, const double *uvw, double *xyz),
                  const void *state, double *xyz)
 {

@@ -21,6 +21,10 @@ int grid_sheet(int sheets, int i);
 /* Tells whether the columns i and i + 1 belong to two sheets: nothing connects them. */
 bool grid_cut(int sheets, int i);
 
+/* Fills middle[n][n][3] with the mean of the layers at every `step`-th point, n = 99 / step
+ * + 1, step a divisor of 99. */
+void grid_middle(const double *xyz, int step, double *middle);
+
 /* Fills xyz[GRID_POINTS][3], calling `probe` (struct model) for each point by itself. */
 void grid_sample(void (*probe)(const void *state, int n, const double *uvw, double *xyz),
                  const void *state, double *xyz);

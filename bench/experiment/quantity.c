@@ -123,10 +123,7 @@ static double error(const struct place *p)
     return distance(p, p->s->truth ? p->s->truth->xyz[p->time] : NULL);
 }
 
-static double crossings(const struct place *p)
-{
-    return sheet(p) ? metric_intersections(sheet(p)) : NAN;
-}
+OF_SHEET(crossings, metric_intersections)
 
 /* Measures that did not come, such as the time of a crossing, are infinite. */
 #define OF_RUN(code, name, unit, sentence)                                                 \

@@ -1,5 +1,6 @@
 #include "bench/export/export.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,10 +38,17 @@ static void put_sheet(const struct scene *s, struct output *out)
 {
     put(out, "sheet: {length: #, width: #, thickness: #}\n",
         (double[]){s->length, s->width, s->thickness});
-    output_print(out, "pose:\n  kind: %s\n", scene_shape_words[s->shape]);
-    put(out, "  origin: [#, #, #]\n", s->origin);
-    put(out, "  u: [#, #, #]\n", s->axis_u);
-    put(out, "  v: [#, #, #]\n", s->axis_v);
+    if (s->sheets < 2)
+        output_print(out, "pose:\n  kind: %s\n", scene_shape_words[s->shape]);
+    for (int k = 0; k < scene_sheets(s); k++) {
+        const char *head = s->sheets < 2 ? "  " : k ? "  - " : "sheets:\n  - ";
+        output_print(out, "%s", head);
+        put(out, "origin: [#, #, #]\n", s->pose[k].origin);
+        put(out, s->sheets < 2 ? "  u: [#, #, #]\n" : "    u: [#, #, #]\n",
+            s->pose[k].axis_u);
+        put(out, s->sheets < 2 ? "  v: [#, #, #]\n" : "    v: [#, #, #]\n",
+            s->pose[k].axis_v);
+    }
     if (s->shape == SCENE_CLOAK)
         put(out, "  opening: #\n  flare: #\n", (double[]){s->opening, s->flare});
     put(out, "material: {young: #, poisson: #, density: #}\n",
@@ -68,15 +76,24 @@ static void put_forces(const struct scene *s, struct output *out)
     }
 }
 
-/* Begins an element of a list. */
-static void put_region(struct output *out, const double lo[3], const double hi[3])
+/* Begins an element of a list; of several sheets u is that along the one that it names, or
+ * all of it. */
+static void put_region(const struct scene *s, int sheet, struct output *out,
+                       const double lo[3], const double hi[3])
 {
     output_print(out, "  - at: {");
-    for (int c = 0; c < 3; c++) {
-        output_print(out, "%s%c: ", c ? ", " : "", "uvw"[c]);
-        put(out, lo[c] == hi[c] ? "#" : "[#, #]", (double[]){lo[c], hi[c]});
+    if (s->sheets > 1 && sheet)
+        output_print(out, "sheet: %d, ", sheet);
+    for (int c = s->sheets > 1 && !sheet; c < 3; c++) {
+        double at[2] = {lo[c], hi[c]};
+        for (int k = 0; c == 0 && k < 2 && s->sheets > 1; k++) {
+            scene_sheet_at(s, at[k], &at[k]);
+            at[k] = nearbyint(at[k] * 1e12) / 1e12; /* as it was typed */
+        }
+        output_print(out, "%c: ", "uvw"[c]);
+        put(out, at[0] == at[1] ? "#" : "[#, #]", at);
+        output_print(out, c < 2 ? ", " : "}\n");
     }
-    output_print(out, "}\n");
 }
 
 static void put_supports(const struct scene *s, struct output *out)
@@ -84,7 +101,7 @@ static void put_supports(const struct scene *s, struct output *out)
     for (int n = 0; n < s->support_count; n++) {
         const struct scene_support *p = &s->supports[n];
         output_print(out, "%s", n ? "" : "supports:\n");
-        put_region(out, p->lo, p->hi);
+        put_region(s, p->sheet, out, p->lo, p->hi);
         output_print(out, "    fix: %s\n%s", export_sheet_axes(p->fix),
                      p->path_count ? "    path:\n" : "");
         for (int k = 0; k < p->path_count; k++)
@@ -92,7 +109,7 @@ static void put_supports(const struct scene *s, struct output *out)
     }
     for (int n = 0; n < s->load_count; n++) {
         output_print(out, "%s", n ? "" : "loads:\n");
-        put_region(out, s->loads[n].lo, s->loads[n].hi);
+        put_region(s, s->loads[n].sheet, out, s->loads[n].lo, s->loads[n].hi);
         put(out, "    force: [#, #, #]\n", s->loads[n].force);
     }
 }
@@ -167,35 +184,58 @@ static enum status write_scene(struct export_job *j, struct output *out)
 
 /* --- README.md: the rules on one page --- */
 
+/* Puts three corners of a sheet at rest. */
+static void put_corners(const struct scene *c, int sheet, struct output *out)
+{
+    for (int n = 0; n < 3; n++) {
+        const double corner[3] = {scene_sheet_u(c, sheet, n == 1), n == 2, 0.5};
+        double x[3];
+        scene_rest_point(c, corner, x);
+        output_print(out, "%s u = %.6g, v = %g is at (%.4g, %.4g, %.4g)",
+                     n       ? ","
+                     : sheet ? "\nOf the next sheet"
+                             : " At rest",
+                     corner[0], corner[1], x[0] + 0.0, x[1] + 0.0, x[2] + 0.0);
+    }
+    output_print(out, ".");
+}
+
 static void put_title(const struct export_job *j, struct output *out)
 {
     const struct scene *c = &j->scene;
     const int *points = j->sheet.points;
     const double *g = c->gravity;
+    char number[16] = "A";
+
+    if (c->sheets > 1)
+        snprintf(number, sizeof number, "%d", c->sheets);
 
     output_print(
         out,
-        "# %s for your simulator\n\nA %s sheet, %g m (u) by %g m (v), %g m thick: E = "
+        "# %s for your simulator\n\n%s %s sheet%s %g m (u) by %g m (v), %g m thick: E = "
         "%g Pa, nu = %g, rho = %g kg/m^3; gravity\n%g %g %g m/s^2; Gamma = rho g h L^3 "
         "/ D = %.4g.\nSource: %s.\n\n",
-        c->name, scene_shape_words[c->shape], c->length, c->width, c->thickness, c->young,
-        c->poisson, c->density, g[0] + 0.0, g[1] + 0.0, g[2] + 0.0, scene_gamma(c),
-        c->source);
+        c->name, number, scene_shape_words[c->shape], c->sheets > 1 ? "s, each" : ",",
+        c->length, c->width, c->thickness, c->young, c->poisson, c->density, g[0] + 0.0,
+        g[1] + 0.0, g[2] + 0.0, scene_gamma(c), c->source);
     output_print(out, "SI units; x, y, z right-handed.");
-    for (int n = 0; n < 3; n++) {
-        static const double corner[3][3] = {{0, 0, 0.5}, {1, 0, 0.5}, {0, 1, 0.5}};
-        double x[3];
-        scene_rest_point(c, corner[n], x);
-        output_print(out, "%s u = %g, v = %g is at (%.4g, %.4g, %.4g)",
-                     n ? "," : " At rest", corner[n][0], corner[n][1], x[0] + 0.0,
-                     x[1] + 0.0, x[2] + 0.0);
-    }
+    for (int k = 0; k < scene_sheets(c); k++)
+        put_corners(c, k, out);
+    if (c->sheets > 1)
+        output_print(
+            out,
+            "\nVertex j %d + (k - 1) %d + i is point (i/%d, j/%d) of sheet k, 1 to "
+            "%d: a row goes through all\nsheets, and nothing connects them. u counts "
+            "on from sheet to sheet, as the files have it.",
+            export_sheet_columns(&j->sheet), points[0], points[0] - 1, points[1] - 1,
+            c->sheets);
+    else
+        output_print(out, "\nVertex j %d + i is at u = i/%d, v = j/%d.", points[0],
+                     points[0] - 1, points[1] - 1);
     output_print(
-        out,
-        ".\nVertex j %d + i is at u = i/%d, v = j/%d. Files count vertices from 0, "
-        "OBJ from 1.\nTriangles are counter-clockwise seen from u x v; the diagonals "
-        "alternate.\n\n",
-        points[0], points[0] - 1, points[1] - 1);
+        out, " Files count vertices from 0, "
+             "OBJ from 1.\nTriangles are counter-clockwise seen from u x v; the diagonals "
+             "alternate.\n\n");
 }
 
 static void put_damping(const struct scene *c, bool undamped, bool at_rest,
@@ -245,8 +285,10 @@ static void put_physics(const struct export_job *j, struct output *out)
                  "- From t = 0 at rest in the rest shape%s, without stress; large "
                  "displacements; %s.\n",
                  needs & SCENE_NEED_INITIAL_MOTION ? " but for velocities.csv [m/s]" : "",
-                 needs & SCENE_NEED_SELF_CONTACT ? "the sheet meets itself (scene.yaml)"
-                                                 : "no self-contact");
+                 !(needs & SCENE_NEED_SELF_CONTACT) ? "no self-contact"
+                 : needs & SCENE_NEED_SHEETS
+                     ? "the sheets meet each other and themselves (scene.yaml)"
+                     : "the sheet meets itself (scene.yaml)");
     if (needs & SCENE_NEED_DRAG)
         output_print(out,
                      "- Body drag: %g kg/m^3/s times (wind - velocity) per volume, wind "
@@ -508,7 +550,7 @@ out:
 }
 
 static const struct command_option options[] = {
-    {"--points", "N,M", false, "vertices along u and v (required)"},
+    {"--points", "N,M", false, "vertices along u and v of a sheet (required)"},
     {"--out", "FOLDER", false, "a new folder for the files (required)"},
     {"--format", "obj|ply|csv", false, "format of the rest mesh (all three)"},
     {"--set", "KEY=VALUE", true, "change a key of the scene"},

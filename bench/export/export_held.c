@@ -16,11 +16,6 @@ static bool is_whole(const struct scene_support *s)
     return s->lo[2] <= 0 && s->hi[2] >= 1;
 }
 
-static bool is_inside(const struct export_sheet *s, int i, int j)
-{
-    return i >= 0 && j >= 0 && i < s->points[0] && j < s->points[1];
-}
-
 static bool reaches(const struct export_sheet *s, const struct scene_support *support,
                     int i, int j)
 {
@@ -38,7 +33,7 @@ static unsigned held_whole(const struct export_sheet *s, int i, int j)
 {
     unsigned fix = 0;
 
-    for (int n = 0; is_inside(s, i, j) && n < s->scene->support_count; n++)
+    for (int n = 0; export_sheet_has(s, i, j) && n < s->scene->support_count; n++)
         if (is_whole(&s->scene->supports[n]) && reaches(s, &s->scene->supports[n], i, j))
             fix |= s->scene->supports[n].fix;
     return fix;
@@ -73,7 +68,7 @@ static bool may_leave(const struct export_sheet *s, int i, int j)
 {
     double uvw[3], low[3], high[3];
 
-    if (!is_inside(s, i, j))
+    if (!export_sheet_has(s, i, j))
         return false;
     export_sheet_point(s, i, j, uvw, low);
     uvw[2] = 0, scene_rest_point(s->scene, uvw, low);
@@ -103,12 +98,15 @@ static void doubt_ends(const struct export_sheet *s, struct export_held *held)
         for (int k = 3; k >= 0; k--) {
             const struct scene_support *support = &s->scene->supports[n];
             const double at = k % 2 ? support->hi[k / 2] : support->lo[k / 2];
-            const double cells = at * (s->points[k / 2] - 1);
+            double along = at;
+            if (k / 2 == 0)
+                scene_sheet_at(s->scene, at, &along);
+            const double cells = along * (s->points[k / 2] - 1);
             if (fabs(cells - round(cells)) > 1e-9)
                 status_fail(&held->doubt, STATUS_OK,
                             "supports[%d] ends at %c = %g, between vertices: the net holds "
                             "up to the last one within",
-                            n, "uv"[k / 2], at);
+                            n, "uv"[k / 2], along);
         }
 }
 
@@ -144,7 +142,7 @@ static enum status add_clamps(const struct export_sheet *s, struct export_held *
                                "it: held vertices cannot say that; a patch of two rows or "
                                "more can, on a net so fine",
                                v->vertex);
-        if (!is_inside(s, i, j))
+        if (!export_sheet_has(s, i, j))
             add_outside(s, held, i, j, v);
     }
     return STATUS_OK;
@@ -153,7 +151,9 @@ static enum status add_clamps(const struct export_sheet *s, struct export_held *
 static void add_held(const struct export_sheet *s, const struct supports *supports, int n,
                      struct export_held *held)
 {
-    struct export_held_vertex v = {n, n % s->points[0], n / s->points[0], 0, -1, -1};
+    const int columns = export_sheet_columns(s);
+    struct export_held_vertex v = {
+        n, export_sheet_place(s, n % columns), n / columns, 0, -1, -1};
 
     for (int c = 0; c < 3; c++)
         if (supports->free_index[3 * n + c] < 0)

@@ -9,16 +9,18 @@
  * u x v points. A cell's diagonals alternate, so that the mesh has no bias. */
 static void triangle(const struct export_sheet *s, int n, int corner[3])
 {
-    const int cells = s->points[0] - 1, i = n / 2 % cells, j = n / 2 / cells;
-    const int a = j * s->points[0] + i, b = a + 1, d = a + s->points[0], c = d + 1;
+    const int columns = export_sheet_columns(s), cells = s->points[0] - 1,
+              row = columns - columns / s->points[0], /* cells in a row */
+        i = n / 2 % row, j = n / 2 / row;
+    const int a = j * columns + i + i / cells, b = a + 1, d = a + columns, c = d + 1;
     const int cell[2][2][3] = {{{a, b, c}, {a, c, d}}, {{a, b, d}, {b, c, d}}};
 
-    memcpy(corner, cell[(i + j) % 2][n % 2], 3 * sizeof *corner);
+    memcpy(corner, cell[(i % cells + j) % 2][n % 2], 3 * sizeof *corner);
 }
 
 static int triangles(const struct export_sheet *s)
 {
-    return 2 * (s->points[0] - 1) * (s->points[1] - 1);
+    return 2 * scene_sheets(s->scene) * (s->points[0] - 1) * (s->points[1] - 1);
 }
 
 enum status export_mesh_obj(struct export_job *j, struct output *out)
@@ -28,7 +30,7 @@ enum status export_mesh_obj(struct export_job *j, struct output *out)
     int c[3];
 
     output_print(out, "# %s at rest [m]; vt = u v; %d x %d vertices, u fastest\no sheet\n",
-                 s->scene->name, s->points[0], s->points[1]);
+                 s->scene->name, export_sheet_columns(s), s->points[1]);
     for (int n = 0; n < export_sheet_vertices(s); n++) {
         export_sheet_vertex(s, n, uvw, x);
         output_print(out, "v %.17g %.17g %.17g\n", x[0], x[1], x[2]);

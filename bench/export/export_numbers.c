@@ -70,9 +70,9 @@ static void put_hinges(const struct export_sheet *s, const struct taker *t)
 }
 
 /* Returns our number of a node of the springs' net, which counts along v first. */
-static int vertex_of(const struct spring_net *net, int node)
+static int vertex_of(const struct export_sheet *s, int node)
 {
-    return node % net->points[1] * net->points[0] + node / net->points[1];
+    return node % s->points[1] * export_sheet_columns(s) + node / s->points[1];
 }
 
 static enum status put_springs(const struct export_sheet *s, const struct taker *t,
@@ -93,7 +93,7 @@ static enum status put_springs(const struct export_sheet *s, const struct taker 
                 &(struct number){name[di && dj ? SPRING_DIAGONAL
                                       : di     ? SPRING_U
                                                : SPRING_V],
-                                 vertex_of(&net, k->a), vertex_of(&net, k->b), k->stiffness,
+                                 vertex_of(s, k->a), vertex_of(s, k->b), k->stiffness,
                                  "N/m", k->length, 1 / k->stiffness});
     }
     spring_law_tell(&net.law, net.cell, s->scene, misfit);
@@ -280,7 +280,8 @@ enum status export_numbers_loads(struct export_job *j, struct output *out)
     TRY(dead_load_add(s->scene, line, force));
     output_print(out, "vertex,x,y,z\n");
     for (int n = 0; n < export_sheet_vertices(s); n++) {
-        const int along = n % s->points[0], across = n / s->points[0];
+        const int columns = export_sheet_columns(s), along = n % columns,
+                  across = n / columns;
         const double *f = force + 3 * (along * s->points[1] + across);
         if (f[0] != 0 || f[1] != 0 || f[2] != 0)
             output_print(out, "%d,%.17g,%.17g,%.17g\n", n, f[0], f[1], f[2]);

@@ -59,7 +59,7 @@ void looks_add(struct looks *l, const struct scene *scene, double time, const do
     l->series[LOOKS_PENETRATION][n] = metric_penetration(scene, time, xyz);
     if (intersections)
         l->series[LOOKS_INTERSECTIONS][n] =
-            metric_intersections_every(xyz, INTERSECTION_STEP);
+            metric_intersections_every(scene, xyz, INTERSECTION_STEP);
     l->energy[n] = (struct energy){NAN, NAN, NAN};
 }
 

@@ -198,7 +198,7 @@ enum status describe_state(const struct run *run, double t, FILE *file)
         {"largest stretch", metric_stretch(scene, xyz), "1"},
         {"roughness", metric_roughness(scene, xyz), "1"},
         {"penetration", obstacles ? metric_penetration(scene, t, xyz) : NAN, "m"},
-        {"self-intersections", metric_intersections(xyz), "pairs"},
+        {"self-intersections", metric_intersections(scene, xyz), "pairs"},
         {"kinetic energy", energy.kinetic, "J"},
         {"elastic energy", energy.elastic, "J"},
         {"potential energy", energy.potential, "J"},

@@ -413,7 +413,6 @@ static double measure_shell(struct judged *r)
 static enum status begin_contact(struct judged *r)
 {
     r->touched = (struct touched){.gap = INFINITY, .through_time = NAN};
-    r->work.keep_pairs = true, r->work.shake = CROSSING_SHAKE;
     return STATUS_OK;
 }
 
@@ -446,26 +445,18 @@ static double least_gap(const struct judged *r, const double *x)
 
 static double measure_contact(struct judged *r)
 {
-    enum { LAYER = 3 * GRID_U * GRID_V };
     const struct scene *s = &r->run.scene;
     const double start = contact_law_body(s).start;
     struct touched *t = &r->touched;
     struct crossing with = {0};
-    long pairs = 0;
 
     r->run.model->sample(r->run.state, r->xyz);
-    for (int n = 0; n < 3 * U * V; n++) {
-        const int at = n / 3 % U * STEP + n / 3 / U * STEP * GRID_U;
-        const double *x = r->xyz + 3 * at + n % 3;
-        r->first[n] = (x[0] + x[LAYER]) / 2;
-    }
+    grid_middle(r->xyz, STEP, r->first);
     const double gap = least_gap(r, r->first);
     if (!(gap >= t->gap))
         t->gap = gap, t->gap_time = r->time;
-    r->work.most = (long)CROSSING_PAIRS_MOST * 2 * U * V;
-    if (s->contact.self &&
-        (intersection_count(&r->work, U, V, r->first, &pairs) != STATUS_OK ||
-         (pairs && crossing_measure(&r->work, CROSSING_TOLERANCE, &with) != STATUS_OK)))
+    if (s->contact.self && crossing_of_field(&r->work, s->sheets, STEP, r->xyz,
+                                             CROSSING_TOLERANCE, &with) != STATUS_OK)
         return NAN;
     if (with.pairs && isnan(t->through_time))
         t->through_time = r->time;

@@ -414,7 +414,7 @@ static enum status make(struct job *j, const struct command_line *line, struct m
     truth_pack(&made, j->scene.length);
     TRY(truth_file_write(file, &runs, &made, why));
     if (!third)
-        TRY(truth_crossing_judge(&made));
+        TRY(truth_crossing_judge(&made, j->scene.sheets));
     TRY(print(&made, &j->scene, j->format, stdout));
     fprintf(stderr, "%s in %s\n", third ? "third mechanics" : "truth", file);
     if (j->must && j->end.answer != TRUTH_MET)

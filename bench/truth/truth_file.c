@@ -116,9 +116,11 @@ enum status truth_physics(const struct scene *s, char **text)
     fprintf(out, "shape %s\n", scene_shape_words[s->shape]);
     if (s->shape == SCENE_CLOAK)
         print(out, "cloak", 2, (double[]){s->opening, s->flare});
-    print(out, "origin", 3, s->origin);
-    print(out, "u", 3, s->axis_u);
-    print(out, "v", 3, s->axis_v);
+    for (int k = 0; k < scene_sheets(s); k++) {
+        print(out, "origin", 3, s->pose[k].origin);
+        print(out, "u", 3, s->pose[k].axis_u);
+        print(out, "v", 3, s->pose[k].axis_v);
+    }
     print(out, "material", 3, (double[]){s->young, s->poisson, s->density});
     print(out, "gravity", 3, s->gravity);
     print(out, "drag", 1, &s->drag);
@@ -139,6 +141,16 @@ enum status truth_physics(const struct scene *s, char **text)
     }
     *text = result;
     return STATUS_OK;
+}
+
+/* Returns how many sheets a text is of: each has its origin. */
+static int count_sheets(const char *text)
+{
+    int count = 0;
+
+    while ((text = strstr(text, "\norigin ")))
+        text++, count++;
+    return count;
 }
 
 /* Moves both past the lines with which they begin alike. */
@@ -488,7 +500,7 @@ static enum status read_judged(const char *path, bool search, struct truth *made
 
     TRY(read_alone(path, made, &text, why));
     TRY(judge_by_third(path, text, made, why));
-    st = search ? truth_crossing_judge(made) : STATUS_OK;
+    st = search ? truth_crossing_judge(made, count_sheets(text)) : STATUS_OK;
     if (st == STATUS_INPUT)
         status_fail(why, st, "%s: has positions that are no finite numbers", path);
     TRY(st);

@@ -179,9 +179,9 @@ void truth_third_judge(const struct truth *third, struct truth *made);
 
 /* --- Crossings --- */
 
-/* Counts the crossings at the claimed times, and takes the claim back from the first one
- * on. STATUS_INPUT: a field is not finite; STATUS_MEMORY. */
-enum status truth_crossing_judge(struct truth *made);
+/* Counts the crossings of so many sheets at the claimed times, and takes the claim back
+ * from the first one on. STATUS_INPUT: a field is not finite; STATUS_MEMORY. */
+enum status truth_crossing_judge(struct truth *made, int sheets);
 
 /* --- Printing --- */
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "models/grid.h"
 #include "models/metric/predicate.h"
 #include "models/metric/triangle.h"
 #include "models/vector.h"
@@ -62,8 +63,8 @@ static void find_rim(struct work *w)
     int c[3];
 
     for (int n = 0; n < 3 * w->s->triangles; n++) {
-        intersection_triangle(w->s, n / 3, c);
-        w->rim[c[n % 3]] ^= c[(n + 1) % 3] ^ c[(n + 2) % 3];
+        if (intersection_triangle(w->s, n / 3, c))
+            w->rim[c[n % 3]] ^= c[(n + 1) % 3] ^ c[(n + 2) % 3];
     }
 }
 
@@ -141,8 +142,8 @@ static void find_parts(struct work *w)
     for (int n = 0; n < s->points; n++)
         w->part[n] = n;
     for (int n = 0; n < 3 * s->triangles; n++) {
-        intersection_triangle(s, n / 3, c);
-        if (w->side[c[n % 3]] == w->side[c[(n + 1) % 3]])
+        if (intersection_triangle(s, n / 3, c) &&
+            w->side[c[n % 3]] == w->side[c[(n + 1) % 3]])
             join(w->part, c[n % 3], c[(n + 1) % 3]);
     }
     for (int n = 0; n < s->points; n++) {
@@ -230,5 +231,22 @@ enum status crossing_measure(const struct intersection *s, double tolerance,
     }
 out:
     free(w.far);
+    return st;
+}
+
+enum status crossing_of_field(struct intersection *work, int sheets, int step,
+                              const double *xyz, double tolerance,
+                              struct crossing *crossing)
+{
+    const int n_u = (GRID_U - 1) / step + 1, n_v = (GRID_V - 1) / step + 1;
+    long pairs;
+    enum status st;
+
+    *crossing = (struct crossing){0};
+    work->keep_pairs = true, work->shake = CROSSING_SHAKE;
+    work->most = (long)CROSSING_PAIRS_MOST * 2 * n_u * n_v;
+    TRY(intersection_count_field(work, sheets, step, xyz, &pairs));
+    st = crossing_measure(work, tolerance, crossing);
+out:
     return st;
 }

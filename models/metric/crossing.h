@@ -33,6 +33,12 @@ struct crossing {
     double depth;  /* [m]                                                                */
 };
 
+/* Measures the depth of the middle of a field (grid.h) of so many sheets, through every
+ * `step`-th point; the work space is kept from call to call. STATUS_NAN, STATUS_MEMORY. */
+enum status crossing_of_field(struct intersection *work, int sheets, int step,
+                              const double *xyz, double tolerance,
+                              struct crossing *crossing);
+
 /* Measures the depth after a count with keep_pairs and CROSSING_SHAKE; tolerance [m] > 0.
  * STATUS_MEMORY. */
 enum status crossing_measure(const struct intersection *s, double tolerance,

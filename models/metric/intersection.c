@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/grid.h"
 #include "models/metric/triangle.h"
 #include "models/vector.h"
 
@@ -33,12 +34,21 @@ void intersection_corners(int n_u, int triangle, int corner[3])
     corner[2] = triangle % 2 ? first + n_u : first + n_u + 1;
 }
 
-void intersection_triangle(const struct intersection *s, int triangle, int corner[3])
+/* Tells whether a cell of the grid lies between two sheets. */
+static bool is_void(const struct intersection *s, int cell)
+{
+    const int i = s->step * (cell % (s->n_u - 1));
+
+    return s->sheets > 1 && grid_sheet(s->sheets, i) != grid_sheet(s->sheets, i + s->step);
+}
+
+bool intersection_triangle(const struct intersection *s, int triangle, int corner[3])
 {
     if (s->corner)
         memcpy(corner, s->corner[triangle], 3 * sizeof *corner);
     else
         intersection_corners(s->n_u, triangle, corner);
+    return s->corner || !is_void(s, triangle / 2);
 }
 
 /* Counts the boxes of all levels over so many cells. */
@@ -103,14 +113,20 @@ static void join(double box[6], const double low[3], const double high[3])
     }
 }
 
+/* Fits boxes around cells; those between two sheets are empty and meet none. */
 static void fit_cells(const struct intersection *s, const struct intersection_level *cells)
 {
+    static const double empty[6] = {INFINITY,  INFINITY,  INFINITY,
+                                    -INFINITY, -INFINITY, -INFINITY};
+
     for (int j = 0; j < cells->n_v; j++)
         for (int i = 0; i < cells->n_u; i++) {
             const double *p = s->point + 3 * ((long)j * s->n_u + i), *q = p + 3 * s->n_u;
             double *box = cells->box[(long)j * cells->n_u + i];
-            memcpy(box, p, 3 * sizeof *box);
-            memcpy(box + 3, p, 3 * sizeof *box);
+            memcpy(box, empty, sizeof empty);
+            if (is_void(s, i))
+                continue;
+            join(box, p, p);
             join(box, p + 3, p + 3);
             join(box, q, q);
             join(box, q + 3, q + 3);
@@ -192,8 +208,8 @@ static bool triangles_intersect(const struct intersection *s, int first, int sec
     int p[3], q[3];
     const double *a[3], *b[3];
 
-    intersection_triangle(s, first, p);
-    intersection_triangle(s, second, q);
+    if (!intersection_triangle(s, first, p) || !intersection_triangle(s, second, q))
+        return false;
     int shared = intersection_match(p, q);
     for (int i = 0; i < 3; i++) {
         a[i] = s->point + 3L * p[i];
@@ -430,8 +446,9 @@ out:
     return st;
 }
 
-enum status intersection_count(struct intersection *s, int n_u, int n_v, const double *xyz,
-                               long *count)
+/* Counts those of a grid. */
+static enum status count_grid(struct intersection *s, int n_u, int n_v, const double *xyz,
+                              long *count)
 {
     enum status st;
 
@@ -440,6 +457,31 @@ enum status intersection_count(struct intersection *s, int n_u, int n_v, const d
 out:
     if (st)
         *count = -1;
+    return st;
+}
+
+enum status intersection_count(struct intersection *s, int n_u, int n_v, const double *xyz,
+                               long *count)
+{
+    s->sheets = 1;
+    return count_grid(s, n_u, n_v, xyz, count);
+}
+
+enum status intersection_count_field(struct intersection *s, int sheets, int step,
+                                     const double *xyz, long *count)
+{
+    const int n_u = (GRID_U - 1) / step + 1, n_v = (GRID_V - 1) / step + 1;
+    double *middle = malloc((size_t)(n_u * n_v) * 3 * sizeof *middle);
+    enum status st = STATUS_MEMORY;
+
+    assert((GRID_U - 1) % step == 0 && (GRID_V - 1) % step == 0);
+    *count = -1;
+    s->sheets = sheets, s->step = step;
+    if (middle) {
+        grid_middle(xyz, step, middle);
+        st = count_grid(s, n_u, n_v, middle, count);
+    }
+    free(middle);
     return st;
 }
 

@@ -18,6 +18,9 @@
  * Decided without round-off, of the coordinates as they are, except that a coordinate below
  * 2^-247 (about 1e-75) of the largest is taken for 0. Thickness plays no role.
  *
+ * Several sheets that share a field (grid.h) are one surface, without the cells that would
+ * connect them: where one passes through another, the surface passes through itself.
+ *
  * A mesh is a list of triangles between vertices, of any topology, and the same holds for
  * it; triangles that follow each other in the list should be near each other.
  *
@@ -55,6 +58,7 @@ struct intersection {
 
     /* private */
     int n_u, n_v, levels;
+    int sheets, step; /* of intersection_count_field                                   */
     int (*corner)[3]; /* [triangles] of a mesh; NULL: the grid's            borrowed */
     long room, pair_room;
     struct intersection_level {
@@ -76,6 +80,11 @@ void intersection_clear(struct intersection *s);
 enum status intersection_count(struct intersection *s, int n_u, int n_v, const double *xyz,
                                long *count);
 
+/* Counts those of the middle of a field (grid.h) of so many sheets, through every `step`-th
+ * grid point, step a divisor of 99. */
+enum status intersection_count_field(struct intersection *s, int sheets, int step,
+                                     const double *xyz, long *count);
+
 /* Counts by testing every pair, boxes of cells and all: for tests and to show what the tree
  * saves. Lists no pairs. */
 enum status intersection_count_all(struct intersection *s, int n_u, int n_v,
@@ -93,8 +102,9 @@ int intersection_match(int p[3], int q[3]);
 /* Returns the grid points of a triangle. */
 void intersection_corners(int n_u, int triangle, int corner[3]);
 
-/* Finds the corners of a triangle of the last count. */
-void intersection_triangle(const struct intersection *s, int triangle, int corner[3]);
+/* Finds the corners of a triangle of the last count. False: it lies between two sheets,
+ * where nothing is. */
+bool intersection_triangle(const struct intersection *s, int triangle, int corner[3]);
 
 /* A search, among the triangles of the last count, for the one nearest to a point. */
 struct intersection_search {

@@ -45,7 +45,9 @@ double metric_rmse(const double *a, const double *b)
 static double largest_stretch(const struct metric_rest *rest, const double *xyz, int i,
                               int j)
 {
-    int i0 = i > 0 ? i - 1 : i, i1 = i < GRID_U - 1 ? i + 1 : i;
+    const int sheets = rest->scene->sheets;
+    int i0 = i > 0 && !grid_cut(sheets, i - 1) ? i - 1 : i,
+        i1 = i < GRID_U - 1 && !grid_cut(sheets, i) ? i + 1 : i;
     int j0 = j > 0 ? j - 1 : j, j1 = j < GRID_V - 1 ? j + 1 : j;
     double west[3], east[3], south[3], north[3], fa[3], fb[3];
     struct metric_rest_step s = metric_rest_step(rest, i, j, i0, i1, j0, j1);
@@ -170,42 +172,57 @@ static double squared_bending(const struct metric_rest *rest, const double *xyz,
     return squared(d);
 }
 
-/* Averages over the grid points that lie at least `margin` steps from the edges. */
-static double roughness(const struct scene *scene, const double *xyz, int margin)
+/* Returns how many of so many steps lie within a share of the edge; at least one. */
+static int margin_of(int steps, double share)
 {
-    double da = scene->length / (GRID_U - 1), db = scene->width / (GRID_V - 1), sum = 0;
+    return (int)fmax(1, ceil(share * steps));
+}
+
+/* Averages over the grid points that lie at least a share of a sheet from its edges. */
+static double roughness(const struct scene *scene, const double *xyz, double share)
+{
+    const int across = margin_of(GRID_V - 1, share);
+    const double db = scene->width / (GRID_V - 1);
+    double sum = 0;
+    int column[2], count = 0;
     struct metric_rest rest;
 
     if (metric_rest_init(&rest, scene) != STATUS_OK)
         return NAN;
-    for (int j = margin; j < GRID_V - margin; j++) {
-        double part = 0;
-        for (int i = margin; i < GRID_U - margin; i++)
-            part += squared_bending(&rest, xyz, i, j, da, db);
-        sum += part;
+    for (int k = 0; k < scene_sheets(scene); k++) {
+        grid_columns(scene_sheets(scene), k, column);
+        const int steps = column[1] - column[0], along = margin_of(steps, share);
+        for (int j = across; j < GRID_V - across; j++) {
+            double part = 0;
+            for (int i = column[0] + along; i <= column[1] - along; i++)
+                part += squared_bending(&rest, xyz, i, j, scene->length / steps, db);
+            sum += part;
+        }
+        count += (steps + 1 - 2 * along) * (GRID_V - 2 * across);
     }
     metric_rest_clear(&rest);
-    return scene->length * sqrt(sum / ((GRID_U - 2 * margin) * (GRID_V - 2 * margin)));
+    return scene->length * sqrt(sum / count);
 }
 
 double metric_roughness(const struct scene *scene, const double *xyz)
 {
-    return roughness(scene, xyz, 1);
+    return roughness(scene, xyz, 0);
 }
 
 double metric_inner_roughness(const struct scene *scene, const double *xyz)
 {
-    return roughness(scene, xyz, 20); /* 20/99 > 0.2 > 19/99 */
+    return roughness(scene, xyz, 0.2);
 }
 
-double metric_unevenness(const struct scene *scene, const double *xyz)
+/* Adds the squares of second and third derivatives of a sheet with these columns. */
+static void add_unevenness(const struct scene *scene, const double *xyz,
+                           const int column[2], double *bending, double *change)
 {
-    double da = scene->length / (GRID_U - 1), db = scene->width / (GRID_V - 1);
-    double bending = 0, change = 0;
+    double da = scene->length / (column[1] - column[0]), db = scene->width / (GRID_V - 1);
 
     for (int j = 1; j < GRID_V - 2; j++) {
         double row_bending = 0, row_change = 0;
-        for (int i = 1; i < GRID_U - 2; i++) {
+        for (int i = column[0] + 1; i < column[1] - 1; i++) {
             double x[3][3], east[3][3], north[3][3];
             second(xyz, i, j, da, db, x);
             second(xyz, i + 1, j, da, db, east);
@@ -217,8 +234,19 @@ double metric_unevenness(const struct scene *scene, const double *xyz)
                               3 * pow((east[2][c] - x[2][c]) / da, 2) +
                               pow((north[2][c] - x[2][c]) / db, 2);
         }
-        bending += row_bending;
-        change += row_change;
+        *bending += row_bending;
+        *change += row_change;
+    }
+}
+
+double metric_unevenness(const struct scene *scene, const double *xyz)
+{
+    double bending = 0, change = 0;
+    int column[2];
+
+    for (int k = 0; k < scene_sheets(scene); k++) {
+        grid_columns(scene_sheets(scene), k, column);
+        add_unevenness(scene, xyz, column, &bending, &change);
     }
     return scene->length * sqrt(change / bending);
 }
@@ -343,9 +371,12 @@ static void rest_direction(const struct scene *scene, double line[3])
 double metric_angle(const struct scene *scene, const double *xyz)
 {
     double start[3], end[3], line[3], level[3], direction[3], rest[3];
+    int column[2];
+
     down(scene, direction);
-    middle_line(xyz, 0, start);
-    middle_line(xyz, GRID_U - 1, end);
+    grid_columns(scene_sheets(scene), 0, column);
+    middle_line(xyz, column[0], start);
+    middle_line(xyz, column[1], end);
     for (int c = 0; c < 3; c++)
         line[c] = end[c] - start[c];
     double fall = vector_dot(line, direction);
@@ -358,28 +389,20 @@ double metric_angle(const struct scene *scene, const double *xyz)
     return atan2(fall, reach) * (45 / atan(1));
 }
 
-double metric_intersections_every(const double *xyz, int step)
+double metric_intersections_every(const struct scene *scene, const double *xyz, int step)
 {
-    const int n_u = (GRID_U - 1) / step + 1, n_v = (GRID_V - 1) / step + 1;
-    double *surface = malloc((size_t)(n_u * n_v * 3) * sizeof *surface);
     struct intersection work = {0};
-    enum status st = STATUS_MEMORY;
-    long count = 0;
+    long count;
+    const enum status st =
+        intersection_count_field(&work, scene->sheets, step, xyz, &count);
 
-    assert((GRID_U - 1) % step == 0 && (GRID_V - 1) % step == 0);
-    if (surface) {
-        for (int n = 0; n < n_u * n_v; n++)
-            middle(xyz, step * (n % n_u), step * (n / n_u), surface + 3 * n);
-        st = intersection_count(&work, n_u, n_v, surface, &count);
-    }
     intersection_clear(&work);
-    free(surface);
     return st ? NAN : (double)count;
 }
 
-double metric_intersections(const double *xyz)
+double metric_intersections(const struct scene *scene, const double *xyz)
 {
-    return metric_intersections_every(xyz, 1);
+    return metric_intersections_every(scene, xyz, 1);
 }
 
 static double total(const struct energy *energy)

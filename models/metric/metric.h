@@ -2,8 +2,9 @@
  *
  * Fields are const double *xyz of shape [GRID_W][GRID_V][GRID_U][3], metres. The
  * mid-surface is the mean of the two layers. `Down` is the direction of gravity, -z in a
- * scene without. A NaN among the points that a metric reads makes it NaN. Sums are ordered:
- * the same bits on every run.
+ * scene without. Of several sheets, numbers are taken over all, and what connects points
+ * within each; lengths are those of one. A NaN among the points that a metric reads makes
+ * it NaN. Sums are ordered: the same bits on every run.
  */
 #ifndef METRIC_H
 #define METRIC_H
@@ -67,19 +68,19 @@ void metric_carried(const struct scene *scene, double t, int count, const double
 enum status metric_blowup(const struct scene *scene, double t, const double *xyz);
 
 /* Returns the angle below the horizontal of the line from (0, 1/2) to (1, 1/2) on the
- * mid-surface, in degrees, -180 to 180: past 90 the line points back over the rest
- * direction of u. */
+ * mid-surface of the first sheet, in degrees, -180 to 180: past 90 the line points back
+ * over the rest direction of u. */
 double metric_angle(const struct scene *scene, const double *xyz);
 
 /* Counts pairs of triangles of the mid-surface that intersect (intersection.h: touching
  * counts, thickness does not); 0 for a sheet clear of itself. NaN also if memory ran out.
  * Takes some 10 ms, more for a crumpled sheet: a hundred times what the others cost. */
-double metric_intersections(const double *xyz);
+double metric_intersections(const struct scene *scene, const double *xyz);
 
 /* Counts those of the surface through every `step`-th grid point, step a divisor of 99: at
  * step 3, 34 x 34 points, in a tenth of the time. It may miss folds narrower than a step,
  * and meet itself where the finer surface just does not. */
-double metric_intersections_every(const double *xyz, int step);
+double metric_intersections_every(const struct scene *scene, const double *xyz, int step);
 
 /* Fills drift[n] = (E_n - E_0) / E_max of a motion's energies [count], count >= 1, with E
  * the sum of the three and E_max the largest of kinetic + elastic + |potential -

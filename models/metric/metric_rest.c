@@ -40,9 +40,12 @@ struct metric_rest_step metric_rest_step(const struct metric_rest *rest, int i, 
                                          int i0, int i1, int j0, int j1)
 {
     const struct scene *scene = rest->scene;
-    struct metric_rest_step s = {.a = (i1 - i0) * scene->length / (GRID_U - 1),
-                                 .b = (j1 - j0) * scene->width / (GRID_V - 1)};
     double along[3], across[3];
+    int column[2];
+
+    grid_columns(scene_sheets(scene), grid_sheet(scene->sheets, i), column);
+    struct metric_rest_step s = {.a = (i1 - i0) * scene->length / (column[1] - column[0]),
+                                 .b = (j1 - j0) * scene->width / (GRID_V - 1)};
 
     if (!rest->xyz)
         return s;
@@ -106,8 +109,23 @@ double metric_rest_bending(const struct metric_rest *rest, int i, int j, double 
     return sum;
 }
 
-double metric_rest_highest(const struct scene *scene, const double lo[3],
-                           const double hi[3], const double down[3])
+/* Computes the part of the box [lo, hi] of (u,v,w) that is in a sheet; false: nothing is.
+ */
+static bool part_in(const struct scene *scene, int sheet, const double lo[3],
+                    const double hi[3], double from[3], double to[3])
+{
+    memcpy(from, lo, 3 * sizeof *from);
+    memcpy(to, hi, 3 * sizeof *to);
+    if (scene->sheets > 1) {
+        from[0] = fmax(lo[0], scene_sheet_u(scene, sheet, 0));
+        to[0] = fmin(hi[0], scene_sheet_u(scene, sheet, 1));
+    }
+    return from[0] <= to[0];
+}
+
+/* Returns the height of the highest rest point of a box in one sheet. */
+static double highest_in(const struct scene *scene, const double lo[3], const double hi[3],
+                         const double down[3])
 {
     const int parts = scene->shape == SCENE_FLAT ? 1 : 32; /* flat: at a corner */
     double top = -INFINITY;
@@ -124,17 +142,29 @@ double metric_rest_highest(const struct scene *scene, const double lo[3],
     return top;
 }
 
-static double distance_flat(const struct scene *scene, const double lo[3],
-                            const double hi[3], const double x[3])
+double metric_rest_highest(const struct scene *scene, const double lo[3],
+                           const double hi[3], const double down[3])
+{
+    double top = -INFINITY, from[3], to[3];
+
+    for (int k = 0; k < scene_sheets(scene); k++)
+        if (part_in(scene, k, lo, hi, from, to))
+            top = fmax(top, highest_in(scene, from, to, down));
+    return top;
+}
+
+/* Returns the squared distance from a box of (s,v,w) of one flat sheet. */
+static double distance_flat(const struct scene *scene, const struct scene_pose *pose,
+                            const double lo[3], const double hi[3], const double x[3])
 {
     double size[3] = {scene->length, scene->width, scene->thickness}, w[3], d[3], local[3];
     double sum = 0;
 
-    scene_normal(scene, w);
+    vector_cross(pose->axis_u, pose->axis_v, w);
     for (int c = 0; c < 3; c++)
-        d[c] = x[c] - scene->origin[c];
-    local[0] = vector_dot(d, scene->axis_u);
-    local[1] = vector_dot(d, scene->axis_v);
+        d[c] = x[c] - pose->origin[c];
+    local[0] = vector_dot(d, pose->axis_u);
+    local[1] = vector_dot(d, pose->axis_v);
     local[2] = vector_dot(d, w) + 0.5 * scene->thickness;
     for (int c = 0; c < 3; c++) {
         double nearest = fmin(fmax(local[c], lo[c] * size[c]), hi[c] * size[c]);
@@ -146,10 +176,16 @@ static double distance_flat(const struct scene *scene, const double lo[3],
 double metric_rest_distance(const struct scene *scene, const double lo[3],
                             const double hi[3], double near, const double x[3])
 {
-    double nearest = INFINITY;
+    double nearest = INFINITY, from[3], to[3];
 
+    for (int k = 0; k < scene_sheets(scene) && scene->shape == SCENE_FLAT; k++)
+        if (part_in(scene, k, lo, hi, from, to)) {
+            scene_sheet_at(scene, from[0], &from[0]);
+            scene_sheet_at(scene, to[0], &to[0]);
+            nearest = fmin(nearest, distance_flat(scene, &scene->pose[k], from, to, x));
+        }
     if (scene->shape == SCENE_FLAT)
-        return distance_flat(scene, lo, hi, x);
+        return nearest;
     for (int n = 0; n < 9 && !(nearest < near * near); n++) {
         double uvw[3] = {lo[0] + n / 3 * (hi[0] - lo[0]) / 2,
                          lo[1] + n % 3 * (hi[1] - lo[1]) / 2, (lo[2] + hi[2]) / 2};

@@ -25,29 +25,32 @@ static double at(const double *xyz, int i, int j, int c)
     return 0.5 * (below[0] + below[3 * LAYER]);
 }
 
-static void bend(const double *xyz, int c, double da, double db, double f[V][U])
+/* Bends columns: those of a sheet, n of which have neighbours, after column `first`. */
+static void bend(const double *xyz, int first, int n, int c, double da, double db,
+                 double f[V][U])
 {
     for (int j = 0; j < V; j++)
-        for (int i = 0; i < U; i++) {
+        for (int i = first; i < first + n; i++) {
             const double x = 2 * at(xyz, i + 1, j + 1, c);
-            f[j][i] = (at(xyz, i + 2, j + 1, c) - x + at(xyz, i, j + 1, c)) / (da * da) +
-                      (at(xyz, i + 1, j + 2, c) - x + at(xyz, i + 1, j, c)) / (db * db);
+            f[j][i - first] =
+                (at(xyz, i + 2, j + 1, c) - x + at(xyz, i, j + 1, c)) / (da * da) +
+                (at(xyz, i + 1, j + 2, c) - x + at(xyz, i + 1, j, c)) / (db * db);
         }
 }
 
 /* Transforms along u, then along v; rows innermost, as they lie in memory. */
-static void transform(const double *along_u, const double *along_v, double f[V][U])
+static void transform(int n, const double *along_u, const double *along_v, double f[V][U])
 {
     double g[V][U] = {{0}};
 
     for (int j = 0; j < V; j++)
-        for (int i = 0; i < U; i++)
-            for (int k = 0; k < U; k++)
-                g[j][k] += f[j][i] * along_u[i * U + k];
+        for (int i = 0; i < n; i++)
+            for (int k = 0; k < n; k++)
+                g[j][k] += f[j][i] * along_u[i * n + k];
     memset(f, 0, sizeof g);
     for (int l = 0; l < V; l++)
         for (int j = 0; j < V; j++)
-            for (int k = 0; k < U; k++)
+            for (int k = 0; k < n; k++)
                 f[l][k] += along_v[j * V + l] * g[j][k];
 }
 
@@ -68,29 +71,39 @@ static int band_of(double length, double a, double b)
     return band;
 }
 
-static void add(const double f[V][U], double length, double da, double db, double *sum)
+static void add(int n, const double f[V][U], double length, double da, double db,
+                double *sum)
 {
     for (int l = 0; l < V; l++)
-        for (int k = 0; k < U; k++) {
+        for (int k = 0; k < n; k++) {
             if (!k && !l)
                 continue;
-            const double height = f[l][k] / (symbol(k, U, da) + symbol(l, V, db));
-            sum[band_of(length, k / (U * da), l / (V * db))] += height * height;
+            const double height = f[l][k] / (symbol(k, n, da) + symbol(l, V, db));
+            sum[band_of(length, k / (n * da), l / (V * db))] += height * height;
         }
 }
 
 void waves_spectrum(const struct scene *scene, const double *xyz, double rms[WAVES_BANDS])
 {
-    const double da = scene->length / (GRID_U - 1), db = scene->width / (GRID_V - 1);
+    const double db = scene->width / (GRID_V - 1);
     double along_u[U * U], along_v[V * V], f[V][U], sum[WAVES_BANDS] = {0};
+    int column[2], points = 0;
+    bool nan = false;
 
-    cosines(U, along_u);
     cosines(V, along_v);
-    for (int c = 0; c < 3; c++) {
-        bend(xyz, c, da, db, f);
-        transform(along_u, along_v, f);
-        add(f, scene->length, da, db, sum);
+    for (int k = 0; k < scene_sheets(scene); k++) {
+        grid_columns(scene_sheets(scene), k, column);
+        const int n = column[1] - column[0] - 1;
+        const double da = scene->length / (n + 1);
+        cosines(n, along_u);
+        for (int c = 0; c < 3; c++) {
+            bend(xyz, column[0], n, c, da, db, f);
+            transform(n, along_u, along_v, f);
+            add(n, f, scene->length, da, db, sum);
+            nan |= isnan(f[0][0]);
+        }
+        points += n * V;
     }
     for (int n = 0; n < WAVES_BANDS; n++)
-        rms[n] = isnan(f[0][0]) ? NAN : sqrt(sum[n] / (U * V)) / scene->length;
+        rms[n] = nan ? NAN : sqrt(sum[n] / points) / scene->length;
 }

@@ -1,5 +1,6 @@
 /* waves.h - the height of a sheet's wrinkles, octave by octave of their length, as read
- * off sampled fields (grid.h), as those of metric.h.
+ * off sampled fields (grid.h), as those of metric.h. Several
+ * sheets are summed one by one.
  *
  * The mid-surface's x_aa + x_bb (central differences in a = u L, b = v W, inner points
  * alone) is a sum of cosines (the DCT-II of Ahmed, Natarajan, Rao 1974, along both); each

@@ -74,7 +74,7 @@ static void check_row(const struct row *row)
     if (!CHECK(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK))
         printf("%s %s: %s\n", row->scene, row->contestant, why.text);
     run.model->sample(run.state, xyz);
-    if (!CHECK(metric_intersections(xyz) == 0))
+    if (!CHECK(metric_intersections(&run.scene, xyz) == 0))
         printf("%s %s goes through itself\n", row->scene, row->contestant);
     if (row->whole)
         check_fold(&run.scene, xyz);

@@ -311,6 +311,57 @@ static void meshes(void)
     frames_close(cloak.frames);
 }
 
+/* Several sheets stand side by side in rows of vertices: the mesh, its masses, springs and
+ * held vertices are those of each, and nothing lies between two. */
+static void sheets(void)
+{
+    enum { N = 5, M = 4, SHEETS = 3, ROW = SHEETS * N };
+    static const char *const set[] = {
+        "supports=[{at: {sheet: 2, u: 0}, fix: xyz}, {at: {sheet: 3, u: 1}, fix: xyz}]",
+        "loads=[{at: {sheet: 2, u: 1}, force: [0, 0, 1]}]", NULL};
+    const char *folder = exported("stack", "5,4", set);
+    const struct mesh obj = read_mesh(folder, "rest.obj");
+    const double side = 0.2, density = 150 * 0.002;
+    int springs = 0, outside = 0;
+
+    REQUIRE(obj.net->vertices == ROW * M);
+    CHECK(obj.net->triangles == 2 * SHEETS * (N - 1) * (M - 1));
+    for (int n = 0; n < obj.net->triangles; n++)
+        CHECK_RELATIVE(area_of(&obj, n), side * side / (2 * (N - 1) * (M - 1)), TOL_SUM);
+    for (int n = 0; n < ROW * M; n++) {
+        const int i = n % ROW, k = i / N;
+        CHECK_NEAR(obj.x[n][0], -0.1 + side * (i % N) / (N - 1), TOL_ONE);
+        CHECK_NEAR(obj.x[n][2], 0.003 * k, TOL_ONE);
+        CHECK_NEAR(obj.net->uv[2 * n], (33 * k + (32 + k / 2) * (i % N) / 4.) / 99,
+                   TOL_ONE);
+    }
+    frames_close(obj.frames);
+    open_table(folder, "materials");
+    CHECK_RELATIVE(sum_of("mass"), SHEETS * density * side * side, TOL_SUM);
+    for (int row = 0; row < reference_rows(table); row++) {
+        if (strncmp(reference_text(table, row, "quantity"), "spring", 6) != 0)
+            continue;
+        CHECK((int)cell(row, "a") % ROW / N == (int)cell(row, "b") % ROW / N);
+        springs++;
+    }
+    CHECK(springs == SHEETS * ((N - 1) * M + N * (M - 1) + 2 * (N - 1) * (M - 1)));
+    open_table(folder, "held");
+    REQUIRE(reference_rows(table) == 4 * M);
+    for (int row = 0; row < 4 * M; row++) {
+        const bool is_outside = cell(row, "vertex") >= ROW * M,
+                   second = cell(row, "z") < 0.004;
+        const double x = (second ? -0.1 : 0.1) * (is_outside ? 1.5 : 1);
+        outside += is_outside;
+        CHECK_NEAR(cell(row, "x"), x, TOL_ONE);
+        CHECK_NEAR(cell(row, "z"), second ? 0.003 : 0.006, TOL_ONE);
+    }
+    CHECK(outside == 2 * M);
+    open_table(folder, "loads");
+    CHECK_RELATIVE(sum_column("z"), 1.0, TOL_SUM);
+    for (int row = 0; row < reference_rows(table); row++)
+        CHECK((int)cell(row, "vertex") % ROW == 2 * N - 1);
+}
+
 /* One format alone; the rest is always there. */
 static void formats(void)
 {
@@ -399,7 +450,7 @@ static void clamps_are_mirrors(void)
 static void scenes_come_back(void)
 {
     static const struct {
-        const char *name, *set[3];
+        const char *name, *set[4];
         int count;
     } cases[] = {
         {"corners_patch", {NULL}, 0},
@@ -413,6 +464,15 @@ static void scenes_come_back(void)
          {"damping={kind: velocity_rate, value: 0.3}",
           "loads=[{at: {u: 1, v: [0.2, 1]}, force: [0, 0, -0.1]}]"},
          2},
+        {"stack",
+         {"sheets=[{origin: [0, 0, 0.1]}, {origin: [0, 0, 0], u: [0, 1, 0], v: [-0.6, 0, "
+          "0.8]}]",
+          "supports=[{at: {sheet: 2, u: [0.1, 0.37], v: 1, w: 0.5}, fix: xy}, {at: {v: 0, "
+          "w: 0.5}, fix: "
+          "z}, "
+          "{at: {sheet: 1, u: 1, w: 0.5}, fix: y}]",
+          "loads=[{at: {sheet: 1, u: 0.3}, force: [0, 0, 0.1]}]"},
+         3},
         {"sphere",
          {"obstacles=[{box: {center: [0, 0, -9], size: [1, 2, 3], u: [0, 1, 0], v: [0.6, "
           "0, "
@@ -600,6 +660,7 @@ int main(void)
     times();
     world();
     meshes();
+    sheets();
     formats();
     held_rows();
     clamps_are_mirrors();

@@ -92,7 +92,7 @@ static void claim_ends_at_crossing(const char *name, double first)
     REQUIRE(named_file_find(&truth_file_kind, name, &path, NULL) == STATUS_OK);
     REQUIRE(truth_file_find(path, &a.scene, &all, &why) == STATUS_OK); /* not searched */
     REQUIRE(truth_file_find(name, &a.scene, &claimed, &why) == STATUS_OK);
-    while (n < all.claimed && metric_intersections(all.xyz[n]) == 0)
+    while (n < all.claimed && metric_intersections(&a.scene, all.xyz[n]) == 0)
         n++;
     CHECK(claimed.claimed == n && (n < all.claimed) == (first > 0));
     if (first > 0) {
@@ -107,7 +107,7 @@ static void claim_ends_at_crossing(const char *name, double first)
     const int searched = all.claimed;
     for (n = 0; n < searched; n++)
         all.value[n][TRUTH_CROSSINGS] = NAN;
-    REQUIRE(truth_crossing_judge(&all) == STATUS_OK);
+    REQUIRE(truth_crossing_judge(&all, 1) == STATUS_OK);
     CHECK(all.claimed == claimed.claimed);
     for (n = 0; n < searched; n++) {
         CHECK(all.value[n][TRUTH_CROSSINGS] == claimed.value[n][TRUTH_CROSSINGS]);

@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+#include "models/grid.h"
 #include "tests/check.h"
 
 enum { N = 41, POINTS = N * N };
@@ -194,6 +195,75 @@ static void slit(void)
     intersection_clear(&work);
 }
 
+enum { SHEETS = 3 };
+static double field[GRID_POINTS][3];
+
+/* Fills a field with sheets from x = 0 to 1, v along y, sheet k at z[k][0] where x = 0 and
+ * z[k][1] where x = 1. */
+static void lay(const double z[SHEETS][2])
+{
+    for (int n = 0; n < GRID_POINTS; n++) {
+        const int i = n % GRID_U, k = grid_sheet(SHEETS, i);
+        int column[2];
+        grid_columns(SHEETS, k, column);
+        const double s = (double)(i - column[0]) / (column[1] - column[0]);
+        memcpy(field[n],
+               (double[]){s, n / GRID_U % GRID_V / 99., z[k][0] + s * (z[k][1] - z[k][0])},
+               sizeof *field);
+    }
+}
+
+/* Counts the pairs of the triangles that the field has, listed one by one. */
+static long listed(int step)
+{
+    enum { CELLS = 2 * (GRID_U - 1) * (GRID_V - 1) };
+    static int corner[CELLS][3];
+    static double middle[GRID_U * GRID_V][3];
+    const int n_u = (GRID_U - 1) / step + 1, all = 2 * (n_u - 1) * (n_u - 1);
+    struct intersection mesh = {.shake = CROSSING_SHAKE};
+    int count = 0;
+    long pairs;
+
+    grid_middle(field[0], step, middle[0]);
+    for (int n = 0; n < all; n++) {
+        intersection_corners(n_u, n, corner[count]);
+        const int from = step * (corner[count][0] % n_u), to = from + step;
+        count += grid_sheet(SHEETS, from) == grid_sheet(SHEETS, to);
+    }
+    REQUIRE(intersection_count_mesh(&mesh, n_u * n_u, middle[0], count, corner, &pairs) ==
+            STATUS_OK);
+    intersection_clear(&mesh);
+    return pairs;
+}
+
+/* Between two sheets is nothing, which what passes there does not meet; a sheet that comes
+ * through another one is found, with its depth. */
+static void sheets(int step)
+{
+    static const struct {
+        double z[SHEETS][2], depth;
+    } row[] = {{{{0, 0}, {.1, .1}, {.05, .05}}, 0},
+               {{{.05, .05}, {0, 0}, {.1, .1}}, 0},
+               {{{0, 0}, {.2, .2}, {.1, -.02}}, .02},
+               {{{0, 0}, {.03, -.1}, {.2, .2}}, .03}};
+
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
+        struct intersection work = {0};
+        struct crossing found;
+        long pairs;
+        lay(row[n].z);
+        REQUIRE(crossing_of_field(&work, SHEETS, step, field[0], 1e-6, &found) ==
+                STATUS_OK);
+        CHECK((found.depth > 0) == (row[n].depth > 0));
+        if (step == 1) /* else the last columns of a sheet may be left out */
+            CHECK_NEAR(found.depth, row[n].depth, SHAKEN);
+        CHECK(found.pairs == listed(step));
+        REQUIRE(intersection_count_field(&work, 1, step, field[0], &pairs) == STATUS_OK);
+        CHECK(pairs > found.pairs); /* as one sheet it meets what is not there */
+        intersection_clear(&work);
+    }
+}
+
 /* A mesh has the pairs of the grid that has the same triangles, in whatever order they are
  * listed; a triangle that is listed twice adds no pair with its copy. */
 static void lists_are_grids(void)
@@ -224,6 +294,8 @@ int main(void)
     turned();
     touches();
     slit();
+    sheets(1);
+    sheets(3);
     lists_are_grids();
     return check_result();
 }

@@ -278,6 +278,7 @@ static void test_every(int step)
 {
     static double field[3 * GRID_POINTS], surface[GRID_POINTS][3];
     const int side = (GRID_U - 1) / step + 1;
+    const struct scene scene = {.sheets = 1};
     long count = 0;
 
     for (int n = 0; n < GRID_POINTS; n++) {
@@ -291,10 +292,10 @@ static void test_every(int step)
     }
     CHECK(intersection_count(&work, side, side, surface[0], &count) == STATUS_OK);
     CHECK(count > 10);
-    CHECK(metric_intersections_every(field, step) == (double)count);
-    CHECK(step > 1 || metric_intersections(field) == (double)count);
+    CHECK(metric_intersections_every(&scene, field, step) == (double)count);
+    CHECK(step > 1 || metric_intersections(&scene, field) == (double)count);
     field[3 * GRID_POINTS - 1] = NAN;
-    CHECK(isnan(metric_intersections_every(field, step)));
+    CHECK(isnan(metric_intersections_every(&scene, field, step)));
 }
 
 int main(void)

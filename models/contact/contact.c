@@ -710,22 +710,23 @@ out:
 }
 
 /* The rounds in which bodies that close from two sides find how each presses against the
- * other; their forces rise to those of the law, from below. */
+ * other, and layers on a body how it bears them; their forces rise to those of the law,
+ * from below. */
 enum { ROUNDS = 32 };
 
-/* Adds and ends the touches with bodies. */
+/* Adds the touches with bodies, and ends all. */
 static enum status project_bodies(struct contact *c, const double *compliance,
                                   const int *held, double *x)
 {
     enum status st = STATUS_OK;
-    const int near = list_near(c, x), first = c->count;
-    int rounds = c->scene->obstacle_count > 1 ? ROUNDS : 0;
+    const int near = list_near(c, x), own = c->count;
 
     for (int o = 0; o < c->scene->obstacle_count; o++)
         TRY(meet_body(c, o, near, compliance, held, x));
-    while (rounds-- > 0 && relieve(c, first, compliance, held, x))
+    int rounds = c->scene->obstacle_count > 1 || (own && c->count > own) ? ROUNDS : 0;
+    while (rounds-- > 0 && relieve(c, 0, compliance, held, x))
         ;
-    take(c, first, x);
+    take(c, 0, x);
 out:
     return st;
 }
@@ -747,7 +748,6 @@ enum status contact_project(struct contact *c, const double *compliance, const i
     for (int n = 0; n < c->count; n++)
         look_back(c, &c->touch[n], x);
     settle(c, 0, compliance, held, x);
-    take(c, 0, x);
     TRY(project_bodies(c, compliance, held, x));
 out:
     return st;

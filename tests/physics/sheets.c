@@ -1,5 +1,7 @@
 /* Tests scenes of several sheets, a row a model: sheets that never meet move as each does
- * alone, hang as each does and swing with its frequencies. */
+ * alone, hang as each does and swing with its frequencies; those that meet rest on each
+ * other as the law says, and keep their momentum. */
+#include "models/contact/contact_law.h"
 #include "tests/opened_run.h"
 #include "tests/run_fixture.h"
 
@@ -43,6 +45,42 @@ static const struct row {
     {"projective_dynamics", KEY "constraint=edges;" KEY "integrator=bdf2", SAME, 0},
     {"projective_dynamics", KEY "acceleration=admm", SAME, 0},
     {"projective_dynamics", FINE, SAME, 0},
+    {"shell", "", STOPPED, 4},
+    {"shell", KEY "remedy=none;" KEY "degree=[2,3,1]", STOPPED, 0},
+    {"shell", KEY "kinematics=linear", SAME, 4},
+    {"shell", KEY "integrator=leapfrog;" KEY "substeps=24", SAME, 0},
+    {"iga", "", STOPPED, 4},
+    {"iga", KEY "remedy=reduced;" KEY "unknowns=points;" KEY "solver=cg", STOPPED, 0},
+    {"iga", KEY "kinematics=linear;" KEY "degree=[2,2,1]", SAME, 4},
+    {"iga", KEY "kinematics=incremental", SAME, 0},
+    {"iga", KEY "integrator=leapfrog;" KEY "substeps=200", SAME, 0},
+    {"hex", "", STOPPED, 4},
+    {"hex", KEY "kinematics=linear;" KEY "remedy=none;" KEY "points=[7,6,3]", SAME, 0},
+    {"hex", KEY "integrator=leapfrog;" KEY "substeps=200", SAME, 0},
+};
+
+/* Models by which two sheets meet, and the largest errors: of their gaps at rest, of the
+ * range (where Newton's method ends; an explicit step ends in contact, and goes on from
+ * there), and of the sum of their ways, one of which a force pushes (round-off, and Euler's
+ * way in n steps, 1 + 1/n of the true one). */
+static const struct meeting {
+    const char *model, *settings;
+    bool statics; /* rest is found, not waited for                                    */
+    double gap, momentum;
+} meetings[] = {
+    {"shell", KEY "degree=[3,3,1]", true, 1e-3, 0},
+    {"iga", "", true, 1e-3, 0},
+    {"hex", "", true, 1e-3, 0},
+    {"triangles", "", true, 1e-3, 0},
+    {"shell", KEY "degree=[2,2,1]", false, 1e-3, 1e-12},
+    {"iga", "", false, 1e-3, 1e-12},
+    {"hex", "", false, 1e-3, 1e-12},
+    {"shell", KEY "kinematics=linear", false, 1e-3, 1e-12},
+    {"shell", KEY "integrator=leapfrog", false, 3e-2, 1e-8},
+    {"hex", KEY "integrator=leapfrog", false, 3e-2, 1e-8},
+    {"triangles", KEY "integrator=leapfrog", false, 3e-2, 1e-8},
+    {"mass_spring", "", false, 1e-3, 0.04},
+    {"position_based", "", false, 1e-2, 0.04},
 };
 
 /* Reads a sheet of .8 kg/m^2, .5 m x .4 m, on an odd number of rows. */
@@ -172,8 +210,89 @@ static void check_modes(const struct row *row)
     run_close(&alone);
 }
 
+/* Opens two sheets of felt, alike, the upper by more than contact's start over the other.
+ */
+static void open_pair(struct run *run, const struct meeting *m, const char *settings)
+{
+    struct settings set = {0};
+    struct run_plan plan = {SCENES "stack.yaml", named(m->model), &set, 0};
+    struct message why = {""};
+
+    set_words(&set, "sheets=[{origin: [0,0,0.0015]},{origin: [0,0,0.0038]}];snapshots=[];"
+                    "contact={};discretization.points=[7,6]");
+    set_words(&set, settings);
+    set_words(&set, m->settings);
+    if (!CHECK(run_open(run, &plan, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    settings_clear(&set);
+}
+
+/* Returns the height of the middle of a sheet's point (s, v) = (0.3, 0.6) [m]. */
+static double height(const struct run *run, int sheet)
+{
+    double uvw[3] = {scene_sheet_u(&run->scene, sheet, 0.3), 0.6, 0.5}, x[3];
+
+    run->model->probe(run->state, 1, uvw, x);
+    return x[2];
+}
+
+/* Two sheets on a floor are as far apart as the law says of one's weight, and the lower as
+ * far from the floor as it says of both. */
+static void check_gap(const struct meeting *m)
+{
+    struct run run;
+
+    open_pair(&run, m,
+              "obstacles=[{plane: {point: [0,0,0], normal: [0,0,1]}}];"
+              "damping={kind: mass, value: 20}");
+    const struct contact_law self = contact_law_self(&run.scene),
+                             body = contact_law_body(&run.scene);
+    const double w = contact_law_weight(&run.scene);
+    const double gap =
+                     self.start - self.range + self.range / (1 + sqrt(w / self.stiffness)),
+                 low = body.start - body.range +
+                       body.range / (1 + sqrt(2 * w / body.stiffness));
+    if (m->statics)
+        opened_settle(&run);
+    else
+        opened_steps(&run, 100);
+    const double z[2] = {height(&run, 0), height(&run, 1)};
+    printf("%s %s: gap %.5f of the range off, the lower one %.5f\n", m->model, m->settings,
+           (z[1] - z[0] - gap) / self.range, (z[0] - low) / body.range);
+    CHECK_NEAR((z[1] - z[0] - gap) / self.range, 0, m->gap);
+    CHECK_NEAR((z[0] - low) / body.range, 0, m->gap);
+    run_close(&run);
+}
+
+/* Without bodies and weight a force lifts the lower sheet to the other: both together move
+ * as their mass does. */
+static void check_momentum(const struct meeting *m)
+{
+    const double force = 0.012, time = 0.15;
+    struct run run;
+
+    open_pair(&run, m,
+              "obstacles=[];gravity=[0,0,0];damping={kind: none};"
+              "loads=[{at: {sheet: 1}, force: [0,0,0.012]}]");
+    const struct scene *s = &run.scene;
+    const double mass = s->density * s->thickness * s->length * s->width;
+    const double before = height(&run, 1);
+    opened_steps(&run, (int)lround(time / s->step));
+    const double way = height(&run, 0) + height(&run, 1) - 0.0015 - 0.0038,
+                 want = force * time * time / (2 * mass);
+    printf("%s %s: sum of ways %.2g off\n", m->model, m->settings, way / want - 1);
+    CHECK(height(&run, 1) - before > 0.2 * want);
+    CHECK_RELATIVE(way, want, m->momentum);
+    run_close(&run);
+}
+
 int main(void)
 {
+    for (int n = 0; n < LENGTH(meetings); n++) {
+        check_gap(&meetings[n]);
+        if (!meetings[n].statics)
+            check_momentum(&meetings[n]);
+    }
     for (int n = 0; n < LENGTH(rows); n++) {
         const struct row *row = &rows[n];
         check_apart(row, false, row->apart);

@@ -161,7 +161,8 @@ static double total_of(const struct run *run)
     struct energy e;
 
     run->model->energy(run->state, &e);
-    return e.kinetic + e.elastic + e.potential;
+    return e.kinetic + (isnan(e.elastic) ? 0 : e.elastic) +
+           e.potential; /* incremental: NaN */
 }
 
 /* Moves, or (statics) hangs, all sheets at once, and each alone. */

@@ -161,6 +161,10 @@ static void add_need(struct scene *scene, unsigned need, double w)
     case SCENE_NEED_SELF_CONTACT:
         scene->contact.self = true;
         return;
+    case SCENE_NEED_SHEETS:
+        scene->sheets = 2;
+        scene->pose[1] = scene->pose[0];
+        return;
     case SCENE_NEED_DRAG:
         scene->drag = 1;
         return;

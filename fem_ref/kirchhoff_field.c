@@ -18,8 +18,10 @@ enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_pl
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth knows flat sheets only");
     if (!scene_is_cantilever(scene))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "the Kirchhoff truth knows one support, the whole edge u = 0");
+        return status_fail(
+            why, STATUS_UNSUPPORTED,
+            "the Kirchhoff truth knows one sheet with one support, the whole "
+            "edge u = 0");
     if (fabs(dot(scene->gravity, scene->axis_u)) > in_plane ||
         fabs(dot(scene->gravity, scene->axis_v)) > in_plane)
         return status_fail(why, STATUS_UNSUPPORTED,

@@ -232,6 +232,21 @@ struct scene_support scene_support_along(const struct scene *scene, int support)
     return s;
 }
 
+double scene_sheet_inside(const struct scene *scene, double u)
+{
+    double s;
+
+    if (scene->sheets < 2)
+        return u;
+    const int sheet = scene_sheet_at(scene, u, &s);
+    return scene_sheet_u(scene, sheet, s);
+}
+
+const char *scene_sheet_other(const struct scene *scene)
+{
+    return scene->sheets > 1 ? "itself or another sheet" : "itself";
+}
+
 struct scene scene_sheet(const struct scene *scene, int sheet)
 {
     struct scene one = *scene;

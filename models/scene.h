@@ -222,6 +222,12 @@ double scene_sheet_u(const struct scene *scene, int sheet, double s);
  * path is borrowed. */
 struct scene_support scene_support_along(const struct scene *scene, int support);
 
+/* Returns u, or, where that is in the void, that of the end of the nearest sheet. */
+double scene_sheet_inside(const struct scene *scene, double u);
+
+/* Returns whom a sheet may pass through: "itself", or "itself or another sheet". */
+const char *scene_sheet_other(const struct scene *scene);
+
 /* Returns the scene with that sheet as its only one; supports and loads stay as they are.
  * Borrows all that the scene owns: not to be cleared. */
 struct scene scene_sheet(const struct scene *scene, int sheet);

@@ -642,7 +642,8 @@ static enum status draw_sheets(const struct study *s, const char *folder,
                 snprintf(when, sizeof when, "t = %g s", s->time[time]);
             snprintf(titles[count], sizeof titles[count], "%.50s\n%s%s",
                      s->row[n].level->label, xyz ? "" : "none left at ", when);
-            panels[count] = (struct picture_panel){titles[count], xyz};
+            panels[count] =
+                (struct picture_panel){titles[count], xyz, s->row[0].run.scene.sheets};
         }
     snprintf(name, sizeof name, "%s_sheets", s->plan->name);
     return picture_save(folder, name, columns, count, panels, why);

@@ -45,6 +45,7 @@ struct store {
     hid_t file, xyz;
     int frames, fields, room;
     double *series[SERIES]; /* [room] each    owned; written at the end                  */
+    int sheets;
     bool single, packed;
     enum status outcome;
     double death_time;
@@ -165,6 +166,7 @@ enum status store_create(const char *path, const struct store_run *run,
         return STATUS_MEMORY;
     hdf5_file_start();
     s->file = s->xyz = H5I_INVALID_HID;
+    s->sheets = scene_sheets(run->scene);
     s->single = run->single;
     s->packed = run->packed;
     TRY(atomic_file_open(path, &s->target, why));
@@ -382,7 +384,7 @@ enum status store_close(struct store *s, struct message *why)
     TRY(seal_write(s->target.temporary, why));
     TRY(atomic_file_commit(&s->target, why));
     if (s->fields)
-        TRY(xdmf_write(path, s->series[0], s->fields, why));
+        TRY(xdmf_write(path, s->sheets, s->series[0], s->fields, why));
 out:
     free(path);
     store_discard(s);

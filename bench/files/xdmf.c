@@ -10,7 +10,7 @@
 
 /* Prints the positions' reference; it has the result file's name as XML text, without its
  * folder: XDMF looks in its own. */
-static void print_positions(struct output *out, const char *path, int frame)
+static void print_field(struct output *out, const char *path, int frame)
 {
     const char *slash = strrchr(path, '/');
 
@@ -26,21 +26,59 @@ static void print_positions(struct output *out, const char *path, int frame)
     output_print(out, ":/frame/%d</DataItem>\n", frame);
 }
 
-static void print_frame(struct output *out, const char *path, int frame, double time)
+/* The result file, and a sheet's columns of it. */
+struct part {
+    const char *path;
+    int first, columns;
+};
+
+/* Prints the part of a frame's positions that is a sheet's: all of it, or its columns. */
+static void print_positions(struct output *out, const struct part *part, int frame)
+{
+    const bool whole = part->columns == GRID_U;
+
+    if (!whole)
+        output_print(out,
+                     "<DataItem ItemType=\"HyperSlab\" Dimensions=\"%d %d %d 3\">\n"
+                     "<DataItem Dimensions=\"3 4\" Format=\"XML\">0 0 %d 0 1 1 1 1 %d %d "
+                     "%d 3</DataItem>\n",
+                     GRID_W, GRID_V, part->columns, part->first, GRID_W, GRID_V,
+                     part->columns);
+    print_field(out, part->path, frame);
+    output_print(out, "%s", whole ? "" : "</DataItem>\n");
+}
+
+static void print_sheet(struct output *out, const struct part *part, int frame, double time)
 {
     output_print(out,
                  "<Grid Name=\"sheet\" GridType=\"Uniform\">\n<Time Value=\"%.17g\"/>\n"
                  "<Topology TopologyType=\"3DSMesh\" Dimensions=\"%d %d %d\"/>\n"
                  "<Geometry GeometryType=\"XYZ\">\n",
-                 time, GRID_W, GRID_V, GRID_U);
-    print_positions(out, path, frame);
+                 time, GRID_W, GRID_V, part->columns);
+    print_positions(out, part, frame);
     output_print(out, "</Geometry>\n<Attribute Name=\"start\" AttributeType=\"Vector\" "
                       "Center=\"Node\">\n");
-    print_positions(out, path, 0);
+    print_positions(out, part, 0);
     output_print(out, "</Attribute>\n</Grid>\n");
 }
 
-enum status xdmf_write(const char *result_path, const double *time, int frames,
+/* Prints a frame: its sheet, or a collection of several. */
+static void print_frame(struct output *out, const char *path, int sheets, int frame,
+                        double time)
+{
+    if (sheets > 1)
+        output_print(out, "<Grid Name=\"sheets\" GridType=\"Collection\" "
+                          "CollectionType=\"Spatial\">\n");
+    for (int k = 0; k < sheets; k++) {
+        int column[2];
+        grid_columns(sheets, k, column);
+        print_sheet(out, &(struct part){path, column[0], column[1] - column[0] + 1}, frame,
+                    time);
+    }
+    output_print(out, "%s", sheets > 1 ? "</Grid>\n" : "");
+}
+
+enum status xdmf_write(const char *result_path, int sheets, const double *time, int frames,
                        struct message *why)
 {
     const size_t length = strlen(result_path);
@@ -56,7 +94,7 @@ enum status xdmf_write(const char *result_path, const double *time, int frames,
                       "<Grid Name=\"run\" GridType=\"Collection\" "
                       "CollectionType=\"Temporal\">\n");
     for (int frame = 0; frame < frames; frame++)
-        print_frame(out, result_path, frame, time[frame]);
+        print_frame(out, result_path, sheets, frame, time[frame]);
     output_print(out, "</Grid>\n</Domain>\n</Xdmf>\n");
     st = output_close(out, why);
 out:

@@ -138,9 +138,10 @@ static void push(struct window *w, double t)
 void score_coarse_rest(const struct score *s, double *rest)
 {
     for (int n = 0; n < LADDER_POINTS; n++) {
-        const double uv[2] = {n % LADDER_U / (LADDER_U - 1.),
+        const struct scene *scene = &s->truth.scene;
+        const double uv[2] = {scene_sheet_inside(scene, n % LADDER_U / (LADDER_U - 1.)),
                               n / LADDER_U / (LADDER_V - 1.)};
-        score_net_sample(GRID_U, GRID_V, s->truth.rest, uv, rest + 3 * n);
+        score_net_sample(scene->sheets, GRID_U, GRID_V, s->truth.rest, uv, rest + 3 * n);
     }
 }
 
@@ -163,6 +164,7 @@ static enum status make_net(struct score *s, const struct frames *frames,
 {
     const char *name = frames_name(frames);
     const struct frames_net *net = frames_net(frames);
+    const struct scene *scene = &s->truth.scene;
     double *rest = NULL;
     enum status st = STATUS_OK;
 
@@ -171,10 +173,10 @@ static enum status make_net(struct score *s, const struct frames *frames,
         TRY(rest ? STATUS_OK : STATUS_MEMORY);
         turn(look, net->vertices, net->rest, rest);
     }
-    TRY(score_net_make(net, &s->truth.scene, name, rest, xyz, &s->net, why));
-    TRY(score_net_map(&s->net, net, name, GRID_U, GRID_V, &s->grid.map, why));
-    TRY(score_net_map(&s->net, net, name, LADDER_U, LADDER_V, &s->coarse.map, why));
-    TRY(score_contact_begin(&s->contact, &s->truth.scene, net, &s->net));
+    TRY(score_net_make(net, scene, name, rest, xyz, &s->net, why));
+    TRY(score_net_map(&s->net, net, scene, name, GRID_U, GRID_V, &s->grid.map, why));
+    TRY(score_net_map(&s->net, net, scene, name, LADDER_U, LADDER_V, &s->coarse.map, why));
+    TRY(score_contact_begin(&s->contact, scene, net, &s->net));
     take_start(s, xyz);
 out:
     free(rest);
@@ -237,8 +239,8 @@ void score_seen(const struct score *s, const struct score_map *map, const double
             double x[3];
             if (weight == 0)
                 continue;
-            score_net_sample(map->nu, map->nv, field, s->net.uv + 2L * map->vertex[p][k],
-                             x);
+            score_net_sample(s->truth.scene.sheets, map->nu, map->nv, field,
+                             s->net.uv + 2L * map->vertex[p][k], x);
             for (int c = 0; c < 3; c++)
                 seen[3 * p + c] += weight * x[c];
         }

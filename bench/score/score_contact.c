@@ -19,7 +19,8 @@ enum status score_contact_begin(struct score_contact *c, const struct scene *sce
 {
     *c = (struct score_contact){
         .scene = scene, .net = net, .work = {.keep_pairs = true, .shake = CROSSING_SHAKE}};
-    const enum status st = score_net_triangles(net, frames, &c->triangles, &c->corner);
+    const enum status st =
+        score_net_triangles(net, frames, scene, &c->triangles, &c->corner);
     c->work.most = (long)CROSSING_PAIRS_MOST * c->triangles;
     return st;
 }
@@ -171,16 +172,18 @@ void score_contact_text(const struct score_contact *c, enum score_contact_kind k
 {
     const struct score_contact_event *e = &c->event[kind];
     const double *uv = c->net->uv + 2L * e->vertex;
-    char at[64], body[32];
+    const char *itself = scene_sheet_other(c->scene);
+    char at[64], body[32], through[80], other[80];
 
     snprintf(at, sizeof at, "frame %d (%.4g s)", e->frame, e->time);
     snprintf(body, sizeof body, "obstacle %d", e->obstacle);
+    snprintf(through, sizeof through, "Passes through %s, first in", itself);
+    snprintf(other, sizeof other, "other parts of %s", itself);
     if (kind == SCORE_CONTACT_ITSELF || kind == SCORE_CONTACT_ITSELF_WORST)
         snprintf(text, SCORE_CONTACT_TEXT,
                  "%s %s: %d triangles cross in %ld pairs, %.3g mm deep.",
-                 kind == SCORE_CONTACT_ITSELF ? "Passes through itself, first in"
-                                              : "It is worst in",
-                 at, e->with.triangles, e->with.pairs, 1e3 * e->value);
+                 kind == SCORE_CONTACT_ITSELF ? through : "It is worst in", at,
+                 e->with.triangles, e->with.pairs, 1e3 * e->value);
     else if (kind == SCORE_CONTACT_BODY || kind == SCORE_CONTACT_BODY_DEEPEST)
         snprintf(text, SCORE_CONTACT_TEXT, "%s %s in %s: %.3g mm at u = %.3g, v = %.3g.",
                  kind == SCORE_CONTACT_BODY ? "Passes through" : "It is deepest in", body,
@@ -188,6 +191,5 @@ void score_contact_text(const struct score_contact *c, enum score_contact_kind k
     else if (kind == SCORE_CONTACT_REST_BODY)
         rest_text(e, body, contact_law_body(c->scene).start, "half", text);
     else
-        rest_text(e, "other parts of itself", contact_law_self(c->scene).start, "which is",
-                  text);
+        rest_text(e, other, contact_law_self(c->scene).start, "which is", text);
 }

@@ -346,6 +346,8 @@ static struct lines lines_of(const struct score *s, const struct score_time *row
     for (int j = 0; j < GRID_V - along_v; j++)
         for (int i = 0; i < GRID_U - !along_v; i++) {
             const int a = j * GRID_U + i, b = a + (along_v ? GRID_U : 1);
+            if (!along_v && grid_cut(s->truth.scene.sheets, i))
+                continue;
             const double wanted = piece(row->seen, a, b), there = piece(row->got, a, b);
             l.rest += piece(s->truth.rest, a, b);
             whole += piece(row->truth, a, b);

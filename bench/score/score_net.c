@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/grid.h"
 #include "models/metric/intersection.h"
+#include "models/vector.h"
 
 /* Coordinates of lines of a net that differ by less than SAME_LINE are one line; a net
  * reaches a sheet's edge to within EDGE. */
@@ -17,12 +19,13 @@
 /* A vertex lies on the rest shape to this share of the length. */
 #define ON_REST 2e-3
 
-int score_net_cubic(int points, double x, double weight[4])
+/* Returns the first of four of the points low to high, and their weights, for the place s
+ * in steps. */
+static int cubic(int low, int high, double s, double weight[4])
 {
-    const double s = x * (points - 1);
     int first = (int)floor(s) - 1;
 
-    first = first < 0 ? 0 : first > points - 4 ? points - 4 : first;
+    first = first < low ? low : first > high - 3 ? high - 3 : first;
     const double r = s - first;
     weight[0] = -(r - 1) * (r - 2) * (r - 3) / 6;
     weight[1] = r * (r - 2) * (r - 3) / 2;
@@ -31,11 +34,21 @@ int score_net_cubic(int points, double x, double weight[4])
     return first;
 }
 
-void score_net_sample(int nu, int nv, const double *field, const double uv[2],
+int score_net_cubic(int points, double x, double weight[4])
+{
+    return cubic(0, points - 1, x * (points - 1), weight);
+}
+
+void score_net_sample(int sheets, int nu, int nv, const double *field, const double uv[2],
                       double xyz[3])
 {
+    const double s = fmin(fmax(uv[0], 0), 1) * (nu - 1);
+    int column[2] = {0, nu - 1};
     double a[4], b[4];
-    const int i = score_net_cubic(nu, fmin(fmax(uv[0], 0), 1), a),
+
+    if (sheets > 1)
+        grid_columns(sheets, grid_sheet(sheets, (int)lround(s)), column);
+    const int i = cubic(column[0], column[1], s, a),
               j = score_net_cubic(nv, fmin(fmax(uv[1], 0), 1), b);
 
     xyz[0] = xyz[1] = xyz[2] = 0;
@@ -48,16 +61,18 @@ void score_net_sample(int nu, int nv, const double *field, const double uv[2],
 
 /* --- material coordinates --- */
 
-/* Projects a point on the flat rest shape, uv are its coordinates; returns its distance. */
-static double place(const struct scene *s, const double xyz[3], double uv[2])
+/* Projects a point on the flat rest shape of a sheet, uv are its coordinates there; returns
+ * its distance. */
+static double place_on(const struct scene *s, const struct scene_pose *pose,
+                       const double xyz[3], double uv[2])
 {
     double d[3], along[3] = {0}, normal[3];
 
-    scene_normal(s, normal);
+    vector_cross(pose->axis_u, pose->axis_v, normal);
     for (int c = 0; c < 3; c++) {
-        d[c] = xyz[c] - s->origin[c];
-        along[0] += d[c] * s->axis_u[c];
-        along[1] += d[c] * s->axis_v[c];
+        d[c] = xyz[c] - pose->origin[c];
+        along[0] += d[c] * pose->axis_u[c];
+        along[1] += d[c] * pose->axis_v[c];
         along[2] += d[c] * normal[c];
     }
     uv[0] = along[0] / s->length;
@@ -65,6 +80,22 @@ static double place(const struct scene *s, const double xyz[3], double uv[2])
     const double over_u = fmax(0, fmax(-uv[0], uv[0] - 1)) * s->length,
                  over_v = fmax(0, fmax(-uv[1], uv[1] - 1)) * s->width;
     return sqrt(along[2] * along[2] + over_u * over_u + over_v * over_v);
+}
+
+/* Does so on the nearest sheet; uv are the scene's. */
+static double place(const struct scene *s, const double xyz[3], double uv[2])
+{
+    double least = INFINITY, at[2];
+
+    for (int k = 0; k < scene_sheets(s); k++) {
+        const double far = place_on(s, &s->pose[k], xyz, at);
+        if (!(far < least))
+            continue;
+        least = far;
+        uv[0] = scene_sheet_u(s, k, at[0]);
+        uv[1] = at[1];
+    }
+    return least;
 }
 
 static enum status by_position(const struct scene *scene, const char *name,
@@ -184,11 +215,34 @@ static int cell_of(const struct point *p, int step, int count, int d, double x, 
     return low;
 }
 
-static void map_rows(const struct point *p, int columns, int rows, struct score_map *map)
+/* Tells whether two u belong to different sheets. */
+static bool is_cut(const struct scene *scene, double u, double other)
+{
+    double s;
+
+    return scene_sheet_at(scene, u, &s) != scene_sheet_at(scene, other, &s);
+}
+
+/* Finds the cell along u as cell_of; of several sheets that of the sheet which has u. */
+static int column_of(const struct scene *scene, const struct point *p, int columns,
+                     double u, double *s)
+{
+    int i = cell_of(p, 1, columns, 0, u, s);
+
+    if (!is_cut(scene, p[i].uv[0], p[i + 1].uv[0]))
+        return i;
+    i += is_cut(scene, p[i].uv[0], u) ? 1 : -1;
+    *s = (u - p[i].uv[0]) / (p[i + 1].uv[0] - p[i].uv[0]);
+    return i;
+}
+
+static void map_rows(const struct scene *scene, const struct point *p, int columns,
+                     int rows, struct score_map *map)
 {
     for (int n = 0; n < map->nu * map->nv; n++) {
+        const double u = scene_sheet_inside(scene, (n % map->nu) / (map->nu - 1.));
         double s, t;
-        const int i = cell_of(p, 1, columns, 0, (n % map->nu) / (map->nu - 1.), &s),
+        const int i = column_of(scene, p, columns, u, &s),
                   j = cell_of(p, columns, rows, 1, (n / map->nu) / (map->nv - 1.), &t);
         for (int k = 0; k < 4; k++) {
             map->vertex[n][k] = p[(long)(j + k / 2) * columns + i + k % 2].vertex;
@@ -217,8 +271,8 @@ static void span(const double *const corner[3], int d, int count, int *from, int
 }
 
 /* Fills the points that lie in the triangle and not deeper in an earlier one. */
-static void map_triangle(const struct score_net *net, const int *vertex, double *inside,
-                         struct score_map *map)
+static void map_triangle(const struct score_net *net, const struct scene *scene,
+                         const int *vertex, double *inside, struct score_map *map)
 {
     const double *corner[3];
     int i0, i1, j0, j1;
@@ -229,10 +283,13 @@ static void map_triangle(const struct score_net *net, const int *vertex, double 
     if (fabs(area) < SAME_LINE * SAME_LINE)
         return;
     span(corner, 0, map->nu, &i0, &i1);
+    if (scene->sheets > 1) /* and those in the void beside it */
+        i0 = i0 > 0 ? i0 - 1 : 0, i1 = i1 < map->nu - 1 ? i1 + 1 : i1;
     span(corner, 1, map->nv, &j0, &j1);
     for (int j = j0; j <= j1; j++)
         for (int i = i0; i <= i1; i++) {
-            const double x[2] = {(double)i / (map->nu - 1), (double)j / (map->nv - 1)};
+            const double x[2] = {scene_sheet_inside(scene, (double)i / (map->nu - 1)),
+                                 (double)j / (map->nv - 1)};
             const double w[3] = {cross(x, corner[1], corner[2]) / area,
                                  cross(corner[0], x, corner[2]) / area,
                                  cross(corner[0], corner[1], x) / area};
@@ -249,8 +306,9 @@ static void map_triangle(const struct score_net *net, const int *vertex, double 
 }
 
 static enum status map_triangles(const struct score_net *net,
-                                 const struct frames_net *frames, const char *name,
-                                 struct score_map *map, struct message *why)
+                                 const struct frames_net *frames, const struct scene *scene,
+                                 const char *name, struct score_map *map,
+                                 struct message *why)
 {
     const int points = map->nu * map->nv;
     double *inside = malloc((size_t)points * sizeof *inside);
@@ -261,7 +319,7 @@ static enum status map_triangles(const struct score_net *net,
     for (int n = 0; n < points; n++)
         inside[n] = -EDGE; /* a point may lie so far out of a triangle */
     for (int n = 0; n < frames->triangles; n++)
-        map_triangle(net, frames->triangle[n], inside, map);
+        map_triangle(net, scene, frames->triangle[n], inside, map);
     for (int n = 0; n < points && bare < 0; n++)
         bare = inside[n] > -EDGE ? -1 : n;
     free(inside);
@@ -272,6 +330,27 @@ static enum status map_triangles(const struct score_net *net,
                        "u and v from 0 to 1 would be right",
                        name, (double)(bare % map->nu) / (map->nu - 1),
                        (double)(bare / map->nu) / (map->nv - 1));
+}
+
+/* Checks that each of several sheets has columns from edge to edge. */
+static enum status check_sheets(const struct score_net *net, const struct scene *scene,
+                                const char *name, struct message *why)
+{
+    for (int k = 0; k < scene_sheets(scene) && scene->sheets > 1; k++) {
+        const double from = scene_sheet_u(scene, k, 0), to = scene_sheet_u(scene, k, 1);
+        double first = INFINITY, last = -INFINITY, s;
+        for (int n = 0; n < net->vertices; n++)
+            if (scene_sheet_at(scene, net->uv[2L * n], &s) == k) {
+                first = fmin(first, net->uv[2L * n]);
+                last = fmax(last, net->uv[2L * n]);
+            }
+        if (!(fabs(first - from) <= EDGE && fabs(last - to) <= EDGE))
+            return status_fail(why, STATUS_INPUT,
+                               "%s: u of sheet %d runs from %.6g to %.6g; from %.6g to "
+                               "%.6g, as export writes it, would be right",
+                               name, k + 1, first, last, from, to);
+    }
+    return STATUS_OK;
 }
 
 static enum status check_span(const struct score_net *net, const char *name,
@@ -299,8 +378,8 @@ static enum status check_span(const struct score_net *net, const char *name,
 }
 
 enum status score_net_map(const struct score_net *net, const struct frames_net *frames,
-                          const char *name, int nu, int nv, struct score_map *map,
-                          struct message *why)
+                          const struct scene *scene, const char *name, int nu, int nv,
+                          struct score_map *map, struct message *why)
 {
     const size_t points = (size_t)nu * (size_t)nv;
     struct point *p = malloc((size_t)net->vertices * sizeof *p);
@@ -310,14 +389,15 @@ enum status score_net_map(const struct score_net *net, const struct frames_net *
                               malloc(points * sizeof *map->weight)};
     TRY(p && map->vertex && map->weight ? STATUS_OK : STATUS_MEMORY);
     TRY(check_span(net, name, why));
+    TRY(check_sheets(net, scene, name, why));
     for (int n = 0; n < net->vertices; n++)
         p[n] = (struct point){{net->uv[2 * n], net->uv[2 * n + 1]}, n};
     const int columns = count_lines(p, net->vertices, 0),
               rows = count_lines(p, net->vertices, 1);
     if (sort_rows(p, columns, rows, net->vertices))
-        map_rows(p, columns, rows, map);
+        map_rows(scene, p, columns, rows, map);
     else if (frames->triangles)
-        TRY(map_triangles(net, frames, name, map, why));
+        TRY(map_triangles(net, frames, scene, name, map, why));
     else
         st = status_fail(why, STATUS_INPUT,
                          "%s: %d vertices are on %d lines u and %d lines v; one at each "
@@ -330,19 +410,25 @@ out:
 
 /* Lists the cells' triangles of a net in rows and columns; returns how many, 0: it has
  * none. */
-static int cut_cells(struct point *p, const struct score_net *net, int (*corner)[3])
+static int cut_cells(struct point *p, const struct score_net *net,
+                     const struct scene *scene, int (*corner)[3])
 {
+    int count = 0;
+
     for (int n = 0; n < net->vertices; n++)
         p[n] = (struct point){{net->uv[2 * n], net->uv[2 * n + 1]}, n};
     const int columns = count_lines(p, net->vertices, 0),
-              rows = count_lines(p, net->vertices, 1),
-              count = 2 * (columns - 1) * (rows - 1);
+              rows = count_lines(p, net->vertices, 1);
     if (!sort_rows(p, columns, rows, net->vertices))
         return 0;
-    for (int n = 0; n < count; n++) {
-        intersection_corners(columns, n, corner[n]);
+    for (int n = 0; n < 2 * (columns - 1) * (rows - 1); n++) {
+        int *c = corner[count];
+        intersection_corners(columns, n, c);
+        if (is_cut(scene, p[c[0]].uv[0], p[c[0] + 1].uv[0]))
+            continue;
         for (int k = 0; k < 3; k++)
-            corner[n][k] = p[corner[n][k]].vertex;
+            c[k] = p[c[k]].vertex;
+        count++;
     }
     return count;
 }
@@ -387,8 +473,8 @@ static enum status sort_faces(const struct score_net *net, const struct frames_n
 }
 
 enum status score_net_triangles(const struct score_net *net,
-                                const struct frames_net *frames, int *count,
-                                int (**corner)[3])
+                                const struct frames_net *frames, const struct scene *scene,
+                                int *count, int (**corner)[3])
 {
     const int faces = frames->triangles;
     const size_t room = (size_t)(faces ? faces : 2 * net->vertices);
@@ -398,7 +484,7 @@ enum status score_net_triangles(const struct score_net *net,
     *count = 0;
     *corner = malloc(room * sizeof **corner);
     TRY(p && *corner ? STATUS_OK : STATUS_MEMORY);
-    *count = faces ? faces : cut_cells(p, net, *corner);
+    *count = faces ? faces : cut_cells(p, net, scene, *corner);
     if (faces)
         st = sort_faces(net, frames, *corner);
 out:

@@ -31,18 +31,20 @@ enum status score_net_make(const struct frames_net *frames, const struct scene *
                            struct score_net *net, struct message *why);
 void score_net_clear(struct score_net *net); /* all-zero is allowed */
 
-/* Makes the map of a net made of these frames. STATUS_INPUT: vertices do not cover the
- * sheet, or neither stand in rows and columns nor have faces. */
+/* Makes the map of a net made of these frames; points between two sheets are taken from the
+ * nearest one. STATUS_INPUT: vertices do not cover the sheet, or neither stand in rows and
+ * columns nor have faces. */
 enum status score_net_map(const struct score_net *net, const struct frames_net *frames,
-                          const char *name, int nu, int nv, struct score_map *map,
+                          const struct scene *scene, const char *name, int nu, int nv, struct score_map *map,
                           struct message *why);
 void score_map_clear(struct score_map *map); /* all-zero is allowed */
 
 /* Lists the triangles of a net that has a map: its faces, else the cells between rows and
- * columns, cut as in intersection.h. *corner [*count][3] is freed by the receiver.
+ * columns of one sheet, cut as in intersection.h. *corner [*count][3] is freed by the receiver.
  * STATUS_MEMORY. */
 enum status score_net_triangles(const struct score_net *net,
-                                const struct frames_net *frames, int *count,
+                                const struct frames_net *frames,
+                                const struct scene *scene, int *count,
                                 int (**corner)[3]);
 
 /* Fills field[nu nv][3] from xyz[vertices][3]. */
@@ -52,8 +54,9 @@ void score_map_apply(const struct score_map *map, const double *xyz, double *fie
  * at x, and their Lagrange weights. points >= 4. */
 int score_net_cubic(int points, double x, double weight[4]);
 
-/* Interpolates a field [nv][nu][3] at (u, v), by cubics. */
-void score_net_sample(int nu, int nv, const double *field, const double uv[2],
+/* Interpolates a field [nv][nu][3] at (u, v), by cubics; of several sheets, where nu is the
+ * material grid's, by those of the sheet that has u. */
+void score_net_sample(int sheets, int nu, int nv, const double *field, const double uv[2],
                       double xyz[3]);
 
 #endif

@@ -62,7 +62,8 @@ static void add_contact(const struct score_print *p, const struct score *s,
     char text[SCORE_CONTACT_TEXT];
 
     if (!c->event[SCORE_CONTACT_ITSELF].frame && !c->event[SCORE_CONTACT_BODY].frame)
-        table_note(p->table, "%s%sNo frame passes through itself%s.", name, colon,
+        table_note(p->table, "%s%sNo frame passes through %s%s.", name, colon,
+                   scene_sheet_other(&s->truth.scene),
                    s->truth.scene.obstacle_count ? " or has a vertex in a body" : "");
     for (int k = 0; k < SCORE_CONTACT_KINDS; k++)
         if (score_contact_tells(c, k)) {

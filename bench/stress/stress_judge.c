@@ -500,14 +500,13 @@ static void tell_contact(const struct judged *r, char *text, size_t size)
                          "contact starts",
             fabs(t->gap) * 1e3, t->gap_time, start * 1e3);
     if (s->contact.self && isnan(t->through_time))
-        snprintf(text + used, size - (size_t)used, "%snot through itself",
-                 used ? "; " : "");
+        snprintf(text + used, size - (size_t)used, "%snot through %s", used ? "; " : "",
+                 scene_sheet_other(s));
     else if (s->contact.self)
-        snprintf(
-            text + used, size - (size_t)used,
-            "%sthrough itself from %.3g s, deepest by %.3g mm on %d triangles at %.3g s",
-            used ? "; " : "", t->through_time, t->with.depth * 1e3, t->with.triangles,
-            t->deepest_time);
+        snprintf(text + used, size - (size_t)used,
+                 "%sthrough %s from %.3g s, deepest by %.3g mm on %d triangles at %.3g s",
+                 used ? "; " : "", scene_sheet_other(s), t->through_time,
+                 t->with.depth * 1e3, t->with.triangles, t->deepest_time);
 }
 
 static enum status end_contact(struct judged *r)

@@ -80,17 +80,20 @@ static void add_row(struct table *t, const struct truth *made, int n, double len
 }
 
 /* Says until when it is claimed, and what ends the claim. */
-static void note_horizon(struct table *t, const struct truth *made, double length)
+static void note_horizon(struct table *t, const struct truth *made,
+                         const struct scene *scene)
 {
+    const double length = scene->length;
     const int n = made->claimed;
     const double percent = 100 / length, *v = made->value[n];
     char end[160];
 
     if (n < made->times && v[TRUTH_CROSSINGS] > 0)
         snprintf(end, sizeof end,
-                 "its sheet passes through itself there, on %g pairs of triangles of the "
+                 "a sheet passes through %s there, on %g pairs of triangles of the "
                  "material grid, %.2g mm deep",
-                 v[TRUTH_CROSSINGS], 1e3 * v[TRUTH_CROSSING_DEPTH]);
+                 scene_sheet_other(scene), v[TRUTH_CROSSINGS],
+                 1e3 * v[TRUTH_CROSSING_DEPTH]);
     else if (n < made->times && v[TRUTH_THIRD] > made->error[n] + v[TRUTH_THIRD_BAR])
         snprintf(end, sizeof end,
                  "a third mechanics, with a bar of %.2g %%, is %.2g %% off there",
@@ -107,13 +110,12 @@ static void note_horizon(struct table *t, const struct truth *made, double lengt
         table_note(t, "All of it is claimed.");
     if (n && !isnan(made->value[n - 1][TRUTH_CROSSINGS]) &&
         !(n < made->times && v[TRUTH_CROSSINGS] > 0))
-        table_note(t,
-                   "The sheet was searched up to %.3g s, and does not pass through itself.",
-                   made->time[n - 1]);
+        table_note(t, "The sheet was searched up to %.3g s, and does not pass through %s.",
+                   made->time[n - 1], scene_sheet_other(scene));
     table_note(t, "Horizon: %s.", made->horizon);
 }
 
-static void add_notes(struct table *t, const struct truth *made, double length)
+static void add_notes(struct table *t, const struct truth *made, const struct scene *scene)
 {
     table_note(t, "The truth: %s.", made->source);
     if (has_column(made, TRUTH_PACKING))
@@ -131,7 +133,7 @@ static void add_notes(struct table *t, const struct truth *made, double length)
                   "orders predict, times a factor of safety. Growth is the rms change "
                   "after gravity was changed by 1e-6 in the direction (1,1,1), over 1e-6 "
                   "of the length.");
-    note_horizon(t, made, length);
+    note_horizon(t, made, scene);
     if (*made->third)
         table_note(
             t,
@@ -163,7 +165,7 @@ static enum status print(const struct truth *made, const struct scene *scene,
         if (made->closed || n == made->claimed - 1 ||
             truth_plan_judges(scene, made->time[n]))
             add_row(t, made, n, scene->length);
-    add_notes(t, made, scene->length);
+    add_notes(t, made, scene);
     const enum status st = table_print(t, format, file);
     table_destroy(t);
     return st;
@@ -186,7 +188,8 @@ static void mid_surface(const double *field, double u, double v, double at[3])
     }
 }
 
-enum status truth_print_frames(const struct truth *made, const int points[2], FILE *file)
+enum status truth_print_frames(const struct truth *made, const struct scene *scene,
+                               const int points[2], FILE *file)
 {
     fprintf(file, "# source: %s\n", made->source);
     for (int t = 0; t < made->claimed; t++)
@@ -194,7 +197,7 @@ enum status truth_print_frames(const struct truth *made, const int points[2], FI
     fprintf(file, "t,u,v,x,y,z\n");
     for (int t = 0; t < made->claimed; t++)
         for (int n = 0; n < points[0] * points[1]; n++) {
-            const double u = n % points[0] / (points[0] - 1.0);
+            const double u = scene_sheet_inside(scene, n % points[0] / (points[0] - 1.0));
             const double v = n / points[0] / (points[1] - 1.0);
             double x[3];
             mid_surface(made->xyz[t], u, v, x);
@@ -434,7 +437,7 @@ static enum status print_known(const struct job *j, const int points[2],
     enum status st = truth_known(&j->scene, &made, why);
 
     if (st == STATUS_OK)
-        st = *points ? truth_print_frames(&made, points, stdout)
+        st = *points ? truth_print_frames(&made, &j->scene, points, stdout)
                      : print(&made, &j->scene, j->format, stdout);
     truth_clear(&made);
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
@@ -514,7 +517,7 @@ const struct command truth_command = {
         "predictable: one run is repeated with gravity changed by 1e-6. At each time it\n"
         "stores the field of the model with the smaller bar; the truth's bar is that bar\n"
         "or, if larger, the difference. Nothing is claimed from the time on at which the\n"
-        "sheet passes through itself.\n"
+        "sheet passes through itself or another one.\n"
         "\n"
         "Truths of some scenes come with the program; `compare` and other commands use\n"
         "these and those in $CLOTHBENCH_TRUTHS. A scene with velocity_scale, a damping\n"

@@ -44,6 +44,14 @@ int truth_plan_times(double until, double longest, const struct scene *scene, do
     return kept;
 }
 
+/* Tells whether a knot of so many spans lies at u (i = 0, along its sheet) or v. */
+static bool has_knot(const struct scene *scene, int i, double at, int spans)
+{
+    if (i == 0)
+        scene_sheet_at(scene, at, &at);
+    return is_multiple(at, 1.0 / spans);
+}
+
 /* Returns whether so many spans a side have a knot at every edge of what is loaded; at
  * those of what is held splines have knots by themselves. */
 static bool fits(const struct scene *scene, int spans)
@@ -53,11 +61,11 @@ static bool fits(const struct scene *scene, int spans)
     for (int n = 0; n < scene->support_count; n++)
         for (int i = 0; i < 2; i++)
             good &= scene->supports[n].lo[i] < scene->supports[n].hi[i] ||
-                    is_multiple(scene->supports[n].lo[i], 1.0 / spans);
+                    has_knot(scene, i, scene->supports[n].lo[i], spans);
     for (int n = 0; n < scene->load_count; n++)
         for (int i = 0; i < 2; i++)
-            good &= is_multiple(scene->loads[n].lo[i], 1.0 / spans) &&
-                    is_multiple(scene->loads[n].hi[i], 1.0 / spans);
+            good &= has_knot(scene, i, scene->loads[n].lo[i], spans) &&
+                    has_knot(scene, i, scene->loads[n].hi[i], spans);
     return good;
 }
 

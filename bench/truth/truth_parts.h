@@ -189,7 +189,8 @@ enum status truth_crossing_judge(struct truth *made, int sheets);
  * the mid-surface, u fastest, at every time that is claimed: bilinear in the material grid,
  * and with 100 x 100 the grid itself, 17 digits. Before them comment lines `# source: ...`
  * and `# bar: t, error bar [m]` a time. STATUS_FILE: the stream does not take it. */
-enum status truth_print_frames(const struct truth *made, const int points[2], FILE *file);
+enum status truth_print_frames(const struct truth *made, const struct scene *scene,
+                               const int points[2], FILE *file);
 
 /* Prints a row for each of the program's scenes, as its truth moves: closed form, stored or
  * none; until when it is known, the error bar there; a note on each that has none. */

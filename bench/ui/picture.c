@@ -31,19 +31,35 @@ static void widen(struct box *box, const double x[3])
     }
 }
 
-/* Writes the data block of a panel: rows of v, apart by blank lines. */
-static void write_block(FILE *script, int panel, const double *xyz, struct box *box)
+/* Writes the columns of a sheet, the last one included: rows of v, apart by blank lines. */
+static void write_sheet(FILE *script, const double *xyz, const int column[2],
+                        struct box *box)
 {
     double x[3];
 
-    fprintf(script, "$p%d << EOD\n", panel);
     for (int j = 0; j < GRID_V; j += EVERY) {
-        for (int i = 0; i < GRID_U; i += EVERY) {
-            mid_point(xyz, i, j, x);
+        for (int i = column[0]; i < column[1] + EVERY; i += EVERY) {
+            mid_point(xyz, i < column[1] ? i : column[1], j, x);
             widen(box, x);
             fprintf(script, "%.6g %.6g %.6g\n", x[0], x[1], x[2]);
         }
         fputc('\n', script);
+    }
+}
+
+/* Writes the data block of a panel; two blank lines between sheets, which gnuplot then does
+ * not connect. */
+static void write_block(FILE *script, int panel, const struct picture_panel *p,
+                        struct box *box)
+{
+    const int sheets = p->sheets > 1 ? p->sheets : 1;
+
+    fprintf(script, "$p%d << EOD\n", panel);
+    for (int k = 0; k < sheets; k++) {
+        int column[2];
+        grid_columns(sheets, k, column);
+        fputs(k ? "\n" : "", script);
+        write_sheet(script, p->xyz, column, box);
     }
     fputs("EOD\n", script);
 }
@@ -101,7 +117,7 @@ static void write_script(FILE *script, const char *name, int columns, int count,
 
     for (int n = 0; n < count; n++)
         if (panels[n].xyz)
-            write_block(script, n, panels[n].xyz, &box);
+            write_block(script, n, &panels[n], &box);
     plot_page(script, name, PLOT_PNG, WIDTH * columns, HEIGHT * rows);
     fprintf(script,
             "set multiplot layout %d,%d\n"

@@ -13,6 +13,7 @@
 struct picture_panel {
     const char *title; /* one line, or two with \n                            borrowed */
     const double *xyz; /* field (grid.h) [m]; NULL: the panel has its title only       */
+    int sheets;        /* that share the field's columns; 0: one                       */
 };
 
 /* Draws `count` panels >= 1 in rows of `columns`, and says on standard error that they are

@@ -346,7 +346,7 @@ static void test_xdmf(void)
 
     REQUIRE(chdir(scratch) == 0);
     for (size_t k = 0; k < sizeof want / sizeof *want; k++) {
-        REQUIRE(xdmf_write(want[k].result, time, FRAMES, NULL) == STATUS_OK);
+        REQUIRE(xdmf_write(want[k].result, 1, time, FRAMES, NULL) == STATUS_OK);
         char *text = fresh_text(".", want[k].path);
         CHECK(fresh_count(text, "<Grid ") == 1 + FRAMES);
         CHECK(fresh_count(text, "</Grid>") == 1 + FRAMES);
@@ -360,6 +360,24 @@ static void test_xdmf(void)
         free(text);
         CHECK(unlink(want[k].path) == 0);
     }
+}
+
+/* Each of several sheets is a grid of its own columns. */
+static void test_xdmf_sheets(void)
+{
+    enum { SHEETS = 3 };
+    static const double time[FRAMES] = {0, 0.1, 0.2};
+
+    REQUIRE(xdmf_write("sheets.h5", SHEETS, time, FRAMES, NULL) == STATUS_OK);
+    char *text = fresh_text(".", "sheets.xdmf");
+    CHECK(fresh_count(text, "<Grid ") == 1 + FRAMES * (1 + SHEETS));
+    CHECK(fresh_count(text, "</Grid>") == 1 + FRAMES * (1 + SHEETS));
+    CHECK(fresh_count(text, "\"3DSMesh\" Dimensions=\"2 100 33\"") == 2 * FRAMES);
+    CHECK(fresh_count(text, "\"3DSMesh\" Dimensions=\"2 100 34\"") == FRAMES);
+    CHECK(fresh_count(text, ">0 0 33 0 1 1 1 1 2 100 33 3<") == 2 * FRAMES);
+    CHECK(fresh_count(text, ">0 0 66 0 1 1 1 1 2 100 34 3<") == 2 * FRAMES);
+    free(text);
+    CHECK(unlink("sheets.xdmf") == 0);
 }
 
 /* Gives the three writers the same bad target. */
@@ -465,6 +483,7 @@ int main(int count, char **arguments)
     test_without_fields(&f);
     test_reading_what_is_none();
     test_xdmf();
+    test_xdmf_sheets();
     test_bad_targets(&f);
     test_full_disk(&f);
     CHECK(scratch_files(scratch) == 2 && scratch_files("/proc/self/fd") == open);

@@ -314,8 +314,8 @@ static void write_truth(const struct score_truth *t, int side, const struct chan
         for (int n = 0; n < side * side; n++) {
             const double uv[2] = {n % side / (side - 1.), n / side / (side - 1.)};
             double x[3], rest[3];
-            score_net_sample(GRID_U, GRID_V, t->known.xyz[t->at[k]], uv, x);
-            score_net_sample(GRID_U, GRID_V, t->rest, uv, rest);
+            score_net_sample(1, GRID_U, GRID_V, t->known.xyz[t->at[k]], uv, x);
+            score_net_sample(1, GRID_U, GRID_V, t->rest, uv, rest);
             for (int c = 0; c < 3; c++)
                 x[c] = rest[c] + make->way * (x[c] - rest[c]);
             x[0] += make->aside[0];

@@ -48,7 +48,7 @@ static void position(int k, const double uv[2], double xyz[3])
 {
     const double *field = k ? truth.known.xyz[truth.at[k - 1]] : truth.rest;
 
-    score_net_sample(GRID_U, GRID_V, field, uv, xyz);
+    score_net_sample(1, GRID_U, GRID_V, field, uv, xyz);
     xyz[0] += uv[0] < 0 ? uv[0] : 0;
 }
 

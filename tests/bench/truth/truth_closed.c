@@ -276,7 +276,7 @@ static void printed_frames(void)
     read_scene("rest_large", NULL, &s);
     REQUIRE(truth_closed_make(&s, &made) == STATUS_OK);
     said_open(&said);
-    CHECK(truth_print_frames(&made, grid, said.file) == STATUS_OK);
+    CHECK(truth_print_frames(&made, &s, grid, said.file) == STATUS_OK);
     said_close(&said, true);
     CHECK(said_count(&said, "# bar: 5,") == 1 &&
           said_count(&said, "# source: at rest") == 1);
@@ -296,7 +296,7 @@ static void printed_frames(void)
     CHECK_NEAR(worst, 0.0, TOL_EXACT);
     said_clear(&said);
     said_open(&said);
-    CHECK(truth_print_frames(&made, three, said.file) == STATUS_OK);
+    CHECK(truth_print_frames(&made, &s, three, said.file) == STATUS_OK);
     said_close(&said, true);
     CHECK(said_count(&said, "\n5,0.5,") == 2 && said_count(&said, "\n5,") == 6);
     said_clear(&said);

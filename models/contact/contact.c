@@ -22,6 +22,7 @@ bool contact_rubs(const struct contact *c)
 
 void contact_clear(struct contact *c)
 {
+    contact_rim_clear(&c->rim);
     contact_search_clear(&c->search);
     contact_surface_clear(&c->surface);
     free(c->pose);
@@ -62,6 +63,8 @@ enum status contact_init(struct contact *c, const struct scene *scene,
             c->area[s->node[k]] += s->shape[k] * s->area[n];
     if (st == STATUS_OK && scene->contact.self)
         st = contact_search_init(&c->search, &c->surface, c->self.start);
+    if (st == STATUS_OK && scene->contact.self)
+        st = contact_rim_init(&c->rim, &c->search);
     if (st != STATUS_OK)
         contact_clear(c);
     return st;

@@ -37,7 +37,7 @@ void contact_touch_none(struct contact *c)
     memset(c->force, 0, sizeof c->force);
 }
 
-/* Appends the nodes and weights of a place. */
+/* Appends the nodes and weights of a place, or of a foot, with the sign -1. */
 static void append(struct contact *c, int count, const int *node, const double *weight,
                    double sign)
 {
@@ -46,23 +46,20 @@ static void append(struct contact *c, int count, const int *node, const double *
         c->weight[c->weights++] = sign * weight[k];
 }
 
-/* Appends a touch whose sample, distance, normal, obstacle and area are filled; `foot` is
- * where it meets the sheet itself, or NULL. */
-static enum status add(struct contact *c, struct contact_touch touch,
-                       const struct contact_foot *foot)
+/* Appends a touch of a sample that is filled but for its weights, with the foot's. */
+static enum status add(struct contact *c, struct contact_touch touch, int count,
+                       const int *node, const double *weight)
 {
     const struct contact_surface *s = &c->surface;
     const size_t row = (size_t)touch.sample * s->width;
 
     touch.first = c->weights;
-    touch.count = s->used[touch.sample] + (foot ? foot->count : 0);
-    enum status st = make_room(c, touch.count);
+    touch.count = s->used[touch.sample] + count;
+    const enum status st = make_room(c, touch.count);
     if (st != STATUS_OK)
         return st;
     append(c, s->used[touch.sample], s->node + row, s->shape + row, 1);
-    if (foot)
-        append(c, foot->count, c->search.node + foot->first, c->search.weight + foot->first,
-               -1);
+    append(c, count, node, weight, -1);
     c->touch[c->count++] = touch;
     return STATUS_OK;
 }
@@ -70,34 +67,54 @@ static enum status add(struct contact *c, struct contact_touch touch,
 enum status contact_touch_body(struct contact *c, int sample, int obstacle, double D,
                                const double n[3])
 {
-    return add(c,
-               (struct contact_touch){.sample = sample,
-                                      .obstacle = obstacle,
-                                      .D = D,
-                                      .normal = {n[0], n[1], n[2]},
-                                      .area = c->surface.area[sample]},
-               NULL);
+    const struct contact_touch touch = {.sample = sample,
+                                        .obstacle = obstacle,
+                                        .D = D,
+                                        .normal = {n[0], n[1], n[2]},
+                                        .area = c->surface.area[sample]};
+
+    return add(c, touch, 0, NULL, NULL);
+}
+
+/* Appends a touch of a rim's point with another rim. */
+static enum status add_rim(void *context, const struct contact_rim_foot *foot)
+{
+    struct contact *c = context;
+    const double *n = foot->normal;
+    const int count = foot->of_point + foot->of_foot;
+    const enum status st = make_room(c, count);
+
+    if (st != STATUS_OK)
+        return st;
+    c->touch[c->count++] = (struct contact_touch){.sample = -1,
+                                                  .obstacle = -1,
+                                                  .first = c->weights,
+                                                  .count = count,
+                                                  .D = foot->distance,
+                                                  .normal = {n[0], n[1], n[2]},
+                                                  .area = foot->area / 2};
+    append(c, count, foot->node, foot->weight, 1);
+    return STATUS_OK;
 }
 
 enum status contact_touch_own(struct contact *c, const double *x)
 {
+    const struct contact_search *s = &c->search;
     enum status st = STATUS_OK;
 
     if (!c->scene->contact.self)
         return STATUS_OK;
     TRY(contact_search_find(&c->search, x));
-    for (int k = 0; k < c->search.count; k++) {
-        const struct contact_foot *foot = &c->search.foot[k];
-        const double *n = foot->normal;
-        TRY(add(c,
-                (struct contact_touch){.sample = foot->sample,
-                                       .obstacle = -1,
-                                       .D = foot->distance,
-                                       .normal = {n[0], n[1], n[2]},
-                                       .area = foot->strength *
-                                               c->surface.area[foot->sample] / 2},
-                foot));
+    for (const struct contact_foot *f = s->foot; f < s->foot + s->count; f++) {
+        const struct contact_touch touch = {
+            .sample = f->sample,
+            .obstacle = -1,
+            .D = f->distance,
+            .normal = {f->normal[0], f->normal[1], f->normal[2]},
+            .area = f->strength * c->surface.area[f->sample] / 2};
+        TRY(add(c, touch, f->count, s->node + f->first, s->weight + f->first));
     }
+    TRY(contact_rim_find(&c->rim, add_rim, c));
 out:
     return st;
 }

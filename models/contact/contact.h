@@ -16,13 +16,14 @@
 #define CONTACT_H
 
 #include "models/contact/contact_law.h"
+#include "models/contact/contact_rim.h"
 #include "models/contact/contact_search.h"
 #include "models/contact/contact_shape.h"
 #include "models/contact/contact_surface.h"
 #include "models/model.h"
 
 struct contact_touch {
-    int sample, obstacle; /* obstacle -1: the sheet itself                             */
+    int sample, obstacle; /* obstacle -1: the sheet itself; sample -1: a rim's point   */
     int first, count;     /* its nodes and weights in contact's lists                  */
     double D, normal[3];  /* distance [m]; the gradient of D by the sample's place     */
     double D_old, D_flat; /* when the step began; D less its way along the normal  [m]   */
@@ -38,6 +39,7 @@ struct contact {
     struct contact_surface surface; /*                            owned     */
     struct contact_law body, self;
     struct contact_search search; /* with contact.self                       owned     */
+    struct contact_rim rim;       /* the same                                owned     */
     enum status failed; /* of contact_limit: the next contact_find returns it          */
     struct contact_pose *pose, *pose_old; /* [obstacles]                owned     */
     int finds;       /* calls of contact_find in the step                             */

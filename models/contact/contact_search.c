@@ -396,23 +396,45 @@ static double rise(double x, double low, double high)
     return t * t * (3 - 2 * t);
 }
 
-/* Returns the foot's share in the law, which grows from nothing beside what doesn't count:
- * places near along the sheet, also those to which a foot on a smooth surface went back,
- * and those seen under 45 degrees. Forces would else jump. */
+/* Returns where the lines of the sheet at u begin. */
+static const double *start_of(const struct contact_surface *f, double u)
+{
+    const double *end = f->line[0];
+
+    while (end + f->rows < f->line[0] + f->points[0] && u >= end[f->rows])
+        end += f->rows;
+    return end;
+}
+
+double contact_search_far(const struct contact_search *s, const double uv[2],
+                          const double other[2])
+{
+    const struct contact_surface *f = s->sheet.surface;
+    const double *end = start_of(f, uv[0]);
+    const double du =
+        (other[0] - uv[0]) * (f->flat[0][f->rows - 1] / (end[f->rows - 1] - *end));
+    const double dv = (other[1] - uv[1]) * f->flat[1][f->points[1] - 1];
+
+    if (start_of(f, other[0]) != end)
+        return 1;
+    return rise(hypot(du, dv), s->tree.apart, whole_apart * s->tree.apart);
+}
+
+double contact_search_seen(double square)
+{
+    return rise(square, square_cos, whole_square_cos);
+}
+
+/* Returns the foot's share in the law, also where it went back along a smooth surface. */
 static double strength(const struct contact_search *s, const struct contact_place *place,
                        const struct contact_foot *foot)
 {
     const struct contact_surface *f = s->sheet.surface;
-    const int i = foot->sample / f->points[1], j = foot->sample % f->points[1];
-    const double *end = f->line[0] + i / f->rows * f->rows;
-    const double du =
-        (foot->u - f->line[0][i]) * (f->flat[0][f->rows - 1] / (end[f->rows - 1] - *end));
-    const double dv = (foot->v - f->line[1][j]) * f->flat[1][f->points[1] - 1];
-    const bool other = contact_surface_apart(f, foot->sample, place->triangle / 2);
+    const double uv[2] = {f->line[0][foot->sample / f->points[1]],
+                          f->line[1][foot->sample % f->points[1]]};
 
-    return rise(other ? INFINITY : hypot(du, dv), s->tree.apart,
-                whole_apart * s->tree.apart) *
-           rise(place->square_cos, square_cos, whole_square_cos);
+    return contact_search_far(s, uv, (const double[2]){foot->u, foot->v}) *
+           contact_search_seen(place->square_cos);
 }
 
 /* Refines what was found of a sample into two feet; those without nodes are none. */
@@ -476,6 +498,14 @@ enum status contact_search_find(struct contact_search *s, const double *x)
     gather(s);
 out:
     return st;
+}
+
+bool contact_search_cells(const struct contact_search *s, long n, int cell[2])
+{
+    if (n >= s->pair_count)
+        return false;
+    cell[0] = s->pair[n].cell, cell[1] = s->pair[n].other;
+    return true;
 }
 
 void contact_search_forget(struct contact_search *s)

@@ -52,6 +52,17 @@ void contact_search_clear(struct contact_search *s);
 /* Finds the feet at x[nodes][3]. STATUS_NAN, STATUS_MEMORY. */
 enum status contact_search_find(struct contact_search *s, const double *x);
 
+/* Fills the n-th pair of cells near each other of the last contact_search_find; false:
+ * there are no more. */
+bool contact_search_cells(const struct contact_search *s, long n, int cell[2]);
+
+/* Return shares of a foot in the law, 0 to 1: of two places (u,v), 0 where they are near
+ * along the sheet; and of the squared cosine of the angle to the face's normal under which
+ * a foot is seen, 0 from 45 degrees on. Forces would else jump. */
+double contact_search_far(const struct contact_search *s, const double uv[2],
+                          const double other[2]);
+double contact_search_seen(double square);
+
 /* Makes the next search find the near triangles again, as after a jump. */
 void contact_search_forget(struct contact_search *s);
 

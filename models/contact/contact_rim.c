@@ -1,0 +1,335 @@
+#include "models/contact/contact_rim.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/room.h"
+#include "models/vector.h"
+
+/* The most of `start` between two points of a rim. */
+static const double SPACING = 0.25;
+/* How much farther than `start` the chords of curved rims are looked at, over start. */
+static const double SLACK = 0.5;
+/* The step of differences along an edge; the change at which a foot is found. */
+static const double SPREAD = 1. / 64, SETTLED = 1e-9;
+
+void contact_rim_clear(struct contact_rim *r)
+{
+    free(r->room);
+    free(r->pair);
+    memset(r, 0, sizeof *r);
+}
+
+enum status contact_rim_init(struct contact_rim *r, struct contact_search *search)
+{
+    const size_t width = 2 * (size_t)contact_foot_width(search->sheet.surface);
+
+    *r = (struct contact_rim){.search = search, .sought = -1};
+    return room_cut(&r->room, ROOM(r->node, width), ROOM(r->weight, width));
+}
+
+/* --- edges: those of each sheet of n x m samples go round it, the sheet at their left, so
+ * that the normal times their direction leads into it ---------------------------------- */
+
+/* Computes the samples at the ends of an edge. */
+static void ends_of(const struct contact_surface *s, int edge, int end[2])
+{
+    const int n = s->rows, m = s->points[1], on[4] = {n - 1, m - 1, n - 1, m - 1};
+    const int round = 2 * (n - 1 + m - 1), first = edge / round * n * m;
+    int side = 0;
+
+    for (edge %= round; edge >= on[side]; side++)
+        edge -= on[side];
+    for (int k = 0; k < 2; k++) {
+        const int at = side < 2 ? edge + k : on[side] - edge - k;
+        end[k] = first + (side % 2 ? (side == 1 ? (n - 1) * m : 0) + at
+                                   : at * m + (side == 0 ? 0 : m - 1));
+    }
+}
+
+/* Lists the edges of a cell that are rims; returns how many. */
+static int edges_of(const struct contact_surface *s, int cell, int edge[4])
+{
+    const int n = s->rows, m = s->points[1], row = cell / (m - 1), j = cell % (m - 1);
+    const int i = row % n, first = row / n * 2 * (n - 1 + m - 1);
+    int count = 0;
+
+    if (j == 0)
+        edge[count++] = first + i;
+    if (i == n - 2)
+        edge[count++] = first + n - 1 + j;
+    if (j == m - 2)
+        edge[count++] = first + n - 1 + m - 1 + n - 2 - i;
+    if (i == 0)
+        edge[count++] = first + 2 * (n - 1) + m - 1 + m - 2 - j;
+    return count;
+}
+
+static int by_edges(const void *a, const void *b)
+{
+    const int *p = a, *q = b;
+
+    return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+static enum status keep(struct contact_rim *r, int edge, int other)
+{
+    if (r->count == r->most) {
+        const int most = 2 * r->most + 64;
+        int(*pair)[2] = realloc(r->pair, (size_t)most * sizeof *pair);
+        if (!pair)
+            return STATUS_MEMORY;
+        r->pair = pair, r->most = most;
+    }
+    r->pair[r->count][0] = edge, r->pair[r->count++][1] = other;
+    return STATUS_OK;
+}
+
+/* Lists the pairs of edges in near cells, each both ways. */
+static enum status list_pairs(struct contact_rim *r)
+{
+    const struct contact_surface *s = r->search->sheet.surface;
+    enum status st = STATUS_OK;
+    int cell[2], edge[2][4];
+
+    r->count = 0;
+    for (long n = 0; contact_search_cells(r->search, n, cell); n++) {
+        const int count = edges_of(s, cell[0], edge[0]);
+        const int others = count ? edges_of(s, cell[1], edge[1]) : 0;
+        for (int k = 0; k < count; k++)
+            for (int l = 0; l < others; l++)
+                if (edge[0][k] != edge[1][l]) {
+                    TRY(keep(r, edge[0][k], edge[1][l]));
+                    if (cell[0] != cell[1])
+                        TRY(keep(r, edge[1][l], edge[0][k]));
+                }
+    }
+    qsort(r->pair, (size_t)r->count, sizeof *r->pair, by_edges);
+    r->sought = r->search->sought;
+out:
+    return st;
+}
+
+/* --- points of an edge ------------------------------------------------------------------
+ */
+
+/* A place on a rim: an edge, and how far along it, 0 to 1. */
+struct place {
+    int edge, end[2];
+    double at;
+    double uv[2], y[3];
+};
+
+/* Computes the parameters of a place, those of the sheet's ends beyond them. */
+static void find_uv(const struct contact_surface *s, struct place *p)
+{
+    const double *end = s->line[0] + p->end[0] / s->points[1] / s->rows * s->rows;
+    const double low[2] = {*end, 0}, high[2] = {end[s->rows - 1], 1};
+
+    for (int d = 0; d < 2; d++) {
+        const int from = d ? p->end[0] % s->points[1] : p->end[0] / s->points[1];
+        const int to = d ? p->end[1] % s->points[1] : p->end[1] / s->points[1];
+        p->uv[d] = (1 - p->at) * s->line[d][from] + p->at * s->line[d][to];
+        p->uv[d] = fmin(fmax(p->uv[d], low[d]), high[d]);
+    }
+}
+
+/* Computes a place's parameters and point; lists its nodes and returns how many. */
+static int locate(const struct contact_sheet *sheet, struct place *p, int *node,
+                  double *weight)
+{
+    const struct contact_surface *s = sheet->surface;
+    int count = 2;
+
+    find_uv(s, p);
+    if (s->width > 1)
+        count = s->row(s->self, p->uv[0], p->uv[1], node, weight);
+    for (int k = 0; k < 2 && s->width == 1; k++) {
+        node[k] = s->node[p->end[k]];
+        weight[k] = (k ? p->at : 1 - p->at) * s->shape[p->end[k]];
+    }
+    memset(p->y, 0, sizeof p->y);
+    for (int k = 0; k < count; k++)
+        for (int i = 0; i < 3; i++)
+            p->y[i] += weight[k] * sheet->x[3 * (long)node[k] + i];
+    return count;
+}
+
+/* Returns the length at rest of an edge. */
+static double length_of(const struct contact_tree *tree, const int end[2])
+{
+    return fabs(tree->flat[end[1]][0] - tree->flat[end[0]][0]) +
+           fabs(tree->flat[end[1]][1] - tree->flat[end[0]][1]);
+}
+
+/* Moves a foot on a curved rim to the point that is closest to y; it may leave its edge for
+ * the next. */
+static void refine(const struct contact_sheet *sheet, const double y[3], struct place *foot,
+                   int *node, double *weight)
+{
+    for (int turn = 0; turn < 6; turn++) {
+        double p[3][3], gain = 0, size = 0, bend = 0;
+        const double at = foot->at;
+        for (int k = 0; k < 3; k++) {
+            foot->at = at + (k - 1) * SPREAD;
+            locate(sheet, foot, node, weight);
+            memcpy(p[k], foot->y, sizeof p[k]);
+        }
+        for (int i = 0; i < 3; i++) {
+            const double d = (p[2][i] - p[0][i]) / (2 * SPREAD), way = y[i] - p[1][i];
+            gain += way * d, size += d * d;
+            bend += way * (p[2][i] - 2 * p[1][i] + p[0][i]) / (SPREAD * SPREAD);
+        }
+        const double step = gain / fmax(size - bend, size / 4);
+        foot->at = fmin(fmax(at + step, -1), 2);
+        if (!(fabs(foot->at - at) > SETTLED))
+            break;
+    }
+}
+
+/* --- feet -------------------------------------------------------------------------------
+ */
+
+/* Finds the closest place on the chords of edges, nearer than `most`; false: none. */
+static bool closest(const struct contact_rim *r, const struct place *point,
+                    const int (*pair)[2], int count, double most, struct place *foot)
+{
+    const double *y = r->search->sheet.y;
+    double least = most * most;
+    bool any = false;
+
+    for (int n = 0; n < count; n++) {
+        struct place here = {.edge = pair[n][1]};
+        double e[3], way[3];
+        ends_of(r->search->sheet.surface, here.edge, here.end);
+        vector_between(y + 3 * (long)here.end[0], y + 3 * (long)here.end[1], e);
+        vector_between(y + 3 * (long)here.end[0], point->y, way);
+        here.at = fmin(fmax(vector_dot(way, e) / vector_dot(e, e), 0), 1);
+        for (int i = 0; i < 3; i++)
+            way[i] -= here.at * e[i];
+        const double square = vector_dot(way, way);
+        if (!(square < least))
+            continue;
+        find_uv(r->search->sheet.surface, &here);
+        if (contact_search_far(r->search, point->uv, here.uv) > 0) {
+            least = square, *foot = here;
+            any = true;
+        }
+    }
+    return any;
+}
+
+/* Returns the rim's share in the law of a foot that is seen along a way: what the face does
+ * not have, and nothing over the face. */
+static double share_of(const struct contact_sheet *sheet, const struct place *foot,
+                       const double way[3])
+{
+    const double at = fmin(fmax(foot->at, 0), 1);
+    double n[2][3], normal[3], e[3], out[3];
+
+    for (int k = 0; k < 2; k++)
+        contact_foot_normal(sheet, foot->end[k], n[k]);
+    for (int i = 0; i < 3; i++)
+        normal[i] = (1 - at) * n[0][i] + at * n[1][i];
+    vector_between(sheet->y + 3 * (long)foot->end[0], sheet->y + 3 * (long)foot->end[1], e);
+    vector_cross(e, normal, out);
+    if (vector_dot(way, out) < 0 && at > 0 && at < 1)
+        return 0;
+    const double along = vector_dot(way, normal);
+    const double sizes = vector_dot(normal, normal) * vector_dot(way, way);
+    return sizes > 0 ? 1 - contact_search_seen(along * along / sizes) : 1;
+}
+
+/* Visits the foot of a point, if it has one. */
+static enum status meet(struct contact_rim *r, struct place *point, double length,
+                        const int (*pair)[2], int count, contact_rim_visit *visit,
+                        void *context)
+{
+    const struct contact_sheet *sheet = &r->search->sheet;
+    const bool curved = sheet->surface->width > 1;
+    const double start = r->search->start;
+    struct contact_rim_foot f = {.node = r->node, .weight = r->weight};
+    struct place foot;
+    double way[3];
+
+    f.of_point = locate(sheet, point, r->node, r->weight);
+    if (!closest(r, point, pair, count, (curved ? 1 + SLACK : 1) * start, &foot))
+        return STATUS_OK;
+    int *node = r->node + f.of_point;
+    double *weight = r->weight + f.of_point;
+    if (curved)
+        refine(sheet, point->y, &foot, node, weight);
+    f.of_foot = locate(sheet, &foot, node, weight);
+    for (int k = 0; k < f.of_foot; k++)
+        weight[k] = -weight[k];
+    vector_between(foot.y, point->y, way);
+    f.distance = vector_length(way);
+    if (!(f.distance < start) || f.distance == 0)
+        return STATUS_OK;
+    for (int i = 0; i < 3; i++)
+        f.normal[i] = way[i] / f.distance;
+    f.area = length * start * contact_search_far(r->search, point->uv, foot.uv) *
+             share_of(sheet, &foot, way);
+    return f.area > 0 ? visit(context, &f) : STATUS_OK;
+}
+
+/* Visits the feet of an edge, with the edges that are near it. */
+static enum status meet_edge(struct contact_rim *r, int edge, const int (*pair)[2],
+                             int count, contact_rim_visit *visit, void *context)
+{
+    enum status st = STATUS_OK;
+    struct place point = {.edge = edge};
+
+    ends_of(r->search->sheet.surface, edge, point.end);
+    const double length = length_of(&r->search->tree, point.end);
+    const int points = (int)ceil(length / (SPACING * r->search->start));
+    for (int n = 0; n < points; n++) {
+        point.at = (n + 0.5) / points;
+        TRY(meet(r, &point, length / points, pair, count, visit, context));
+    }
+out:
+    return st;
+}
+
+/* Moves the pairs of an edge that are near indeed to the front; returns how many. */
+static int sift(const struct contact_rim *r, int first, int end, int (*near)[2])
+{
+    const struct contact_surface *s = r->search->sheet.surface;
+    const double most = (1 + SLACK) * r->search->start;
+    int count = 0;
+
+    for (int n = first; n < end; n++) {
+        int of[2][2];
+        const double *p[4];
+        double at[2];
+        for (int k = 0; k < 4; k++) {
+            if (k % 2 == 0)
+                ends_of(s, r->pair[n][k / 2], of[k / 2]);
+            p[k] = r->search->sheet.y + 3 * (long)of[k / 2][k % 2];
+        }
+        if (contact_foot_between(p, at) < most)
+            memcpy(near[count++], r->pair[n], sizeof r->pair[n]);
+    }
+    return count;
+}
+
+enum status contact_rim_find(struct contact_rim *r, contact_rim_visit *visit, void *context)
+{
+    enum status st = STATUS_OK;
+
+    if (r->sought != r->search->sought)
+        TRY(list_pairs(r));
+    for (int first = 0, end; first < r->count; first = end) {
+        enum { MOST = 64 };
+        int near[MOST][2];
+        for (end = first;
+             end < r->count && end - first < MOST && r->pair[end][0] == r->pair[first][0];)
+            end++;
+        const int count = sift(r, first, end, near);
+        if (count)
+            TRY(meet_edge(r, r->pair[first][0], near, count, visit, context));
+    }
+out:
+    return st;
+}

@@ -1,0 +1,224 @@
+/* Rims of a sheet that meet each other: energy against integrals of the law, force against
+ * the energy's gradient, momentum, and the share beside the face's. */
+#include "models/contact/contact.h"
+#include "models/vector.h"
+#include "tests/check.h"
+
+/* Sums of products of numbers near 1 N, or N m. */
+static const double rounding = 1e-13;
+/* The midpoint rule with points START / 4 apart, at a distance of .8 START. */
+static const double rule = 1e-2;
+/* Differences of the energy at steps of 1e-7 m, over the largest force. */
+static const double differences = 1e-5;
+
+/* The share of a rim near its ends, where it turns away. */
+static const double ends = 4e-3;
+
+enum { ROWS = 12, NODES = 2 * ROWS, SAMPLES = 41 };
+static const double start = 0.002, length = 0.1;
+
+/* Nodes of a net: pairs across the strip. */
+static int net_row(const void *self, double u, double v, int *node, double *shape)
+{
+    (void)self;
+    node[0] = 2 * (int)lround(u * (ROWS - 1)) + (int)lround(v);
+    shape[0] = 1;
+    return 1;
+}
+
+/* A quadratic spline along the strip, linear across it. */
+static int smooth_row(const void *self, double u, double v, int *node, double *shape)
+{
+    const double at = u * (ROWS - 2), t = at - fmin(floor(at), ROWS - 3);
+    const int first = (int)fmin(floor(at), ROWS - 3);
+    const double w[3] = {(1 - t) * (1 - t) / 2, 0.5 + t - t * t, t * t / 2};
+
+    (void)self;
+    for (int k = 0; k < 6; k++) {
+        node[k] = 2 * (first + k / 2) + k % 2;
+        shape[k] = w[k / 2] * (k % 2 ? v : 1 - v);
+    }
+    return 6;
+}
+
+static struct scene scene;
+
+static void make(struct contact *c, bool smooth)
+{
+    double line[2][SAMPLES];
+    const int points[2] = {smooth ? SAMPLES : ROWS, 2};
+    struct contact_surface s;
+
+    for (int d = 0; d < 2; d++)
+        for (int i = 0; i < points[d]; i++)
+            line[d][i] = i / (points[d] - 1.);
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    scene.length = length * (smooth ? ROWS - 2 : ROWS - 1), scene.width = length;
+    scene.contact = (struct scene_contact){
+        .self = true, .thickness = start, .range = start / 2, .stiffness = 1000};
+    REQUIRE(contact_surface_init(
+                &s, &scene, NULL, smooth ? smooth_row : net_row, smooth ? 6 : 1, NODES,
+                (const double *const[]){line[0], line[1]}, points) == STATUS_OK);
+    REQUIRE(contact_init(c, &scene, &s) == STATUS_OK);
+}
+
+/* Lays rows 0 to 3 along `along`, their rim v = 0 through `at`, with the sheet in the
+ * direction `into`; the middle of the strip goes far away. */
+static void lay(double (*x)[3], int first, const double at[3], const double along[3],
+                const double into[3])
+{
+    for (int n = first; n < first + 4; n++)
+        for (int k = 0; k < 2; k++)
+            for (int i = 0; i < 3; i++)
+                x[2 * n + k][i] =
+                    at[i] + length * ((n - first - 1.5) * along[i] + k * into[i]);
+}
+
+static void lay_two(double (*x)[3], const double at[3], const double along[3],
+                    const double into[3])
+{
+    for (int n = 0; n < NODES; n++) /* those beside the two diverge */
+        x[n][0] = 5 + n % 2, x[n][1] = n < NODES / 2 ? -5 : 5, x[n][2] = n / 2;
+    lay(x, 0, (double[3]){0}, (double[3]){1, 0, 0}, (double[3]){0, -1, 0});
+    lay(x, ROWS - 4, at, along, into);
+}
+
+static void find(struct contact *c, double (*x)[3])
+{
+    contact_begin(c, 0, INFINITY, x[0]);
+    REQUIRE(contact_find(c, x[0]) == STATUS_OK);
+}
+
+/* Returns the energy of two long rims that cross, or lie side by side, per START. */
+static double integral(const struct contact *c, double D, double sine)
+{
+    const double step = start / 1000;
+    double sum = 0;
+
+    for (double s = -start; sine > 0 && s < start; s += step)
+        sum += step * contact_law_potential(&c->self, hypot(D, sine * s));
+    return start * sum;
+}
+
+static void crossed(bool smooth, double angle)
+{
+    const double D = 0.8 * start;
+    double x[NODES][3];
+    struct contact c;
+
+    make(&c, smooth);
+    lay_two(x, (double[3]){0.013 * length, D, 0}, (double[3]){cos(angle), 0, sin(angle)},
+            (double[3]){0, 1, 0});
+    find(&c, x);
+    CHECK_RELATIVE(c.energy, integral(&c, D, sin(angle)), rule);
+    contact_clear(&c);
+    scene_clear(&scene);
+}
+
+/* Rims side by side, as of a strip that is rolled to a tube. */
+static void beside(void)
+{
+    const double D = 0.8 * start;
+    double x[NODES][3];
+    struct contact c;
+
+    make(&c, false);
+    lay_two(x, (double[3]){0, D, 0}, (double[3]){-1, 0, 0}, (double[3]){0, 1, 0});
+    find(&c, x);
+    CHECK_RELATIVE(c.energy, 3 * length * start * contact_law_potential(&c.self, D), rule);
+    contact_clear(&c);
+    scene_clear(&scene);
+}
+
+/* Force and moment of bent rims, and the energy's gradient. */
+static void gradient(bool smooth)
+{
+    const double step = 1e-7;
+    double x[NODES][3], force[NODES][3] = {{0}}, sum[6] = {0}, largest = 0;
+    double *coordinate = &x[0][0], *of = &force[0][0];
+    struct contact c;
+
+    make(&c, smooth);
+    lay_two(x, (double[3]){0, .85 * start, 0}, (double[3]){.6, 0, .8},
+            (double[3]){0, 1, 0});
+    for (int n = 0; n < NODES; n++) /* bent, less than the rims are apart */
+        x[n][1] += 0.1 * start * sin(3. * n), x[n][2] += 0.01 * sin(5. * n);
+    find(&c, x);
+    REQUIRE(c.count > 0);
+    contact_force(&c, of);
+    for (int n = 0; n < NODES; n++) {
+        double moment[3];
+        vector_cross(x[n], force[n], moment);
+        for (int i = 0; i < 3; i++) {
+            sum[i] += force[n][i], sum[3 + i] += moment[i];
+            largest = fmax(largest, fabs(force[n][i]));
+        }
+    }
+    CHECK(largest > 1e-4);
+    for (int i = 0; i < 6; i++)
+        CHECK_NEAR(sum[i], 0, rounding);
+    for (int n = 0; n < 3 * NODES; n++) {
+        double side[2];
+        for (int k = 0; k < 2; k++) {
+            coordinate[n] += k ? step : -step;
+            find(&c, x);
+            side[k] = c.energy;
+            coordinate[n] -= k ? step : -step;
+        }
+        CHECK_NEAR((side[0] - side[1]) / (2 * step) / largest, of[n] / largest,
+                   differences);
+    }
+    contact_clear(&c);
+    scene_clear(&scene);
+}
+
+/* Tells whether a touch is of the middle edges of both rims, whose normals are straight. */
+static bool in_the_middle(const struct contact *c, const struct contact_touch *t)
+{
+    bool all = t->sample < 0;
+
+    for (int k = t->first; k < t->first + t->count; k++) {
+        const int row = c->node[k] / 2;
+        all = all && (row == 1 || row == 2 || row == ROWS - 3 || row == ROWS - 2);
+    }
+    return all;
+}
+
+/* A rim that goes round another, from above its face to beside it: none of it over the
+ * face, all of it beside, and no jump. */
+static void fades(void)
+{
+    const double steepest = 0.12; /* in a degree */
+    double before = 0, D = 0.8 * start;
+    double x[NODES][3];
+    struct contact c;
+
+    make(&c, false);
+    for (int degree = -40; degree <= 90; degree++) {
+        const double a = degree / 57.29577951308232;
+        double share = 0;
+        lay_two(x, (double[3]){0, D * sin(a), D * cos(a)}, (double[3]){-1, 0, 0},
+                (double[3]){0, 1, 0});
+        find(&c, x);
+        for (const struct contact_touch *t = c.touch; t < c.touch + c.count; t++)
+            share += in_the_middle(&c, t) ? t->area / (length * start) : 0;
+        CHECK(degree > 0 || share <= ends);
+        CHECK(share >= before - ends && share <= before + steepest);
+        before = share;
+    }
+    CHECK_NEAR(before, 1, ends);
+    contact_clear(&c);
+    scene_clear(&scene);
+}
+
+int main(void)
+{
+    for (int smooth = 0; smooth < 2; smooth++) {
+        crossed(smooth, 1.5707963267948966);
+        crossed(smooth, 0.5);
+        gradient(smooth);
+    }
+    beside();
+    fades();
+    return check_result();
+}

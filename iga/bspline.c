@@ -1,6 +1,7 @@
 #include "iga/bspline.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -64,6 +65,38 @@ enum status bspline_init_uniform(struct bspline *b, int p, int n, struct message
     return STATUS_OK;
 }
 
+enum status bspline_init_closed(struct bspline *b, int p, int points, struct message *why)
+{
+    enum status st = check_degree(p, why);
+    const int n = points + p;
+    double *U;
+
+    if (st != STATUS_OK)
+        return st;
+    if (points <= p)
+        return status_fail(why, STATUS_INPUT,
+                           "degree %d around a closed sheet needs at least %d points, not "
+                           "%d",
+                           p, p + 1, points);
+    U = malloc(((size_t)n + p + 1) * sizeof *U);
+    if (!U)
+        return status_fail(why, STATUS_MEMORY, "no memory for %d knots", n + p + 1);
+    for (int i = 0; i <= n + p; i++)
+        U[i] = (double)(i - p) / points;
+    *b = (struct bspline){.p = p, .n = n, .U = U, .wrap = p};
+    return STATUS_OK;
+}
+
+int bspline_points(const struct bspline *b)
+{
+    return b->n - b->wrap;
+}
+
+int bspline_point(const struct bspline *b, int i)
+{
+    return i < b->n - b->wrap ? i : i - (b->n - b->wrap);
+}
+
 enum status bspline_init(struct bspline *b, int p, int count, const double *U,
                          struct message *why)
 {
@@ -105,7 +138,8 @@ int bspline_open_degree(const struct discretization *d, int i, int usual)
 
 enum status bspline_copy(const struct bspline *from, struct bspline *to)
 {
-    return bspline_init(to, from->p, from->n + from->p + 1, from->U, NULL);
+    return from->wrap ? bspline_init_closed(to, from->p, bspline_points(from), NULL)
+                      : bspline_init(to, from->p, from->n + from->p + 1, from->U, NULL);
 }
 
 void bspline_clear(struct bspline *b)
@@ -204,5 +238,5 @@ double bspline_greville(const struct bspline *b, int i)
     assert(i >= 0 && i < b->n);
     for (int k = 1; k <= b->p; k++)
         sum += b->U[i + k];
-    return sum / b->p;
+    return b->wrap ? sum / b->p - floor(sum / b->p) : sum / b->p;
 }

@@ -381,6 +381,11 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(contact_rest_refuse(scene, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
+    if (d->remedy == REMEDY_REDUCED && scene_closed(scene))
+        TRY(status_fail(
+            why, STATUS_UNSUPPORTED,
+            "remedy=reduced has a rule that begins at an edge, and the sheet is "
+            "closed; use selective"));
     if (d->remedy == REMEDY_CLAMPED && scene->shape != SCENE_FLAT)
         TRY(status_fail(why, STATUS_UNSUPPORTED,
                         "remedy=clamped is for flat sheets; use selective"));

@@ -109,34 +109,25 @@ out:
     return st;
 }
 
-/* The truth's spans; of a sheet that is closed, fewer along u and more around. */
-static int spans_of(const struct job *job, int ensemble, int along)
-{
-    static const int spans[2][TRUTHS] = {{14, 20}, {5, 7}},
-                     closed[2][2][TRUTHS] = {{{9, 12}, {5, 6}}, {{48, 64}, {24, 32}}};
-    const bool quick = job->e.quick;
-
-    return scene_closed(&job->scene) ? closed[along][quick][ensemble]
-                                     : spans[quick][ensemble];
-}
-
 /* Returns the points along u (0) or v (1): of the truth by its spans and the knots that
  * supports' ends take; of others the finest net, of solids the one before, whose frames
- * cost as much, around a closed sheet twice as many points, and half as many along u. */
+ * cost as much. A sheet that is closed has fewer spans along u and more around, and others
+ * have the truth's coarser net. */
 static int side_of(const struct job *job, int ensemble, int along)
 {
-    const bool around = along && scene_closed(&job->scene);
+    static const int open[2][TRUTHS] = {{14, 20}, {5, 7}},
+                     closed[2][2][TRUTHS] = {{{9, 12}, {48, 64}}, {{5, 6}, {24, 32}}};
+    const bool around = scene_closed(&job->scene), quick = job->e.quick;
     const struct contestant *c = job->model[ensemble];
-    const bool quick = job->e.quick;
+    const int which = ensemble < TRUTHS ? ensemble : COARSE;
+    const int spans = around ? closed[quick][along][which] : open[quick][which];
     int side, last = quick ? 0 : CONTESTANT_STEPS - 1;
 
     while (last && !c->points[last])
         last--;
     side = c->points[c->layers && last ? last - 1 : last];
-    if (scene_closed(&job->scene))
-        side = along ? 2 * side : side / 2 + c->degree;
-    if (ensemble < TRUTHS)
-        side = spans_of(job, ensemble, along) + (around ? 0 : c->degree) +
+    if (ensemble < TRUTHS || around)
+        side = spans + (around && along ? 0 : c->degree) +
                support_knots_repeats(&job->scene, along, c->degree, SUPPORT_KNOTS_SOLID);
     const int fit = net_fit_points(&job->scene, along, side, c->degree);
     return fit ? fit : side;

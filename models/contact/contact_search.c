@@ -406,8 +406,9 @@ static double strength(const struct contact_search *s, const struct contact_plac
     const int i = foot->sample / f->points[1], j = foot->sample % f->points[1];
     const double du = (foot->u - f->line[0][i]) * f->flat[0][f->points[0] - 1];
     const double dv = (foot->v - f->line[1][j]) * f->flat[1][f->points[1] - 1];
+    const double along = hypot(du, contact_tree_across(&s->tree, dv));
 
-    return rise(hypot(du, dv), s->tree.apart, whole_apart * s->tree.apart) *
+    return rise(along, s->tree.apart, whole_apart * s->tree.apart) *
            rise(place->square_cos, square_cos, whole_square_cos);
 }
 

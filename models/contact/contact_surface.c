@@ -79,6 +79,7 @@ enum status contact_surface_init(struct contact_surface *s, const struct scene *
         s->used[n] = row(self, line[0][n / points[1]], line[1][n % points[1]],
                          s->node + (size_t)n * width, s->shape + (size_t)n * width);
     measure_lines(s, scene);
+    s->around = scene_closed(scene) ? s->flat[1][points[1] - 1] : 0;
     share_areas(s, scene);
 out:
     return st;

@@ -30,6 +30,7 @@ struct contact_surface {
     double *area;    /* [count]                                               [m^2]   */
     double *flat[2]; /* [points] lengths at rest along u (v = 1/2) and v (u = 0) from the
                         edge, for distances along the sheet                   [m]     */
+    double around;   /* length at rest along v of a sheet closed around, or 0 [m]         */
 };
 
 /* Makes the samples at line[0] x line[1] (copied). */

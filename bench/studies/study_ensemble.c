@@ -116,7 +116,7 @@ out:
 static int side_of(const struct job *job, int ensemble, int along)
 {
     static const int open[2][TRUTHS] = {{14, 20}, {5, 7}},
-                     closed[2][2][TRUTHS] = {{{9, 12}, {48, 64}}, {{5, 6}, {24, 32}}};
+                     closed[2][2][TRUTHS] = {{{12, 16}, {64, 96}}, {{5, 6}, {24, 32}}};
     const bool around = scene_closed(&job->scene), quick = job->e.quick;
     const struct contestant *c = job->model[ensemble];
     const int which = ensemble < TRUTHS ? ensemble : COARSE;

@@ -1,6 +1,7 @@
 #include "iga/bspline.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -62,6 +63,38 @@ enum status bspline_init_uniform(struct bspline *b, int p, int n, struct message
         U[i] = (double)(i - p) / (n - p);
     *b = (struct bspline){.p = p, .n = n, .U = U};
     return STATUS_OK;
+}
+
+enum status bspline_init_closed(struct bspline *b, int p, int points, struct message *why)
+{
+    enum status st = check_degree(p, why);
+    const int n = points + p;
+    double *U;
+
+    if (st != STATUS_OK)
+        return st;
+    if (points <= p)
+        return status_fail(why, STATUS_INPUT,
+                           "degree %d around a closed sheet needs at least %d points, not "
+                           "%d",
+                           p, p + 1, points);
+    U = malloc(((size_t)n + p + 1) * sizeof *U);
+    if (!U)
+        return status_fail(why, STATUS_MEMORY, "no memory for %d knots", n + p + 1);
+    for (int i = 0; i <= n + p; i++)
+        U[i] = (double)(i - p) / points;
+    *b = (struct bspline){.p = p, .n = n, .U = U, .wrap = p};
+    return STATUS_OK;
+}
+
+int bspline_points(const struct bspline *b)
+{
+    return b->n - b->wrap;
+}
+
+int bspline_point(const struct bspline *b, int i)
+{
+    return i < b->n - b->wrap ? i : i - (b->n - b->wrap);
 }
 
 enum status bspline_init(struct bspline *b, int p, int count, const double *U,
@@ -246,5 +279,5 @@ double bspline_greville(const struct bspline *b, int i)
     assert(i >= 0 && i < b->n);
     for (int k = 1; k <= b->p; k++)
         sum += b->U[i + k];
-    return sum / b->p;
+    return b->wrap ? sum / b->p - floor(sum / b->p) : sum / b->p;
 }

@@ -7,7 +7,10 @@
  *
  * A basis may be several of such parts, alike and side by side on [0, parts], for as many
  * sheets: a knot between two parts is there p + 1 times, so that nothing connects them.
- * Source: Piegl & Tiller 1997, The NURBS Book, ch. 2; numbering of algorithms from there.
+ *
+ * A closed basis is periodic: uniform knots of step 1 / (n - p) from -p steps to 1 + p
+ * steps, and its last p functions are the first p again. Source: Piegl & Tiller 1997, The
+ * NURBS Book, ch. 2; numbering of algorithms from there.
  */
 #ifndef BSPLINE_H
 #define BSPLINE_H
@@ -21,10 +24,18 @@ struct bspline {
     int n;     /* functions, > p                                                       */
     double *U; /* knots [n + p + 1]                                            owned   */
     int parts; /* 0, 1: one                                                            */
+    int wrap;  /* functions at the end that are the first ones again: p if closed, or 0 */
 };
 
 /* Makes uniform open knots. STATUS_INPUT (with sentence) unless 1 <= p <= max and n > p. */
 enum status bspline_init_uniform(struct bspline *b, int p, int n, struct message *why);
+
+/* Makes a closed basis of `points` > p different functions. STATUS_INPUT otherwise. */
+enum status bspline_init_closed(struct bspline *b, int p, int points, struct message *why);
+
+/* Returns the number of different functions, and the number, below it, of function i. */
+int bspline_points(const struct bspline *b);
+int bspline_point(const struct bspline *b, int i);
 
 /* Copies given knots U[count]; n = count - p - 1. STATUS_INPUT, saying which rule of the
  * notation above they break. */
@@ -69,7 +80,7 @@ void bspline_values(const void *b, double u, double *N);
 int bspline_spans(const struct bspline *b, int *span);
 
 /* Returns the Greville abscissa of function i: (U[i+1] + ... + U[i+p]) / p. With these as
- * control points the curve is the identity. */
+ * control points the curve is the identity. Of a closed basis it is moved into [0,1). */
 double bspline_greville(const struct bspline *b, int i);
 
 #endif

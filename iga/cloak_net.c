@@ -3,9 +3,13 @@
  * abscissa), and the mean of the products of two of them. */
 #include "iga/cloak_net.h"
 
+#include <math.h>
+
+static const double PI = 3.14159265358979323846;
+
 bool cloak_net_exact(const struct bspline *v)
 {
-    return v->p >= 2;
+    return v->p >= 2 && !v->wrap;
 }
 
 static double square_coefficient(const struct bspline *b, int i)
@@ -19,13 +23,20 @@ static double square_coefficient(const struct bspline *b, int i)
 }
 
 /* Computes coefficients of 2 s, 1 - s^2 and 1 + s^2, where s = (2 v - 1) tan(alpha/4): the
- * arc in homogeneous coordinates. */
+ * arc in homogeneous coordinates. Of a closed basis: those of the sine, the cosine and 1,
+ * on a circle that the spline of even knots reduces to radius 1. */
 static void arc(const struct scene *scene, const struct bspline *b, int i, double out[3])
 {
     double t = scene_cloak_quarter_tangent(scene), v = bspline_greville(b, i);
     double squared = cloak_net_exact(b) ? square_coefficient(b, i) : v * v;
     double ss = t * t * (4 * squared - 4 * v + 1);
 
+    if (b->wrap) {
+        const double half = PI / bspline_points(b);
+        const double radius = pow(half / sin(half), b->p + 1), phi = PI * (2 * v - 1);
+        out[0] = radius * sin(phi), out[1] = radius * cos(phi), out[2] = 1;
+        return;
+    }
     out[0] = 2 * t * (2 * v - 1);
     out[1] = 1 - ss;
     out[2] = 1 + ss;
@@ -36,7 +47,7 @@ enum status cloak_net(const struct scene *scene, const struct bspline *u,
                       double *weight, struct message *why)
 {
     for (int i = 0; i < u->n; i++)
-        for (int j = 0; j < v->n; j++) {
+        for (int j = 0; j < bspline_points(v); j++) {
             double a[3], r, z;
 
             arc(scene, v, j, a);

@@ -4,6 +4,11 @@
  * u and w are affine and v is a quotient of quadratics: spaces of degree 2 or more in v,
  * whatever their knots, contain the shape exactly, and the parameters are the material
  * coordinates. Degree 1 in v gives polygons: points of the shape, joined.
+ *
+ * A closed cloak has a closed basis along v and no weights. Splines of degree p with even
+ * knots then follow the circle to 2 (n - 1)^-(p + 1) of its radius, n points around: 5e-8
+ * for 80 points of degree 3. The parameter is the angle, and no place around differs from
+ * another.
  */
 #ifndef CLOAK_NET_H
 #define CLOAK_NET_H

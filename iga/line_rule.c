@@ -103,7 +103,7 @@ static void solve(int n, int band, double *A, double *w)
 /* Computes points and weights of line_rule_greville; returns how many, 0: no memory. */
 static int greville(const struct bspline *b, bool derivative, double *at, double *weight)
 {
-    const struct bspline s = {b->p - derivative, b->n - derivative, b->U + derivative};
+    const struct bspline s = {b->p - derivative, b->n - derivative, b->U + derivative, 0};
     size_t n = (size_t)s.n;
     double *A = calloc(n * n, sizeof *A), *N = malloc(n * sizeof *N);
     bool positive = true;
@@ -130,9 +130,26 @@ static int greville(const struct bspline *b, bool derivative, double *at, double
     return s.n;
 }
 
+/* Takes one point in each span of a closed basis. */
+static enum status spread(struct line_rule *rule, const struct bspline *b, bool derivative)
+{
+    enum status st = line_rule_room(rule, b);
+
+    for (int e = 0; st == STATUS_OK && e < rule->spans; e++) {
+        rule->count[e] = 1;
+        rule->x[e * LINE_RULE_MOST] = (b->p - derivative) % 2 ? 0 : 0.5;
+        rule->part[e * LINE_RULE_MOST] = 1;
+    }
+    if (st == STATUS_OK)
+        line_rule_most(rule);
+    return st;
+}
+
 enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
                                bool derivative)
 {
+    if (b->wrap)
+        return spread(rule, b, derivative);
     enum status st = line_rule_room(rule, b);
     double *at = malloc(2 * (size_t)b->n * sizeof *at), *weight = at ? at + b->n : NULL;
     const int parts = b->parts > 1 ? b->parts : 1;
@@ -160,6 +177,30 @@ enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
     return STATUS_OK;
 }
 
+/* Fills the numbers of the points of functions span - p to span, ascending; returns which
+ * function comes first. */
+static int ascend(const struct bspline *b, int span, int *node)
+{
+    const int order = b->p + 1, first = span - b->p, points = bspline_points(b);
+    const int turn = first + order > points ? (points - first) % order : 0;
+
+    for (int a = 0; a < order; a++)
+        node[a] = bspline_point(b, first + (a + turn) % order);
+    return turn;
+}
+
+/* Moves the first `turn` of each row's functions behind the others. */
+static void rotate(double *value, int rows, int order, int turn)
+{
+    double old[BSPLINE_MAX_ORDER];
+
+    for (int r = 0; r < rows && turn; r++, value += order) {
+        memcpy(old, value, (size_t)order * sizeof *old);
+        for (int a = 0; a < order; a++)
+            value[a] = old[(a + turn) % order];
+    }
+}
+
 enum status line_rule_table(struct line_table *table, const struct bspline *b,
                             enum status st, struct line_rule *rule, int rows,
                             void (*eval)(const struct bspline *b, int span, double u,
@@ -170,16 +211,18 @@ enum status line_rule_table(struct line_table *table, const struct bspline *b,
     const size_t points = (size_t)(new.spans *new.most), row = (size_t)(rows * new.order);
 
     if (st == STATUS_OK)
-        st = room_cut(&new.room, ROOM(new.first, new.spans), ROOM(new.points, new.spans),
-                      ROOM(new.weight, points), ROOM(new.value, points * row));
+        st = room_cut(&new.room, ROOM(new.node, new.spans *new.order),
+                      ROOM(new.points, new.spans), ROOM(new.weight, points),
+                      ROOM(new.value, points * row));
     for (int e = 0; st == STATUS_OK && e < new.spans; e++) {
         const double lo = b->U[rule->span[e]], size = line_rule_size(rule, b, e);
-        new.first[e] = rule->span[e] - b->p;
+        const int turn = ascend(b, rule->span[e], new.node + e *new.order);
         new.points[e] = rule->count[e];
         for (int q = 0; q < new.points[e]; q++) {
             const int from = e * LINE_RULE_MOST + q, to = e * new.most + q;
             eval(b, rule->span[e], lo + size * rule->x[from], rows - 1,
                  new.value + (size_t)to *row);
+            rotate(new.value + (size_t)to *row, rows, new.order, turn);
             new.weight[to] = size * rule->part[from];
         }
     }

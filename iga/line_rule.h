@@ -33,7 +33,8 @@ enum status line_rule_bending(struct line_rule *rule, const struct bspline *b);
 
 /* Takes one point a function, or with `derivative` one a function of the space of
  * derivatives (degree p - 1, n - 1 functions): their Greville abscissae, with weights that
- * integrate every spline of that space exactly, those of its interpolant (Greville 1967; as
+ * integrate every spline of that space exactly (of a closed basis one a span, as heavy as
+ * any), those of its interpolant (Greville 1967; as
  * points of collocation: Johnson, Appl. Numer. Math. 52, 2005). Where knots are so uneven
  * that a weight comes out negative, all are the integrals of the functions themselves,
  * exact for straight lines. */
@@ -48,12 +49,13 @@ double line_rule_size(const struct line_rule *rule, const struct bspline *b, int
 
 void line_rule_clear(struct line_rule *rule);
 
-/* The functions alive at the points of a rule. */
+/* The functions alive at the points of a rule, in each span by ascending numbers of their
+ * points: of a closed basis, where its end meets its beginning, the last ones first. */
 struct line_table {
     int spans, most, order; /* as the rule's; order = p + 1 functions                  */
     int rows;               /* values and derivatives kept                             */
     void *room;             /* of the arrays below                             owned   */
-    int *first;             /* [spans] first function alive                            */
+    int *node;              /* [spans][order] bspline_point of the functions           */
     int *points;            /* [spans] points in use                                   */
     double *weight;         /* [spans][most]                                           */
     double *value;          /* [spans][most][rows][order]                              */

@@ -7,7 +7,7 @@
 
 int patch_nodes(const struct patch *p)
 {
-    return p->basis[0].n * p->basis[1].n * p->basis[2].n;
+    return p->basis[0].n * bspline_points(&p->basis[1]) * p->basis[2].n;
 }
 
 int patch_local(const struct patch *p)
@@ -62,12 +62,12 @@ void patch_set_box(struct patch *patch, const double origin[3], const double a[3
 void patch_local_nodes(const struct patch *patch, const int span[3], int *node)
 {
     const struct bspline *basis = patch->basis;
-    int m = basis[1].n, l = basis[2].n;
+    int m = bspline_points(&basis[1]), l = basis[2].n;
 
     for (int i = span[0] - basis[0].p; i <= span[0]; i++)
         for (int j = span[1] - basis[1].p; j <= span[1]; j++)
             for (int k = span[2] - basis[2].p; k <= span[2]; k++)
-                *node++ = (i * m + j) * l + k;
+                *node++ = (i * m + bspline_point(&basis[1], j)) * l + k;
 }
 
 /* Univariate values and first derivatives at a point, [value, derivative][function]. */

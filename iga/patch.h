@@ -1,6 +1,7 @@
 /* patch.h - a trivariate B-spline or NURBS solid V(u,v,w) (Ren et al. 2024, eq. 1-2, 10).
  *
  * Control points are numbered w fastest: node = (i m + j) l + k for i < n, j < m, k < l.
+ * The basis of v may be closed; m then counts its different functions.
  */
 #ifndef PATCH_H
 #define PATCH_H

@@ -203,7 +203,8 @@ static void evaluate(const struct plate *p, const double *x, const int first[3],
                      const double *const N[3], double *xyz)
 {
     const double *weight = p->patch.weight;
-    int m = p->patch.basis[1].n, l = p->patch.basis[2].n;
+    const struct bspline *v = &p->patch.basis[1];
+    int m = bspline_points(v), l = p->patch.basis[2].n;
     int orders[3] = {p->patch.basis[0].p + 1, p->patch.basis[1].p + 1,
                      p->patch.basis[2].p + 1};
     double sum[3] = {0}, total = 0;
@@ -213,7 +214,8 @@ static void evaluate(const struct plate *p, const double *x, const int first[3],
         for (int b = 0; b < orders[1]; b++) {
             double over_u[3] = {0}, weight_u = 0;
             for (int a = 0; a < orders[0]; a++) {
-                int node = ((first[0] + a) * m + first[1] + b) * l + first[2] + c;
+                int node = ((first[0] + a) * m + bspline_point(v, first[1] + b)) * l +
+                           first[2] + c;
                 double share = weight ? N[0][a] * weight[node] : N[0][a];
                 weight_u += share;
                 for (int i = 0; i < 3; i++)
@@ -359,8 +361,10 @@ static int row(const void *self, double u, double v, int *node, double *shape)
     for (int i = 0; i <= b[0].p; i++)
         for (int j = 0; j <= b[1].p; j++)
             for (int k = 0; k <= b[2].p; k++, used++) {
-                node[used] =
-                    ((first[0] + i) * b[1].n + first[1] + j) * b[2].n + first[2] + k;
+                node[used] = ((first[0] + i) * bspline_points(&b[1]) +
+                              bspline_point(&b[1], first[1] + j)) *
+                                 b[2].n +
+                             first[2] + k;
                 shape[used] = N[0][i] * N[1][j] * N[2][k];
                 if (weight)
                     shape[used] *= weight[node[used]];
@@ -390,10 +394,15 @@ static enum status create(const struct scene *scene, const struct discretization
     double middle[BSPLINE_MAX_ORDER];
     struct plate *p = NULL;
 
-    TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
+    TRY(model_refuse(scene, plate_model.serves, why));
     TRY(contact_rest_refuse(scene, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
+    if (d->remedy == REMEDY_REDUCED && scene_closed(scene))
+        TRY(status_fail(
+            why, STATUS_UNSUPPORTED,
+            "remedy=reduced has a rule that begins at an edge, and the sheet is "
+            "closed; use selective"));
     if (d->remedy == REMEDY_CLAMPED && (scene->shape != SCENE_FLAT || scene->sheets > 1))
         TRY(status_fail(why, STATUS_UNSUPPORTED,
                         "remedy=clamped is for one flat sheet; use selective"));
@@ -416,7 +425,8 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(find_grid(p));
     const struct bspline *b = p->patch.basis;
     plate_space_thickness(&p->patch, false, 0.5, middle);
-    TRY(solid_model_init(&p->sheet, &p->scene, d, (const int[]){b[0].n, b[1].n, b[2].n},
+    TRY(solid_model_init(&p->sheet, &p->scene, d,
+                         (const int[]){b[0].n, bspline_points(&b[1]), b[2].n},
                          one_element ? middle : NULL, why));
     TRY(add_loads(p, why));
     if (contact_wanted(scene))
@@ -445,7 +455,7 @@ const struct model plate_model = {
     .name = "iga",
     .title = "IGA thick plate",
     .source = "Ren, Dai, Lin 2024, Journal of Image and Graphics 29(1), eq. 1-22",
-    .serves = SOLID_MODEL_SERVES,
+    .serves = SOLID_MODEL_SERVES | SCENE_NEED_CLOSED_REST,
     .options = options,
     /* Degree 3: at any cost below 3 % of error it is the cheaper one, and of degree 2 a
      * sheet with Gamma above 1e4 folds between its points (README, Speed against error). */

@@ -123,7 +123,7 @@ static void number_elements(struct solid_space *space, const struct plate_tables
                             const struct patch *patch)
 {
     const struct line_table *d = t->direction;
-    int m = patch->basis[1].n, l = patch->basis[2].n, *node = space->ien;
+    int m = bspline_points(&patch->basis[1]), l = patch->basis[2].n, *node = space->ien;
 
     for (int eu = 0; eu < d[0].spans; eu++)
         for (int ev = 0; ev < d[1].spans; ev++)
@@ -131,8 +131,10 @@ static void number_elements(struct solid_space *space, const struct plate_tables
                 for (int a = 0; a < d[0].order; a++)
                     for (int b = 0; b < d[1].order; b++)
                         for (int c = 0; c < d[2].order; c++)
-                            *node++ = ((d[0].first[eu] + a) * m + d[1].first[ev] + b) * l +
-                                      d[2].first[ew] + c;
+                            *node++ = (d[0].node[eu * d[0].order + a] * m +
+                                       d[1].node[ev * d[1].order + b]) *
+                                          l +
+                                      d[2].node[ew * d[2].order + c];
 }
 
 /* Computes Legendre coefficients of a column of control points: c_k = (2k+1) int V P_k
@@ -168,7 +170,7 @@ static void place_nodes(struct solid_space *space, const struct patch *patch)
 
     memcpy(space->rest, patch->point, 3 * (size_t)space->nodes * sizeof *space->rest);
     for (int i = 0; i < b[0].n; i++)
-        for (int j = 0; j < b[1].n; j++)
+        for (int j = 0; j < bspline_points(&b[1]); j++)
             for (int k = 0; k < l; k++, node++) {
                 space->uvw[node][0] = bspline_greville(&b[0], i % rows);
                 space->uvw[node][1] = bspline_greville(&b[1], j);
@@ -410,7 +412,8 @@ void plate_space_clamp(struct plate_tables *tables, const struct patch *patch, i
 
     for (int e = 0; e < d->spans && width > 0; e++) {
         const int points = d->points[e];
-        double lo = b->U[d->first[e] + b->p], hi = b->U[d->first[e] + b->p + 1];
+        double lo = b->U[d->node[e * d->order] + b->p];
+        double hi = b->U[d->node[e * d->order] + b->p + 1];
         double near = (end ? 1 - hi : lo) / width, far = (end ? 1 - lo : hi) / width;
         gauss_rule(points, x, w);
         for (int q = 0; q < points; q++) /* the rule is symmetric */

@@ -111,6 +111,11 @@ static enum status make_basis(struct bspline *b, const struct scene *scene,
     int *spans = NULL, count, times;
     enum status st = STATUS_MEMORY;
 
+    if (i == 1 && scene_closed(scene))
+        return d->knot_count[i]
+                   ? status_fail(why, STATUS_INPUT,
+                                 "knots_v: around a closed sheet knots are even; give none")
+                   : bspline_init_closed(b, p, d->points[i], why);
     if (d->knot_count[i] || p < 1 || inner < 1)
         return bspline_init_direction(b, d, i, why);
     end = malloc(room * sizeof *end);

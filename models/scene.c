@@ -163,8 +163,10 @@ unsigned scene_needs(const struct scene *scene)
         needs |= SCENE_NEED_DRAG;
     if (scene->shape != SCENE_FLAT)
         needs |= SCENE_NEED_CURVED_REST;
+    if (scene_closed(scene))
+        needs |= SCENE_NEED_CLOSED_REST;
     for (int i = 0; i < 3; i++)
-        if (scene->velocity[i] != 0 || scene->spin[i] != 0)
+        if (scene->velocity[i] != 0 || scene->spin[i] != 0 || scene->ripple[i] != 0)
             needs |= SCENE_NEED_INITIAL_MOTION;
     return needs;
 }
@@ -280,10 +282,13 @@ void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz
 void scene_initial_velocity(const struct scene *scene, const double xyz[3], double v[3])
 {
     const double *spin = scene->spin;
+    const double ripple = scene_ripples(scene) ? scene_ripple(scene, xyz) : 0;
 
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         v[i] = scene->velocity[i] + spin[j] * xyz[k] - spin[k] * xyz[j];
+        if (ripple != 0)
+            v[i] += ripple * scene->ripple[i];
     }
 }
 

@@ -124,7 +124,7 @@ struct scene {
         };
     };
     enum scene_shape shape; /* at rest                                       */
-    double opening, flare;  /* angles of a cloak                       [deg] */
+    double opening, flare;  /* angles of a cloak; opening 360: closed  [deg] */
 
     double young;   /* E                                                     [Pa] > 0 */
     double poisson; /* nu                                                  (-1, 0.5)  */
@@ -136,6 +136,8 @@ struct scene {
     struct scene_damping damping;
     double velocity[3], spin[3]; /* rigid motion at t = 0: velocity + spin x position,
                                     where nothing holds              [m/s], [rad/s]   */
+    double ripple[3], wave; /* velocity besides: ripple scene_ripple  [m/s], [m] > 0  */
+    int seed;               /* of its waves                                           */
 
     int support_count;
     struct scene_support *supports; /* owned                                          */
@@ -160,6 +162,7 @@ struct scene {
     X(DRAG, "body drag")                                                                   \
     X(LOADS, "loads")                                                                      \
     X(CURVED_REST, "curved rest shape")                                                    \
+    X(CLOSED_REST, "rest shape that is closed around")                                     \
     X(INITIAL_MOTION, "initial motion")                                                    \
     X(MOVING_OBSTACLES, "moving obstacles")                                                \
     X(SELF_CONTACT, "contact of the sheet with itself")                                    \
@@ -252,13 +255,27 @@ void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz
  * cone are cones. phi(v) is the parametrisation of the arc as one rational quadratic (Piegl
  * & Tiller 1997, sec. 7.3), which every NURBS of degree 2 or more in v contains exactly;
  * d phi / d v is 1 / cos(alpha/4)^2 times smaller at the ends than in the middle.
+ *
+ * With an opening of 360 degrees the cloak is closed, v = 1 is v = 0 again, and phi =
+ * (2 v - 1) pi. It is a tube, a skirt or, with a flare of 90 degrees, a flat disc with a
+ * hole: the cloth of a drape test without the part that is held, whose rim is the edge
+ * u = 0. (A full disc as a patch over a square has four points on its rim at which the
+ * sides of the square meet without a corner, and the circle that holds it is no line of the
+ * patch; here the hold is an edge, and all places around are alike.)
  */
 
-/* The largest opening [deg]; d phi / d v then varies 7-fold. */
+/* The largest opening [deg] but for 360; d phi / d v then varies 7-fold. */
 #define SCENE_CLOAK_MAX_OPENING 270
+
+/* Tells whether the sheet is closed along v. */
+bool scene_closed(const struct scene *scene);
 
 /* Returns tan(alpha / 4). */
 double scene_cloak_quarter_tangent(const struct scene *scene);
+
+/* Return phi of v [rad], and v of phi, which may lie outside [0,1] unless closed. */
+double scene_cloak_angle(const struct scene *scene, double v);
+double scene_cloak_across(const struct scene *scene, double phi);
 
 /* Returns radius r and height z at u, w [m]. */
 void scene_cloak_meridian(const struct scene *scene, double u, double w, double *r,
@@ -270,6 +287,15 @@ void scene_cloak_place(const struct scene *scene, double z, double along_v, doub
 
 /* Evaluates X(u,v,w) [m]. */
 void scene_cloak_point(const struct scene *scene, const double uvw[3], double xyz[3]);
+
+/* Returns the ripple at xyz, one of many for each seed: the sum of 32 waves of the length
+ * scene->wave in random directions and phases, with the mean square 1 over all seeds. Waves
+ * of a position at rest, so that it is the same for all nets and has no direction of its
+ * own. */
+double scene_ripple(const struct scene *scene, const double xyz[3]);
+
+/* Tells whether it is there. */
+bool scene_ripples(const struct scene *scene);
 
 /* Returns the velocity at t = 0 of the point at xyz [m/s]. */
 void scene_initial_velocity(const struct scene *scene, const double xyz[3], double v[3]);

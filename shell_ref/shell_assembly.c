@@ -8,9 +8,11 @@
 #include "models/room.h"
 #include "shell_ref/shell_tangent.h"
 
+/* Returns how many runs of consecutive numbers an element's nodes are: one for each of its
+ * rows along v, where no row ends at the beginning again. */
 static int runs_of(const struct shell_space *space)
 {
-    return space->direction[0].order;
+    return space->basis[1].wrap ? space->local : space->direction[0].order;
 }
 
 static const int *nodes_of(const struct shell_space *space, int element)

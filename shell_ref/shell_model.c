@@ -162,7 +162,7 @@ static enum status make_space(const struct scene *scene, const struct discretiza
 
     for (int i = 0; i < 2; i++)
         TRY(support_knots_basis(&basis[i], scene, d, i, SUPPORT_KNOTS_SHELL, why));
-    size_t nodes = (size_t)(basis[0].n * basis[1].n);
+    size_t nodes = (size_t)(basis[0].n * bspline_points(&basis[1]));
     point = malloc(3 * nodes * sizeof *point);
     weight = malloc(nodes * sizeof *weight);
     if (!point || !weight)
@@ -171,7 +171,8 @@ static enum status make_space(const struct scene *scene, const struct discretiza
         TRY(cloak_net(scene, &basis[0], &basis[1], 1, &middle, point, weight, why));
     else
         make_flat(scene, basis, point);
-    TRY(shell_space_init(space, basis, point, curved ? weight : NULL, d->gauss,
+    const bool rational = curved && cloak_net_exact(&basis[1]);
+    TRY(shell_space_init(space, basis, point, rational ? weight : NULL, d->gauss,
                          d->remedy == REMEDY_SELECTIVE, why));
 out:
     bspline_clear(&basis[0]);
@@ -235,18 +236,19 @@ static void make_offset(const struct shell *s, double along[2][3], double offset
 static void evaluate(const struct shell *s, const int first[2], const double *const N[2],
                      double middle[3], double offset[3])
 {
-    int m = s->space.basis[1].n, p = s->space.basis[0].p + 1, q = s->space.basis[1].p + 1;
+    const struct bspline *v = &s->space.basis[1];
+    int m = bspline_points(v), p = s->space.basis[0].p + 1, q = v->p + 1;
     double along[2][3] = {{0}};
 
     memset(middle, 0, 3 * sizeof *middle);
     for (int a = 0; a < p; a++) {
-        const double *x =
-            s->motion.x + 3 * ((size_t)(first[0] + a) * (size_t)m + (size_t)first[1]);
+        const double *row = s->motion.x + 3 * (size_t)(first[0] + a) * (size_t)m;
         double line[2][3] = {{0}}; /* value and slope along v */
         for (int b = 0; b < q; b++)
             for (int i = 0; i < 3; i++) {
-                line[0][i] += N[1][b] * x[3 * b + i];
-                line[1][i] += N[1][q + b] * x[3 * b + i];
+                const double x = row[3 * bspline_point(v, first[1] + b) + i];
+                line[0][i] += N[1][b] * x;
+                line[1][i] += N[1][q + b] * x;
             }
         for (int i = 0; i < 3; i++) {
             middle[i] += N[0][a] * line[0][i];
@@ -340,8 +342,8 @@ const struct model shell_model = {
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS |
-              SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST | SCENE_NEED_INITIAL_MOTION |
-              SCENE_NEED_SHEETS,
+              SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST | SCENE_NEED_CLOSED_REST |
+              SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS,
     .options = options,
     /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
      * about the same time: Newton's method takes fewer tangents. */

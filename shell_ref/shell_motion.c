@@ -85,7 +85,7 @@ out:
 
 static enum status hold(struct shell_motion *m, struct message *why)
 {
-    int nodes = m->space->nodes, rows = m->space->basis[1].n;
+    int nodes = m->space->nodes, rows = bspline_points(&m->space->basis[1]);
     double(*uvw)[3] = malloc((size_t)nodes * sizeof *uvw);
     enum status st = STATUS_MEMORY;
 
@@ -217,7 +217,7 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
         TRY(make_large(m, d));
     else if (!contact_wanted(scene))
         TRY(find_parity(m));
-    TRY(order_wide(m->space->basis[0].n, m->space->basis[1].n, 1, &order));
+    TRY(order_wide(m->space->basis[0].n, bspline_points(&m->space->basis[1]), 1, &order));
     TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order, d));
     if (contact_wanted(scene))
         TRY(meet(m));

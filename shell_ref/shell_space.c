@@ -104,14 +104,14 @@ static void make_rules(struct shell_space *space, bool selective)
 static void number_elements(struct shell_space *space)
 {
     const struct shell_direction *u = &space->direction[0], *v = &space->direction[1];
-    int m = space->basis[1].n;
+    int m = bspline_points(&space->basis[1]);
 
     for (int e = 0; e < space->elements; e++) {
-        const int first_u = u->line[SHELL_FULL].first[e / v->spans];
-        const int first_v = v->line[SHELL_FULL].first[e % v->spans];
+        const int *at_u = u->line[SHELL_FULL].node + e / v->spans * u->order;
+        const int *at_v = v->line[SHELL_FULL].node + e % v->spans * v->order;
         int *node = space->ien + (size_t)e * (size_t)space->local;
         for (int a = 0; a < space->local; a++)
-            node[a] = (first_u + a / v->order) * m + first_v + a % v->order;
+            node[a] = at_u[a / v->order] * m + at_v[a % v->order];
     }
 }
 
@@ -257,7 +257,7 @@ enum status shell_space_init(struct shell_space *space, const struct bspline bas
     TRY(check(basis, gauss, why));
     for (int d = 0; d < 2; d++)
         TRY(bspline_copy(&basis[d], &new.basis[d]));
-    new.nodes = basis[0].n *basis[1].n;
+    new.nodes = basis[0].n *bspline_points(&basis[1]);
     new.local = (basis[0].p + 1) * (basis[1].p + 1);
     TRY(make_directions(&new, gauss, selective));
     make_rules(&new, selective);
@@ -293,7 +293,8 @@ void shell_space_at(const struct shell_space *space, int part, double s, double 
 
     for (int i = 0; i < order[0]; i++)
         for (int j = 0; j < order[1]; j++, a++) {
-            node[a] = (first[0] + i) * space->basis[1].n + first[1] + j;
+            node[a] = (first[0] + i) * bspline_points(&space->basis[1]) +
+                      bspline_point(&space->basis[1], first[1] + j);
             for (int k = 0; k < SHELL_DERIVATIVES; k++)
                 T[k * space->local + a] = N[0][derivative_u[k] * order[0] + i] *
                                           N[1][derivative_v[k] * order[1] + j];

@@ -3,7 +3,7 @@
  * first and second derivatives at the quadrature points of three rules.
  *
  * Control points are numbered v fastest: node = i m + j for i < n, j < m; elements
- * likewise.
+ * likewise. The basis of v may be closed; m then counts its different functions.
  */
 #ifndef SHELL_SPACE_H
 #define SHELL_SPACE_H

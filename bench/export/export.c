@@ -72,7 +72,13 @@ static void put_forces(const struct scene *s, struct output *out)
     output_print(out, "}\n");
     if (scene_needs(s) & SCENE_NEED_INITIAL_MOTION) {
         put(out, "motion: {velocity: [#, #, #]", s->velocity);
-        put(out, ", spin: [#, #, #]}\n", s->spin);
+        put(out, ", spin: [#, #, #]", s->spin);
+        if (scene_ripples(s)) {
+            put(out, ", ripple: [#, #, #]", s->ripple);
+            put(out, ", wave: #", &s->wave);
+            output_print(out, ", seed: %d", s->seed);
+        }
+        output_print(out, "}\n");
     }
 }
 

@@ -57,13 +57,6 @@ void export_sheet_vertex(const struct export_sheet *s, int vertex, double uvw[3]
                        xyz);
 }
 
-/* Returns the place of v around the axis, over the sheet's width at the upper edge's radius
- * 1 [rad]. */
-static double around(const struct scene *scene, double v)
-{
-    return 2 * atan((2 * v - 1) * scene_cloak_quarter_tangent(scene));
-}
-
 /* Returns the part within half a cell of point k of n, within [0, 1]. */
 static void own_part(int k, int n, double part[2])
 {
@@ -82,7 +75,7 @@ double export_sheet_area(const struct export_sheet *s, int vertex)
     if (scene->shape == SCENE_FLAT)
         return along * (v[1] - v[0]) * scene->width;
     scene_cloak_meridian(scene, (u[0] + u[1]) / 2, 0.5, &r, &z); /* linear in u */
-    return along * r * (around(scene, v[1]) - around(scene, v[0]));
+    return along * r * (scene_cloak_angle(scene, v[1]) - scene_cloak_angle(scene, v[0]));
 }
 
 const char *export_sheet_axes(unsigned fix)

@@ -12,6 +12,7 @@
 #include "models/damping.h"
 #include "models/grid.h"
 #include "models/linalg/blas_kernel.h"
+#include "models/metric/drape.h"
 #include "models/metric/metric.h"
 
 static void describe_discretization(const struct discretization *d, FILE *file)
@@ -46,6 +47,10 @@ static void describe_scene(const struct scene *scene, FILE *file)
                 "\nstarts with     velocity (%g, %g, %g) m/s, spin (%g, %g, %g) rad/s",
                 scene->velocity[0], scene->velocity[1], scene->velocity[2], scene->spin[0],
                 scene->spin[1], scene->spin[2]);
+    if (scene_ripples(scene))
+        fprintf(
+            file, "\nripples with    velocity (%g, %g, %g) m/s in waves of %g m, seed %d",
+            scene->ripple[0], scene->ripple[1], scene->ripple[2], scene->wave, scene->seed);
     fprintf(file, "\ntime            to %g s in steps of %g s\n", scene->end, scene->step);
 }
 
@@ -198,6 +203,8 @@ enum status describe_state(const struct run *run, double t, FILE *file)
         {"largest stretch", metric_stretch(scene, xyz), "1"},
         {"roughness", metric_roughness(scene, xyz), "1"},
         {"penetration", obstacles ? metric_penetration(scene, t, xyz) : NAN, "m"},
+        {"drape coefficient", drape_coefficient(scene, xyz), "1"},
+        {"folds", drape_folds(scene, xyz), "1"},
         {"self-intersections", metric_intersections(scene, xyz), "pairs"},
         {"kinetic energy", energy.kinetic, "J"},
         {"elastic energy", energy.elastic, "J"},
@@ -207,7 +214,10 @@ enum status describe_state(const struct run *run, double t, FILE *file)
     snprintf(caption, sizeof caption, "At t = %g s:", t);
     struct table *table = table_create(3, columns, caption);
     for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
-        if (!obstacles && !strcmp(row[n].name, "penetration"))
+        const bool drapes =
+            !strcmp(row[n].name, "drape coefficient") || !strcmp(row[n].name, "folds");
+        if ((drapes && isnan(row[n].value)) ||
+            (!obstacles && !strcmp(row[n].name, "penetration")))
             continue;
         table_row(table);
         table_text(table, "%s", row[n].name);

@@ -10,7 +10,8 @@ extern const struct command studies_command, studies_table_command;
 enum { STUDIES_SCENES = 8 }; /* most that study ensemble takes */
 
 /* --- Ensembles (study_ensemble.c): beyond the horizon, where a change of 1e-6 has grown a
- * thousandfold, points cannot be compared, but distributions can (doc/truths.md). */
+ * thousandfold, points cannot be compared, but distributions can (doc/truths.md). Of a
+ * scene that begins with random waves, each run has a seed of its own instead. */
 
 struct study_ensemble_options {
     const char *folder; /* of the result files; exists                                  */
@@ -33,11 +34,11 @@ enum status study_ensemble_print(const char *folder, enum table_format format, F
 
 /* The first two ensembles are the truth's, contestants follow. */
 enum { STUDY_ENSEMBLE_TRUTHS = 2, STUDY_ENSEMBLE_MOST = STUDY_ENSEMBLE_TRUTHS + 16 };
-enum { STUDY_ENSEMBLE_NUMBERS = 9, STUDY_ENSEMBLE_FIELDS = 12 };
+enum { STUDY_ENSEMBLE_NUMBERS = 11, STUDY_ENSEMBLE_FIELDS = 12 };
 
 struct study_ensemble {
     char scene[64];
-    bool quick;
+    bool quick, ripples; /* runs differ by the seed of the scene's waves, else gravity */
     int runs, looks, fields, count;           /* count of ensembles                     */
     double *time;                             /* [looks] [s]                      owned */
     double field_time[STUDY_ENSEMBLE_FIELDS]; /* of points, up to the end [s]           */

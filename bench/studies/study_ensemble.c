@@ -13,6 +13,7 @@
 #include "bench/truth/truth.h"
 #include "iga/support_knots.h"
 #include "models/grid.h"
+#include "models/metric/drape.h"
 #include "models/metric/metric.h"
 #include "models/metric/waves.h"
 #include "models/reader/scene_file.h"
@@ -26,14 +27,14 @@ enum { WINDOWS = 3 };        /* of time, beyond the horizon                     
 static const char *const numbers[NUMBERS] = {
     "metrics/mean_drop",  "metrics/angle",         "metrics/stretch",
     "metrics/roughness",  "energy/kinetic",        "metrics/waves_long",
-    "metrics/waves_half", "metrics/waves_quarter", "metrics/waves_eighth"};
+    "metrics/waves_half", "metrics/waves_quarter", "metrics/waves_eighth",
+    "metrics/drape",      "metrics/folds"};
+enum { DRAPE = NUMBERS - 2, FOLDS }; /* those that only a disc has, else NaN            */
 
 /* Those of them that no other run keeps. */
-static const struct run_own own[] = {{"mean_drop", "1"},
-                                     {"waves_long", "1"},
-                                     {"waves_half", "1"},
-                                     {"waves_quarter", "1"},
-                                     {"waves_eighth", "1"}};
+static const struct run_own own[] = {
+    {"mean_drop", "1"},    {"waves_long", "1"}, {"waves_half", "1"}, {"waves_quarter", "1"},
+    {"waves_eighth", "1"}, {"drape", "1"},      {"folds", "1"}};
 enum { OWN = sizeof own / sizeof *own };
 
 static enum status look(void *context, const struct motion *m, const double *xyz,
@@ -44,7 +45,9 @@ static enum status look(void *context, const struct motion *m, const double *xyz
     (void)context;
     value[0] = metric_mean_drop(m->scene, xyz);
     waves_spectrum(m->scene, xyz, band);
-    memcpy(value + 1, band, (OWN - 1) * sizeof *value);
+    memcpy(value + 1, band, (OWN - 3) * sizeof *value);
+    value[OWN - 2] = drape_coefficient(m->scene, xyz);
+    value[OWN - 1] = drape_folds(m->scene, xyz);
     return STATUS_OK;
 }
 
@@ -92,6 +95,7 @@ static enum status choose(const struct study_ensemble_options *o, const char *sc
     TRY(scene_file_find(scene, &job->path, why));
     TRY(contestant_read_scene(&(struct settings){0}, job->path, &job->scene, why));
     snprintf(e->scene, sizeof e->scene, "%s", job->scene.name);
+    e->ripples = scene_ripples(&job->scene);
     const double usual = o->quick ? fmin(0.3, job->scene.end) : job->scene.end;
     const double until = o->until > 0 ? o->until : usual;
     const int frames = (int)floor((until + job->scene.step / 2) / TRUTH_PLAN_FRAME);
@@ -107,19 +111,23 @@ out:
 
 /* Returns the points along u (0) or v (1): of the truth by its spans and the knots that
  * supports' ends take; of others the finest net, of solids the one before, whose frames
- * cost as much. */
+ * cost as much. A sheet that is closed has fewer spans along u and more around, and others
+ * have the truth's coarser net. */
 static int side_of(const struct job *job, int ensemble, int along)
 {
-    static const int spans[2][TRUTHS] = {{14, 20}, {5, 7}};
+    static const int open[2][TRUTHS] = {{14, 20}, {5, 7}},
+                     closed[2][2][TRUTHS] = {{{12, 16}, {64, 96}}, {{5, 6}, {24, 32}}};
+    const bool around = scene_closed(&job->scene), quick = job->e.quick;
     const struct contestant *c = job->model[ensemble];
-    const bool quick = job->e.quick;
+    const int which = ensemble < TRUTHS ? ensemble : COARSE;
+    const int spans = around ? closed[quick][along][which] : open[quick][which];
     int side, last = quick ? 0 : CONTESTANT_STEPS - 1;
 
     while (last && !c->points[last])
         last--;
     side = c->points[c->layers && last ? last - 1 : last];
-    if (ensemble < TRUTHS)
-        side = spans[quick][ensemble] + c->degree +
+    if (ensemble < TRUTHS || around)
+        side = spans + (around && along ? 0 : c->degree) +
                support_knots_repeats(&job->scene, along, c->degree, SUPPORT_KNOTS_SOLID);
     const int fit = net_fit_points(&job->scene, along, side, c->degree);
     return fit ? fit : side;
@@ -151,7 +159,11 @@ static enum status add_run(struct job *job, int ensemble, int member, struct mes
     if (damping && !contestant_is_paper_scheme(c))
         settings_set(s, damping);
     settings_number(s, "time.step", frame);
-    return truth_level_push(job->path, &(struct settings){0}, member, s, why);
+    if (job->e.ripples)
+        settings_number(s, "motion.seed", job->scene.seed + member);
+    return job->e.ripples
+               ? STATUS_OK
+               : truth_level_push(job->path, &(struct settings){0}, member, s, why);
 }
 
 /* Reads the numbers of a run that lived, as the last of its ensemble so far. */
@@ -262,9 +274,18 @@ struct windows {
     const char *words; /* on what is judged, or why nothing is                          */
     int horizon;       /* index of field_time; -1: there is none                        */
     int count;         /* 0: nothing is judged                                          */
+    int numbers;       /* that are compared                                             */
     double begin, end; /* [s]                                                           */
     double bound;      /* standard errors                                               */
 };
+
+/* Tells whether the sheet is a disc whose shadow was measured. */
+static bool has_drape(const struct study_ensemble *e)
+{
+    const struct study_ensemble_one *fine = &e->one[FINE];
+
+    return fine->lived && !isnan(fine->value[DRAPE * e->looks * e->runs]);
+}
 
 static struct windows find_windows(const struct study_ensemble *e)
 {
@@ -287,7 +308,8 @@ static struct windows find_windows(const struct study_ensemble *e)
         w.end = e->time[e->looks - 1];
         for (int t = 0; t < e->looks && w.count < WINDOWS; t++)
             w.count += e->time[t] > w.begin;
-        w.bound = distribution_bound(2 * NUMBERS * w.count, e->runs);
+        w.numbers = has_drape(e) ? NUMBERS : DRAPE;
+        w.bound = distribution_bound(2 * w.numbers * w.count, e->runs);
         w.words = w.count ? "distributions are compared beyond the horizon"
                           : "nothing can be judged: the motion ends at its horizon";
     }
@@ -350,7 +372,7 @@ static enum judge judge_one(const struct study_ensemble *e, const struct windows
 
     for (int n = 0; n <= NUMBERS; n++)
         worst[n] = NAN;
-    for (int k = 0; ensemble >= TRUTHS && k < NUMBERS * w->count; k++) {
+    for (int k = 0; ensemble >= TRUTHS && k < w->numbers * w->count; k++) {
         const int n = k / w->count;
         double z[2], bar[2] = {0}, error;
         take(e, w, FINE, n, k % w->count, &fine);
@@ -377,11 +399,21 @@ static void tell_case(const struct study_ensemble *e, const struct windows *w, F
     const struct study_ensemble_one *coarse = &e->one[COARSE], *fine = &e->one[FINE];
     const int last = e->fields - 1;
 
-    table_say(file,
-              "%s: %s. By %.3g s a change of %g has grown %.2g-fold on the truth's %s net "
-              "and %.2g-fold on the %s one.",
-              e->scene, w->words, e->field_time[last], TRUTH_PERTURBATION,
-              coarse->growth[last], coarse->net, fine->growth[last], fine->net);
+    if (e->ripples)
+        table_say(
+            file,
+            "%s: %s. By %.3g s the waves at the start, of another seed in each run, "
+            "have grown to %.2g L (rms) on the truth's %s net and %.2g L on the %s one.",
+            e->scene, w->words, e->field_time[last],
+            TRUTH_PERTURBATION * coarse->growth[last], coarse->net,
+            TRUTH_PERTURBATION * fine->growth[last], fine->net);
+    else
+        table_say(
+            file,
+            "%s: %s. By %.3g s a change of %g has grown %.2g-fold on the truth's %s net "
+            "and %.2g-fold on the %s one.",
+            e->scene, w->words, e->field_time[last], TRUTH_PERTURBATION,
+            coarse->growth[last], coarse->net, fine->growth[last], fine->net);
 }
 
 /* Adds a row to the table and, with a file, prints a claim. */
@@ -402,7 +434,8 @@ static void tell_one(const struct study_ensemble *e, const struct windows *w, in
     table_number(t, one->points[w->horizon < 0 ? e->fields - 1 : w->horizon], 2);
     table_number(t, one->growth[e->fields - 1], 2);
     for (int n = 0; n <= NUMBERS; n++)
-        table_number(t, worst[n], 2);
+        if (n != DRAPE && n != FOLDS) /* tell_drape */
+            table_number(t, worst[n], 2);
     table_text(t, "%s",
                ensemble < TRUTHS ? "truth"
                : one->died       ? "died"
@@ -442,6 +475,90 @@ static struct table *fill_growth(const struct study_ensemble *e)
     return t;
 }
 
+/* Returns the mean of a number at the end, its standard error and standard deviation. */
+static double at_end(const struct study_ensemble *e, int ensemble, int number,
+                     double *error, double *spread)
+{
+    const struct study_ensemble_one *one = &e->one[ensemble];
+    const double *value = one->value + ((number + 1) * e->looks - 1) * e->runs;
+    const double mean = distribution_mean(one->lived, value, error);
+
+    *spread = *error * sqrt(one->lived);
+    return mean;
+}
+
+/* Writes how often each number of folds was seen at the end, as "5: 3, 6: 9". */
+static void count_folds(const struct study_ensemble *e, int ensemble, char *text,
+                        size_t size)
+{
+    const struct study_ensemble_one *one = &e->one[ensemble];
+    const double *value = one->value + ((FOLDS + 1) * e->looks - 1) * e->runs;
+    size_t used = 0;
+
+    *text = 0;
+    for (int folds = 0; folds < 100 && used < size; folds++) {
+        int count = 0;
+        for (int m = 0; m < one->lived; m++)
+            count += value[m] == folds;
+        if (count)
+            used += (size_t)snprintf(text + used, size - used, "%s%d: %d", used ? ", " : "",
+                                     folds, count);
+    }
+}
+
+/* Prints drape coefficient and folds at the end, with the truth's bars. */
+static enum status tell_drape(const struct study_ensemble *e, const char *folder,
+                              enum table_format format, FILE *file, struct message *why)
+{
+    static const struct table_column columns[] = {
+        {"scene", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
+        {"model", NULL, TABLE_LEFT},
+        {"net", NULL, TABLE_LEFT},
+        {"lived"},
+        {"drape", "%", .key = "drape", .key_unit = "1", .scale = 100},
+        {"+-", "%", .key = "drape_error", .key_unit = "1", .scale = 100},
+        {"spread", "%", .key = "drape_spread", .key_unit = "1", .scale = 100},
+        {"folds"},
+        {"+-", .key = "folds_error"},
+        {"spread", .key = "folds_spread"},
+        {"folds: runs", NULL, TABLE_LEFT, .key = "folds_runs"}};
+    char caption[128], name[128], text[128];
+    double mean[TRUTHS][2], error[TRUTHS][2];
+
+    snprintf(name, sizeof name, "%s_drape", e->scene);
+    snprintf(caption, sizeof caption, "%s: the shadow at %.3g s", e->scene,
+             e->time[e->looks - 1]);
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    for (int k = 0; k < e->count; k++) {
+        table_row(t);
+        table_text(t, "%s", e->scene);
+        table_text(t, "%s", e->one[k].title);
+        table_text(t, "%s", e->one[k].net);
+        table_integer(t, e->one[k].lived);
+        for (int i = 0; i < 2; i++) {
+            double off = NAN, spread = NAN, value = NAN;
+            if (e->one[k].lived)
+                value = at_end(e, k, DRAPE + i, &off, &spread);
+            if (k < TRUTHS)
+                mean[k][i] = value, error[k][i] = off;
+            table_number(t, value, 3);
+            table_number(t, off, 2);
+            table_number(t, spread, 2);
+        }
+        count_folds(e, k, text, sizeof text);
+        table_text(t, "%s", text);
+    }
+    table_note(t,
+               "Drape coefficient and number of folds (ISO 9073-9); +- is the standard "
+               "error of a mean, spread the standard deviation of one test. With the "
+               "difference of the truth's two nets they are %.3g +- %.1g %% and %.2g +- "
+               "%.1g folds.",
+               100 * mean[FINE][0],
+               100 * hypot(error[FINE][0], mean[FINE][0] - mean[COARSE][0]), mean[FINE][1],
+               hypot(error[FINE][1], mean[FINE][1] - mean[COARSE][1]));
+    return table_publish(t, folder, name, format, file, why);
+}
+
 enum status study_ensemble_tell(const struct study_ensemble *e, const char *folder,
                                 enum table_format format, FILE *file, struct message *why)
 {
@@ -469,8 +586,13 @@ enum status study_ensemble_tell(const struct study_ensemble *e, const char *fold
     char caption[256], name[128];
 
     snprintf(name, sizeof name, "%s_models", e->scene);
-    snprintf(caption, sizeof caption, "%s: ensembles of %d runs, gravity changed by %g",
-             e->scene, e->runs, TRUTH_PERTURBATION);
+    if (e->ripples)
+        snprintf(caption, sizeof caption,
+                 "%s: ensembles of %d runs, with waves of %d seeds", e->scene, e->runs,
+                 e->runs);
+    else
+        snprintf(caption, sizeof caption, "%s: ensembles of %d runs, gravity changed by %g",
+                 e->scene, e->runs, TRUTH_PERTURBATION);
     struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
     if (prose)
         tell_case(e, &w, file);
@@ -490,8 +612,10 @@ enum status study_ensemble_tell(const struct study_ensemble *e, const char *fold
                    "%.3g s. The difference of the truth's two nets beyond chance counts as "
                    "an additional error. A model is right if none exceeds %.3g, which %d "
                    "comparisons with a right model exceed in 5 of 100 cases.",
-                   w.count, w.begin, w.end, w.bound, 2 * NUMBERS * w.count);
-    const enum status st = table_publish(t, folder, name, format, file, why);
+                   w.count, w.begin, w.end, w.bound, 2 * w.numbers * w.count);
+    enum status st = table_publish(t, folder, name, format, file, why);
+    if (st == STATUS_OK && has_drape(e))
+        st = tell_drape(e, folder, format, file, why);
     return st == STATUS_OK && table_format_is_data(format)
                ? table_finish(fill_growth(e), format, file)
                : st;

@@ -36,7 +36,7 @@ static bool falls(const struct scene *s)
     const bool rate = s->damping.kind == DAMPING_NONE || s->damping.kind == DAMPING_MASS;
 
     return rate && s->sheets < 2 && !s->support_count && !s->load_count &&
-           !s->obstacle_count && size(s->spin) == 0;
+           !s->obstacle_count && size(s->spin) == 0 && !scene_ripples(s);
 }
 
 /* Returns (exp(-x) - 1 + x) / x^2, x >= 0. */

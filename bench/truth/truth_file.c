@@ -129,6 +129,10 @@ enum status truth_physics(const struct scene *s, char **text)
     if (scene_needs(s) & SCENE_NEED_INITIAL_MOTION) {
         print(out, "velocity", 3, s->velocity);
         print(out, "spin", 3, s->spin);
+        if (scene_ripples(s)) {
+            print(out, "ripple", 3, s->ripple);
+            print(out, "wave", 2, (double[]){s->wave, s->seed});
+        }
     }
     print_damping(s, out);
     print_supports(s, out);

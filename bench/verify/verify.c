@@ -15,7 +15,7 @@
 
 /* Statics first, then motions, then outside programs and stored truths. */
 #define CHECKS(X)                                                                          \
-    X(elastica), X(sze), X(fabrics), X(matrices), X(navier), X(frequencies),               \
+    X(elastica), X(sze), X(fabrics), X(matrices), X(navier), X(ring), X(frequencies),      \
         X(cantilever), X(lateral), X(postbuckling), X(hanging), X(pendulum), X(transient), \
         X(energy), X(fall), X(period), X(moving), X(contact), X(impact), X(stack),         \
         X(planes), X(belt), X(stickslip), X(fold), X(similarity), X(outside), X(truths)

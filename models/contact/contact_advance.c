@@ -66,6 +66,7 @@ static double distance_after(const struct change *c, const struct meeting *m, do
         way[d] =
             flat[0] + at[0] * (flat[1] - flat[0]) - flat[2] - at[1] * (flat[3] - flat[2]);
     }
+    way[1] = contact_tree_across(c->tree, way[1]);
     *near = way[0] * way[0] + way[1] * way[1] < c->apart * c->apart &&
             !contact_surface_apart(c->tree->surface, m->sample[0], m->sample[2]);
     return distance;

@@ -21,9 +21,7 @@ static double nearest_line(const struct scene *scene, const double d[3])
 
     if (scene->shape == SCENE_CLOAK) {
         scene_normal(scene, e_w);
-        v = (1 + tan(atan2(along, vector_dot(d, e_w)) / 2) /
-                     scene_cloak_quarter_tangent(scene)) /
-            2;
+        v = scene_cloak_across(scene, atan2(along, vector_dot(d, e_w)));
     }
     return fmin(fmax(v, 0), 1);
 }

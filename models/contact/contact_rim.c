@@ -53,13 +53,14 @@ static int edges_of(const struct contact_surface *s, int cell, int edge[4])
 {
     const int n = s->rows, m = s->points[1], row = cell / (m - 1), j = cell % (m - 1);
     const int i = row % n, first = row / n * 2 * (n - 1 + m - 1);
+    const bool seam = s->around > 0;
     int count = 0;
 
-    if (j == 0)
+    if (j == 0 && !seam)
         edge[count++] = first + i;
     if (i == n - 2)
         edge[count++] = first + n - 1 + j;
-    if (j == m - 2)
+    if (j == m - 2 && !seam)
         edge[count++] = first + n - 1 + m - 1 + n - 2 - i;
     if (i == 0)
         edge[count++] = first + 2 * (n - 1) + m - 1 + m - 2 - j;

@@ -417,7 +417,7 @@ double contact_search_far(const struct contact_search *s, const double uv[2],
 
     if (start_of(f, other[0]) != end)
         return 1;
-    return rise(hypot(du, dv), s->tree.apart, whole_apart * s->tree.apart);
+    return rise(hypot(du, contact_tree_across(&s->tree, dv)), s->tree.apart, whole_apart * s->tree.apart);
 }
 
 double contact_search_seen(double square)

@@ -84,6 +84,7 @@ enum status contact_surface_init(struct contact_surface *s, const struct scene *
         else
             s->used[n] = 1, s->node[n] = n, s->shape[n] = 1;
     measure_lines(s, scene);
+    s->around = scene_closed(scene) ? s->flat[1][points[1] - 1] : 0;
     share_areas(s, scene);
 out:
     return st;

@@ -33,6 +33,7 @@ struct contact_surface {
     double *area;    /* [count]                                               [m^2]   */
     double *flat[2]; /* [points] lengths at rest along u (v = 1/2) and v (u = 0) from the
                         edge of each sheet, for distances along it             [m]     */
+    double around;   /* length at rest along v of a sheet closed around, or 0 [m]         */
 };
 
 /* Tells whether two samples are of two sheets, which no way along a sheet connects. */

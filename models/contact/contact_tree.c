@@ -1,5 +1,6 @@
 #include "models/contact/contact_tree.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "models/room.h"
@@ -50,6 +51,13 @@ out:
     return st;
 }
 
+double contact_tree_across(const struct contact_tree *t, double way)
+{
+    const double around = t->surface->around;
+
+    return around > 0 ? way - around * round(way / around) : way;
+}
+
 bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
                        const int corner[3], const double share[3])
 {
@@ -61,6 +69,7 @@ bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
         du += share[k] * t->flat[corner[k]][0];
         dv += share[k] * t->flat[corner[k]][1];
     }
+    dv = contact_tree_across(t, dv);
     return du * du + dv * dv < apart * apart;
 }
 

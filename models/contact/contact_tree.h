@@ -33,6 +33,10 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
                               double apart);
 void contact_tree_clear(struct contact_tree *t);
 
+/* Returns a way along v between two places, of a closed sheet the shorter way around [m].
+ */
+double contact_tree_across(const struct contact_tree *t, double way);
+
 /* Tells whether a point of a triangle, by the shares of its corners, is nearer to a sample
  * than `apart` along the sheet [m]. */
 bool contact_tree_near(const struct contact_tree *t, double apart, int sample,

@@ -15,6 +15,10 @@ enum { CANDIDATES = 1 << 15, FIRST_PAIRS = 1024 };
 /* Coordinates below this share of the largest become 0; the others suit predicate.h. */
 static const double negligible = 0x1p-247;
 
+/* The largest distance of the first and the last row of a closed grid, of coordinates of
+ * about 1: the round-off of a few sums. */
+static const double same = 1e-13;
+
 void intersection_clear(struct intersection *s)
 {
     free(s->pairs);
@@ -48,6 +52,8 @@ bool intersection_triangle(const struct intersection *s, int triangle, int corne
         memcpy(corner, s->corner[triangle], 3 * sizeof *corner);
     else
         intersection_corners(s->n_u, triangle, corner);
+    for (int k = 0; k < 3 && s->closed; k++)
+        corner[k] %= s->n_u * (s->n_v - 1);
     return s->corner || !is_void(s, triangle / 2);
 }
 
@@ -423,14 +429,30 @@ out:
     return st;
 }
 
+/* Tells whether the last row of the grid lies on the first one. */
+static bool is_closed(const struct intersection *s)
+{
+    const double *last = s->point + 3L * s->n_u * (s->n_v - 1);
+    const double shaken = s->shake / s->scale;
+
+    for (int n = 0; n < 3 * s->n_u; n++)
+        if (fabs(last[n] - s->point[n]) > same + shaken)
+            return false;
+    return s->n_v > 3;
+}
+
 static enum status begin_grid(struct intersection *s, int n_u, int n_v, const double *xyz,
                               long *count)
 {
     assert(n_u >= 2 && n_v >= 2 && 2L * (n_u - 1) * (n_v - 1) <= 1L << 30);
+    enum status st;
+
     s->corner = NULL;
     s->n_u = n_u, s->n_v = n_v;
     s->triangles = 2 * (n_u - 1) * (n_v - 1);
-    return begin(s, (long)n_u * n_v, n_u - 1, n_v - 1, xyz, count);
+    st = begin(s, (long)n_u * n_v, n_u - 1, n_v - 1, xyz, count);
+    s->closed = st == STATUS_OK && is_closed(s);
+    return st;
 }
 
 /* Tests all pairs by the tree. */
@@ -492,6 +514,7 @@ enum status intersection_count_mesh(struct intersection *s, int vertices, const 
 
     assert(triangles >= 1);
     s->corner = corner;
+    s->closed = false;
     s->triangles = triangles;
     TRY(begin(s, vertices, triangles, 1, xyz, count));
     TRY(count_by_tree(s, count));

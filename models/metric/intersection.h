@@ -12,8 +12,9 @@
  * grid points they share (triangle.h). So touching in a point counts, neighbours along an
  * edge count only when folded flat onto each other, neighbours at a vertex when they pass
  * through or overlap each other. Two grid points at the same place stay two points: a
- * closed tube touches itself along the seam. Without degenerate triangles the count is 0
- * exactly if the surface is embedded.
+ * closed tube touches itself along the seam. But where the whole last row lies on the
+ * first, to round-off, as in a sheet that is closed along v, they are the same points.
+ * Without degenerate triangles the count is 0 exactly if the surface is embedded.
  *
  * Decided without round-off, of the coordinates as they are, except that a coordinate below
  * 2^-247 (about 1e-75) of the largest is taken for 0. Thickness plays no role.
@@ -59,6 +60,7 @@ struct intersection {
     /* private */
     int n_u, n_v, levels;
     int sheets, step; /* of intersection_count_field                                   */
+    bool closed;      /* the grid's last row is its first                              */
     int (*corner)[3]; /* [triangles] of a mesh; NULL: the grid's            borrowed */
     long room, pair_room;
     struct intersection_level {

@@ -103,6 +103,11 @@ static enum status check_shape(const struct yaml_tree *root, struct scene *scene
     TRY(check_taken(pose, kind, "flare", cloak, &scene->flare, why));
     if (cloak && !yaml_tree_find(pose, "opening"))
         return yaml_tree_refuse(pose, why, "pose of kind 'cloak' lacks the key 'opening'");
+    if (cloak && scene->opening > SCENE_CLOAK_MAX_OPENING && !scene_closed(scene))
+        return yaml_tree_refuse(yaml_tree_find(pose, "opening"), why,
+                                "opening is %g, but must be at most %d degrees, or 360 for "
+                                "a cloak that is closed",
+                                scene->opening, SCENE_CLOAK_MAX_OPENING);
     if (cloak)
         TRY(check_radius(root, scene, why));
 out:
@@ -281,6 +286,17 @@ static enum status check_time(const struct yaml_tree *root, const struct scene *
     return STATUS_OK;
 }
 
+static enum status check_ripple(const struct yaml_tree *root, const struct scene *scene,
+                                struct message *why)
+{
+    const struct yaml_tree *motion = yaml_tree_find(root, "motion");
+
+    if (scene_ripples(scene) && scene->wave == 0)
+        return yaml_tree_refuse(yaml_tree_find(motion, "ripple"), why,
+                                "ripple needs the key 'wave', the length of its waves [m]");
+    return STATUS_OK;
+}
+
 static enum status check_snapshots(const struct yaml_tree *root, struct scene *scene,
                                    struct message *why)
 {
@@ -436,6 +452,7 @@ enum status scene_check(const struct yaml_tree *root, bool files, struct scene *
     TRY(check_places(root, scene, why));
     TRY(check_time(root, scene, why));
     TRY(check_damping(root, scene, why));
+    TRY(check_ripple(root, scene, why));
     TRY(check_snapshots(root, scene, why));
     TRY(check_supports(root, scene, why));
     TRY(check_loads(root, scene, why));

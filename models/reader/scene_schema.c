@@ -412,8 +412,8 @@ static const struct schema_key POSE[] = {
     {"u", "unit vector along the length", SCHEMA_VECTOR, PLACE, IN(scene, axis_u)},
     {"v", "unit vector along the width, across u", SCHEMA_VECTOR, PLACE, IN(scene, axis_v)},
     {"kind", "rest shape", SCHEMA_WORD, .words = scene_shape_words, IN(scene, shape)},
-    {"opening", "cloak: angle around the axis u [deg]", SCHEMA_NUMBER, .low = 1,
-     .high = SCENE_CLOAK_MAX_OPENING, IN(scene, opening)},
+    {"opening", "cloak: angle around the axis u, or 360 for a closed one [deg]",
+     SCHEMA_NUMBER, .low = 1, .high = 360, IN(scene, opening)},
     {"flare", "cloak: angle of its generators to the axis [deg]", SCHEMA_NUMBER, .low = -90,
      .high = 90, IN(scene, flare)},
     {NULL}};
@@ -469,6 +469,11 @@ static const struct schema_key MOTION[] = {
      IN(scene, velocity)},
     {"spin", "angular velocity about the origin at the start [rad/s]", SCHEMA_VECTOR, PLACE,
      IN(scene, spin)},
+    {"ripple", "velocity of random waves at the start, root of its mean square [m/s]",
+     SCHEMA_VECTOR, PLACE, IN(scene, ripple)},
+    {"wave", "their length [m]", SCHEMA_NUMBER, LENGTH, IN(scene, wave)},
+    {"seed", "number that chooses them", SCHEMA_COUNT, .low = 0, .high = 1e6,
+     IN(scene, seed)},
     {NULL}};
 
 static const struct schema_key TIME[] = {

@@ -203,9 +203,31 @@ static void check_sheets(void)
     scene_clear(&s);
 }
 
+/* A ripple is one of many: the same for a seed, with the mean square 1 over seeds. */
+static void check_ripple(void)
+{
+    enum { SEEDS = 2000 };
+    const double tol = 5 * sqrt(2. / SEEDS); /* five standard errors */
+    const double at[3] = {0.3, -0.2, 0.7};
+    struct scene s;
+    double squares = 0, v[3];
+
+    REQUIRE(scene_init(&s) == STATUS_OK);
+    s.wave = 0.1, s.ripple[2] = 2;
+    CHECK(scene_ripples(&s) && scene_needs(&s) == SCENE_NEED_INITIAL_MOTION);
+    for (s.seed = 0; s.seed < SEEDS; s.seed++) {
+        scene_initial_velocity(&s, at, v);
+        CHECK(v[0] == 0 && v[2] == 2 * scene_ripple(&s, at));
+        squares += v[2] * v[2] / 4 / SEEDS;
+    }
+    CHECK_NEAR(squares, 1, tol);
+    scene_clear(&s);
+}
+
 int main(void)
 {
     check_sheets();
+    check_ripple();
     check_rest_point();
     check_numbers();
     check_needs();

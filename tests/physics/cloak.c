@@ -5,6 +5,7 @@
 
 #include "bench/harness/run_file.h"
 #include "bench/files/store.h"
+#include "models/metric/drape.h"
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
 #include "models/solid/solid_model.h"
@@ -279,6 +280,90 @@ static void test_metrics(void)
     scene_clear(&s);
 }
 
+/* A closed sheet that may meet itself doesn't where it closes: without gravity it rests. */
+static void test_closed_contact(struct scene *s, const struct discretization *d,
+                                const double *rest)
+{
+    const double tol_rest = 1e-9; /* [m], of some Newton steps on 1 m */
+    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz), most = 0;
+    struct counters counters = {0};
+
+    REQUIRE(xyz);
+    s->contact.self = true, s->gravity[2] = 0;
+    void *state = create(find("shell"), s, d);
+    CHECK(find("shell")->advance(state, &counters) == STATUS_OK);
+    find("shell")->sample(state, xyz);
+    for (int n = 0; n < 3 * GRID_POINTS; n++)
+        most = fmax(most, fabs(xyz[n] - rest[n]));
+    CHECK(most < tol_rest);
+    find("shell")->destroy(state);
+    free(xyz);
+}
+
+/* A closed cloak: v = 1 is v = 0, models follow the circle to 2 (n - 1)^-(p + 1) of its
+ * radius, and the sheet doesn't cross itself where it closes. */
+static void test_closed(double flare)
+{
+    const char *const name[] = {"shell", "iga"};
+    double x[3], y[3], *rest = malloc(3 * GRID_POINTS * sizeof *rest);
+    struct scene s;
+
+    REQUIRE(rest);
+    init_cloak(&s, 360, flare);
+    CHECK(scene_closed(&s) && scene_needs(&s) & SCENE_NEED_CLOSED_REST);
+    scene_rest_point(&s, (double[]){0.7, 0, 0.2}, x);
+    scene_rest_point(&s, (double[]){0.7, 1, 0.2}, y);
+    for (int c = 0; c < 3; c++)
+        CHECK_NEAR(x[c], y[c], TOL_POINT);
+    const double radius = s.width / (2 * PI) + s.length + s.thickness;
+    for (int q = 2; q <= 4; q++)
+        for (int n = 0; n < 2; n++) {
+            const struct discretization d = net(find(name[n]), 6, 16, q, q);
+            CHECK(off(find(name[n]), &s, &d) < 2 * radius * pow(16 - 1, -q - 1));
+        }
+    const struct discretization d = net(find("shell"), 6, 16, 3, 3);
+    void *state = create(find("shell"), &s, &d);
+    find("shell")->sample(state, rest);
+    CHECK(metric_intersections(rest) == 0);
+    find("shell")->destroy(state);
+    test_closed_contact(&s, &d, rest);
+    free(rest);
+    scene_clear(&s);
+}
+
+/* The shadow of a disc whose rim waves in its plane, r = r0 + u L (.7 + .2 cos 7 phi). The
+ * chords of 99 cells cut a thousandth of its area. */
+static void test_drape(void)
+{
+    const double tol_flat = 1e-12, tol_area = 2e-3;
+    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
+    struct scene s;
+
+    REQUIRE(xyz);
+    init_cloak(&s, 360, 90);
+    const double r0 = s.width / (2 * PI), L = s.length;
+    for (int waves = 0; waves < 2; waves++) {
+        for (int n = 0; n < GRID_POINTS; n++) {
+            double uvw[3];
+            grid_point(n, uvw);
+            if (waves)
+                uvw[0] *= 0.7 + 0.2 * cos(7 * scene_cloak_angle(&s, uvw[1]));
+            scene_rest_point(&s, uvw, xyz + 3 * n);
+        }
+        memcpy(s.gravity, s.axis_u, sizeof s.gravity);
+        const double beyond = 2 * r0 * L * 0.7 + L * L * (0.49 + 0.02);
+        CHECK_NEAR(drape_coefficient(&s, xyz), waves ? beyond / (2 * r0 * L + L * L) : 1,
+                   waves ? tol_area : tol_flat);
+        CHECK(drape_folds(&s, xyz) == (waves ? 7 : 0));
+    }
+    xyz[1] = NAN;
+    CHECK(isnan(drape_coefficient(&s, xyz)) && isnan(drape_folds(&s, xyz)));
+    s.flare = 80;
+    CHECK(isnan(drape_coefficient(&s, xyz)) && isnan(drape_folds(&s, xyz)));
+    free(xyz);
+    scene_clear(&s);
+}
+
 /* The roof of Scordelis and Lo: R = 25, L = 50, h = 0.25, 80 degrees, E = 4.32e8, nu = 0,
  * 90 per area, diaphragms at both ends: 0.3006 down in the middle of the free edge
  * (Belytschko et al., CMAME 51 (1985) 221-258). Solids: one half, mirrored at its middle.
@@ -334,6 +419,9 @@ int main(void)
         test_exactness(shape[n][0], shape[n][1]);
         test_integrals(shape[n][0], shape[n][1]);
     }
+    test_closed(0);
+    test_closed(90);
+    test_drape();
     test_misfit("hex", 1);
     test_misfit("iga", 1);
     test_metrics();

@@ -20,6 +20,7 @@ enum { MOST = 4 };
 #define STIFF     "material.young=1e15"
 #define LIGHT     "material.density=1e-6"
 #define CLOAK     "pose={kind: cloak, opening: 200, flare: 25}"
+#define TUBE      "pose={kind: cloak, opening: 360, flare: 0}"
 static const struct row {
     const char *name, *sentence, *settings[MOST]; /* sentence NULL: it is accepted       */
 } rows[] = {
@@ -120,6 +121,14 @@ static const struct row {
      "more than 3 points along v",
      {CLOAK, "discretization.points=[5,3,2]", "discretization.degree=[2,2,1]"}},
     {"iga", "brings its own", {CLOAK, "discretization.weights=[1]"}},
+    {"hex", "rest shape that is closed around", {TUBE}},
+    {"shell",
+     "needs at least 4 points",
+     {TUBE, "discretization.points=[6,3]", "discretization.degree=[3,3]"}},
+    {"shell",
+     "knots are even",
+     {TUBE, "discretization.points=[6,6]",
+      "discretization.knots_v=[0,0,0,0,0.4,0.5,1,1,1,1]"}},
 };
 
 int main(void)

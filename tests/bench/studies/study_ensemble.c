@@ -169,6 +169,41 @@ static void test_windows(void)
     free_made(&e);
 }
 
+/* Discs have a table of their shadow at the end, with the difference of the truth's nets in
+ * its bars: drape coefficients of 60 % +- 1 % in halves, 2 % more on the coarse net, 7 or 8
+ * folds. */
+static void test_drape(void)
+{
+    enum { DRAPE = STUDY_ENSEMBLE_NUMBERS - 2, FOLDS };
+
+    for (int disc = 1; disc >= 0; disc--) {
+        struct study_ensemble e;
+        struct study_printed p;
+        fill(&mades[0], &e);
+        for (int k = 0; k < COUNT; k++)
+            for (int m = 0; m < RUNS; m++)
+                for (int t = 0; t < LOOKS; t++) {
+                    double *value = e.one[k].value + t * RUNS + m;
+                    value[DRAPE * LOOKS * RUNS] =
+                        disc ? 0.6 + 0.02 * (k == 0) + (m % 2 ? 0.01 : -0.01) : NAN;
+                    value[FOLDS * LOOKS * RUNS] = disc ? 7 + m % 2 : NAN;
+                }
+        REQUIRE(study_ensemble_tell(&e, study_folder, TABLE_MARKDOWN, study_print_to(&p),
+                                    NULL) == STATUS_OK);
+        char *text = study_squeeze(study_printed_text(&p));
+        if (disc) {
+            study_wants(text, "they are 60 +- 2 % and 7.5 +- 0.09 folds.");
+            study_wants(text, "| 7: 16, 8: 16 |");
+            study_wants(text, "which 66 comparisons");
+        } else {
+            CHECK(!strstr(text, "folds"));
+            study_wants(text, "which 54 comparisons");
+        }
+        free(text);
+        free_made(&e);
+    }
+}
+
 static void test_directions(void)
 {
     double sum[3] = {0}, d[3];
@@ -356,6 +391,7 @@ int main(int count, char **arguments)
     study_begin(count, arguments);
     test_tell();
     test_windows();
+    test_drape();
     test_directions();
     test_numbers();
     test_bound();

@@ -1,0 +1,23 @@
+/* drape.h - what Cusick's drape test (ISO 9073-9) reads off a disc that hangs over a round
+ * holder: off the shadow that it casts along gravity. For fields as metric.h has them.
+ *
+ * The disc is a closed cloak with a flare of 90 degrees (scene.h), the holder the circle of
+ * its edge u = 0. The outline of the shadow is the farthest point in each of 1440
+ * directions from the axis, of the lines of the grid along u and v; the thickness is left
+ * out. Chords between the grid's points cut areas by .07 %, of the flat disc likewise.
+ */
+#ifndef DRAPE_H
+#define DRAPE_H
+
+#include "models/scene.h"
+
+/* Returns the drape coefficient: the area of the shadow beyond the holder over that of the
+ * flat disc [1], 1 for a disc that does not bend. NaN of other sheets, of a coordinate that
+ * is NaN, and if memory ran out. */
+double drape_coefficient(const struct scene *scene, const double *xyz);
+
+/* Counts the folds ("nodes"): maxima of the outline's radius between which it falls by more
+ * than 2 % of the disc's length u. NaN likewise. */
+double drape_folds(const struct scene *scene, const double *xyz);
+
+#endif

@@ -1,51 +1,81 @@
 #include "iga/bspline_contact.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "models/room.h"
 
 /* The samples of a span where the surface is smooth. */
 enum { SAMPLES = 4 };
 
-/* Turns the trapezoidal rule of spans into Boole's, which is exact for an even pressure on
- * what has degree 5: a flat sheet on a floor then stays flat. */
-static void weigh(struct contact_surface *s, const struct bspline basis[2])
+/* Makes the samples of one direction, and the factors that turn their shares by the
+ * trapezoidal rule into those of Boole's. It is exact for an even pressure on what has
+ * degree 5: a flat sheet on a floor then stays flat. Returns how many. */
+static int sample_spans(const struct bspline *b, int *span, double *line, double *factor)
 {
     static const double boole[SAMPLES] = {28. / 45, 64. / 45, 24. / 45, 64. / 45};
+    const int spans = bspline_spans(b, span), per = b->p > 1 ? SAMPLES : 1;
+    double *knot = factor; /* until the line is there */
 
-    for (int n = 0; n < s->count; n++) {
-        const int at[2] = {n / s->points[1], n % s->points[1]};
-        for (int d = 0; d < 2; d++)
-            s->area[n] *= basis[d].p > 1 ? boole[at[d] % SAMPLES] : 1;
+    for (int k = 0; k < spans; k++)
+        knot[k] = b->U[span[k]];
+    knot[spans] = 1;
+    const int count = contact_surface_line(spans + 1, knot, per, line);
+    for (int i = 0; i < count; i++)
+        factor[i] = per > 1 ? boole[i % SAMPLES] : 1;
+    return count;
+}
+
+/* Does so for control points, whose shares are the integrals of their functions. */
+static int sample_net(const struct bspline *b, double *line, double *factor)
+{
+    for (int i = 0; i < b->n; i++)
+        line[i] = bspline_greville(b, i);
+    for (int i = 0; i < b->n; i++) {
+        const double share = (line[i + (i + 1 < b->n)] - line[i - (i > 0)]) / 2;
+        factor[i] = (b->U[i + b->p + 1] - b->U[i]) / (b->p + 1) / share;
     }
+    return b->n;
 }
 
 enum status bspline_contact_surface(const struct scene *scene,
-                                    const struct bspline basis[2], const void *self,
-                                    contact_row *row, int width, int nodes,
+                                    const struct bspline basis[2],
+                                    const struct discretization *d, const void *self,
+                                    contact_row *const row[], int width, int nodes,
                                     struct contact_surface *surface)
 {
     enum status st;
-    double *line[2] = {NULL, NULL}, *knot;
+    const enum bspline_contact contact = OWN(bspline_contact_own, d)->contact;
+    const size_t most = SAMPLES * (size_t)(basis[0].n + basis[1].n);
+    double *line[2], *factor[2];
     int *span, points[2];
-    const size_t most = (size_t)(basis[0].n + basis[1].n);
     void *room = NULL;
 
-    TRY(room_cut(&room, ROOM(line[0], SAMPLES * most), ROOM(line[1], SAMPLES * most),
-                 ROOM(knot, most), ROOM(span, most)));
-    for (int d = 0; d < 2; d++) {
-        const struct bspline *b = &basis[d];
-        const int spans = bspline_spans(b, span);
-        for (int k = 0; k < spans; k++)
-            knot[k] = b->U[span[k]];
-        knot[spans] = 1;
-        points[d] = contact_surface_line(spans + 1, knot, b->p > 1 ? SAMPLES : 1, line[d]);
-    }
-    st = contact_surface_init(surface, scene, self, row, width, nodes,
-                              (const double *const *)line, points);
-    if (st == STATUS_OK)
-        weigh(surface, basis);
+    TRY(room_cut(&room, ROOM(line[0], most), ROOM(line[1], most), ROOM(factor[0], most),
+                 ROOM(factor[1], most), ROOM(span, most)));
+    for (int i = 0; i < 2; i++)
+        points[i] = contact == BSPLINE_CONTACT_NET
+                        ? sample_net(&basis[i], line[i], factor[i])
+                        : sample_spans(&basis[i], span, line[i], factor[i]);
+    TRY(contact_surface_init(surface, scene, self, row[contact], width, nodes,
+                             (const double *const *)line, points));
+    for (int n = 0; n < surface->count; n++)
+        surface->area[n] *= factor[0][n / points[1]] * factor[1][n % points[1]];
 out:
     free(room);
     return st;
+}
+
+int bspline_contact_hats(const struct bspline *b, double x, double *N)
+{
+    int i = 0;
+
+    while (i + 2 < b->n && bspline_greville(b, i + 1) <= x)
+        i++;
+    const double from = bspline_greville(b, i), to = bspline_greville(b, i + 1);
+    const int first = i + b->p < b->n ? i : b->n - b->p - 1;
+    memset(N, 0, (size_t)(b->p + 1) * sizeof *N);
+    N[i + 1 - first] = (x - from) / (to - from);
+    N[i - first] = 1 - N[i + 1 - first];
+    return first;
 }

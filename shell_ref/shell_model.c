@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/bspline_contact.h"
 #include "iga/cloak_net.h"
 #include "iga/support_knots.h"
 #include "models/contact/contact_rest.h"
@@ -24,6 +25,7 @@ static const struct schema_key options[] = {
     {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_SELECTIVE)},
     {"unknowns", .only = OPTION(UNKNOWNS_AUTO) | OPTION(UNKNOWNS_POINTS)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
+    BSPLINE_CONTACT_OPTION,
     {NULL}};
 /* clang-format on */
 

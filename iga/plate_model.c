@@ -1,10 +1,10 @@
-#include "iga/bspline_contact.h"
 #include "iga/plate_model.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/bspline_contact.h"
 #include "iga/cloak_net.h"
 #include "iga/plate_space.h"
 #include "iga/support_knots.h"
@@ -30,6 +30,7 @@ static const struct schema_key options[] = {
     {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_REDUCED) |
                        OPTION(REMEDY_SELECTIVE) | OPTION(REMEDY_CLAMPED)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
+    BSPLINE_CONTACT_OPTION,
     {NULL}};
 /* clang-format on */
 
@@ -347,17 +348,16 @@ static int extra_points(const struct scene *scene, const struct discretization *
                : support_knots_repeats(scene, i, d->degree[i], SUPPORT_KNOTS_SOLID);
 }
 
-/* Finds the mid-surface's point in the coefficients: contact_row. */
-static int row(const void *self, double u, double v, int *node, double *shape)
+/* Turns tensor-product functions at w = 1/2 into weights of the coefficients; returns how
+ * many are not zero. */
+static int middle_row(const struct plate *p, const int first[3],
+                      double N[3][BSPLINE_MAX_ORDER], int *node, double *shape)
 {
-    const struct plate *p = self;
     const struct bspline *b = p->patch.basis;
-    const double *weight = p->patch.weight, uvw[3] = {u, v, 0.5};
-    double N[3][BSPLINE_MAX_ORDER], sum = 0;
-    int first[3], used = 0;
+    const double *weight = p->patch.weight;
+    double sum = 0;
+    int used = 0;
 
-    for (int i = 0; i < 3; i++)
-        first[i] = alive(p, i, uvw[i], N[i]);
     for (int i = 0; i <= b[0].p; i++)
         for (int j = 0; j <= b[1].p; j++)
             for (int k = 0; k <= b[2].p; k++, used++) {
@@ -376,12 +376,38 @@ static int row(const void *self, double u, double v, int *node, double *shape)
     return solid_hinge_row(&p->sheet.space, used, node, shape);
 }
 
-static enum status meet(struct plate *p)
+/* Finds the mid-surface's point in the coefficients: contact_row. */
+static int row(const void *self, double u, double v, int *node, double *shape)
 {
+    const struct plate *p = self;
+    const double uvw[3] = {u, v, 0.5};
+    double N[3][BSPLINE_MAX_ORDER];
+    int first[3];
+
+    for (int i = 0; i < 3; i++)
+        first[i] = alive(p, i, uvw[i], N[i]);
+    return middle_row(p, first, N, node, shape);
+}
+
+/* Does so for the control net of the mid-surface. */
+static int row_of_net(const void *self, double u, double v, int *node, double *shape)
+{
+    const struct plate *p = self;
+    double N[3][BSPLINE_MAX_ORDER];
+    const int first[3] = {bspline_contact_hats(&p->patch.basis[0], u, N[0]),
+                          bspline_contact_hats(&p->patch.basis[1], v, N[1]),
+                          alive(p, 2, 0.5, N[2])};
+
+    return middle_row(p, first, N, node, shape);
+}
+
+static enum status meet(struct plate *p, const struct discretization *d)
+{
+    static contact_row *const rows[BSPLINE_CONTACTS] = {row, row_of_net};
     struct contact_surface surface;
     enum status st =
-        bspline_contact_surface(&p->scene, p->patch.basis, p, row, patch_local(&p->patch),
-                                patch_nodes(&p->patch), &surface);
+        bspline_contact_surface(&p->scene, p->patch.basis, d, p, rows,
+                                patch_local(&p->patch), patch_nodes(&p->patch), &surface);
 
     return st == STATUS_OK ? solid_motion_meet(&p->sheet.motion, &surface) : st;
 }
@@ -396,6 +422,7 @@ static enum status create(const struct scene *scene, const struct discretization
 
     TRY(model_refuse(scene, plate_model.serves, why));
     TRY(contact_rest_refuse(scene, why));
+    TRY(bspline_contact_refuse(scene, d, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
     if (d->remedy == REMEDY_REDUCED && scene_closed(scene))
@@ -430,7 +457,7 @@ static enum status create(const struct scene *scene, const struct discretization
                          one_element ? middle : NULL, why));
     TRY(add_loads(p, why));
     if (contact_wanted(scene))
-        TRY(meet(p));
+        TRY(meet(p, d));
     TRY(solid_model_misfit(&p->sheet, sample));
     *state = p, p = NULL;
 out:

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/bspline_contact.h"
 #include "iga/cloak_net.h"
 #include "iga/support_knots.h"
 #include "models/contact/contact_rest.h"
@@ -24,6 +25,7 @@ static const struct schema_key options[] = {
     {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_SELECTIVE)},
     {"unknowns", .only = OPTION(UNKNOWNS_AUTO) | OPTION(UNKNOWNS_POINTS)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
+    BSPLINE_CONTACT_OPTION,
     {NULL}};
 /* clang-format on */
 
@@ -127,6 +129,8 @@ static enum status refuse(const struct scene *scene, const struct discretization
 
     if (st == STATUS_OK)
         st = contact_rest_refuse(scene, why);
+    if (st == STATUS_OK)
+        st = bspline_contact_refuse(scene, d, why);
     if (st != STATUS_OK)
         return st;
     if (d->points[2] > 1 || d->gauss[2])

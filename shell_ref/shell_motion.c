@@ -163,6 +163,7 @@ static enum status make_large(struct shell_motion *m, const struct discretizatio
     return large_motion_init(&m->large);
 }
 
+/* Finds the surface's point in the control points: contact_row. */
 static int row(const void *motion, double u, double v, int *node, double *shape)
 {
     const struct shell_motion *m = motion;
@@ -174,13 +175,36 @@ static int row(const void *motion, double u, double v, int *node, double *shape)
     return m->space->local;
 }
 
-/* Makes the surface that meets bodies and itself, several samples a span. */
-static enum status meet(struct shell_motion *m)
+/* Does so for the control net. */
+static int row_of_net(const void *motion, double u, double v, int *node, double *shape)
 {
+    const struct shell_space *s = ((const struct shell_motion *)motion)->space;
+    const struct bspline *b = s->basis;
+    double N[2][BSPLINE_MAX_ORDER], sum = 0;
+    const int first[2] = {bspline_contact_hats(&b[0], u, N[0]),
+                          bspline_contact_hats(&b[1], v, N[1])};
+    int used = 0;
+
+    for (int a = 0; a < s->local; a++) {
+        const int i = a / (b[1].p + 1), j = a % (b[1].p + 1);
+        node[used] = (first[0] + i) * b[1].n + first[1] + j;
+        shape[used] = N[0][i] * N[1][j] * (s->weight ? s->weight[node[used]] : 1);
+        sum += shape[used];
+        used += shape[used] != 0;
+    }
+    for (int n = 0; n < used; n++)
+        shape[n] /= sum;
+    return used;
+}
+
+/* Makes the surface that meets bodies and itself. */
+static enum status meet(struct shell_motion *m, const struct discretization *d)
+{
+    static contact_row *const rows[BSPLINE_CONTACTS] = {row, row_of_net};
     const struct shell_space *space = m->space;
     struct contact_surface surface;
-    enum status st = bspline_contact_surface(m->scene, space->basis, m, row, space->local,
-                                             space->nodes, &surface);
+    enum status st = bspline_contact_surface(m->scene, space->basis, d, m, rows,
+                                             space->local, space->nodes, &surface);
 
     m->meets = (struct contact_linear){.contact = &m->contact,
                                        .newmark = &m->newmark,
@@ -220,7 +244,7 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     TRY(order_wide(m->space->basis[0].n, bspline_points(&m->space->basis[1]), 1, &order));
     TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order, d));
     if (contact_wanted(scene))
-        TRY(meet(m));
+        TRY(meet(m, d));
     if (m->kinematics == KINEMATICS_NONLINEAR)
         TRY(large_leapfrog_make(&m->large, d, why));
 out:

@@ -40,6 +40,7 @@ enum status claim_table4_print(const struct study_results *d, enum table_format 
 #define CLAIM_PLANS(X)                                                                     \
     X("artefacts", artefacts)                                                              \
     X("contact", contact)                                                                  \
+    X("control-net", control_net)                                                          \
     X("cures", cures)                                                                      \
     X("degree", degree)                                                                    \
     X("drops", drops)                                                                      \

@@ -71,6 +71,8 @@ static double net(const struct discretization *d)
     return points;
 }
 
+OF_LEVEL(span, row->run.scene.length /
+                   (row->run.discretization.points[0] - row->run.discretization.degree[0]))
 OF_LEVEL(control_points, net(&row->run.discretization))
 OF_LEVEL(unknowns, r->unknowns)
 OF_LEVEL(factor_entries, r->factor_entries)
@@ -124,6 +126,15 @@ static double error(const struct place *p)
 }
 
 OF_SHEET(crossings, metric_intersections)
+
+/* At rest bodies are where their paths end. */
+static double penetration(const struct place *p)
+{
+    const double time = p->s->time ? p->s->time[p->time] : INFINITY;
+
+    return sheet(p) ? metric_penetration(&p->s->row[p->level].run.scene, time, sheet(p))
+                    : NAN;
+}
 
 /* Measures that did not come, such as the time of a crossing, are infinite. */
 #define OF_RUN(code, name, unit, sentence)                                                 \

@@ -20,6 +20,7 @@ struct place;
 #define QUANTITY_LIST(X) \
     X(SIZE, size, "size", "size", NULL, 3, false,                                          \
       "what the plan calls the size of a level: a mesh width, a step [s], ...")            \
+    X(SPAN, span, "span", "span", "m", 3, false, "mean length of the net's spans along u")  \
     X(CONTROL_POINTS, control_points, "control_points", "points", NULL, 0, false,          \
       "points of the net")                                                                 \
     X(UNKNOWNS, unknowns, "unknowns", "unknowns", NULL, 0, false,                          \
@@ -89,6 +90,8 @@ struct place;
       "rms change of the curvature over it, per length")                                   \
     X(ANGLE, angle, "angle_degrees", "angle", "degrees", 3, true,                          \
       "angle of the middle line below level")                                              \
+    X(PENETRATION, penetration, "penetration", "depth in body", "m", 3, true,              \
+      "how deep a body is in the sheet, as far as its faces")                              \
     X(CROSSINGS, crossings, "crossings", "crossings", "pairs", 0, true,                    \
       "pairs of the mid-surface's triangles that cross")
 /* clang-format on */

@@ -324,7 +324,7 @@ static void test_closed(double flare)
     const struct discretization d = net(find("shell"), 6, 16, 3, 3);
     void *state = create(find("shell"), &s, &d);
     find("shell")->sample(state, rest);
-    CHECK(metric_intersections(rest) == 0);
+    CHECK(metric_intersections(&s, rest) == 0);
     find("shell")->destroy(state);
     test_closed_contact(&s, &d, rest);
     free(rest);

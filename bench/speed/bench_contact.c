@@ -39,7 +39,7 @@ struct net {
     int side;
     double *x, *line;
     struct contact_surface surface;
-    struct contact_search search;
+    struct contact_search search, plain; /* by the tree; of every pair                   */
     struct spring_sweep *sweep;
     int by_tree, by_pairs; /* feet                                                     */
 };
@@ -77,9 +77,9 @@ static enum status find_again(void *net)
 static enum status find_all(void *net)
 {
     struct net *n = net;
-    const enum status st = contact_search_find_all(&n->search, n->x);
+    const enum status st = contact_search_find_all(&n->plain, n->x);
 
-    n->by_pairs = n->search.count;
+    n->by_pairs = n->plain.count;
     return st;
 }
 
@@ -126,6 +126,7 @@ static enum status make(const struct scene *scene, const struct shape *shape, in
                              (const double *const[]){net->line, net->line},
                              (const int[]){side, side}));
     TRY(contact_search_init(&net->search, &net->surface, start));
+    TRY(contact_search_init(&net->plain, &net->surface, start));
     TRY(make_sweep(net));
 out:
     return st;
@@ -134,6 +135,7 @@ out:
 static void clear(struct net *net)
 {
     contact_search_clear(&net->search);
+    contact_search_clear(&net->plain);
     contact_surface_clear(&net->surface);
     spring_sweep_free(net->sweep);
     free(net->x);

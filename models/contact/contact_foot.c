@@ -11,6 +11,9 @@ static const double sharp = 1e-6, needle = 1e-16;
 /* A net's foot is at least as far as its closest point, and at most this many times; what
  * is not, where a net is folded too sharply to have normals, is the closest point. */
 static const double as_near = 1 - 1e-9, far = 2;
+/* The squared cosine of the angle to the normal from which places count; and that and the
+ * distance along the sheet, over the least that counts, from which they do so wholly. */
+static const double square_cos = 0.5, whole_square_cos = 0.75, whole_apart = 1.5;
 /* The most that a smooth surface's foot is from the triangles' in u and v, in samples. */
 static const double astray = 2;
 
@@ -114,60 +117,85 @@ double contact_foot_between(const double *const p[4], double at[2])
     return vector_length(way);
 }
 
-/* Computes the difference along a line of samples, `step` apart, of second order. */
-static void difference(const double *y, int at, int points, long step, double d[3])
+/* Returns the difference of a coordinate along a line of samples, of second order. */
+static inline double difference(const double *y, int at, int points, long step)
 {
-    const double *p = y, *q = y;
-
     if (at > 0 && at + 1 < points)
-        p -= 3 * step, q += 3 * step;
-    else if (points < 3)
-        p -= at ? 3 * step : 0, q += at ? 0 : 3 * step;
-    else {
-        const long on = at ? -3 * step : 3 * step;
-        for (int i = 0; i < 3; i++)
-            d[i] = (at ? -1 : 1) * (4 * y[on + i] - 3 * y[i] - y[2 * on + i]);
-        return;
-    }
-    vector_between(p, q, d);
+        return y[3 * step] - y[-3 * step];
+    const long on = at ? -3 * step : 3 * step;
+    const double near = points < 3 ? y[on] - *y : 4 * y[on] - 3 * *y - y[2 * on];
+    return at ? -near : near;
 }
 
 void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3])
 {
     const struct contact_surface *s = sheet->surface;
-    const double *y = sheet->y;
     const int m = s->points[1], i = sample / m, j = sample % m;
+    const double *y = sheet->y + 3 * (long)sample;
     double along_u[3], along_v[3];
 
-    if (sheet->ready && sheet->ready[sample]) {
-        memcpy(normal, sheet->normal + 3 * (long)sample, 3 * sizeof *normal);
-        return;
+    for (int k = 0; k < 3; k++) {
+        along_u[k] = difference(y + k, i % s->rows, s->rows, m);
+        along_v[k] = difference(y + k, j, m, 1);
     }
-    difference(y + 3 * (long)sample, i % s->rows, s->rows, m, along_u);
-    difference(y + 3 * (long)sample, j, m, 1, along_v);
     vector_cross(along_u, along_v, normal);
+}
+
+/* Returns the squared cosine of the angle between the way from a point of a triangle to a
+ * sample and the sheet's normal there; in a face it is along the face's. */
+static double square_cos_of(const struct contact_sheet *sheet, const int corner[3],
+                            const double share[3], const double way[3])
+{
+    double n[3] = {0};
+
+    if (share[0] > 0 && share[1] > 0 && share[2] > 0)
+        return 1;
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; share[k] > 0 && i < 3; i++)
+            n[i] += share[k] * sheet->normal[3 * (long)corner[k] + i];
+    const double along = vector_dot(n, way);
+    const double sizes = vector_dot(n, n) * vector_dot(way, way);
+    return sizes > 0 ? along * along / sizes : 1;
+}
+
+/* Takes the place of a lane for the closest on its side of the sample, if it is. */
+static void judge(const struct contact_sheet *sheet, const struct contact_pairs *pairs,
+                  int l)
+{
+    const struct contact_lanes *lanes = &pairs->lanes;
+    const double way[3] = {lanes->way[0][l], lanes->way[1][l], lanes->way[2][l]};
+    const double share[3] = {lanes->share[1][l], lanes->share[2][l], lanes->share[3][l]};
+    const int sample = pairs->sample[l], triangle = pairs->triangle[l];
+    const bool below = vector_dot(way, sheet->normal + 3 * (long)sample) > 0;
+    struct contact_place *side = &pairs->best[l][below];
+    int corner[3];
+
+    if (lanes->square[l] > side->square ||
+        (lanes->square[l] == side->square && triangle > side->triangle))
+        return;
+    contact_foot_corners(sheet->surface, triangle, corner);
+    if (contact_tree_near(sheet->tree, sheet->tree->apart, sample, corner, share))
+        return;
+    const double cosine = square_cos_of(sheet, corner, share, way);
+    if (!(cosine > square_cos))
+        return;
+    side->sample = sample, side->side = below, side->triangle = triangle;
+    for (int k = 0; k < 3; k++)
+        side->share[k] = share[k];
+    side->square = lanes->square[l], side->square_cos = cosine;
+}
+
+void contact_foot_consider(const struct contact_sheet *sheet, struct contact_pairs *pairs)
+{
+    contact_lanes_nearest(&pairs->lanes);
+    for (int l = 0; l < pairs->lanes.count; l++)
+        judge(sheet, pairs, l);
+    pairs->lanes.count = 0;
 }
 
 int contact_foot_width(const struct contact_surface *s)
 {
     return s->width > 1 ? s->width : 3;
-}
-
-/* A triangle of a net with the normals at its corners. */
-struct face {
-    int triangle, corner[3];
-    const double *p[3];
-    double n[3][3];
-};
-
-static void open_face(const struct contact_sheet *sheet, int triangle, struct face *f)
-{
-    f->triangle = triangle;
-    contact_foot_corners(sheet->surface, triangle, f->corner);
-    for (int k = 0; k < 3; k++) {
-        f->p[k] = sheet->y + 3 * (long)f->corner[k];
-        contact_foot_normal(sheet, f->corner[k], f->n[k]);
-    }
 }
 
 /* Returns the triangle on the other side of the edge opposite to a corner, -1 at the
@@ -184,59 +212,60 @@ static int neighbour(const struct contact_surface *s, int triangle, int corner)
     return 2 * (i * m + j) + by[2];
 }
 
-/* Solves p + h n = y for the shares of the corners, from shares near it; tells whether the
- * face has normals that allow it. */
-static bool meet(const struct face *f, const double y[3], double share[3])
+/* Sets a lane to a sample, a triangle and the normals at its corners. */
+static void open_face(const struct contact_sheet *sheet, int sample, int triangle,
+                      struct contact_lanes *lanes, int l)
 {
-    double h = 0;
+    int corner[3];
 
-    for (int turn = 0; turn < 8; turn++) {
-        double n[3], rest[3], c[2][3], across[3];
-        for (int i = 0; i < 3; i++) {
-            n[i] = share[0] * f->n[0][i] + share[1] * f->n[1][i] + share[2] * f->n[2][i];
-            rest[i] = y[i] - share[0] * f->p[0][i] - share[1] * f->p[1][i] -
-                      share[2] * f->p[2][i];
+    contact_foot_corners(sheet->surface, triangle, corner);
+    for (int i = 0; i < 3; i++)
+        lanes->p[0][i][l] = sheet->y[3 * (long)sample + i];
+    for (int k = 0; k < 3; k++) {
+        const double *n = sheet->normal + 3 * (long)corner[k];
+        double own[3];
+        if (!sheet->ready[corner[k]]) {
+            contact_foot_normal(sheet, corner[k], own);
+            n = own;
         }
-        if (turn == 0)
-            h = vector_dot(rest, n) / vector_dot(n, n);
         for (int i = 0; i < 3; i++) {
-            rest[i] -= h * n[i];
-            for (int k = 0; k < 2; k++)
-                c[k][i] = f->p[k + 1][i] - f->p[0][i] + h * (f->n[k + 1][i] - f->n[0][i]);
+            lanes->p[k + 1][i][l] = sheet->y[3 * (long)corner[k] + i];
+            lanes->n[k + 1][i][l] = n[i];
         }
-        vector_cross(c[0], c[1], across);
-        const double per_det = 1 / vector_dot(across, n);
-        double by[3], d1, d2;
-        vector_cross(c[1], n, by);
-        d1 = vector_dot(by, rest) * per_det;
-        vector_cross(n, c[0], by);
-        d2 = vector_dot(by, rest) * per_det;
-        h += vector_dot(across, rest) * per_det;
-        share[1] += d1, share[2] += d2;
-        share[0] = 1 - share[1] - share[2];
-        const double change = fabs(d1) + fabs(d2);
-        if (!(change < 4)) /* far off, or NaN */
-            return false;
-        if (change < 1e-6) /* squared in the next */
-            break;
     }
-    return true;
 }
 
-/* Finds the foot on the border edge opposite to a corner: y - p is normal to the edge's
- * part across n, as it is where a foot within the face reaches the edge. Returns the corner
- * beyond which it lies, -1 if it is on the edge. */
-static int meet_edge(const struct face *f, int corner, const double y[3], double share[3])
+static void set_share(struct contact_lanes *lanes, int l, const double share[3])
+{
+    for (int k = 0; k < 3; k++)
+        lanes->share[k + 1][l] = share[k];
+}
+
+/* Takes a vector of a lane. */
+static void get(const double v[3][CONTACT_LANES], int l, double to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = v[i][l];
+}
+
+/* Finds the foot on the border edge opposite to a corner of the face in lane 0: the way to
+ * it is normal to the edge's part across n, as it is where a foot within the face reaches
+ * the edge. Returns the corner beyond which it lies, -1 if it is on the edge. */
+static int meet_edge(const struct contact_lanes *lanes, int corner, double share[3])
 {
     const int a = (corner + 1) % 3, b = (corner + 2) % 3;
-    double e[3], t = clamp(share[b] / (share[a] + share[b]), 0, 1), wanted = t;
+    double t = clamp(share[b] / (share[a] + share[b]), 0, 1), wanted = t;
+    double e[3], y[3], p[2][3], m[2][3];
 
-    vector_between(f->p[a], f->p[b], e);
+    get(lanes->p[0], 0, y);
+    get(lanes->p[a + 1], 0, p[0]), get(lanes->p[b + 1], 0, p[1]);
+    get(lanes->n[a + 1], 0, m[0]), get(lanes->n[b + 1], 0, m[1]);
+    vector_between(p[0], p[1], e);
     for (int turn = 0; turn < 16; turn++) {
         double n[3], way[3];
         for (int i = 0; i < 3; i++) {
-            n[i] = (1 - t) * f->n[a][i] + t * f->n[b][i];
-            way[i] = y[i] - (1 - t) * f->p[a][i] - t * f->p[b][i];
+            n[i] = (1 - t) * m[0][i] + t * m[1][i];
+            way[i] = y[i] - (1 - t) * p[0][i] - t * p[1][i];
         }
         const double square = vector_dot(n, n);
         const double lean = square > 0 ? vector_dot(n, e) / square : 0;
@@ -252,60 +281,62 @@ static int meet_edge(const struct face *f, int corner, const double y[3], double
     return wanted < -within ? a : wanted > 1 + within ? b : -1;
 }
 
-/* Returns the triangle with the next edge of the border beyond a corner of a face at it,
- * -1 at a corner of the sheet. */
-static int along_border(const struct contact_surface *s, const struct face *f, int inner,
+/* Returns the triangle with the next edge of the border beyond a corner of one at it, -1 at
+ * a corner of the sheet. */
+static int along_border(const struct contact_surface *s, int triangle, int inner,
                         int beyond)
 {
-    const int m = s->points[1], to = f->corner[beyond];
-    const int step = to - f->corner[3 - inner - beyond];
+    const int m = s->points[1];
+    int corner[3];
+
+    contact_foot_corners(s, triangle, corner);
+    const int to = corner[beyond], step = to - corner[3 - inner - beyond];
     const bool on_u = step == m || step == -m;
     const int at = on_u ? to / m % s->rows : to % m;
     const int last = (on_u ? s->rows : m) - 1;
 
     if (at == 0 || at == last)
         return -1;
-    return f->triangle + 2 * step;
+    return triangle + 2 * step;
 }
 
-/* Walks from face to face to the foot along the interpolated normal; false: there is none
- * near. */
-static bool walk(const struct contact_sheet *sheet, const double at[3], struct face *f,
-                 double share[3])
+/* Walks from a triangle, where contact_lanes_meet ended with `share`, to the one that has
+ * the foot along the interpolated normal; -1: there is none near. */
+static int walk(const struct contact_sheet *sheet, int sample, int triangle, bool met,
+                double share[3])
 {
-    for (int turn = 0; turn < 8; turn++) {
-        if (!meet(f, at, share))
-            return false;
+    struct contact_lanes one = {0};
+
+    for (int turn = 0; met && turn < 8; turn++) {
         const int low = share[0] < share[1] ? (share[0] < share[2] ? 0 : 2)
                                             : (share[1] < share[2] ? 1 : 2);
         if (share[low] >= -within)
-            return true;
-        int next = neighbour(sheet->surface, f->triangle, low);
+            return triangle;
+        int next = neighbour(sheet->surface, triangle, low);
         if (next < 0) {
-            const int beyond = meet_edge(f, low, at, share);
-            next = beyond < 0 ? -1 : along_border(sheet->surface, f, low, beyond);
+            open_face(sheet, sample, triangle, &one, 0);
+            const int beyond = meet_edge(&one, low, share);
+            next = beyond < 0 ? -1 : along_border(sheet->surface, triangle, low, beyond);
             if (next < 0)
-                return true;
+                return triangle;
         }
-        open_face(sheet, next, f);
-        contact_foot_nearest(at, f->p, share);
+        triangle = next;
+        open_face(sheet, sample, triangle, &one, 0);
+        contact_lanes_nearest(&one);
+        contact_lanes_meet(&one);
+        get(one.share + 1, 0, share);
+        met = one.met[0];
     }
-    return false;
+    return -1;
 }
 
-/* Sets distance and normal from the way between foot and sample, or else from a normal. */
-static void measure(const double from[3], const double to[3], const double normal[3],
-                    struct contact_foot *foot)
+/* Sets a foot's normal to a vector's direction. */
+static void point_along(const double n[3], struct contact_foot *foot)
 {
-    double way[3];
+    const double length = vector_length(n), per_length = 1 / length;
 
-    vector_between(from, to, way);
-    foot->distance = vector_length(way);
-    const double *along = foot->distance > 0 ? way : normal;
-    const double length = along == way ? foot->distance : vector_length(along);
-    const double per_length = 1 / length;
     for (int i = 0; i < 3; i++)
-        foot->normal[i] = length > 0 ? along[i] * per_length : i == 2;
+        foot->normal[i] = length > 0 ? n[i] * per_length : i == 2;
 }
 
 /* Computes the parameters of a point of a triangle. */
@@ -321,44 +352,87 @@ static void place_at(const struct contact_surface *s, int triangle, const double
     *v = line_v[0] + on_v * (line_v[1] - line_v[0]);
 }
 
-/* Fills the foot of a net at shares of a face's corners. */
-static void fill(const struct contact_surface *s, const struct face *f,
-                 const double share[3], const double at[3], struct contact_foot *foot,
-                 int *node, double *weight)
-{
-    double from[3] = {0}, n[3] = {0};
+/* A sheet's feet in the lanes, from places that are kept until they are filled. */
+struct feet {
+    struct contact_lanes lanes;
+    const struct contact_place *place[CONTACT_LANES];
+    int triangle[CONTACT_LANES];
+};
 
-    foot->count = 3;
-    place_at(s, f->triangle, share, &foot->u, &foot->v);
-    for (int k = 0; k < 3; k++) {
-        const int c = f->corner[k];
-        node[k] = s->node[c];
-        weight[k] = share[k] * s->shape[c];
-        for (int i = 0; i < 3; i++) {
-            from[i] += share[k] * f->p[k][i];
-            n[i] += share[k] * f->n[k][i];
-        }
-    }
-    measure(from, at, n, foot);
-}
-
-static void refine_net(const struct contact_sheet *sheet, const struct contact_place *place,
-                       struct contact_foot *foot, int *node, double *weight)
+static void fill(const struct contact_sheet *sheet, const struct feet *f, int l,
+                 struct contact_foot *foot, int *node, double *weight)
 {
     const struct contact_surface *s = sheet->surface;
-    const double *at = sheet->y + 3 * (long)foot->sample;
-    struct face f;
-    double share[3] = {place->share[0], place->share[1], place->share[2]};
+    const struct contact_lanes *lanes = &f->lanes;
+    int corner[3];
+    double share[3];
 
-    open_face(sheet, place->triangle, &f);
-    if (walk(sheet, at, &f, share)) {
-        fill(s, &f, share, at, foot, node, weight);
-        const double ratio = foot->distance * foot->distance / place->square;
-        if (ratio >= as_near && ratio <= far * far)
-            return;
+    get(lanes->share + 1, l, share);
+    place_at(s, f->triangle[l], share, &foot->u, &foot->v);
+    contact_foot_corners(s, f->triangle[l], corner);
+    foot->count = 3;
+    for (int k = 0; k < 3; k++) {
+        node[k] = s->node[corner[k]];
+        weight[k] = share[k] * s->shape[corner[k]];
     }
-    open_face(sheet, place->triangle, &f);
-    fill(s, &f, place->share, at, foot, node, weight);
+    foot->distance = lanes->distance[l];
+    get(lanes->way, l, foot->normal);
+    if (foot->distance > 0)
+        return;
+    double n[3];
+    for (int k = 0; k < 3; k++)
+        n[k] = share[0] * lanes->n[1][k][l] + share[1] * lanes->n[2][k][l] +
+               share[2] * lanes->n[3][k][l];
+    point_along(n, foot);
+}
+
+/* Finds the feet of a net in the lanes. */
+static void refine_lanes(const struct contact_sheet *sheet, struct feet *f)
+{
+    struct contact_lanes *lanes = &f->lanes;
+
+    contact_lanes_meet(lanes);
+    for (int l = 0; l < lanes->count; l++) {
+        const int sample = f->place[l]->sample;
+        double share[3];
+        get(lanes->share + 1, l, share);
+        if (lanes->met[l] && share[0] >= 0 && share[1] >= 0 && share[2] >= 0)
+            continue;
+        const int to = walk(sheet, sample, f->triangle[l], lanes->met[l], share);
+        if (to >= 0 && to != f->triangle[l])
+            open_face(sheet, sample, f->triangle[l] = to, lanes, l);
+        set_share(lanes, l, to < 0 ? f->place[l]->share : share);
+    }
+    contact_lanes_measure(lanes);
+    for (int l = 0; l < lanes->count; l++) {
+        const double square = f->place[l]->square, found = lanes->square[l];
+        if (found >= as_near * square && found <= far * far * square)
+            continue;
+        f->triangle[l] = f->place[l]->triangle;
+        open_face(sheet, f->place[l]->sample, f->triangle[l], lanes, l);
+        set_share(lanes, l, f->place[l]->share);
+        contact_lanes_measure(lanes);
+    }
+}
+
+static void refine_net(const struct contact_sheet *sheet, int count,
+                       const struct contact_place *const *place, struct contact_foot *foot,
+                       int *node, double *weight)
+{
+    struct feet f = {.lanes = {0}};
+
+    for (int from = 0; from < count; from += f.lanes.count) {
+        f.lanes.count = count - from < CONTACT_LANES ? count - from : CONTACT_LANES;
+        for (int l = 0; l < f.lanes.count; l++) {
+            f.place[l] = place[from + l], f.triangle[l] = f.place[l]->triangle;
+            open_face(sheet, f.place[l]->sample, f.triangle[l], &f.lanes, l);
+            set_share(&f.lanes, l, f.place[l]->share);
+        }
+        refine_lanes(sheet, &f);
+        for (int l = 0; l < f.lanes.count; l++)
+            fill(sheet, &f, l, &foot[from + l], node + 3 * (from + l),
+                 weight + 3 * (from + l));
+    }
 }
 
 static int surface_at(const struct contact_surface *s, const double *x, double u, double v,
@@ -449,7 +523,7 @@ static void refine_smooth(const struct contact_sheet *sheet,
     const struct contact_surface *s = sheet->surface;
     const double *x = sheet->x, *at = sheet->y + 3 * (long)foot->sample;
     const double *end = s->line[0] + place->triangle / 2 / s->points[1] / s->rows * s->rows;
-    double u, v, from[3], normal[3];
+    double u, v, from[3], way[3], normal[3];
     struct bend b = {.low = *end, .high = end[s->rows - 1]};
 
     place_at(s, place->triangle, place->share, &u, &v);
@@ -467,17 +541,79 @@ static void refine_smooth(const struct contact_sheet *sheet,
         u = start_u, v = start_v;
     foot->u = u, foot->v = v;
     foot->count = surface_at(s, x, u, v, node, weight, from);
+    vector_between(from, at, way);
+    foot->distance = vector_length(way);
     vector_cross(b.d[0], b.d[1], normal);
-    measure(from, at, normal, foot);
+    point_along(foot->distance > 0 ? way : normal, foot);
 }
 
-void contact_foot_refine(const struct contact_sheet *sheet, int sample,
-                         const struct contact_place *place, struct contact_foot *foot,
-                         int *node, double *weight)
+/* Returns 0 below low, 1 above high, and a smooth curve between. */
+static double rise(double x, double low, double high)
 {
-    foot->sample = sample;
-    if (sheet->surface->width > 1)
-        refine_smooth(sheet, place, foot, node, weight);
-    else
-        refine_net(sheet, place, foot, node, weight);
+    const double t = clamp((x - low) / (high - low), 0, 1);
+
+    return t * t * (3 - 2 * t);
+}
+
+/* Returns where the lines of the sheet at u begin. */
+static const double *start_of(const struct contact_surface *s, double u)
+{
+    const double *start = s->line[0];
+
+    while (start + s->rows < s->line[0] + s->points[0] && u >= start[s->rows])
+        start += s->rows;
+    return start;
+}
+
+double contact_foot_far(const struct contact_sheet *sheet, const double uv[2],
+                        const double other[2])
+{
+    const struct contact_surface *s = sheet->surface;
+    const double *start = start_of(s, uv[0]), apart = sheet->tree->apart;
+    const double du =
+        (other[0] - uv[0]) * (s->flat[0][s->rows - 1] / (start[s->rows - 1] - *start));
+    const double dv =
+        contact_tree_across(sheet->tree, (other[1] - uv[1]) * s->flat[1][s->points[1] - 1]);
+    const double square = du * du + dv * dv;
+
+    if (square > whole_apart * whole_apart * apart * apart ||
+        start_of(s, other[0]) != start)
+        return 1;
+    return rise(sqrt(square), apart, whole_apart * apart);
+}
+
+double contact_foot_seen(double square)
+{
+    return rise(square, square_cos, whole_square_cos);
+}
+
+/* Returns the foot's share in the law, which grows from nothing beside what doesn't count:
+ * places near along the sheet, also those to which a foot on a smooth surface went back,
+ * and those seen under 45 degrees. Forces would else jump. */
+static double strength(const struct contact_sheet *sheet, const struct contact_place *place,
+                       const struct contact_foot *foot)
+{
+    const struct contact_surface *s = sheet->surface;
+    const double uv[2] = {s->line[0][foot->sample / s->points[1]],
+                          s->line[1][foot->sample % s->points[1]]};
+
+    return contact_foot_far(sheet, uv, (const double[2]){foot->u, foot->v}) *
+           contact_foot_seen(place->square_cos);
+}
+
+void contact_foot_refine(const struct contact_sheet *sheet, int count,
+                         const struct contact_place *const *place,
+                         struct contact_foot *foot, int *node, double *weight)
+{
+    const int width = contact_foot_width(sheet->surface);
+
+    for (int k = 0; k < count; k++)
+        foot[k].sample = place[k]->sample, foot[k].side = place[k]->side;
+    if (sheet->surface->width == 1)
+        refine_net(sheet, count, place, foot, node, weight);
+    for (int k = 0; k < count; k++) {
+        if (sheet->surface->width > 1)
+            refine_smooth(sheet, place[k], &foot[k], node + k * width, weight + k * width);
+        foot[k].strength = strength(sheet, place[k], &foot[k]);
+    }
 }

@@ -22,7 +22,8 @@
 #ifndef CONTACT_FOOT_H
 #define CONTACT_FOOT_H
 
-#include "models/contact/contact_surface.h"
+#include "models/contact/contact_lanes.h"
+#include "models/contact/contact_tree.h"
 
 struct contact_foot {
     int sample;
@@ -37,17 +38,25 @@ struct contact_foot {
 /* A sheet at some time. */
 struct contact_sheet {
     const struct contact_surface *surface; /*                              borrowed  */
+    const struct contact_tree *tree; /* for distances along the sheet      borrowed  */
     const double *x, *y;  /* [nodes][3], [samples][3]                     borrowed  */
     const double *normal; /* [samples][3] as contact_foot_normal computes them       */
-    const bool *ready;    /* [samples] those that `normal` has; NULL: none           */
+    const bool *ready;    /* [samples] those that `normal` has                       */
 };
 
 /* A point of a triangle and its distance from a sample. */
 struct contact_place {
-    int triangle;
+    int sample, side, triangle; /* triangle -1: there is none                           */
     double share[3];   /* of the corners; their sum is 1                                 */
     double square;     /* of the distance                                           [m^2] */
     double square_cos; /* of the way's angle to the sheet's normal                     */
+};
+
+/* Samples and triangles whose distances are computed together. */
+struct contact_pairs {
+    struct contact_lanes lanes;
+    int sample[CONTACT_LANES], triangle[CONTACT_LANES];
+    struct contact_place *best[CONTACT_LANES]; /* of the sample's two sides   borrowed  */
 };
 
 /* Computes the samples at the corners of a triangle. */
@@ -73,14 +82,47 @@ double contact_foot_between(const double *const p[4], double at[2]);
  * it has none. */
 void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3]);
 
+/* Begins with nothing on either side of a sample nearer than `start` [m]. */
+static inline void contact_foot_begin(double start, struct contact_place best[2])
+{
+    best[0].triangle = best[1].triangle = -1;
+    best[0].square = best[1].square = start * start;
+}
+
+/* Adds a triangle that may be the closest to a sample; returns whether the lanes are full.
+ */
+static inline bool contact_foot_add(const struct contact_sheet *sheet,
+                                    struct contact_pairs *pairs, int sample, int triangle,
+                                    struct contact_place *best)
+{
+    const int l = pairs->lanes.count;
+    int point[4] = {sample};
+
+    contact_foot_corners(sheet->surface, triangle, point + 1);
+    pairs->sample[l] = sample, pairs->triangle[l] = triangle, pairs->best[l] = best;
+    return contact_lanes_add(&pairs->lanes, sheet->y, point);
+}
+
+/* Takes each triangle that was added for the closest on its side of its sample, if it is,
+ * and is not too near along the sheet, or seen from beside. The normals of all must be
+ * ready. Empties the lanes. */
+void contact_foot_consider(const struct contact_sheet *sheet, struct contact_pairs *pairs);
+
 /* Returns how many nodes a foot has at most. */
 int contact_foot_width(const struct contact_surface *s);
 
-/* Refines the closest point of the triangles into the foot of a sample with its nodes and
- * weights, [contact_foot_width]; all but foot->first. In a foot at the sample itself the
- * normal is the surface's. */
-void contact_foot_refine(const struct contact_sheet *sheet, int sample,
-                         const struct contact_place *place, struct contact_foot *foot,
-                         int *node, double *weight);
+/* Refines closest points of the triangles, *place[count], into foot[count], all but
+ * `first`, with node and weight[count][contact_foot_width]. In a foot at the sample itself
+ * the normal is the surface's. */
+void contact_foot_refine(const struct contact_sheet *sheet, int count,
+                         const struct contact_place *const *place,
+                         struct contact_foot *foot, int *node, double *weight);
+
+/* Return shares of a foot in the law, 0 to 1: of two places (u,v), 0 where they are near
+ * along the sheet; and of the squared cosine of the angle to the face's normal under which
+ * a foot is seen, 0 from 45 degrees on. Forces would else jump. */
+double contact_foot_far(const struct contact_sheet *sheet, const double uv[2],
+                        const double other[2]);
+double contact_foot_seen(double square);
 
 #endif

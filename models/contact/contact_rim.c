@@ -213,7 +213,7 @@ static bool closest(const struct contact_rim *r, const struct place *point,
         if (!(square < least))
             continue;
         find_uv(r->search->sheet.surface, &here);
-        if (contact_search_far(r->search, point->uv, here.uv) > 0) {
+        if (contact_foot_far(&r->search->sheet, point->uv, here.uv) > 0) {
             least = square, *foot = here;
             any = true;
         }
@@ -239,7 +239,7 @@ static double share_of(const struct contact_sheet *sheet, const struct place *fo
         return 0;
     const double along = vector_dot(way, normal);
     const double sizes = vector_dot(normal, normal) * vector_dot(way, way);
-    return sizes > 0 ? 1 - contact_search_seen(along * along / sizes) : 1;
+    return sizes > 0 ? 1 - contact_foot_seen(along * along / sizes) : 1;
 }
 
 /* Visits the foot of a point, if it has one. */
@@ -270,7 +270,7 @@ static enum status meet(struct contact_rim *r, struct place *point, double lengt
         return STATUS_OK;
     for (int i = 0; i < 3; i++)
         f.normal[i] = way[i] / f.distance;
-    f.area = length * start * contact_search_far(r->search, point->uv, foot.uv) *
+    f.area = length * start * contact_foot_far(&r->search->sheet, point->uv, foot.uv) *
              share_of(sheet, &foot, way);
     return f.area > 0 ? visit(context, &f) : STATUS_OK;
 }

@@ -24,11 +24,7 @@ enum { PARALLEL = 1000, PIECE = 64, FIRST_ROOM = 1024 };
 static const double margin_share = 0.2;
 /* A share of start that rounding can't reach. */
 static const double rounding = 1e-9;
-static const double half_pi = 1.5707963267948966, square_cos = 0.5;
-
-/* The distance along the sheet, over the least that counts, and the squared cosine from
- * which a foot has its whole share in the law. */
-static const double whole_apart = 1.5, whole_square_cos = 0.75;
+static const double half_pi = 1.5707963267948966;
 
 void contact_search_clear(struct contact_search *s)
 {
@@ -61,11 +57,13 @@ enum status contact_search_init(struct contact_search *s,
                                  .plain = samples_are_nodes(surface),
                                  .stale = true};
     TRY(contact_tree_init(&s->tree, surface, half_pi * start));
+    s->sheet.tree = &s->tree;
     TRY(room_cut(&s->room, ROOM(s->own, s->plain ? 0 : 3 * count), ROOM(s->kept, 3 * count),
                  ROOM(s->normal, 3 * count), ROOM(s->ready, count), ROOM(s->use, count),
                  ROOM(s->first, count + 1), ROOM(s->active, count),
-                 ROOM(s->foot, 2 * count), ROOM(s->node, 2 * count * width),
-                 ROOM(s->weight, 2 * count * width)));
+                 ROOM(s->found, count / PIECE + 1), ROOM(s->foot, 2 * count),
+                 ROOM(s->node, 2 * count * width), ROOM(s->weight, 2 * count * width)));
+    s->sheet.normal = s->normal, s->sheet.ready = s->ready;
 out:
     if (st)
         contact_search_clear(s);
@@ -143,8 +141,11 @@ static double larger(double a, double b)
     return a > b ? a : b;
 }
 
-static bool has_corner(const int corner[3], int sample)
+static bool has_corner(const struct contact_search *s, int triangle, int sample)
 {
+    int corner[3];
+
+    contact_foot_corners(s->sheet.surface, triangle, corner);
     return corner[0] == sample || corner[1] == sample || corner[2] == sample;
 }
 
@@ -152,7 +153,7 @@ static bool has_corner(const int corner[3], int sample)
  * triangle is too near along the sheet. */
 static bool useless(const struct contact_search *s, int sample, const int corner[3])
 {
-    if (has_corner(corner, sample))
+    if (corner[0] == sample || corner[1] == sample || corner[2] == sample)
         return true;
     for (int k = 0; k < 3; k++) {
         double share[3] = {0};
@@ -302,11 +303,9 @@ static void list_used(struct contact_search *s)
 
 static void find_normals(struct contact_search *s)
 {
-    s->sheet.ready = NULL;
 #pragma omp parallel for if (s->uses >= PARALLEL)
     for (int n = 0; n < s->uses; n++)
         contact_foot_normal(&s->sheet, s->use[n], s->normal + 3 * (long)s->use[n]);
-    s->sheet.normal = s->normal, s->sheet.ready = s->ready;
 }
 
 /* Finds near triangles again. */
@@ -328,144 +327,108 @@ out:
     return st;
 }
 
-/* Returns the squared cosine of the angle between the way from a point of a triangle to a
- * sample and the sheet's normal there; in a face it is along the face's. */
-static double square_cos_of(const struct contact_search *s, const int corner[3],
-                            const double share[3], const double way[3])
+/* Refines what was found of `count` samples, those in use from the first on, into feet from
+ * there on; returns how many there are. */
+static int finish(const struct contact_search *s, int first, int count,
+                  const struct contact_place (*best)[2])
 {
-    double n[3] = {0};
+    const int width = contact_foot_width(s->sheet.surface), from = 2 * first;
+    const struct contact_place *found[2 * PIECE];
+    struct contact_foot *foot = s->foot + from;
+    int places = 0, feet = 0;
 
-    if (share[0] > 0 && share[1] > 0 && share[2] > 0)
-        return 1;
-    for (int k = 0; k < 3; k++)
-        if (share[k] > 0) {
-            double at[3];
-            contact_foot_normal(&s->sheet, corner[k], at);
-            for (int i = 0; i < 3; i++)
-                n[i] += share[k] * at[i];
-        }
-    const double along = vector_dot(n, way),
-                 sizes = vector_dot(n, n) * vector_dot(way, way);
-    return sizes > 0 ? along * along / sizes : 1;
+    for (int k = 0; k < 2 * count; k++)
+        if (best[k / 2][k % 2].triangle >= 0)
+            found[places++] = &best[k / 2][k % 2];
+    contact_foot_refine(&s->sheet, places, found, foot, s->node + (long)from * width,
+                        s->weight + (long)from * width);
+    for (int k = 0; k < places; k++) {
+        foot[k].first = (from + k) * width;
+        if (feet != k)
+            foot[feet] = foot[k];
+        feet += foot[k].distance < s->start && foot[k].strength > 0;
+    }
+    return feet;
 }
 
-/* Takes a triangle for the closest on its side of a sample, if it is. */
-static void consider(const struct contact_search *s, int sample, const double normal[3],
-                     int triangle, struct contact_place best[2])
+/* Tells whether a point is outside the box of a cell by the start of contact. */
+static bool outside(const struct contact_search *s, int cell, const double y[3])
 {
-    const double *y = s->sheet.y + 3 * (long)sample, *p[3];
-    struct contact_place here = {.triangle = triangle};
-    double way[3];
-    int corner[3];
+    const int m = s->sheet.surface->points[1];
+    const double *p = s->sheet.y + 3 * (long)(cell / (m - 1) * m + cell % (m - 1));
+    const double *q = p + 3 * (long)m;
 
-    contact_foot_corners(s->sheet.surface, triangle, corner);
-    if (has_corner(corner, sample))
-        return;
-    for (int k = 0; k < 3; k++)
-        p[k] = s->sheet.y + 3 * (long)corner[k];
-    here.square = contact_foot_nearest(y, p, here.share);
-    if (!(here.square < s->start * s->start))
-        return;
     for (int i = 0; i < 3; i++)
-        way[i] = here.share[0] * p[0][i] + here.share[1] * p[1][i] +
-                 here.share[2] * p[2][i] - y[i];
-    struct contact_place *side = &best[vector_dot(way, normal) < 0];
-    if (here.square > side->square ||
-        (here.square == side->square && triangle > side->triangle))
-        return;
-    if (contact_tree_near(&s->tree, s->tree.apart, sample, corner, here.share))
-        return;
-    here.square_cos = square_cos_of(s, corner, here.share, way);
-    if (here.square_cos > square_cos)
-        *side = here;
+        if (y[i] < smaller(smaller(p[i], p[i + 3]), smaller(q[i], q[i + 3])) - s->start ||
+            y[i] > larger(larger(p[i], p[i + 3]), larger(q[i], q[i + 3])) + s->start)
+            return true;
+    return false;
 }
 
-/* Begins with nothing on either side of a sample. */
-static void begin(const struct contact_search *s, int sample, double normal[3],
-                  struct contact_place best[2])
-{
-    contact_foot_normal(&s->sheet, sample, normal);
-    best[0] = best[1] = (struct contact_place){-1, {0}, s->start * s->start, 0};
-}
-
-/* Returns 0 below low, 1 above high, and a smooth curve between. */
-static double rise(double x, double low, double high)
-{
-    const double t = fmin(fmax((x - low) / (high - low), 0), 1);
-
-    return t * t * (3 - 2 * t);
-}
-
-/* Returns where the lines of the sheet at u begin. */
-static const double *start_of(const struct contact_surface *f, double u)
-{
-    const double *end = f->line[0];
-
-    while (end + f->rows < f->line[0] + f->points[0] && u >= end[f->rows])
-        end += f->rows;
-    return end;
-}
-
-double contact_search_far(const struct contact_search *s, const double uv[2],
-                          const double other[2])
+/* Considers all cells for a sample. */
+static void consider_all(const struct contact_search *s, int sample,
+                         struct contact_pairs *pairs, struct contact_place best[2])
 {
     const struct contact_surface *f = s->sheet.surface;
-    const double *end = start_of(f, uv[0]);
-    const double du =
-        (other[0] - uv[0]) * (f->flat[0][f->rows - 1] / (end[f->rows - 1] - *end));
-    const double dv = (other[1] - uv[1]) * f->flat[1][f->points[1] - 1];
+    const int m = f->points[1], cells = (f->points[0] - 1) * (m - 1);
 
-    if (start_of(f, other[0]) != end)
-        return 1;
-    return rise(hypot(du, contact_tree_across(&s->tree, dv)), s->tree.apart, whole_apart * s->tree.apart);
-}
-
-double contact_search_seen(double square)
-{
-    return rise(square, square_cos, whole_square_cos);
-}
-
-/* Returns the foot's share in the law, also where it went back along a smooth surface. */
-static double strength(const struct contact_search *s, const struct contact_place *place,
-                       const struct contact_foot *foot)
-{
-    const struct contact_surface *f = s->sheet.surface;
-    const double uv[2] = {f->line[0][foot->sample / f->points[1]],
-                          f->line[1][foot->sample % f->points[1]]};
-
-    return contact_search_far(s, uv, (const double[2]){foot->u, foot->v}) *
-           contact_search_seen(place->square_cos);
-}
-
-/* Refines what was found of a sample into two feet; those without nodes are none. */
-static void finish(const struct contact_search *s, int sample,
-                   const struct contact_place best[2], struct contact_foot foot[2])
-{
-    const int width = contact_foot_width(s->sheet.surface);
-
-    for (int k = 0; k < 2; k++) {
-        foot[k].count = 0;
-        if (best[k].triangle < 0)
+    for (int cell = 0; cell < cells; cell++) {
+        if (outside(s, cell, s->sheet.y + 3 * (long)sample) ||
+            contact_surface_cut(f, cell / (m - 1)))
             continue;
-        foot[k].side = k;
-        foot[k].first = (int)(foot + k - s->foot) * width;
-        contact_foot_refine(&s->sheet, sample, &best[k], &foot[k], s->node + foot[k].first,
-                            s->weight + foot[k].first);
-        foot[k].strength = strength(s, &best[k], &foot[k]);
-        if (!(foot[k].distance < s->start && foot[k].strength > 0))
-            foot[k].count = 0;
+        const int triangle = contact_tree_triangle(&s->tree, cell);
+        for (int k = triangle; k < triangle + 2; k++)
+            if (!has_corner(s, k, sample) &&
+                contact_foot_add(&s->sheet, pairs, sample, k, best))
+                contact_foot_consider(&s->sheet, pairs);
     }
 }
 
-/* Moves the feet, two places a sample, together. */
-static void gather(struct contact_search *s)
+/* Considers the near triangles of a sample; samples have moved by `way` at most. */
+static void consider_near(const struct contact_search *s, int sample, double way,
+                          struct contact_pairs *pairs, struct contact_place best[2])
 {
-    for (int n = 0; n < 2 * s->actives; n++)
-        if (s->foot[n].count) {
-            if (s->count != n)
-                s->foot[s->count] = s->foot[n];
-            s->count++;
-        }
+    const struct contact_near *near = s->near + s->first[sample];
+    const struct contact_near *end = s->near + s->first[sample + 1];
+
+    for (; near < end && near->distance - 2 * way < s->start; near++)
+        if (contact_foot_add(&s->sheet, pairs, sample, near->triangle, best))
+            contact_foot_consider(&s->sheet, pairs);
+}
+
+/* Finds the feet of a piece of the samples in use, which have moved by `way` at most, or of
+ * all; returns how many. */
+static int find_piece(const struct contact_search *s, int first, double way, bool all)
+{
+    const int count = s->actives - first < PIECE ? s->actives - first : PIECE;
+    struct contact_place best[PIECE][2];
+    struct contact_pairs pairs = {{0}};
+
+    for (int n = 0; n < count; n++) {
+        contact_foot_begin(s->start, best[n]);
+        if (all)
+            consider_all(s, s->active[first + n], &pairs, best[n]);
+        else
+            consider_near(s, s->active[first + n], way, &pairs, best[n]);
+    }
+    contact_foot_consider(&s->sheet, &pairs);
+    return finish(s, first, count, (const struct contact_place(*)[2])best);
+}
+
+/* Finds the feet of the samples in use. */
+static void find_feet(struct contact_search *s, double way, bool all)
+{
+    if (s->actives)
+        find_normals(s);
+#pragma omp parallel for schedule(dynamic) if (s->actives >= PARALLEL)
+    for (int first = 0; first < s->actives; first += PIECE)
+        s->found[first / PIECE] = find_piece(s, first, way, all);
+    for (int first = 0; first < s->actives; first += PIECE) {
+        const int count = s->found[first / PIECE];
+        if (s->count != 2 * first)
+            memmove(s->foot + s->count, s->foot + 2 * (long)first, count * sizeof *s->foot);
+        s->count += count;
+    }
 }
 
 enum status contact_search_find(struct contact_search *s, const double *x)
@@ -479,23 +442,7 @@ enum status contact_search_find(struct contact_search *s, const double *x)
         TRY(seek(s));
         way = rounding * s->start;
     }
-    if (s->actives)
-        find_normals(s);
-#pragma omp parallel for schedule(dynamic, 64) if (s->actives >= PARALLEL)
-    for (int n = 0; n < s->actives; n++) {
-        const int sample = s->active[n];
-        struct contact_place best[2];
-        double normal[3];
-        begin(s, sample, normal, best);
-        for (int k = s->first[sample]; k < s->first[sample + 1]; k++) {
-            const double least = s->near[k].distance - 2 * way;
-            if (least > 0 && least * least > larger(best[0].square, best[1].square))
-                break;
-            consider(s, sample, normal, s->near[k].triangle, best);
-        }
-        finish(s, sample, best, &s->foot[2 * n]);
-    }
-    gather(s);
+    find_feet(s, way, false);
 out:
     return st;
 }
@@ -513,46 +460,19 @@ void contact_search_forget(struct contact_search *s)
     s->stale = true;
 }
 
-/* Tells whether a point is outside the box of a cell by the start of contact. */
-static bool outside(const struct contact_search *s, int cell, const double y[3])
-{
-    const int m = s->sheet.surface->points[1];
-    const double *p = s->sheet.y + 3 * (long)(cell / (m - 1) * m + cell % (m - 1));
-    const double *q = p + 3 * (long)m;
-
-    for (int i = 0; i < 3; i++)
-        if (y[i] < smaller(smaller(p[i], p[i + 3]), smaller(q[i], q[i + 3])) - s->start ||
-            y[i] > larger(larger(p[i], p[i + 3]), larger(q[i], q[i + 3])) + s->start)
-            return true;
-    return false;
-}
-
 enum status contact_search_find_all(struct contact_search *s, const double *x)
 {
-    const int m = s->sheet.surface->points[1];
-    const int cells = (s->sheet.surface->points[0] - 1) * (m - 1);
     enum status st = STATUS_OK;
     double way;
 
-    s->count = 0;
+    s->count = s->uses = 0;
     TRY(place_samples(s, x, &way));
-    s->sheet.ready = NULL;
     s->stale = true; /* the lists are used */
     s->actives = s->sheet.surface->count;
-    for (int sample = 0; sample < s->actives; sample++) {
-        struct contact_place best[2];
-        double normal[3];
-        begin(s, sample, normal, best);
-        for (int cell = 0; cell < cells; cell++)
-            if (!contact_surface_cut(s->sheet.surface, cell / (m - 1)) &&
-                !outside(s, cell, s->sheet.y + 3 * (long)sample)) {
-                const int triangle = contact_tree_triangle(&s->tree, cell);
-                consider(s, sample, normal, triangle, best);
-                consider(s, sample, normal, triangle + 1, best);
-            }
-        finish(s, sample, best, &s->foot[2 * sample]);
-    }
-    gather(s);
+    memset(s->ready, 0, s->actives * sizeof *s->ready);
+    for (int n = 0; n < s->actives; n++)
+        use(s, s->active[n] = n);
+    find_feet(s, way, true);
 out:
     return st;
 }

@@ -39,6 +39,7 @@ struct contact_search {
     int uses, *use;       /* [samples] the same as a list                                 */
     int *first;           /* [samples + 1] into near                                      */
     int actives, *active; /* [samples] those with near triangles                     */
+    int *found;           /* feet of each piece of those                                  */
     long near_count, near_room, pair_count, pair_room;
     struct contact_near *near; /* by sample and distance                 owned     */
     struct contact_pair *pair; /* cells                                  owned     */
@@ -55,13 +56,6 @@ enum status contact_search_find(struct contact_search *s, const double *x);
 /* Fills the n-th pair of cells near each other of the last contact_search_find; false:
  * there are no more. */
 bool contact_search_cells(const struct contact_search *s, long n, int cell[2]);
-
-/* Return shares of a foot in the law, 0 to 1: of two places (u,v), 0 where they are near
- * along the sheet; and of the squared cosine of the angle to the face's normal under which
- * a foot is seen, 0 from 45 degrees on. Forces would else jump. */
-double contact_search_far(const struct contact_search *s, const double uv[2],
-                          const double other[2]);
-double contact_search_seen(double square);
 
 /* Makes the next search find the near triangles again, as after a jump. */
 void contact_search_forget(struct contact_search *s);

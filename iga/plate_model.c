@@ -273,12 +273,13 @@ static bool has_layer(const struct discretization *d)
 static void clamp_edges(struct plate *p, const struct scene *scene)
 {
     const double length[2] = {scene->length, scene->width};
+    const struct law law = scene_law(scene);
 
     for (int i = 0; i < 2; i++)
         for (int end = 0; end < 2; end++)
             if (scene_edge_clamped(scene, i, end))
-                plate_space_clamp(&p->tables, &p->patch, i, end,
-                                  scene->thickness / length[i], scene->poisson);
+                plate_space_clamp(&p->tables, &p->patch, i, end, law.thickness / length[i],
+                                  law.poisson);
 }
 
 static enum status check_remedy(const struct discretization *d, struct message *why)

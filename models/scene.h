@@ -10,6 +10,7 @@
 
 #include <stdbool.h>
 
+#include "models/law/law.h"
 #include "models/status.h"
 
 /* The components of a support that are held; bits. */
@@ -105,9 +106,11 @@ struct scene {
     enum scene_shape shape; /* at rest                                       */
     double opening, flare;  /* angles of a cloak                       [deg] */
 
-    double young;   /* E                                                     [Pa] > 0 */
-    double poisson; /* nu                                                  (-1, 0.5)  */
-    double density; /* rho                                               [kg/m^3] > 0 */
+    double young;   /* E; of a fabric its mean, for people                    [Pa] > 0 */
+    double poisson; /* nu; likewise                                        (-1, 0.5)  */
+    double density; /* rho; of a fabric mass per area over h_eff         [kg/m^3] > 0 */
+    bool is_fabric; /* the law is the fabric's, and h its h_eff             */
+    struct law_fabric fabric; /* fabric of a sheet that is not isotropic              */
 
     double gravity[3]; /*                                                  [m/s^2] */
     double drag;       /* body drag c, force c (wind - v) per volume  [kg/m^3/s]   */
@@ -139,6 +142,8 @@ struct scene {
     X(DRAG, "body drag")                                                                   \
     X(LOADS, "loads")                                                                      \
     X(CURVED_REST, "curved rest shape")                                                    \
+    X(FABRIC, "a fabric")                                                                  \
+    X(BIAS, "a fabric whose warp runs along neither edge")                                 \
     X(INITIAL_MOTION, "initial motion")                                                    \
     X(MOVING_OBSTACLES, "moving obstacles")                                                \
     X(SELF_CONTACT, "contact of the sheet with itself")
@@ -242,7 +247,16 @@ bool scene_is_cantilever(const struct scene *scene);
  * ends, in x, y, z; it may move. */
 bool scene_edge_clamped(const struct scene *scene, int i, bool end);
 
-/* Returns the bending stiffness D = E h^3 / 12 (1 - nu^2) [N m]. */
+/* Returns the law of the sheet, by E, nu and h or by its fabric. */
+struct law scene_law(const struct scene *scene);
+
+/* Makes the sheet of a fabric, with its mass per area [kg/m^2]: thickness, density and the
+ * mean of E and nu follow. */
+void scene_set_fabric(struct scene *scene, const struct law_fabric *fabric,
+                      double areal_density);
+
+/* Returns the bending stiffness along u of a wide sheet, D = E h^3 / 12 (1 - nu^2) of an
+ * isotropic one [N m]. */
 double scene_bending_stiffness(const struct scene *scene);
 
 /* Returns weight over bending, Gamma = rho |g| h L^3 / D [1]. */

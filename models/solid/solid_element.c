@@ -17,8 +17,10 @@
 typedef solid_lanes lanes;
 _Static_assert(SOLID_LANES == 4, "a gathered position is one vector: x, y, z, 0");
 
-struct solid_material solid_element_material(double young, double poisson, double density)
+struct solid_material solid_element_material(const struct law *law, double density)
 {
+    double young = law->young, poisson = law->poisson;
+
     return (struct solid_material){
         .lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson)),
         .mu = young / (2 * (1 + poisson)),

@@ -2,6 +2,8 @@
 #ifndef SOLID_MATERIAL_H
 #define SOLID_MATERIAL_H
 
+#include "models/law/law.h"
+
 struct solid_material {
     double lambda, mu; /* Lame [Pa]                                                    */
     double plane;      /* lambda of plane stress, E nu / (1 - nu^2) [Pa]               */

@@ -147,6 +147,7 @@ static void add_need(struct scene *scene, unsigned need, double w)
     struct scene_obstacle floor = {
         .kind = OBSTACLE_PLANE, .point = {0, 0, -1}, .normal = {0, 0, 1}};
     struct scene_support s = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_XYZ};
+    struct law_fabric fabric = {{2e3, 1e3, 400, 100}, {4e-2, 1e-2, 6e-3, 8e-3}, 0};
 
     const struct scene_load tip = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .force = {0, 0, 1}};
 
@@ -169,6 +170,12 @@ static void add_need(struct scene *scene, unsigned need, double w)
         return;
     case SCENE_NEED_LOADS:
         REQUIRE(scene_add_load(scene, &tip) == STATUS_OK);
+        return;
+    case SCENE_NEED_BIAS:
+        fabric.warp = 30; /* and */
+        __attribute__((fallthrough));
+    case SCENE_NEED_FABRIC:
+        scene_set_fabric(scene, &fabric, 0.01);
         return;
     case SCENE_NEED_CURVED_REST:
         scene->shape = SCENE_CLOAK, scene->opening = 90;

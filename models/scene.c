@@ -275,16 +275,14 @@ struct law scene_law(const struct scene *scene)
                             : law_isotropic(scene->young, scene->poisson, scene->thickness);
 }
 
-void scene_set_fabric(struct scene *scene, const struct law_fabric *fabric,
-                      double areal_density)
+void scene_use_fabric(struct scene *scene)
 {
-    const struct law law = law_of_fabric(fabric);
+    const struct law law = law_of_fabric(&scene->fabric);
 
     scene->is_fabric = true;
-    scene->fabric = *fabric;
     scene->young = law.young, scene->poisson = law.poisson;
     scene->thickness = law.thickness;
-    scene->density = areal_density / law.thickness;
+    scene->density = scene->fabric.areal_density / law.thickness;
 }
 
 double scene_bending_stiffness(const struct scene *scene)

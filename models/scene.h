@@ -110,7 +110,8 @@ struct scene {
     double poisson; /* nu; likewise                                        (-1, 0.5)  */
     double density; /* rho; of a fabric mass per area over h_eff         [kg/m^3] > 0 */
     bool is_fabric; /* the law is the fabric's, and h its h_eff             */
-    struct law_fabric fabric; /* fabric of a sheet that is not isotropic              */
+    struct law_fabric fabric; /* of a sheet that is not isotropic                     */
+    int fabric_row;           /* in law_fabrics, where the file names it              */
 
     double gravity[3]; /*                                                  [m/s^2] */
     double drag;       /* body drag c, force c (wind - v) per volume  [kg/m^3/s]   */
@@ -250,10 +251,8 @@ bool scene_edge_clamped(const struct scene *scene, int i, bool end);
 /* Returns the law of the sheet, by E, nu and h or by its fabric. */
 struct law scene_law(const struct scene *scene);
 
-/* Makes the sheet of a fabric, with its mass per area [kg/m^2]: thickness, density and the
- * mean of E and nu follow. */
-void scene_set_fabric(struct scene *scene, const struct law_fabric *fabric,
-                      double areal_density);
+/* Makes the sheet of scene->fabric: thickness, density and the mean of E and nu follow. */
+void scene_use_fabric(struct scene *scene);
 
 /* Returns the bending stiffness along u of a wide sheet, D = E h^3 / 12 (1 - nu^2) of an
  * isotropic one [N m]. */

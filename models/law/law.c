@@ -2,6 +2,9 @@
 
 #include <math.h>
 
+/* Below 1/2, where a solid resists no more. */
+static const double MOST_POISSON = 0.49;
+
 static const double DEGREE = 3.14159265358979323846 / 180;
 
 struct law law_isotropic(double young, double poisson, double thickness)
@@ -56,7 +59,7 @@ void law_mean(const struct law_fabric *f, double *young, double *poisson)
     const double along = (3 * both + 2 * Y[LAW_CROSS] + 4 * Y[LAW_SHEAR]) / 8;
     const double cross = (both + 6 * Y[LAW_CROSS] - 4 * Y[LAW_SHEAR]) / 8;
 
-    *poisson = cross / along;
+    *poisson = fmin(cross / along, MOST_POISSON);
     *young = (along - cross * *poisson) / law_thickness(f);
 }
 

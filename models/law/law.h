@@ -26,6 +26,7 @@ struct law_fabric {
     double membrane[LAW_MODULI]; /*                                           [N/m]   */
     double bending[LAW_MODULI];  /*                                           [N m]   */
     double warp;                 /* angle from u to the warp, towards v       [deg]   */
+    double areal_density;        /* mass per area                          [kg/m^2]   */
 };
 
 enum law_part { LAW_MEMBRANE, LAW_BENDING, LAW_PARTS };
@@ -52,7 +53,7 @@ bool law_definite(const double modulus[LAW_MODULI]);
 double law_thickness(const struct law_fabric *fabric);
 
 /* Computes E [Pa] and nu of the isotropic sheet, h_eff thick, that has the mean over all
- * directions of the fabric's membrane. */
+ * directions of the fabric's membrane; nu is 0.49 at most. */
 void law_mean(const struct law_fabric *fabric, double *young, double *poisson);
 
 /* Returns matrix_12 over the mean of matrix_11 and matrix_22: nu of an isotropic sheet. */

@@ -147,7 +147,6 @@ static void add_need(struct scene *scene, unsigned need, double w)
     struct scene_obstacle floor = {
         .kind = OBSTACLE_PLANE, .point = {0, 0, -1}, .normal = {0, 0, 1}};
     struct scene_support s = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_XYZ};
-    struct law_fabric fabric = {{2e3, 1e3, 400, 100}, {4e-2, 1e-2, 6e-3, 8e-3}, 0};
 
     const struct scene_load tip = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .force = {0, 0, 1}};
 
@@ -172,10 +171,14 @@ static void add_need(struct scene *scene, unsigned need, double w)
         REQUIRE(scene_add_load(scene, &tip) == STATUS_OK);
         return;
     case SCENE_NEED_BIAS:
-        fabric.warp = 30; /* and */
+        scene->fabric.warp = 30; /* and */
         __attribute__((fallthrough));
     case SCENE_NEED_FABRIC:
-        scene_set_fabric(scene, &fabric, 0.01);
+        memcpy(scene->fabric.membrane, (double[]){2e3, 1e3, 400, 100}, 4 * sizeof(double));
+        memcpy(scene->fabric.bending, (double[]){4e-2, 1e-2, 6e-3, 8e-3},
+               4 * sizeof(double));
+        scene->fabric.areal_density = 0.01;
+        scene_use_fabric(scene);
         return;
     case SCENE_NEED_CURVED_REST:
         scene->shape = SCENE_CLOAK, scene->opening = 90;

@@ -265,6 +265,9 @@ static void destroy(void *state)
     free(p);
 }
 
+/* Fabrics are for layers alone. */
+enum { PLATE_SERVES = SOLID_MODEL_SERVES | SCENE_NEED_FABRIC | SCENE_NEED_BIAS };
+
 static bool has_layer(const struct discretization *d)
 {
     return d->remedy == REMEDY_SELECTIVE || d->remedy == REMEDY_CLAMPED;
@@ -374,10 +377,15 @@ static enum status create(const struct scene *scene, const struct discretization
     double middle[BSPLINE_MAX_ORDER];
     struct plate *p = NULL;
 
-    TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
+    TRY(model_refuse(scene, PLATE_SERVES, why));
     TRY(contact_rest_refuse(scene, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
+    if (scene->is_fabric && !has_layer(d))
+        TRY(status_fail(
+            why, STATUS_UNSUPPORTED,
+            "a fabric is for remedy=selective or clamped, whose one layer holds "
+            "membrane and bending apart; other solids have an isotropic law"));
     if (d->remedy == REMEDY_CLAMPED && scene->shape != SCENE_FLAT)
         TRY(status_fail(why, STATUS_UNSUPPORTED,
                         "remedy=clamped is for flat sheets; use selective"));
@@ -428,7 +436,7 @@ const struct model plate_model = {
     .name = "iga",
     .title = "IGA thick plate",
     .source = "Ren, Dai, Lin 2024, Journal of Image and Graphics 29(1), eq. 1-22",
-    .serves = SOLID_MODEL_SERVES,
+    .serves = PLATE_SERVES,
     .options = options,
     /* Degree 3: at any cost below 3 % of error it is the cheaper one, and of degree 2 a
      * sheet with Gamma above 1e4 folds between its points (README, Speed against error). */

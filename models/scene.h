@@ -143,8 +143,8 @@ struct scene {
     X(DRAG, "body drag")                                                                   \
     X(LOADS, "loads")                                                                      \
     X(CURVED_REST, "curved rest shape")                                                    \
-    X(FABRIC, "a fabric")                                                                  \
-    X(BIAS, "a fabric whose warp runs along neither edge")                                 \
+    X(FABRIC, "fabrics")                                                                   \
+    X(BIAS, "fabrics whose warp runs along neither edge")                                  \
     X(INITIAL_MOTION, "initial motion")                                                    \
     X(MOVING_OBSTACLES, "moving obstacles")                                                \
     X(SELF_CONTACT, "contact of the sheet with itself")

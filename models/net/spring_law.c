@@ -115,9 +115,10 @@ void spring_law_tell(const struct spring_law *law, const double cell[2],
         line, STATUS_OK,
         "the net has C11 %.4g, C22 %.4g, C33 %.4g of plane stress's, and C12 = %.4g C11 "
         "for "
-        "%.4g C11 (springs have C12 = C33, plane stress only at nu = 1/3)%s",
+        "%.4g C11 (springs have C12 = C33, %s)%s",
         net.c11 / sheet.c11, net.c22 / sheet.c22, net.c33 / sheet.c33, net.c12 / net.c11,
         sheet.c12 / sheet.c11,
+        scene->is_fabric ? "not a fabric's Y12" : "plane stress only at nu = 1/3",
         law->drag > 0
             ? "; the paper's springs: no bending, own mass and damping, not the scene's"
             : "");

@@ -18,6 +18,7 @@
 #include "bench/experiment/dataset.h"
 #include "bench/harness/contestant.h"
 #include "bench/ui/table.h"
+#include "models/law/law_fabrics.h"
 #include "models/reader/scene_file.h"
 
 static void print_item(const char *name, const char *text)
@@ -86,6 +87,21 @@ static void list_quantities(void)
     }
 }
 
+static void list_fabrics(void)
+{
+    for (const struct law_fabrics_row *f = law_fabrics; f->name; f++) {
+        const double *Y = f->fabric.membrane, *B = f->fabric.bending;
+        char text[640];
+        snprintf(text, sizeof text,
+                 "%s: %.3g kg/m^2; Y11 %.3g, Y22 %.3g, Y12 %.3g, G %.3g N/m; B1 %.3g, "
+                 "B2 %.3g, B12 %.3g, B66 %.3g uN m; h_eff %.3g mm%s%s",
+                 f->what, f->fabric.areal_density, Y[0], Y[1], Y[2], Y[3], 1e6 * B[0],
+                 1e6 * B[1], 1e6 * B[2], 1e6 * B[3], 1e3 * law_thickness(&f->fabric),
+                 f->doubt ? ". In doubt: " : "", f->doubt ? f->doubt : "");
+        print_item(f->name, text);
+    }
+}
+
 /* Lists what the commands of this section offer. */
 static void list_items(const char *section)
 {
@@ -107,6 +123,7 @@ static const struct section {
     void (*print)(void);
 } sections[] = {
     {"scenes", &scene_file_kind, NULL},
+    {"fabrics", NULL, list_fabrics},
     {"models", NULL, list_models},
     {"contestants", NULL, list_contestants},
     {"tables", NULL, NULL},
@@ -121,9 +138,9 @@ static const struct section {
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
 #define NAMES(between)                                                                     \
-    "scenes" between "models" between "contestants" between "tables" between               \
-    "studies" between "plans" between "quantities" between "truths" between                \
-    "checks" between "cases" between "benchmarks"
+    "scenes" between "fabrics" between "models" between "contestants" between              \
+    "tables" between "studies" between "plans" between "quantities" between                \
+    "truths" between "checks" between "cases" between "benchmarks"
 
 static enum status list_section(const struct section *s, struct message *why)
 {

@@ -34,6 +34,9 @@ enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_pl
     if (scene->damping.kind != DAMPING_NONE && scene->damping.kind != DAMPING_MASS)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth knows mass damping only");
+    if (scene->is_fabric)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "the Kirchhoff truth is of isotropic sheets");
     if (scene->poisson < 0)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth is verified for 0 <= nu < 0.5 only");

@@ -285,6 +285,12 @@ static void destroy(void *state)
     free(p);
 }
 
+/* Fabrics are for layers alone. */
+enum {
+    PLATE_SERVES = SOLID_MODEL_SERVES | SCENE_NEED_CLOSED_REST | SCENE_NEED_FABRIC |
+                   SCENE_NEED_BIAS
+};
+
 static bool has_layer(const struct discretization *d)
 {
     return d->remedy == REMEDY_SELECTIVE || d->remedy == REMEDY_CLAMPED;
@@ -293,12 +299,13 @@ static bool has_layer(const struct discretization *d)
 static void clamp_edges(struct plate *p, const struct scene *scene)
 {
     const double length[2] = {scene->length, scene->width};
+    const struct law law = scene_law(scene);
 
     for (int i = 0; i < 2; i++)
         for (int end = 0; end < 2; end++)
             if (scene_edge_clamped(scene, 0, i, end))
-                plate_space_clamp(&p->tables, &p->patch, i, end,
-                                  scene->thickness / length[i], scene->poisson);
+                plate_space_clamp(&p->tables, &p->patch, i, end, law.thickness / length[i],
+                                  law.poisson);
 }
 
 static enum status check_remedy(const struct discretization *d, struct message *why)
@@ -420,7 +427,7 @@ static enum status create(const struct scene *scene, const struct discretization
     double middle[BSPLINE_MAX_ORDER];
     struct plate *p = NULL;
 
-    TRY(model_refuse(scene, plate_model.serves, why));
+    TRY(model_refuse(scene, PLATE_SERVES, why));
     TRY(contact_rest_refuse(scene, why));
     TRY(bspline_contact_refuse(scene, d, why));
     TRY(large_leapfrog_refuse(d, why));
@@ -430,6 +437,11 @@ static enum status create(const struct scene *scene, const struct discretization
             why, STATUS_UNSUPPORTED,
             "remedy=reduced has a rule that begins at an edge, and the sheet is "
             "closed; use selective"));
+    if (scene->is_fabric && !has_layer(d))
+        TRY(status_fail(
+            why, STATUS_UNSUPPORTED,
+            "a fabric is for remedy=selective or clamped, whose one layer holds "
+            "membrane and bending apart; other solids have an isotropic law"));
     if (d->remedy == REMEDY_CLAMPED && (scene->shape != SCENE_FLAT || scene->sheets > 1))
         TRY(status_fail(why, STATUS_UNSUPPORTED,
                         "remedy=clamped is for one flat sheet; use selective"));
@@ -482,7 +494,7 @@ const struct model plate_model = {
     .name = "iga",
     .title = "IGA thick plate",
     .source = "Ren, Dai, Lin 2024, Journal of Image and Graphics 29(1), eq. 1-22",
-    .serves = SOLID_MODEL_SERVES | SCENE_NEED_CLOSED_REST,
+    .serves = PLATE_SERVES,
     .options = options,
     /* Degree 3: at any cost below 3 % of error it is the cheaper one, and of degree 2 a
      * sheet with Gamma above 1e4 folds between its points (README, Speed against error). */

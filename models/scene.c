@@ -165,6 +165,10 @@ unsigned scene_needs(const struct scene *scene)
         needs |= SCENE_NEED_CURVED_REST;
     if (scene_closed(scene))
         needs |= SCENE_NEED_CLOSED_REST;
+    if (scene->is_fabric)
+        needs |= SCENE_NEED_FABRIC;
+    if (scene->is_fabric && fmod(scene->fabric.warp, 90) != 0)
+        needs |= SCENE_NEED_BIAS;
     for (int i = 0; i < 3; i++)
         if (scene->velocity[i] != 0 || scene->spin[i] != 0 || scene->ripple[i] != 0)
             needs |= SCENE_NEED_INITIAL_MOTION;
@@ -349,11 +353,25 @@ bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end)
     return false;
 }
 
+struct law scene_law(const struct scene *scene)
+{
+    return scene->is_fabric ? law_of_fabric(&scene->fabric)
+                            : law_isotropic(scene->young, scene->poisson, scene->thickness);
+}
+
+void scene_use_fabric(struct scene *scene)
+{
+    const struct law law = law_of_fabric(&scene->fabric);
+
+    scene->is_fabric = true;
+    scene->young = law.young, scene->poisson = law.poisson;
+    scene->thickness = law.thickness;
+    scene->density = scene->fabric.areal_density / law.thickness;
+}
+
 double scene_bending_stiffness(const struct scene *scene)
 {
-    const double h = scene->thickness, nu = scene->poisson;
-
-    return scene->young * h * h * h / (12 * (1 - nu * nu));
+    return scene_law(scene).matrix[LAW_BENDING][LAW_11];
 }
 
 double scene_gamma(const struct scene *scene)

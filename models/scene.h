@@ -15,6 +15,7 @@
 
 #include <stdbool.h>
 
+#include "models/law/law.h"
 #include "models/status.h"
 
 /* The components of a support that are held; bits. */
@@ -126,9 +127,12 @@ struct scene {
     enum scene_shape shape; /* at rest                                       */
     double opening, flare;  /* angles of a cloak; opening 360: closed  [deg] */
 
-    double young;   /* E                                                     [Pa] > 0 */
-    double poisson; /* nu                                                  (-1, 0.5)  */
-    double density; /* rho                                               [kg/m^3] > 0 */
+    double young;   /* E; of a fabric its mean, for people                    [Pa] > 0 */
+    double poisson; /* nu; likewise                                        (-1, 0.5)  */
+    double density; /* rho; of a fabric mass per area over h_eff         [kg/m^3] > 0 */
+    bool is_fabric; /* the law is the fabric's, and h its h_eff             */
+    struct law_fabric fabric; /* of a sheet that is not isotropic                     */
+    int fabric_row;           /* in law_fabrics, where the file names it              */
 
     double gravity[3]; /*                                                  [m/s^2] */
     double drag;       /* body drag c, force c (wind - v) per volume  [kg/m^3/s]   */
@@ -163,6 +167,8 @@ struct scene {
     X(LOADS, "loads")                                                                      \
     X(CURVED_REST, "curved rest shape")                                                    \
     X(CLOSED_REST, "rest shape that is closed around")                                     \
+    X(FABRIC, "fabrics")                                                                   \
+    X(BIAS, "fabrics whose warp runs along neither edge")                                  \
     X(INITIAL_MOTION, "initial motion")                                                    \
     X(MOVING_OBSTACLES, "moving obstacles")                                                \
     X(SELF_CONTACT, "contact of the sheet with itself")                                    \
@@ -315,7 +321,14 @@ bool scene_is_cantilever(const struct scene *scene);
  * begins, or ends, in x, y, z; it may move. */
 bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end);
 
-/* Returns the bending stiffness D = E h^3 / 12 (1 - nu^2) [N m]. */
+/* Returns the law of the sheet, by E, nu and h or by its fabric. */
+struct law scene_law(const struct scene *scene);
+
+/* Makes the sheet of scene->fabric: thickness, density and the mean of E and nu follow. */
+void scene_use_fabric(struct scene *scene);
+
+/* Returns the bending stiffness along u of a wide sheet, D = E h^3 / 12 (1 - nu^2) of an
+ * isotropic one [N m]. */
 double scene_bending_stiffness(const struct scene *scene);
 
 /* Returns weight over bending, Gamma = rho |g| h L^3 / D [1]. */

@@ -11,7 +11,7 @@ struct yaml_tree;
 
 enum schema_type {
     SCHEMA_NUMBER,  /* double                                                          */
-    SCHEMA_VECTOR,  /* double[3]                                                       */
+    SCHEMA_VECTOR,  /* double[3], or [most]                                            */
     SCHEMA_NUMBERS, /* double * [count], owned; the count is an int at count_offset     */
     SCHEMA_COUNT,   /* int                                                             */
     SCHEMA_COUNTS,  /* int[3]; two numbers leave the third as it was                    */
@@ -40,7 +40,7 @@ struct schema_key {
     /* SPECIAL: reads the node. SECTION: checks what was read; optional. */
     enum status (*read)(const struct schema_key *key, const struct yaml_tree *node,
                         void *target, struct message *why);
-    const char *want; /* SPECIAL: what would be right, for a sentence                  */
+    const char *want; /* what would be right, for a sentence; required of SPECIAL      */
 };
 
 #endif

@@ -1,5 +1,7 @@
 #include "projective_dynamics/pd_bending.h"
 
+#include <math.h>
+
 static struct pd_row *add_row(struct pd_bending *b, double weight)
 {
     struct pd_row *row = &b->rows[b->count++];
@@ -63,25 +65,41 @@ static struct lines on_line(const struct pd_net *net, int k, const bool *clamped
                           (j > 0 && clamped[k - 1]) || (j < net->m - 1 && clamped[k + 1])};
 }
 
-/* Curvatures at one node:
- *   k_uu^2 + k_vv^2 + 2 nu k_uu k_vv = (1+nu)/2 (k_uu+k_vv)^2 + (1-nu)/2 (k_uu-k_vv)^2.
- * On a free edge k_vv = -nu k_uu, which leaves (1 - nu^2) k_uu^2. */
-static void add_curvatures(struct pd_bending *b, int k, double D, double nu)
+/* Bending stiffness along u and v, their geometric mean D, nu = B12 / D and the fourth
+ * root of their ratio. */
+struct plate {
+    double along[2], D, nu, r;
+};
+
+static struct plate plate_of(const struct law *law)
+{
+    const double *B = law->matrix[LAW_BENDING];
+
+    return (struct plate){{B[LAW_11], B[LAW_22]},
+                          sqrt(B[LAW_11] * B[LAW_22]),
+                          law_cross(law, LAW_BENDING),
+                          sqrt(sqrt(B[LAW_11] / B[LAW_22]))};
+}
+
+/* Curvatures at one node: with a = r k_uu, b = k_vv / r the energy is D times
+ *   a^2 + b^2 + 2 nu a b = (1+nu)/2 (a + b)^2 + (1-nu)/2 (a - b)^2.
+ * On a free edge b = -nu a, which leaves (1 - nu^2) a^2. */
+static void add_curvatures(struct pd_bending *b, int k, const struct plate *p)
 {
     const struct pd_net *net = b->net;
     struct lines has = inside(net, k);
-    double cu = 1 / (net->du * net->du), cv = 1 / (net->dv * net->dv);
+    double cu = 1 / (net->du * net->du), cv = 1 / (net->dv * net->dv), nu = p->nu;
 
     if (has.u && has.v) {
         for (int sign = -1; sign <= 1; sign += 2) {
-            struct pd_row *row = add_row(b, b->area[k] * D * (1 + sign * nu) / 2);
-            add_second(row, k, net->m, cu);
-            add_second(row, k, 1, sign * cv);
+            struct pd_row *row = add_row(b, b->area[k] * p->D * (1 + sign * nu) / 2);
+            add_second(row, k, net->m, p->r * cu);
+            add_second(row, k, 1, sign * cv / p->r);
         }
     } else if (has.u) {
-        add_second(add_row(b, b->area[k] * D * (1 - nu * nu)), k, net->m, cu);
+        add_second(add_row(b, b->area[k] * p->along[0] * (1 - nu * nu)), k, net->m, cu);
     } else if (has.v) {
-        add_second(add_row(b, b->area[k] * D * (1 - nu * nu)), k, 1, cv);
+        add_second(add_row(b, b->area[k] * p->along[1] * (1 - nu * nu)), k, 1, cv);
     }
 }
 
@@ -100,11 +118,11 @@ static void add_clamp(struct pd_bending *b, int k, int by, double length,
 
 /* Adds half a cell of curvature on both sides of a clamped line at k, if in the net. */
 static void add_clamps(struct pd_bending *b, const struct scene *scene, int k,
-                       struct lines line, double D)
+                       struct lines line, const double D[2])
 {
     const struct pd_net *net = b->net;
     struct lines has = inside(net, k);
-    double half = D * b->area[k] / (1 + (line.v ? has.u : has.v));
+    double half = D[!line.v] * b->area[k] / (1 + (line.v ? has.u : has.v));
     int i = k / net->m % net->rows, j = k % net->m;
     const struct scene_pose *pose = &scene->pose[k / net->m / net->rows];
 
@@ -119,16 +137,19 @@ static void add_clamps(struct pd_bending *b, const struct scene *scene, int k,
 void pd_bending_plate(struct pd_bending *b, const struct scene *scene, const bool *clamped)
 {
     const struct pd_net *net = b->net;
-    double D = scene_bending_stiffness(scene), nu = scene->poisson;
+    const struct law law = scene_law(scene);
+    const struct plate p = plate_of(&law);
+    const double *B = law.matrix[LAW_BENDING];
+    const double twist = law.isotropic ? 1 - p.nu : 2 * B[LAW_33] / p.D;
 
     for (int k = 0; k < net->nodes; k++) {
         struct lines line = on_line(net, k, clamped);
         if (line.u != line.v)
-            add_clamps(b, scene, k, line, D);
+            add_clamps(b, scene, k, line, p.along);
         else
-            add_curvatures(b, k, D, nu);
+            add_curvatures(b, k, &p);
         if (pd_net_has(net, PD_EDGE_FALLING, k))
-            add_twist(b, k, net->du * net->dv * 2 * (1 - nu) * D);
+            add_twist(b, k, net->du * net->dv * 2 * twist * p.D);
     }
 }
 

@@ -20,10 +20,11 @@ static void set_triangles(struct pd_energy *e, const struct scene *scene,
                           enum parameters parameters)
 {
     const struct pd_net *net = &e->net;
-    double stiffness = scene->young * scene->thickness, area = net->du * net->dv / 2;
+    const struct law law = scene_law(scene);
+    double stiffness = law.young * law.thickness, area = net->du * net->dv / 2;
 
-    e->deviator = area * stiffness / (1 + scene->poisson);
-    e->trace = area * stiffness / (1 - scene->poisson);
+    e->deviator = area * stiffness / (1 + law.poisson);
+    e->trace = area * stiffness / (1 - law.poisson);
     if (parameters == PARAMETERS_PAPER)
         e->deviator = e->trace = area * PAPER_STRETCH * PAPER_STRETCH;
     double larger = fmax(e->deviator, e->trace);
@@ -40,19 +41,21 @@ static void set_triangles(struct pd_energy *e, const struct scene *scene,
 
 /* Springs k of rest length l along a direction n, one a cell of area A, are a material with
  * C_ijkl = k l^2 n_i n_j n_k n_l / A, so that two diagonals give C12 = C33 = 2 k_d a b /
- * l^2, and C11 a^2/b^2 times as much; an edge along u adds k_u a/b to C11. Plane stress has
- * C11 = E h / (1 - nu^2), C33 = E h / 2 (1 + nu). Where a cell is so long that an edge's
+ * l^2, and C11 a^2/b^2 times as much; an edge along u adds k_u a/b to C11. C11, C22 and C33
+ * are the sheet's. Where a cell is so long that an edge's
  * spring would be negative, the diagonals are weaker and C33 falls short. */
 static void matched_springs(const struct pd_net *net, const struct scene *scene,
                             double spring[PD_EDGES])
 {
-    double stiffness = scene->young * scene->thickness, nu = scene->poisson;
-    double C11 = stiffness / (1 - nu * nu), C33 = stiffness / (2 * (1 + nu));
+    const struct law law = scene_law(scene);
+    const double *A = law.matrix[LAW_MEMBRANE];
+    double C33 =
+        law.isotropic ? law.young * law.thickness / (2 * (1 + law.poisson)) : A[LAW_33];
     double a = net->du, b = net->dv, ratio = a * a / (b * b);
 
-    C33 = fmin(C33, C11 * fmin(ratio, 1 / ratio));
-    spring[PD_EDGE_U] = fmax(b / a * (C11 - C33 * ratio), 0);
-    spring[PD_EDGE_V] = fmax(a / b * (C11 - C33 / ratio), 0);
+    C33 = fmin(C33, fmin(A[LAW_11] * (1 / ratio), A[LAW_22] * ratio));
+    spring[PD_EDGE_U] = fmax(b / a * (A[LAW_11] - C33 * ratio), 0);
+    spring[PD_EDGE_V] = fmax(a / b * (A[LAW_22] - C33 / ratio), 0);
     spring[PD_EDGE_FALLING] = spring[PD_EDGE_RISING] = C33 * (a * a + b * b) / (2 * a * b);
 }
 

@@ -54,7 +54,7 @@ static void add_mass(struct shell_assembly *s, const struct shell_element *e, in
 {
     const struct shell_points *p = &e->at[SHELL_MASS];
     const int *node = nodes_of(s->space, element);
-    double sheet = s->material.density * s->material.thickness;
+    double sheet = s->material.density * s->material.law.thickness;
     int local = e->local, runs = runs_of(s->space), run = local / runs;
     const int *place = s->place + (size_t)element * (size_t)(local * runs);
 

@@ -50,38 +50,19 @@ void shell_element_load(struct shell_element *e, const struct shell_space *space
         e->at[SHELL_MEMBRANE].count = e->at[SHELL_BENDING].count;
 }
 
-/* Makes the plane-stress law in the metric A^ab = a, b, c (11, 22, 12). */
-static void make_law(const struct shell_material *material, double a, double b, double c,
-                     double law[6])
+/* Takes a point's share of the law (law_shares). */
+static void share_law(const struct law *law, enum shell_share share, const double metric[3],
+                      double C[LAW_ENTRIES])
 {
-    double nu = material->poisson, factor = material->young / (1 - nu * nu);
-
-    law[0] = factor * a * a;
-    law[1] = factor * (nu * a * b + (1 - nu) * c * c);
-    law[2] = factor * a * c;
-    law[3] = factor * b * b;
-    law[4] = factor * b * c;
-    law[5] = factor * ((1 - nu) * a * b + (1 + nu) * c * c) / 2;
-}
-
-/* Takes a point's share of the law. E / A_11^2 is the law along u where nothing else is
- * stressed; the most that can be taken from it of both that and E / A_22^2, so that what is
- * left is nowhere negative, is 1 / (1 + |r|) of them, r the correlation of the two strains
- * in the law's inverse: -nu where u and v are at right angles. */
-static void share_law(const struct shell_material *material, enum shell_share share,
-                      const double metric[3], double law[6])
-{
-    double nu = material->poisson, both = metric[0] * metric[1];
-    double r = (1 + nu) * metric[2] * metric[2] / both - nu, part = 1 / (1 + fabs(r));
-    double along_u = part * material->young / (metric[0] * metric[0]),
-           along_v = part * material->young / (metric[1] * metric[1]);
+    double along[2];
 
     if (share == SHELL_ALL)
         return;
+    law_shares(law, metric, C, along);
     if (share != SHELL_REST)
-        memset(law, 0, 6 * sizeof *law);
-    law[0] += share == SHELL_REST ? -along_u : share == SHELL_ALONG_U ? along_u : 0;
-    law[3] += share == SHELL_REST ? -along_v : share == SHELL_ALONG_V ? along_v : 0;
+        memset(C, 0, LAW_ENTRIES * sizeof *C);
+    C[LAW_11] += share == SHELL_REST ? -along[0] : share == SHELL_ALONG_U ? along[0] : 0;
+    C[LAW_22] += share == SHELL_REST ? -along[1] : share == SHELL_ALONG_V ? along[1] : 0;
 }
 
 enum status shell_element_rest(struct shell_element *e, int rule,
@@ -97,7 +78,7 @@ enum status shell_element_rest(struct shell_element *e, int rule,
         shell_lanes metric[3], curvature[3];
         const shell_lanes *form = rule == SHELL_BENDING ? curvature : metric;
         int t = q % SHELL_LANES;
-        double *r = rest + q, law[6];
+        double *r = rest + q, law[LAW_ENTRIES];
         shell_frame_surface(p, e->local, e->X[0], q - t, rule == SHELL_BENDING, &s);
         shell_frame_metric(s.a, metric);
         shell_frame_curvature(&s, curvature);
@@ -105,10 +86,10 @@ enum status shell_element_rest(struct shell_element *e, int rule,
             return STATUS_INPUT;
         double det = s.stretch[t] * s.stretch[t];
         r[REST_AREA * row] = place[q].weight * s.stretch[t];
-        make_law(material, metric[1][t] / det, metric[0][t] / det, -metric[2][t] / det,
-                 law);
-        share_law(material, place[q].share,
-                  (const double[]){metric[0][t], metric[1][t], metric[2][t]}, law);
+        const double here[3] = {metric[0][t], metric[1][t], metric[2][t]};
+        law_on_surface(&material->law, rule == SHELL_BENDING ? LAW_BENDING : LAW_MEMBRANE,
+                       here, det, law);
+        share_law(&material->law, place[q].share, here, law);
         for (int k = 0; k < 3; k++)
             r[(REST_FORM + k) * row] = form[k][t];
         for (int k = 0; k < 6; k++)

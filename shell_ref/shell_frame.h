@@ -97,7 +97,7 @@ static inline void shell_frame_law(const double *rest, int row, int at, shell_la
 
 static inline double shell_frame_stiffness(const struct shell_material *material, int part)
 {
-    double h = material->thickness;
+    double h = material->law.thickness;
 
     return part == SHELL_BENDING ? h * h * h / 12 : h;
 }

@@ -347,7 +347,8 @@ const struct model shell_model = {
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS |
               SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST | SCENE_NEED_CLOSED_REST |
-              SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS,
+              SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS | SCENE_NEED_FABRIC |
+              SCENE_NEED_BIAS,
     .options = options,
     /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
      * about the same time: Newton's method takes fewer tangents. */

@@ -221,8 +221,7 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
                          struct message *why)
 {
     const struct scene *scene = m->scene;
-    const struct shell_material material = {scene->young, scene->poisson, scene->density,
-                                            scene->thickness};
+    const struct shell_material material = {scene_law(scene), scene->density};
     int *order = NULL;
     enum status st;
 

@@ -2,6 +2,7 @@
 #ifndef SHELL_ROOM_H
 #define SHELL_ROOM_H
 
+#include "models/law/law.h"
 #include "shell_ref/shell_space.h"
 
 /* Rest data of each point of the membrane and of bending: area, metric (or curvature), and
@@ -9,7 +10,8 @@
 enum { REST_AREA, REST_FORM, REST_LAW = 4, SHELL_REST_ROWS = 10 };
 
 struct shell_material {
-    double young, poisson, density, thickness;
+    struct law law;
+    double density;
 };
 
 /* An element's points of one rule. */

@@ -141,7 +141,7 @@ static bool pull_of(const struct tri_body *b, const struct tri_triangle *t,
     metric(X, C);
     if (!tri_strain_at(b->membrane, C, s))
         return false;
-    tri_strain_stress(b->D, e, stress);
+    law_stress(b->D, e, stress);
     for (int l = 0; l < 3; l++) {
         pull[l] = 0;
         for (int k = 0; k < 3; k++)
@@ -211,7 +211,7 @@ static void by_metric(const struct tri_body *b, const struct tri_strain *s,
         for (int m = 0; m < 3; m++) {
             const double column[3] = {s->J[0][m], s->J[1][m], s->J[2][m]};
             double DJ[3], sum = 0;
-            tri_strain_stress(b->D, column, DJ);
+            law_stress(b->D, column, DJ);
             for (int k = 0; k < 3; k++)
                 sum +=
                     material * s->J[k][l] * DJ[k] + geometric * stress[k] * s->H[k][l][m];
@@ -378,7 +378,7 @@ double tri_body_energy(const struct tri_body *b, const double *x)
             return NAN;
         form = e + b->forms_from, hinge = e + b->hinges_from;
         for (int k = net->triangle_at[strip]; k < net->triangle_at[strip + 1]; k++) {
-            tri_strain_stress(b->D, e, stress);
+            law_stress(b->D, e, stress);
             energy += b->area * dot(stress, e) / 2, e += 3;
         }
         for (int k = net->form_at[strip]; k < net->form_at[strip + 1]; k++, form += 3)

@@ -35,6 +35,13 @@ static enum status refuse(const struct scene *scene, const struct discretization
     if (d->precision == PRECISION_SINGLE && d->bending == BENDING_HINGE)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with bending=quadratic only");
+    if (scene->is_fabric && d->bending == BENDING_HINGE)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "a fabric: with bending=quadratic only, hinges are isotropic");
+    if (scene->is_fabric && d->integrator == INTEGRATOR_LEAPFROG &&
+        OWN(tri_own, d)->membrane == MEMBRANE_COROTATIONAL)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "a fabric: corotational triangles with implicit steps only");
     if (d->iterations && d->integrator != INTEGRATOR_IMPLICIT)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "iterations: with integrator=implicit only");
@@ -104,8 +111,8 @@ static void describe(const void *state, struct message *line)
                  spring_leapfrog_step(l), spring_leapfrog_limit(l));
     snprintf(line->text, sizeof line->text, "%s%s%s%s%.160s",
              conditions
-                 ? "membrane by the conditions of Baraff and Witkin: the C11 and C33 "
-                   "of plane stress, and no C12"
+                 ? "membrane by the conditions of Baraff and Witkin: the C11, C22 and C33 "
+                   "of the sheet, and no C12"
                  : "",
              conditions && (l || m->net.hinge_count) ? "; " : "",
              m->net.hinge_count
@@ -126,7 +133,7 @@ const struct model tri_model = {
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
-              SCENE_NEED_SHEETS,
+              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC,
     .options = options,
     .defaults = {.points = {16, 16, 1},
                  .degree = {1, 1, 1},

@@ -65,18 +65,12 @@ bool tri_strain_at(enum membrane membrane, const double C[3], struct tri_strain 
     return true;
 }
 
-void tri_strain_stiffness(const struct scene *scene, enum membrane membrane, double D[3])
+void tri_strain_stiffness(const struct scene *scene, enum membrane membrane,
+                          double D[LAW_ENTRIES])
 {
-    double nu = scene->poisson;
+    const struct law law = scene_law(scene);
 
-    D[0] = scene->young * scene->thickness / (1 - nu * nu);
-    D[1] = membrane == MEMBRANE_BARAFF_WITKIN ? 0 : nu * D[0];
-    D[2] = (1 - nu) / 2 * D[0];
-}
-
-void tri_strain_stress(const double D[3], const double e[3], double stress[3])
-{
-    stress[0] = D[0] * e[0] + D[1] * e[1];
-    stress[1] = D[1] * e[0] + D[0] * e[1];
-    stress[2] = D[2] * e[2];
+    memcpy(D, law.matrix[LAW_MEMBRANE], LAW_ENTRIES * sizeof *D);
+    if (membrane == MEMBRANE_BARAFF_WITKIN)
+        D[LAW_12] = 0;
 }

@@ -27,11 +27,8 @@ struct tri_strain {
 /* Computes strains; false where the triangle has no area, or C is not finite. */
 bool tri_strain_at(enum membrane membrane, const double C[3], struct tri_strain *s);
 
-/* Computes a sheet's stiffness in plane stress, energy e . D e / 2 per area: D11 = D22,
- * D12, D33 [N/m]. */
-void tri_strain_stiffness(const struct scene *scene, enum membrane membrane, double D[3]);
-
-/* Computes D e. */
-void tri_strain_stress(const double D[3], const double e[3], double stress[3]);
+/* Computes a sheet's stiffness, energy e . D e / 2 per area [N/m]. */
+void tri_strain_stiffness(const struct scene *scene, enum membrane membrane,
+                          double D[LAW_ENTRIES]);
 
 #endif

@@ -29,13 +29,30 @@ static void describe_discretization(const struct discretization *d, FILE *file)
     fprintf(file, "%s\n", d->weight_count ? ", weights as given" : "");
 }
 
-static void describe_scene(const struct scene *scene, FILE *file)
+static void describe_fabric(const struct scene *scene, FILE *file)
 {
+    const struct law_fabric *f = &scene->fabric;
+    const double *Y = f->membrane, *B = f->bending;
+
     fprintf(
         file,
-        "scene           %s: %g x %g m, h = %g m, E = %g Pa, nu = %g, rho = %g kg/m^3\n",
-        scene->name, scene->length, scene->width, scene->thickness, scene->young,
-        scene->poisson, scene->density);
+        "scene           %s: %g x %g m; a fabric of %g kg/m^2, warp at %g degrees to u\n"
+        "membrane        Y11 %g, Y22 %g, Y12 %g, G %g N/m\n"
+        "bending         B1 %g, B2 %g, B12 %g, B66 %g N m; h_eff %.4g m\n",
+        scene->name, scene->length, scene->width, f->areal_density, f->warp, Y[0], Y[1],
+        Y[2], Y[3], B[0], B[1], B[2], B[3], scene->thickness);
+}
+
+static void describe_scene(const struct scene *scene, FILE *file)
+{
+    if (scene->is_fabric)
+        describe_fabric(scene, file);
+    else
+        fprintf(file,
+                "scene           %s: %g x %g m, h = %g m, E = %g Pa, nu = %g, rho = %g "
+                "kg/m^3\n",
+                scene->name, scene->length, scene->width, scene->thickness, scene->young,
+                scene->poisson, scene->density);
     fprintf(file, "damping         %s", damping_words[scene->damping.kind]);
     if (scene->damping.kind == DAMPING_RAYLEIGH)
         fprintf(file, ", alpha %g 1/s, beta %g s", scene->damping.alpha,

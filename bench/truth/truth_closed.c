@@ -89,8 +89,8 @@ static double pull(const struct scene *s, const double axis[3])
 
 static bool rests(const struct scene *s)
 {
-    return s->shape == SCENE_FLAT && s->poisson == 0 && scene_is_cantilever(s) &&
-           !s->load_count && !s->obstacle_count && s->drag == 0;
+    return s->shape == SCENE_FLAT && !s->is_fabric && s->poisson == 0 &&
+           scene_is_cantilever(s) && !s->load_count && !s->obstacle_count && s->drag == 0;
 }
 
 /* Returns what is left at t of a motion by x'' + alpha x' + omega^2 x = 0. */

@@ -122,6 +122,11 @@ enum status truth_physics(const struct scene *s, char **text)
         print(out, "v", 3, s->pose[k].axis_v);
     }
     print(out, "material", 3, (double[]){s->young, s->poisson, s->density});
+    if (s->is_fabric) {
+        print(out, "membrane", LAW_MODULI, s->fabric.membrane);
+        print(out, "bending", LAW_MODULI, s->fabric.bending);
+        print(out, "warp", 1, &s->fabric.warp);
+    }
     print(out, "gravity", 3, s->gravity);
     print(out, "drag", 1, &s->drag);
     if (s->drag != 0)

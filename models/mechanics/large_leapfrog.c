@@ -280,7 +280,8 @@ out:
 static enum status judge(struct large_leapfrog *l)
 {
     const struct scene *s = l->m->scene;
-    double elastic, round_off = s->young * s->length * s->width * s->thickness;
+    const struct law law = scene_law(s);
+    double elastic, round_off = law.young * s->length * s->width * law.thickness;
     enum status st = store(l, &elastic);
 
     if (st != STATUS_OK)

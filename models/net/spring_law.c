@@ -16,14 +16,6 @@ static struct diagonal diagonal_of(const double cell[2])
     return (struct diagonal){sqrt(l2), cell[0] * cell[0] / l2, cell[1] * cell[1] / l2};
 }
 
-struct spring_law_stiffness spring_law_plane_stress(const struct scene *scene)
-{
-    double nu = scene->poisson;
-    double c11 = scene->young * scene->thickness / (1 - nu * nu);
-
-    return (struct spring_law_stiffness){c11, c11, nu * c11, (1 - nu) / 2 * c11};
-}
-
 struct spring_law_stiffness spring_law_effective(const struct spring_law *law,
                                                  const double cell[2])
 {
@@ -46,25 +38,55 @@ static double strut_force(double B, double a, double b)
     return 2 * B * b / (a * a);
 }
 
-static void match(const struct scene *scene, const double cell[2], struct spring_law *law)
+/* Stiffness along u and v, and q of the diagonals, that amount to a sheet's. */
+struct share {
+    double u, v, q;
+};
+
+static struct share share_of(struct spring_law_stiffness want, struct diagonal d)
 {
-    struct spring_law_stiffness want = spring_law_plane_stress(scene);
-    struct diagonal d = diagonal_of(cell);
-    double bend = scene->thickness * scene->thickness / 12, area = cell[0] * cell[1];
     double q = want.c33 / (d.c2 * d.s2);
 
     q = fmin(q, fmin(want.c11 / (d.c2 * d.c2), want.c22 / (d.s2 * d.s2)));
-    double along_u = fmax(want.c11 - q * d.c2 * d.c2, 0);
-    double along_v = fmax(want.c22 - q * d.s2 * d.s2, 0);
+    return (struct share){fmax(want.c11 - q * d.c2 * d.c2, 0),
+                          fmax(want.c22 - q * d.s2 * d.s2, 0), q};
+}
 
-    law->stiffness[SPRING_U] = along_u * cell[1] / cell[0];
-    law->stiffness[SPRING_V] = along_v * cell[0] / cell[1];
-    law->stiffness[SPRING_DIAGONAL] = q / 2 * area / (d.length * d.length);
-    law->strut[SPRING_U] = strut_force(bend * along_u, cell[0], cell[1]);
-    law->strut[SPRING_V] = strut_force(bend * along_v, cell[1], cell[0]);
-    law->rim_strut[SPRING_U] = strut_force(bend * want.c11, cell[0], cell[1]) / 2;
-    law->rim_strut[SPRING_V] = strut_force(bend * want.c22, cell[1], cell[0]) / 2;
-    law->strut[SPRING_DIAGONAL] = strut_force(bend * q / 2, d.length, area / d.length);
+static struct spring_law_stiffness stiffness_of(const struct law *law, enum law_part part)
+{
+    const double *m = law->matrix[part];
+
+    return (struct spring_law_stiffness){m[LAW_11], m[LAW_22], m[LAW_12], m[LAW_33]};
+}
+
+struct spring_law_stiffness spring_law_plane_stress(const struct scene *scene)
+{
+    const struct law law = scene_law(scene);
+
+    return stiffness_of(&law, LAW_MEMBRANE);
+}
+
+static void match(const struct scene *scene, const double cell[2], struct spring_law *law)
+{
+    const struct law sheet = scene_law(scene);
+    struct spring_law_stiffness want = stiffness_of(&sheet, LAW_MEMBRANE);
+    struct spring_law_stiffness rim = stiffness_of(&sheet, LAW_BENDING);
+    struct diagonal d = diagonal_of(cell);
+    struct share pull = share_of(want, d), turn = share_of(rim, d);
+    double bend = sheet.thickness * sheet.thickness / 12, area = cell[0] * cell[1];
+
+    if (sheet.isotropic) {
+        turn = (struct share){bend * pull.u, bend * pull.v, bend * pull.q};
+        rim.c11 = bend * want.c11, rim.c22 = bend * want.c22;
+    }
+    law->stiffness[SPRING_U] = pull.u * cell[1] / cell[0];
+    law->stiffness[SPRING_V] = pull.v * cell[0] / cell[1];
+    law->stiffness[SPRING_DIAGONAL] = pull.q / 2 * area / (d.length * d.length);
+    law->strut[SPRING_U] = strut_force(turn.u, cell[0], cell[1]);
+    law->strut[SPRING_V] = strut_force(turn.v, cell[1], cell[0]);
+    law->rim_strut[SPRING_U] = strut_force(rim.c11, cell[0], cell[1]) / 2;
+    law->rim_strut[SPRING_V] = strut_force(rim.c22, cell[1], cell[0]) / 2;
+    law->strut[SPRING_DIAGONAL] = strut_force(turn.q / 2, d.length, area / d.length);
 }
 
 void spring_law_make(const struct scene *scene, enum parameters parameters,
@@ -93,9 +115,10 @@ void spring_law_tell(const struct spring_law *law, const double cell[2],
         line, STATUS_OK,
         "the net has C11 %.4g, C22 %.4g, C33 %.4g of plane stress's, and C12 = %.4g C11 "
         "for "
-        "%.4g C11 (springs have C12 = C33, plane stress only at nu = 1/3)%s",
+        "%.4g C11 (springs have C12 = C33, %s)%s",
         net.c11 / sheet.c11, net.c22 / sheet.c22, net.c33 / sheet.c33, net.c12 / net.c11,
         sheet.c12 / sheet.c11,
+        scene->is_fabric ? "not a fabric's Y12" : "plane stress only at nu = 1/3",
         law->drag > 0
             ? "; the paper's springs: no bending, own mass and damping, not the scene's"
             : "");

@@ -12,7 +12,9 @@ static const double ROOT = 1. / 3, BESIDE = 1. / 6, ALONE = 1. / 2;
 
 struct plate {
     const struct spring_net *net;
-    double stiffness, poisson; /* B [N m], nu                                          */
+    double stiffness[2]; /* B along u and v                                    [N m]   */
+    double twist;        /* B66                                                [N m]   */
+    double poisson;      /* nu, or B12 over the mean of both                           */
     struct spring_plate_form *form;
     int count;
 };
@@ -70,7 +72,7 @@ static void add_line(struct plate *p, int i, int j, int along, bool both)
     int at = i * net->points[1] + j, node[2];
     bool rim = spring_net_on_rim(net, i, j, along);
     double a = net->cell[along], strip = net->cell[1 - along] * (rim ? 0.5 : 1);
-    double nu = p->poisson, B = p->stiffness * (rim ? 1 - nu * nu : 1) * strip;
+    double nu = p->poisson, B = p->stiffness[along] * (rim ? 1 - nu * nu : 1) * strip;
 
     if (net->clamped[at]) {
         for (int side = -1; side <= 1; side += 2)
@@ -89,28 +91,34 @@ static void add_line(struct plate *p, int i, int j, int along, bool both)
     }
 }
 
-static double mean_of(double nu, const double cell[2], double weight[2])
+static double mean_of(double nu, double u_over_v, const double cell[2], double weight[2])
 {
-    weight[0] = cell[1] / cell[0];
-    weight[1] = copysign(cell[0] / cell[1], nu);
+    const double share = sqrt(sqrt(u_over_v));
+
+    weight[0] = share * cell[1] / cell[0];
+    weight[1] = copysign(cell[0] / (share * cell[1]), nu);
     return fabs(nu) / (cell[0] * cell[1]);
 }
 
 void spring_plate_mean(const struct scene *scene, const double cell[2], double weight[2])
 {
-    mean_of(scene->poisson, cell, weight);
+    const struct law law = scene_law(scene);
+    const double *B = law.matrix[LAW_BENDING];
+
+    mean_of(law_cross(&law, LAW_BENDING), B[LAW_11] / B[LAW_22], cell, weight);
 }
 
 static void add_mean(struct plate *p, int at, const int u[2], const int v[2])
 {
-    double w[2], share = mean_of(p->poisson, p->net->cell, w);
+    const double *B = p->stiffness;
+    double w[2], share = mean_of(p->poisson, B[0] / B[1], p->net->cell, w);
     const struct spring_plate_form form = {
         .kind = SPRING_PLATE_MEAN,
         .at = at,
         .count = 5,
         .node = {at, u[0], u[1], v[0], v[1]},
         .weight = {-2 * (w[0] + w[1]), w[0], w[0], w[1], w[1]},
-        .stiffness = share * p->stiffness};
+        .stiffness = share * sqrt(B[0] * B[1])};
 
     add(p, &form);
 }
@@ -126,7 +134,7 @@ static void add_twist(struct plate *p, int i, int j)
         .node = {at, spring_net_beside(net, i, j, 0, 1), spring_net_beside(net, i, j, 1, 0),
                  spring_net_beside(net, i, j, 1, 1)},
         .weight = {1, -1, -1, 1},
-        .stiffness = 2 * (1 - p->poisson) * p->stiffness / (net->cell[0] * net->cell[1])};
+        .stiffness = 4 * p->twist / (net->cell[0] * net->cell[1])};
 
     if (form.node[1] >= 0 && form.node[2] >= 0)
         add(p, &form);
@@ -135,9 +143,13 @@ static void add_twist(struct plate *p, int i, int j)
 enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
                               struct spring_plate_form **forms, int *count)
 {
-    double h = scene->thickness, nu = scene->poisson;
-    struct plate p = {net, scene->young * h * h * h / (12 * (1 - nu * nu)), nu,
-                      malloc(FORMS * (size_t)net->nodes * sizeof *p.form), 0};
+    const struct law law = scene_law(scene);
+    const double *B = law.matrix[LAW_BENDING];
+    struct plate p = {.net = net,
+                      .stiffness = {B[LAW_11], B[LAW_22]},
+                      .twist = B[LAW_33],
+                      .poisson = law_cross(&law, LAW_BENDING),
+                      .form = malloc(FORMS * (size_t)net->nodes * sizeof *p.form)};
 
     if (!p.form)
         return STATUS_MEMORY;

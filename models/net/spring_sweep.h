@@ -51,7 +51,7 @@ enum membrane { MEMBRANE_GREEN, MEMBRANE_COROTATIONAL, MEMBRANE_BARAFF_WITKIN };
  * (triangles/tri_net.h). */
 struct spring_cells {
     enum membrane membrane;
-    double D[3];    /* D11 = D22, D12, D33 of strains (triangles/tri_strain.h) [N/m]   */
+    double D[4];    /* D11, D12, D22, D33 of strains (triangles/tri_strain.h) [N/m]    */
     double cell[2]; /* a_u, a_v                                                [m]     */
 };
 

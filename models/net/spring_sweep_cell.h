@@ -9,7 +9,7 @@
 
 struct NAME(law) {
     REAL uu, vv, uv;    /* per metre of edge: 1 / a_u^2, 1 / a_v^2, 1 / (a_u a_v)      */
-    REAL d11, d12, d33; /* times a triangle's area                                     */
+    REAL d11, d12, d22, d33; /* times a triangle's area                                */
 };
 
 struct NAME(three) {
@@ -52,7 +52,7 @@ static inline __attribute__((always_inline)) struct NAME(tension)
     if (membrane == MEMBRANE_GREEN) {
         REAL e = (q - 1) / 2, f = (r - 1) / 2;
         P = law.d11 * e + law.d12 * f;
-        Q = law.d12 * e + law.d11 * f;
+        Q = law.d12 * e + law.d22 * f;
         R = law.d33 * s;
     } else if (membrane == MEMBRANE_COROTATIONAL) {
         /* D e and U^-1 have the same axes: 2 G (I - U^-1) + d12 tr e U^-1 with
@@ -64,7 +64,7 @@ static inline __attribute__((always_inline)) struct NAME(tension)
         R = -inverse * s;
     } else {
         P = law.d11 * (1 - 1 / ROOT(q));
-        Q = law.d11 * (1 - 1 / ROOT(r));
+        Q = law.d22 * (1 - 1 / ROOT(r));
         R = law.d33 * s;
     }
     R *= law.uv;
@@ -154,7 +154,8 @@ static struct NAME(law) NAME(law_of)(const struct spring_cells *c)
 
     return (struct NAME(law)){(REAL)(1 / (a[0] * a[0])), (REAL)(1 / (a[1] * a[1])),
                               (REAL)(1 / (a[0] * a[1])), (REAL)(area * c->D[0]),
-                              (REAL)(area * c->D[1]),    (REAL)(area * c->D[2])};
+                              (REAL)(area * c->D[1]),    (REAL)(area * c->D[2]),
+                              (REAL)(area * c->D[3])};
 }
 
 /* Computes the tensions of the cells of strip i. */

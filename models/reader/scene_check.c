@@ -10,6 +10,7 @@
 #include "models/contact/contact_rest.h"
 #include "models/discretization.h"
 #include "models/reader/mesh_file.h"
+#include "models/reader/scene_material.h"
 #include "models/vector.h"
 
 /* Axes written with four digits or more are meant as orthonormal, and the reader makes them
@@ -447,6 +448,7 @@ enum status scene_check(const struct yaml_tree *root, bool files, struct scene *
 {
     enum status st = STATUS_OK;
 
+    TRY(scene_material_thickness(root, scene, why));
     TRY(check_sheets(root, scene, why));
     TRY(check_pose(root, scene, why));
     TRY(check_places(root, scene, why));

@@ -9,6 +9,7 @@
 #include "models/damping.h"
 #include "models/model.h"
 #include "models/reader/scene_check.h"
+#include "models/reader/scene_material.h"
 #include "models/vector.h"
 
 enum {
@@ -402,7 +403,7 @@ static enum status refuse_numerics(const struct schema_key *key,
 static const struct schema_key SHEET[] = {
     {"length", "L along u [m]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, length)},
     {"width", "W along v [m]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, width)},
-    {"thickness", "h along w [m]", SCHEMA_NUMBER, .required = true, LENGTH,
+    {"thickness", "h along w; fabrics have their own [m]", SCHEMA_NUMBER, LENGTH,
      IN(scene, thickness)},
     {NULL}};
 
@@ -424,14 +425,6 @@ static const struct schema_key SHEETS[] = {
     {"u", "unit vector along the length; x", SCHEMA_VECTOR, PLACE, IN(scene_pose, axis_u)},
     {"v", "unit vector along the width, across u; y", SCHEMA_VECTOR, PLACE,
      IN(scene_pose, axis_v)},
-    {NULL}};
-
-static const struct schema_key MATERIAL[] = {
-    {"young", "E [Pa]", SCHEMA_NUMBER, .required = true, POSITIVE, IN(scene, young)},
-    {"poisson", "nu [1]", SCHEMA_NUMBER, .required = true, .open = true, .low = -1,
-     .high = 0.5, IN(scene, poisson)},
-    {"density", "rho [kg/m^3]", SCHEMA_NUMBER, .required = true, POSITIVE,
-     IN(scene, density)},
     {NULL}};
 
 static const struct schema_key DRAG[] = {
@@ -492,7 +485,8 @@ static const struct schema_key SCENE[] = {
     {"sheets", "in place of pose: several sheets, alike but for their places", SCHEMA_SPECIAL,
      .keys = SHEETS, .read = read_sheets,
      .want = "a list of 2 to 8 sheets {origin: [x, y, z], u: [...], v: [...]}"},
-    {"material", "isotropic, linear", SCHEMA_SECTION, .required = true, .keys = MATERIAL},
+    {"material", "what the sheet is made of", SCHEMA_SECTION, .required = true,
+     .keys = scene_material_keys, .read = scene_material_check},
     {"gravity", "acceleration [m/s^2]", SCHEMA_VECTOR, PLACE, IN(scene, gravity)},
     {"drag", "body drag", SCHEMA_SECTION, .keys = DRAG},
     {"damping", "damping", SCHEMA_SECTION, .keys = DAMPING},

@@ -67,7 +67,7 @@ static struct wanted wanted(const struct schema_key *key)
         snprintf(w.text, sizeof w.text, "%s", key->want);
         return w;
     }
-    snprintf(w.text, sizeof w.text, "%s", noun[key->type]);
+    snprintf(w.text, sizeof w.text, "%s", key->want ? key->want : noun[key->type]);
     if (key->type == SCHEMA_WORD || key->type == SCHEMA_SECTION)
         write_names(w.text, sizeof w.text, key);
     else if (key->type != SCHEMA_TEXT) {
@@ -83,6 +83,13 @@ enum status schema_refuse(const struct schema_key *key, const struct yaml_tree *
 {
     return yaml_tree_refuse(node, why, "%s is %s, but must be %s", key->key,
                             yaml_tree_describe(node).text, wanted(key).text);
+}
+
+enum status schema_lacks(const struct schema_key *key, const struct yaml_tree *node,
+                         const char *name, struct message *why)
+{
+    return yaml_tree_refuse(node, why, "%s lacks the key '%s', %s", name, key->key,
+                            wanted(key).text);
 }
 
 /* Refuses a value inside a list, like schema_refuse. */
@@ -127,10 +134,11 @@ static enum status read_vector(const struct schema_key *key, const struct yaml_t
                                double *vector, struct message *why)
 {
     const struct yaml_tree *child = node->first;
+    const int count = key->most ? key->most : 3;
 
-    if (node->kind != YAML_TREE_LIST || node->count != 3)
+    if (node->kind != YAML_TREE_LIST || node->count != count)
         return schema_refuse(key, node, why);
-    for (int i = 0; i < 3; i++, child = child->next)
+    for (int i = 0; i < count; i++, child = child->next)
         if (!parse_number(child, &vector[i]) || !in_range(key, vector[i]))
             return refuse_inside(key, child, why);
     return STATUS_OK;
@@ -366,8 +374,7 @@ enum status schema_read(const struct schema_key *keys, const struct yaml_tree *n
     }
     for (const struct schema_key *key = keys; key->key; key++)
         if (key->required && !yaml_tree_find(node, key->key))
-            return yaml_tree_refuse(node, why, "%s lacks the key '%s', %s", name, key->key,
-                                    wanted(key).text);
+            return schema_lacks(key, node, name, why);
 out:
     return st;
 }

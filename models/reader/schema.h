@@ -30,6 +30,10 @@ enum status schema_text(const struct schema_key *key, const struct yaml_tree *no
 enum status schema_refuse(const struct schema_key *key, const struct yaml_tree *node,
                           struct message *why);
 
+/* Fails with the sentence "NAME lacks the key 'KEY', WANTED". */
+enum status schema_lacks(const struct schema_key *key, const struct yaml_tree *node,
+                         const char *name, struct message *why);
+
 /* Calls line() once a key of the table and its sections, as `prefix` + section.key. */
 void schema_list(const struct schema_key *keys, const char *prefix,
                  void (*line)(void *context, const char *key, const char *text),

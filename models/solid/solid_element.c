@@ -17,8 +17,25 @@
 typedef solid_lanes lanes;
 _Static_assert(SOLID_LANES == 4, "a gathered position is one vector: x, y, z, 0");
 
-struct solid_material solid_element_material(double young, double poisson, double density)
+static struct solid_material fabric(const struct law *law, double density)
 {
+    static const double flat[] = {1, 1, 0};
+    const double *A = law->matrix[LAW_MEMBRANE];
+    struct solid_material m = {.density = density, .is_fabric = true};
+
+    m.mu = sqrt(A[LAW_11] * A[LAW_22]) / law->thickness / 2;
+    for (int part = 0; part < LAW_PARTS; part++)
+        law_on_surface(law, (enum law_part)part, flat, 1, m.fabric[part]);
+    law_shares(law, flat, m.fabric[LAW_MEMBRANE], m.share);
+    return m;
+}
+
+struct solid_material solid_element_material(const struct law *law, double density)
+{
+    double young = law->young, poisson = law->poisson;
+
+    if (!law->isotropic)
+        return fabric(law, density);
     return (struct solid_material){
         .lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson)),
         .mu = young / (2 * (1 + poisson)),

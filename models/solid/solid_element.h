@@ -17,7 +17,7 @@
 #include "models/solid/solid_material.h"
 #include "models/solid/solid_space.h"
 
-struct solid_material solid_element_material(double young, double poisson, double density);
+struct solid_material solid_element_material(const struct law *law, double density);
 
 /* Working storage and results of one thread. Columns: the functions, then the internal
  * modes, padded to `padded`; rows of M and X: the functions only, padded to `row`. */

@@ -78,20 +78,39 @@ const struct solid_layer_form solid_layer_form[SOLID_KINDS] = {
     [SOLID_BENDING] = {3, 4, {{0, 0, 2, 1}, {1, 1, 3, 1}, {2, 0, 3, 1}, {2, 1, 2, 1}}},
 };
 
+/* Computes stretches 11, 22, 12 or bends of a fabric, less what its own points have. */
+static void fabric_stress(const struct solid_material *m, enum solid_strains kind,
+                          double dV, const double *strain, double *stress)
+{
+    if (kind == SOLID_ALONG_U || kind == SOLID_ALONG_V) {
+        stress[0] = dV * m->share[kind == SOLID_ALONG_V] * strain[0];
+        return;
+    }
+    law_stress(m->fabric[kind == SOLID_BENDING ? LAW_BENDING : LAW_MEMBRANE], strain,
+               stress);
+    for (int i = 0; i < 3; i++) {
+        if (i < 2 && kind != SOLID_BENDING)
+            stress[i] -= m->share[i] * strain[i];
+        stress[i] *= dV;
+    }
+}
+
 void solid_layer_stress(const struct solid_material *m, enum solid_strains kind, double dV,
                         const double *strain, double *stress)
 {
     const double along = m->plane + 2 * m->mu, shared = fabs(m->plane);
     const double own = kind == SOLID_BENDING ? along : shared;
 
-    if (kind == SOLID_ALONG_U || kind == SOLID_ALONG_V) {
+    if (m->is_fabric) {
+        fabric_stress(m, kind, dV, strain, stress);
+    } else if (kind == SOLID_ALONG_U || kind == SOLID_ALONG_V) {
         stress[0] = dV * (along - shared) * strain[0];
-        return;
+    } else {
+        stress[0] = dV * (own * strain[0] + m->plane * strain[1]);
+        stress[1] = dV * (own * strain[1] + m->plane * strain[0]);
+        stress[2] = dV * m->mu * strain[2];
     }
-    stress[0] = dV * (own * strain[0] + m->plane * strain[1]);
-    stress[1] = dV * (own * strain[1] + m->plane * strain[0]);
-    stress[2] = dV * m->mu * strain[2];
-    if (kind == SOLID_BENDING)
+    if (kind != SOLID_OTHER)
         return;
     stress[3] = dV * (5. / 6) * m->mu * strain[3];
     stress[4] = dV * (5. / 6) * m->mu * strain[4];
@@ -225,6 +244,24 @@ static void vary(int row, const struct solid_layer_term *term, const double *q,
     }
 }
 
+/* Computes wb = C b of a fabric's three strains along the sheet. */
+static void weigh_fabric(const struct solid_material *m, enum solid_strains kind, double dV,
+                         int row, const double *b, double *wb)
+{
+    double C[3][SOLID_LAYER_STRAINS];
+
+    for (int j = 0; j < 3; j++) {
+        double unit[SOLID_LAYER_STRAINS] = {0};
+        unit[j] = 1;
+        solid_layer_stress(m, kind, dV, unit, C[j]);
+    }
+    for (int i = 0; i < 3; i++)
+        for (int a = 0; a < 3 * row; a += SOLID_LANES)
+            *(solid_lanes *)(wb + 3 * i * row + a) = C[0][i] * at(b + a) +
+                                                     C[1][i] * at(b + 3 * row + a) +
+                                                     C[2][i] * at(b + 6 * row + a);
+}
+
 int solid_layer_vary(struct solid_layer *s, const struct solid_layer_rest *rest, int n,
                      double c[VECTORS][3], const struct solid_material *m, int first)
 {
@@ -242,12 +279,14 @@ int solid_layer_vary(struct solid_layer *s, const struct solid_layer_rest *rest,
              !t || form->term[t].strain != form->term[t - 1].strain,
              b + form->term[t].strain * 3 * row);
     solid_layer_stress(m, kind, rest->dV[n], unit, modulus);
-    for (int a = 0; coupled && a < 3 * row; a += SOLID_LANES) {
+    if (coupled && m->is_fabric)
+        weigh_fabric(m, kind, rest->dV[n], row, b, wb);
+    for (int a = 0; coupled && !m->is_fabric && a < 3 * row; a += SOLID_LANES) {
         solid_lanes u = at(b + a), v = at(b + 3 * row + a);
         *(solid_lanes *)(wb + a) = modulus[0] * u + modulus[1] * v;
         *(solid_lanes *)(wb + 3 * row + a) = modulus[1] * u + modulus[0] * v;
     }
-    for (int r = coupled ? 2 : 0; r < form->strains; r++)
+    for (int r = !coupled ? 0 : m->is_fabric ? 3 : 2; r < form->strains; r++)
         for (int a = 3 * r * row; a < 3 * (r + 1) * row; a += SOLID_LANES)
             *(solid_lanes *)(wb + a) = modulus[r] * at(b + a);
     return form->strains;

@@ -146,8 +146,8 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     const bool meets = contact_wanted(scene) && !nonlinear;
     struct solid_motion new = {.scene = scene, .space = space, .kinematics = d->kinematics};
     memcpy(new.points, d->points, sizeof new.points);
-    struct solid_material material =
-        solid_element_material(scene->young, scene->poisson, scene->density);
+    const struct law law = scene_law(scene);
+    struct solid_material material = solid_element_material(&law, scene->density);
 
     TRY(solid_assembly_init(&new.assembly, space, &material));
     const struct blocks *graph = &new.assembly.graph;

@@ -73,7 +73,8 @@ static void check_same(const char *what, int rows, double *ours, double *theirs)
 static void check_distorted(void)
 {
     const struct solid_case box = {SOLID_HEX, {1, 1, 1}, {3, 3, 2}, {1, 0.75, 0.125}};
-    struct solid_material material = solid_element_material(1e5, 0.3, 0.5);
+    const struct law law = law_isotropic(1e5, 0.3, 1);
+    struct solid_material material = solid_element_material(&law, 0.5);
     struct reference *table = open_stored("calculix_matrices_distorted");
     struct patch patch;
     struct solid s;

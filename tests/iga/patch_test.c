@@ -213,7 +213,8 @@ static const char *const shape_name[] = {"box", "skewed", "distorted", "rational
 static void make(const struct solid_case *c, enum shape shape, const int gauss[3],
                  struct solid *s)
 {
-    struct solid_material material = solid_element_material(young, nu, 1);
+    const struct law law = law_isotropic(young, nu, 1);
+    struct solid_material material = solid_element_material(&law, 1);
     struct patch patch = {0};
     uint64_t state = 7;
 

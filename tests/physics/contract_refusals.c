@@ -174,6 +174,16 @@ static void add_need(struct scene *scene, unsigned need, double w)
     case SCENE_NEED_LOADS:
         REQUIRE(scene_add_load(scene, &tip) == STATUS_OK);
         return;
+    case SCENE_NEED_BIAS:
+        scene->fabric.warp = 30; /* and */
+        __attribute__((fallthrough));
+    case SCENE_NEED_FABRIC:
+        memcpy(scene->fabric.membrane, (double[]){2e3, 1e3, 400, 100}, 4 * sizeof(double));
+        memcpy(scene->fabric.bending, (double[]){4e-2, 1e-2, 6e-3, 8e-3},
+               4 * sizeof(double));
+        scene->fabric.areal_density = 0.01;
+        scene_use_fabric(scene);
+        return;
     case SCENE_NEED_CURVED_REST:
         scene->shape = SCENE_CLOAK, scene->opening = 90;
         return;

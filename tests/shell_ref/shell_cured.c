@@ -33,8 +33,8 @@ static void flat(struct shell_space *space, int p, int n, int m, double grade)
 
 static void assemble(struct shell_assembly *s, const struct shell_space *space)
 {
-    const struct shell_material material = {
-        .young = 3.0, .poisson = 0.3, .density = 2, .thickness = 0.1};
+    const struct shell_material material = {.law = law_isotropic(3, 0.3, 0.1),
+                                            .density = 2};
 
     REQUIRE(shell_assembly_init(s, space, &material, NULL) == STATUS_OK);
 }

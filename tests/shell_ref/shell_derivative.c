@@ -67,8 +67,8 @@ static void check_shell(int p, int n, int q, int m, bool weights, bool selective
 {
     struct shell_space space = {0};
     struct shell_assembly s = {0};
-    const struct shell_material material = {
-        .young = 3.0, .poisson = 0.3, .density = 2, .thickness = thickness};
+    const struct shell_material material = {.law = law_isotropic(3, 0.3, thickness),
+                                            .density = 2};
 
     shell_curved(&space, p, n, q, m, weights, selective);
     REQUIRE(shell_assembly_init(&s, &space, &material, NULL) == STATUS_OK);

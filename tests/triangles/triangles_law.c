@@ -207,7 +207,8 @@ static void check_corotational(void)
     double e = U[0] - 1, f = U[1] - 1, area = run.scene.length * run.scene.width;
     CHECK_RELATIVE(tri_body_energy(&m->body, x),
                    area / 2 *
-                       (D[0] * (e * e + f * f) + 2 * D[1] * e * f + 4 * D[2] * U[2] * U[2]),
+                       (D[LAW_11] * (e * e + f * f) + 2 * D[LAW_12] * e * f +
+                        4 * D[LAW_33] * U[2] * U[2]),
                    SUM);
     run_close(&run);
 }

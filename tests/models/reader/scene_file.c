@@ -358,6 +358,29 @@ static void check_outranked(void)
     clear(&r);
 }
 
+/* A fabric by name or by its moduli has their mass and bends as they do; a setting of it
+ * outranks E, nu, rho and h of the file. */
+static void check_fabrics(void)
+{
+    static const char path[] = SOURCE_DIR "/models/scenes/edge_drop.yaml";
+    static const char *const named[] = {"material.fabric=denim", "material.warp=90"},
+                             *const moduli =
+                                 "material={membrane: [2e3, 1e3, 400, 100], bending: "
+                                 "[4e-5, 1e-5, 6e-6, 8e-6], areal_density: 0.2}";
+    const double ROUNDING = 1e-14;
+    struct read r = read_file(path, 2, named);
+
+    CHECK(r.s.is_fabric && scene_needs(&r.s) & SCENE_NEED_FABRIC);
+    CHECK_RELATIVE(r.s.density * r.s.thickness, 0.4, ROUNDING);
+    CHECK_RELATIVE(r.s.thickness, 6.6e-4, ROUNDING);
+    CHECK(scene_bending_stiffness(&r.s) == r.s.fabric.bending[LAW_WEFT]);
+    clear(&r);
+    r = read_file(path, 1, &moduli);
+    CHECK(scene_bending_stiffness(&r.s) == 4e-5);
+    CHECK_RELATIVE(r.s.density * r.s.thickness, 0.2, ROUNDING);
+    clear(&r);
+}
+
 /* A failure leaves the discretization as it was and the scene all-zero. */
 static void check_failure(void)
 {
@@ -434,6 +457,7 @@ int main(void)
     check_printed();
     check_foreign();
     check_outranked();
+    check_fabrics();
     check_failure();
     check_shipped();
     check_names();

@@ -84,9 +84,9 @@ static void place(enum state state, const struct bspline *u, const struct bsplin
 
 static void make(struct sheet *s, enum kind kind, int p, int n, int m)
 {
-    const struct shell_material thin = {
-        .young = 3, .poisson = 0.3, .density = 2, .thickness = THICKNESS};
-    const struct solid_material thick = solid_element_material(3, 0.3, 2);
+    const struct law law = law_isotropic(3, 0.3, THICKNESS);
+    const struct shell_material thin = {.law = law, .density = 2};
+    const struct solid_material thick = solid_element_material(&law, 2);
     const struct solid_case box = {
         SOLID_SELECTIVE, {p, p, 1}, {p + n, p + m, 2}, {LENGTH, WIDTH, THICKNESS}};
     struct patch patch;

@@ -77,7 +77,8 @@ static void check_foresight(const struct solid_green *g)
 static void check_solid(enum solid_kind kind, int p, int q, int r, bool thickness)
 {
     const struct solid_case box = {kind, {p, q, r}, {p + 2, q + 3, r + 1}, {1.0, 0.8, 0.3}};
-    const struct solid_material material = solid_element_material(3, 0.3, 2);
+    const struct law law = law_isotropic(3, 0.3, 1);
+    const struct solid_material material = solid_element_material(&law, 2);
     struct patch patch;
     struct solid s;
     struct solid_green g = {0};
@@ -110,7 +111,8 @@ static void check_solid(enum solid_kind kind, int p, int q, int r, bool thicknes
 static void check_deaths(void)
 {
     const struct solid_case box = {SOLID_IGA, {2, 2, 1}, {4, 4, 2}, {1, 1, 0.1}};
-    const struct solid_material material = solid_element_material(3, 0.3, 2);
+    const struct law law = law_isotropic(3, 0.3, 1);
+    const struct solid_material material = solid_element_material(&law, 2);
     struct patch patch;
     struct solid s;
     struct solid_green g = {0};

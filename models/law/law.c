@@ -1,0 +1,144 @@
+#include "models/law/law.h"
+
+#include <math.h>
+
+/* Below 1/2, where a solid resists no more. */
+static const double MOST_POISSON = 0.49;
+
+static const double DEGREE = 3.14159265358979323846 / 180;
+
+struct law law_isotropic(double young, double poisson, double thickness)
+{
+    const double h = thickness, nu = poisson;
+    struct law law = {.isotropic = true, .young = young, .poisson = nu, .thickness = h};
+    double *A = law.matrix[LAW_MEMBRANE], *B = law.matrix[LAW_BENDING];
+
+    A[LAW_11] = young * h / (1 - nu * nu);
+    B[LAW_11] = young * h * h * h / (12 * (1 - nu * nu));
+    for (int part = 0; part < LAW_PARTS; part++) {
+        double *m = law.matrix[part];
+        m[LAW_22] = m[LAW_11];
+        m[LAW_12] = nu * m[LAW_11];
+        m[LAW_33] = (1 - nu) / 2 * m[LAW_11];
+    }
+    return law;
+}
+
+struct law law_of_fabric(const struct law_fabric *fabric)
+{
+    struct law law = {.thickness = law_thickness(fabric)};
+
+    law_mean(fabric, &law.young, &law.poisson);
+    for (int part = 0; part < LAW_PARTS; part++) {
+        const double *m = part == LAW_BENDING ? fabric->bending : fabric->membrane;
+        const double own[LAW_ENTRIES] = {[LAW_11] = m[LAW_WARP],
+                                         [LAW_12] = m[LAW_CROSS],
+                                         [LAW_22] = m[LAW_WEFT],
+                                         [LAW_33] = m[LAW_SHEAR]};
+        law_turn(own, -fabric->warp, law.matrix[part]);
+    }
+    return law;
+}
+
+bool law_definite(const double m[LAW_MODULI])
+{
+    return m[LAW_WARP] > 0 && m[LAW_WEFT] > 0 && m[LAW_SHEAR] > 0 &&
+           fabs(m[LAW_CROSS]) < LAW_MOST_CROSS * sqrt(m[LAW_WARP]) * sqrt(m[LAW_WEFT]);
+}
+
+double law_thickness(const struct law_fabric *f)
+{
+    const double *Y = f->membrane, *B = f->bending;
+
+    return sqrt(12 * sqrt(B[LAW_WARP] / Y[LAW_WARP] * (B[LAW_WEFT] / Y[LAW_WEFT])));
+}
+
+void law_mean(const struct law_fabric *f, double *young, double *poisson)
+{
+    const double *Y = f->membrane, both = Y[LAW_WARP] + Y[LAW_WEFT];
+    const double along = (3 * both + 2 * Y[LAW_CROSS] + 4 * Y[LAW_SHEAR]) / 8;
+    const double cross = (both + 6 * Y[LAW_CROSS] - 4 * Y[LAW_SHEAR]) / 8;
+
+    *poisson = fmin(cross / along, MOST_POISSON);
+    *young = (along - cross * *poisson) / law_thickness(f);
+}
+
+double law_cross(const struct law *law, enum law_part part)
+{
+    const double *m = law->matrix[part];
+
+    return law->isotropic ? law->poisson : m[LAW_12] / sqrt(m[LAW_11] * m[LAW_22]);
+}
+
+bool law_is_aligned(const struct law *law)
+{
+    bool aligned = true;
+
+    for (int part = 0; part < LAW_PARTS; part++)
+        aligned =
+            aligned && law->matrix[part][LAW_13] == 0 && law->matrix[part][LAW_23] == 0;
+    return aligned;
+}
+
+double law_energy(const double m[LAW_ENTRIES], const double e[3])
+{
+    double s[3];
+
+    law_stress(m, e, s);
+    return (e[0] * s[0] + e[1] * s[1] + e[2] * s[2]) / 2;
+}
+
+void law_stress(const double m[LAW_ENTRIES], const double e[3], double s[3])
+{
+    s[0] = m[LAW_11] * e[0] + m[LAW_12] * e[1] + m[LAW_13] * e[2];
+    s[1] = m[LAW_12] * e[0] + m[LAW_22] * e[1] + m[LAW_23] * e[2];
+    s[2] = m[LAW_13] * e[0] + m[LAW_23] * e[1] + m[LAW_33] * e[2];
+}
+
+void law_transform(const double matrix[LAW_ENTRIES], double T[3][3],
+                   double out[LAW_ENTRIES])
+{
+    for (int i = 0, entry = 0; i < 3; i++)
+        for (int j = i; j < 3; j++, entry++) {
+            const double ei[3] = {T[0][i], T[1][i], T[2][i]};
+            const double ej[3] = {T[0][j], T[1][j], T[2][j]};
+            double s[3];
+            law_stress(matrix, ej, s);
+            out[entry] = ei[0] * s[0] + ei[1] * s[1] + ei[2] * s[2];
+        }
+}
+
+void law_turn(const double matrix[LAW_ENTRIES], double degrees, double turned[LAW_ENTRIES])
+{
+    const double right = degrees / 90;
+    const bool exact = right == floor(right), odd = exact && fmod(right, 2) != 0;
+    const double c = exact ? !odd : cos(DEGREE * degrees);
+    const double s = exact ? odd : sin(DEGREE * degrees);
+    double T[3][3] = {{c * c, s * s, -c * s},
+                      {s * s, c * c, c * s},
+                      {2 * c * s, -2 * c * s, c * c - s * s}};
+
+    law_transform(matrix, T, turned);
+}
+
+void law_invert(const double m[LAW_ENTRIES], double inverse[LAW_ENTRIES])
+{
+    inverse[LAW_11] = m[LAW_22] * m[LAW_33] - m[LAW_23] * m[LAW_23];
+    inverse[LAW_12] = m[LAW_13] * m[LAW_23] - m[LAW_12] * m[LAW_33];
+    inverse[LAW_13] = m[LAW_12] * m[LAW_23] - m[LAW_13] * m[LAW_22];
+    inverse[LAW_22] = m[LAW_11] * m[LAW_33] - m[LAW_13] * m[LAW_13];
+    inverse[LAW_23] = m[LAW_12] * m[LAW_13] - m[LAW_11] * m[LAW_23];
+    inverse[LAW_33] = m[LAW_11] * m[LAW_22] - m[LAW_12] * m[LAW_12];
+    const double determinant = m[LAW_11] * inverse[LAW_11] + m[LAW_12] * inverse[LAW_12] +
+                               m[LAW_13] * inverse[LAW_13];
+    for (int k = 0; k < LAW_ENTRIES; k++)
+        inverse[k] /= determinant;
+}
+
+double law_narrow(const double matrix[LAW_ENTRIES])
+{
+    double inverse[LAW_ENTRIES];
+
+    law_invert(matrix, inverse);
+    return 1 / inverse[LAW_11];
+}

@@ -12,12 +12,12 @@
  * of them lead a sheet 1.3e-2 m astray. */
 static const double SUMS = 2e-11, SOLVED = 4e-9, ITERATED = 1e-9, SINGLE = 2e-4;
 
-enum law { EULER, AVERAGE, LEAPFROG, BDF2, INCREMENTAL, PRINTED };
+enum scheme { EULER, AVERAGE, LEAPFROG, BDF2, INCREMENTAL, PRINTED };
 enum { FRAMES = 40, EXTRA = 4 };
 
 static const struct row {
     const char *name, *settings[EXTRA];
-    enum law law;
+    enum scheme law;
     double tolerance; /* of the way                                                    */
 } rows[] = {
     {"iga_linear", {0}, AVERAGE, SOLVED},
@@ -63,7 +63,7 @@ struct point {
 
 /* Takes one step under f per mass, slowed by `rate` times the velocity; `printed` by mu,
  * too. */
-static void step(enum law law, double dt, double f, double rate, double mu, struct point *p)
+static void step(enum scheme law, double dt, double f, double rate, double mu, struct point *p)
 {
     const double s = rate * dt / 2, v = p->v, quarter = dt * dt / 4;
     double next;

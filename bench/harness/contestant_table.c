@@ -10,6 +10,7 @@
 #include "projective_dynamics/projective_dynamics_model.h"
 #include "shell_ref/shell_model.h"
 #include "triangles/tri_model.h"
+#include "vertex_block/vertex_block_model.h"
 
 #define COMPARE CONTESTANT_COMPARE
 #define STRESS  CONTESTANT_STRESS
@@ -180,6 +181,14 @@ const struct contestant contestant_table[] = {
      "PD 1000", &projective_dynamics_model, STRESS,
      {"discretization.iterations=1000", "discretization.acceleration=chebyshev"}, 0, 1,
      {10, 20}, {1, 4}, {0}},
+
+    /* Vertex block descent. */
+    {"vertex_block", "vertex block descent", "VBD", &vertex_block_model,
+     CONTESTANT_EVERYWHERE, {0}, 0, 1, {10, 16, 20, 40}, {1}, {5, 20}},
+    {"vbd_newton", "vertex block descent, bending by edge length", "VBD edge",
+     &vertex_block_model, 0,
+     {"discretization.bending=hinge", "discretization.hinge_scale=edge_length"}, 0, 1,
+     {10, 20}, {1}, {5, 20}},
     {NULL},
 };
 /* clang-format on */

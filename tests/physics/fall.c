@@ -43,6 +43,7 @@ static const struct row {
     {"position_based", {"discretization.substeps=10"}, EULER, SUMS},
     {"position_based_pbd", {"discretization.substeps=10"}, EULER, SUMS},
     {"position_based_single", {"discretization.substeps=100"}, EULER, SINGLE},
+    {"vertex_block", {"discretization.iterations=500"}, EULER, SUMS},
     {"projective_dynamics", {0}, EULER, SUMS},
     {"projective_dynamics",
      {"discretization.substeps=2", "discretization.constraint=edges"},
@@ -129,7 +130,8 @@ static void check_fall(const struct row *row, const struct air *air)
                c->layers ? "discretization.points=[6,5,2]" : "discretization.points=[6,5]",
                air->drag,
                row->law == PRINTED ? "damping={kind: velocity_scale, value: 0.5}"
-               : strstr(row->name, "_pbd") || strstr(row->name, "projective")
+               : strstr(row->name, "_pbd") || strstr(row->name, "projective") ||
+                       strstr(row->name, "vertex")
                    ? air->without_beta
                    : air->damping,
                row->settings[0] ? row->settings[0] : air->drag,

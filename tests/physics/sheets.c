@@ -41,6 +41,8 @@ static const struct row {
     {"triangles", KEY "integrator=leapfrog;" KEY "substeps=96;" FINE, SAME, 0},
     {"position_based", "time.end=10", SAME, 0},
     {"position_based", KEY "iterations=3", SAME, 0},
+    {"vertex_block", "time.end=10", SAME, 0},
+    {"vertex_block", KEY "elements=springs", SAME, 0},
     {"projective_dynamics", "time.end=10", SAME, 0},
     {"projective_dynamics", KEY "constraint=edges;" KEY "integrator=bdf2", SAME, 0},
     {"projective_dynamics", KEY "acceleration=admm", SAME, 0},

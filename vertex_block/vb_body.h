@@ -1,0 +1,75 @@
+/* vb_body.h - a net of points as each of its points sees it: the elements beside a point,
+ * the force on it, and the block of the tangent that is its own (Chen, Liu, Yang, Yuksel
+ * 2024, "Vertex block descent", ACM Trans. Graph. 43(4), eq. 6-8).
+ *
+ * Elements are triangles of constant Green strain, or springs; bending is the quadratic
+ * form of spring_plate.h, or hinges. Of a block that part of the geometric stiffness is
+ * left out that could make it indefinite: all of a hinge's, and that of pressure; forces
+ * are exact, so that what iterations end at does not depend on it.
+ */
+#ifndef VB_BODY_H
+#define VB_BODY_H
+
+#include "triangles/tri_body.h"
+
+/* A triangle at one of its corners: of the tangents X_u and X_v, a change of the corner
+ * changes `share`. */
+struct vb_corner {
+    int node[3];
+    double side[2];  /* X_d = side[d] (x_node[1 + d] - x_node[0])               [1/m]   */
+    double share[2]; /*                                                        [1/m]   */
+};
+
+struct vb_spring {
+    int other;
+    double stiffness, length; /*                                        [N/m], [m]     */
+};
+
+/* An entry of the plate's constant matrix. */
+struct vb_plate {
+    int other;
+    double stiffness; /*                                                       [N/m]   */
+};
+
+struct vb_hinge {
+    const struct tri_hinge *hinge; /*                                        borrowed  */
+    int corner;                    /* of its four nodes                                */
+};
+
+struct vb_body {
+    int nodes;
+    double D[3][3], area; /* plane stress [N/m]; of a triangle                  [m^2]  */
+    void *room;           /* of the arrays                                      owned  */
+    /* [nodes + 1] where the elements of each node begin in the lists below */
+    int *corners_from, *springs_from, *plates_from, *hinges_from;
+    struct vb_corner *corner;
+    struct vb_spring *spring;
+    struct vb_plate *plate; /* with the node itself                                    */
+    struct vb_hinge *hinge;
+    double *pull; /* [nodes][3] constant force of clamps                    [N]   */
+    int colours;
+    int *order;        /* [nodes] by colour: those of one colour share no element      */
+    int *colours_from; /* [nodes + 1] the first colours + 1 are used                    */
+};
+
+/* Lists the elements of a net: its triangles of this law, or the springs of net->points;
+ * forms and hinges. net is borrowed. */
+enum status vb_body_init(struct vb_body *b, const struct tri_net *net,
+                         const struct tri_body *law, bool springs);
+void vb_body_clear(struct vb_body *b);
+
+/* The step's function: sum of inertia |x - target|^2 / 2 over the nodes, and the energy. */
+struct vb_step {
+    const double *inertia; /* [nodes]                                          [N/m]   */
+    const double *target;  /* [nodes][3]                                       [m]     */
+    const int *place;      /* [nodes][3] negative: held                                */
+};
+
+/* Moves each point of x[nodes][3] once to where the step's function, quadratic in its
+ * place alone, is least: colour by colour. The same bits for every number of threads. */
+void vb_body_sweep(const struct vb_body *b, const struct vb_step *s, double *x);
+
+/* Returns the rms length, over the free points, of the step's force that is left [N]. */
+double vb_body_residual(const struct vb_body *b, const struct vb_step *s, const double *x);
+
+#endif

@@ -1,0 +1,9 @@
+/* vertex_block_model.h - the model `vertex_block`. */
+#ifndef VERTEX_BLOCK_MODEL_H
+#define VERTEX_BLOCK_MODEL_H
+
+#include "models/model.h"
+
+extern const struct model vertex_block_model;
+
+#endif

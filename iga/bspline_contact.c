@@ -52,8 +52,7 @@ static int repeat(const struct scene *scene, int count, double *line)
 enum status bspline_contact_refuse(const struct scene *scene,
                                    const struct discretization *d, struct message *why)
 {
-    if (OWN(bspline_contact_own, d)->contact == BSPLINE_CONTACT_NET &&
-        (scene_closed(scene) || scene_sheets(scene) > 1))
+    if (d->contact == CONTACT_NET && (scene_closed(scene) || scene_sheets(scene) > 1))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "contact=control_points is for one sheet that is not closed; "
                            "use contact=surface");
@@ -67,7 +66,7 @@ enum status bspline_contact_surface(const struct scene *scene,
                                     struct contact_surface *surface)
 {
     enum status st;
-    const enum bspline_contact contact = OWN(bspline_contact_own, d)->contact;
+    const enum contact_samples contact = d->contact;
     const size_t most = SAMPLES * (size_t)(basis[0].n + basis[1].n);
     double *line[2], *factor[2];
     int *span, points[2];
@@ -77,9 +76,8 @@ enum status bspline_contact_surface(const struct scene *scene,
                  ROOM(factor[1], most), ROOM(span, most)));
     for (int i = 0; i < 2; i++) {
         const struct bspline b = bspline_part(&basis[i], 0);
-        points[i] = contact == BSPLINE_CONTACT_NET
-                        ? sample_net(&b, line[i], factor[i])
-                        : sample_spans(&b, span, line[i], factor[i]);
+        points[i] = contact == CONTACT_NET ? sample_net(&b, line[i], factor[i])
+                                           : sample_spans(&b, span, line[i], factor[i]);
     }
     const int rows = points[0];
     points[0] = repeat(scene, rows, line[0]);

@@ -12,27 +12,13 @@
 #include "models/contact/contact_surface.h"
 #include "models/option.h"
 
-enum bspline_contact { BSPLINE_CONTACT_SURFACE, BSPLINE_CONTACT_NET, BSPLINE_CONTACTS };
-
-/* The own choices of spline models, and their row in the model's table (option.h). */
-struct bspline_contact_own {
-    enum bspline_contact contact;
-};
-/* clang-format off */
-#define BSPLINE_CONTACT_OPTION                                                             \
-    {"contact", "contact of the surface, or of control points alone (Ren et al. 2024)",    \
-     OPTION_WORDS([BSPLINE_CONTACT_SURFACE] = "surface",                                   \
-                  [BSPLINE_CONTACT_NET] = "control_points"),                               \
-     OPTION_OWN(bspline_contact_own, contact)}
-/* clang-format on */
-
 /* Refuses, with a sentence, control points of several sheets or of a closed one. */
 enum status bspline_contact_refuse(const struct scene *scene,
                                    const struct discretization *d, struct message *why);
 
 /* Makes the samples of a surface with the bases of u and v, by the choice in d: several a
  * span, one where both degrees are 1, or one at each Greville abscissa. Areas of the latter
- * are the integrals of the functions. row[BSPLINE_CONTACTS]: of the surface, and of the
+ * are the integrals of the functions. row[CONTACT_SAMPLES]: of the surface, and of the
  * control net (bspline_contact_hats). The rest as for contact_surface_init. */
 enum status bspline_contact_surface(const struct scene *scene,
                                     const struct bspline basis[2],

@@ -30,7 +30,7 @@ static const struct schema_key options[] = {
     {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_REDUCED) |
                        OPTION(REMEDY_SELECTIVE) | OPTION(REMEDY_CLAMPED)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
-    BSPLINE_CONTACT_OPTION,
+    {"contact"},
     {NULL}};
 /* clang-format on */
 
@@ -287,8 +287,8 @@ static void destroy(void *state)
 
 /* Fabrics are for layers alone. */
 enum {
-    PLATE_SERVES = SOLID_MODEL_SERVES | SCENE_NEED_CLOSED_REST | SCENE_NEED_FABRIC |
-                   SCENE_NEED_BIAS
+    PLATE_SERVES =
+        SOLID_MODEL_SERVES | SCENE_NEED_CLOSED_REST | SCENE_NEED_FABRIC | SCENE_NEED_BIAS
 };
 
 static bool has_layer(const struct discretization *d)
@@ -410,7 +410,7 @@ static int row_of_net(const void *self, double u, double v, int *node, double *s
 
 static enum status meet(struct plate *p, const struct discretization *d)
 {
-    static contact_row *const rows[BSPLINE_CONTACTS] = {row, row_of_net};
+    static contact_row *const rows[CONTACT_SAMPLES] = {row, row_of_net};
     struct contact_surface surface;
     enum status st =
         bspline_contact_surface(&p->scene, p->patch.basis, d, p, rows,

@@ -69,6 +69,10 @@ enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };
  */
 enum bending { BENDING_QUADRATIC, BENDING_HINGE, BENDING_STRUT };
 
+/* The samples at which a spline meets bodies and itself: several a span of its surface, or
+ * its control points (Ren et al. 2024). */
+enum contact_samples { CONTACT_SURFACE, CONTACT_NET, CONTACT_SAMPLES };
+
 /* Tangents of Newton's method: kept while they serve, or new in each iteration. */
 enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
 
@@ -109,6 +113,7 @@ struct discretization {
     int iterations;   /* at most, in a step; 0: until the tolerance is met          */
     double tolerance; /* ends the iteration; each model says of what [1]; 0: its own */
     enum bending bending;
+    enum contact_samples contact;
     _Alignas(double) char own[DISCRETIZATION_ROOM]; /* the model's own choices, in a struct
                                                        of its own  */
 };

@@ -62,6 +62,8 @@ const struct schema_key option_shared[] = {
     {"bending", "bending of triangles, or of springs in leapfrog steps",
      OPTION_WORDS([BENDING_QUADRATIC] = "quadratic", [BENDING_HINGE] = "hinge",
            [BENDING_STRUT] = "strut"), IN(bending)},
+    {"contact", "contact of the surface, or of control points alone (Ren et al. 2024)",
+     OPTION_WORDS([CONTACT_SURFACE] = "surface", [CONTACT_NET] = "control_points"), IN(contact)},
     {NULL}};
 /* clang-format on */
 

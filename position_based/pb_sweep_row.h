@@ -208,7 +208,7 @@ INLINE void NAME(kind)(struct pb_sweep *s, const enum pb_kind kind, const int ro
             for (int i = low + r; i < s->plan.sheet - high; i += rows)
                 for (int k = 0; k < colours; k++)
                     NAME(row)
-                    (s, kind, first + i, s->pitch, masks ? masks[k] : NULL, recalls);
+    (s, kind, first + i, s->pitch, masks ? masks[k] : NULL, recalls);
     for (int k = 0; rows == 0 && k < colours; k++)
         NAME(row)(s, kind, 0, s->plan.n * s->pitch, masks[k], recalls);
 }

@@ -25,7 +25,7 @@ static const struct schema_key options[] = {
     {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_SELECTIVE)},
     {"unknowns", .only = OPTION(UNKNOWNS_AUTO) | OPTION(UNKNOWNS_POINTS)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
-    BSPLINE_CONTACT_OPTION,
+    {"contact"},
     {NULL}};
 /* clang-format on */
 

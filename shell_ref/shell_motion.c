@@ -200,7 +200,7 @@ static int row_of_net(const void *motion, double u, double v, int *node, double 
 /* Makes the surface that meets bodies and itself. */
 static enum status meet(struct shell_motion *m, const struct discretization *d)
 {
-    static contact_row *const rows[BSPLINE_CONTACTS] = {row, row_of_net};
+    static contact_row *const rows[CONTACT_SAMPLES] = {row, row_of_net};
     const struct shell_space *space = m->space;
     struct contact_surface surface;
     enum status st = bspline_contact_surface(m->scene, space->basis, d, m, rows,

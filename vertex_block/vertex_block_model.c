@@ -33,7 +33,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
     TRY(contact_rest_refuse(scene, why));
     if (d->iterations < 1 || d->substeps < 1)
         return status_fail(why, STATUS_INPUT,
-                           "iterations, substeps: vertex_block takes fixed numbers, 1 or "
+                           "iterations, substeps: vbd takes fixed numbers, 1 or "
                            "more");
     if (scene->damping.kind == DAMPING_RAYLEIGH && scene->damping.beta != 0)
         return status_fail(why, STATUS_UNSUPPORTED,
@@ -127,7 +127,7 @@ static void doubt(const void *state, struct message *line)
 }
 
 const struct model vertex_block_model = {
-    .name = "vertex_block",
+    .name = "vbd",
     .title = "vertex block descent",
     .source = "Chen, Liu, Yang, Yuksel 2024; membrane: St. Venant and Kirchhoff; bending: "
               "Bergou et al. 2006, or Grinspun et al. 2003",

@@ -1,4 +1,4 @@
-/* vertex_block_model.h - the model `vertex_block`. */
+/* vertex_block_model.h - the model `vbd`. */
 #ifndef VERTEX_BLOCK_MODEL_H
 #define VERTEX_BLOCK_MODEL_H
 

@@ -183,7 +183,7 @@ const struct contestant contestant_table[] = {
      {10, 20}, {1, 4}, {0}},
 
     /* Vertex block descent. */
-    {"vertex_block", "vertex block descent", "VBD", &vertex_block_model,
+    {"vbd", "vertex block descent", "VBD", &vertex_block_model,
      CONTESTANT_EVERYWHERE, {0}, 0, 1, {10, 16, 20, 40}, {1}, {5, 20}},
     {"vbd_newton", "vertex block descent, bending by edge length", "VBD edge",
      &vertex_block_model, 0,

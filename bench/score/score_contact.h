@@ -2,9 +2,10 @@
  * scene, and how far off it keeps what it rests on.
  *
  * A sheet is the triangles of its own net, in each frame by itself, whatever the truth
- * does: it passes through itself, or several sheets through each other, as models/metric/crossing.h says, and through a body where
- * a vertex is inside of it. Between vertices nothing is looked for in bodies. A vertex
- * rests if it is slower than SCORE_CONTACT_STILL between the last two frames.
+ * does: it passes through itself, or several sheets through each other, as
+ * models/metric/crossing.h says, and through a body where a vertex is inside of it. Between
+ * vertices nothing is looked for in bodies. A vertex rests if it is slower than
+ * SCORE_CONTACT_STILL between the last two frames.
  */
 #ifndef SCORE_CONTACT_H
 #define SCORE_CONTACT_H

@@ -35,17 +35,16 @@ void score_net_clear(struct score_net *net); /* all-zero is allowed */
  * nearest one. STATUS_INPUT: vertices do not cover the sheet, or neither stand in rows and
  * columns nor have faces. */
 enum status score_net_map(const struct score_net *net, const struct frames_net *frames,
-                          const struct scene *scene, const char *name, int nu, int nv, struct score_map *map,
-                          struct message *why);
+                          const struct scene *scene, const char *name, int nu, int nv,
+                          struct score_map *map, struct message *why);
 void score_map_clear(struct score_map *map); /* all-zero is allowed */
 
 /* Lists the triangles of a net that has a map: its faces, else the cells between rows and
- * columns of one sheet, cut as in intersection.h. *corner [*count][3] is freed by the receiver.
- * STATUS_MEMORY. */
+ * columns of one sheet, cut as in intersection.h. *corner [*count][3] is freed by the
+ * receiver. STATUS_MEMORY. */
 enum status score_net_triangles(const struct score_net *net,
-                                const struct frames_net *frames,
-                                const struct scene *scene, int *count,
-                                int (**corner)[3]);
+                                const struct frames_net *frames, const struct scene *scene,
+                                int *count, int (**corner)[3]);
 
 /* Fills field[nu nv][3] from xyz[vertices][3]. */
 void score_map_apply(const struct score_map *map, const double *xyz, double *field);

@@ -8,7 +8,7 @@
  * (tri_net.h). */
 
 struct NAME(law) {
-    REAL uu, vv, uv;    /* per metre of edge: 1 / a_u^2, 1 / a_v^2, 1 / (a_u a_v)      */
+    REAL uu, vv, uv; /* per metre of edge: 1 / a_u^2, 1 / a_v^2, 1 / (a_u a_v)      */
     REAL d11, d12, d22, d33; /* times a triangle's area                                */
 };
 

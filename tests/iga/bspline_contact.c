@@ -32,12 +32,12 @@ static int row_of_net(const void *self, double u, double v, int *node, double *s
     return used;
 }
 
-static void make(struct contact_surface *s, enum bspline_contact contact)
+static void make(struct contact_surface *s, enum contact_samples contact)
 {
-    contact_row *const rows[BSPLINE_CONTACTS] = {row_of_surface, row_of_net};
+    contact_row *const rows[CONTACT_SAMPLES] = {row_of_surface, row_of_net};
     struct discretization d = {0};
 
-    OWN(bspline_contact_own, &d)->contact = contact;
+    d.contact = contact;
     REQUIRE(bspline_contact_surface(&scene, basis, &d, NULL, rows, WIDE, SIDE * SIDE, s) ==
             STATUS_OK);
 }
@@ -66,7 +66,7 @@ static const struct net {
 static void areas_are_the_sheets(void)
 {
     for (size_t n = 0; n < sizeof nets / sizeof *nets; n++)
-        for (int contact = 0; contact < BSPLINE_CONTACTS; contact++) {
+        for (int contact = 0; contact < CONTACT_SAMPLES; contact++) {
             struct contact_surface s;
             double sum = 0;
             open_basis(nets[n].degree, nets[n].knots, nets[n].knot);
@@ -88,7 +88,7 @@ static void control_points_are_samples(void)
     for (size_t n = 0; n < sizeof nets / sizeof *nets; n++) {
         struct contact_surface s;
         open_basis(nets[n].degree, nets[n].knots, nets[n].knot);
-        make(&s, BSPLINE_CONTACT_NET);
+        make(&s, CONTACT_NET);
         double N[SIDE], integral[SIDE] = {0};
         for (int k = 0; k < MIDPOINTS; k++) {
             bspline_values(&basis[0], (k + 0.5) / MIDPOINTS, N);

@@ -185,10 +185,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
         scene_use_fabric(scene);
         return;
     case SCENE_NEED_CURVED_REST:
-        scene->shape = SCENE_CLOAK, scene->opening = 90;
-        return;
     case SCENE_NEED_CLOSED_REST:
-        scene->shape = SCENE_CLOAK, scene->opening = 360;
+        scene->shape = SCENE_CLOAK;
+        scene->opening = need == SCENE_NEED_CLOSED_REST ? 360 : 90;
         return;
     case SCENE_NEED_MOVING_SUPPORTS:
         s.path = path, s.path_count = 2;

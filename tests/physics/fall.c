@@ -43,7 +43,7 @@ static const struct row {
     {"position_based", {"discretization.substeps=10"}, EULER, SUMS},
     {"position_based_pbd", {"discretization.substeps=10"}, EULER, SUMS},
     {"position_based_single", {"discretization.substeps=100"}, EULER, SINGLE},
-    {"vertex_block", {"discretization.iterations=500"}, EULER, SUMS},
+    {"vbd", {"discretization.iterations=500"}, EULER, SUMS},
     {"projective_dynamics", {0}, EULER, SUMS},
     {"projective_dynamics",
      {"discretization.substeps=2", "discretization.constraint=edges"},
@@ -64,7 +64,8 @@ struct point {
 
 /* Takes one step under f per mass, slowed by `rate` times the velocity; `printed` by mu,
  * too. */
-static void step(enum scheme law, double dt, double f, double rate, double mu, struct point *p)
+static void step(enum scheme law, double dt, double f, double rate, double mu,
+                 struct point *p)
 {
     const double s = rate * dt / 2, v = p->v, quarter = dt * dt / 4;
     double next;
@@ -131,7 +132,7 @@ static void check_fall(const struct row *row, const struct air *air)
                air->drag,
                row->law == PRINTED ? "damping={kind: velocity_scale, value: 0.5}"
                : strstr(row->name, "_pbd") || strstr(row->name, "projective") ||
-                       strstr(row->name, "vertex")
+                       strstr(row->name, "vbd")
                    ? air->without_beta
                    : air->damping,
                row->settings[0] ? row->settings[0] : air->drag,

@@ -16,7 +16,7 @@ static double lag(const struct run *run)
 {
     return strcmp(run->model->name, "mass_spring") &&
                    strcmp(run->model->name, "position_based") &&
-                   strcmp(run->model->name, "vertex_block") &&
+                   strcmp(run->model->name, "vbd") &&
                    strcmp(run->model->name, "projective_dynamics")
                ? 0
                : run->scene.step / fmax(run->discretization.substeps, 1);
@@ -33,9 +33,9 @@ static void fly(const struct model *model, const char *const text[2], struct run
                "snapshots=[]", "supports=[]", "time={step: 0.01, end: 0.5}", points,
                !strcmp(model->name, "position_based") /* as small as it likes them */
                    ? "discretization.substeps=40"
-               : !strcmp(model->name, "vertex_block") /* unfinished sweeps push the sheet */
-                   ? "discretization.iterations=300"
-                   : points,
+                   : !strcmp(model->name, "vbd") /* unfinished sweeps push the sheet */
+                         ? "discretization.iterations=300"
+                         : points,
                text[0], text[1]);
     REQUIRE(motion_init(&m, run->model, &run->scene, run->state) == STATUS_OK);
     REQUIRE(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK);

@@ -38,7 +38,7 @@ static const struct row {
     {"mass_spring_leapfrog",
      "edge_drop",
      {NET, "discretization.springs=lengths", "discretization.bending=strut"}},
-    {"vertex_block", "edge_drop", {"discretization.points=[81,62]"}},
+    {"vbd", "edge_drop", {"discretization.points=[81,62]"}},
     {"projective_dynamics", "edge_drop", {NET}},
     {"projective_dynamics", "edge_drop", {NET, "discretization.constraint=edges"}},
     {"projective_dynamics_admm", "edge_drop", {NET}},

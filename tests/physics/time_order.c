@@ -50,7 +50,7 @@ static const struct row {
     {"mass_spring_momentum", NET, 10, 2, false, {0}},
     {"mass_spring_leapfrog", NET, 40, 2, true, {0}},
     {"mass_spring_single", NET, 40, 0, true, {0}},
-    {"vertex_block", NET, 40, 1, false,
+    {"vbd", NET, 40, 1, false,
      {"discretization.substeps=1", "discretization.iterations=1000"}},
     {"projective_dynamics", NET, 40, 1, false, {TO_THE_END}},
     {"projective_dynamics", NET, 40, 2, false, {TO_THE_END, "discretization.integrator=bdf2"}},

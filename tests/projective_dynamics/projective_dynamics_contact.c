@@ -353,14 +353,14 @@ static void check_small_ball(const struct variant *v)
 }
 
 /* Returns the least distance of the sheet from its own wall, INFINITY if it meets itself
- * nowhere [m]. */
+ * nowhere [m]; of samples over faces: rims press less, the less they face each other. */
 static double own_clearance(const struct pd_motion *m)
 {
     const struct contact *law = &m->contact.law;
     double least = INFINITY;
 
     for (int t = 0; t < law->count; t++)
-        if (law->touch[t].obstacle < 0)
+        if (law->touch[t].obstacle < 0 && law->touch[t].sample >= 0)
             least = fmin(least, law->touch[t].D - law->self.start + law->self.range);
     return least;
 }

@@ -48,7 +48,7 @@ static void test_fixed_point(void)
 
     for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
         const char *const *set = rows[n].settings;
-        sample_after("vertex_block", OPENED_LIST(NET, FAR, LONG, set[0], set[1]), field[0]);
+        sample_after("vbd", OPENED_LIST(NET, FAR, LONG, set[0], set[1]), field[0]);
         sample_after(rows[n].other,
                      OPENED_LIST(NET, FAR, "discretization.integrator=implicit",
                                  "discretization.substeps=2", set[1]),
@@ -69,7 +69,7 @@ static double left_after(int sweeps, const char *chebyshev)
 {
     struct run run;
 
-    OPENED_RUN(&run, "edge_drop", "vertex_block", NET, FAR, "discretization.substeps=1",
+    OPENED_RUN(&run, "edge_drop", "vbd", NET, FAR, "discretization.substeps=1",
                "discretization.iterations=1000", chebyshev);
     opened_steps(&run, 10);
     struct vb_motion *m = motion_of(&run);
@@ -103,7 +103,7 @@ static void test_colours(void)
 
     for (int k = 0; k < 3; k++) {
         struct run run;
-        OPENED_RUN(&run, "edge_drop", "vertex_block", NET, settings[k]);
+        OPENED_RUN(&run, "edge_drop", "vbd", NET, settings[k]);
         const struct vb_motion *m = motion_of(&run);
         const struct blocks *g = &m->net.graph;
         int colour[72];
@@ -135,8 +135,8 @@ static double bent(const char *points, const char *scale)
     struct run run;
     struct energy e;
 
-    OPENED_RUN(&run, "edge_drop", "vertex_block", points, "discretization.bending=hinge",
-               scale, "supports=[]", "gravity=[0,0,0]");
+    OPENED_RUN(&run, "edge_drop", "vbd", points, "discretization.bending=hinge", scale,
+               "supports=[]", "gravity=[0,0,0]");
     struct vb_motion *m = motion_of(&run);
     for (int a = 0; a < m->body.nodes; a++) {
         const double s = m->net.points.rest[3 * a];

@@ -468,17 +468,14 @@ static void scenes_come_back(void)
          {"sheets=[{origin: [0, 0, 0.1]}, {origin: [0, 0, 0], u: [0, 1, 0], v: [-0.6, 0, "
           "0.8]}]",
           "supports=[{at: {sheet: 2, u: [0.1, 0.37], v: 1, w: 0.5}, fix: xy}, {at: {v: 0, "
-          "w: 0.5}, fix: "
-          "z}, "
-          "{at: {sheet: 1, u: 1, w: 0.5}, fix: y}]",
+          "w: 0.5}, fix: z}, {at: {sheet: 1, u: 1, w: 0.5}, fix: y}]",
           "loads=[{at: {sheet: 1, u: 0.3}, force: [0, 0, 0.1]}]"},
          3},
         {"sphere",
          {"obstacles=[{box: {center: [0, 0, -9], size: [1, 2, 3], u: [0, 1, 0], v: [0.6, "
-          "0, "
-          "0.8], friction: 0.1}}, {capsule: {from: [0, 0, -9], to: [0, 1, -8], radius: "
-          "0.5}, "
-          "path: [[0, 0, 0, 0], [1, 0, 0.125, -1]]}, {mesh: {file: " SOURCE_DIR
+          "0, 0.8], friction: 0.1}}, {capsule: {from: [0, 0, -9], to: [0, 1, -8], "
+          "radius: 0.5}, path: [[0, 0, 0, 0], [1, 0, 0.125, -1]]}, {mesh: "
+          "{file: " SOURCE_DIR
           "/tests/bad_scenes/mesh_inside.obj, at: [0, 0.1, -8], scale: 0.3, friction: 2}, "
           "turn: {axis: [1, 0, 0], about: [1, 2, 3], angles: [[0, 0], [0.1, 33]]}}]",
           "contact={self: true, thickness: 0.02, range: 0.003, friction: 0.5}"},

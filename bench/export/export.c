@@ -503,6 +503,10 @@ static enum status read_scene(struct export_job *j, const struct command_line *l
     count = j->settings.count;
     TRY(truth_plan_scene(path, &j->settings, &j->scene, why));
     j->undamped = j->settings.count > count;
+    if (j->scene.is_fabric)
+        TRY(status_fail(why, STATUS_UNSUPPORTED,
+                        "export knows isotropic sheets only, and this one is a fabric; "
+                        "material: {young, poisson, density} would be right"));
 out:
     free(path);
     return st;

@@ -290,6 +290,7 @@ static void check_printed(void)
         "discretization.iterations=8",
         "discretization.tolerance=1.0000000000000001e-09",
         "discretization.bending=hinge",
+        "discretization.contact=control_points",
         "discretization.turns=3",
         "discretization.weave=twill"};
     const int count = sizeof settings / sizeof *settings;

@@ -106,7 +106,8 @@ static enum status list_pairs(struct contact_rim *r)
                         TRY(keep(r, edge[1][l], edge[0][k]));
                 }
     }
-    qsort(r->pair, (size_t)r->count, sizeof *r->pair, by_edges);
+    if (r->count)
+        qsort(r->pair, (size_t)r->count, sizeof *r->pair, by_edges);
     r->sought = r->search->sought;
 out:
     return st;

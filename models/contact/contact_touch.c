@@ -41,9 +41,10 @@ void contact_touch_none(struct contact *c)
 static void append(struct contact *c, int count, const int *node, const double *weight,
                    double sign)
 {
-    memcpy(c->node + c->weights, node, (size_t)count * sizeof *node);
-    for (int k = 0; k < count; k++)
-        c->weight[c->weights++] = sign * weight[k];
+    for (int k = 0; k < count; k++, c->weights++) {
+        c->node[c->weights] = node[k];
+        c->weight[c->weights] = sign * weight[k];
+    }
 }
 
 /* Appends a touch of a sample that is filled but for its weights, with the foot's. */

@@ -64,6 +64,7 @@ static void places_do_not_count(void)
     init_sheets(&scene, false);
     roll(&scene, R, xyz);
     measure(&scene, xyz, here);
+    scene_clear(&scene);
     init_sheets(&scene, true);
     roll(&scene, R, xyz);
     measure(&scene, xyz, there);

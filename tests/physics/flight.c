@@ -34,7 +34,7 @@ static void fly(const struct model *model, const char *const text[2], struct run
                !strcmp(model->name, "position_based") /* as small as it likes them */
                    ? "discretization.substeps=40"
                    : !strcmp(model->name, "vbd") /* unfinished sweeps push the sheet */
-                         ? "discretization.iterations=300"
+                         ? "discretization.iterations=120"
                          : points,
                text[0], text[1]);
     REQUIRE(motion_init(&m, run->model, &run->scene, run->state) == STATUS_OK);

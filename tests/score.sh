@@ -36,19 +36,19 @@ refuses() {
 }
 
 says "Nothing wrong was found" edge_drop "$truths/edge_drop.h5"
-says "moves undamped here" edge_drop "$truths/edge_drop.h5"
-says "scene,time,error,bar,floor edge_drop,0.1" edge_drop "$truths/edge_drop.h5" --format csv
+tr '\n' ' ' <"$scratch/out" | grep -q "moves undamped here" || fail "it says nothing of damping"
+says "scene,time,error,bar,floor sphere,0.1" sphere "$truths/sphere.h5" --format csv
 says '"diagnosis": [{"kind": "sound", "value": 0, "text": "' \
-    edge_drop "$truths/edge_drop.h5" --format json
-says '|' edge_drop "$truths/edge_drop.h5" --format markdown
+    sphere "$truths/sphere.h5" --format json
+says '|' sphere "$truths/sphere.h5" --format markdown
 
 mkdir "$scratch/all" "$scratch/all/sphere" "$scratch/none"
-cp "$truths/edge_drop.h5" "$truths/flag.h5" "$scratch/all"
+cp "$truths/flag.h5" "$scratch/all"
 cp "$truths/sphere.h5" "$scratch/all/sphere/mine.h5"
 echo "beside it" >"$scratch/all/flag.xdmf"
 says "sphere: Nothing wrong was found" "$scratch/all"
 "$program" score "$scratch/all" --format csv 2>/dev/null | cut -d, -f1 | uniq | tr '\n' ' ' |
-    grep -q "^scene edge_drop flag sphere " || fail "a folder's scenes are not all there"
+    grep -q "^scene flag sphere " || fail "a folder's scenes are not all there"
 
 # One that is refused is a row; the others are judged.
 echo "nothing" >"$scratch/all/hanging.csv"
@@ -62,10 +62,10 @@ grep -q "^clothbench: .*hanging.csv: line 1" "$scratch/err" || fail "bad frames 
     grep -qF '"scene": "hanging", "rows": [], "diagnosis": [], "refused": "' || fail "bad frames are no JSON"
 
 # A light cantilever has an exact solution, which is known at any time.
-sed 's/density: 0.5/density: 1.0e-4/' "$2/models/scenes/edge_drop.yaml" >"$scratch/light.yaml"
+sed 's/density: 0.5/density: 1.0e-4/; s/end: 4.25/end: 1/; /^snapshots/d' "$2/models/scenes/edge_drop.yaml" >"$scratch/light.yaml"
 awk 'BEGIN { for (k = 0; k < 5; k++) for (n = 0; n < 4; n++)
     printf "%g,%d,%d,%d,%d,0\n", k / 10, n % 2, int(n / 2), n % 2, int(n / 2) }' >"$scratch/still.csv"
-says "truth at 42 times from 0.1 to 4.2 s" "$scratch/light.yaml" "$scratch/still.csv"
+says "truth at 10 times from 0.1 to 1 s" "$scratch/light.yaml" "$scratch/still.csv"
 
 # A strip that is folded through itself from the third frame on, 5 mm then and 10 mm later.
 awk 'BEGIN { for (k = 0; k < 5; k++) for (n = 0; n < 121; n++) {

@@ -43,7 +43,7 @@ static const struct row {
     {"position_based", {"discretization.substeps=10"}, EULER, SUMS},
     {"position_based_pbd", {"discretization.substeps=10"}, EULER, SUMS},
     {"position_based_single", {"discretization.substeps=100"}, EULER, SINGLE},
-    {"vbd", {"discretization.iterations=500"}, EULER, SUMS},
+    {"vbd", {"discretization.substeps=1", "discretization.iterations=300"}, EULER, SUMS},
     {"projective_dynamics", {0}, EULER, SUMS},
     {"projective_dynamics",
      {"discretization.substeps=2", "discretization.constraint=edges"},

@@ -118,7 +118,7 @@ static double random_unit(void)
  * but for one in a hundred its depth is right to a factor of two. */
 static void random_flaps(void)
 {
-    enum { FLAPS = 400 };
+    enum { FLAPS = 100 };
     int off = 0;
 
     for (int k = 0; k < FLAPS; k++) {

@@ -193,26 +193,31 @@ static void refine(const struct contact_sheet *sheet, const double y[3], struct 
 /* --- feet -------------------------------------------------------------------------------
  */
 
-/* Finds the closest place on the chords of edges, nearer than `most`; false: none. */
+/* An edge near another, as a chord. */
+struct chord {
+    int edge, end[2];
+    const double *y;   /* [m], its first end                                             */
+    double e[3], size; /* [m], [m^2], to its second end, and the square of that          */
+};
+
+/* Finds the closest place on chords, nearer than `most`; false: none. */
 static bool closest(const struct contact_rim *r, const struct place *point,
-                    const int (*pair)[2], int count, double most, struct place *foot)
+                    const struct chord *chord, int count, double most, struct place *foot)
 {
-    const double *y = r->search->sheet.y;
     double least = most * most;
     bool any = false;
 
-    for (int n = 0; n < count; n++) {
-        struct place here = {.edge = pair[n][1]};
-        double e[3], way[3];
-        ends_of(r->search->sheet.surface, here.edge, here.end);
-        vector_between(y + 3 * (long)here.end[0], y + 3 * (long)here.end[1], e);
-        vector_between(y + 3 * (long)here.end[0], point->y, way);
-        here.at = fmin(fmax(vector_dot(way, e) / vector_dot(e, e), 0), 1);
+    for (const struct chord *c = chord; c < chord + count; c++) {
+        double way[3];
+        vector_between(c->y, point->y, way);
+        const double on = vector_dot(way, c->e);
+        const double at = on <= 0 ? 0 : on >= c->size ? 1 : on / c->size;
         for (int i = 0; i < 3; i++)
-            way[i] -= here.at * e[i];
+            way[i] -= at * c->e[i];
         const double square = vector_dot(way, way);
         if (!(square < least))
             continue;
+        struct place here = {.edge = c->edge, .end = {c->end[0], c->end[1]}, .at = at};
         find_uv(r->search->sheet.surface, &here);
         if (contact_foot_far(&r->search->sheet, point->uv, here.uv) > 0) {
             least = square, *foot = here;
@@ -245,7 +250,7 @@ static double share_of(const struct contact_sheet *sheet, const struct place *fo
 
 /* Visits the foot of a point, if it has one. */
 static enum status meet(struct contact_rim *r, struct place *point, double length,
-                        const int (*pair)[2], int count, contact_rim_visit *visit,
+                        const struct chord *chord, int count, contact_rim_visit *visit,
                         void *context)
 {
     const struct contact_sheet *sheet = &r->search->sheet;
@@ -256,7 +261,7 @@ static enum status meet(struct contact_rim *r, struct place *point, double lengt
     double way[3];
 
     f.of_point = locate(sheet, point, r->node, r->weight);
-    if (!closest(r, point, pair, count, (curved ? 1 + SLACK : 1) * start, &foot))
+    if (!closest(r, point, chord, count, (curved ? 1 + SLACK : 1) * start, &foot))
         return STATUS_OK;
     int *node = r->node + f.of_point;
     double *weight = r->weight + f.of_point;
@@ -276,8 +281,8 @@ static enum status meet(struct contact_rim *r, struct place *point, double lengt
     return f.area > 0 ? visit(context, &f) : STATUS_OK;
 }
 
-/* Visits the feet of an edge, with the edges that are near it. */
-static enum status meet_edge(struct contact_rim *r, int edge, const int (*pair)[2],
+/* Visits the feet of an edge, with the chords that are near it. */
+static enum status meet_edge(struct contact_rim *r, int edge, const struct chord *chord,
                              int count, contact_rim_visit *visit, void *context)
 {
     enum status st = STATUS_OK;
@@ -288,30 +293,32 @@ static enum status meet_edge(struct contact_rim *r, int edge, const int (*pair)[
     const int points = (int)ceil(length / (SPACING * r->search->start));
     for (int n = 0; n < points; n++) {
         point.at = (n + 0.5) / points;
-        TRY(meet(r, &point, length / points, pair, count, visit, context));
+        TRY(meet(r, &point, length / points, chord, count, visit, context));
     }
 out:
     return st;
 }
 
-/* Moves the pairs of an edge that are near indeed to the front; returns how many. */
-static int sift(const struct contact_rim *r, int first, int end, int (*near)[2])
+/* Lists the chords that pairs of an edge have near it indeed; returns how many. */
+static int sift(const struct contact_rim *r, int first, int end, struct chord *near)
 {
     const struct contact_surface *s = r->search->sheet.surface;
-    const double most = (1 + SLACK) * r->search->start;
-    int count = 0;
+    const double *y = r->search->sheet.y, most = (1 + SLACK) * r->search->start;
+    int count = 0, own[2];
 
+    ends_of(s, r->pair[first][0], own);
     for (int n = first; n < end; n++) {
-        int of[2][2];
-        const double *p[4];
+        struct chord *c = near + count;
         double at[2];
-        for (int k = 0; k < 4; k++) {
-            if (k % 2 == 0)
-                ends_of(s, r->pair[n][k / 2], of[k / 2]);
-            p[k] = r->search->sheet.y + 3 * (long)of[k / 2][k % 2];
-        }
+        c->edge = r->pair[n][1];
+        ends_of(s, c->edge, c->end);
+        c->y = y + 3 * (long)c->end[0];
+        const double *const p[4] = {y + 3 * (long)own[0], y + 3 * (long)own[1], c->y,
+                                    y + 3 * (long)c->end[1]};
+        vector_between(p[2], p[3], c->e);
+        c->size = vector_dot(c->e, c->e);
         if (contact_foot_between(p, at) < most)
-            memcpy(near[count++], r->pair[n], sizeof r->pair[n]);
+            count++;
     }
     return count;
 }
@@ -324,7 +331,7 @@ enum status contact_rim_find(struct contact_rim *r, contact_rim_visit *visit, vo
         TRY(list_pairs(r));
     for (int first = 0, end; first < r->count; first = end) {
         enum { MOST = 64 };
-        int near[MOST][2];
+        struct chord near[MOST];
         for (end = first;
              end < r->count && end - first < MOST && r->pair[end][0] == r->pair[first][0];)
             end++;

@@ -120,9 +120,15 @@ static double finest(const struct place *p)
     return distance(p, xyz);
 }
 
+/* Returns the truth's field; NULL: it has none at that time. */
+static const double *truth_of(const struct place *p)
+{
+    return p->s->row[p->s->plan->level_count].xyz[p->time];
+}
+
 static double error(const struct place *p)
 {
-    return distance(p, p->s->truth ? p->s->truth->xyz[p->time] : NULL);
+    return distance(p, truth_of(p));
 }
 
 OF_SHEET(crossings, metric_intersections)
@@ -249,8 +255,8 @@ static double apart_most(const struct place *p)
 static double off(const struct place *p)
 {
     const struct study *s = p->s;
-    double *rest = s->truth ? metric_rest_field(&s->row[p->level].run.scene) : NULL;
-    const double moved = rest ? metric_rmse(s->truth->xyz[p->time], rest) : NAN;
+    double *rest = truth_of(p) ? metric_rest_field(&s->row[p->level].run.scene) : NULL;
+    const double moved = rest ? metric_rmse(truth_of(p), rest) : NAN;
 
     free(rest);
     return quantity_at(p, QUANTITY_ERROR) * s->length / moved;
@@ -258,7 +264,7 @@ static double off(const struct place *p)
 
 static double bar(const struct place *p)
 {
-    return p->s->truth ? p->s->truth->error[p->time] / p->s->length : NAN;
+    return truth_of(p) ? p->s->truth->error[p->time] / p->s->length : NAN;
 }
 
 const struct quantity_row quantity_table[QUANTITIES] = {

@@ -120,15 +120,15 @@ static double finest(const struct place *p)
     return distance(p, xyz);
 }
 
-/* Returns the truth's field; NULL: it has none at that time. */
-static const double *truth_of(const struct place *p)
+/* Returns whether the truth is known at that time: it may end before the study. */
+static bool known(const struct place *p)
 {
-    return p->s->row[p->s->plan->level_count].xyz[p->time];
+    return p->s->truth && p->time < p->s->truth->times;
 }
 
 static double error(const struct place *p)
 {
-    return distance(p, truth_of(p));
+    return distance(p, known(p) ? p->s->truth->xyz[p->time] : NULL);
 }
 
 OF_SHEET(crossings, metric_intersections)
@@ -255,8 +255,8 @@ static double apart_most(const struct place *p)
 static double off(const struct place *p)
 {
     const struct study *s = p->s;
-    double *rest = truth_of(p) ? metric_rest_field(&s->row[p->level].run.scene) : NULL;
-    const double moved = rest ? metric_rmse(truth_of(p), rest) : NAN;
+    double *rest = known(p) ? metric_rest_field(&s->row[p->level].run.scene) : NULL;
+    const double moved = rest ? metric_rmse(s->truth->xyz[p->time], rest) : NAN;
 
     free(rest);
     return quantity_at(p, QUANTITY_ERROR) * s->length / moved;
@@ -264,7 +264,7 @@ static double off(const struct place *p)
 
 static double bar(const struct place *p)
 {
-    return truth_of(p) ? p->s->truth->error[p->time] / p->s->length : NAN;
+    return known(p) ? p->s->truth->error[p->time] / p->s->length : NAN;
 }
 
 const struct quantity_row quantity_table[QUANTITIES] = {

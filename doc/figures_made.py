@@ -739,7 +739,7 @@ def touching():
     made = []
     for (study, level), run in itertools.groupby(rows, lambda r: (r["study"], r["level"])):
         run = list(run)
-        if level == "truth":
+        if level == "truth" or not run[0]["stepping_s"]:  # refused
             continue
         known = [r for r in run if r["error"]]
         died = not run[-1]["crossings"]

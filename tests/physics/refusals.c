@@ -25,8 +25,8 @@ static const struct row {
     const char *name, *sentence, *settings[MOST]; /* sentence NULL: it is accepted       */
 } rows[] = {
     /* what another model has is read if it is said right, and refused by name */
-    {"iga", NULL, {"discretization.constraint=triangles"}},
-    {"iga", "must be one of triangles, edges", {"discretization.constraint=foo"}},
+    {"iga", NULL, {"discretization.constraint=auto"}},
+    {"iga", "must be one of auto, triangles, edges", {"discretization.constraint=foo"}},
     {"iga", "a number from 0 to 10", {"discretization.strain_limit=-0.1"}},
     {"iga", "did you mean 'constraint'", {"discretization.constrant=edges"}},
     {"iga", "one of none, chebyshev, admm", {"discretization.acceleration=magic"}},

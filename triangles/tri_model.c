@@ -42,6 +42,13 @@ static enum status refuse(const struct scene *scene, const struct discretization
         OWN(tri_own, d)->membrane == MEMBRANE_COROTATIONAL)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "a fabric: corotational triangles with implicit steps only");
+    if (scene_needs(scene) & SCENE_NEED_BIAS &&
+        (d->integrator == INTEGRATOR_LEAPFROG ||
+         OWN(tri_own, d)->membrane == MEMBRANE_BARAFF_WITKIN))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "a fabric whose warp runs along neither edge couples stretch to "
+                           "shear: integrator=momentum or implicit only, and "
+                           "membrane=green or corotational");
     if (d->iterations && d->integrator != INTEGRATOR_IMPLICIT)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "iterations: with integrator=implicit only");
@@ -133,7 +140,7 @@ const struct model tri_model = {
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
-              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC,
+              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_BIAS,
     .options = options,
     .defaults = {.points = {16, 16, 1},
                  .degree = {1, 1, 1},

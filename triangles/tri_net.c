@@ -5,8 +5,6 @@
 
 #include "models/room.h"
 
-enum { MOST = SPRING_PLATE_POINTS };
-
 static int node_of(const struct tri_net *net, int i, int j)
 {
     return i * net->points.points[1] + j;
@@ -130,28 +128,31 @@ out:
     return st;
 }
 
-/* Lists MOST nodes of an element, the last one repeated. */
-static void list(int **next, int count, const int *node)
+/* Lists `most` nodes of an element, the last one repeated. */
+static void list(int **next, int most, int count, const int *node)
 {
-    for (int k = 0; k < MOST; k++)
+    for (int k = 0; k < most; k++)
         *(*next)++ = node[k < count ? k : count - 1];
 }
 
 static enum status make_graph(struct tri_net *net)
 {
     enum status st = STATUS_MEMORY;
-    int elements = net->triangle_count + net->hinge_count + net->form_count;
-    int *ien = malloc(((size_t)elements * MOST + 1) * sizeof *ien), *next = ien;
+    int elements = net->triangle_count + net->hinge_count + net->form_count, most = 4;
+    int *ien, *next;
 
+    for (int k = 0; k < net->form_count; k++)
+        most = net->forms[k].count > most ? net->forms[k].count : most;
+    ien = next = malloc(((size_t)elements * (size_t)most + 1) * sizeof *ien);
     if (!ien)
         goto out;
     for (int k = 0; k < net->triangle_count; k++)
-        list(&next, 3, net->triangles[k].node);
+        list(&next, most, 3, net->triangles[k].node);
     for (int k = 0; k < net->hinge_count; k++)
-        list(&next, 4, net->hinges[k].node);
+        list(&next, most, 4, net->hinges[k].node);
     for (int k = 0; k < net->form_count; k++)
-        list(&next, net->forms[k].count, net->forms[k].node);
-    TRY(blocks_init(&net->graph, net->points.nodes, elements, MOST, ien));
+        list(&next, most, net->forms[k].count, net->forms[k].node);
+    TRY(blocks_init(&net->graph, net->points.nodes, elements, most, ien));
 out:
     free(ien);
     return st;

@@ -13,7 +13,8 @@ static const double ROOT = 1. / 3, BESIDE = 1. / 6, ALONE = 1. / 2;
 struct plate {
     const struct spring_net *net;
     double stiffness[2]; /* B along u and v                                    [N m]   */
-    double twist;        /* B66                                                [N m]   */
+    double twist;        /* B66, less what bending has of it                   [N m]   */
+    double skew[2];      /* s_u, s_v of spring_plate.h                                 */
     double poisson;      /* nu, or B12 over the mean of both                           */
     struct spring_plate_form *form;
     int count;
@@ -23,6 +24,38 @@ static void add(struct plate *p, const struct spring_plate_form *form)
 {
     if (form->stiffness > 0)
         p->form[p->count++] = *form;
+}
+
+static void add_weight(struct spring_plate_form *form, int node, double weight)
+{
+    int n = 0;
+
+    while (n < form->count && form->node[n] != node)
+        n++;
+    if (n == form->count)
+        form->node[form->count++] = node;
+    form->weight[n] += weight;
+}
+
+/* Adds x_uv a_u a_v, the mean of the cells around (i, j), times a factor. */
+static void add_skew(const struct plate *p, struct spring_plate_form *form, int i, int j,
+                     double factor)
+{
+    double sum[3][3] = {{0}};
+    int cells = 0;
+
+    for (int k = 0; factor != 0 && k < 4; k++) {
+        const int di = k / 2 ? 1 : -1, dj = k % 2 ? 1 : -1, sign = di * dj;
+        if (spring_net_beside(p->net, i, j, di, dj) < 0)
+            continue;
+        cells++;
+        sum[1][1] += sign, sum[1 + di][1 + dj] += sign;
+        sum[1 + di][1] -= sign, sum[1][1 + dj] -= sign;
+    }
+    for (int k = 0; k < 9; k++)
+        if (sum[k / 3][k % 3] != 0)
+            add_weight(form, spring_net_beside(p->net, i, j, k / 3 - 1, k % 3 - 1),
+                       factor / cells * sum[k / 3][k % 3]);
 }
 
 double spring_plate_beside(const struct spring_net *net, int before, int behind)
@@ -80,13 +113,14 @@ static void add_line(struct plate *p, int i, int j, int along, bool both)
                       B / (a * a * a));
     } else if (between(net, i, j, along, node)) {
         double weight = spring_plate_beside(net, node[0], node[1]);
-        const struct spring_plate_form form = {
+        struct spring_plate_form form = {
             .kind = along == 0 ? SPRING_PLATE_U : SPRING_PLATE_V,
             .at = at,
             .count = 3,
             .node = {node[0], at, node[1]},
             .weight = {1, -2, 1},
             .stiffness = B * (weight - (both ? fabs(nu) : 0)) / (a * a * a)};
+        add_skew(p, &form, i, j, 2 * p->skew[along] * a / net->cell[1 - along]);
         add(p, &form);
     }
 }
@@ -111,15 +145,17 @@ void spring_plate_mean(const struct scene *scene, const double cell[2], double w
 static void add_mean(struct plate *p, int at, const int u[2], const int v[2])
 {
     const double *B = p->stiffness;
-    double w[2], share = mean_of(p->poisson, B[0] / B[1], p->net->cell, w);
-    const struct spring_plate_form form = {
-        .kind = SPRING_PLATE_MEAN,
-        .at = at,
-        .count = 5,
-        .node = {at, u[0], u[1], v[0], v[1]},
-        .weight = {-2 * (w[0] + w[1]), w[0], w[0], w[1], w[1]},
-        .stiffness = share * sqrt(B[0] * B[1])};
+    const double *cell = p->net->cell, lean = cell[0] / cell[1];
+    double w[2], share = mean_of(p->poisson, B[0] / B[1], cell, w);
+    struct spring_plate_form form = {.kind = SPRING_PLATE_MEAN,
+                                     .at = at,
+                                     .count = 5,
+                                     .node = {at, u[0], u[1], v[0], v[1]},
+                                     .weight = {-2 * (w[0] + w[1]), w[0], w[0], w[1], w[1]},
+                                     .stiffness = share * sqrt(B[0] * B[1])};
 
+    add_skew(p, &form, at / p->net->points[1], at % p->net->points[1],
+             2 * (w[0] * p->skew[0] * lean + w[1] * p->skew[1] / lean));
     add(p, &form);
 }
 
@@ -153,6 +189,12 @@ enum status spring_plate_make(const struct scene *scene, const struct spring_net
 
     if (!p.form)
         return STATUS_MEMORY;
+    if (!law_is_aligned(&law)) {
+        const double det = B[LAW_11] * B[LAW_22] - B[LAW_12] * B[LAW_12];
+        p.skew[0] = (B[LAW_22] * B[LAW_13] - B[LAW_12] * B[LAW_23]) / det;
+        p.skew[1] = (B[LAW_11] * B[LAW_23] - B[LAW_12] * B[LAW_13]) / det;
+        p.twist -= p.skew[0] * B[LAW_13] + p.skew[1] * B[LAW_23];
+    }
     const bool bends = net->hinge_count || net->clamp_count;
     for (int a = 0; bends && a < net->nodes; a++) {
         int i = a / net->points[1], j = a % net->points[1], u[2], v[2];

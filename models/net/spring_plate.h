@@ -7,6 +7,12 @@
  *     (1 - |nu|) (|x_uu|^2 + |x_vv|^2) + |nu| |x_uu + s x_vv|^2.
  * Along a rim, across which no moment acts, the strip bends as a beam: factor 1 - nu^2
  * and no nu x_uu x_vv.
+ * Where the warp runs along neither edge, B13 and B23 couple bending to twist: with
+ *     (s_u, s_v) = (B11 B12; B12 B22)^-1 (B13, B23)
+ * the energy is that of x_uu + 2 s_u x_uv and x_vv + 2 s_v x_uv at points, whose x_uv is
+ * the mean of the cells around, and of x_uv in cells with what is left of B33,
+ * B33 - s_u B13 - s_v B23 > 0: exact where the curvature is constant, and no part is
+ * negative.
  *
  * Clamps: at a held column that cannot turn, the curvature of the cubic that leaves the
  * point x0 along e with the free neighbours x1, x2 on it,
@@ -26,7 +32,7 @@
 #include "models/net/spring_net.h"
 
 enum spring_plate_kind {
-    SPRING_PLATE_U,     /* x_uu a_u^2: points before, at, after                        */
+    SPRING_PLATE_U,     /* x_uu a_u^2: points before, at, after; those of x_uv, if any */
     SPRING_PLATE_V,     /* x_vv a_v^2                                                  */
     SPRING_PLATE_TWIST, /* x_uv a_u a_v: points (i,j), (i,j+1), (i+1,j), (i+1,j+1)     */
     SPRING_PLATE_MEAN,  /* (x_uu + s x_vv) a_u a_v: at, before and after along u, v    */
@@ -34,7 +40,7 @@ enum spring_plate_kind {
 };
 
 /* A term of the energy: stiffness |sum weight x_node + shift|^2 / 2. */
-enum { SPRING_PLATE_POINTS = 5 };
+enum { SPRING_PLATE_POINTS = 9 };
 struct spring_plate_form {
     enum spring_plate_kind kind;
     int at; /* the node that it belongs to                                              */

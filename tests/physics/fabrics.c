@@ -18,7 +18,7 @@ static const struct kind {
 } kinds[] = {
     {"shell_selective_3", "[30,6]", "[16,16]", true, true},
     {"iga_selective_3", "[30,6,2]", "[16,16,2]", true, true},
-    {"triangles", "[41,7]", "[25,25]", false, true},
+    {"triangles", "[41,7]", "[25,25]", true, true},
     {"mass_spring", "[41,7]", "[25,25]", false, false},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds, MODES = 8 };

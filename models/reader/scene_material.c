@@ -27,7 +27,7 @@ const struct schema_key scene_material_keys[] = {
     {"areal_density", "fabric: mass per area [kg/m^2]", SCHEMA_NUMBER, POSITIVE,
      IN(fabric.areal_density)},
     {"softening", "fabric: C of the moment B k + C k |k| along warp and weft, 0 or less "
-     "[N m^2]", SCHEMA_VECTOR, .most = 2, .want = "two numbers [C1, C2], 0 or less",
+     "[N m^2]", SCHEMA_VECTOR, .most = 2, .want = "two numbers [C1, C2]",
      .low = -1, .high = 0, IN(fabric.softening)},
     {"warp", "fabric: angle from u to the warp, towards v [deg]", SCHEMA_NUMBER, .low = -360,
      .high = 360, IN(fabric.warp)},

@@ -175,7 +175,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
         REQUIRE(scene_add_load(scene, &tip) == STATUS_OK);
         return;
     case SCENE_NEED_BIAS:
-        scene->fabric.warp = 30; /* and */
+    case SCENE_NEED_SOFTENING:
+        scene->fabric.warp = need == SCENE_NEED_BIAS ? 30 : 0;
+        scene->fabric.softening[0] = need == SCENE_NEED_BIAS ? 0 : -1e-4; /* and */
         __attribute__((fallthrough));
     case SCENE_NEED_FABRIC:
         memcpy(scene->fabric.membrane, (double[]){2e3, 1e3, 400, 100}, 4 * sizeof(double));

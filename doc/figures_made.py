@@ -481,6 +481,19 @@ def peers_said():
                      for (simulator, words), where in sorted(found.items())])
 
 
+def tinyvbd():
+    """A row a strand, in double precision; what single precision does beside it."""
+    rows = result("tinyvbd")[-1][1]
+    return markdown(["", "points", "iterations", "TinyVBD, ms a frame", "`vb_body`", "of TinyVBD's",
+                     "farthest apart", "... in single precision"],
+                    [[r["strand"], r["points"], r["iterations"], digits(single["tinyvbd_ms"], 2),
+                      digits(r["ms"], 2), digits(float(r["ms"]) / float(single["tinyvbd_ms"]), 2),
+                      f"{float(r['apart']):.1g} m", f"{float(single['apart']):.1g} m"]
+                     for r in rows if r["precision"] == "double"
+                     for single in [row(rows, strand=r["strand"], points=r["points"],
+                                        iterations=r["iterations"], precision="float")]])
+
+
 def part_of(error):
     """A fraction in per cent; of what is round-off, nought."""
     return digits(100 * float(error), 2) if float(error) > 1e-9 else "0"
@@ -766,7 +779,7 @@ BLOCKS = {"touching": touching, "table1": table1, "table23": table23, "growth": 
           "known": known, "ensembles": ensembles, "truths": truths, "stress": stress,
           "stability": stability,
           "mesh": mesh, "locking": locking, "cures": cures, "timestep": timestep,
-          "peers": peers, "peers_drop": peers_drop,
+          "peers": peers, "peers_drop": peers_drop, "tinyvbd": tinyvbd,
           "peers_said": peers_said, "refinement": refinement, "refinement_nets": refinement_nets,
           "remedies": remedies,
           "supports": supports, "supports_orders": supports_orders}

@@ -213,7 +213,6 @@ static enum status end_step(struct spring_motion *m)
 static enum status step_implicit(struct spring_motion *m, double t,
                                  struct counters *counters)
 {
-    enum status st;
     size_t count = 3 * (size_t)m->net.nodes;
     double dt = m->dt;
     struct spring_problem p = {.weight = m->weight,
@@ -229,14 +228,11 @@ static enum status step_implicit(struct spring_motion *m, double t,
         m->target[n] =
             m->x[n] + m->v[n] * (m->points.mass[n / 3] / (dt * m->weight[n / 3]));
     guess(m);
-    spring_motion_hold(m, t);
     net_contact_begin(m->contact, t, m->start);
-    if (m->contact && m->limits.iterations != 1) /* the guess, to its side of the wall */
-        TRY(contact_project(&m->contact->law, m->contact->compliance,
-                            m->newton.supports.free_index, m->x));
-    st = spring_newton_solve(&m->newton, &p, &m->limits, m->x, counters);
-out:
-    return st;
+    if (m->contact && m->limits.iterations != 1)
+        contact_lead(&m->contact->law, m->x);
+    spring_motion_hold(m, t);
+    return spring_newton_solve(&m->newton, &p, &m->limits, m->x, counters);
 }
 
 static enum status step_explicit(struct spring_motion *m, double t,

@@ -205,9 +205,9 @@ static enum status search(struct spring_newton *s, const struct spring_problem *
     double fall = product(count, r, d);
 
     memcpy(from, x, count * sizeof *x);
-    double low = 0, high = p->contact ? contact_limit(p->contact, x, d) : 1;
-    *part = high;
-    *cut = high < 1;
+    const double most = p->contact ? contact_limit(p->contact, x, d) : 1;
+    double low = 0, high = most;
+    *part = most;
     for (int n = 0; n <= MOST_CUTS; n++) {
         for (size_t t = 0; t < count; t++)
             x[t] = from[t] + *part * d[t];
@@ -225,6 +225,7 @@ static enum status search(struct spring_newton *s, const struct spring_problem *
                 : isfinite(rise) ? *part * (fall / (fall + rise))
                                  : *part * 0.5;
     }
+    *cut = *part == most && most < 1;
 out:
     return st;
 }

@@ -97,10 +97,13 @@ OF_SHEET(drop, metric_drop)
 OF_SHEET(unevenness, metric_unevenness)
 OF_SHEET(angle, metric_angle)
 
-/* Returns E by the largest strain of a strip that hangs, over the scene's. */
+/* Returns E by how much longer a hanging strip is (rho g L / 2 E), over the scene's; NaN: it
+ * does not hang longer than at rest. */
 static double stiffness(const struct place *p)
 {
-    return quantity_at(p, QUANTITY_HANGING_STRAIN) / (quantity_at(p, QUANTITY_STRETCH) - 1);
+    const double longer = quantity_at(p, QUANTITY_DROP) - 1;
+
+    return longer > 0 ? quantity_at(p, QUANTITY_HANGING_STRAIN) / 2 / longer : NAN;
 }
 
 /* Returns the distance of two sheets over the length; NaN unless there are both. */

@@ -60,7 +60,7 @@ struct place;
     X(LOSS, loss, "loss", "loss", "1/s", 2, false,                                         \
       "share of the energy in play that is lost a second")                                 \
     X(STIFFNESS, stiffness, "stiffness", "stiffness", NULL, 3, true,                       \
-      "of a strip that hangs: E by its strain at the top, over the scene's")               \
+      "of a strip that hangs: E by how much longer it is, over the scene's")               \
     X(APART, apart, "apart", "apart", "L", 2, true,                                        \
       "rms distance to the reference on the material grid, over the length")               \
     X(TIP, tip, "tip", "tip", NULL, 4, false,                                              \

@@ -90,21 +90,15 @@ OF_LEVEL(solves, a_step(r, r->work.solves))
 OF_LEVEL(iterations, a_step(r, r->work.iterations))
 OF_LEVEL(left, r->work.left > 0 ? r->work.left : NAN)
 OF_LEVEL(loss, -r->value[MEASURE_ENERGY_DRIFT_END] / r->value[MEASURE_END_TIME])
+OF_LEVEL(stiffness, r->value[MEASURE_DROP_MAX] > 1 ? r->value[MEASURE_HANGING_STRAIN] / 2 /
+                                                         (r->value[MEASURE_DROP_MAX] - 1)
+                                                   : NAN)
 OF_SHEET(roughness, metric_roughness)
 OF_SHEET(inner, metric_inner_roughness)
 OF_SHEET(stretch, metric_stretch)
 OF_SHEET(drop, metric_drop)
 OF_SHEET(unevenness, metric_unevenness)
 OF_SHEET(angle, metric_angle)
-
-/* Returns E by how much longer a hanging strip is (rho g L / 2 E), over the scene's; NaN: it
- * does not hang longer than at rest. */
-static double stiffness(const struct place *p)
-{
-    const double longer = quantity_at(p, QUANTITY_DROP) - 1;
-
-    return longer > 0 ? quantity_at(p, QUANTITY_HANGING_STRAIN) / 2 / longer : NAN;
-}
 
 /* Returns the distance of two sheets over the length; NaN unless there are both. */
 static double distance(const struct place *p, const double *xyz)

@@ -1,4 +1,4 @@
-#include "strand.h"
+#include "peers/tinyvbd/strand.h"
 
 #include <math.h>
 #include <stdlib.h>

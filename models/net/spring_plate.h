@@ -42,7 +42,8 @@ enum spring_plate_kind {
     SPRING_PLATE_CLAMP,  /* kappa a^2: the held point, its neighbour, the next          */
     SPRING_PLATE_SOFT_U, /* x_uu a_u^2, or a clamp's, as it softens: not quadratic, and
                             `stiffness` is its area [m^2]                              */
-    SPRING_PLATE_SOFT_V
+    SPRING_PLATE_SOFT_V,
+    SPRING_PLATE_SOFT = 1 << SPRING_PLATE_SOFT_U | 1 << SPRING_PLATE_SOFT_V /* bits    */
 };
 
 /* A term of the energy: stiffness |sum weight x_node + shift|^2 / 2. */
@@ -59,6 +60,13 @@ struct spring_plate_form {
 /* Makes all of a net's, *forms, owned by the caller; none if its law has no bending. */
 enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
                               struct spring_plate_form **forms, int *count);
+
+/* Sorts the forms whose kinds are bits of `kinds` by the least row that they reach:
+ * *sorted, owned by the caller; at[rows of points + 1], zero before, has the first of each
+ * row. */
+enum status spring_plate_by_rows(const struct spring_net *net, int count,
+                                 const struct spring_plate_form *forms, unsigned kinds,
+                                 struct spring_plate_form **sorted, int *at);
 
 /* The softening along u and v, and the squares of the cell's sides. */
 struct spring_plate_soft {

@@ -148,7 +148,6 @@ static void add_need(struct scene *scene, unsigned need, double w)
     struct scene_obstacle floor = {
         .kind = OBSTACLE_PLANE, .point = {0, 0, -1}, .normal = {0, 0, 1}};
     struct scene_support s = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_XYZ};
-
     const struct scene_load tip = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .force = {0, 0, 1}};
 
     switch (need) {
@@ -163,8 +162,7 @@ static void add_need(struct scene *scene, unsigned need, double w)
         scene->contact.self = true;
         return;
     case SCENE_NEED_SHEETS:
-        scene->sheets = 2;
-        scene->pose[1] = scene->pose[0];
+        scene->sheets = 2, scene->pose[1] = scene->pose[0];
         return;
     case SCENE_NEED_DRAG:
         scene->drag = 1;

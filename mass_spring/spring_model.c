@@ -57,6 +57,10 @@ static enum status refuse(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "parameters=paper, which has a drag of points: not with "
                            "integrator=momentum");
+    if (scene_needs(scene) & SCENE_NEED_SOFTENING && !momentum)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "softening: with integrator=momentum only, the others have "
+                           "struts of constant force or a constant bending");
     if (own->strain_limit > 0 && (momentum || d->integrator == INTEGRATOR_LEAPFROG))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "strain_limit: with integrator=implicit or explicit only");
@@ -132,7 +136,7 @@ const struct model spring_model = {
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
-              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC,
+              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_SOFTENING,
     .options = options,
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},

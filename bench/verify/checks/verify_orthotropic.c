@@ -54,10 +54,12 @@ static const double STRIP_WIDTH = 0.005;
 static const double gammas[] = {3, 30}; /* m g L^3 / B */
 enum { GAMMAS = 2 };
 #define STRIP 0.01, "asked of the nonlinear solid in elastica"
+/* Mark: what bends by the curvature of lines, in the plane, too (spring_plate.h). An askew
+ * strip hangs by its bending in the plane, and this one is but two thicknesses wide. */
 static const struct verify_subject strip_subjects[] = {
     {"shell_3,shell_selective_3", STRIP, {16, 32}, {4, 4}, 2},
     {"iga_selective_3", STRIP, {16, 32}, {4, 4}, 2},
-    {"triangles", STRIP, {40, 80}, {3, 3}},
+    {"triangles", STRIP, {40, 80}, {3, 3}, .mark = true},
     {"mass_spring", 0, "springs bend as a plate only in the limit", {20, 40}, {3, 5}},
     {NULL}};
 static const struct verify_field strips = {strip_subjects};
@@ -65,10 +67,17 @@ static const struct verify_field strips = {strip_subjects};
 static void add_strip(struct verify_subject *s)
 {
     const double angle = angles[s->at];
+    const bool lines = s->mark && fmod(angle, 90) != 0;
+    s->changed = lines ? "1 %, missed at 30 and 45 degrees" : NULL;
     struct verify_trial t =
         verify_trial_of(s, "cantilever", "tip, warp at %g degrees, Gamma = %g, %g", angle,
                         gammas[0], gammas[1]);
 
+    if (lines) {
+        t.row->tolerance = NAN;
+        verify_row_note(t.row, "askew it bends in its plane, too, where lines resist with "
+                               "B besides: much, in a strip two thicknesses wide");
+    }
     for (int k = 0; k < GAMMAS; k++) {
         struct elastica_point want;
         double error[VERIFY_NETS], xyz[3] = {0};

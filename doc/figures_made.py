@@ -863,7 +863,31 @@ def touching():
                      "body in the sheet [mm]", "crossings", "seconds"], made)
 
 
-BLOCKS = {"touching": touching, "table1": table1, "table23": table23, "growth": growth, "table4": table4,
+def fabrics():
+    """A row for each scene and model: its last error with the fabric's law and with the mean."""
+    rows = part("study_fabrics", "law", "error")
+    made = []
+    for (study, model), run in itertools.groupby(rows, lambda r: (r["study"], r["model"])):
+        last = {r["law"]: r for r in run}
+        own, mean = last["its own"], last["isotropic mean"]
+        if not own["error_bar"]:
+            continue
+        made.append([study, model, percent(100 * float(own["error_bar"]))] +
+                    [percent(100 * float(r["error"])) if r["error"] else "-" for r in (own, mean)])
+    return markdown(["scene", "model", "truth's bar", "fabric's law", "isotropic mean"], made)
+
+
+def fabrics_apart():
+    """A row for each scene and fabric: how far the shell with the mean is from the shell."""
+    rows = part("study_fabrics", "law", "apart")
+    made = []
+    for study, run in itertools.groupby(rows, lambda r: r["study"]):
+        mean = [r for r in run if r["model"].startswith("shell") and r["law"] != "its own"][-1]
+        made.append([study, f"{float(mean['time_s']):g} s", percent(100 * float(mean["apart"]))])
+    return markdown(["scene and fabric", "at", "the mean is off by"], made)
+
+
+BLOCKS = {"fabrics": fabrics, "fabrics_apart": fabrics_apart, "touching": touching, "table1": table1, "table23": table23, "growth": growth, "table4": table4,
           "table4_verdicts": table4_verdicts, "verify": verify,
           "compare": compare, "compare_models": compare_models, "compare_plate": compare_plate,
           "compare_threads": compare_threads, "compare_scenes": compare_scenes,

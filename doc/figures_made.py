@@ -481,6 +481,19 @@ def peers_said():
                      for (simulator, words), where in sorted(found.items())])
 
 
+def tinyvbd():
+    """A row a strand, in double precision; what single precision does beside it."""
+    rows = result("tinyvbd")[-1][1]
+    return markdown(["", "points", "iterations", "TinyVBD, ms a frame", "`vb_body`", "of TinyVBD's",
+                     "farthest apart", "... in single precision"],
+                    [[r["strand"], r["points"], r["iterations"], digits(single["tinyvbd_ms"], 2),
+                      digits(r["ms"], 2), digits(float(r["ms"]) / float(single["tinyvbd_ms"]), 2),
+                      f"{float(r['apart']):.1g} m", f"{float(single['apart']):.1g} m"]
+                     for r in rows if r["precision"] == "double"
+                     for single in [row(rows, strand=r["strand"], points=r["points"],
+                                        iterations=r["iterations"], precision="float")]])
+
+
 def part_of(error):
     """A fraction in per cent; of what is round-off, nought."""
     return digits(100 * float(error), 2) if float(error) > 1e-9 else "0"
@@ -732,14 +745,41 @@ def supports_orders():
 
 # --- which is which --------------------------------------------------------------------------
 
-BLOCKS = {"table1": table1, "table23": table23, "growth": growth, "table4": table4,
+def touching():
+    """A row a run: its last error against the truth, and what holds to its end."""
+    whole("study_touching")
+    rows = part("study_touching", "touches", "crossings")
+    made = []
+    for (study, level), run in itertools.groupby(rows, lambda r: (r["study"], r["level"])):
+        run = list(run)
+        if level == "truth" or not run[0]["stepping_s"]:  # refused
+            continue
+        known = [r for r in run if r["error"]]
+        died = not run[-1]["crossings"]
+        depth = max([number(r["penetration"]) for r in run if r["penetration"]], default=0)
+        far = [r for r in run if r["apart"]]
+        made.append([
+            study, level,
+            f"{percent(100 * float(known[-1]['error']))} at {float(known[-1]['time_s']):g} s"
+            if known else "-",
+            percent(100 * float(known[-1]["error_bar"])) if known else "-",
+            "-" if level.startswith("shell") or not far else
+            f"{percent(100 * float(far[-1]['apart']))} at {float(far[-1]['time_s']):g} s",
+            digits(1000 * depth, 2) if depth else "0",
+            str(sum(int(number(r["crossings"])) for r in run if r["crossings"])),
+            "died" if died else digits(run[0]["stepping_s"], 2)])
+    return markdown(["scene", "contestant", "error", "truth's bar", "apart from the shell",
+                     "body in the sheet [mm]", "crossings", "seconds"], made)
+
+
+BLOCKS = {"touching": touching, "table1": table1, "table23": table23, "growth": growth, "table4": table4,
           "table4_verdicts": table4_verdicts, "verify": verify,
           "compare": compare, "compare_models": compare_models, "compare_plate": compare_plate,
           "compare_threads": compare_threads, "compare_scenes": compare_scenes,
           "known": known, "ensembles": ensembles, "truths": truths, "stress": stress,
           "stability": stability,
           "mesh": mesh, "locking": locking, "cures": cures, "timestep": timestep,
-          "peers": peers, "peers_drop": peers_drop,
+          "peers": peers, "peers_drop": peers_drop, "tinyvbd": tinyvbd,
           "peers_said": peers_said, "refinement": refinement, "refinement_nets": refinement_nets,
           "remedies": remedies,
           "supports": supports, "supports_orders": supports_orders}

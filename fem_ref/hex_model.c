@@ -184,6 +184,7 @@ static enum status create(const struct scene *scene, const struct discretization
     double *x = NULL;
     struct hex *h = NULL;
 
+    TRY(solid_model_refuse_fabric(scene, why));
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
     TRY(contact_rest_refuse(scene, why));
     TRY(large_leapfrog_refuse(d, why));

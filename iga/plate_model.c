@@ -437,11 +437,8 @@ static enum status create(const struct scene *scene, const struct discretization
             why, STATUS_UNSUPPORTED,
             "remedy=reduced has a rule that begins at an edge, and the sheet is "
             "closed; use selective"));
-    if (scene->is_fabric && !has_layer(d))
-        TRY(status_fail(
-            why, STATUS_UNSUPPORTED,
-            "a fabric is for remedy=selective or clamped, whose one layer holds "
-            "membrane and bending apart; other solids have an isotropic law"));
+    if (!has_layer(d))
+        TRY(solid_model_refuse_fabric(scene, why));
     if (d->remedy == REMEDY_CLAMPED && (scene->shape != SCENE_FLAT || scene->sheets > 1))
         TRY(status_fail(why, STATUS_UNSUPPORTED,
                         "remedy=clamped is for one flat sheet; use selective"));

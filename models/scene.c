@@ -169,6 +169,9 @@ unsigned scene_needs(const struct scene *scene)
         needs |= SCENE_NEED_FABRIC;
     if (scene->is_fabric && fmod(scene->fabric.warp, 90) != 0)
         needs |= SCENE_NEED_BIAS;
+    if (scene->is_fabric &&
+        (scene->fabric.softening[0] < 0 || scene->fabric.softening[1] < 0))
+        needs |= SCENE_NEED_SOFTENING;
     for (int i = 0; i < 3; i++)
         if (scene->velocity[i] != 0 || scene->spin[i] != 0 || scene->ripple[i] != 0)
             needs |= SCENE_NEED_INITIAL_MOTION;

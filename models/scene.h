@@ -169,6 +169,7 @@ struct scene {
     X(CLOSED_REST, "rest shape that is closed around")                                     \
     X(FABRIC, "fabrics")                                                                   \
     X(BIAS, "fabrics whose warp runs along neither edge")                                  \
+    X(SOFTENING, "bending that softens")                                                   \
     X(INITIAL_MOTION, "initial motion")                                                    \
     X(MOVING_OBSTACLES, "moving obstacles")                                                \
     X(SELF_CONTACT, "contact of the sheet with itself")                                    \

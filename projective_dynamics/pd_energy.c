@@ -6,8 +6,10 @@
 
 #include "models/vector.h"
 
-const char *const pd_energy_constraints[] = {
-    [CONSTRAINT_TRIANGLES] = "triangles", [CONSTRAINT_EDGES] = "edges", NULL};
+const char *const pd_energy_constraints[] = {[CONSTRAINT_AUTO] = "auto",
+                                             [CONSTRAINT_TRIANGLES] = "triangles",
+                                             [CONSTRAINT_EDGES] = "edges",
+                                             NULL};
 
 static const double PAPER_STRETCH = 10, PAPER_BEND = 10, PAPER_MASS = 1;
 

@@ -33,8 +33,9 @@
 #include "models/discretization.h"
 #include "projective_dynamics/pd_bending.h"
 
-/* The constraints that resist stretching. */
-enum constraint { CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
+/* The constraints that resist stretching; auto: edges for fabrics, whose warp and weft
+ * triangles, which know but E and nu, can't tell apart. */
+enum constraint { CONSTRAINT_AUTO, CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 extern const char *const pd_energy_constraints[]; /* NULL ends */
 
 struct pd_energy {

@@ -5,6 +5,7 @@
 #include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/net/net_surface.h"
+#include "models/net/spring_law.h"
 #include "projective_dynamics/pd_motion.h"
 
 enum { DEFAULT_ITERATIONS = 10, MOST_ITERATIONS = 1000000 };
@@ -37,12 +38,30 @@ static enum status refuse_damping(const struct scene *scene, struct message *why
     return STATUS_OK;
 }
 
-static struct pd_options options_of(const struct discretization *d)
+static enum constraint constraint_of(const struct scene *scene,
+                                     const struct discretization *d)
+{
+    const enum constraint asked = OWN(pd_own, d)->constraint;
+
+    return asked != CONSTRAINT_AUTO ? asked
+           : scene->is_fabric       ? CONSTRAINT_EDGES
+                                    : CONSTRAINT_TRIANGLES;
+}
+
+static void adapt(const struct scene *scene, struct discretization *d,
+                  struct message *reason)
+{
+    (void)reason;
+    OWN(pd_own, d)->constraint = constraint_of(scene, d);
+}
+
+static struct pd_options options_of(const struct scene *scene,
+                                    const struct discretization *d)
 {
     const struct pd_own *own = OWN(pd_own, d);
     struct pd_options o = {
         .points = {d->points[0], d->points[1]},
-        .constraint = own->constraint,
+        .constraint = constraint_of(scene, d),
         .parameters = d->parameters,
         .substeps = d->substeps > 0 ? d->substeps : 1,
         .iterations = d->iterations > 0 ? d->iterations : MOST_ITERATIONS,
@@ -70,8 +89,7 @@ static enum status create(const struct scene *scene, const struct discretization
 {
     enum status st;
     struct pd_motion *m = NULL;
-    const struct pd_own *own = OWN(pd_own, d);
-    const struct pd_options chosen = options_of(d);
+    const struct pd_options chosen = options_of(scene, d);
 
     TRY(model_refuse_net(scene, d, why));
     TRY(contact_rest_refuse(scene, why));
@@ -82,9 +100,14 @@ static enum status create(const struct scene *scene, const struct discretization
             why, STATUS_UNSUPPORTED,
             "integrator=midpoint: without contact only, as a sheet that is outside of "
             "obstacles in the middle of a step may be inside at its end");
-    if (own->acceleration == ACCELERATION_ADMM && own->constraint != CONSTRAINT_TRIANGLES)
+    if (chosen.split && chosen.constraint != CONSTRAINT_TRIANGLES)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "acceleration=admm: with constraint=triangles only");
+    if (scene->is_fabric && chosen.constraint == CONSTRAINT_TRIANGLES &&
+        d->parameters == PARAMETERS_MATCHED)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "a fabric: with constraint=edges only, the projection of "
+                           "triangles is isotropic");
     m = calloc(1, sizeof *m);
     if (!m)
         TRY(STATUS_MEMORY);
@@ -122,6 +145,20 @@ static void doubt(const void *state, struct message *line)
             m->left_time, 100 * m->left);
 }
 
+/* Describes the membrane of a fabric's edges. */
+static void describe(const void *state, struct message *line)
+{
+    const struct pd_motion *m = state;
+    const double cell[2] = {m->energy.net.du, m->energy.net.dv};
+    struct spring_law law;
+
+    *line->text = '\0';
+    if (!m->scene->is_fabric)
+        return;
+    spring_law_make(m->scene, m->options.parameters, cell, &law);
+    spring_law_tell(&law, cell, m->scene, line);
+}
+
 const struct model projective_dynamics_model = {
     .name = "projective_dynamics",
     .title = "projective dynamics",
@@ -130,17 +167,19 @@ const struct model projective_dynamics_model = {
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_LOADS |
-              SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS,
+              SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS | SCENE_NEED_FABRIC,
     .options = options,
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},
                  .kinematics = KINEMATICS_NONLINEAR,
                  .iterations = DEFAULT_ITERATIONS},
+    .adapt = adapt,
     .create = create,
     .advance = pd_motion_frame,
     .sample = sample,
     .probe = probe,
     .size = pd_motion_size,
+    .describe = describe,
     .doubt = doubt,
     .energy = pd_motion_energy,
     .contact = pd_motion_contact,

@@ -159,6 +159,23 @@ void shell_element_foresee(struct shell_element *e)
     }
 }
 
+/* Returns what softening adds to the energy. */
+static double soft_energy(const struct shell_points *p,
+                          const struct shell_material *material, const double *rest)
+{
+    double sum = 0;
+
+    for (int q = 0; q < p->count; q++)
+        for (int n = 0; n < 2; n++) {
+            double bend = 0;
+            for (int i = 0; i < 3; i++)
+                bend += material->along[n][i] * p->strain[i * p->padded + q];
+            sum += rest[REST_AREA * p->padded + q] *
+                   law_soft_energy(&material->law.soft[n], bend);
+        }
+    return sum;
+}
+
 double shell_element_energy(const struct shell_element *e,
                             const struct shell_material *material,
                             const double *const rest[])
@@ -176,7 +193,10 @@ double shell_element_energy(const struct shell_element *e,
                        *(const shell_lanes *)(p->strain + k * p->padded + at);
         }
     }
-    return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+    const double linear = (sum[0] + sum[2]) + (sum[1] + sum[3]);
+    return material->law.softens
+               ? linear + soft_energy(&e->at[SHELL_BENDING], material, rest[SHELL_BENDING])
+               : linear;
 }
 
 /* Adds the sum of s[t]'s lanes, (0 + 2) + (1 + 3), to f[t], for four t at a time. */
@@ -234,8 +254,10 @@ static void membrane_force(struct shell_element *e, double stiffness, const doub
     }
 }
 
-static void bending_force(struct shell_element *e, double stiffness, const double *rest)
+static void bending_force(struct shell_element *e, const struct shell_material *material,
+                          const double *rest)
 {
+    const double stiffness = shell_frame_stiffness(material, SHELL_BENDING);
     const struct shell_points *p = &e->at[SHELL_BENDING];
 
     for (int at = 0; at < p->count; at += SHELL_LANES) {
@@ -243,6 +265,7 @@ static void bending_force(struct shell_element *e, double stiffness, const doubl
         shell_lanes C[3][3], m[3], d[5][3];
         shell_frame_law(rest, p->padded, at, C);
         shell_frame_resultants(p, stiffness, C, at, m);
+        shell_frame_soften(p, material, rest, at, C, m);
         shell_frame_frame(e, p, at, &f);
         m[2] *= 2;
         for (int i = 0; i < 3; i++) {
@@ -261,5 +284,5 @@ void shell_element_force(struct shell_element *e, const struct shell_material *m
     memset(e->f, 0, (size_t)SHELL_PADDED(3 * e->local) * sizeof *e->f);
     membrane_force(e, shell_frame_stiffness(material, SHELL_MEMBRANE),
                    rest[SHELL_MEMBRANE]);
-    bending_force(e, shell_frame_stiffness(material, SHELL_BENDING), rest[SHELL_BENDING]);
+    bending_force(e, material, rest[SHELL_BENDING]);
 }

@@ -114,6 +114,30 @@ static inline void shell_frame_resultants(const struct shell_points *p, double s
     }
 }
 
+/* Adds what softening adds to resultants and law times area at four points. */
+static inline void shell_frame_soften(const struct shell_points *p,
+                                      const struct shell_material *material,
+                                      const double *rest, int at, shell_lanes C[3][3],
+                                      shell_lanes out[3])
+{
+    const double *area = rest + REST_AREA * p->padded + at, *strain = p->strain + at;
+    const double stiffness = shell_frame_stiffness(material, SHELL_BENDING);
+
+    for (int n = 0; n < 2 * SHELL_LANES && material->law.softens; n++) {
+        const double *along = material->along[n % 2];
+        const int t = n / 2;
+        double bend = 0, tangent;
+        for (int i = 0; i < 3; i++)
+            bend += along[i] * strain[i * p->padded + t];
+        const double moment = law_soft_moment(&material->law.soft[n % 2], bend, &tangent);
+        for (int i = 0; i < 3; i++) {
+            out[i][t] += area[t] * moment * along[i];
+            for (int j = 0; j < 3; j++)
+                C[i][j][t] += area[t] / stiffness * tangent * along[i] * along[j];
+        }
+    }
+}
+
 /* Surface, dual base and Christoffel symbols at four points; of the geometry. */
 struct shell_frame {
     struct shell_surface s;

@@ -138,6 +138,12 @@ static enum status refuse(const struct scene *scene, const struct discretization
                            "a shell has one point through the thickness: use "
                            "discretization.points=[%d,%d]",
                            d->points[0], d->points[1]);
+    if (scene_needs(scene) & SCENE_NEED_SOFTENING &&
+        (scene->shape != SCENE_FLAT || d->weight_count ||
+         d->kinematics != KINEMATICS_NONLINEAR))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "softening: with kinematics=nonlinear, on flat sheets without "
+                           "weights only");
     st = check_remedy(d, why);
     return st == STATUS_OK ? large_leapfrog_refuse(d, why) : st;
 }
@@ -348,7 +354,7 @@ const struct model shell_model = {
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS |
               SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST | SCENE_NEED_CLOSED_REST |
               SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS | SCENE_NEED_FABRIC |
-              SCENE_NEED_BIAS,
+              SCENE_NEED_BIAS | SCENE_NEED_SOFTENING,
     .options = options,
     /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
      * about the same time: Newton's method takes fewer tangents. */

@@ -221,10 +221,16 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
                          struct message *why)
 {
     const struct scene *scene = m->scene;
-    const struct shell_material material = {scene_law(scene), scene->density};
+    struct shell_material material = {scene_law(scene), scene->density, {{0}}};
     int *order = NULL;
     enum status st;
 
+    for (int i = 0; i < 2; i++) {
+        const double *along = material.law.along[i], l = scene->length, w = scene->width;
+        material.along[i][0] = along[0] / (l * l);
+        material.along[i][1] = along[1] / (w * w);
+        material.along[i][2] = along[2] / (l * w);
+    }
     TRY(shell_assembly_init(&m->assembly, m->space, &material, why));
     TRY(lumped_mass_make(d, &m->assembly.graph, m->assembly.M, why));
     TRY(hold(m, why));

@@ -12,6 +12,7 @@ enum { REST_AREA, REST_FORM, REST_LAW = 4, SHELL_REST_ROWS = 10 };
 struct shell_material {
     struct law law;
     double density;
+    double along[2][3]; /* law.along of covariant strains, for flat sheets that soften */
 };
 
 /* An element's points of one rule. */

@@ -208,6 +208,7 @@ static void fill_bending(const struct kernel *k, struct shell_element *e,
         if (t == 0) {
             shell_frame_law(rest, p->padded, q, C);
             shell_frame_resultants(p, stiffness, C, q, m);
+            shell_frame_soften(p, material, rest, q, C, m);
             shell_frame_frame(e, p, q, &f);
         }
         pick(&f, C, m, t, &at);

@@ -72,7 +72,7 @@ sed '1s/^.*$/# clothbench table 4 --format csv --quick | commit/' "$results/tabl
 good changed
 has_quick || fail 'a quick command is not seen'
 
-# --- the three sentences on what was found, each turned by what is in the folder
+# --- the four sentences on what was found, each turned by what is in the folder
 found() { # NUMBER, words that the sentence has
     sed -n 's/.*"found":\[\([^]]*\)\].*/\1/p' page.html | sed 's/","/\n/g' | sed -n "${1}p" | grep -qF -- "$2" ||
         fail "sentence $1 has not: $2"
@@ -81,6 +81,7 @@ good empty
 found 1 'claims 0 hold and 0 do not; '
 found 2 'Speed against error was not measured: clothbench compare edge_drop'
 found 3 'Nothing was compared with closed forms: clothbench verify'
+found 4 'Contact was not run: clothbench study touching'
 rm -rf changed
 mkdir changed
 for verdict in holds holds 'does not hold' open; do
@@ -99,7 +100,17 @@ TABLE
 mkdir changed/verify
 printf 'check,quantity,verdict\na,b,met\na,b,MISSED\n' >changed/verify/a.csv
 printf 'check,quantity,verdict\na,b,met\na,b,died\na,b,met\na,b,no claim\n' >changed/verify/b.csv
+cat >changed/study_touching.csv <<'TABLE'
+study,level,time_s,penetration,crossings
+fold,a,1,0.0001,0
+fold,a,2,,2
+fold,a,3,0.0002,2
+fold,b,1,0.00126,0
+wipe,b,1,0.001,0
+wipe,c,1,,
+TABLE
 good changed
+found 4 'In 1 of 4 runs of five scenes with contact a sheet passes through itself or another; a body is at most 1.3 mm deep'
 found 1 ' claims 2 hold and 1 do not; '
 found 2 '1 % of the length on edge_drop is 1.3 s, by quick; the next model, other, takes 2 times as long.'
 found 3 ' 3 have it and 2 do not.'

@@ -187,9 +187,12 @@ static void add_force(const void *self, int thread, int strip, double *force)
     e = r->strain + b->forms_from;
     for (int k = net->form_at[strip]; k < net->form_at[strip + 1]; k++, e += 3) {
         const struct spring_plate_form *f = &net->forms[k];
+        double along, pull = f->stiffness;
+        if (f->kind >= SPRING_PLATE_SOFT_U)
+            pull = spring_plate_soft_pull(&net->soft, f, e, &along);
         for (int p = 0; p < f->count; p++)
             for (int i = 0; i < 3; i++)
-                force[3 * f->node[p] + i] += f->stiffness * f->weight[p] * e[i];
+                force[3 * f->node[p] + i] += pull * f->weight[p] * e[i];
     }
     e = r->strain + b->hinges_from;
     for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++, e++) {
@@ -281,6 +284,24 @@ static void hinge_tangent(const struct tri_hinge *h, const struct tri_body_room 
     tri_net_add(4, h->node, h->pair, H[0], K);
 }
 
+/* Adds weight weight' s1 (pull I + along e e'). */
+static void soft_tangent(const struct tri_net *net, const struct spring_plate_form *f,
+                         const double e[3], double s1, double (*K)[9])
+{
+    enum { MOST = SPRING_PLATE_POINTS };
+    double along, B[9 * MOST * MOST];
+    const double pull = spring_plate_soft_pull(&net->soft, f, e, &along);
+    const int n = 3 * f->count;
+    long pair[MOST * (MOST + 1) / 2];
+
+    for (int p = 0; p < n; p++)
+        for (int q = 0; q < n; q++)
+            B[n * p + q] = s1 * f->weight[p / 3] * f->weight[q / 3] *
+                           ((p % 3 == q % 3 ? pull : 0) + along * e[p % 3] * e[q % 3]);
+    tri_net_pairs(net, f->count, f->node, pair);
+    tri_net_add(f->count, f->node, pair, B, K);
+}
+
 static void add_tangent(const void *self, int thread, int strip,
                         const struct large_path *path, double (*K)[9])
 {
@@ -296,6 +317,10 @@ static void add_tangent(const void *self, int thread, int strip,
     for (long n = graph->start[strip * m]; n < graph->start[(strip + 1) * m]; n++)
         for (int i = 0; i < 3; i++)
             K[n][4 * i] += path->s1 * net->plate[n];
+    e = r->strain + b->forms_from;
+    for (int k = net->form_at[strip]; k < net->form_at[strip + 1]; k++, e += 3)
+        if (net->forms[k].kind >= SPRING_PLATE_SOFT_U)
+            soft_tangent(net, &net->forms[k], e, path->s1, K);
     e = r->strain + b->hinges_from;
     for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++)
         hinge_tangent(&net->hinges[k], r, *e++, path, K);
@@ -382,7 +407,9 @@ double tri_body_energy(const struct tri_body *b, const double *x)
             energy += b->area * dot(stress, e) / 2, e += 3;
         }
         for (int k = net->form_at[strip]; k < net->form_at[strip + 1]; k++, form += 3)
-            energy += net->forms[k].stiffness * dot(form, form) / 2;
+            energy += net->forms[k].kind >= SPRING_PLATE_SOFT_U
+                          ? spring_plate_soft_energy(&net->soft, &net->forms[k], form)
+                          : net->forms[k].stiffness * dot(form, form) / 2;
         for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++, hinge++)
             energy += net->hinges[k].stiffness * *hinge * *hinge / 2;
     }

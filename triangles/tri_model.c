@@ -42,6 +42,18 @@ static enum status refuse(const struct scene *scene, const struct discretization
         OWN(tri_own, d)->membrane == MEMBRANE_COROTATIONAL)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "a fabric: corotational triangles with implicit steps only");
+    if (scene_needs(scene) & SCENE_NEED_SOFTENING &&
+        (d->integrator == INTEGRATOR_LEAPFROG || scene_needs(scene) & SCENE_NEED_BIAS))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "softening: integrator=momentum or implicit only, and the warp "
+                           "along u or v; shells soften along any");
+    if (scene_needs(scene) & SCENE_NEED_BIAS &&
+        (d->integrator == INTEGRATOR_LEAPFROG ||
+         OWN(tri_own, d)->membrane == MEMBRANE_BARAFF_WITKIN))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "a fabric whose warp runs along neither edge couples stretch to "
+                           "shear: integrator=momentum or implicit only, and "
+                           "membrane=green or corotational");
     if (d->iterations && d->integrator != INTEGRATOR_IMPLICIT)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "iterations: with integrator=implicit only");
@@ -133,7 +145,8 @@ const struct model tri_model = {
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
-              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC,
+              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_BIAS |
+              SCENE_NEED_SOFTENING,
     .options = options,
     .defaults = {.points = {16, 16, 1},
                  .degree = {1, 1, 1},

@@ -5,8 +5,6 @@
 
 #include "models/room.h"
 
-enum { MOST = SPRING_PLATE_POINTS };
-
 static int node_of(const struct tri_net *net, int i, int j)
 {
     return i * net->points.points[1] + j;
@@ -130,28 +128,31 @@ out:
     return st;
 }
 
-/* Lists MOST nodes of an element, the last one repeated. */
-static void list(int **next, int count, const int *node)
+/* Lists `most` nodes of an element, the last one repeated. */
+static void list(int **next, int most, int count, const int *node)
 {
-    for (int k = 0; k < MOST; k++)
+    for (int k = 0; k < most; k++)
         *(*next)++ = node[k < count ? k : count - 1];
 }
 
 static enum status make_graph(struct tri_net *net)
 {
     enum status st = STATUS_MEMORY;
-    int elements = net->triangle_count + net->hinge_count + net->form_count;
-    int *ien = malloc(((size_t)elements * MOST + 1) * sizeof *ien), *next = ien;
+    int elements = net->triangle_count + net->hinge_count + net->form_count, most = 4;
+    int *ien, *next;
 
+    for (int k = 0; k < net->form_count; k++)
+        most = net->forms[k].count > most ? net->forms[k].count : most;
+    ien = next = malloc(((size_t)elements * (size_t)most + 1) * sizeof *ien);
     if (!ien)
         goto out;
     for (int k = 0; k < net->triangle_count; k++)
-        list(&next, 3, net->triangles[k].node);
+        list(&next, most, 3, net->triangles[k].node);
     for (int k = 0; k < net->hinge_count; k++)
-        list(&next, 4, net->hinges[k].node);
+        list(&next, most, 4, net->hinges[k].node);
     for (int k = 0; k < net->form_count; k++)
-        list(&next, net->forms[k].count, net->forms[k].node);
-    TRY(blocks_init(&net->graph, net->points.nodes, elements, MOST, ien));
+        list(&next, most, net->forms[k].count, net->forms[k].node);
+    TRY(blocks_init(&net->graph, net->points.nodes, elements, most, ien));
 out:
     free(ien);
     return st;
@@ -162,18 +163,18 @@ static long pair_of(const struct blocks *g, int a, int b)
     return a < b ? blocks_find(g, a, b) : blocks_find(g, b, a);
 }
 
-static void find_pairs(const struct blocks *g, int count, const int *node, long *pair)
+void tri_net_pairs(const struct tri_net *net, int count, const int *node, long *pair)
 {
     for (int p = 0; p < count; p++)
         for (int q = p; q < count; q++)
-            *pair++ = pair_of(g, node[p], node[q]);
+            *pair++ = pair_of(&net->graph, node[p], node[q]);
 }
 
 static void set_plate(struct tri_net *net)
 {
     for (int k = 0; k < net->form_count; k++) {
         const struct spring_plate_form *f = &net->forms[k];
-        for (int p = 0; p < f->count; p++)
+        for (int p = 0; p < f->count && f->kind < SPRING_PLATE_SOFT_U; p++)
             for (int q = 0; q < f->count; q++)
                 if (f->node[p] <= f->node[q])
                     net->plate[pair_of(&net->graph, f->node[p], f->node[q])] +=
@@ -206,11 +207,12 @@ enum status tri_net_init(struct tri_net *net, const struct scene *scene,
                  ROOM(new.hinge_at, n + 1), ROOM(new.form_at, n + 1)));
     fill(&new, hinges ? scene_bending_stiffness(scene) : 0);
     TRY(add_forms(&new, scene, !hinges));
+    new.soft = spring_plate_softening(scene, &new.points);
     TRY(make_graph(&new));
     for (int k = 0; k < new.triangle_count; k++)
-        find_pairs(&new.graph, 3, new.triangles[k].node, new.triangles[k].pair);
+        tri_net_pairs(&new, 3, new.triangles[k].node, new.triangles[k].pair);
     for (int k = 0; k < new.hinge_count; k++)
-        find_pairs(&new.graph, 4, new.hinges[k].node, new.hinges[k].pair);
+        tri_net_pairs(&new, 4, new.hinges[k].node, new.hinges[k].pair);
     new.plate = calloc((size_t) new.graph.start[new.points.nodes], sizeof *new.plate);
     if (!new.plate)
         TRY(STATUS_MEMORY);

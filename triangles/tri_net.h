@@ -54,13 +54,17 @@ struct tri_net {
     struct spring_plate_form *forms;       /*                             owned   */
     int *triangle_at, *hinge_at, *form_at; /* [n + 1] first of each strip         */
     struct blocks graph;
-    double *plate; /* [pairs] second derivative of the forms, times the identity [N/m],
-                      owned                                                            */
+    struct spring_plate_soft soft;
+    double *plate; /* [pairs] second derivative of quadratic forms, times the identity
+                      [N/m], owned */
 };
 
 enum status tri_net_init(struct tri_net *net, const struct scene *scene,
                          const int points[2], enum bending bending);
 void tri_net_clear(struct tri_net *net);
+
+/* Finds the pairs (p, q >= p) of node[count] in the graph. */
+void tri_net_pairs(const struct tri_net *net, int count, const int *node, long *pair);
 
 /* Adds B[3 count][3 count], symmetric, of node[count] with pairs (p, q >= p), to K. */
 void tri_net_add(int count, const int *node, const long *pair, const double *B,

@@ -46,6 +46,10 @@ static enum status refuse(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "bending=hinge bends alike about every axis; for a fabric use "
                            "bending=quadratic");
+    if (own->elements == VB_SPRINGS && scene_needs(scene) & SCENE_NEED_BIAS)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "elements=springs: springs along the edges can't couple stretch "
+                           "to shear, as a fabric does whose warp runs along neither");
     if (own->elements == VB_SPRINGS && d->bending == BENDING_HINGE)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "elements=springs: with bending=quadratic only");
@@ -134,7 +138,7 @@ const struct model vertex_block_model = {
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
-              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC,
+              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_BIAS,
     .options = options,
     .defaults = {.points = {16, 16, 1},
                  .degree = {1, 1, 1},

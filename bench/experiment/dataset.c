@@ -608,7 +608,7 @@ static struct chart *chart_alone(const struct view *v)
     const struct plan_chart plan = {
         .x = "stepping_s", .from = NAN, .y = {1, &y}, .line = {1, &line}};
     const struct study *s = v->d->study;
-    const int last = s->frames - 1;
+    const int last = (s->truth ? s->truth->times : s->frames) - 1;
 
     if (!s->truth)
         y.key = "to_finest";
@@ -641,7 +641,11 @@ static enum status draw_sheets(const struct study *s, const char *folder,
             if (s->time)
                 snprintf(when, sizeof when, "t = %g s", s->time[time]);
             snprintf(titles[count], sizeof titles[count], "%.50s\n%s%s",
-                     s->row[n].level->label, xyz ? "" : "none left at ", when);
+                     s->row[n].level->label,
+                     xyz                         ? ""
+                     : n == s->plan->level_count ? "not known at "
+                                                 : "none left at ",
+                     when);
             panels[count] =
                 (struct picture_panel){titles[count], xyz, s->row[0].run.scene.sheets};
         }

@@ -88,12 +88,20 @@ OF_LEVEL(seconds, to_last_time(p, quantity_at(p, QUANTITY_FRAME) / 1e3))
 OF_LEVEL(factorisations, a_step(r, r->work.factorisations))
 OF_LEVEL(solves, a_step(r, r->work.solves))
 OF_LEVEL(iterations, a_step(r, r->work.iterations))
+OF_LEVEL(left, r->work.left > 0 ? r->work.left : NAN)
+OF_LEVEL(loss, -r->value[MEASURE_ENERGY_DRIFT_END] / r->value[MEASURE_END_TIME])
 OF_SHEET(roughness, metric_roughness)
 OF_SHEET(inner, metric_inner_roughness)
 OF_SHEET(stretch, metric_stretch)
 OF_SHEET(drop, metric_drop)
 OF_SHEET(unevenness, metric_unevenness)
 OF_SHEET(angle, metric_angle)
+
+/* Returns E by the largest strain of a strip that hangs, over the scene's. */
+static double stiffness(const struct place *p)
+{
+    return quantity_at(p, QUANTITY_HANGING_STRAIN) / (quantity_at(p, QUANTITY_STRETCH) - 1);
+}
 
 /* Returns the distance of two sheets over the length; NaN unless there are both. */
 static double distance(const struct place *p, const double *xyz)
@@ -120,9 +128,15 @@ static double finest(const struct place *p)
     return distance(p, xyz);
 }
 
+/* Returns whether the truth is known at that time: it may end before the study. */
+static bool known(const struct place *p)
+{
+    return p->s->truth && p->time < p->s->truth->times;
+}
+
 static double error(const struct place *p)
 {
-    return distance(p, p->s->truth ? p->s->truth->xyz[p->time] : NULL);
+    return distance(p, known(p) ? p->s->truth->xyz[p->time] : NULL);
 }
 
 OF_SHEET(crossings, metric_intersections)
@@ -249,7 +263,7 @@ static double apart_most(const struct place *p)
 static double off(const struct place *p)
 {
     const struct study *s = p->s;
-    double *rest = s->truth ? metric_rest_field(&s->row[p->level].run.scene) : NULL;
+    double *rest = known(p) ? metric_rest_field(&s->row[p->level].run.scene) : NULL;
     const double moved = rest ? metric_rmse(s->truth->xyz[p->time], rest) : NAN;
 
     free(rest);
@@ -258,7 +272,7 @@ static double off(const struct place *p)
 
 static double bar(const struct place *p)
 {
-    return p->s->truth ? p->s->truth->error[p->time] / p->s->length : NAN;
+    return known(p) ? p->s->truth->error[p->time] / p->s->length : NAN;
 }
 
 const struct quantity_row quantity_table[QUANTITIES] = {

@@ -30,8 +30,29 @@ static bool begins(const char *text, const char *with)
 static const struct truth_wish wish = {.error = 0.005, .seconds = 240, .alone = true},
                                quick_wish = {.error = TRUTH_MOST_ERROR, .alone = true};
 
-/* Finds the truth of a study, which depends on its physics and not on its nets and steps.
- * It is made where nothing is known and a wish is given. */
+/* Leaves out times behind the last one that is stored, if only earlier ones are known. */
+static enum status cut_times(const char *path, const struct settings *physics, int *times,
+                             const double *time, struct message *why)
+{
+    struct truth *all = NULL;
+    struct message none = {""};
+    double last = 0;
+    int count = 0, early = 0;
+    enum status st = time ? truth_find(path, physics, *times, time, NULL, &all, &none) : 0;
+
+    truth_destroy(all);
+    if (!time || (st != STATUS_FILE && st != STATUS_UNSUPPORTED))
+        return STATUS_OK;
+    TRY(truth_stored_times(path, physics, time[*times - 1], 1, &last, &count, why));
+    while (count && early < *times && time[early] <= last + 1e-9)
+        early++;
+    *times = early ? early : *times;
+out:
+    return st;
+}
+
+/* Finds the truth of a study, which depends on its physics and not on its nets and steps,
+ * at the first of its times. It is made where nothing is known and a wish is given. */
 static enum status find_truth(const struct plan *plan, const struct plan_study *study,
                               int times, const double *time, const char *folder,
                               const struct truth_wish *made_by, struct truth **truth,
@@ -54,6 +75,7 @@ static enum status find_truth(const struct plan *plan, const struct plan_study *
         goto out;
     }
     snprintf(kept, sizeof kept, "%s/%s_truth", folder, study->name);
+    TRY(cut_times(c.path, &physics, &times, time, why));
     if (made_by)
         TRY(folder_make(kept, why));
     TRY(made_by
@@ -229,7 +251,7 @@ static enum status read_truth(const struct plan *plan, const char *folder, struc
         return STATUS_OK;
     const enum status st = find_truth(plan, s->plan, s->frames, s->time, folder, NULL,
                                       &s->truth, &s->no_truth);
-    for (int t = 0; st == STATUS_OK && t < s->frames; t++)
+    for (int t = 0; st == STATUS_OK && t < s->truth->times; t++)
         row->xyz[t] = s->truth->xyz[t];
     return has_none(st) ? STATUS_OK
            : st         ? status_fail(why, st, "%s", s->no_truth.text)

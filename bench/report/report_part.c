@@ -46,6 +46,13 @@ const struct report_part report_part_list[] = {
      "study thickness-degree", .paper = true,
      .picture = {{"cloak_sheets.png", "Fig. 11, degree 1, 2 and 3 through the thickness: "
                   "little difference to the linear basis"}}},
+    {"study_touching", "Contact: five scenes", "study touching",
+     .picture = {{"fold_sheets.png"}, {"stack_sheets.png"}, {"twist_sheets.png"},
+                 {"wipe_sheets.png"}, {"drape_sheets.png"}}},
+    {"study_control-net", "Contact: is the control net enough?", "study control-net",
+     .paper = true},
+    {"bench_contact", "Contact: what looking for it costs", "bench contact",
+     .file = {"bench_contact.csv", "bench/contact.csv"}},
     {"study_contact", "Onto the ground (Fig. 9)", "study contact",
      .picture = {{"contact_sheets.png", "Fig. 9, cloth onto the ground: collision and "
                   "self-contact are detected on the control net"}}},

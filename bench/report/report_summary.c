@@ -182,13 +182,39 @@ static void tell_checks(const struct report_found *verify, char text[TEXT])
              met, missed);
 }
 
+/* Tells of runs of scenes with contact: rows of a run follow one another, a time each. */
+static void tell_contact(const struct report_found *touching, char text[TEXT])
+{
+    static const char *const keys[] = {"study", "level"};
+    const struct csv_table *t = touching->table[0];
+    int runs = 0, through = 0, last = -1;
+    double deepest = 0;
+
+    for (int row = 0; row < t->rows; row++) {
+        bool same = row > 0;
+        for (int k = 0; k < 2; k++)
+            same &= same && !strcmp(csv_words(t, row, csv_column(t, keys[k])),
+                                    csv_words(t, row - 1, csv_column(t, keys[k])));
+        runs += !same;
+        if (csv_number(t, row, csv_column(t, "crossings")) > 0 && last != runs)
+            through++, last = runs;
+        deepest = fmax(deepest, csv_number(t, row, csv_column(t, "penetration")));
+    }
+    snprintf(
+        text, TEXT,
+        "In %d of %d runs of five scenes with contact a sheet passes through itself or "
+        "another; a body is at most %.15g mm deep in a sheet.",
+        through, runs, rounded(1000 * deepest));
+}
+
 enum status report_summary_write(FILE *file, const struct report_found *found)
 {
-    const struct report_found *verify = report_part_found(found, "verify");
+    const struct report_found *verify = report_part_found(found, "verify"),
+                              *touching = report_part_found(found, "study_touching");
     const struct csv_table *speed = speed_table(report_part_found(found, "compare"));
     struct point *best = malloc(((size_t)(speed ? speed->rows : 0) + 1) * sizeof *best);
     struct tally claims = {0};
-    char said[3][TEXT];
+    char said[4][TEXT];
 
     if (!best)
         return STATUS_MEMORY;
@@ -207,8 +233,12 @@ enum status report_summary_write(FILE *file, const struct report_found *found)
     else
         snprintf(said[2], TEXT,
                  "Nothing was compared with closed forms: clothbench verify");
+    if (touching->tables)
+        tell_contact(touching, said[3]);
+    else
+        snprintf(said[3], TEXT, "Contact was not run: clothbench study touching");
     fputs("\"found\":", file);
-    for (int n = 0; n < 3; n++) {
+    for (int n = 0; n < 4; n++) {
         fputc(n ? ',' : '[', file);
         report_json_string(file, said[n]);
     }

@@ -41,6 +41,11 @@ static void describe_fabric(const struct scene *scene, FILE *file)
         "bending         B1 %g, B2 %g, B12 %g, B66 %g N m; h_eff %.4g m\n",
         scene->name, scene->length, scene->width, f->areal_density, f->warp, Y[0], Y[1],
         Y[2], Y[3], B[0], B[1], B[2], B[3], scene->thickness);
+    const struct law law = scene_law(scene);
+    if (law.softens)
+        fprintf(file,
+                "softening       C1 %g, C2 %g N m^2, to curvatures of %.4g, %.4g 1/m\n",
+                law.soft[0].second, law.soft[1].second, law.soft[0].most, law.soft[1].most);
 }
 
 static void describe_scene(const struct scene *scene, FILE *file)

@@ -126,6 +126,8 @@ enum status truth_physics(const struct scene *s, char **text)
         print(out, "membrane", LAW_MODULI, s->fabric.membrane);
         print(out, "bending", LAW_MODULI, s->fabric.bending);
         print(out, "warp", 1, &s->fabric.warp);
+        if (scene_needs(s) & SCENE_NEED_SOFTENING)
+            print(out, "softening", 2, s->fabric.softening);
     }
     print(out, "gravity", 3, s->gravity);
     print(out, "drag", 1, &s->drag);

@@ -18,6 +18,7 @@ void contact_rim_clear(struct contact_rim *r)
 {
     free(r->room);
     free(r->pair);
+    free(r->near);
     memset(r, 0, sizeof *r);
 }
 
@@ -67,6 +68,13 @@ static int edges_of(const struct contact_surface *s, int cell, int edge[4])
     return count;
 }
 
+/* An edge near another, as a chord. */
+struct contact_rim_chord {
+    int edge, end[2];
+    const double *y;   /* [m], its first end                                             */
+    double e[3], size; /* [m], [m^2], to its second end, and the square of that          */
+};
+
 static int by_edges(const void *a, const void *b)
 {
     const int *p = a, *q = b;
@@ -81,7 +89,11 @@ static enum status keep(struct contact_rim *r, int edge, int other)
         int(*pair)[2] = realloc(r->pair, (size_t)most * sizeof *pair);
         if (!pair)
             return STATUS_MEMORY;
-        r->pair = pair, r->most = most;
+        r->pair = pair;
+        struct contact_rim_chord *near = realloc(r->near, (size_t)most * sizeof *near);
+        if (!near)
+            return STATUS_MEMORY;
+        r->near = near, r->most = most;
     }
     r->pair[r->count][0] = edge, r->pair[r->count++][1] = other;
     return STATUS_OK;
@@ -193,21 +205,14 @@ static void refine(const struct contact_sheet *sheet, const double y[3], struct 
 /* --- feet -------------------------------------------------------------------------------
  */
 
-/* An edge near another, as a chord. */
-struct chord {
-    int edge, end[2];
-    const double *y;   /* [m], its first end                                             */
-    double e[3], size; /* [m], [m^2], to its second end, and the square of that          */
-};
-
 /* Finds the closest place on chords, nearer than `most`; false: none. */
-static bool closest(const struct contact_rim *r, const struct place *point,
-                    const struct chord *chord, int count, double most, struct place *foot)
+static bool closest(const struct contact_rim *r, const struct place *point, int count,
+                    double most, struct place *foot)
 {
     double least = most * most;
     bool any = false;
 
-    for (const struct chord *c = chord; c < chord + count; c++) {
+    for (const struct contact_rim_chord *c = r->near; c < r->near + count; c++) {
         double way[3];
         vector_between(c->y, point->y, way);
         const double on = vector_dot(way, c->e);
@@ -250,8 +255,7 @@ static double share_of(const struct contact_sheet *sheet, const struct place *fo
 
 /* Visits the foot of a point, if it has one. */
 static enum status meet(struct contact_rim *r, struct place *point, double length,
-                        const struct chord *chord, int count, contact_rim_visit *visit,
-                        void *context)
+                        int count, contact_rim_visit *visit, void *context)
 {
     const struct contact_sheet *sheet = &r->search->sheet;
     const bool curved = sheet->surface->width > 1;
@@ -261,7 +265,7 @@ static enum status meet(struct contact_rim *r, struct place *point, double lengt
     double way[3];
 
     f.of_point = locate(sheet, point, r->node, r->weight);
-    if (!closest(r, point, chord, count, (curved ? 1 + SLACK : 1) * start, &foot))
+    if (!closest(r, point, count, (curved ? 1 + SLACK : 1) * start, &foot))
         return STATUS_OK;
     int *node = r->node + f.of_point;
     double *weight = r->weight + f.of_point;
@@ -282,8 +286,8 @@ static enum status meet(struct contact_rim *r, struct place *point, double lengt
 }
 
 /* Visits the feet of an edge, with the chords that are near it. */
-static enum status meet_edge(struct contact_rim *r, int edge, const struct chord *chord,
-                             int count, contact_rim_visit *visit, void *context)
+static enum status meet_edge(struct contact_rim *r, int edge, int count,
+                             contact_rim_visit *visit, void *context)
 {
     enum status st = STATUS_OK;
     struct place point = {.edge = edge};
@@ -293,14 +297,14 @@ static enum status meet_edge(struct contact_rim *r, int edge, const struct chord
     const int points = (int)ceil(length / (SPACING * r->search->start));
     for (int n = 0; n < points; n++) {
         point.at = (n + 0.5) / points;
-        TRY(meet(r, &point, length / points, chord, count, visit, context));
+        TRY(meet(r, &point, length / points, count, visit, context));
     }
 out:
     return st;
 }
 
 /* Lists the chords that pairs of an edge have near it indeed; returns how many. */
-static int sift(const struct contact_rim *r, int first, int end, struct chord *near)
+static int sift(const struct contact_rim *r, int first, int end)
 {
     const struct contact_surface *s = r->search->sheet.surface;
     const double *y = r->search->sheet.y, most = (1 + SLACK) * r->search->start;
@@ -308,7 +312,7 @@ static int sift(const struct contact_rim *r, int first, int end, struct chord *n
 
     ends_of(s, r->pair[first][0], own);
     for (int n = first; n < end; n++) {
-        struct chord *c = near + count;
+        struct contact_rim_chord *c = r->near + count;
         double at[2];
         c->edge = r->pair[n][1];
         ends_of(s, c->edge, c->end);
@@ -330,14 +334,11 @@ enum status contact_rim_find(struct contact_rim *r, contact_rim_visit *visit, vo
     if (r->sought != r->search->sought)
         TRY(list_pairs(r));
     for (int first = 0, end; first < r->count; first = end) {
-        enum { MOST = 64 };
-        struct chord near[MOST];
-        for (end = first;
-             end < r->count && end - first < MOST && r->pair[end][0] == r->pair[first][0];)
+        for (end = first; end < r->count && r->pair[end][0] == r->pair[first][0];)
             end++;
-        const int count = sift(r, first, end, near);
+        const int count = sift(r, first, end);
         if (count)
-            TRY(meet_edge(r, r->pair[first][0], near, count, visit, context));
+            TRY(meet_edge(r, r->pair[first][0], count, visit, context));
     }
 out:
     return st;

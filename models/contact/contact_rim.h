@@ -28,13 +28,14 @@ struct contact_rim_foot {
 typedef enum status contact_rim_visit(void *context, const struct contact_rim_foot *foot);
 
 struct contact_rim {
-    struct contact_search *search; /*                                     borrowed  */
-    void *room;                    /*                                        owned  */
-    int *node;                     /* [2 widths]                                    */
-    double *weight;                /* [2 widths]                                    */
-    long sought;                   /* the search's, when pairs were listed          */
-    int count, most;               /* pairs                                         */
-    int (*pair)[2];                /* edges of rims in cells near each other  owned */
+    struct contact_search *search;  /*                                     borrowed  */
+    void *room;                     /*                                        owned  */
+    int *node;                      /* [2 widths]                                    */
+    double *weight;                 /* [2 widths]                                    */
+    long sought;                    /* the search's, when pairs were listed          */
+    int count, most;                /* pairs                                         */
+    int (*pair)[2];                 /* edges of rims in cells near each other  owned */
+    struct contact_rim_chord *near; /* [most], those near an edge              owned */
 };
 
 /* Initialises for a search, which must stay where it is. STATUS_MEMORY. */

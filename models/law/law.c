@@ -1,9 +1,13 @@
 #include "models/law/law.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Below 1/2, where a solid resists no more. */
 static const double MOST_POISSON = 0.49;
+
+/* Share of what is not coupled in bending that softening leaves. */
+static const double SOFTEST = 0.1;
 
 static const double DEGREE = 3.14159265358979323846 / 180;
 
@@ -24,6 +28,32 @@ struct law law_isotropic(double young, double poisson, double thickness)
     return law;
 }
 
+/* Computes cosine and sine, exactly for right angles. */
+static void turn_of(double degrees, double *c, double *s)
+{
+    const double right = degrees / 90;
+    const bool exact = right == floor(right), odd = exact && fmod(right, 2) != 0;
+
+    *c = exact ? !odd : cos(DEGREE * degrees);
+    *s = exact ? odd : sin(DEGREE * degrees);
+}
+
+static void soften(const struct law_fabric *f, struct law *law)
+{
+    const double *B = f->bending;
+    const double coupled = fabs(B[LAW_CROSS]) / sqrt(B[LAW_WARP] * B[LAW_WEFT]);
+    const double least = coupled + SOFTEST * (1 - coupled);
+    double c, s;
+
+    turn_of(f->warp, &c, &s);
+    for (int i = 0; i < 2; i++) {
+        const double C = f->softening[i], a = i ? -s : c, b = i ? c : s;
+        law->softens = law->softens || C < 0;
+        law->soft[i] = (struct law_soft){C, (1 - least) * B[i] / (2 * fabs(C))};
+        memcpy(law->along[i], (double[]){a * a, b * b, a * b}, sizeof law->along[i]);
+    }
+}
+
 struct law law_of_fabric(const struct law_fabric *fabric)
 {
     struct law law = {.thickness = law_thickness(fabric)};
@@ -37,7 +67,23 @@ struct law law_of_fabric(const struct law_fabric *fabric)
                                          [LAW_33] = m[LAW_SHEAR]};
         law_turn(own, -fabric->warp, law.matrix[part]);
     }
+    soften(fabric, &law);
     return law;
+}
+
+double law_soft_energy(const struct law_soft *s, double k)
+{
+    const double a = fabs(k), b = fmin(a, s->most);
+
+    return s->second * b * (a * a - a * b + b * b / 3);
+}
+
+double law_soft_moment(const struct law_soft *s, double k, double *tangent)
+{
+    const double a = fabs(k), b = fmin(a, s->most);
+
+    *tangent = 2 * s->second * b;
+    return copysign(s->second * b * (2 * a - b), -k);
 }
 
 bool law_definite(const double m[LAW_MODULI])
@@ -110,10 +156,8 @@ void law_transform(const double matrix[LAW_ENTRIES], double T[3][3],
 
 void law_turn(const double matrix[LAW_ENTRIES], double degrees, double turned[LAW_ENTRIES])
 {
-    const double right = degrees / 90;
-    const bool exact = right == floor(right), odd = exact && fmod(right, 2) != 0;
-    const double c = exact ? !odd : cos(DEGREE * degrees);
-    const double s = exact ? odd : sin(DEGREE * degrees);
+    double c, s;
+    turn_of(degrees, &c, &s);
     double T[3][3] = {{c * c, s * s, -c * s},
                       {s * s, c * c, c * s},
                       {2 * c * s, -2 * c * s, c * c - s * s}};

@@ -10,6 +10,14 @@
  * + 2 B12 + 4 B66) / 4. Isotropic E, nu, h: Y11 = Y22 = E h / (1 - nu^2), Y12 = nu Y11, G =
  * (1 - nu) Y11 / 2, and B = A h^2 / 12.
  *
+ * Softening (Feng et al. 2022): along warp and weft the moment has C k |k| besides, C <= 0
+ * [N m^2], and the energy C |k|^3 / 3, k the change of curvature along it. Feng's curves
+ * end near k = 127 1/m; at k = B / 2 |C|, 186 1/m in the median, they would turn down, and
+ * the sheet would fold into creases as sharp as the net allows. So the tangent stops
+ * falling at the curvature `most`, where it is `least` of B, and stays: with r = |B12| /
+ * sqrt(B1 B2), least = r + (1 - r) / 10 keeps the whole tangent positive definite, and
+ * most = (1 - least) B / 2 |C|.
+ *
  * A fabric has an effective thickness h_eff = sqrt(12 sqrt(B1 B2 / (Y11 Y22))): a solid as
  * thick, made of A / h_eff, bends with A h_eff^2 / 12, whose first two entries have the
  * mean of B1 and B2.
@@ -27,6 +35,7 @@ struct law_fabric {
     double bending[LAW_MODULI];  /*                                           [N m]   */
     double warp;                 /* angle from u to the warp, towards v       [deg]   */
     double areal_density;        /* mass per area                          [kg/m^2]   */
+    double softening[2];         /* C along warp and weft, 0 or less        [N m^2]   */
 };
 
 enum law_part { LAW_MEMBRANE, LAW_BENDING, LAW_PARTS };
@@ -34,11 +43,20 @@ enum law_part { LAW_MEMBRANE, LAW_BENDING, LAW_PARTS };
 /* Entries of a symmetric 3 x 3 matrix. */
 enum { LAW_11, LAW_12, LAW_13, LAW_22, LAW_23, LAW_33, LAW_ENTRIES };
 
+/* Softening along the warp or the weft. */
+struct law_soft {
+    double second; /* C                                                      [N m^2]   */
+    double most;   /* greatest change of curvature of C k |k|, then straight on [1/m]  */
+};
+
 struct law {
     bool isotropic;
     double young, poisson; /* E, nu of an isotropic sheet; else of its mean, law_mean  */
     double thickness;      /* h or h_eff                                       [m]     */
     double matrix[LAW_PARTS][LAW_ENTRIES]; /* A [N/m], B [N m] in axes along u and v   */
+    bool softens;
+    struct law_soft soft[2]; /* along the warp, the weft                               */
+    double along[2][3];      /* their change of curvature is along . k                 */
 };
 
 struct law law_isotropic(double young, double poisson, double thickness);
@@ -48,6 +66,11 @@ struct law law_of_fabric(const struct law_fabric *fabric);
  * are positive, and |cross| is less than LAW_MOST_CROSS of the mean of the first two. */
 #define LAW_MOST_CROSS 0.99
 bool law_definite(const double modulus[LAW_MODULI]);
+
+/* Return what softening adds to the energy per area [N/m] at the change of curvature k
+ * [1/m], and to the moment [N] and to the tangent [N m]. */
+double law_soft_energy(const struct law_soft *s, double k);
+double law_soft_moment(const struct law_soft *s, double k, double *tangent);
 
 /* Returns the effective thickness [m]. */
 double law_thickness(const struct law_fabric *fabric);

@@ -64,6 +64,15 @@ const struct law_fabrics_row law_fabrics[] = {
          0.345588, 2027.49, 19.189, 5.17138e-05, 3.12828e-05, 0.000171529, 4.02213e-05),
     WANG(swimsuit, "a swimsuit, 87 % nylon", "white-swim-solid", 0.204, 47.9712, 6.83452,
          104.615, 60.7737, 6.02379e-05, 5.10188e-05, 0.0964763, 5.5437e-05),
+    {"feng_421",
+     "one of 618 fabrics by the cantilever, Feng, Huang, Xu, Wang 2022, row 421 of their "
+     "dataset, near the median; it softens: softening: [-5.06e-8, -2.19e-8]",
+     "the membrane is that of cotton, which Feng did not measure, and of B12 and B66 the "
+     "bias gives B12 + 2 B66 alone: B12 is a fifth of the mean of B1 and B2",
+     {{2800.26, 4500.72, 1400.22, 96.84},
+      {1.4344e-5, 1.42014e-5, 2.85450e-6, 1.33147e-5},
+      0,
+      0.1973}},
     {NULL}};
 
 const char *law_fabrics_name(int row)

@@ -7,6 +7,15 @@
  *     (1 - |nu|) (|x_uu|^2 + |x_vv|^2) + |nu| |x_uu + s x_vv|^2.
  * Along a rim, across which no moment acts, the strip bends as a beam: factor 1 - nu^2
  * and no nu x_uu x_vv.
+ * Where the warp runs along neither edge, B13 and B23 couple bending to twist: with
+ *     (s_u, s_v) = (B11 B12; B12 B22)^-1 (B13, B23)
+ * the energy is that of x_uu + 2 s_u x_uv and x_vv + 2 s_v x_uv at points, whose x_uv is
+ * the mean of the cells around, and of x_uv in cells with what is left of B33,
+ * B33 - s_u B13 - s_v B23 > 0: exact where the curvature is constant, and no part is
+ * negative.
+ *
+ * A law that softens (law.h) adds to it, at free points and clamps, the energy of the
+ * curvatures |x_uu| and |x_vv|, which are those along warp and weft; these forms come last.
  *
  * Clamps: at a held column that cannot turn, the curvature of the cubic that leaves the
  * point x0 along e with the free neighbours x1, x2 on it,
@@ -26,15 +35,18 @@
 #include "models/net/spring_net.h"
 
 enum spring_plate_kind {
-    SPRING_PLATE_U,     /* x_uu a_u^2: points before, at, after                        */
-    SPRING_PLATE_V,     /* x_vv a_v^2                                                  */
-    SPRING_PLATE_TWIST, /* x_uv a_u a_v: points (i,j), (i,j+1), (i+1,j), (i+1,j+1)     */
-    SPRING_PLATE_MEAN,  /* (x_uu + s x_vv) a_u a_v: at, before and after along u, v    */
-    SPRING_PLATE_CLAMP, /* kappa a^2: the held point, its neighbour, the next          */
+    SPRING_PLATE_U,      /* x_uu a_u^2: points before, at, after; those of x_uv, if any */
+    SPRING_PLATE_V,      /* x_vv a_v^2                                                  */
+    SPRING_PLATE_TWIST,  /* x_uv a_u a_v: points (i,j), (i,j+1), (i+1,j), (i+1,j+1)     */
+    SPRING_PLATE_MEAN,   /* (x_uu + s x_vv) a_u a_v: at, before and after along u, v    */
+    SPRING_PLATE_CLAMP,  /* kappa a^2: the held point, its neighbour, the next          */
+    SPRING_PLATE_SOFT_U, /* x_uu a_u^2, or a clamp's, as it softens: not quadratic, and
+                            `stiffness` is its area [m^2]                              */
+    SPRING_PLATE_SOFT_V
 };
 
 /* A term of the energy: stiffness |sum weight x_node + shift|^2 / 2. */
-enum { SPRING_PLATE_POINTS = 5 };
+enum { SPRING_PLATE_POINTS = 9 };
 struct spring_plate_form {
     enum spring_plate_kind kind;
     int at; /* the node that it belongs to                                              */
@@ -47,6 +59,25 @@ struct spring_plate_form {
 /* Makes all of a net's, *forms, owned by the caller; none if its law has no bending. */
 enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
                               struct spring_plate_form **forms, int *count);
+
+/* The softening along u and v, and the squares of the cell's sides. */
+struct spring_plate_soft {
+    struct law_soft law[2];
+    double square[2]; /*                                                       [m^2]   */
+};
+struct spring_plate_soft spring_plate_softening(const struct scene *scene,
+                                                const struct spring_net *net);
+
+/* Returns the energy [J] of a form of SPRING_PLATE_SOFT at a value. */
+double spring_plate_soft_energy(const struct spring_plate_soft *s,
+                                const struct spring_plate_form *form,
+                                const double value[3]);
+
+/* Returns k of the derivative k value, and computes q of the second derivative
+ * k I + q value value^t [N/m], [N/m^3]. */
+double spring_plate_soft_pull(const struct spring_plate_soft *s,
+                              const struct spring_plate_form *form, const double value[3],
+                              double *along);
 
 /* Computes the weights of SPRING_PLATE_MEAN: of neighbours along u and along v. */
 void spring_plate_mean(const struct scene *scene, const double cell[2], double weight[2]);

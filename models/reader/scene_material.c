@@ -26,6 +26,9 @@ const struct schema_key scene_material_keys[] = {
      .want = "four numbers [B1, B2, B12, B66]", .low = -1e9, .high = 1e9, IN(fabric.bending)},
     {"areal_density", "fabric: mass per area [kg/m^2]", SCHEMA_NUMBER, POSITIVE,
      IN(fabric.areal_density)},
+    {"softening", "fabric: C of the moment B k + C k |k| along warp and weft, 0 or less "
+     "[N m^2]", SCHEMA_VECTOR, .most = 2, .want = "two numbers [C1, C2]",
+     .low = -1, .high = 0, IN(fabric.softening)},
     {"warp", "fabric: angle from u to the warp, towards v [deg]", SCHEMA_NUMBER, .low = -360,
      .high = 360, IN(fabric.warp)},
     {NULL}};
@@ -36,7 +39,7 @@ static int kinds_of(const char *key, bool *required)
 {
     static const char *const isotropic[] = {"young", "poisson", "density"};
 
-    *required = strcmp(key, "warp") != 0;
+    *required = strcmp(key, "warp") && strcmp(key, "softening");
     for (int n = 0; n < 3; n++)
         if (!strcmp(key, isotropic[n]))
             return ISOTROPIC;
@@ -88,7 +91,8 @@ enum status scene_material_check(const struct schema_key *section,
             return yaml_tree_refuse(
                 n, why,
                 "material mixes %s with another kind; it has young, poisson, density; or "
-                "fabric; or membrane, bending, areal_density; and warp with the last two",
+                "fabric; or membrane, bending, areal_density; and warp and softening with "
+                "the last two",
                 n->key);
     for (const struct schema_key *k = scene_material_keys; k->key; k++)
         if ((kinds_of(k->key, &required) & (kind ? kind : ISOTROPIC)) && required &&
@@ -96,9 +100,10 @@ enum status scene_material_check(const struct schema_key *section,
             return schema_lacks(k, node, node->key, why);
     scene->is_fabric = kind == NAMED || kind == MODULI;
     if (kind == NAMED) {
-        const double warp = scene->fabric.warp;
+        const struct law_fabric given = scene->fabric;
         scene->fabric = law_fabrics[scene->fabric_row].fabric;
-        scene->fabric.warp = warp;
+        scene->fabric.warp = given.warp;
+        memcpy(scene->fabric.softening, given.softening, sizeof given.softening);
     } else if (kind == MODULI) {
         TRY(check_moduli(node, "membrane", scene->fabric.membrane, why));
         TRY(check_moduli(node, "bending", scene->fabric.bending, why));

@@ -14,6 +14,22 @@
 #include "models/mechanics/pencil.h"
 #include "models/solid/solid_hinge.h"
 
+enum status solid_model_refuse_fabric(const struct scene *scene, struct message *why)
+{
+    const double *Y = scene->fabric.membrane, *B = scene->fabric.bending;
+    const double h = scene->thickness, bend = h * h / 12;
+
+    if (!scene->is_fabric)
+        return STATUS_OK;
+    return status_fail(
+        why, STATUS_UNSUPPORTED,
+        "unsupported: no fabrics. This solid's law is isotropic, and an orthotropic one, "
+        "%.3g m thick, would bend with %.3g of B1, %.3g of B2 and %.3g of B66; iga with "
+        "remedy=selective or clamped holds bending and membrane apart",
+        h, bend * Y[LAW_WARP] / B[LAW_WARP], bend * Y[LAW_WEFT] / B[LAW_WEFT],
+        bend * Y[LAW_SHEAR] / B[LAW_SHEAR]);
+}
+
 void solid_model_size(const void *state, struct model_size *size)
 {
     const struct solid_motion *m = state;

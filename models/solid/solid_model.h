@@ -20,6 +20,10 @@ struct solid_sheet {
      SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG |     \
      SCENE_NEED_CURVED_REST | SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS)
 
+/* Refuses a fabric where no layer holds membrane and bending apart (solid_layer.h), with
+ * what a solid of one law as thick would have of the fabric's bending. */
+enum status solid_model_refuse_fabric(const struct scene *scene, struct message *why);
+
 void solid_model_size(const void *state, struct model_size *size);
 void solid_model_contact(const void *state, struct model_contact *contact);
 void solid_model_net(const void *state, double *xyz);

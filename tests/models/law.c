@@ -146,6 +146,46 @@ static void check_strip(void)
     CHECK_RELATIVE(law_narrow(plain.matrix[LAW_MEMBRANE]), 0.3, ROUNDING); /* E h */
 }
 
+/* Softening: energy, moment and tangent are each other's derivatives, below and above the
+ * greatest curvature of C k |k|, where the tangent stays; the whole tangent is positive. */
+static void check_softening(void)
+{
+    const double step = 1e-4;       /* of `most` */
+    const double DIFFERENCE = 1e-6; /* step^2 / 3, over the least share tried, squared */
+    struct law_fabric fabric = DENIM;
+
+    fabric.softening[0] = -3e-7, fabric.softening[1] = -5e-7;
+    const struct law law = law_of_fabric(&fabric);
+    CHECK(law.softens && !law_of_fabric(&DENIM).softens);
+    for (int i = 0; i < 2; i++) {
+        const struct law_soft *s = &law.soft[i];
+        double least, B[LAW_ENTRIES] = {[LAW_12] = fabric.bending[LAW_CROSS]};
+        for (double share = -2.1; share < 2.2; share += 0.2) {
+            const double k = share * s->most, h = step * s->most;
+            double tangent, other, up = law_soft_moment(s, k + h, &other),
+                                   down = law_soft_moment(s, k - h, &other);
+            const double moment = law_soft_moment(s, k, &tangent);
+            const double slope = law_soft_energy(s, k + h) - law_soft_energy(s, k - h);
+            CHECK_RELATIVE(slope / (2 * h), moment, DIFFERENCE);
+            CHECK_RELATIVE((up - down) / (2 * h), tangent, DIFFERENCE);
+            if (fabs(share) < 1)
+                CHECK_RELATIVE(moment, fabric.softening[i] * k * fabs(k), ROUNDING);
+        }
+        for (int n = 0; n < 2; n++) {
+            law_soft_moment(&law.soft[n], 1e6, &least);
+            B[n ? LAW_22 : LAW_11] = fabric.bending[n] + least;
+        }
+        CHECK(B[LAW_11] > 0 && B[LAW_11] * B[LAW_22] > B[LAW_12] * B[LAW_12]);
+    }
+    /* along the warp: the strain turned there */
+    const double k[3] = {0.3, -0.7, 0.9};
+    double own[3];
+    strain_along(k, fabric.warp, own);
+    for (int i = 0; i < 2; i++)
+        CHECK_NEAR(law.along[i][0] * k[0] + law.along[i][1] * k[1] + law.along[i][2] * k[2],
+                   own[i], ROUNDING);
+}
+
 /* A fabric with an isotropic sheet's moduli is that sheet, at any angle. */
 static void check_isotropic(void)
 {
@@ -190,6 +230,7 @@ int main(void)
     check_surface(true);
     check_surface(false);
     check_strip();
+    check_softening();
     check_isotropic();
     check_definite();
     return check_result();

@@ -147,7 +147,6 @@ static void add_need(struct scene *scene, unsigned need, double w)
     struct scene_obstacle floor = {
         .kind = OBSTACLE_PLANE, .point = {0, 0, -1}, .normal = {0, 0, 1}};
     struct scene_support s = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_XYZ};
-
     const struct scene_load tip = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .force = {0, 0, 1}};
 
     switch (need) {
@@ -162,8 +161,7 @@ static void add_need(struct scene *scene, unsigned need, double w)
         scene->contact.self = true;
         return;
     case SCENE_NEED_SHEETS:
-        scene->sheets = 2;
-        scene->pose[1] = scene->pose[0];
+        scene->sheets = 2, scene->pose[1] = scene->pose[0];
         return;
     case SCENE_NEED_DRAG:
         scene->drag = 1;
@@ -175,7 +173,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
         REQUIRE(scene_add_load(scene, &tip) == STATUS_OK);
         return;
     case SCENE_NEED_BIAS:
-        scene->fabric.warp = 30; /* and */
+    case SCENE_NEED_SOFTENING:
+        scene->fabric.warp = need == SCENE_NEED_BIAS ? 30 : 0;
+        scene->fabric.softening[0] = need == SCENE_NEED_BIAS ? 0 : -1e-4; /* and */
         __attribute__((fallthrough));
     case SCENE_NEED_FABRIC:
         memcpy(scene->fabric.membrane, (double[]){2e3, 1e3, 400, 100}, 4 * sizeof(double));

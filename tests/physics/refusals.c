@@ -20,13 +20,14 @@ enum { MOST = 4 };
 #define STIFF     "material.young=1e15"
 #define LIGHT     "material.density=1e-6"
 #define CLOAK     "pose={kind: cloak, opening: 200, flare: 25}"
+#define PONTE     "material={fabric: ponte_roma, warp: "
 #define TUBE      "pose={kind: cloak, opening: 360, flare: 0}"
 static const struct row {
     const char *name, *sentence, *settings[MOST]; /* sentence NULL: it is accepted       */
 } rows[] = {
     /* what another model has is read if it is said right, and refused by name */
-    {"iga", NULL, {"discretization.constraint=triangles"}},
-    {"iga", "must be one of triangles, edges", {"discretization.constraint=foo"}},
+    {"iga", NULL, {"discretization.constraint=auto"}},
+    {"iga", "must be one of auto, triangles, edges", {"discretization.constraint=foo"}},
     {"iga", "a number from 0 to 10", {"discretization.strain_limit=-0.1"}},
     {"iga", "did you mean 'constraint'", {"discretization.constrant=edges"}},
     {"iga", "one of none, chebyshev, admm", {"discretization.acceleration=magic"}},
@@ -37,6 +38,21 @@ static const struct row {
     {"mass_spring",
      "kinematics=linear: mass_spring has nonlinear",
      {"discretization.kinematics=linear"}},
+    /* fabrics */
+    {"hex", "bend with 0.85 of B1, 1.18 of B2", {PONTE "0}"}},
+    {"iga", "with remedy=selective or clamped", {PONTE "0}", "discretization.remedy=none"}},
+    {"iga", "no bending that softens", {PONTE "0, softening: [0, -1e-9]}"}},
+    {"shell",
+     "nonlinear, on flat",
+     {PONTE "0, softening: [0, -1e-9]}", "discretization.kinematics=linear"}},
+    {"triangles", "warp along u or v", {PONTE "30, softening: [0, -1e-9]}"}},
+    {"triangles", "couples stretch to shear", {PONTE "30}", LEAPFROG}},
+    {"mass_spring", "runs along neither edge", {PONTE "30}"}},
+    {"vbd", "can't couple stretch", {PONTE "30}", "discretization.elements=springs"}},
+    {"projective_dynamics",
+     "constraint=edges only",
+     {PONTE "0}", "discretization.constraint=triangles"}},
+    {"projective_dynamics", NULL, {PONTE "90}"}},
     /* solvers */
     {"projective_dynamics", "solver=cg", {"discretization.solver=cg"}},
     {"mass_spring_leapfrog",

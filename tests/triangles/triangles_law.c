@@ -35,6 +35,16 @@ static struct tri_motion *start(struct run *run, int n, int m, const char *membr
     return run->state;
 }
 
+/* Opens a net that softens, some of it within the law's range, some beyond. */
+static struct tri_motion *start_soft(struct run *run)
+{
+    OPENED_RUN(run, "cantilever", "triangles", "sheet={length: 0.8, width: 0.5}",
+               "material={membrane: [2000, 5000, 800, 300], areal_density: 0.1, "
+               "bending: [1e-2, 4e-2, 4e-3, 6e-3], warp: 90, softening: [-1e-3, -3e-3]}",
+               "discretization.points=[6,5]", "supports=[{at: {u: 0}, fix: xyz}]");
+    return run->state;
+}
+
 static size_t count_of(const struct tri_motion *m)
 {
     return 3 * (size_t)m->net.points.nodes;
@@ -60,12 +70,13 @@ static void bend(const struct tri_motion *m, double *x)
 /* derivative_fixture.h */
 static const double DIFFERENCE = 5e-9;
 
-static void check_derivatives(const char *membrane, const char *bending)
+static void check_derivatives(const char *membrane, const char *bending, bool softens)
 {
     struct run run;
     double x[MOST], d[MOST];
 
-    struct tri_motion *m = start(&run, 6, 5, membrane, bending, 0.3, true);
+    struct tri_motion *m =
+        softens ? start_soft(&run) : start(&run, 6, 5, membrane, bending, 0.3, true);
     bend(m, x);
     for (size_t t = 0; t < count_of(m); t++)
         d[t] = noise(3 * t + 1);
@@ -261,6 +272,54 @@ static void check_bending(const char *bending, double nu, double turn, double sa
     run_close(&run);
 }
 
+/* Returns k.B k for the k_uu, or k_vv, that costs least. */
+static double rim_energy(const double B[LAW_ENTRIES], const double k[3], int along)
+{
+    const int other = along ? LAW_11 : LAW_22, to = along ? LAW_13 : LAW_23;
+    double least[3] = {k[0], k[1], k[2]};
+
+    least[1 - along] = -(B[LAW_12] * k[along] + B[to] * k[2]) / B[other];
+    return 2 * law_energy(B, least);
+}
+
+/* A fabric on the bias, under any constant curvature: that of its matrix at points, of a
+ * narrow strip on rims; the twist that is left, 1 / (B^-1)_33, in cells. */
+static void check_bias(double warp)
+{
+    enum { N = 9, M = 8 };
+    static const double curvature[][3] = {
+        {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -0.4, 0.7}, {-0.3, 1, 0.6}};
+    char material[160];
+    struct run run;
+
+    snprintf(material, sizeof material,
+             "material={membrane: [2000, 5000, 800, 300], areal_density: 0.1, "
+             "bending: [1e-2, 4e-2, 4e-3, 6e-3], warp: %g}",
+             warp);
+    OPENED_RUN(&run, "cantilever", "triangles", material, "sheet={length: 0.8, width: 0.5}",
+               "supports=[]", "discretization.points=[9,8]");
+    struct tri_motion *m = run.state;
+    const struct law law = scene_law(&run.scene);
+    const double *B = law.matrix[LAW_BENDING];
+    double inverse[LAW_ENTRIES], field[MOST] = {0};
+    law_invert(B, inverse);
+    for (size_t n = 0; n < sizeof curvature / sizeof *curvature; n++) {
+        const double *k = curvature[n], twist = k[2] * k[2] / inverse[LAW_33];
+        for (size_t a = 0; a < count_of(m) / 3; a++) {
+            const double p = m->net.points.uvw[a][0] * 0.8;
+            const double q = m->net.points.uvw[a][1] * 0.5;
+            field[3 * a + 2] = (k[0] * p * p + k[1] * q * q + k[2] * p * q) / 2;
+        }
+        const double want = (N - 2) * (M - 2) * (2 * law_energy(B, k) - twist) +
+                            (N - 2) * (rim_energy(B, k, 0) - twist) +
+                            (M - 2) * (rim_energy(B, k, 1) - twist) +
+                            (N - 1) * (M - 1) * twist;
+        CHECK_RELATIVE(quadratic(m, field),
+                       want / 2 * m->net.points.cell[0] * m->net.points.cell[1], BEND);
+    }
+    run_close(&run);
+}
+
 /* Rolled up to a cylinder, hinges turn by the angle of a cell, and only those across. */
 static void check_roll(void)
 {
@@ -287,7 +346,7 @@ int main(void)
 {
     for (int k = 0; k < 3; k++) {
         for (int b = 0; b < 2; b++) {
-            check_derivatives(membranes[k], bendings[b]);
+            check_derivatives(membranes[k], bendings[b], false);
             check_rigid(membranes[k], bendings[b]);
         }
         check_foresight(membranes[k]);
@@ -295,11 +354,14 @@ int main(void)
             check_membrane(membranes[k], 0.1 * nu);
     }
     check_corotational();
+    check_derivatives(NULL, NULL, true);
     for (int b = 0; b < 2; b++)
         for (int nu = -1; nu < 5; nu++)
             for (int turn = 0; turn < 4; turn++)
                 for (int saddle = -1; saddle < 2; saddle++)
                     check_bending(bendings[b], 0.1 * nu, turn * PI / 4, saddle);
+    for (int warp = 0; warp < 180; warp += 15)
+        check_bias(warp);
     check_roll();
     return check_result();
 }

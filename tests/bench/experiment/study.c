@@ -130,8 +130,8 @@ static void against_truth(void)
     plan_clear(&plan);
 }
 
-/* The second: Ren et al. 2024, Table 4 row 7, which dies. No truth is claimed so late for
- * the flag. */
+/* The second: Ren et al. 2024, Table 4 row 7, which dies. No truth of the flag is claimed
+ * so late; of two times the first has one. */
 static const char *const rough =
     "name: rough\nsource: levels that end badly\nscene: edge_drop\n"
     "model: iga_paper\nlevels:\n"
@@ -144,6 +144,9 @@ static const char *const rough =
     "  - {name: rough, caption: levels that end badly}\n"
     "  - {name: late, scene: flag, settings: {damping: {kind: none}},\n"
     "     truth: true, times: [0.5],\n"
+    "     levels: [{label: Flat Sheet, settings: {discretization.points: [4,4,2]}}]}\n"
+    "  - {name: early, scene: flag, settings: {damping: {kind: none}},\n"
+    "     truth: true, times: [0.1, 0.5],\n"
     "     levels: [{label: Flat Sheet, settings: {discretization.points: [4,4,2]}}]}\n"
     "  - {name: scaled, truth: true, times: [0.05],\n"
     "     levels: [{label: coarse, settings: {discretization.points: [4,4,2]}}]}\n";
@@ -170,6 +173,11 @@ static void deaths_and_refusals(void)
     CHECK(strstr(text, "died at t = 0.265 s") && strstr(text, "remedy=incompatible: "));
     CHECK(!late->truth && strstr(text, "Truth of late: none; no truth is claimed"));
     CHECK(!strcmp(late->plan->levels[0].name, "flat_sheet"));
+    const struct study *early = study_of(&all, "early");
+    REQUIRE(early->truth && early->truth->times == 1 && early->row[0].xyz[1]);
+    CHECK(at(early, 0, 0, QUANTITY_ERROR) > 0 && at(early, 0, 0, QUANTITY_BAR) > 0);
+    CHECK(isnan(at(early, 0, 1, QUANTITY_ERROR)) && isnan(at(early, 0, 1, QUANTITY_BAR)));
+    CHECK(isnan(at(early, 0, 1, QUANTITY_OFF)));
     /* A factor a step has no limit: the shell's own steps would be damped otherwise. */
     CHECK(!study_of(&all, "scaled")->truth && strstr(text, "scaled by a factor each"));
     free(text);

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# The Debian package: it names the libraries that it needs, and the program that is unpacked
+# from it finds its scenes, plans and references without the source folder.
+#   package.sh BUILD
+# shellcheck source=tests/fixture.sh
+. "$(dirname "$0")/fixture.sh"
+own_folder
+command -v dpkg-deb >/dev/null || exit 77
+(cd "$1" && cpack -G DEB -B "$folder") >out 2>&1 || fail "cpack: $(tail -n 3 out)"
+package=$(echo clothbench_*.deb)
+dpkg-deb -x "$package" root || fail "no package: $package"
+needs=$(dpkg-deb -f "$package" Depends)
+for name in libcholmod3 libhdf5-103 liblapacke libyaml-0-2 libzip4; do
+    [[ $needs == *$name* ]] || fail "the package does not depend on $name: $needs"
+done
+for file in bin/clothbench share/man/man1/clothbench.1 share/doc/clothbench/copyright \
+    share/clothbench/truths/edge_drop.h5; do
+    [ -f "root/usr/$file" ] || fail "$file is not in the package"
+done
+cd / || exit 1
+"$folder/root/usr/bin/clothbench" verify fall --quick >"$folder/out" 2>&1 ||
+    fail "verify from the package: $(tail -n 3 "$folder/out")"
+[ "$failures" -eq 0 ]

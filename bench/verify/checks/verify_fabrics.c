@@ -99,8 +99,8 @@ static void add_row(struct verify_subject *s)
 /* --- 251 fabrics with their own law, warp, weft and bias. */
 
 /* Width over overhang: so narrow that cross-sections bend freely (verify_orthotropic.c),
- * and that the clamp, which keeps the bias from twisting over a width or two, leaves less
- * than 1 %. Thin [m], so that no strip is thicker than wide: such would tip over. */
+ * and that the clamp, which keeps the bias from twisting over a width or two, matters
+ * little. Thin [m], so that no strip is thicker than wide: such would tip over. */
 static const double NARROW = 0.005, THIN = 5e-5;
 static const double LEAST_SHEAR = 0.1; /* S_66 over sqrt(S_11 S_22); 20 fabrics need it */
 /* Twist over bend up to which a strip along the bias stays in its plane, as 107 fabrics do.

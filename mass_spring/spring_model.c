@@ -21,6 +21,10 @@ static const struct schema_key options[] = {
     {"springs", "changes that springs resist in leapfrog steps",
      OPTION_WORDS([SPRINGS_SQUARES] = "squares", [SPRINGS_LENGTHS] = "lengths"),
      OPTION_OWN(spring_own, springs)},
+    {"surface", "surface of the sheet: the net, or a B-spline of which it is the control net",
+     OPTION_WORDS([SURFACE_NET] = "net", [SURFACE_QUADRATIC] = "quadratic",
+                  [SURFACE_CUBIC] = "cubic"),
+     OPTION_OWN(spring_own, surface)},
     {NULL}};
 /* clang-format on */
 
@@ -93,7 +97,7 @@ out:
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct spring_motion *m = state;
-    const struct net_surface net = {m->net.rows, m->net.points[1], m->x, 3, 1};
+    const struct net_surface net = {m->net.rows, m->net.points[1], m->x, 3, 1, m->degree};
 
     net_surface_points(&net, m->scene, n, uvw, xyz);
 }
@@ -131,8 +135,9 @@ static void describe(const void *state, struct message *line)
 const struct model spring_model = {
     .name = "mass_spring",
     .title = "mass-spring net",
-    .source =
-        "Provot 1995; implicit steps: Baraff and Witkin 1998; bending: Choi and Ko 2002",
+    .source = "Provot 1995; implicit steps: Baraff and Witkin 1998; bending: Choi and Ko "
+              "2002; springs "
+              "between control points: Li et al. 2019",
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |

@@ -135,6 +135,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
 
     *m = (struct spring_motion){.scene = scene,
                                 .integrator = d->integrator,
+                                .degree = (int[]){0, 2, 3}[OWN(spring_own, d)->surface],
                                 .strain_limit = OWN(spring_own, d)->strain_limit};
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters, squares));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));

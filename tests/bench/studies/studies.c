@@ -167,7 +167,7 @@ static void check_known(void)
     CHECK(call("study 2", &why) == STATUS_INPUT && strlen(why.text) > sizeof ends);
     CHECK(!strncmp(why.text, begins, sizeof begins - 1));
     CHECK(!strcmp(why.text + strlen(why.text) + 1 - sizeof ends, ends));
-    CHECK(strstr(why.text, ", tiny, ") && strstr(why.text, ", mesh, ") &&
+    CHECK(strstr(why.text, ", mesh, ") && strstr(why.text, ", tiny, ") &&
           !strstr(why.text, "sweeps"));
     CHECK(fresh_count(why.text, "ensemble") == 1);
 }

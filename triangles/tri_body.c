@@ -318,7 +318,8 @@ static void add_tangent(const void *self, int thread, int strip,
         for (int i = 0; i < 3; i++)
             K[n][4 * i] += path->s1 * net->plate[n];
     e = r->strain + b->forms_from;
-    for (int k = net->form_at[strip]; k < net->form_at[strip + 1]; k++, e += 3)
+    for (int k = net->form_at[strip]; net->softens && k < net->form_at[strip + 1];
+         k++, e += 3)
         if (net->forms[k].kind >= SPRING_PLATE_SOFT_U)
             soft_tangent(net, &net->forms[k], e, path->s1, K);
     e = r->strain + b->hinges_from;

@@ -188,6 +188,7 @@ enum status tri_net_init(struct tri_net *net, const struct scene *scene,
                  ROOM(new.hinge_at, n + 1), ROOM(new.form_at, n + 1)));
     fill(&new, hinges ? scene_bending_stiffness(scene) : 0);
     TRY(add_forms(&new, scene, !hinges));
+    new.softens = scene_needs(scene) & SCENE_NEED_SOFTENING;
     new.soft = spring_plate_softening(scene, &new.points);
     TRY(make_graph(&new));
     for (int k = 0; k < new.triangle_count; k++)

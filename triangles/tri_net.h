@@ -54,6 +54,7 @@ struct tri_net {
     struct spring_plate_form *forms;       /*                             owned   */
     int *triangle_at, *hinge_at, *form_at; /* [n + 1] first of each strip         */
     struct blocks graph;
+    bool softens; /* some forms do                                                      */
     struct spring_plate_soft soft;
     double *plate; /* [pairs] second derivative of quadratic forms, times the identity
                       [N/m], owned */

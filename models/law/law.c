@@ -49,7 +49,8 @@ static void soften(const struct law_fabric *f, struct law *law)
     for (int i = 0; i < 2; i++) {
         const double C = f->softening[i], a = i ? -s : c, b = i ? c : s;
         law->softens = law->softens || C < 0;
-        law->soft[i] = (struct law_soft){C, (1 - least) * B[i] / (2 * fabs(C))};
+        law->soft[i].second = C;
+        law->soft[i].most = C < 0 ? (1 - least) * B[i] / (-2 * C) : INFINITY;
         memcpy(law->along[i], (double[]){a * a, b * b, a * b}, sizeof law->along[i]);
     }
 }

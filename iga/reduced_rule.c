@@ -21,25 +21,42 @@ static void add_gauss(struct line_rule *rule, int span, int count)
         add(rule, span, x[q], w[q]);
 }
 
+/* Adds Radau's two points of a span, one of them on its first knot or its last. */
+static void add_radau(struct line_rule *rule, int span, bool first)
+{
+    add(rule, span, first ? 0 : 1. / 3, first ? 0.25 : 0.75);
+    add(rule, span, first ? 2. / 3 : 1, first ? 0.75 : 0.25);
+}
+
 /* Puts points at spans' middles: one a span, and one more for every function that the spans
  * between two knots of full multiplicity have beyond their number, dealt out from both ends
- * inwards; an odd last one in the middle, so that a clamp at u = 0 and one at u = 1 are
- * alike. */
+ * inwards, so that a clamp at u = 0 and one at u = 1 are alike. An odd last one is in the
+ * middle: of an even number of spans on the knot there, half of it in either span, or,
+ * where these have more than one point or strains jump, one in each. */
 static void middles(const struct bspline *b, struct line_rule *rule, int first, int spans)
 {
-    const int p = b->p;
+    const int p = b->p, half = spans / 2, even = p % 2 && spans % 2 == 0;
     int *counts = rule->count + first; /* first how many, then the points themselves */
 
-    for (int e = 0; e < spans; e++) /* a knot that repeats adds functions */
-        counts[e] = e + 1 < spans ? rule->span[first + e + 1] - rule->span[first + e] : 1;
-    for (int k = 0; k < p; k++) {
-        int e = k % 2 ? spans - 1 - k / 2 : k == p - 1 ? spans / 2 : k / 2;
+    for (int e = 0; e < spans; e++)
+        counts[e] = 1;
+    for (int e = 0; e + 1 < spans; e++) { /* a knot that repeats adds functions */
+        const int more = (rule->span[first + e + 1] - rule->span[first + e]) / 2;
+        counts[e] += more, counts[e + 1] += more;
+    }
+    for (int k = 0; k < p - even; k++) {
+        int e = k % 2 ? spans - 1 - k / 2 : k == p - 1 ? half : k / 2;
         counts[e < 0 ? 0 : e >= spans ? spans - 1 : e]++;
     }
+    const bool shared = even && p > 1 && counts[half - 1] * counts[half] == 1;
     for (int e = 0; e < spans; e++) {
-        int count = counts[e] > p + 1 ? p + 1 : counts[e];
+        const bool middle = even && (e == half - 1 || e == half);
+        const int count = counts[e] + middle;
         counts[e] = 0;
-        add_gauss(rule, first + e, count);
+        if (shared && middle)
+            add_radau(rule, first + e, e == half);
+        else
+            add_gauss(rule, first + e, count > p + 1 ? p + 1 : count);
     }
 }
 

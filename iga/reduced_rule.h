@@ -5,10 +5,12 @@
  * Maitournam, CMAME 284, 2015; the placing of the points is ours).
  *
  * Odd degree p: Gauss points, one in the middle of each span, and one more in p of them, at
- * the ends, an odd one in the middle (at inner knots that repeat, likewise). There a net
- * that zigzags from point to point has slopes, but no values: the strains of one that
- * zigzags along both directions go unseen, but it takes (spans / pi)^2 to be as soft as a
- * bend.
+ * the ends, an odd one in the middle (at inner knots that repeat, likewise). Of an even
+ * number of spans the two in the middle share it on their knot, where both have the same
+ * strains, and take Radau's points: with it in one of them a sheet leans. In the middle of
+ * spans a net that zigzags from point to point has slopes, but no values: the strains of
+ * one that zigzags along both directions go unseen, but it takes (spans / pi)^2 to be as
+ * soft as a bend.
  *
  * Even degree: in the middle of spans a net that zigzags has no slope, whatever it does
  * across. Neither membrane nor shear, nor bending by the same points, nor tension would see

@@ -403,6 +403,7 @@ enum status pb_motion_frame(void *motion, struct counters *counters)
     counters->steps++;
     counters->substeps += m->substeps;
     counters->iterations += (long)m->substeps * m->iterations;
+    counters->left = m->left;
     pb_sweep_get(m->sweep, PB_X, 3, m->x);
     pb_sweep_get(m->sweep, PB_D, 3, m->work);
     for (size_t n = 0; n < count(m); n++) {

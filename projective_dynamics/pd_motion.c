@@ -462,6 +462,7 @@ enum status pd_motion_frame(void *motion, struct counters *counters)
         return STATUS_NAN;
     counters->steps++;
     counters->substeps += m->options.substeps;
+    counters->left = m->left;
 out:
     return st;
 }

@@ -2,6 +2,7 @@
 # The Debian package: it names the libraries that it needs, and the program that is unpacked
 # from it finds its scenes, plans and references without the source folder.
 #   package.sh BUILD
+# shellcheck source=tests/fixture.sh
 . "$(dirname "$0")/fixture.sh"
 own_folder
 command -v dpkg-deb >/dev/null || exit 77
@@ -16,6 +17,7 @@ for file in bin/clothbench share/man/man1/clothbench.1 share/doc/clothbench/copy
     share/clothbench/truths/edge_drop.h5; do
     [ -f "root/usr/$file" ] || fail "$file is not in the package"
 done
-cd / && "$folder/root/usr/bin/clothbench" verify fall --quick >"$folder/out" 2>&1 ||
+cd / || exit 1
+"$folder/root/usr/bin/clothbench" verify fall --quick >"$folder/out" 2>&1 ||
     fail "verify from the package: $(tail -n 3 "$folder/out")"
-exit $((failures > 0))
+[ "$failures" -eq 0 ]

@@ -355,7 +355,11 @@ void vb_body_sweep(const struct vb_body *b, const struct vb_step *s, double *x)
 
     for (int c = 0; c < b->colours; c++) {
         const int from = b->colours_from[c], count = b->colours_from[c + 1] - from;
-#pragma omp parallel for schedule(static) if (count > ALONE)
+        if (count <= ALONE) {
+            sweep_nodes(b, s, x, from, from + count);
+            continue;
+        }
+#pragma omp parallel for schedule(static)
         for (int k = 0; k < PARTS; k++)
             sweep_nodes(b, s, x, from + (int)((long)count * k / PARTS),
                         from + (int)((long)count * (k + 1) / PARTS));

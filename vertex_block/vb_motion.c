@@ -222,6 +222,7 @@ enum status vb_motion_frame(void *motion, struct counters *counters)
     counters->steps++;
     counters->substeps += m->substeps;
     counters->iterations += (long)m->substeps * m->iterations;
+    counters->left = m->left;
     for (size_t n = 0; n < count(m); n++)
         m->v[n] *= m->load.keep;
 out:

@@ -54,6 +54,13 @@ struct place;
       "products with the factor or the preconditioner, mean over the frames")              \
     X(ITERATIONS, iterations, "iterations", "iterations", "a frame", 3, false,             \
       "iterations of the step, mean over the frames")                                      \
+    X(LEFT, left, "left", "left", NULL, 2, false,                                          \
+      "most that iterations leave of a step: vbd of the loads, projective_dynamics of "    \
+      "the step's movement, position_based as strain")                                     \
+    X(LOSS, loss, "loss", "loss", "1/s", 2, false,                                         \
+      "share of the energy in play that is lost a second")                                 \
+    X(STIFFNESS, stiffness, "stiffness", "stiffness", NULL, 3, false,                      \
+      "of a strip that hangs: E by the most it was longer, rho g L / 2 E, over the scene's") \
     X(APART, apart, "apart", "apart", "L", 2, true,                                        \
       "rms distance to the reference on the material grid, over the length")               \
     X(TIP, tip, "tip", "tip", NULL, 4, false,                                              \

@@ -37,6 +37,7 @@ static const struct {
     {"counters/solves", "1"},
     {"counters/iterations", "1"},
     {"counters/substeps", "1"},
+    {"counters/left", "1"},
 };
 enum { SERIES = sizeof series / sizeof *series };
 
@@ -230,6 +231,7 @@ enum status store_frame(struct store *s, double t, const double *xyz,
         (double)c->solves,
         (double)c->iterations,
         (double)c->substeps,
+        c->left,
     };
     enum status st = STATUS_OK;
 

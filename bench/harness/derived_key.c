@@ -57,6 +57,9 @@ double derived_key_solve(const char *key, const char *by, double want,
     const struct derived_key *s = find(key);
     const double now = s->number(scene);
 
+    /* the moduli and the mass of a fabric are none of these keys */
+    if (scene->is_fabric && strcmp(by, "sheet.length"))
+        return NAN;
     for (int n = 0; n < KEYS && s->of[n].by; n++)
         if (!strcmp(s->of[n].by, by) && now > 0)
             return *(const double *)((const char *)scene + s->of[n].offset) *

@@ -15,7 +15,8 @@ bool derived_key_is(const char *key);
 double derived_key_number(const char *key, const struct scene *scene);
 
 /* Returns the value of the scene's key `by` for which the number is `want` > 0, all else as
- * it is; NaN if the number does not depend on that key, or is 0 whatever it is. */
+ * it is; NaN if the number does not depend on that key, as that of a fabric on all but
+ * sheet.length, or is 0 whatever it is. */
 double derived_key_solve(const char *key, const char *by, double want,
                          const struct scene *scene);
 

@@ -173,6 +173,13 @@ static enum status read_work(const struct store_read *file, struct counters *wor
             rows && isfinite(value[rows - 1]) ? lround(value[rows - 1]) : 0;
         free(value);
     }
+    if (store_read_has(file, "counters/left")) { /* older files have none */
+        double *value = NULL;
+        int rows, columns;
+        TRY(store_read_array(file, "counters/left", &value, &rows, &columns, why));
+        work->left = rows ? value[rows - 1] : 0;
+        free(value);
+    }
 out:
     return st;
 }

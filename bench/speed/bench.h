@@ -48,7 +48,7 @@ struct bench_part {
 };
 extern const struct bench_part bench_part_solids, bench_part_baselines,
     bench_part_projective, bench_part_nonlinear, bench_part_swings, bench_part_bandwidth,
-    bench_part_intersection, bench_part_contact, bench_part_contestants;
+    bench_part_intersection, bench_part_contact, bench_part_fabrics, bench_part_contestants;
 
 /* Adds a run. STATUS_INPUT: there is no such contestant. */
 enum status bench_part_add(struct bench *b, const struct bench_row *row,

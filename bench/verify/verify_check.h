@@ -85,7 +85,7 @@ bool verify_row_failed(const struct verify_row *row);
 
 /* --- Subjects: a contestant, with its nets and what is claimed for it. */
 
-enum { VERIFY_NETS = 3, VERIFY_SETTINGS = 4, VERIFY_PARTS = 6 };
+enum { VERIFY_NETS = 3, VERIFY_SETTINGS = 4, VERIFY_PARTS = 8 };
 
 /* A row of a check's table, where zeros mean "as the field or the contestant has it", and
  * one contestant of it as the walk of a check hands it out, filled in. */

@@ -47,7 +47,7 @@ struct contact_law contact_law_self(const struct scene *scene)
         .start = t,
         .range = c->range > 0 ? c->range : t / 2,
         .stiffness = c->stiffness > 0 ? c->stiffness : 4 * energy_to_stop(scene) / t,
-        .rebound = REBOUND * scene->length,
+        .rebound = 2 * REBOUND * scene->length,
         .creep = CREEP * scene->length};
 }
 
@@ -55,7 +55,7 @@ struct contact_law contact_law_body(const struct scene *scene)
 {
     struct contact_law law = contact_law_self(scene);
 
-    law.start /= 2, law.range /= 2;
+    law.start /= 2, law.range /= 2, law.rebound /= 2;
     return law;
 }
 

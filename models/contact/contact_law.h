@@ -13,6 +13,8 @@
  * Friction is Coulomb's, mu p (2 y - y^2) against the slip with y = |slip| / creep up to 1
  * (Li et al. 2020, ACM Trans. Graph. 39(4), for this smoothing): what sticks creeps, at
  * less than the speed `creep`.
+ *
+ * Rims, the edges of faces, press by the same pressure times a width of t (contact_rim.h).
  */
 #ifndef CONTACT_LAW_H
 #define CONTACT_LAW_H
@@ -31,8 +33,8 @@ struct contact_law {
 
 /* Return the law of a scene between the sheet and itself, which starts at the contact
  * thickness t and has the range of the scene, t/2 unless it is given; and between the sheet
- * and a body, at half of both, with the same stiffness: a sheet and its mirror image then
- * meet as each meets a plane. */
+ * and a body, at half of both and of the speed of rebound, with the same stiffness: a sheet
+ * and its mirror image then meet as each meets a plane. */
 struct contact_law contact_law_self(const struct scene *scene);
 struct contact_law contact_law_body(const struct scene *scene);
 

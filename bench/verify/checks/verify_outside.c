@@ -123,6 +123,73 @@ static void add_swing(struct verify_subject *s)
                            verify_note(s, "mesh_error_m") + verify_note(s, "step_error_m"));
 }
 
+/* --- Denim, warp at 30 degrees, hangs and swings. */
+
+#define DENIM 5e-3, "half of what is asked of solids, on a net as fine as theirs"
+static const struct verify_subject fabrics[] = {
+    {"shell_3,shell_selective_3", DENIM, {18}}, {"iga_selective_3", DENIM, {18}}, {NULL}};
+static const struct verify_field fabric_field = {fabrics};
+#define DENIM_SETTINGS                                                                     \
+    "sheet={length: 0.1, width: 0.1}; material={fabric: denim, warp: 30}; "                \
+    "gravity=[0,0,-9.81]"
+
+/* Judges the largest distance of a point from the table's, over the length. */
+static void add_hanging(struct verify_subject *s)
+{
+    const double length = verify_note(s, "length");
+    double uvw[POINTS][3], xyz[POINTS][3], worst = 0;
+    struct verify_trial t = verify_trial_of(
+        s, "cantilever", "denim hangs, by C3D20R: position / L, warp at 30 degrees");
+
+    for (s->at = 0; s->at < POINTS; s->at++) {
+        uvw[s->at][0] = verify_number(s, "u"), uvw[s->at][1] = verify_number(s, "v");
+        uvw[s->at][2] = 0.5;
+    }
+    verify_trial_set(&t, DENIM_SETTINGS);
+    if (!verify_trial_equilibrium(&t, POINTS, uvw[0], xyz[0]))
+        return;
+    for (s->at = 0; s->at < POINTS; s->at++) {
+        const double *x = xyz[s->at];
+        worst = verify_row_worse(
+            hypot(hypot(x[0] - verify_number(s, "x"), x[1] - verify_number(s, "y")),
+                  x[2] - verify_number(s, "z")),
+            worst);
+    }
+    verify_row_judge_error(t.row, worst / length, verify_note(s, "mesh_error_m") / length);
+}
+
+static const struct verify_subject swingers[] = {
+    {"shell_3,shell_selective_3", 0.01, "asked of solids", {18}, .dear = true}, {NULL}};
+static const struct verify_field swinger_field = {swingers};
+
+/* Judges the largest distance at every 0.05 s of the table's 0.01 s. */
+static void add_swinging(struct verify_subject *s)
+{
+    static const double uvw[POINTS][3] = {
+        {1, 0.5, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}, {0.5, 0.5, 0.5}};
+    const double length = verify_note(s, "length");
+    double time[TIMES], xyz[TIMES][POINTS][3], worst = 0;
+    struct verify_trial t = verify_trial_of(
+        s, "cantilever_transient", "denim swings, by C3D20R: position / L until 0.3 s");
+
+    for (int n = 0; n < TIMES; n++)
+        time[n] = reference_number(s->sheet->table, 5 * n + 4, "t");
+    verify_trial_set(&t, DENIM_SETTINGS "; time.step=0.001");
+    if (!verify_trial_motion(&t, TIMES, time, POINTS, uvw[0], xyz[0][0]))
+        return;
+    for (int n = 0; n < TIMES; n++)
+        for (int p = 0; p < POINTS; p++) {
+            double square = 0;
+            for (int c = 0; c < 3; c++) {
+                const char column[] = {"xyz"[c], (char)('0' + p), '\0'};
+                const double want = reference_number(s->sheet->table, 5 * n + 4, column);
+                square += pow(xyz[n][p][c] - want, 2);
+            }
+            worst = verify_row_worse(sqrt(square), worst);
+        }
+    verify_row_judge_error(t.row, worst / length, verify_note(s, "mesh_error_m") / length);
+}
+
 /* --- Plates let go, on the finest nets of `transient`; a thin shell is to be as good as a
  * solid. */
 #define PLATE 0.01, NULL
@@ -174,4 +241,6 @@ const struct verify_check verify_outside = {
     .parts = {{&block_field, add_block, 1, .table = "calculix_matrices_box"},
               {&twin_field, add_tip, 0, "element", "C3D8I", .table = "calculix_tips"},
               {&strip_field, add_swing, 1, .table = "calculix_swing_h5mm"},
+              {&fabric_field, add_hanging, 1, .table = "calculix_denim_hang"},
+              {&swinger_field, add_swinging, 1, .table = "calculix_denim_swing"},
               {&plate_field, add_plate, 2, .every = 2}}};

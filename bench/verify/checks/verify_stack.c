@@ -1,4 +1,5 @@
 #include <math.h>
+#include <string.h>
 
 #include "bench/verify/verify_check.h"
 #include "models/grid.h"
@@ -6,7 +7,7 @@
 /* Claims: heights, over the range, to the way of a few steps at the speed of impact;
  * compression at rest, of splines least at the edge, where their samples share the area
  * otherwise than their weight. The mirror image: round-off, and what iterations leave. */
-static const double UNEVEN = 0.1, COMPRESSED = 1e-3, MIRRORED = 1e-9;
+static const double UNEVEN = 0.1, COMPRESSED = 1e-3, MIRRORED = 1e-9, ON_PLANE = 1e-6;
 #define FALLS 0.1, NULL
 
 static const struct verify_subject entries[] = {
@@ -37,7 +38,7 @@ static const double G = 9.81, MASS = 0.8, LENGTH = 0.5, THICK = 0.004, RANGE = 2
 static double push(double kappa, double share, double D, double rate)
 {
     const double x = fmax((D - share * (THICK - RANGE)) / (share * RANGE), 1.0 / 64),
-                 rebound = 0.01 * LENGTH;
+                 rebound = 0.02 * share * LENGTH;
     const double p = x < 1 ? kappa * (1 / x - 1) * (1 / x - 1) : 0;
 
     return p * fmax(0, 1 - rate / rebound);
@@ -158,7 +159,19 @@ static enum status look_mirror(void *context, const struct motion *m, struct mes
     return STATUS_OK;
 }
 
-/* Pushes two sheets, unevenly, against each other. */
+/* Two sheets are pushed, unevenly, against each other; or the upper one against a plane. */
+#define PUSHED                                                                             \
+    "supports=[]; gravity=[0,0,0]; time={step: 5e-4, end: 0.1}; snapshots=[];"             \
+    "contact={thickness: %g, range: %g, stiffness: 4000};"
+#define PAIR                                                                               \
+    "sheets=[{origin: [0,0,-0.003]},{origin: [0,0,0.003]}]; obstacles=[];"                 \
+    "loads=[{at: {sheet: 1, u: [0, 0.5]}, force: [0,0,0.5]},"                              \
+    "{at: {sheet: 2, u: [0, 0.5]}, force: [0,0,-0.5]}]"
+#define ALONE                                                                              \
+    "pose.origin=[0,0,0.003];"                                                             \
+    "obstacles=[{plane: {point: [0,0,0], normal: [0,0,1]}}];"                              \
+    "loads=[{at: {u: [0, 0.5]}, force: [0,0,-0.5]}]"
+
 static void add_mirror(struct verify_subject *s)
 {
     double most = 0;
@@ -169,15 +182,37 @@ static void add_mirror(struct verify_subject *s)
         verify_subject_claim(s, MIRRORED, NULL);
     struct verify_trial t =
         verify_trial_of(s, "stack", "a sheet meets its mirror image: distance from it / L");
-    verify_trial_set(
-        &t,
-        SHEET "sheets=[{origin: [0,0,-0.003]},{origin: [0,0,0.003]}]; gravity=[0,0,0];"
-              "obstacles=[]; contact={thickness: %g, range: %g, stiffness: 4000};"
-              "loads=[{at: {sheet: 1, u: [0, 0.5]}, force: [0,0,0.5]},"
-              "{at: {sheet: 2, u: [0, 0.5]}, force: [0,0,-0.5]}];"
-              "time={step: 5e-4, end: 0.1}; snapshots=[]",
-        THICK, RANGE);
+    verify_trial_set(&t, SHEET PUSHED PAIR, THICK, RANGE);
     if (verify_trial_watch(&t, look_mirror, &most))
+        verify_row_judge_error(t.row, most / LENGTH, 0);
+}
+
+/* The law's halves: what meets its image moves as what meets a plane does. */
+static void add_plane(struct verify_subject *s)
+{
+    static const double end = 0.1;
+    double uvw[2][3 * LOOKED], xyz[2][3 * LOOKED], most = 0;
+    bool lived = true;
+
+    if (s->sheet->quick && isnan(s->tolerance))
+        return;
+    if (!isnan(s->tolerance))
+        verify_subject_claim(s, ON_PLANE, NULL);
+    struct verify_trial t =
+        verify_trial_of(s, NULL, "its image or a plane: distance between both / L");
+    for (int pair = 0; pair < 2 && lived; pair++) {
+        for (int n = 0; n < LOOKED; n++) {
+            const double u = n % SIDE / (SIDE - 1.0), v = n / SIDE / (SIDE - 1.0);
+            memcpy(uvw[pair] + 3 * n, (double[]){pair ? place(2, 1, u) : u, v, 0.5},
+                   3 * sizeof(double));
+        }
+        verify_trial_set(&t, pair ? SHEET PUSHED PAIR : SHEET PUSHED ALONE, THICK, RANGE);
+        t.scene = pair ? "stack" : "edge_drop";
+        lived = verify_trial_motion(&t, 1, &end, LOOKED, uvw[pair], xyz[pair]);
+    }
+    for (int n = 0; lived && n < 3 * LOOKED; n++)
+        most = verify_row_worse(fabs(xyz[1][n] - xyz[0][n]), most);
+    if (lived)
         verify_row_judge_error(t.row, most / LENGTH, 0);
 }
 
@@ -187,4 +222,6 @@ const struct verify_check verify_stack = {
     "as many masses on it, in steps of 1e-7 s; rigid sheets, which stop at once; mirrored "
     "motion",
     .slow = true,
-    .parts = {{&field, add_drop, 3, .every = 3}, {&field, add_mirror, 1}}};
+    .parts = {{&field, add_drop, 3, .every = 3},
+              {&field, add_mirror, 1},
+              {&field, add_plane, 1}}};

@@ -136,6 +136,8 @@ static const struct wrong BAD_STUDIES[] = {
      "levels is an empty list, but must be a list of 1"},
     {11, "  - {name: edge, scene: nowhere}", "no scene 'nowhere'"},
     {11, "  - {name: edge, settings: {time.end: x}}", "end is 'x', but must be a number"},
+    {11, "  - {name: edge, settings: {material.fabric: denim, gamma: 100}}",
+     "gamma cannot be set by material.young in this scene: its material is a fabric"},
     /* an unknown key, at every depth */
     {5, "  - {label: a, setings: {time.end: 1}}",
      "no key 'setings'; did you mean 'settings'"},

@@ -90,7 +90,8 @@ static enum status write_run(const struct fixture *f, const char *path, struct m
     TRY(store_create(path, &f->run, &store, why));
     for (int n = 0; n < FRAMES; n++) {
         struct energy energy = {n, 2 * n, -3 * n};
-        struct counters counters = {n, 10 * n, 20 * n, 30 * n, 100 * n, 50 * n};
+        struct counters counters = {n,       10 * n, 20 * n,         30 * n,
+                                    100 * n, 50 * n, .left = 0.5 * n};
         TRY(store_frame(store, 0.1 * n, f->xyz + n * COUNT, n == 1 ? NULL : &energy,
                         &counters, why));
     }
@@ -146,6 +147,7 @@ static void check_arrays(const struct store_read *file)
                 {"counters/solves", FRAMES, 1, {0, 30, 60}},
                 {"counters/iterations", FRAMES, 1, {0, 100, 200}},
                 {"counters/substeps", FRAMES, 1, {0, 50, 100}},
+                {"counters/left", FRAMES, 1, {0, 0.5, 1}},
                 {"seconds/create", 2, 1, {0.25, 0.5}},
                 {"seconds/advance", 2, 3, {1, 2, 3, 4, 5, 6}},
                 {"metrics/drop", FRAMES, 1, {0, 0.5, NAN}}};

@@ -250,6 +250,12 @@ static void test_derived_keys(void)
     }
     CHECK(isnan(derived_key_solve("young_over_density", "sheet.length", 50, &scene)));
     CHECK(isnan(derived_key_solve("gamma", "time.end", 50, &scene)));
+    scene.is_fabric = true;
+    scene.fabric = (struct law_fabric){{1, 1, 0, 1}, {1, 1, 0, 1}, 0, 1};
+    for (int n = 0; n < LENGTH(want); n++)
+        CHECK(isnan(derived_key_solve(want[n].key, want[n].by, 50, &scene)) ==
+              (want[n].field != &scene.length));
+    scene.is_fabric = false;
     memset(scene.gravity, 0, sizeof scene.gravity);
     CHECK(isnan(derived_key_solve("gamma", "sheet.length", 50, &scene)));
     scene_clear(&scene);

@@ -448,8 +448,9 @@ static void test_series(void)
         {"counters/factorisations", 2, 0, {1, 13}},
         {"counters/solves", 2, 0, {1, 14}},
         {"counters/iterations", 1, 0, {15}},
-        {"counters/substeps", 2, 0, {1, 16}}};
-    const struct counters work = {11, 12, 13, 14, 15, 16};
+        {"counters/substeps", 2, 0, {1, 16}},
+        {"counters/left", 2, 0, {0.5, 0.75}}};
+    const struct counters work = {11, 12, 13, 14, 15, 16, .left = 0.75};
     struct energy energy[5];
     double drift[5];
     struct run_result r;

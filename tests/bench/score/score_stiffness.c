@@ -80,6 +80,7 @@ int main(void)
     double known;
 
     scratch_open();
+    REQUIRE(chdir(scratch) == 0);
     for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
         const struct score_stiffness s =
             measured(row[n].scene, row[n].name, row[n].weft, row[n].points, 0, &known);

@@ -359,7 +359,8 @@ static void check_outranked(void)
     clear(&r);
 }
 
-/* Its isotropic mean has the fabric's mass, thickness and mean moduli, whatever the warp. */
+/* Its isotropic mean has the fabric's mass, thickness and mean moduli, whatever the warp.
+ */
 static void check_mean(void)
 {
     static const char path[] = SOURCE_DIR "/models/scenes/strip_bias.yaml";

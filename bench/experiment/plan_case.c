@@ -97,10 +97,7 @@ static enum status resolve(const struct plan *plan, const struct plan_setting *s
     if (isnan(value))
         TRY(plan_case_refuse(plan, s->line, why,
                              "%.40s cannot be set by %.40s in this scene%s", s->key, by,
-                             !scene.is_fabric ? ""
-                             : strcmp(s->key, "gamma")
-                                 ? ": its material is a fabric"
-                                 : ": its material is a fabric; sheet.length could"));
+                             scene.is_fabric ? ": its material is a fabric" : ""));
     settings_number(&c->settings, by, value);
 out:
     scene_clear(&scene);

@@ -98,8 +98,8 @@ struct large_motion {
     int enough;              /* iterations after which a step is taken; 0: converged   */
     struct contact *contact; /* NULL: nothing to meet                             */
     struct contact_coupled coupled; /* where the sheet touches itself          owned   */
-    bool full;       /* a new tangent in each iteration                   */
-    bool rings;      /* nothing damps the membrane, and Newton's method expects it  */
+    bool full;                      /* a new tangent in each iteration                   */
+    bool rings; /* nothing damps the membrane, and Newton's method expects it  */
 
     double *strain_old;  /* strains at the step's start                         owned   */
     double *strain_mean; /* mean of the last step, in the same room; NULL: not rings   */

@@ -242,6 +242,8 @@ static enum status take_step(struct large_motion *m, const struct large_equation
     enum status st = m->contact ? meet(m, i) : STATUS_OK;
     bool met = st == STATUS_OK;
 
+    if (!met && !status_is_death(st))
+        return st;
     for (size_t t = 0; !m->contact && t < count; t++)
         i->x[t] += i->d[t];
     for (int n = 0; n <= HALVINGS; n++) {

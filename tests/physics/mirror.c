@@ -13,7 +13,7 @@ static const double SAME = 1e-12;
  * (Measured: 2e-5 at most, and 2.1e-4.) */
 static const double SWEPT = 1e-4, DIVIDED = 1e-3;
 
-enum { FRAMES = 6, SIDE = 9 };
+enum { FRAMES = 4, SIDE = 9 };
 
 #define KEY   "discretization."
 #define SOLID KEY "points=[7,7,2];"

@@ -165,6 +165,8 @@ const struct command score_command = {
         "sheet\n"
         "first passes through itself or a body, how deep, and whether it rests on a "
         "margin.\n"
+        "For a strip at rest that hangs or is clamped level it also measures how stiff\n"
+        "membrane or bending are (woven_hang, woven_level).\n"
         "Scenes that are damped by velocity_scale are judged undamped, as their truths\n"
         "are. Units are SI, and z points up.\n"
         "\n"

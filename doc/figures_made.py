@@ -664,6 +664,97 @@ def timestep():
         ["nonlinear sheet, damped by mass: order in the step", order("nonlinear_mass")]])
 
 
+SPLITS = [(1, 1), (1, 4), (1, 16), (1, 64), (4, 1), (4, 4), (4, 16), (16, 1), (16, 4)]
+
+
+def iteration_rows(**cells):
+    return [r for r in result("study_iterations")[-1][1]
+            if all(r[key] == want for key, want in cells.items())]
+
+
+def iterated():
+    """The contestants of study iterations, in its order."""
+    return list(dict.fromkeys(r["contestant"] for r in iteration_rows()))
+
+
+def softer(contestant, substeps, iterations):
+    """How stiff a hanging strip seems, over what it seems after the most iterations; None: it was
+    not run."""
+    rows = iteration_rows(study="hanging", contestant=contestant, substeps=str(substeps))
+    found = [r for r in rows if r["iterations"] == str(iterations)]
+    most = max(rows, key=lambda r: int(r["iterations"]))
+    return number(found[0]["stiffness"]) / number(most["stiffness"]) if found else None
+
+
+def iterations_soft():
+    """A row a contestant, a column a split: stiffness, and what is lost or won a second."""
+    def loss(contestant, split):
+        rows = iteration_rows(study="edge_drop", contestant=contestant, net="21x21",
+                              substeps=str(split[0]), iterations=str(split[1]))
+        return digits(100 * number(rows[0]["loss"]), 2) if rows else "-"
+
+    heads = [f"{s} x {n}" for s, n in SPLITS]
+    stiff = [[title] + [digits(share, 2) if (share := softer(title, *split)) else "-"
+                        for split in SPLITS] for title in iterated()]
+    lost = [[f"{title}, % lost a second"] + [loss(title, split) for split in SPLITS]
+            for title in iterated()]
+    return markdown(["substeps x iterations"] + heads, stiff + lost)
+
+
+def iterations_split():
+    """At equal work, 64 sweeps of 121 points a frame or 16 of 441: error of each split."""
+    splits = [("11x11", s, 64 // s) for s in (1, 4, 16)] + [("21x21", s, 16 // s)
+                                                          for s in (1, 4, 16)]
+    lines = []
+    for scene in dict.fromkeys(r["study"] for r in iteration_rows() if r["error"]):
+        for title in iterated():
+            found = [iteration_rows(study=scene, contestant=title, net=net, substeps=str(s),
+                                    iterations=str(n)) for net, s, n in splits]
+            errors = [number(rows[0]["error"]) if rows else math.nan for rows in found]
+            if not all(map(math.isnan, errors)) and title != "CG":
+                least = min(e for e in errors if not math.isnan(e))
+                cells = ["-" if math.isnan(e) else digits(100 * e, 2) for e in errors]
+                lines.append([f"`{scene}`", title] +
+                             [f"**{c}**" if e == least else c for c, e in zip(cells, errors)])
+    return markdown(["", ""] + [f"{net}, {s} x {n}" for net, s, n in splits], lines)
+
+
+def iterations_enough():
+    """The fewest iterations whose error is at most a tenth, or the truth's bar, above that of the
+    most."""
+    def enough(**cells):
+        rows = iteration_rows(net="21x21", **cells)
+        errors = {int(r["iterations"]): number(r["error"]) for r in rows}
+        if not errors or math.isnan(errors[max(errors)]):
+            return "-"
+        most, bar = errors[max(errors)], number(rows[0]["error_bar"])
+        first = min(n for n, e in errors.items() if e <= max(1.1 * most, most + bar))
+        return f"{first}" if first < max(errors) else f"{first} or more"
+
+    scenes = list(dict.fromkeys(r["study"] for r in iteration_rows() if r["error"]))
+    return markdown([""] + [f"`{scene}`" for scene in scenes],
+                    [[title] + [", ".join(enough(study=scene, contestant=title, substeps=s)
+                                          for s in ("1", "4", "16")) for scene in scenes]
+                     for title in iterated()])
+
+
+def vertex_block():
+    """A row a method and iterations: the force that is left, and the way to Newton's steps."""
+    rows = [r for r in result("study_vertex-block")[-1][1] if r["left"]]
+    at = max(number(r["time_s"]) for r in rows)
+    counts = list(dict.fromkeys(r["iterations"] for r in rows))
+    lines = []
+    for step, words in (("long", "a step of 5 ms"), ("short", "ten of 0.5 ms")):
+        for method in ("sweeps", "Chebyshev"):
+            found = [row([r for r in rows if number(r["time_s"]) == at], study=step,
+                         method=method, iterations=n) for n in counts]
+            lines.append([f"{words}, {method}: force left, of the loads"] +
+                         [digits(r["left"], 2) for r in found])
+            lines.append(["... way to Newton's, of the length"] +
+                         [f"{number(r['apart']):.1e}" for r in found])
+    return markdown(["iterations in a step"] + counts, lines)
+
+
 # --- sweeps ----------------------------------------------------------------------------------
 
 
@@ -772,12 +863,38 @@ def touching():
                      "body in the sheet [mm]", "crossings", "seconds"], made)
 
 
-BLOCKS = {"touching": touching, "table1": table1, "table23": table23, "growth": growth, "table4": table4,
+def fabrics():
+    """A row for each scene and model: its last error with the fabric's law and with the mean."""
+    rows = part("study_fabrics", "law", "error")
+    made = []
+    for (study, model), run in itertools.groupby(rows, lambda r: (r["study"], r["model"])):
+        last = {r["law"]: r for r in run}
+        own, mean = last["its own"], last["isotropic mean"]
+        if not own["error_bar"]:
+            continue
+        made.append([study, model, percent(100 * float(own["error_bar"]))] +
+                    [percent(100 * float(r["error"])) if r["error"] else "-" for r in (own, mean)])
+    return markdown(["scene", "model", "truth's bar", "fabric's law", "isotropic mean"], made)
+
+
+def fabrics_apart():
+    """A row for each scene and fabric: how far the shell with the mean is from the shell."""
+    rows = part("study_fabrics", "law", "apart")
+    made = []
+    for study, run in itertools.groupby(rows, lambda r: r["study"]):
+        mean = [r for r in run if r["model"].startswith("shell") and r["law"] != "its own"][-1]
+        made.append([study, f"{float(mean['time_s']):g} s", percent(100 * float(mean["apart"]))])
+    return markdown(["scene and fabric", "at", "the mean is off by"], made)
+
+
+BLOCKS = {"fabrics": fabrics, "fabrics_apart": fabrics_apart, "touching": touching, "table1": table1, "table23": table23, "growth": growth, "table4": table4,
           "table4_verdicts": table4_verdicts, "verify": verify,
           "compare": compare, "compare_models": compare_models, "compare_plate": compare_plate,
           "compare_threads": compare_threads, "compare_scenes": compare_scenes,
           "known": known, "ensembles": ensembles, "truths": truths, "stress": stress,
           "stability": stability,
+          "iterations_soft": iterations_soft, "iterations_split": iterations_split,
+          "iterations_enough": iterations_enough, "vertex_block": vertex_block,
           "mesh": mesh, "locking": locking, "cures": cures, "timestep": timestep,
           "peers": peers, "peers_drop": peers_drop, "tinyvbd": tinyvbd,
           "peers_said": peers_said, "refinement": refinement, "refinement_nets": refinement_nets,

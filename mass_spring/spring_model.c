@@ -21,6 +21,10 @@ static const struct schema_key options[] = {
     {"springs", "changes that springs resist in leapfrog steps",
      OPTION_WORDS([SPRINGS_SQUARES] = "squares", [SPRINGS_LENGTHS] = "lengths"),
      OPTION_OWN(spring_own, springs)},
+    {"surface", "surface of the sheet: the net, or a B-spline of which it is the control net",
+     OPTION_WORDS([SURFACE_NET] = "net", [SURFACE_QUADRATIC] = "quadratic",
+                  [SURFACE_CUBIC] = "cubic"),
+     OPTION_OWN(spring_own, surface)},
     {NULL}};
 /* clang-format on */
 
@@ -57,6 +61,10 @@ static enum status refuse(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "parameters=paper, which has a drag of points: not with "
                            "integrator=momentum");
+    if (scene_needs(scene) & SCENE_NEED_SOFTENING && !momentum)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "softening: with integrator=momentum only, the others have "
+                           "struts of constant force or a constant bending");
     if (own->strain_limit > 0 && (momentum || d->integrator == INTEGRATOR_LEAPFROG))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "strain_limit: with integrator=implicit or explicit only");
@@ -89,7 +97,7 @@ out:
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct spring_motion *m = state;
-    const struct net_surface net = {m->net.rows, m->net.points[1], m->x, 3, 1};
+    const struct net_surface net = {m->net.rows, m->net.points[1], m->x, 3, 1, m->degree};
 
     net_surface_points(&net, m->scene, n, uvw, xyz);
 }
@@ -127,12 +135,13 @@ static void describe(const void *state, struct message *line)
 const struct model spring_model = {
     .name = "mass_spring",
     .title = "mass-spring net",
-    .source =
-        "Provot 1995; implicit steps: Baraff and Witkin 1998; bending: Choi and Ko 2002",
+    .source = "Provot 1995; implicit steps: Baraff and Witkin 1998; bending: Choi and Ko "
+              "2002; springs "
+              "between control points: Li et al. 2019",
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
-              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC,
+              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_SOFTENING,
     .options = options,
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},

@@ -135,6 +135,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
 
     *m = (struct spring_motion){.scene = scene,
                                 .integrator = d->integrator,
+                                .degree = (int[]){0, 2, 3}[OWN(spring_own, d)->surface],
                                 .strain_limit = OWN(spring_own, d)->strain_limit};
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters, squares));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
@@ -213,7 +214,6 @@ static enum status end_step(struct spring_motion *m)
 static enum status step_implicit(struct spring_motion *m, double t,
                                  struct counters *counters)
 {
-    enum status st;
     size_t count = 3 * (size_t)m->net.nodes;
     double dt = m->dt;
     struct spring_problem p = {.weight = m->weight,
@@ -229,14 +229,11 @@ static enum status step_implicit(struct spring_motion *m, double t,
         m->target[n] =
             m->x[n] + m->v[n] * (m->points.mass[n / 3] / (dt * m->weight[n / 3]));
     guess(m);
-    spring_motion_hold(m, t);
     net_contact_begin(m->contact, t, m->start);
-    if (m->contact && m->limits.iterations != 1) /* the guess, to its side of the wall */
-        TRY(contact_project(&m->contact->law, m->contact->compliance,
-                            m->newton.supports.free_index, m->x));
-    st = spring_newton_solve(&m->newton, &p, &m->limits, m->x, counters);
-out:
-    return st;
+    if (m->contact && m->limits.iterations != 1)
+        contact_lead(&m->contact->law, m->x);
+    spring_motion_hold(m, t);
+    return spring_newton_solve(&m->newton, &p, &m->limits, m->x, counters);
 }
 
 static enum status step_explicit(struct spring_motion *m, double t,

@@ -33,9 +33,13 @@
 #include "mass_spring/spring_newton.h"
 #include "mass_spring/spring_strips.h"
 
+/* The surface of the net: the net itself, or the B-spline whose control points it has. */
+enum spring_surface { SURFACE_NET, SURFACE_QUADRATIC, SURFACE_CUBIC };
+
 struct spring_own {       /* choices of its own (models/option.h) */
     double strain_limit;  /* Provot 1995: greatest elongation of a spring [1]; 0: none  */
     enum springs springs; /* in leapfrog steps */
+    enum spring_surface surface;
 };
 
 struct spring_motion {
@@ -44,6 +48,7 @@ struct spring_motion {
     struct spring_newton newton;
     struct net_contact *contact; /* of Euler's steps, else NULL                owned   */
     enum integrator integrator;
+    int degree; /* of the surface; 0: bilinear                                         */
     struct spring_limits limits;
     int substeps;
     double dt;           /* length of a substep                                 [s]   */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "models/linalg/order.h"
-#include "models/mechanics/contact_system.h"
+#include "models/mechanics/contact_share.h"
 #include "models/mechanics/frames.h"
 #include "models/room.h"
 
@@ -25,10 +25,6 @@ static const double NEAR = 0.1;
 /* K is kept while no point has moved farther since it was made, in lengths of a cell: a
  * quarter fewer are made, and no more systems solved (three times as far: a third more). */
 static const double STILL = 1e-4;
-
-/* A step is accepted if the slope at its end is above minus this part of the one at its
- * start. */
-static const double LARGEST_RISE = 0.5;
 
 static void frames(const void *body, double (*Q)[9])
 {
@@ -131,8 +127,8 @@ out:
     return st;
 }
 
-static void assemble(struct spring_newton *s, const struct spring_problem *p,
-                     const double *x)
+static enum status assemble(struct spring_newton *s, const struct spring_problem *p,
+                            const double *x)
 {
     const struct blocks *g = &s->net->graph;
     long pairs = g->start[g->nodes];
@@ -144,9 +140,8 @@ static void assemble(struct spring_newton *s, const struct spring_problem *p,
     for (long n = 0; p->viscosity && n < pairs; n++)
         for (int t = 0; t < 9; t++)
             s->K[n][t] += p->viscosity * p->V[n][t];
-    s->is_coupled = p->contact && contact_coupled_wanted(p->contact);
-    if (p->contact && !s->is_coupled)
-        contact_system_tangent(p->contact, g, s->K);
+    return p->contact ? contact_coupled_add(&s->coupled, p->contact, &s->system, s->K)
+                      : STATUS_OK;
 }
 
 static double product(size_t count, const double *a, const double *b)
@@ -156,22 +151,6 @@ static double product(size_t count, const double *a, const double *b)
     for (size_t t = 0; t < count; t++)
         sum += a[t] * b[t];
     return sum;
-}
-
-/* Solves d = K^-1 r where the sheet touches itself. */
-static enum status solve_coupled(struct spring_newton *s, const struct contact *contact,
-                                 const double *r, double *d, struct counters *counters)
-{
-    enum status st =
-        contact_coupled_update(&s->coupled, contact, &s->net->graph, &s->supports, 1,
-                               (const double(*)[9])s->K, 1, 0, NULL);
-
-    if (st != STATUS_OK)
-        return st;
-    counters->factorisations++;
-    counters->solves++;
-    memcpy(d, r, 3 * (size_t)s->net->nodes * sizeof *d);
-    return contact_coupled_solve(&s->coupled, d);
 }
 
 /* Solves d = K^-1 r; near: see iterative_tolerate. made: K is new. */
@@ -185,9 +164,10 @@ static enum status solve(struct spring_newton *s, double tolerance, double near,
     s->at = x;
     iterative_tolerate(s->system.iterative, tolerance, near);
     if (made)
-        TRY(system_update(&s->system, 1, (const double(*)[9])s->K, 0, NULL));
+        TRY(contact_coupled_update(&s->coupled, &s->system, 1, (const double(*)[9])s->K, 0,
+                                   NULL));
     memcpy(d, r, count * sizeof *d);
-    TRY(system_solve(&s->system, d));
+    TRY(contact_coupled_solve(&s->coupled, &s->system, d));
     counters->solves++;
 out:
     system_work(&s->system, counters);
@@ -202,29 +182,22 @@ static enum status search(struct spring_newton *s, const struct spring_problem *
     enum status st = STATUS_OK;
     size_t count = 3 * (size_t)s->net->nodes;
     double *from = s->work + 2 * count, *work = s->work + 3 * count;
-    double fall = product(count, r, d);
+    const double fall = product(count, r, d);
+    const double most = p->contact ? contact_limit(p->contact, x, d) : 1;
+    struct contact_share share = {.share = most, .most = most, .high = most};
 
     memcpy(from, x, count * sizeof *x);
-    double low = 0, high = p->contact ? contact_limit(p->contact, x, d) : 1;
-    *part = high;
-    *cut = high < 1;
-    for (int n = 0; n <= MOST_CUTS; n++) {
+    for (int n = 0; n <= MOST_CUTS; n++) { /* without contact, what is left may drive on */
+        *part = share.share;
         for (size_t t = 0; t < count; t++)
             x[t] = from[t] + *part * d[t];
         TRY(residual(s, p, x, work, r));
-        double rise = -product(count, r, d);
-        if (fall < 0)
+        const double rise = -product(count, r, d);
+        if (fall < 0 || (!p->contact && rise <= 0) ||
+            contact_share_good(&share, fall, rise))
             break;
-        if (rise <= LARGEST_RISE * fall) {
-            if (!p->contact || *part == high || rise >= -LARGEST_RISE * fall)
-                break;
-            low = *part;
-        } else
-            high = *part;
-        *part = low > 0          ? (low + high) / 2
-                : isfinite(rise) ? *part * (fall / (fall + rise))
-                                 : *part * 0.5;
     }
+    *cut = *part == most && most < 1;
 out:
     return st;
 }
@@ -257,15 +230,12 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
         const bool touches = p->contact && p->contact->count;
         const bool make = touches || !(moved <= still);
         if (make) {
-            assemble(s, p, x);
+            TRY(assemble(s, p, x));
             counters->assemblies++;
             moved = 0;
         }
-        if (s->is_coupled)
-            TRY(solve_coupled(s, p->contact, r, d, counters));
-        else
-            TRY(solve(s, once ? LAST_TOLERANCE : LINEAR_TOLERANCE,
-                      n ? NEAR * limits->tolerance : 0, make, x, r, d, counters));
+        TRY(solve(s, once ? LAST_TOLERANCE : LINEAR_TOLERANCE,
+                  n ? NEAR * limits->tolerance : 0, make, x, r, d, counters));
         counters->iterations++;
         double size = blocks_longest(s->net->nodes, d), part;
         bool cut;

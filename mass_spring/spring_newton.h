@@ -33,7 +33,6 @@ struct spring_newton {
     struct discretization linear; /* its solver and preconditioner */
     struct system system; /* empty before spring_newton_system                         */
     struct contact_coupled coupled; /* in its place where the sheet touches itself     */
-    bool is_coupled;
     void *room;       /* memory of the arrays                               owned   */
     double (*K)[9];   /* [pairs]                                                    */
     double *hinges;   /* [pairs] spring_force_hinges                       owned   */

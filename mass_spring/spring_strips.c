@@ -33,6 +33,13 @@ static double *strains_of(const struct spring_strips *s, int thread)
     return room_of(s, thread) + 2 * 3 * ROWS * row_length(s);
 }
 
+/* Returns the value of form n, of a row that softens. */
+static double *soft_strain(const struct spring_strips *s, int thread, int row, int n)
+{
+    return strains_of(s, thread) + (SPRINGS + 3) * row_length(s) +
+           3 * (n - s->stencil->form_at[row]);
+}
+
 /* Computes the edge of x, from `first` on, from a to b; returns its square. */
 static double edge(const double *x, int first, int a, int b, double e[3])
 {
@@ -90,6 +97,8 @@ static double *strain_of(const void *self, int thread, int row, const double *x,
         }
         bending_at(t, a, x, strain + SPRINGS * m + 3 * j);
     }
+    for (int n = t->form_at[row]; n < t->form_at[row + 1]; n++)
+        spring_plate_value(&t->form[n], x, soft_strain(s, thread, row, n));
     return strain;
 }
 
@@ -129,6 +138,14 @@ static void add_force(const void *self, int thread, int row, double *force)
         }
         for (int c = 0; c < 3; c++)
             force[3 * a + c] += strain[SPRINGS * m + 3 * j + c];
+    }
+    for (int n = t->form_at[row]; n < t->form_at[row + 1]; n++) {
+        const struct spring_plate_form *form = &t->form[n];
+        const double *value = soft_strain(s, thread, row, n);
+        double along, pull = spring_plate_soft_pull(&t->soft, form, value, &along);
+        for (int k = 0; k < form->count; k++)
+            for (int c = 0; c < 3; c++)
+                force[3 * form->node[k] + c] += pull * form->weight[k] * value[c];
     }
 }
 
@@ -170,6 +187,8 @@ static void add_tangent(const void *self, int thread, int row,
             }
             add_block(s, a, n, all, along, e, K);
         }
+    for (int n = t->form_at[row]; n < t->form_at[row + 1]; n++)
+        spring_stencil_soften(t, &t->form[n], soft_strain(s, thread, row, n), path->s1, K);
 }
 
 void spring_strips_clear(struct spring_strips *s)
@@ -196,7 +215,13 @@ enum status spring_strips_init(struct spring_strips *s,
 {
     enum status st;
     const struct spring_net *net = stencil->net;
-    size_t m = (size_t)net->points[1], strains = (SPRINGS + 3) * m;
+    size_t m = (size_t)net->points[1], soft = 0;
+
+    for (int i = 0; i < net->points[0]; i++) {
+        const size_t here = (size_t)(stencil->form_at[i + 1] - stencil->form_at[i]);
+        soft = here > soft ? here : soft;
+    }
+    const size_t strains = (SPRINGS + 3) * m + 3 * soft;
 
     *s = (struct spring_strips){.stencil = stencil, .room = 2 * 3 * ROWS * m + strains};
     s->body = (struct large_body){.self = s,

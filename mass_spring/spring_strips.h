@@ -2,7 +2,7 @@
  * Its elements are the net's rows, each with the springs and the bending that its points
  * feel. Strains: (l^2 - r^2) / 2 of springs [m^2], quadratic in the positions, so that
  * energy-momentum steps keep the energy; of bending, which is linear in them, the force at
- * each point [N].
+ * each point [N], and the values of what softens [m].
  */
 #ifndef SPRING_STRIPS_H
 #define SPRING_STRIPS_H

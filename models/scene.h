@@ -133,6 +133,7 @@ struct scene {
     bool is_fabric; /* the law is the fabric's, and h its h_eff             */
     struct law_fabric fabric; /* of a sheet that is not isotropic                     */
     int fabric_row;           /* in law_fabrics, where the file names it              */
+    int fabric_mean; /* 1: the sheet is isotropic and has the mean of the fabric's law */
 
     double gravity[3]; /*                                                  [m/s^2] */
     double drag;       /* body drag c, force c (wind - v) per volume  [kg/m^3/s]   */

@@ -57,6 +57,8 @@ refuse() {
     [[ $? == 2 && ! -s out.txt ]] || fail "not refused: $*"
 }
 refuse edge_drop
+refuse edge_drop --budget 0ms
+refuse edge_drop --error 2% --budget 4ms
 refuse edge_drop --error 0
 refuse edge_drop --error 120%
 refuse edge_drop --error 2%% --out none

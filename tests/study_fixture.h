@@ -148,7 +148,8 @@ static inline void study_make(struct study_made *m, const char *name)
     m->r.count = m->plan.study_count;
     m->r.study = calloc((size_t)m->r.count, sizeof *m->r.study);
     REQUIRE(m->r.study);
-    m->truth = (struct truth){.error = m->error, .xyz = m->xyz, .source = "made up"};
+    m->truth = (struct truth){
+        .times = PLAN_STUDY_TIMES, .error = m->error, .xyz = m->xyz, .source = "made up"};
     for (int k = 0; k < m->r.count; k++) {
         struct study *s = &m->r.study[k];
         s->plan = &m->plan.studies[k];

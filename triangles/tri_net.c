@@ -92,37 +92,18 @@ static void fill(struct tri_net *net, double D)
     net->hinge_at[n] = net->hinge_count;
 }
 
-static int strip_of(const struct tri_net *net, const struct spring_plate_form *form)
-{
-    int least = form->node[0];
-
-    for (int k = 1; k < form->count; k++)
-        least = form->node[k] < least ? form->node[k] : least;
-    return least / net->points.points[1];
-}
-
 /* Adds the plate's forms by strips: all, or the clamps alone. */
 static enum status add_forms(struct tri_net *net, const struct scene *scene, bool all)
 {
     enum status st;
-    int n = net->points.points[0], count = 0;
+    int count = 0;
     struct spring_plate_form *forms = NULL;
 
     TRY(spring_plate_make(scene, &net->points, &forms, &count));
-    net->forms = malloc(((size_t)count + 1) * sizeof *net->forms);
-    if (!net->forms)
-        TRY(STATUS_MEMORY);
-    for (int k = 0; k < count; k++)
-        if (all || forms[k].kind == SPRING_PLATE_CLAMP)
-            net->form_at[strip_of(net, &forms[k]) + 1]++;
-    for (int i = 0; i < n; i++)
-        net->form_at[i + 1] += net->form_at[i];
-    net->form_count = net->form_at[n];
-    for (int k = count - 1; k >= 0; k--) /* form_at: the strips' ends, then their starts */
-        if (all || forms[k].kind == SPRING_PLATE_CLAMP)
-            net->forms[--net->form_at[strip_of(net, &forms[k]) + 1]] = forms[k];
-    memmove(net->form_at, net->form_at + 1, (size_t)n * sizeof *net->form_at);
-    net->form_at[n] = net->form_count;
+    TRY(spring_plate_by_rows(&net->points, count, forms,
+                             all ? ~0u : 1u << SPRING_PLATE_CLAMP, &net->forms,
+                             net->form_at));
+    net->form_count = net->form_at[net->points.points[0]];
 out:
     free(forms);
     return st;

@@ -32,28 +32,53 @@ static double rate_of(const struct advise_search *s, const struct contest_row *r
     return row->seconds / s->job->time[s->job->times - 1];
 }
 
-/* Finds a contestant's cheapest row within the target; NULL: none is. */
-static const struct contest_row *cheapest(const struct advise_search *s,
-                                          const struct contestant *who)
+/* Tells whether the least error is wanted for so many seconds a frame. */
+static bool is_for_frames(const struct advise_search *s)
 {
-    return contest_cheapest(&s->job->contest, who, s->target);
+    return isnan(s->wish.error);
+}
+
+/* Returns the seconds that a run may take where the least error is wanted. */
+static double affordable(const struct advise_search *s)
+{
+    const struct compare_job *j = s->job;
+
+    return s->wish.frame * j->time[j->times - 1] / j->scene.step;
+}
+
+/* Finds the row of a contestant that serves best: the cheapest within the target, or the
+ * nearest of those that can be afforded; NULL: none is. */
+static const struct contest_row *finest(const struct advise_search *s,
+                                        const struct contestant *who)
+{
+    const struct contest *c = &s->job->contest;
+
+    return is_for_frames(s) ? contest_within(c, who, affordable(s))
+                            : contest_cheapest(c, who, s->target);
+}
+
+/* Tells whether the first of two rows is the better answer. */
+static bool is_better(const struct advise_search *s, const struct contest_row *a,
+                      const struct contest_row *b)
+{
+    return is_for_frames(s) ? a->worst < b->worst : a->seconds < b->seconds;
 }
 
 enum { MOST = 128 };
 
-/* Fills row[] with each contestant's cheapest row within the target, from cheap to dear;
- * returns how many. */
+/* Fills row[] with the row of each contestant that serves best, the best one first; returns
+ * how many. */
 static int rank(const struct advise_search *s, const struct contest_row *row[MOST])
 {
     const struct contestant *who;
     int count = 0;
 
     for (int k = 0; (who = contest_entrant(&s->job->contest, k)); k++) {
-        const struct contest_row *r = cheapest(s, who);
+        const struct contest_row *r = finest(s, who);
         if (!r || count == MOST)
             continue;
         int n = count++;
-        for (; n > 0 && row[n - 1]->seconds > r->seconds; n--)
+        for (; n > 0 && is_better(s, r, row[n - 1]); n--)
             row[n] = row[n - 1];
         row[n] = r;
     }
@@ -66,7 +91,9 @@ static double most_seconds(const struct advise_search *s, double left)
     const struct contest_row *ranked[MOST];
     double most = fmax(0, SHARE * left);
 
-    if (rank(s, ranked))
+    if (is_for_frames(s))
+        most = fmin(most, affordable(s));
+    else if (rank(s, ranked))
         most = fmin(most, fmax(SHORT, DEARER * ranked[0]->seconds));
     return most;
 }
@@ -155,7 +182,7 @@ static void add_row(struct table *t, const struct advise_search *s,
                     const struct contestant *who, const struct contest_row *r)
 {
     const int *size = r ? r->at.size : (const int[CONTEST_AXES]){0};
-    const bool serves = r && r->worst <= s->target;
+    const bool serves = r && r == finest(s, who);
     struct message reason = {""};
 
     table_row(t);
@@ -190,8 +217,12 @@ static struct table *create(const struct advise_search *s, char caption[TEXT])
         {"memory", "MB", .key = "model_bytes", .key_unit = "B", .scale = 1e-6},
         {"why not", NULL, TABLE_LEFT, .key = "reason"}};
 
-    snprintf(caption, TEXT, "Contestants on %s within %.3g %% of its length, to %.3g s",
-             scene_of(s)->name, 100 * s->wish.error, s->job->time[s->job->times - 1]);
+    if (is_for_frames(s))
+        snprintf(caption, TEXT, "Contestants on %s at %.3g ms a frame, to %.3g s",
+                 scene_of(s)->name, 1e3 * s->wish.frame, s->job->time[s->job->times - 1]);
+    else
+        snprintf(caption, TEXT, "Contestants on %s within %.3g %% of its length, to %.3g s",
+                 scene_of(s)->name, 100 * s->wish.error, s->job->time[s->job->times - 1]);
     return table_create(sizeof columns / sizeof *columns, columns, caption);
 }
 
@@ -209,7 +240,7 @@ static void fill(struct table *t, const struct advise_search *s)
     if (serving)
         table_rule(t);
     for (int k = 0; (who = contest_entrant(c, k)); k++)
-        if (!cheapest(s, who))
+        if (!finest(s, who))
             add_row(t, s, who, contest_nearest(c, who));
 }
 
@@ -217,13 +248,20 @@ static void note_method(struct table *t, const struct advise_search *s)
 {
     const double bar = contest_largest_bar(&s->job->contest);
 
-    table_note(t,
-               "The error is the rms over the sheet at the worst of %d times, over the "
-               "length. A run is accurate enough below %.3g %%: that is %.3g %% less the "
-               "%s, %.2g %%. Truth: %s.",
-               s->job->times, 100 * s->target, 100 * s->wish.error,
-               truth_bar_name(s->job->contest.truth), 100 * bar,
-               s->job->contest.truth->source);
+    if (is_for_frames(s))
+        table_note(t,
+                   "The error is the rms over the sheet at the worst of %d times, over the "
+                   "length; the truth leaves it uncertain by %.2g %%. Truth: %s.",
+                   s->job->times, 100 * bar, s->job->contest.truth->source);
+    else
+        table_note(
+            t,
+            "The error is the rms over the sheet at the worst of %d times, over the "
+            "length. A run is accurate enough below %.3g %%: that is %.3g %% less the "
+            "%s, %.2g %%. Truth: %s.",
+            s->job->times, 100 * s->target, 100 * s->wish.error,
+            truth_bar_name(s->job->contest.truth), 100 * bar,
+            s->job->contest.truth->source);
     table_note(t,
                "The time is that of set-up and stepping on one thread. Runs up to %.2g s "
                "were tried%s.",
@@ -300,6 +338,11 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
     const double bar = contest_largest_bar(&s->job->contest);
     struct message doubt;
 
+    if (!best && is_for_frames(s)) {
+        table_say(file, "No contestant takes %.3g ms a frame or less.",
+                  1e3 * s->wish.frame);
+        return;
+    }
     if (!best) {
         table_say(file, "No contestant came within %.3g %% (%.3g %% less the %s).",
                   100 * s->target, 100 * s->wish.error,
@@ -316,9 +359,15 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
     table_say(
         file,
         "%s: error %.2g %% of the length, which the truth leaves uncertain by %.2g %%; "
-        "%.2g s for a second of motion; %.2g MB.",
+        "%.2g s for a second of motion, %.2g ms a frame; %.2g MB.",
         best->at.contestant->title, 100 * best->worst, 100 * bar, rate_of(s, best),
-        1e-6 * best->result.bytes);
+        1e3 * rate_of(s, best) * scene_of(s)->step, 1e-6 * best->result.bytes);
+    if (best->at.size[CONTEST_ITERATIONS])
+        table_say(file, "Net %dx%d, substeps of %.3g ms, %d iterations in each.",
+                  best->at.size[CONTEST_NET], best->at.size[CONTEST_ACROSS],
+                  1e3 * scene_of(s)->step / best->at.size[CONTEST_STEP] /
+                      fmax(best->at.contestant->model->defaults.substeps, 1),
+                  best->at.size[CONTEST_ITERATIONS]);
     say_command(s, best, file);
 }
 
@@ -350,6 +399,10 @@ out:
 /* Seconds that the answer may take, unless --budget says another number. */
 static const double BUDGET = 240;
 
+/* Where no error was given: that for which a truth is made, and that below which no run is
+ * tried, however sharp the truth. */
+static const double UNASKED = 0.01, LEAST = 1e-5;
+
 /* Share of the budget that runs for a truth may take. */
 static const double FOR_TRUTH = 1.0 / 3;
 
@@ -368,12 +421,20 @@ static enum status read_wish(const struct command_line *line, struct advise_wish
 {
     enum status st;
 
+    const char *budget = command_value(line, "--budget");
+    double frame = 0;
+    char end;
+
     *wish = (struct advise_wish){.error = NAN, .budget = BUDGET};
     TRY(command_number(line, "--error", true, &wish->error, why));
-    if (!(wish->error < 1))
+    if (budget && sscanf(budget, "%lfm%c", &frame, &end) == 2 && end == 's')
+        wish->frame = frame / 1e3;
+    else
+        TRY(command_number(line, "--budget", false, &wish->budget, why));
+    if ((wish->frame > 0) == (wish->error < 1))
         return status_fail(why, STATUS_INPUT,
-                           "advise needs --error, below 100%%, as in --error 2%%");
-    TRY(command_number(line, "--budget", false, &wish->budget, why));
+                           "advise needs either --error, below 100%%, as in --error 2%%, "
+                           "or milliseconds a frame, as in --budget 4ms");
     TRY(read_rate(line, &wish->rate, why));
 out:
     return st;
@@ -402,12 +463,37 @@ static bool is_undecidable(const struct advise_search *s, const struct message *
     return !decidable;
 }
 
+/* Enters contestants with the coarsest rung of their ladders; where what a frame may take
+ * is given, with all, and with half the coarsest net for those whose ladder is too dear. */
+static enum status enter(struct advise_search *s, const char *models, struct message *why)
+{
+    struct contest *c = &s->job->contest;
+    enum status st;
+
+    if (!is_for_frames(s))
+        return compare_job_enter(s->job, models, 1, false, why);
+    TRY(compare_job_enter(s->job, models, CONTEST_RUNGS, false, why));
+    const struct contestant *who;
+    for (int k = 0; (who = contest_entrant(c, k)); k++) {
+        struct contest_at rung[CONTEST_RUNGS];
+        contest_ladder(c, who, rung);
+        const struct contest_at half =
+            contest_moved(c, &rung[0], CONTEST_NET,
+                          (int)fmax(contestant_least(who), rung[0].size[CONTEST_NET] / 2));
+        if (half.size[CONTEST_NET] < rung[0].size[CONTEST_NET])
+            TRY(contest_add(c, &half, NULL));
+    }
+out:
+    return st;
+}
+
 static enum status answer(struct advise_search *s, const char *models,
                           enum table_format format, struct message *why)
 {
     struct compare_job *j = s->job;
-    const struct truth_wish wish = {s->wish.error / SHARPER, FOR_TRUTH * s->wish.budget,
-                                    .alone = true};
+    const bool frames = is_for_frames(s);
+    const struct truth_wish wish = {(frames ? UNASKED : s->wish.error) / SHARPER,
+                                    FOR_TRUTH * s->wish.budget, .alone = true};
     const double start = clock_now();
     struct message said = {""};
     enum status st;
@@ -416,12 +502,13 @@ static enum status answer(struct advise_search *s, const char *models,
     timing_alone();
     TRY(compare_job_truth(j, &wish, &said, why));
     if (j->found)
-        s->target = s->wish.error - contest_largest_bar(&j->contest);
+        s->target = frames ? fmax(contest_largest_bar(&j->contest), LEAST)
+                           : s->wish.error - contest_largest_bar(&j->contest);
     if (is_undecidable(s, &said))
         return STATUS_FAILED;
     s->wish.budget -= clock_now() - start;
     deadline_set(s->wish.budget);
-    TRY(compare_job_enter(j, models, 1, false, why));
+    TRY(enter(s, models, why));
     TRY(search(s, why));
     TRY(advise_print(s, format, stdout, why));
 out:
@@ -435,13 +522,15 @@ static enum status run(const struct command_line *line, struct message *why)
     const char *word = command_value(line, "--format"), *out = command_value(line, "--out");
     enum table_format format = TABLE_TEXT;
     char folder[4096];
+    const char *one = command_value(line, "--contestant"),
+               *models = one ? one : command_value(line, "--models");
     double until = NAN;
     int given;
     enum status st;
 
     if (word)
         TRY(table_format_parse(word, &format, why));
-    TRY(contestant_check(command_value(line, "--models"), why));
+    TRY(contestant_check(models, why));
     TRY(read_wish(line, &s.wish, why));
     TRY(command_number(line, "--until", false, &until, why));
     const char *const *set = command_values(line, "--set", &given);
@@ -449,7 +538,7 @@ static enum status run(const struct command_line *line, struct message *why)
     TRY(compare_job_open(&job, line->words[0], until, why));
     snprintf(folder, sizeof folder, "results/advise_%s", job.scene.name);
     job.folder = out ? out : folder;
-    TRY(answer(&s, command_value(line, "--models"), format, why));
+    TRY(answer(&s, models, format, why));
 out:
     compare_job_close(&job);
     return st;
@@ -458,9 +547,10 @@ out:
 static const struct command_option options[] = {
     {"--error", "PERCENT", false,
      "largest error at any time, of the length: 2% or 0.02\n"
-     "(required)"},
+     "(required, unless --budget is for a frame)"},
     {"--realtime", NULL, false, "a second of motion may take at most a second"},
     {"--seconds", "SECONDS", false, "a second of motion may take at most this long"},
+    {"--contestant", "NAME", false, "this one alone"},
     {"--models", "NAME,NAME,...", false,
      "models or contestants (those that take part in\n"
      "`compare`)"},
@@ -468,7 +558,9 @@ static const struct command_option options[] = {
     {"--until", "SECONDS", false,
      "end of the motion that counts (0.5, or the end of the\n"
      "stored truth before that)"},
-    {"--budget", "SECONDS", false, "time for the answer (240)"},
+    {"--budget", "SECONDS|MS", false,
+     "time for the answer (240); or, as in 4ms, that of a frame:\n"
+     "the least error for it"},
     {"--format", TABLE_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false, "folder of result files and CSV (results/advise_SCENE)"},
     {NULL, NULL, false, NULL},
@@ -490,6 +582,7 @@ const struct command advise_command = {
         "(exit code 1).\n",
     .examples = "advise edge_drop --error 2%\n"
                 "advise my_flap.yaml --error 2% --realtime\n"
+                "advise edge_drop --contestant vbd --budget 4ms\n"
                 "advise edge_drop --error 1% --models mass_spring,triangles --until 0.3\n",
     .least = 1,
     .most = 1,

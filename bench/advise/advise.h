@@ -1,6 +1,7 @@
 /* advise.h - the command `advise`: the cheapest contestant, net and step for a scene and an
- * error, from measurements: every contestant from its cheap end, in rounds that allow ever
- * longer runs, until what is left to try is not worth it.
+ * error, or the nearest to the truth for so many seconds a frame, from measurements: every
+ * contestant from its cheap end, in rounds that allow ever longer runs, until what is left
+ * to try is not worth it.
  */
 #ifndef ADVISE_H
 #define ADVISE_H
@@ -12,7 +13,8 @@
 extern const struct command advise_command;
 
 struct advise_wish {
-    double error;  /* largest error over the length, at every time                   */
+    double error;  /* largest error over the length, at every time; NaN: the least   */
+    double frame;  /* seconds that a frame may take where the least error is wanted  */
     double rate;   /* seconds that a second of motion may take; INFINITY: any        */
     double budget; /* seconds that all of this may take, the truth included          */
 };

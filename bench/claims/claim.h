@@ -46,6 +46,7 @@ enum status claim_table4_print(const struct study_results *d, enum table_format 
     X("drops", drops)                                                                      \
     X("fig6", fig6)                                                                        \
     X("flag", flag)                                                                        \
+    X("iterations", iterations)                                                            \
     X("local-global", local_global)                                                        \
     X("locking", locking)                                                                  \
     X("mesh", mesh)                                                                        \

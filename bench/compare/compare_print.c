@@ -345,7 +345,8 @@ static void add_limit(struct table *t, const struct contest *c,
                       const struct contestant *who)
 {
     const struct contest_row *best = contest_nearest(c, who);
-    const struct contest_row *real = contest_real_time(c, who);
+    const struct contest_row *real =
+        contest_within(c, who, c->truth->time[c->truth->times - 1]);
     const struct contest_limit limit = contest_limit(c, who);
     struct message words;
 

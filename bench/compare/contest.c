@@ -267,10 +267,10 @@ const struct contest_row *contest_cheapest(const struct contest *c,
     return least(c, who, false, target, INFINITY);
 }
 
-const struct contest_row *contest_real_time(const struct contest *c,
-                                            const struct contestant *who)
+const struct contest_row *contest_within(const struct contest *c,
+                                         const struct contestant *who, double seconds)
 {
-    return least(c, who, true, INFINITY, c->truth->time[c->truth->times - 1]);
+    return least(c, who, true, INFINITY, seconds);
 }
 
 bool contest_is_best(const struct contest *c, const struct contest_row *row)

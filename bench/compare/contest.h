@@ -123,13 +123,13 @@ double contest_bar(const struct contest *c, int time);
 double contest_largest_bar(const struct contest *c);
 
 /* Find among a contestant's timed rows the nearest to the truth; the cheapest within an
- * error; the nearest of those that took no longer than the scene lasts. NULL: none. */
+ * error; the nearest of those that took no longer than so many seconds. NULL: none. */
 const struct contest_row *contest_nearest(const struct contest *c,
                                           const struct contestant *who);
 const struct contest_row *contest_cheapest(const struct contest *c,
                                            const struct contestant *who, double target);
-const struct contest_row *contest_real_time(const struct contest *c,
-                                            const struct contestant *who);
+const struct contest_row *contest_within(const struct contest *c,
+                                         const struct contestant *who, double seconds);
 
 /* Returns whether a row is timed again with more threads: the nearest of its contestant, or
  * cheapest within one of contest_target, and no longer than team_longest. */

@@ -90,18 +90,15 @@ OF_LEVEL(solves, a_step(r, r->work.solves))
 OF_LEVEL(iterations, a_step(r, r->work.iterations))
 OF_LEVEL(left, r->work.left > 0 ? r->work.left : NAN)
 OF_LEVEL(loss, -r->value[MEASURE_ENERGY_DRIFT_END] / r->value[MEASURE_END_TIME])
+OF_LEVEL(stiffness, r->value[MEASURE_DROP_MAX] > 1 ? r->value[MEASURE_HANGING_STRAIN] / 2 /
+                                                         (r->value[MEASURE_DROP_MAX] - 1)
+                                                   : NAN)
 OF_SHEET(roughness, metric_roughness)
 OF_SHEET(inner, metric_inner_roughness)
 OF_SHEET(stretch, metric_stretch)
 OF_SHEET(drop, metric_drop)
 OF_SHEET(unevenness, metric_unevenness)
 OF_SHEET(angle, metric_angle)
-
-/* Returns E by the largest strain of a strip that hangs, over the scene's. */
-static double stiffness(const struct place *p)
-{
-    return quantity_at(p, QUANTITY_HANGING_STRAIN) / (quantity_at(p, QUANTITY_STRETCH) - 1);
-}
 
 /* Returns the distance of two sheets over the length; NaN unless there are both. */
 static double distance(const struct place *p, const double *xyz)

@@ -59,8 +59,8 @@ struct place;
       "the step's movement, position_based as strain")                                     \
     X(LOSS, loss, "loss", "loss", "1/s", 2, false,                                         \
       "share of the energy in play that is lost a second")                                 \
-    X(STIFFNESS, stiffness, "stiffness", "stiffness", NULL, 3, true,                       \
-      "of a strip that hangs: E by its strain at the top, over the scene's")               \
+    X(STIFFNESS, stiffness, "stiffness", "stiffness", NULL, 3, false,                      \
+      "of a strip that hangs: E by the most it was longer, rho g L / 2 E, over the scene's") \
     X(APART, apart, "apart", "apart", "L", 2, true,                                        \
       "rms distance to the reference on the material grid, over the length")               \
     X(TIP, tip, "tip", "tip", NULL, 4, false,                                              \

@@ -34,9 +34,21 @@ static void put_text(struct output *out, const char *key, const char *text)
     output_print(out, "\"\n");
 }
 
+static void put_fabric(const struct law_fabric *f, struct output *out)
+{
+    put(out, "material:\n  membrane: [#, #, #, #]\n", f->membrane);
+    put(out, "  bending: [#, #, #, #]\n", f->bending);
+    put(out, "  areal_density: #\n", &f->areal_density);
+    put(out, "  warp: #\n", &f->warp);
+    if (f->softening[0] != 0 || f->softening[1] != 0)
+        put(out, "  softening: [#, #]\n", f->softening);
+}
+
 static void put_sheet(const struct scene *s, struct output *out)
 {
-    put(out, "sheet: {length: #, width: #, thickness: #}\n",
+    put(out,
+        s->is_fabric ? "sheet: {length: #, width: #}\n"
+                     : "sheet: {length: #, width: #, thickness: #}\n",
         (double[]){s->length, s->width, s->thickness});
     if (s->sheets < 2)
         output_print(out, "pose:\n  kind: %s\n", scene_shape_words[s->shape]);
@@ -51,8 +63,11 @@ static void put_sheet(const struct scene *s, struct output *out)
     }
     if (s->shape == SCENE_CLOAK)
         put(out, "  opening: #\n  flare: #\n", (double[]){s->opening, s->flare});
-    put(out, "material: {young: #, poisson: #, density: #}\n",
-        (double[]){s->young, s->poisson, s->density});
+    if (s->is_fabric)
+        put_fabric(&s->fabric, out);
+    else
+        put(out, "material: {young: #, poisson: #, density: #}\n",
+            (double[]){s->young, s->poisson, s->density});
 }
 
 static void put_forces(const struct scene *s, struct output *out)
@@ -216,14 +231,19 @@ static void put_title(const struct export_job *j, struct output *out)
     if (c->sheets > 1)
         snprintf(number, sizeof number, "%d", c->sheets);
 
-    output_print(
-        out,
-        "# %s for your simulator\n\n%s %s sheet%s %g m (u) by %g m (v), %g m thick: E = "
-        "%g Pa, nu = %g, rho = %g kg/m^3; gravity\n%g %g %g m/s^2; Gamma = rho g h L^3 "
-        "/ D = %.4g.\nSource: %s.\n\n",
-        c->name, number, scene_shape_words[c->shape], c->sheets > 1 ? "s, each" : ",",
-        c->length, c->width, c->thickness, c->young, c->poisson, c->density, g[0] + 0.0,
-        g[1] + 0.0, g[2] + 0.0, scene_gamma(c), c->source);
+    output_print(out, "# %s for your simulator\n\n%s %s sheet%s %g m (u) by %g m (v), ",
+                 c->name, number, scene_shape_words[c->shape],
+                 c->sheets > 1 ? "s, each" : ",", c->length, c->width);
+    if (c->is_fabric)
+        output_print(out, "a fabric of %g kg/m^2, h_eff = %g m", c->fabric.areal_density,
+                     c->thickness);
+    else
+        output_print(out, "%g m thick: E = %g Pa, nu = %g, rho = %g kg/m^3", c->thickness,
+                     c->young, c->poisson, c->density);
+    output_print(out,
+                 "; gravity\n%g %g %g m/s^2; Gamma = rho g h L^3 / D = %.4g.\nSource: "
+                 "%s.\n\n",
+                 g[0] + 0.0, g[1] + 0.0, g[2] + 0.0, scene_gamma(c), c->source);
     output_print(out, "SI units; x, y, z right-handed.");
     for (int k = 0; k < scene_sheets(c); k++)
         put_corners(c, k, out);
@@ -348,10 +368,60 @@ static void put_held(const struct export_held *h, struct output *out)
     output_print(out, "%s%s\n\n", *h->doubt.text ? "\nNote: " : "", h->doubt.text);
 }
 
+/* Says what each kind of simulator takes of a fabric, and what is lost on the way. */
+static void put_fabric_parameters(const struct export_job *j, struct output *out)
+{
+    const struct law_fabric *f = &j->scene.fabric;
+    const double *Y = f->membrane, *B = f->bending;
+    struct law law = scene_law(&j->scene);
+
+    output_print(
+        out,
+        "## Parameters\n\n"
+        "materials.csv. They follow from the fabric's moduli by rule; none is fitted.\n"
+        "The warp runs at %g degrees from u towards v.\n\n"
+        "- shells with matrices: Y11, Y22, Y12, G [N/m], energy of shear 2 G E12^2; B1, "
+        "B2, "
+        "B12, B66\n  [N m]. Nothing is lost%s;\n"
+        "- orthotropic solids and shells of one thickness (CalculiX: ENGINEERING "
+        "CONSTANTS): E1, E2,\n  nu12, G12, rho, h, h the effective thickness. Lost: they "
+        "bend with %.3g times B1, %.3g times B2\n  and %.3g times B66;\n",
+        f->warp, law.softens ? " but the softening of bending" : "",
+        Y[LAW_WARP] * law.thickness * law.thickness / 12 / B[LAW_WARP],
+        Y[LAW_WEFT] * law.thickness * law.thickness / 12 / B[LAW_WEFT],
+        Y[LAW_SHEAR] * law.thickness * law.thickness / 12 / B[LAW_SHEAR]);
+    if (j->scene.shape == SCENE_FLAT && law_is_aligned(&law))
+        output_print(out,
+                     "- springs and XPBD: `value` [N/m], `compliance` [m/N] along u, v "
+                     "and diagonals. Lost: Y12, which is G\n  in a net of springs;\n");
+    else
+        output_print(out,
+                     "- springs and XPBD: none are told. Nets along u and v cannot hold "
+                     "this warp;\n");
+    output_print(
+        out,
+        "- angles between two triangles, k theta^2 / 2: k along u, v and diagonals. Lost: "
+        "B12%s;\n"
+        "- simulators with isotropic values only: E, nu, rho, h of the mean over all "
+        "directions. Lost: the\n  weft's membrane is %.3g times, its bending %.3g times as "
+        "stiff as the warp's, and shear is %.3g\n  times as stiff as this mean's. "
+        "`clothbench study fabrics` measures what that costs.\n",
+        law_is_aligned(&law) ? "" : ", B13 and B23, which couple bending to twist",
+        Y[LAW_WEFT] / Y[LAW_WARP], B[LAW_WEFT] / B[LAW_WARP],
+        Y[LAW_SHEAR] * 2 * (1 + law.poisson) / (law.young * law.thickness));
+    if (*j->misfit.text)
+        output_print(out, "\nSprings are no plane stress: %s.\n", j->misfit.text);
+    output_print(out, "\n");
+}
+
 static void put_parameters(const struct export_job *j, struct output *out)
 {
     const bool flat = j->scene.shape == SCENE_FLAT;
 
+    if (j->scene.is_fabric) {
+        put_fabric_parameters(j, out);
+        return;
+    }
     output_print(
         out, "## Parameters\n\n"
              "materials.csv. They follow from E, nu, rho and h by rule; none is fitted.\n\n"
@@ -503,10 +573,6 @@ static enum status read_scene(struct export_job *j, const struct command_line *l
     count = j->settings.count;
     TRY(truth_plan_scene(path, &j->settings, &j->scene, why));
     j->undamped = j->settings.count > count;
-    if (j->scene.is_fabric)
-        TRY(status_fail(why, STATUS_UNSUPPORTED,
-                        "export knows isotropic sheets only, and this one is a fabric; "
-                        "material: {young, poisson, density} would be right"));
 out:
     free(path);
     return st;

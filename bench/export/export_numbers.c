@@ -36,6 +36,27 @@ static void put(const struct taker *t, const char *quantity, double value, const
     t->take(t->context, &(struct number){quantity, -1, -1, value, unit, NAN, NAN});
 }
 
+/* Passes on a fabric's moduli along warp and weft, and those of an orthotropic solid as
+ * thick as its h. */
+static void put_fabric(const struct scene *scene, const struct taker *t)
+{
+    static const char *const name[LAW_PARTS][LAW_MODULI] = {{"Y11", "Y22", "Y12", "G"},
+                                                            {"B1", "B2", "B12", "B66"}};
+    const struct law_fabric *f = &scene->fabric;
+    const double *Y = f->membrane, h = scene->thickness;
+
+    for (int n = 0; n < LAW_MODULI; n++)
+        put(t, name[LAW_MEMBRANE][n], Y[n], "N/m");
+    for (int n = 0; n < LAW_MODULI; n++)
+        put(t, name[LAW_BENDING][n], f->bending[n], "N m");
+    put(t, "warp", f->warp, "deg");
+    put(t, "E1", (Y[LAW_WARP] - Y[LAW_CROSS] * Y[LAW_CROSS] / Y[LAW_WEFT]) / h, "Pa");
+    put(t, "E2", (Y[LAW_WEFT] - Y[LAW_CROSS] * Y[LAW_CROSS] / Y[LAW_WARP]) / h, "Pa");
+    put(t, "nu12", Y[LAW_CROSS] / Y[LAW_WEFT], "1");
+    put(t, "G12", Y[LAW_SHEAR] / h, "Pa");
+    put(t, "areal mass", f->areal_density, "kg/m^2");
+}
+
 static void put_material(const struct scene *scene, const struct taker *t)
 {
     const struct spring_law_stiffness plane = spring_law_plane_stress(scene);
@@ -44,6 +65,10 @@ static void put_material(const struct scene *scene, const struct taker *t)
     put(t, "nu", scene->poisson, "1");
     put(t, "rho", scene->density, "kg/m^3");
     put(t, "h", scene->thickness, "m");
+    if (scene->is_fabric) {
+        put_fabric(scene, t);
+        return;
+    }
     put(t, "E h", scene->young * scene->thickness, "N/m");
     put(t, "E h/(1-nu^2)", plane.c11, "N/m");
     put(t, "G h", plane.c33, "N/m");
@@ -53,7 +78,9 @@ static void put_material(const struct scene *scene, const struct taker *t)
 
 /* Passes on the hinges' stiffness D |e|^2 / (A1 + A2) of an edge with triangles on both
  * sides, half a cell each (Grinspun et al. 2003, their stiffness matched to a plate's). A
- * triangle that is held does not bend and counts as no area: at a clamp one is left. */
+ * triangle that is held does not bend and counts as no area: at a clamp one is left. A
+ * fabric's edges along u and v bend with B22 and B11. In a cylinder along u or v diagonals
+ * do not fold; in a twist they alone do, and hold B66. */
 static void put_hinges(const struct export_sheet *s, const struct taker *t)
 {
     static const char *const name[] = {"hinge u", "hinge v", "hinge diagonal",
@@ -61,10 +88,16 @@ static void put_hinges(const struct export_sheet *s, const struct taker *t)
     const double a = s->scene->length / (s->points[0] - 1),
                  b = s->scene->width / (s->points[1] - 1);
     const double square[] = {a * a, b * b, a * a + b * b};
+    const struct law law = scene_law(s->scene);
+    const double *B = law.matrix[LAW_BENDING], D = B[LAW_11];
+    const double bending[] = {law.isotropic ? D : B[LAW_22], D,
+                              law.isotropic ? D
+                                            : 4 * B[LAW_33] * square[0] * square[1] /
+                                                  (square[2] * square[2])};
 
     for (int n = 0; n < 5; n++) {
         const double area = n < 3 ? a * b : a * b / 2;
-        const double k = scene_bending_stiffness(s->scene) * square[n % 3] / area;
+        const double k = bending[n % 3] * square[n % 3] / area;
         t->take(t->context, &(struct number){name[n], -1, -1, k, "N m", NAN, 1 / k});
     }
 }
@@ -119,13 +152,14 @@ static enum status each(const struct export_sheet *s, const struct taker *t,
                                              "kg", NAN, NAN});
     if (s->scene->shape != SCENE_FLAT)
         return STATUS_OK;
+    const struct law law = scene_law(s->scene);
     put_hinges(s, t);
-    return put_springs(s, t, misfit);
+    return law_is_aligned(&law) ? put_springs(s, t, misfit) : STATUS_OK;
 }
 
 /* --- as a table: what is the same is a row --- */
 
-enum { KINDS = 32 };
+enum { KINDS = 40 };
 struct kinds {
     int count;
     long uses[KINDS];

@@ -1,5 +1,7 @@
 #include "bench/score/score_print.h"
 
+#include "bench/score/score_stiffness.h"
+
 /* Returns the table, which the first scene begins and others go on with below a line. */
 static struct table *begin_rows(struct score_print *p)
 {
@@ -72,6 +74,20 @@ static void add_contact(const struct score_print *p, const struct score *s,
         }
 }
 
+/* Notes how stiff it is, where its shape shows that. */
+static void add_stiffness(const struct score_print *p, const struct score *s,
+                          const char *name, const char *colon)
+{
+    struct score_stiffness stiffness;
+    char text[SCORE_STIFFNESS_TEXT];
+
+    score_stiffness_make(s, &stiffness);
+    if (!stiffness.applies)
+        return;
+    score_stiffness_text(&stiffness, text);
+    table_note(p->table, "%s%s%s", name, colon, text);
+}
+
 static void add_notes(const struct score_print *p, const struct score *s,
                       const struct score_diagnosis *d, const char *range)
 {
@@ -87,8 +103,10 @@ static void add_notes(const struct score_print *p, const struct score *s,
     if (!d->count)
         table_note(p->table, "%s%sNo flaw that is known here explains the difference.",
                    name, colon);
-    if (has_place(d))
+    if (has_place(d)) {
+        add_stiffness(p, s, name, colon);
         add_contact(p, s, name, colon);
+    }
     table_note(p->table, "%s%s%s.", name, colon, range);
     table_note(p->table, "%s%sThe truth: %s.", name, colon, s->truth.known.source);
 }
@@ -122,6 +140,22 @@ static void print_contact(const struct score *s, FILE *file)
     }
 }
 
+static void print_stiffness(const struct score *s, FILE *file)
+{
+    struct score_stiffness stiffness;
+    char text[SCORE_STIFFNESS_TEXT];
+
+    score_stiffness_make(s, &stiffness);
+    if (!stiffness.found)
+        return;
+    score_stiffness_text(&stiffness, text);
+    fprintf(file, "{\"kind\": \"%s\", \"value\": %.17g, \"scene\": %.17g, ",
+            stiffness.part == LAW_MEMBRANE ? "membrane" : "bending", stiffness.value,
+            stiffness.scene);
+    print_text(file, "text", text);
+    fputc('}', file);
+}
+
 static void print_json(const struct score *s, const struct score_diagnosis *d,
                        const char *range, FILE *to)
 {
@@ -149,6 +183,9 @@ static void print_json(const struct score *s, const struct score_diagnosis *d,
         print_text(file, "text", f->text);
         fputc('}', file);
     }
+    fputs("], \"stiffness\": [", file);
+    if (has_place(d))
+        print_stiffness(s, file);
     fputs("], \"contact\": [", file);
     if (has_place(d))
         print_contact(s, file);

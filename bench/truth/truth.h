@@ -239,7 +239,8 @@ void truth_destroy(struct truth *t); /* NULL is allowed */
  *
  *   fall      nothing holds a sheet that does not spin: it moves as one body, by gravity,
  *             body drag and mass damping. Known at all times.
- *   hanging   a flat sheet of nu = 0 held along u = 0, gravity along u: every fibre is a
+ *   hanging   a flat sheet of nu = 0, or a fabric with Y12 = B12 = 0 and its warp along u
+ *             or v, held along u = 0, gravity along u: every fibre is a
  *             bar. St. Venant-Kirchhoff: rho g L (1 - s) = E l (l^2 - 1) / 2, stretch l.
  *             Known once mass damping has brought it to rest.
  *   cantilever  likewise, gravity normal to it: the heavy elastica (fem_ref/elastica.h).

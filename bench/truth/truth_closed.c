@@ -87,10 +87,21 @@ static double pull(const struct scene *s, const double axis[3])
     return all > 0 && fabs(along) >= (1 - 1e-12) * all ? copysign(1, along) : 0;
 }
 
+/* Tells whether no strain along u comes with one across, nor with shear. */
+static bool is_uncoupled(const struct scene *s)
+{
+    const struct law law = scene_law(s);
+
+    for (int part = 0; part < LAW_PARTS; part++)
+        if (law.matrix[part][LAW_12] != 0 || law.matrix[part][LAW_13] != 0)
+            return false;
+    return !law.softens;
+}
+
 static bool rests(const struct scene *s)
 {
-    return s->shape == SCENE_FLAT && !s->is_fabric && s->poisson == 0 &&
-           scene_is_cantilever(s) && !s->load_count && !s->obstacle_count && s->drag == 0;
+    return s->shape == SCENE_FLAT && is_uncoupled(s) && scene_is_cantilever(s) &&
+           !s->load_count && !s->obstacle_count && s->drag == 0;
 }
 
 /* Returns what is left at t of a motion by x'' + alpha x' + omega^2 x = 0. */
@@ -101,10 +112,17 @@ static double left(double alpha, double omega, double t)
     return LEFT * exp(-(half - (root > 0 ? sqrt(root) : 0)) * t);
 }
 
+/* Returns E along u [Pa]. */
+static double young(const struct scene *s)
+{
+    return s->is_fabric ? scene_law(s).matrix[LAW_MEMBRANE][LAW_11] / s->thickness
+                        : s->young;
+}
+
 /* Returns weight against stiffness, rho g L / E. */
 static double strain(const struct scene *s)
 {
-    return s->density * size(s->gravity) * s->length / s->young;
+    return s->density * size(s->gravity) * s->length / young(s);
 }
 
 /* Returns the stretch l under the nominal stress q E: l (l^2 - 1) / 2 = q. */
@@ -195,7 +213,7 @@ static struct rest_shape rest_shape(const struct scene *s, const double *rest, d
     if (pull(s, s->axis_u) > 0)
         return (struct rest_shape){
             .bar = hang_field(s, rest, xyz),
-            .omega = acos(0) * sqrt(s->young / s->density) / L,
+            .omega = acos(0) * sqrt(young(s) / s->density) / L,
             .source =
                 "at rest: a bar under its own weight, St. Venant-Kirchhoff, in closed "
                 "form; error bar: how far Hooke's law on lengths is from that"};

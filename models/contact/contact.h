@@ -93,6 +93,10 @@ void contact_force(const struct contact *c, double *force);
  * contact_find in a step, one that turns no slip round, too. */
 double contact_limit(struct contact *c, const double *x, const double *d);
 
+/* Shortens the way from the step's start to x[nodes][3], where a step is thought to end, by
+ * contact_limit. */
+void contact_lead(struct contact *c, double *x);
+
 /* Shortens the change d[nodes][3] of x so that each sample leaves as much: before bodies
  * each node's by a share of its own, before the sheet itself all by one; returns whether
  * any was shortened. For samples of one node. */

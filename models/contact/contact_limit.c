@@ -106,6 +106,17 @@ double contact_limit(struct contact *c, const double *x, const double *d)
     return fmin(share, limit_own(c, x, d));
 }
 
+void contact_lead(struct contact *c, double *x)
+{
+    const size_t count = 3 * (size_t)c->surface.nodes;
+
+    for (size_t k = 0; k < count; k++)
+        x[k] -= c->x_old[k];
+    const double share = contact_limit(c, c->x_old, x);
+    for (size_t k = 0; k < count; k++)
+        x[k] = c->x_old[k] + share * x[k];
+}
+
 bool contact_shorten(struct contact *c, const double *x, double *d)
 {
     const struct contact_surface *s = &c->surface;

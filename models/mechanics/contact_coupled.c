@@ -6,7 +6,8 @@
 #include "models/mechanics/contact_system.h"
 #include "models/room.h"
 
-bool contact_coupled_wanted(const struct contact *c)
+/* Tells whether the touches couple places of the sheet. */
+static bool couples(const struct contact *c)
 {
     for (int n = c->count - 1; n >= 0; n--)
         if (c->touch[n].obstacle < 0)
@@ -114,6 +115,7 @@ static enum status make(struct contact_coupled *w, const struct contact *c,
     enum status st;
 
     contact_coupled_clear(w);
+    w->used = true;
     TRY(make_graph(c, body, &w->graph));
     const long pairs = w->graph.start[body->nodes];
     TRY(room_cut(&w->room, ROOM(w->place, body->start[body->nodes]), ROOM(w->K, pairs),
@@ -128,40 +130,49 @@ out:
     return st;
 }
 
-/* Fills K and M; false if the pattern lacks a touch's places. */
+/* Fills K; false if the pattern lacks a touch's places. */
 static bool fill(struct contact_coupled *w, const struct contact *c,
-                 const struct blocks *body, double k, const double (*K)[9], double force,
-                 const double *M)
+                 const struct blocks *body, const double (*K)[9])
 {
-    const long pairs = w->graph.start[w->graph.nodes];
-
-    memset(w->K, 0, (size_t)pairs * sizeof *w->K);
-    memset(w->M, 0, (size_t)pairs * sizeof *w->M);
-    for (long n = 0; n < body->start[body->nodes]; n++) {
-        w->M[w->place[n]] = M ? M[n] : 0;
-        for (int i = 0; i < 9; i++)
-            w->K[w->place[n]][i] = k / force * K[n][i];
-    }
+    memset(w->K, 0, (size_t)w->graph.start[w->graph.nodes] * sizeof *w->K);
+    for (long n = 0; n < body->start[body->nodes]; n++)
+        memcpy(w->K[w->place[n]], K[n], sizeof K[n]);
     return contact_system_tangent(c, &w->graph, w->K);
 }
 
-enum status contact_coupled_update(struct contact_coupled *w, const struct contact *c,
-                                   const struct blocks *graph, const struct supports *held,
-                                   double k, const double (*K)[9], double force, double m,
-                                   const double *M)
+enum status contact_coupled_add(struct contact_coupled *w, const struct contact *c,
+                                const struct system *system, double (*K)[9])
 {
     enum status st = STATUS_OK;
+    const struct blocks *graph = system->graph;
 
-    if (!w->room || !fill(w, c, graph, k, K, force, M)) {
-        TRY(make(w, c, graph, held));
-        fill(w, c, graph, k, K, force, M);
+    w->used = couples(c);
+    if (!w->used)
+        contact_system_tangent(c, graph, K);
+    else if (!w->room || !fill(w, c, graph, (const double(*)[9])K)) {
+        TRY(make(w, c, graph, system->held));
+        fill(w, c, graph, (const double(*)[9])K);
     }
-    st = system_update(&w->system, force, (const double(*)[9])w->K, m, w->M);
 out:
     return st;
 }
 
-enum status contact_coupled_solve(struct contact_coupled *w, double *x)
+enum status contact_coupled_update(struct contact_coupled *w, struct system *system,
+                                   double k, const double (*K)[9], double m,
+                                   const double *M)
 {
-    return system_solve(&w->system, x);
+    if (!w->used)
+        return system_update(system, k, K, m, M);
+    const struct blocks *body = system->graph;
+    system->factorisations++;
+    memset(w->M, 0, (size_t)w->graph.start[w->graph.nodes] * sizeof *w->M);
+    for (long n = 0; M && n < body->start[body->nodes]; n++)
+        w->M[w->place[n]] = M[n];
+    return system_update(&w->system, k, (const double(*)[9])w->K, m, w->M);
+}
+
+enum status contact_coupled_solve(struct contact_coupled *w, struct system *system,
+                                  double *x)
+{
+    return system_solve(w->used ? &w->system : system, x);
 }

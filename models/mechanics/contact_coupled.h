@@ -9,6 +9,7 @@
 
 /* All zero before the first use, and after contact_coupled_clear. */
 struct contact_coupled {
+    bool used;           /* by the last contact_coupled_add                             */
     struct blocks graph; /* the body's, and that of the touches it was made for         */
     struct system system;
     void *room;     /* of the arrays                                       owned   */
@@ -17,19 +18,21 @@ struct contact_coupled {
     double *M;      /* [pairs of graph]                                            */
 };
 
-/* Tells whether the touches of the last contact_find couple places of the sheet. */
-bool contact_coupled_wanted(const struct contact *c);
+/* Adds the stiffness of the touches of the last contact_find to K[pairs], a tangent of the
+ * body's system. Where they couple places of the sheet K stays, and the sum is w's own, in
+ * a pattern that is made anew where the touches' places are not in it. */
+enum status contact_coupled_add(struct contact_coupled *w, const struct contact *c,
+                                const struct system *system, double (*K)[9]);
 
-/* Factorises k K + m M with the stiffness of the touches times `force`; K, M [pairs] of the
- * body's graph; M may be NULL if m == 0. The pattern is made anew where the touches' places
- * are not in it. */
-enum status contact_coupled_update(struct contact_coupled *w, const struct contact *c,
-                                   const struct blocks *graph, const struct supports *held,
-                                   double k, const double (*K)[9], double force, double m,
+/* Factorises k K + m M after contact_coupled_add, as system_update does, and counts it in
+ * `system`; M [pairs] of the body, NULL if m == 0. */
+enum status contact_coupled_update(struct contact_coupled *w, struct system *system,
+                                   double k, const double (*K)[9], double m,
                                    const double *M);
 
 /* Solves as system_solve does. */
-enum status contact_coupled_solve(struct contact_coupled *w, double *x);
+enum status contact_coupled_solve(struct contact_coupled *w, struct system *system,
+                                  double *x);
 
 void contact_coupled_clear(struct contact_coupled *w);
 

@@ -3,16 +3,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "models/mechanics/contact_share.h"
 #include "models/mechanics/contact_system.h"
 
 /* The most iterations of a step; the change that ends them, in lengths of the sheet. */
 enum { MOST = 60 };
 static const double TOLERANCE = 1e-9;
-
-/* A change ends where the forces along it are at most this share of those at its start,
- * found in at most so many places: contact, if d leads into it, pushes back by far more. */
-static const double LARGEST_REST = 0.5;
-enum { MOST_PLACES = 20 };
 
 /* The equation (k K + m M) w = b + force f(x), x = start + way (w - still). */
 struct equation {
@@ -59,25 +55,26 @@ static void residual(const struct contact_linear *l, const struct equation *q,
 /* Factorises the equation's matrix with the stiffness of the present touches. */
 static enum status factor(struct contact_linear *l, const struct equation *q)
 {
+    enum status st = STATUS_OK;
     const struct blocks *g = l->system->graph;
     const double k = newmark_k(l->newmark) / (q->force * q->way);
 
     if (!l->contact->count && l->plain)
         return STATUS_OK;
     l->plain = !l->contact->count;
-    if (contact_coupled_wanted(l->contact))
-        return contact_coupled_update(&l->coupled, l->contact, g, l->system->held,
-                                      newmark_k(l->newmark), l->K, q->force * q->way,
-                                      newmark_m(l->newmark), l->M);
+    l->coupled.used = false;
     if (l->plain)
         return system_update(l->system, newmark_k(l->newmark), l->K, newmark_m(l->newmark),
                              l->M);
     for (long n = 0; n < g->start[g->nodes]; n++)
         for (int i = 0; i < 9; i++)
             l->tangent[n][i] = k * l->K[n][i];
-    contact_system_tangent(l->contact, g, l->tangent);
-    return system_update(l->system, q->force * q->way, (const double(*)[9])l->tangent,
-                         newmark_m(l->newmark), l->M);
+    TRY(contact_coupled_add(&l->coupled, l->contact, l->system, l->tangent));
+    st =
+        contact_coupled_update(&l->coupled, l->system, q->force * q->way,
+                               (const double(*)[9])l->tangent, newmark_m(l->newmark), l->M);
+out:
+    return st;
 }
 
 static double product(size_t count, const double *a, const double *b)
@@ -98,20 +95,18 @@ static enum status search(struct contact_linear *l, const struct equation *q, do
     const size_t count = count_of(l);
     double *x = l->room, *d = l->room + 4 * count, *work = l->newmark->work + count;
     const double fall = product(count, r, d), most = contact_limit(l->contact, x, d);
-    double share = most, moved = 0, low = 0, high = most;
+    struct contact_share part = {.share = most, .most = most, .high = most};
+    double moved = 0;
 
-    for (int n = 0; n < MOST_PLACES; n++) {
+    for (int n = 0; n < CONTACT_SHARE_PLACES; n++) {
         for (size_t t = 0; t < count; t++)
-            w[t] += (share - moved) * d[t] / q->way;
-        moved = share, *whole = share == 1;
+            w[t] += (part.share - moved) * d[t] / q->way;
+        moved = part.share, *whole = moved == 1;
         place(l, q, w, x);
         TRY(contact_find(l->contact, x));
         residual(l, q, w, r, work);
-        const double rise = -product(count, r, d);
-        if (fabs(rise) <= LARGEST_REST * fall || (rise < 0 && share == most))
+        if (contact_share_good(&part, fall, -product(count, r, d)))
             break;
-        *(rise > 0 ? &high : &low) = share;
-        share = low > 0 ? (low + high) / 2 : share * fall / (fall + rise);
     }
 out:
     return st;
@@ -140,8 +135,7 @@ static enum status solve(struct contact_linear *l, const struct equation *q, dou
         memcpy(d, r, count * sizeof *d);
         l->contact->error = size;
         TRY(factor(l, q));
-        TRY(contact_coupled_wanted(l->contact) ? contact_coupled_solve(&l->coupled, d)
-                                               : system_solve(l->system, d));
+        TRY(contact_coupled_solve(&l->coupled, l->system, d));
         counters->solves++, counters->iterations++;
         for (size_t t = 0; t < count; t++)
             d[t] *= q->way;

@@ -98,7 +98,6 @@ struct large_motion {
     int enough;              /* iterations after which a step is taken; 0: converged   */
     struct contact *contact; /* NULL: nothing to meet                             */
     struct contact_coupled coupled; /* where the sheet touches itself          owned   */
-    bool is_coupled; /* it has the present factor                                      */
     bool full;       /* a new tangent in each iteration                   */
     bool rings;      /* nothing damps the membrane, and Newton's method expects it  */
 

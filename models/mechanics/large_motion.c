@@ -80,19 +80,6 @@ static void finish(struct large_motion *m, double dt, const double *x_old)
         n->v[m->supports->held[h]] = v_held[h];
 }
 
-/* Begins a substep that may touch: the predicted way, in m->x, ends before anything. */
-static void begin_contact(struct large_motion *m, double t, double dt, const double *x_old)
-{
-    const size_t count = count_of(m);
-
-    contact_begin(m->contact, t, dt, x_old);
-    for (size_t k = 0; k < count; k++)
-        m->x[k] -= x_old[k];
-    const double share = contact_limit(m->contact, x_old, m->x);
-    for (size_t k = 0; k < count; k++)
-        m->x[k] = x_old[k] + share * m->x[k];
-}
-
 /* Ends a substep that may touch, and adds its share of the step's force. */
 static enum status end_contact(struct large_motion *m, double dt)
 {
@@ -160,8 +147,10 @@ static enum status substep(struct large_motion *m, double t, double dt,
         if (m->enough != 1)
             m->x[k] += dt * (n->v[k] + dt * end * n->a[k]);
     }
-    if (m->contact)
-        begin_contact(m, t, dt, x_old);
+    if (m->contact) {
+        contact_begin(m->contact, t, dt, x_old);
+        contact_lead(m->contact, m->x);
+    }
     move_supports(m, t, dt, mass, x_old, hat);
     TRY(large_newton_solve(m, &equation, m->x, counters));
     finish(m, dt, x_old);

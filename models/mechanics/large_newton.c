@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "models/mechanics/contact_system.h"
+#include "models/mechanics/contact_share.h"
 
 /* Steps below this part of the length end the iteration. */
 static const double STEP_TOLERANCE = 1e-7;
@@ -37,9 +37,9 @@ static size_t count_of(const struct large_motion *m)
     return 3 * (size_t)m->graph->nodes;
 }
 
-/* Computes the right-hand side at x, r; work[nodes][3]. */
+/* Computes the right-hand side at x, r; work[nodes][3]. met: contact_find was there. */
 static enum status residual(struct large_motion *m, const struct large_equation *q,
-                            const double *x, double *r, double *work)
+                            const double *x, double *r, double *work, bool met)
 {
     size_t count = count_of(m);
     enum status st = large_body_force(&m->body, &q->path, x, r);
@@ -49,7 +49,7 @@ static enum status residual(struct large_motion *m, const struct large_equation 
     for (size_t t = 0; t < count; t++)
         r[t] = q->load * m->load[t] - r[t];
     if (m->contact) {
-        st = contact_find(m->contact, x);
+        st = met ? STATUS_OK : contact_find(m->contact, x);
         if (st != STATUS_OK)
             return st;
         contact_force(m->contact, r);
@@ -78,11 +78,8 @@ static enum status factor(struct large_motion *m, double mass, struct counters *
     enum status st = STATUS_OK;
 
     m->added = 0;
-    if (m->is_coupled)
-        return contact_coupled_update(&m->coupled, m->contact, m->graph, m->supports, 1, K,
-                                      1, mass, m->M);
-    if (mass > 0)
-        return system_update(m->system, 1, K, mass, m->M);
+    if (mass > 0 || m->coupled.used)
+        return contact_coupled_update(&m->coupled, m->system, 1, K, mass, m->M);
     st = system_factor(m->system, 1, K, mass, m->M);
     counters->factorisations++;
     for (int n = 0; n < TRIES && st == STATUS_INDEFINITE; n++) {
@@ -114,9 +111,8 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
         counters->assemblies++;
         if (m->contact) /* without inertia, small steps lead nowhere */
             m->contact->error = m->contact->rests ? 0 : size;
-        m->is_coupled = m->contact && contact_coupled_wanted(m->contact);
-        if (m->contact && !m->is_coupled)
-            contact_system_tangent(m->contact, m->graph, m->K);
+        if (m->contact)
+            TRY(contact_coupled_add(&m->coupled, m->contact, m->system, m->K));
         st = factor(m, q->mass, counters);
         if (st != STATUS_INDEFINITE || q->mass == 0)
             break;
@@ -151,8 +147,7 @@ static enum status solve(struct large_motion *m, const struct large_equation *q,
 
     for (int attempt = 0; attempt < 2; attempt++) {
         memcpy(i->next, i->r, count_of(m) * sizeof *i->next);
-        st = m->is_coupled ? contact_coupled_solve(&m->coupled, i->next)
-                           : system_solve(m->system, i->next);
+        st = contact_coupled_solve(&m->coupled, m->system, i->next);
         counters->solves++;
         const bool indefinite = st == STATUS_INDEFINITE || st == STATUS_UNSOLVED;
         if (!indefinite || m->stressless || q->mass == 0)
@@ -194,19 +189,66 @@ static void shorten(const struct large_motion *m, struct iteration *i)
         i->d[t] *= share;
 }
 
+/* Returns the work of r on d, both [nodes][3], at the free unknowns. */
+static double work_of(const struct large_motion *m, const double *r, const double *d)
+{
+    const int *place = m->supports->free_index;
+    double sum = 0;
+
+    for (size_t t = 0; t < count_of(m); t++)
+        sum += place[t] < 0 ? 0 : r[t] * d[t];
+    return sum;
+}
+
+/* Returns the work of the contact's forces on d. */
+static double contact_work(const struct large_motion *m, const struct iteration *i)
+{
+    memset(i->work, 0, count_of(m) * sizeof *i->work);
+    contact_force(m->contact, i->work);
+    return work_of(m, i->work, i->d);
+}
+
+/* Moves x by as much of the step d as contact does not throw back, and finds the touches
+ * there. All other forces count as unchanged: the spurious stress that a whole step leaves
+ * in a thin sheet would shorten each, while what contact throws back it does alone. */
+static enum status meet(struct large_motion *m, struct iteration *i)
+{
+    enum status st = STATUS_OK;
+    const size_t count = count_of(m);
+    const double fall = work_of(m, i->r, i->d), before = contact_work(m, i);
+    struct contact_share part = {.share = 1, .most = 1, .high = 1};
+    double moved = 0;
+
+    for (int n = 0; n < CONTACT_SHARE_PLACES; n++) {
+        for (size_t t = 0; t < count; t++)
+            i->x[t] += (part.share - moved) * i->d[t];
+        moved = part.share;
+        TRY(contact_find(m->contact, i->x));
+        if (!(fall > 0) ||
+            contact_share_good(&part, fall, before - contact_work(m, i) - fall))
+            break;
+    }
+out:
+    for (size_t t = 0; moved < 1 && t < count; t++)
+        i->d[t] *= moved;
+    return st;
+}
+
 /* Takes the step d and computes the right-hand side there; halves d while there is none. */
 static enum status take_step(struct large_motion *m, const struct large_equation *q,
                              struct iteration *i)
 {
     size_t count = count_of(m);
-    enum status st = STATUS_OK;
+    enum status st = m->contact ? meet(m, i) : STATUS_OK;
+    bool met = st == STATUS_OK;
 
-    for (size_t t = 0; t < count; t++)
+    for (size_t t = 0; !m->contact && t < count; t++)
         i->x[t] += i->d[t];
     for (int n = 0; n <= HALVINGS; n++) {
-        st = residual(m, q, i->x, i->r, i->work);
+        st = residual(m, q, i->x, i->r, i->work, met);
         if (!status_is_death(st))
             break;
+        met = false;
         for (size_t t = 0; t < count; t++) {
             i->d[t] /= 2;
             i->x[t] -= i->d[t];
@@ -304,7 +346,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                           .share = 1};
 
     m->stressless = false;
-    TRY(residual(m, q, x, i.r, i.work));
+    TRY(residual(m, q, x, i.r, i.work, false));
     if (q->chord == 0 || m->factored != q->mass || m->worn || touches(m)) {
         const double *strain = m->rings && q->mass > 0
                                    ? m->strain_mean

@@ -1,6 +1,7 @@
 #include "models/net/net_surface.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "models/grid.h"
 #include "models/vector.h"
@@ -51,6 +52,63 @@ static void evaluate(const struct net_surface *net, double u, double v, double m
     }
 }
 
+/* Fills weight[4] and slope[4] of the uniform B-spline's control points *first, ... at a
+ * place of `count` points on [0, 1]; slope: their derivatives by the place in cells. */
+static void spline(int degree, int count, double place, int *first, double weight[4],
+                   double slope[4])
+{
+    const double at = place * (count - 1);
+    const int cell = (int)fmin(fmax(floor(degree == 2 ? at + 0.5 : at), 0),
+                               degree == 2 ? count - 1 : count - 2);
+    const double t = at - cell, r = 1 - t, a = 0.5 - t, b = 0.5 + t;
+    const double quadratic[2][4] = {{a * a / 2, 0.75 - t * t, b * b / 2}, {-a, -2 * t, b}};
+    const double cubic[2][4] = {
+        {r * r * r / 6, (4 - 6 * t * t + 3 * t * t * t) / 6,
+         (4 - 6 * r * r + 3 * r * r * r) / 6, t * t * t / 6},
+        {-r * r / 2, 1.5 * t * t - 2 * t, 2 * r - 1.5 * r * r, t * t / 2}};
+    const double(*which)[4] = degree == 2 ? quadratic : cubic;
+
+    *first = cell - 1;
+    memcpy(weight, which[0], 4 * sizeof *weight);
+    memcpy(slope, which[1], 4 * sizeof *slope);
+}
+
+/* Finds a component of the point (i, j), beyond the rims straight on. */
+static double beyond(const struct net_surface *net, int i, int j, int c)
+{
+    if (i < 0)
+        return 2 * beyond(net, 0, j, c) - beyond(net, -i, j, c);
+    if (i >= net->n)
+        return 2 * beyond(net, net->n - 1, j, c) - beyond(net, 2 * (net->n - 1) - i, j, c);
+    if (j < 0)
+        return 2 * beyond(net, i, 0, c) - beyond(net, i, -j, c);
+    if (j >= net->m)
+        return 2 * beyond(net, i, net->m - 1, c) - beyond(net, i, 2 * (net->m - 1) - j, c);
+    return point(net, i, j)[c * net->component];
+}
+
+/* Evaluates the B-spline and its normal, not of length one, at (u, v). */
+static void evaluate_spline(const struct net_surface *net, double u, double v,
+                            double middle[3], double normal[3])
+{
+    double weight[2][4], slope[2][4], along[3] = {0}, across[3] = {0};
+    int i, j;
+
+    spline(net->degree, net->n, u, &i, weight[0], slope[0]);
+    spline(net->degree, net->m, v, &j, weight[1], slope[1]);
+    middle[0] = middle[1] = middle[2] = 0;
+    for (int s = 0; s < (net->degree + 1) * (net->degree + 1); s++) {
+        const int a = s / (net->degree + 1), b = s % (net->degree + 1);
+        for (int c = 0; c < 3; c++) {
+            const double x = beyond(net, i + a, j + b, c);
+            middle[c] += weight[0][a] * weight[1][b] * x;
+            along[c] += slope[0][a] * weight[1][b] * x;
+            across[c] += weight[0][a] * slope[1][b] * x;
+        }
+    }
+    vector_cross(along, across, normal);
+}
+
 void net_surface_points(const struct net_surface *net, const struct scene *scene, int n,
                         const double *uvw, double *xyz)
 {
@@ -58,7 +116,7 @@ void net_surface_points(const struct net_surface *net, const struct scene *scene
         struct net_surface sheet = *net;
         double off[3], u;
         sheet.x += scene_sheet_at(scene, uvw[0], &u) * net->n * net->m * net->node;
-        evaluate(&sheet, u, uvw[1], xyz, off);
+        (net->degree ? evaluate_spline : evaluate)(&sheet, u, uvw[1], xyz, off);
         double length = vector_length(off);
         for (int c = 0; c < 3 && length > 0; c++)
             xyz[c] += (uvw[2] - 0.5) * scene->thickness * (off[c] / length);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "models/vector.h"
 
@@ -240,6 +241,37 @@ void spring_plate_value(const struct spring_plate_form *form, const double *x,
         for (int n = 0; n < form->count; n++)
             value[c] += form->weight[n] * x[3 * form->node[n] + c];
     }
+}
+
+static int row_of(const struct spring_net *net, const struct spring_plate_form *form)
+{
+    int least = form->node[0];
+
+    for (int k = 1; k < form->count; k++)
+        least = form->node[k] < least ? form->node[k] : least;
+    return least / net->points[1];
+}
+
+enum status spring_plate_by_rows(const struct spring_net *net, int count,
+                                 const struct spring_plate_form *forms, unsigned kinds,
+                                 struct spring_plate_form **sorted, int *at)
+{
+    const int n = net->points[0];
+
+    *sorted = malloc(((size_t)count + 1) * sizeof **sorted);
+    if (!*sorted)
+        return STATUS_MEMORY;
+    for (int k = 0; k < count; k++)
+        at[row_of(net, &forms[k]) + 1] += kinds >> forms[k].kind & 1;
+    for (int i = 0; i < n; i++)
+        at[i + 1] += at[i];
+    const int all = at[n];
+    for (int k = count - 1; k >= 0; k--) /* at: the rows' ends, then their starts */
+        if (kinds >> forms[k].kind & 1)
+            (*sorted)[--at[row_of(net, &forms[k]) + 1]] = forms[k];
+    memmove(at, at + 1, (size_t)n * sizeof *at);
+    at[n] = all;
+    return STATUS_OK;
 }
 
 struct spring_plate_soft spring_plate_softening(const struct scene *scene,

@@ -5,6 +5,8 @@
  *     B/2 int |x_uu|^2 + |x_vv|^2 + 2 nu x_uu x_vv + 2 (1 - nu) |x_uv|^2,
  * x_uu and x_vv at points, x_uv in cells; what has both is, with s the sign of nu,
  *     (1 - |nu|) (|x_uu|^2 + |x_vv|^2) + |nu| |x_uu + s x_vv|^2.
+ * It counts the curvature of lines in the surface, too, as a plate does not: a strip as wide
+ * as W resists bending in its plane with Y W^2 / 12 and B more.
  * Along a rim, across which no moment acts, the strip bends as a beam: factor 1 - nu^2
  * and no nu x_uu x_vv.
  * Where the warp runs along neither edge, B13 and B23 couple bending to twist: with
@@ -42,7 +44,8 @@ enum spring_plate_kind {
     SPRING_PLATE_CLAMP,  /* kappa a^2: the held point, its neighbour, the next          */
     SPRING_PLATE_SOFT_U, /* x_uu a_u^2, or a clamp's, as it softens: not quadratic, and
                             `stiffness` is its area [m^2]                              */
-    SPRING_PLATE_SOFT_V
+    SPRING_PLATE_SOFT_V,
+    SPRING_PLATE_SOFT = 1 << SPRING_PLATE_SOFT_U | 1 << SPRING_PLATE_SOFT_V /* bits    */
 };
 
 /* A term of the energy: stiffness |sum weight x_node + shift|^2 / 2. */
@@ -59,6 +62,13 @@ struct spring_plate_form {
 /* Makes all of a net's, *forms, owned by the caller; none if its law has no bending. */
 enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
                               struct spring_plate_form **forms, int *count);
+
+/* Sorts the forms whose kinds are bits of `kinds` by the least row that they reach:
+ * *sorted, owned by the caller; at[rows of points + 1], zero before, has the first of each
+ * row. */
+enum status spring_plate_by_rows(const struct spring_net *net, int count,
+                                 const struct spring_plate_form *forms, unsigned kinds,
+                                 struct spring_plate_form **sorted, int *at);
 
 /* The softening along u and v, and the squares of the cell's sides. */
 struct spring_plate_soft {

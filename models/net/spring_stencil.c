@@ -86,6 +86,7 @@ static void add_form(struct spring_stencil *s, const struct spring_plate_form *f
 void spring_stencil_clear(struct spring_stencil *s)
 {
     free(s->room);
+    free(s->form);
     memset(s, 0, sizeof *s);
 }
 
@@ -100,7 +101,7 @@ enum status spring_stencil_init(struct spring_stencil *s, const struct scene *sc
 
     *s = (struct spring_stencil){.net = net, .springs = springs};
     TRY(room_cut(&s->room, ROOM(s->spring, nodes), ROOM(s->bend, nodes),
-                 ROOM(s->clamp, nodes),
+                 ROOM(s->clamp, nodes), ROOM(s->form_at, (size_t)net->points[0] + 1),
                  ROOM(s->strut, bending == BENDING_STRUT ? nodes : 0)));
     set_springs(s);
     if (bending == BENDING_STRUT)
@@ -108,7 +109,13 @@ enum status spring_stencil_init(struct spring_stencil *s, const struct scene *sc
     else
         TRY(spring_plate_make(scene, net, &forms, &count));
     for (int n = 0; n < count; n++)
-        add_form(s, &forms[n]);
+        if (forms[n].kind < SPRING_PLATE_SOFT_U)
+            add_form(s, &forms[n]);
+    if (scene_needs(scene) & SCENE_NEED_SOFTENING) {
+        s->soft = spring_plate_softening(scene, net);
+        TRY(spring_plate_by_rows(net, count, forms, SPRING_PLATE_SOFT, &s->form,
+                                 s->form_at));
+    }
 out:
     free(forms);
     return st;
@@ -168,6 +175,10 @@ double spring_stencil_energy(const struct spring_stencil *s, const double *x)
                 moved += (edge[c] - rest[c]) * (edge[c] - rest[c]);
             energy += strain_of(s, a, n, q).energy + s->bend[a][n] * moved / 2;
         }
+    for (int n = 0; n < s->form_at[s->net->points[0]]; n++) {
+        spring_plate_value(&s->form[n], x, edge);
+        energy += spring_plate_soft_energy(&s->soft, &s->form[n], edge);
+    }
     return energy;
 }
 
@@ -224,6 +235,31 @@ void spring_stencil_force_add(const struct spring_stencil *s, const double *x, d
         }
     for (int t = 0; t < 3 * s->net->nodes; t++)
         f[t] += s->clamp[t / 3][t % 3];
+    for (int n = 0; n < s->form_at[s->net->points[0]]; n++) {
+        const struct spring_plate_form *form = &s->form[n];
+        double along;
+        spring_plate_value(form, x, edge);
+        const double pull = spring_plate_soft_pull(&s->soft, form, edge, &along);
+        for (int k = 0; k < form->count; k++)
+            for (int c = 0; c < 3; c++)
+                f[3 * form->node[k] + c] -= pull * form->weight[k] * edge[c];
+    }
+}
+
+void spring_stencil_soften(const struct spring_stencil *s,
+                           const struct spring_plate_form *form, const double value[3],
+                           double s1, double (*K)[9])
+{
+    double along, block[9];
+    const double pull = spring_plate_soft_pull(&s->soft, form, value, &along);
+
+    for (int p = 0; p < form->count; p++)
+        for (int q = p + 1; q < form->count; q++) { /* the weights sum to zero */
+            for (int t = 0; t < 9; t++)
+                block[t] = -s1 * form->weight[p] * form->weight[q] *
+                           (along * value[t / 3] * value[t % 3] + (t % 4 ? 0 : pull));
+            add_block(&s->net->graph, form->node[p], form->node[q], block, K);
+        }
 }
 
 void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bool clamped,
@@ -244,4 +280,8 @@ void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bo
                 block[t] = e.gain * edge[t / 3] * edge[t % 3] + (t % 4 == 0 ? all : 0);
             add_block(graph, a, b, block, K);
         }
+    for (int n = 0; n < s->form_at[s->net->points[0]]; n++) {
+        spring_plate_value(&s->form[n], x, edge);
+        spring_stencil_soften(s, &s->form[n], edge, 1, K);
+    }
 }

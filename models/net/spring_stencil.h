@@ -34,6 +34,9 @@ struct spring_stencil {
                                     edge                                     [N/m]    */
     double (*strut)[SPRING_STENCIL_STRUTS]; /* [nodes] P of edges, of struts; or NULL [N] */
     double (*clamp)[3]; /* [nodes] constant force of clamps          [N]     */
+    struct spring_plate_soft soft;
+    struct spring_plate_form *form; /* what softens, by rows; steps do not know it  owned */
+    int *form_at;                   /* [rows + 1] first of each                           */
 };
 
 /* Initialises, after spring_net_init; `net` must stay where it is. No bending where its law
@@ -62,6 +65,11 @@ void spring_stencil_force_add(const struct spring_stencil *s, const double *x, d
  * and K is positive semi-definite. */
 void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bool clamped,
                              double (*K)[9]);
+
+/* Adds s1 times the second derivative of what softens, at a value, to K likewise. */
+void spring_stencil_soften(const struct spring_stencil *s,
+                           const struct spring_plate_form *form, const double value[3],
+                           double s1, double (*K)[9]);
 
 /* Returns the largest (l/r)^2 of a spring at x[nodes][3] [1]. */
 double spring_stencil_stretch2(const struct spring_stencil *s, const double *x);

@@ -11,6 +11,8 @@ enum { ISOTROPIC = 1, NAMED = 2, MODULI = 4 };
 #define POSITIVE   .low = 1e-9, .high = 1e15
 #define IN(member) .offset = offsetof(struct scene, member)
 
+static const char *const LAWS[] = {[false] = "own", [true] = "mean", NULL};
+
 /* clang-format off */
 const struct schema_key scene_material_keys[] = {
     {"young", "isotropic: E [Pa]", SCHEMA_NUMBER, POSITIVE, IN(young)},
@@ -31,6 +33,8 @@ const struct schema_key scene_material_keys[] = {
      .low = -1, .high = 0, IN(fabric.softening)},
     {"warp", "fabric: angle from u to the warp, towards v [deg]", SCHEMA_NUMBER, .low = -360,
      .high = 360, IN(fabric.warp)},
+    {"law", "fabric: its own, or that of the isotropic sheet with its mean over all directions",
+     SCHEMA_WORD, .words = LAWS, IN(fabric_mean)},
     {NULL}};
 /* clang-format on */
 
@@ -39,7 +43,7 @@ static int kinds_of(const char *key, bool *required)
 {
     static const char *const isotropic[] = {"young", "poisson", "density"};
 
-    *required = strcmp(key, "warp") && strcmp(key, "softening");
+    *required = strcmp(key, "warp") && strcmp(key, "softening") && strcmp(key, "law");
     for (int n = 0; n < 3; n++)
         if (!strcmp(key, isotropic[n]))
             return ISOTROPIC;
@@ -91,8 +95,8 @@ enum status scene_material_check(const struct schema_key *section,
             return yaml_tree_refuse(
                 n, why,
                 "material mixes %s with another kind; it has young, poisson, density; or "
-                "fabric; or membrane, bending, areal_density; and warp and softening with "
-                "the last two",
+                "fabric; or membrane, bending, areal_density; and warp, softening and law "
+                "with the last two",
                 n->key);
     for (const struct schema_key *k = scene_material_keys; k->key; k++)
         if ((kinds_of(k->key, &required) & (kind ? kind : ISOTROPIC)) && required &&
@@ -138,5 +142,6 @@ enum status scene_material_thickness(const struct yaml_tree *root, struct scene 
                                 "bending and membrane belong to a sheet %.4g m thick, but "
                                 "it must be from %g to %g m",
                                 scene->thickness, low, high);
+    scene->is_fabric = !scene->fabric_mean;
     return STATUS_OK;
 }

@@ -47,6 +47,7 @@ static const struct row {
      {PONTE "0, softening: [0, -1e-9]}", "discretization.kinematics=linear"}},
     {"triangles", "warp along u or v", {PONTE "30, softening: [0, -1e-9]}"}},
     {"triangles", "couples stretch to shear", {PONTE "30}", LEAPFROG}},
+    {"mass_spring", "momentum only", {PONTE "0, softening: [0, -1e-9]}"}},
     {"mass_spring", "runs along neither edge", {PONTE "30}"}},
     {"vbd", "can't couple stretch", {PONTE "30}", "discretization.elements=springs"}},
     {"projective_dynamics",

@@ -24,6 +24,7 @@ static const struct row {
     {"fold", "hex_incompatible", "discretization.points=[12,5,2];time.end=0.02", false},
     {"fold", "triangles", "discretization.points=[12,7];time.end=0.02", false},
     {"fold", "mass_spring", "discretization.points=[12,7];time.end=0.02", false},
+    {"fold", "mass_spring", "discretization.points=[10,10];time.end=0.7", false},
     {"fold", "position_based", "discretization.points=[12,7];time.end=0.02", false},
     {"fold", "vbd", "discretization.points=[12,7];time.end=0.02", false},
     {"fold", "triangles_explicit", "discretization.points=[31,16]", true},

@@ -111,6 +111,30 @@ static void ranking(const char *folder)
     compare_job_close(&world.job);
 }
 
+/* Where what a frame may take is given: the nearest to the truth of those that take no
+ * more, with its substeps; nothing, if none does. */
+static void frames(const char *folder)
+{
+    struct advise_search s = make(folder);
+
+    s.wish.error = NAN, s.wish.frame = 4e-3; /* 125 frames: 0.5 s */
+    add("vbd", 8, 0.3, 0.03);
+    add("vbd", 10, 0.5, 0.02)->at.size[CONTEST_ITERATIONS] = 20;
+    add("vbd", 12, 0.51, 0.01);
+    add("triangles", 10, 0.1, 0.025);
+    const char *text = printed(&s, TABLE_TEXT);
+    CHECK(strstr(text, "vertex block descent: error 2 % of the length"));
+    CHECK(strstr(text, "1 s for a second of motion, 4 ms a frame"));
+    CHECK(strstr(text, "Net 10x8, substeps of 0.1 ms, 20 iterations in each."));
+    CHECK(in_order(text, "descent yes 10x8", "triangles yes 10x8"));
+    s.wish.frame = 0.7e-3;
+    text = printed(&s, TABLE_TEXT);
+    CHECK(strstr(text, "No contestant takes 0.7 ms a frame or less."));
+    CHECK(strstr(text, "vertex block descent no 12x10"));
+    world.job.found = NULL;
+    compare_job_close(&world.job);
+}
+
 static void words(const char *folder)
 {
     struct advise_search s = make(folder);
@@ -145,7 +169,7 @@ static void words(const char *folder)
           strstr(text, " 70 "));
     CHECK(strstr(text, "triangles: error 1.2 % of the length, which the truth leaves "
                        "uncertain by 0.4 %"));
-    CHECK(strstr(text, "0.8 s for a second of motion; 2.5 MB"));
+    CHECK(strstr(text, "0.8 s for a second of motion, 3.2 ms a frame; 2.5 MB"));
     CHECK(in_order(text, "triangles yes ", "IGA, selective"));
     CHECK(in_order(text, "IGA, selective", "mass-spring, matched"));
     CHECK(strstr(text, "holds no node"));
@@ -171,5 +195,6 @@ int main(int argc, char **argv)
     fresh_folder(argv[1]);
     ranking(argv[1]);
     words(argv[1]);
+    frames(argv[1]);
     return check_result();
 }

@@ -134,6 +134,30 @@ static void check_springs(int n, int m)
     CHECK(springs == (n - 1) * m + n * (m - 1) + 2 * (n - 1) * (m - 1));
 }
 
+/* A fabric on cells of 1/8 by 1/6: each number has the modulus that holds it there. */
+static void fabric_materials(void)
+{
+    static const char *const set[] = {
+        "material={membrane: [2000, 1000, 400, 300], bending: [1e-5, 4e-5, 4e-6, 6e-6], "
+        "areal_density: 0.1, warp: 90}",
+        NULL};
+    const double h = sqrt(12 * sqrt(4e-10 / 2e6)), a = 1 / 8.0, b = 1 / 6.0;
+
+    open_table(exported("hanging", "9,7", set), "materials");
+    CHECK(number_of("Y11") == 2000 && number_of("B2") == 4e-5 && number_of("warp") == 90);
+    CHECK_RELATIVE(number_of("E1"), (2000 - 400 * 400 / 1000.0) / h, TOL_SUM);
+    CHECK_RELATIVE(number_of("E2"), (1000 - 400 * 400 / 2000.0) / h, TOL_SUM);
+    CHECK_RELATIVE(number_of("nu12"), 0.4, TOL_ONE);
+    CHECK_RELATIVE(number_of("G12"), 300 / h, TOL_SUM);
+    CHECK_RELATIVE(number_of("hinge v"), 4e-5 * b / a, TOL_SUM); /* bends along the weft */
+    CHECK_RELATIVE(number_of("hinge u"), 1e-5 * a / b, TOL_SUM);
+    CHECK_RELATIVE(number_of("hinge diagonal"), 4 * 6e-6 * a * b / (a * a + b * b),
+                   TOL_SUM);
+    CHECK(has("spring u"));
+    open_table(exported("strip_bias", "9,7", NULL), "materials");
+    CHECK(number_of("warp") == 45 && has("hinge diagonal") && !has("spring u"));
+}
+
 /* The paper's sheet: E h = 117.7 N/m; springs of the drivers that were tried by hand. */
 static void materials(void)
 {
@@ -163,6 +187,7 @@ static void materials(void)
     /* cells of 1 to 2 have no springs along their length; a cone has none at all */
     open_table(exported("edge_drop", "3,2", NULL), "materials");
     CHECK(!has("spring v") && sum_of("spring u") > 0);
+    fabric_materials();
     open_table(exported("cloak", "9,7", NULL), "materials");
     const double degree = acos(-1) / 180, around = 60 * degree;
     const double cone = around * (0.5 / around + sin(10 * degree) / 2);
@@ -456,6 +481,7 @@ static void scenes_come_back(void)
         {"corners_patch", {NULL}, 0},
         {"edge_drop", {"damping={kind: none}"}, 1}, /* what the export sets by itself */
         {"cloak", {"damping={kind: none}", "pose.flare=7.123456789"}, 2},
+        {"strip_bias", {"material.softening=[-1e-9, -2.5e-9]"}, 1},
         {"ground", {"damping={kind: rayleigh, alpha: 0.1, beta: 1.0e-3}"}, 1},
         {"sphere", {"motion={velocity: [0, 0, -1], spin: [0.1, 0, 3]}"}, 1},
         {"moving_edge", {"material.poisson=0.33333333333333331", "time.step=0.0025"}, 2},
@@ -517,6 +543,7 @@ static void rules(void)
         const char *scene, *points, *has, *lacks;
     } cases[] = {
         {"edge_drop", "21,21", "14 times from 0.1 to 1.4 s", "obstacles.csv"},
+        {"strip_bias", "21,21", "with 1 times B1, 1 times B2", "E h^3"},
         {"rest_small", "21,21", "any, as long as the sheet is at rest", "undamped"},
         {"sphere", "21,21", "2 1/s times mass", "paths.csv"},
         {"sphere", "21,21", "Obstacles stand still: obstacles.csv", "obstacle_N.obj"},

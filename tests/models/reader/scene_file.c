@@ -359,6 +359,21 @@ static void check_outranked(void)
     clear(&r);
 }
 
+/* Its isotropic mean has the fabric's mass, thickness and mean moduli, whatever the warp. */
+static void check_mean(void)
+{
+    static const char path[] = SOURCE_DIR "/models/scenes/strip_bias.yaml";
+    static const char *const mean[] = {"material.law=mean"};
+    struct read r = read_file(path, 1, mean), own = read_file(path, 0, NULL);
+
+    CHECK(!r.s.is_fabric && !(scene_needs(&r.s) & (SCENE_NEED_FABRIC | SCENE_NEED_BIAS)));
+    CHECK(own.s.is_fabric && r.s.thickness == own.s.thickness);
+    CHECK(r.s.young == own.s.young && r.s.poisson == own.s.poisson);
+    CHECK(r.s.density == own.s.density);
+    clear(&r);
+    clear(&own);
+}
+
 /* A fabric by name or by its moduli has their mass and bends as they do; a setting of it
  * outranks E, nu, rho and h of the file. */
 static void check_fabrics(void)
@@ -459,6 +474,7 @@ int main(void)
     check_foreign();
     check_outranked();
     check_fabrics();
+    check_mean();
     check_failure();
     check_shipped();
     check_names();

@@ -53,6 +53,11 @@ const struct report_part report_part_list[] = {
      .paper = true},
     {"bench_contact", "Contact: what looking for it costs", "bench contact",
      .file = {"bench_contact.csv", "bench/contact.csv"}},
+    {"study_fabrics", "Fabrics, and what their isotropic mean does instead", "study fabrics",
+     .picture = {{"napkin_cotton_sheets.png"}, {"flag_silk_sheets.png"},
+                 {"strip_bias_sheets.png"}}},
+    {"study_iterations", "How many iterations?", "study iterations",
+     .picture = {{"iterations.png"}}},
     {"study_contact", "Onto the ground (Fig. 9)", "study contact",
      .picture = {{"contact_sheets.png", "Fig. 9, cloth onto the ground: collision and "
                   "self-contact are detected on the control net"}}},

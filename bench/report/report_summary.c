@@ -187,18 +187,24 @@ static void tell_contact(const struct report_found *touching, char text[TEXT])
 {
     static const char *const keys[] = {"study", "level"};
     const struct csv_table *t = touching->table[0];
-    int runs = 0, through = 0, last = -1;
+    int runs = 0, through = 0;
+    bool crossed = false;
     double deepest = 0;
 
-    for (int row = 0; row < t->rows; row++) {
-        bool same = row > 0;
-        for (int k = 0; k < 2; k++)
-            same &= same && !strcmp(csv_words(t, row, csv_column(t, keys[k])),
-                                    csv_words(t, row - 1, csv_column(t, keys[k])));
+    for (int row = 0, last = -1; row < t->rows; row++) {
+        const double crossings = csv_number(t, row, csv_column(t, "crossings"));
+        bool same = last >= 0;
+        for (int k = 0; k < 2 && same; k++)
+            same = !strcmp(csv_words(t, row, csv_column(t, keys[k])),
+                           csv_words(t, last, csv_column(t, keys[k])));
+        if (isnan(crossings)) /* dead, or refused */
+            continue;
+        crossed = same && crossed;
+        through += crossings > 0 && !crossed;
+        crossed |= crossings > 0;
         runs += !same;
-        if (csv_number(t, row, csv_column(t, "crossings")) > 0 && last != runs)
-            through++, last = runs;
         deepest = fmax(deepest, csv_number(t, row, csv_column(t, "penetration")));
+        last = row;
     }
     snprintf(
         text, TEXT,

@@ -110,7 +110,7 @@ wipe,b,1,0.001,0
 wipe,c,1,,
 TABLE
 good changed
-found 4 'In 1 of 3 runs of five scenes with contact a sheet passes through itself or another; a body is at most 1.3 mm deep'
+found 4 'In 1 of 3 runs of scenes with contact a sheet passes through itself or another; a body is at most 1.3 mm deep'
 found 1 ' claims 2 hold and 1 do not; '
 found 2 '1 % of the length on edge_drop is 1.3 s, by quick; the next model, other, takes 2 times as long.'
 found 3 ' 3 have it and 2 do not.'

@@ -206,11 +206,10 @@ static void tell_contact(const struct report_found *touching, char text[TEXT])
         deepest = fmax(deepest, csv_number(t, row, csv_column(t, "penetration")));
         last = row;
     }
-    snprintf(
-        text, TEXT,
-        "In %d of %d runs of five scenes with contact a sheet passes through itself or "
-        "another; a body is at most %.15g mm deep in a sheet.",
-        through, runs, rounded(1000 * deepest));
+    snprintf(text, TEXT,
+             "In %d of %d runs of scenes with contact a sheet passes through itself or "
+             "another; a body is at most %.15g mm deep in a sheet.",
+             through, runs, rounded(1000 * deepest));
 }
 
 enum status report_summary_write(FILE *file, const struct report_found *found)

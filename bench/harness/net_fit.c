@@ -16,10 +16,10 @@ static bool on_line(double place, int spans)
 static bool fits(const struct scene *scene, int along, int spans, int degree)
 {
     for (int n = 0; n < scene->support_count; n++) {
-        const double lo = scene->supports[n].lo[along], hi = scene->supports[n].hi[along];
+        const struct scene_support s = scene_support_along(scene, n);
+        const double lo = s.lo[along], hi = s.hi[along];
         const bool own_knots =
-            degree > 1 &&
-            (lo < hi || support_knots_clamps_line(&scene->supports[n], along));
+            degree > 1 && (lo < hi || support_knots_clamps_line(&s, along));
         if (!own_knots && (!on_line(lo, spans) || !on_line(hi, spans)))
             return false;
     }

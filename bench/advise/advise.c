@@ -399,8 +399,8 @@ out:
 /* Seconds that the answer may take, unless --budget says another number. */
 static const double BUDGET = 240;
 
-/* Where no error was given: that for which a truth is made, and that below which no run is
- * tried, however sharp the truth. */
+/* The error for which a truth is made where none was given, and the one below which no run
+ * is tried then, however sharp the truth. */
 static const double UNASKED = 0.01, LEAST = 1e-5;
 
 /* Share of the budget that runs for a truth may take. */

@@ -70,7 +70,7 @@ static int edges_of(const struct contact_surface *s, int cell, int edge[4])
 
 /* An edge near another, as a chord. */
 struct contact_rim_chord {
-    int edge, end[2];
+    int end[2];
     const double *y;   /* [m], its first end                                             */
     double e[3], size; /* [m], [m^2], to its second end, and the square of that          */
 };
@@ -128,9 +128,9 @@ out:
 /* --- points of an edge ------------------------------------------------------------------
  */
 
-/* A place on a rim: an edge, and how far along it, 0 to 1. */
+/* A place on a rim: the ends of an edge, and how far along it, 0 to 1. */
 struct place {
-    int edge, end[2];
+    int end[2];
     double at;
     double uv[2], y[3];
 };
@@ -222,7 +222,7 @@ static bool closest(const struct contact_rim *r, const struct place *point, int 
         const double square = vector_dot(way, way);
         if (!(square < least))
             continue;
-        struct place here = {.edge = c->edge, .end = {c->end[0], c->end[1]}, .at = at};
+        struct place here = {.end = {c->end[0], c->end[1]}, .at = at};
         find_uv(r->search->sheet.surface, &here);
         if (contact_foot_far(&r->search->sheet, point->uv, here.uv) > 0) {
             least = square, *foot = here;
@@ -290,7 +290,7 @@ static enum status meet_edge(struct contact_rim *r, int edge, int count,
                              contact_rim_visit *visit, void *context)
 {
     enum status st = STATUS_OK;
-    struct place point = {.edge = edge};
+    struct place point = {0};
 
     ends_of(r->search->sheet.surface, edge, point.end);
     const double length = length_of(&r->search->tree, point.end);
@@ -314,8 +314,7 @@ static int sift(const struct contact_rim *r, int first, int end)
     for (int n = first; n < end; n++) {
         struct contact_rim_chord *c = r->near + count;
         double at[2];
-        c->edge = r->pair[n][1];
-        ends_of(s, c->edge, c->end);
+        ends_of(s, r->pair[n][1], c->end);
         c->y = y + 3 * (long)c->end[0];
         const double *const p[4] = {y + 3 * (long)own[0], y + 3 * (long)own[1], c->y,
                                     y + 3 * (long)c->end[1]};

@@ -8,7 +8,7 @@
  * It counts the curvature of lines in the surface, too, as a plate does not: a strip as
  * wide as W resists bending in its plane with Y W^2 / 12 and B more. Along a rim, across
  * which no moment acts, the strip bends as a beam: factor 1 - nu^2 and no nu x_uu x_vv.
- * Where the warp runs along neither edge, B13 and B23 couple bending to twist: with
+ * B13 and B23 couple bending to twist where the warp runs along neither edge: with
  *     (s_u, s_v) = (B11 B12; B12 B22)^-1 (B13, B23)
  * the energy is that of x_uu + 2 s_u x_uv and x_vv + 2 s_v x_uv at points, whose x_uv is
  * the mean of the cells around, and of x_uv in cells with what is left of B33,

@@ -111,8 +111,8 @@ static void ranking(const char *folder)
     compare_job_close(&world.job);
 }
 
-/* Where what a frame may take is given: the nearest to the truth of those that take no
- * more, with its substeps; nothing, if none does. */
+/* Asks with what a frame may take: answered by the run nearest to the truth of those that
+ * take no more, with its substeps; by nothing, if none does. */
 static void frames(const char *folder)
 {
     struct advise_search s = make(folder);

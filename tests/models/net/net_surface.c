@@ -57,8 +57,8 @@ static void test_flat(void)
         }
 }
 
-/* At a point a spline lies a share of the second differences off; at a corner it is there.
- */
+/* Compares splines at points, where they lie a share of the second differences off, and at
+ * corners, where they do not. */
 static void test_spline(void)
 {
     static const double share[] = {[2] = 1. / 8, [3] = 1. / 6};

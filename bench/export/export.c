@@ -514,6 +514,7 @@ static const struct {
     {"loads.csv", NULL, SCENE_NEED_LOADS, export_numbers_loads},
     {"velocities.csv", NULL, SCENE_NEED_INITIAL_MOTION, export_numbers_velocities},
     {"scene.yaml", NULL, 0, write_scene},
+    {"scene.usda", NULL, 0, export_usd},
     {"README.md", NULL, 0, write_readme},
 };
 enum { FILES = sizeof files / sizeof *files };
@@ -641,10 +642,10 @@ const struct command export_command = {
         "Writes what another simulator needs to run a scene: the rest mesh with u and v,\n"
         "the vertices that are held and those outside the sheet that make an edge a\n"
         "clamp, the material as elements, springs and XPBD need it, the times at which\n"
-        "the truth is known, obstacles, loads and moving supports, the scene itself, and\n"
-        "README.md with the rules on one page. The physics are those of the scene's\n"
-        "truth. Either all files appear or none does; a folder that is not empty is left\n"
-        "alone.\n",
+        "the truth is known, obstacles, loads and moving supports, the scene itself,\n"
+        "also in OpenUSD, and README.md with the rules on one page. The physics are those\n"
+        "of the scene's truth. Either all files appear or none does; a folder that is not\n"
+        "empty is left alone.\n",
     .examples = "export edge_drop --points 21,21 --out edge_drop_21\n"
                 "export sphere --points 51,51 --format obj --out ball\n",
     .least = 1,

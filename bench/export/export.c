@@ -459,8 +459,8 @@ static void put_score(const struct export_job *j, struct output *out)
                  "## Frames, and how they are scored\n\n"
                  "Positions of all vertices of the sheet at each time: a CSV with lines "
                  "t,u,v,x,y,z in any\norder, OBJ or PLY a frame, or NPZ or HDF5 with "
-                 "xyz [frames][n][3], uv [n][2], t [frames]\n(clothbench.py: "
-                 "frames.write(path, t, uv, xyz)).\n\n");
+                 "xyz [frames][n][3], uv [n][2], t [frames]\n(in Python: "
+                 "clothbench.frames.write(path, t, uv, xyz)).\n\n");
     if (known->claimed == 1)
         output_print(out, "The truth is known at %g s", known->time[0]);
     else if (known->claimed)

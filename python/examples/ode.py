@@ -36,4 +36,4 @@ folder, n, *names = sys.argv[1:]
 for name in names:
     t, xyz = zip(*run(scene := clothbench.export(name, n, n)))
     clothbench.frames.write(f"{folder}/{name}/{n}x{n}.npz", t, scene.uv, xyz)
-    print(clothbench.run("score", name, f"{folder}/{name}/{n}x{n}.npz"))
+print(clothbench.run("score", "--protocol", folder))

@@ -89,10 +89,6 @@ def bad_frames():
     check("nothing is left", not [name for name in os.listdir() if "mine" not in name])
 
 
-def run(*arguments):
-    return subprocess.run([program, *arguments], capture_output=True, text=True, check=True).stdout
-
-
 def truths():
     fall = clothbench.truth.read("free_fall")
     want = -9.81 * fall.t ** 2 / 2
@@ -103,12 +99,12 @@ def truths():
     check("bar", (fall.bar < 1e-13).all() and (fall.bar > 0).all())
     check("source", "falls as one body" in fall.source)
     with open("small.csv", "w") as file:
-        file.write(run("truth", "edge_drop", "--stored", "--points", "5,4"))
+        file.write(clothbench.run("truth", "edge_drop", "--stored", "--points", "5,4"))
     drop = clothbench.truth.read("small.csv")
     check("a file", drop.xyz.shape == (74, 20, 3) and drop.t[-1] == 1.48)
     check("held", abs(drop.xyz[:, drop.uv[:, 0] == 0, 0]).max() < 1e-6)
     if h5py:
-        run("truth", "hanging", "--out", "hanging.h5")
+        clothbench.run("truth", "hanging", "--out", "hanging.h5")
         a, b = clothbench.truth.read("hanging.h5"), clothbench.truth.read("hanging")
         check("h5 and csv", abs(a.xyz - b.xyz).max() < b.bar.min() / 10)  # packed
         check("uv of h5 and csv", abs(a.uv - b.uv).max() < 1e-15)
@@ -132,7 +128,7 @@ def scored():
     exec(textwrap.dedent(block[:block.index("\n\n")]), {})
     said = page[page.index("    scene       time"):]
     said = textwrap.dedent(said[:said.index("\n\n## ")])
-    check("the page's simulator", said in run("score", "free_fall", "frames.npz"))
+    check("the page's simulator", said in clothbench.run("score", "free_fall", "frames.npz"))
     made = numpy.load("frames.npz")
     numpy.savez_compressed("packed.npz", **{name: made[name].astype("f4") for name in made})
     (sheet,) = clothbench.score("free_fall", "packed.npz")
@@ -175,7 +171,7 @@ def wheel_and_example():
         [sys.executable, "-m", "pip", "install", "--no-build-isolation", "--no-deps", "--no-index",
          "--target", "site", "./python"], capture_output=True, text=True)
     check("pip: " + pip.stderr[-500:], not pip.returncode)
-    version = run("--version").split()[2]
+    version = clothbench.run("--version").split()[2]
     check("version", os.path.isdir(f"site/clothbench-{version}.dist-info"))
     try:
         ctypes.CDLL("libode.so.8")

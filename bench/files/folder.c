@@ -53,13 +53,11 @@ static enum status check_free(const char *path, struct message *why)
     return STATUS_OK;
 }
 
-enum status folder_aside_open(const char *path, struct folder_aside *f, struct message *why)
+static enum status open_aside(const char *path, struct folder_aside *f, struct message *why)
 {
     size_t size = strlen(path);
     enum status st;
 
-    *f = (struct folder_aside){0};
-    TRY(check_free(path, why));
     while (size > 1 && path[size - 1] == '/')
         size--;
     if (asprintf(&f->temporary, "%.*s.%ld.part", (int)size, path, (long)getpid()) < 0)
@@ -74,11 +72,95 @@ out:
     return st;
 }
 
+enum status folder_aside_open(const char *path, struct folder_aside *f, struct message *why)
+{
+    enum status st;
+
+    *f = (struct folder_aside){0};
+    TRY(check_free(path, why));
+    TRY(open_aside(path, f, why));
+out:
+    return st;
+}
+
+/* Checks that all that is in the folder may go. */
+static enum status check_contents(const char *path, const char *mark, const char *endings,
+                                  struct message *why)
+{
+    DIR *folder = opendir(path);
+    char foreign[256] = "", word[260];
+    bool marked = false;
+
+    for (const struct dirent *e; folder && (e = readdir(folder));) {
+        const char *dot = strrchr(e->d_name, '.');
+        snprintf(word, sizeof word, "|%s|", dot ? dot : "");
+        marked |= !strcmp(e->d_name, mark);
+        if (strcmp(e->d_name, ".") && strcmp(e->d_name, "..") && strcmp(e->d_name, mark) &&
+            !strstr(endings, word))
+            snprintf(foreign, sizeof foreign, "%s", e->d_name);
+    }
+    if (folder)
+        closedir(folder);
+    if (marked && !*foreign)
+        return STATUS_OK;
+    return status_fail(
+        why, STATUS_INPUT,
+        "%s: is there already, and %s%s; a new folder is needed, or one that "
+        "this command has written",
+        path, *foreign ? "has in it " : "was not written by this command", foreign);
+}
+
+enum status folder_aside_replace(const char *path, const char *mark, const char *endings,
+                                 struct folder_aside *f, struct message *why)
+{
+    enum status st;
+
+    *f = (struct folder_aside){0};
+    const bool there = check_free(path, NULL) != STATUS_OK;
+    struct stat info;
+    if (there && (lstat(path, &info) != 0 || !S_ISDIR(info.st_mode)))
+        TRY(check_free(path, why));
+    if (there)
+        TRY(check_contents(path, mark, endings, why));
+    TRY(open_aside(path, f, why));
+    f->replaces = there;
+out:
+    return st;
+}
+
+static void remove_files(const char *path)
+{
+    DIR *folder = opendir(path);
+
+    for (const struct dirent *e; folder && (e = readdir(folder));)
+        unlinkat(dirfd(folder), e->d_name, 0); /* not . and .. */
+    if (folder) {
+        closedir(folder);
+        rmdir(path);
+    }
+}
+
+/* Puts the new folder in the place of the one that is there, which is put back if that
+ * fails. */
+static int exchange(const struct folder_aside *f)
+{
+    char old[4096];
+
+    if (snprintf(old, sizeof old, "%s.old", f->temporary) >= (int)sizeof old)
+        return -1;
+    if (rename(f->path, old) != 0)
+        return -1;
+    if (rename(f->temporary, f->path) != 0)
+        return rename(old, f->path), -1;
+    remove_files(old);
+    return 0;
+}
+
 enum status folder_aside_commit(struct folder_aside *f, struct message *why)
 {
     enum status st = STATUS_OK;
 
-    if (rename(f->temporary, f->path) != 0)
+    if ((f->replaces ? exchange(f) : rename(f->temporary, f->path)) != 0)
         st = status_fail(why, STATUS_FILE, "%s: cannot be written: %s", f->path,
                          strerror(errno));
     folder_aside_discard(f);
@@ -87,14 +169,8 @@ enum status folder_aside_commit(struct folder_aside *f, struct message *why)
 
 void folder_aside_discard(struct folder_aside *f)
 {
-    DIR *folder = f->temporary ? opendir(f->temporary) : NULL;
-
-    for (const struct dirent *e; folder && (e = readdir(folder));)
-        unlinkat(dirfd(folder), e->d_name, 0); /* not . and .. */
-    if (folder) {
-        closedir(folder);
-        rmdir(f->temporary);
-    }
+    if (f->temporary)
+        remove_files(f->temporary);
     free(f->path);
     free(f->temporary);
     *f = (struct folder_aside){0};

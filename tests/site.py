@@ -109,7 +109,7 @@ def check_hostile(folder):
     (folder / "results/compare_scenes.csv").write_text(
         f"scene,contestant,seconds,target_rmse_over_length\n{HOSTILE},shell,1,0.01\n../x,shell,1,0.01\n")
     (folder / "results/stress/printed.csv").write_text(f'case,model,end,in_words\n"{HOSTILE}",shell,{HOSTILE},{HOSTILE}\n')
-    (folder / "manual/a.md").write_text(f"# {HOSTILE}\n\n{HOSTILE}\n\n## {HOSTILE}\n\n[x](javascript:alert(1)) [y](/etc/passwd)\n")
+    (folder / "manual/a.md").write_text(f"# \"q\" {HOSTILE}\n\n{HOSTILE}\n\n## {HOSTILE}\n\n[x](javascript:alert(1)) [y](/etc/passwd)\n")
     site = folder / "hostile"
     # Empty files stand before the stored truths, which take a second to read.
     for path in (SOURCE / "bench/truths").glob("*.h5"):
@@ -125,6 +125,7 @@ def check_hostile(folder):
                   f"{path.name}: a file's '{tag}' is in the page as it stands")
     check("&lt;script&gt;alert(1)" in (site / "scene_edge_drop.html").read_text(), "a hostile title is lost")
     check("&lt;script&gt;alert(1)" in (site / "contestant_shell.html").read_text(), "a hostile case is lost")
+    check("&quot;q&quot;" in (site / "index.html").read_text(), "a quote of a title is not escaped")
     return site, light
 
 

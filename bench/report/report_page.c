@@ -6,6 +6,7 @@
 #include "bench/files/provenance.h"
 #include "bench/report/report_json.h"
 #include "bench/report/report_motion.h"
+#include "bench/report/site_scene.h"
 #include "models/reader/named_file.h"
 
 /* The page is smaller than this [bytes]. */
@@ -33,6 +34,24 @@ static void write_provenance(FILE *file)
     fputs("\"by\":\"clothbench report\"},", file);
 }
 
+static enum status write_chart(FILE *file, const char *folder,
+                               const struct report_found *found)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+
+    if (!stream)
+        return STATUS_MEMORY;
+    enum status st = site_scene_chart(stream, folder, found, "edge_drop");
+    if (fclose(stream) != 0)
+        st = STATUS_MEMORY;
+    if (st == STATUS_OK)
+        report_json_pair(file, "chart", text);
+    free(text);
+    return st;
+}
+
 /* Writes all data but the pictures, without the last brace. */
 static enum status write_data(FILE *file, const char *folder,
                               const struct report_found *found,
@@ -44,6 +63,7 @@ static enum status write_data(FILE *file, const char *folder,
     report_json_pair(file, "folder", folder);
     write_provenance(file);
     TRY(report_summary_write(file, found, said));
+    TRY(write_chart(file, folder, found));
     fputs("\"parts\":[", file);
     for (int n = 0; report_part_list[n].id; n++) {
         fputs(n ? "," : "", file);

@@ -242,11 +242,6 @@ enum status report_summary_write(FILE *file, const struct report_found *found,
         fputc(n ? ',' : '[', file);
         report_json_string(file, said[n]);
     }
-    fputs("],\"best\":[", file);
-    for (int n = 0; n < models; n++) {
-        fputs(n ? "," : "", file);
-        report_json_string(file, best[n].title);
-    }
     fputs("],", file);
     free(best);
     return STATUS_OK;

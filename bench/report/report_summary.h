@@ -22,9 +22,8 @@ int report_summary_best(const struct csv_table *t, struct report_run *best);
 enum { REPORT_SENTENCES = 4, REPORT_SENTENCE = 512 };
 
 /* Writes "claims":[{"part", "claim", "verdict", "text", "quick"}, ...], "found":[the
- * sentences on claims, speed at equal error, checks and contact], "best":[the title of each
- * model's best contestant], and fills `said` with these sentences; `found` is in the order
- * of report_part_list. STATUS_MEMORY. */
+ * sentences on claims, speed at equal error, checks and contact], and fills `said` with
+ * these sentences; `found` is in the order of report_part_list. STATUS_MEMORY. */
 enum status report_summary_write(FILE *file, const struct report_found *found,
                                  char said[REPORT_SENTENCES][REPORT_SENTENCE]);
 

@@ -1,6 +1,5 @@
 #include "bench/report/site.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +8,6 @@
 #include "bench/files/provenance.h"
 #include "bench/report/html.h"
 #include "bench/report/report_page.h"
-#include "bench/report/site_chart.h"
 #include "bench/report/site_contestant.h"
 #include "bench/report/site_manual.h"
 #include "bench/report/site_scene.h"
@@ -136,14 +134,9 @@ static enum status write_index(struct site *s, struct message *why)
                   why));
     FILE *file = output_stream(out);
     write_found(s, file);
-    const struct csv_table *speed =
-        report_summary_runs(report_part_found(s->found, "compare"));
-    if (speed) {
-        fputs("<h2 id=\"speed\">Speed against error on <a href=\"scene_edge_drop.html\">"
-              "edge_drop</a></h2>\n",
-              file);
-        TRY(site_chart_write(file, speed, NAN));
-    }
+    html_print(file, "<h2 id=\"speed\">Speed against error on "
+                     "<a href=\"scene_edge_drop.html\">edge_drop</a></h2>\n");
+    TRY(site_scene_chart(file, s->folder, s->found, "edge_drop"));
     fputs("<h2 id=\"scenes\">Scenes</h2>\n<p>Up to when a scene's motion is known, and how "
           "well it is then, in per cent of the sheet's length.</p>\n",
           file);

@@ -11,6 +11,8 @@
 /* Size of the drawing and of the part with data. */
 enum { WIDTH = 480, HEIGHT = 340, LEFT = 52, RIGHT = 470, TOP = 12, BOTTOM = 296 };
 
+static const char error_key[] = "worst_rmse_over_length";
+
 /* An axis of powers of ten. */
 struct axis {
     double low, high; /* exponents                                                      */
@@ -32,7 +34,7 @@ static bool is_front(const struct csv_table *t, int row, const struct report_run
 {
     return !strcmp(csv_words(t, row, csv_column(t, "contestant")), best->contestant) &&
            number(t, row, "front") == 1 && number(t, row, "seconds") > 0 &&
-           number(t, row, "worst_rmse_over_length") > 0;
+           number(t, row, error_key) > 0;
 }
 
 static void widen(struct axis *a, double value)
@@ -58,46 +60,60 @@ static void write_axis(FILE *file, const struct axis *a, bool across)
     }
 }
 
-static int compare_seconds(const void *a, const void *b)
+static double seconds_of(const struct csv_table *t, int row)
 {
-    const double *p = a, *q = b;
-
-    return (p[0] > q[0]) - (p[0] < q[0]);
+    return number(t, row, "seconds");
 }
 
-/* Writes the line of a contestant through its runs, fastest first; run[rows][2] is used. */
-static void write_line(FILE *file, const struct csv_table *t, const struct report_run *best,
-                       const struct axis axis[2], const char *colour, double (*run)[2])
+/* Returns the next run of a contestant's front behind `row`, by seconds; -1: none. */
+static int next_run(const struct csv_table *t, const struct report_run *best, int row)
 {
-    int count = 0;
+    int next = -1;
 
-    for (int row = 0; row < t->rows; row++)
-        if (is_front(t, row, best)) {
-            run[count][0] = number(t, row, "seconds");
-            run[count++][1] = number(t, row, "worst_rmse_over_length");
-        }
-    qsort(run, (size_t)count, sizeof *run, compare_seconds);
+    for (int n = 0; n < t->rows; n++)
+        if (is_front(t, n, best) && (row < 0 || seconds_of(t, n) > seconds_of(t, row)) &&
+            (next < 0 || seconds_of(t, n) < seconds_of(t, next)))
+            next = n;
+    return next;
+}
+
+static void write_point(FILE *file, const struct csv_table *t, int row,
+                        const struct axis axis[2])
+{
+    const double error = number(t, row, error_key), side = number(t, row, "side"),
+                 across = number(t, row, "across");
+
+    fprintf(file, "<circle r=\"4\" cx=\"%.1f\" cy=\"%.1f\">",
+            place(&axis[0], seconds_of(t, row)), place(&axis[1], error));
+    html_print(file, "<title>%s, %gx%g points, step %g s: %g %% in %g s</title></circle>",
+               csv_words(t, row, csv_column(t, "title")), side,
+               isnan(across) ? side : across, number(t, row, "step_s"), 100 * error,
+               seconds_of(t, row));
+}
+
+/* Writes the line of a contestant through the runs of its front. */
+static void write_line(FILE *file, const struct csv_table *t, const struct report_run *best,
+                       const struct axis axis[2], const char *colour)
+{
     fprintf(file, "<g fill=\"%s\"><path fill=\"none\" stroke=\"%s\" d=\"", colour, colour);
-    for (int n = 0; n < count; n++)
-        fprintf(file, "%c%.1f %.1f", n ? 'L' : 'M', place(&axis[0], run[n][0]),
-                place(&axis[1], run[n][1]));
+    for (int n = next_run(t, best, -1), first = n; n >= 0; n = next_run(t, best, n))
+        fprintf(file, "%c%.1f %.1f", n == first ? 'M' : 'L',
+                place(&axis[0], seconds_of(t, n)),
+                place(&axis[1], number(t, n, error_key)));
     fputs("\"/>", file);
-    for (int n = 0; n < count; n++) {
-        fprintf(file, "<circle r=\"4\" cx=\"%.1f\" cy=\"%.1f\">",
-                place(&axis[0], run[n][0]), place(&axis[1], run[n][1]));
-        html_print(file, "<title>%s: %g %% in %g s</title></circle>", best->title,
-                   100 * run[n][1], run[n][0]);
-    }
+    for (int n = next_run(t, best, -1); n >= 0; n = next_run(t, best, n))
+        write_point(file, t, n, axis);
     fputs("</g>\n", file);
 }
 
-static void write_legend(FILE *file, const struct report_run *best, const char *colour)
+static void write_legend(FILE *file, const struct report_run *best, const char *colour,
+                         bool links)
 {
     const struct contestant *who;
     struct message why;
 
     html_print(file, "<span class=\"key\"><b style=\"color:%s\">&#9679;</b> ", colour);
-    if (contestant_find(best->contestant, &who, &why) == STATUS_OK)
+    if (links && contestant_find(best->contestant, &who, &why) == STATUS_OK)
         html_print(file, "<a href=\"contestant_%s.html\">%s</a></span>\n", who->name,
                    best->title);
     else
@@ -115,10 +131,8 @@ static void write_bar(FILE *file, const struct axis *y, double bar)
             LEFT, at, RIGHT, LEFT + 6, at - 5);
 }
 
-/* Writes the drawing and the legend; run[rows] is used. */
 static void write_chart(FILE *file, const struct csv_table *t,
-                        const struct report_run *best, int models, double bar,
-                        double (*run)[2])
+                        const struct report_run *best, int models, double bar, bool links)
 {
     struct axis axis[2] = {{INFINITY, -INFINITY, {LEFT, RIGHT}},
                            {INFINITY, -INFINITY, {BOTTOM, TOP}}};
@@ -128,7 +142,7 @@ static void write_chart(FILE *file, const struct csv_table *t,
         for (int row = 0; row < t->rows; row++)
             if (is_front(t, row, &best[n])) {
                 widen(&axis[0], number(t, row, "seconds"));
-                widen(&axis[1], number(t, row, "worst_rmse_over_length"));
+                widen(&axis[1], number(t, row, error_key));
             }
     if (!(axis[0].low < axis[0].high && axis[1].low < axis[1].high))
         return;
@@ -142,28 +156,25 @@ static void write_chart(FILE *file, const struct csv_table *t,
     write_axis(file, &axis[1], false);
     for (int n = 0; n < models; n++) {
         snprintf(colour, sizeof colour, "hsl(%d 65%% 45%%)", 360 * n / models);
-        write_line(file, t, &best[n], axis, colour, run);
+        write_line(file, t, &best[n], axis, colour);
     }
     write_bar(file, &axis[1], bar);
     fputs("</svg>\n<p class=\"soft\">", file);
     for (int n = 0; n < models; n++) {
         snprintf(colour, sizeof colour, "hsl(%d 65%% 45%%)", 360 * n / models);
-        write_legend(file, &best[n], colour);
+        write_legend(file, &best[n], colour, links);
     }
     fputs("</p>\n", file);
 }
 
-enum status site_chart_write(FILE *file, const struct csv_table *runs, double bar)
+enum status site_chart_write(FILE *file, const struct csv_table *runs, double bar,
+                             bool links)
 {
     struct report_run *best = malloc(((size_t)runs->rows + 1) * sizeof *best);
-    double(*run)[2] = malloc(((size_t)runs->rows + 1) * sizeof *run);
 
-    if (best && run) {
-        const int models = report_summary_best(runs, best);
-        write_chart(file, runs, best, models, bar, run);
-    }
-    const enum status st = best && run ? STATUS_OK : STATUS_MEMORY;
+    if (!best)
+        return STATUS_MEMORY;
+    write_chart(file, runs, best, report_summary_best(runs, best), bar, links);
     free(best);
-    free(run);
-    return st;
+    return STATUS_OK;
 }

@@ -3,13 +3,15 @@
 #ifndef SITE_CHART_H
 #define SITE_CHART_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "bench/files/csv.h"
 
-/* Writes the chart of a table of runs with its legend; contestants link to their pages.
- * Nothing is written where no run has both numbers > 0. `bar` is the truth's error bar over
- * the length; NaN: unknown. STATUS_MEMORY. */
-enum status site_chart_write(FILE *file, const struct csv_table *runs, double bar);
+/* Writes the chart of a table of runs with its legend, in which contestants have `links` to
+ * their pages. Nothing is written where no run has both numbers > 0. `bar` is the truth's
+ * error bar over the length; NaN: unknown. STATUS_MEMORY. */
+enum status site_chart_write(FILE *file, const struct csv_table *runs, double bar,
+                             bool links);
 
 #endif

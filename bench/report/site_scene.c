@@ -6,6 +6,7 @@
 
 #include "bench/files/output.h"
 #include "bench/report/html.h"
+#include "bench/report/report_summary.h"
 #include "bench/report/site_chart.h"
 #include "bench/report/site_sheet.h"
 #include "bench/truth/truth.h"
@@ -88,6 +89,8 @@ static enum status find_compared(struct compared *c, const char *folder,
         find_printed(c, report_part_found(found, "compare"), scene);
         find_printed(c, report_part_found(found, "scenes"), scene);
     }
+    if (!c->runs && !strcmp(scene, "edge_drop")) /* a table without its caption */
+        c->runs = report_summary_runs(report_part_found(found, "compare"));
 out:
     return st;
 }
@@ -248,7 +251,7 @@ static enum status write_compared(FILE *file, const struct subject *s)
                    s->scene.name);
         return st;
     }
-    TRY(site_chart_write(file, c->runs, bar_of(s)));
+    TRY(site_chart_write(file, c->runs, bar_of(s), true));
     if (c->targets)
         write_speeds(file, c->targets, c->limits);
 out:
@@ -309,4 +312,19 @@ out:
     output_discard(page);
     clear_subject(&s);
     return st;
+}
+
+enum status site_scene_chart(FILE *file, const char *folder,
+                             const struct report_found *found, const char *name)
+{
+    struct subject s = {0};
+    struct message why = {""};
+    enum status st;
+
+    TRY(read_subject(&s, folder, found, name, &why));
+    if (s.compared.runs)
+        TRY(site_chart_write(file, s.compared.runs, bar_of(&s), false));
+out:
+    clear_subject(&s);
+    return st == STATUS_MEMORY ? st : STATUS_OK;
 }

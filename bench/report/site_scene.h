@@ -14,4 +14,9 @@ enum status site_scene_write(const char *out, const char *folder,
                              const struct report_found *found, const char *name, FILE *rows,
                              struct message *why);
 
+/* Writes the chart alone, without links; nothing where the scene was not measured. Statuses
+ * of reading the scene. */
+enum status site_scene_chart(FILE *file, const char *folder,
+                             const struct report_found *found, const char *name);
+
 #endif

@@ -202,7 +202,7 @@ SCRIPT
 for n in {1..20}; do cp "$sound" "moves/run_edge_drop/more_$n.h5"; done
 "$program" run edge_drop "${sheet[@]}" --set time.end=0.5 --out moves/run_edge_drop/long.h5 2>err
 good moves
-grep -q '"name":"long.h5","truth":false,"side":14,"stride":[2-9],' page.html || fail 'a long run has all its frames'
+grep -q '"name":"long.h5","truth":false,"side":12,"stride":[2-9],' page.html || fail 'a long run has all its frames'
 
 sed -n 's/.*id="data">\(.*\)<.script>/\1/p' page.html >data.json
 python3 - <<'SCRIPT' || fail 'frames of a long run stand at the times of others'

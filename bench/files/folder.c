@@ -28,12 +28,16 @@ enum status folder_make(const char *path, struct message *why)
     return STATUS_OK;
 }
 
-/* Checks that a folder of this name would replace nothing. */
-static enum status check_free(const char *path, struct message *why)
+/* Checks that a folder of this name would replace nothing but, with a mark, files that have
+ * one of the endings and the file `mark` among them; *there: it is not empty. */
+static enum status check_free(const char *path, const char *mark, const char *endings,
+                              bool *there, struct message *why)
 {
     struct stat info;
-    int entries = 0;
+    char foreign[300] = "", word[300];
+    bool marked = false;
 
+    *there = false;
     if (*path == '\0')
         return status_fail(why, STATUS_INPUT, "the name of the folder is empty");
     if (lstat(path, &info) != 0)
@@ -41,23 +45,37 @@ static enum status check_free(const char *path, struct message *why)
     if (!S_ISDIR(info.st_mode))
         return status_fail(why, STATUS_INPUT, "%s: is there already, and no folder", path);
     DIR *folder = opendir(path);
-    for (const struct dirent *e; folder && (e = readdir(folder));)
-        entries += strcmp(e->d_name, ".") != 0 && strcmp(e->d_name, "..") != 0;
+    for (const struct dirent *e; folder && (e = readdir(folder));) {
+        const char *dot = strrchr(e->d_name, '.');
+        snprintf(word, sizeof word, "|%s|", dot ? dot : "");
+        const bool is_mark = mark && !strcmp(e->d_name, mark);
+        if (!strcmp(e->d_name, ".") || !strcmp(e->d_name, ".."))
+            continue;
+        *there = true;
+        marked |= is_mark;
+        if (!is_mark && (!mark || !strstr(endings, word)))
+            snprintf(foreign, sizeof foreign, "%s", e->d_name);
+    }
     if (folder)
         closedir(folder);
-    if (!folder || entries)
-        return status_fail(why, STATUS_INPUT,
-                           "%s: is there already, with something in it; a new folder is "
-                           "needed",
-                           path);
-    return STATUS_OK;
+    if (folder && (!*there || (marked && !*foreign)))
+        return STATUS_OK;
+    return status_fail(why, STATUS_INPUT,
+                       "%s: is there already, with %s in it; a new folder is needed%s",
+                       path, *foreign ? foreign : "something",
+                       mark ? ", or one that this command has written" : "");
 }
 
-static enum status open_aside(const char *path, struct folder_aside *f, struct message *why)
+enum status folder_aside_replace(const char *path, const char *mark, const char *endings,
+                                 struct folder_aside *f, struct message *why)
 {
     size_t size = strlen(path);
+    bool there;
     enum status st;
 
+    *f = (struct folder_aside){0};
+    TRY(check_free(path, mark, endings, &there, why));
+    f->replaces = there;
     while (size > 1 && path[size - 1] == '/')
         size--;
     if (asprintf(&f->temporary, "%.*s.%ld.part", (int)size, path, (long)getpid()) < 0)
@@ -74,58 +92,7 @@ out:
 
 enum status folder_aside_open(const char *path, struct folder_aside *f, struct message *why)
 {
-    enum status st;
-
-    *f = (struct folder_aside){0};
-    TRY(check_free(path, why));
-    TRY(open_aside(path, f, why));
-out:
-    return st;
-}
-
-/* Checks that all that is in the folder may go. */
-static enum status check_contents(const char *path, const char *mark, const char *endings,
-                                  struct message *why)
-{
-    DIR *folder = opendir(path);
-    char foreign[256] = "", word[260];
-    bool marked = false;
-
-    for (const struct dirent *e; folder && (e = readdir(folder));) {
-        const char *dot = strrchr(e->d_name, '.');
-        snprintf(word, sizeof word, "|%s|", dot ? dot : "");
-        marked |= !strcmp(e->d_name, mark);
-        if (strcmp(e->d_name, ".") && strcmp(e->d_name, "..") && strcmp(e->d_name, mark) &&
-            !strstr(endings, word))
-            snprintf(foreign, sizeof foreign, "%s", e->d_name);
-    }
-    if (folder)
-        closedir(folder);
-    if (marked && !*foreign)
-        return STATUS_OK;
-    return status_fail(
-        why, STATUS_INPUT,
-        "%s: is there already, and %s%s; a new folder is needed, or one that "
-        "this command has written",
-        path, *foreign ? "has in it " : "was not written by this command", foreign);
-}
-
-enum status folder_aside_replace(const char *path, const char *mark, const char *endings,
-                                 struct folder_aside *f, struct message *why)
-{
-    enum status st;
-
-    *f = (struct folder_aside){0};
-    const bool there = check_free(path, NULL) != STATUS_OK;
-    struct stat info;
-    if (there && (lstat(path, &info) != 0 || !S_ISDIR(info.st_mode)))
-        TRY(check_free(path, why));
-    if (there)
-        TRY(check_contents(path, mark, endings, why));
-    TRY(open_aside(path, f, why));
-    f->replaces = there;
-out:
-    return st;
+    return folder_aside_replace(path, NULL, NULL, f, why);
 }
 
 static void remove_files(const char *path)

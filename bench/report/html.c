@@ -9,26 +9,16 @@
 
 static void put_text(FILE *file, const char *text)
 {
-    for (; *text; text++)
-        switch (*text) {
-        case '<':
-            fputs("&lt;", file);
-            break;
-        case '>':
-            fputs("&gt;", file);
-            break;
-        case '&':
-            fputs("&amp;", file);
-            break;
-        case '"':
-            fputs("&quot;", file);
-            break;
-        case '\'':
-            fputs("&#39;", file);
-            break;
-        default:
+    static const char marks[] = "<>&\"'";
+    static const char *const entity[] = {"&lt;", "&gt;", "&amp;", "&quot;", "&#39;"};
+
+    for (; *text; text++) {
+        const char *mark = strchr(marks, *text);
+        if (mark)
+            fputs(entity[mark - marks], file);
+        else
             fputc(*text, file);
-        }
+    }
 }
 
 static void put_number(FILE *file, double value)

@@ -6,7 +6,7 @@
 #include "bench/files/provenance.h"
 #include "bench/report/report_json.h"
 #include "bench/report/report_motion.h"
-#include "bench/report/site_scene.h"
+#include "bench/report/site_parts.h"
 #include "models/reader/named_file.h"
 
 /* The page is smaller than this [bytes]. */

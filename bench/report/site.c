@@ -8,9 +8,7 @@
 #include "bench/files/provenance.h"
 #include "bench/report/html.h"
 #include "bench/report/report_page.h"
-#include "bench/report/site_contestant.h"
-#include "bench/report/site_manual.h"
-#include "bench/report/site_scene.h"
+#include "bench/report/site_parts.h"
 #include "models/reader/scene_file.h"
 
 /* The file that says that a folder is a site, and what other files a site has. */

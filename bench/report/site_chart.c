@@ -1,10 +1,9 @@
-#include "bench/report/site_chart.h"
+#include "bench/report/site_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/harness/contestant.h"
 #include "bench/report/html.h"
 #include "bench/report/report_summary.h"
 

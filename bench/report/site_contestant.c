@@ -1,4 +1,4 @@
-#include "bench/report/site_contestant.h"
+#include "bench/report/site_parts.h"
 
 #include <stdlib.h>
 #include <string.h>

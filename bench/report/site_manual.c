@@ -1,4 +1,4 @@
-#include "bench/report/site_manual.h"
+#include "bench/report/site_parts.h"
 
 #include <ctype.h>
 #include <md4c-html.h>

@@ -1,25 +1,30 @@
-#include "bench/report/site_scene.h"
+#include "bench/report/site_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "bench/files/output.h"
 #include "bench/report/html.h"
 #include "bench/report/report_summary.h"
-#include "bench/report/site_chart.h"
-#include "bench/report/site_sheet.h"
 #include "bench/truth/truth.h"
 #include "models/grid.h"
 #include "models/reader/scene_file.h"
 
 enum { PATH = 4096, PICTURES = 4, BARS = 8 };
 
-/* The tables of `compare` on a scene; NULL: there is none. */
+/* The tables of `compare` on a scene: files, and a column that each alone has. */
+enum compared_table { RUNS, TARGETS, LIMITS, TABLES };
+static const char *const files[TABLES] = {"compare", "compare_targets", "compare_limits"},
+                         *const own_keys[TABLES] = {"worst_rmse_over_length",
+                                                    "seconds_0.01",
+                                                    "lowest_rmse_over_length"};
+
 struct compared {
-    const struct csv_table *runs, *targets, *limits;
-    struct csv own[3];  /* of the scene's folder */
-    char trouble[1024]; /* "" or what is wrong with one of them                       */
+    const struct csv_table *table[TABLES]; /* NULL: there is none                       */
+    struct csv own[TABLES];                /* of the scene's folder                     */
+    char trouble[1024];                    /* "" or what is wrong with one of them      */
 };
 
 /* A scene that a page is written of. */
@@ -32,28 +37,26 @@ struct subject {
     struct compared compared;
 };
 
-/* Reads FOLDER/compare_SCENE/FILE.csv, if it is there. */
-static enum status read_own(struct compared *c, int n, const char *folder,
-                            const char *scene, const char *file,
-                            const struct csv_table **table)
+/* Reads FOLDER/compare_SCENE/FILE.csv, as far as they are there. */
+static enum status read_own(struct compared *c, const char *folder, const char *scene)
 {
     char path[PATH];
-    struct message why = {""};
-    enum status st = STATUS_FILE;
-    FILE *there = NULL;
+    struct message why;
 
-    if (snprintf(path, sizeof path, "%s/compare_%s/%s.csv", folder, scene, file) <
-        (int)sizeof path)
-        there = fopen(path, "r");
-    if (!there)
-        return STATUS_OK;
-    fclose(there);
-    st = csv_read(path, &c->own[n], &why);
-    if (st != STATUS_OK)
-        snprintf(c->trouble, sizeof c->trouble, "%s", why.text);
-    else if (c->own[n].count)
-        *table = c->own[n].table;
-    return st == STATUS_MEMORY ? st : STATUS_OK;
+    for (int n = 0; n < TABLES; n++) {
+        if (snprintf(path, sizeof path, "%s/compare_%s/%s.csv", folder, scene, files[n]) >=
+                (int)sizeof path ||
+            access(path, F_OK) != 0)
+            continue;
+        const enum status st = csv_read(path, &c->own[n], &why);
+        if (st == STATUS_MEMORY)
+            return st;
+        if (st != STATUS_OK)
+            snprintf(c->trouble, sizeof c->trouble, "%s", why.text);
+        else if (c->own[n].count)
+            c->table[n] = c->own[n].table;
+    }
+    return STATUS_OK;
 }
 
 /* Finds the tables in what `compare` printed on one or several scenes. */
@@ -68,29 +71,25 @@ static void find_printed(struct compared *c, const struct report_found *found,
         const struct csv_table *t = found->table[n];
         if (strstr(t->caption, "Every run on "))
             within = strstr(t->caption, words) != NULL;
-        if (within && !c->runs && csv_column(t, "worst_rmse_over_length") >= 0)
-            c->runs = t;
-        else if (within && !c->targets && csv_column(t, "seconds_0.01") >= 0)
-            c->targets = t;
-        else if (within && !c->limits && csv_column(t, "lowest_rmse_over_length") >= 0)
-            c->limits = t;
+        for (int k = 0; k < TABLES && within; k++)
+            if (!c->table[k] && csv_column(t, own_keys[k]) >= 0)
+                c->table[k] = t;
     }
 }
 
 static enum status find_compared(struct compared *c, const char *folder,
                                  const struct report_found *found, const char *scene)
 {
+    const struct report_found *compare = report_part_found(found, "compare");
     enum status st;
 
-    TRY(read_own(c, 0, folder, scene, "compare", &c->runs));
-    TRY(read_own(c, 1, folder, scene, "compare_targets", &c->targets));
-    TRY(read_own(c, 2, folder, scene, "compare_limits", &c->limits));
-    if (!c->runs && !*c->trouble) {
-        find_printed(c, report_part_found(found, "compare"), scene);
-        find_printed(c, report_part_found(found, "scenes"), scene);
-    }
-    if (!c->runs && !strcmp(scene, "edge_drop")) /* a table without its caption */
-        c->runs = report_summary_runs(report_part_found(found, "compare"));
+    TRY(read_own(c, folder, scene));
+    if (c->table[RUNS] || *c->trouble)
+        goto out;
+    find_printed(c, compare, scene);
+    find_printed(c, report_part_found(found, "scenes"), scene);
+    if (!c->table[RUNS] && !strcmp(scene, "edge_drop")) /* a table without its caption */
+        c->table[RUNS] = report_summary_runs(compare);
 out:
     return st;
 }
@@ -112,7 +111,7 @@ out:
 
 static void clear_subject(struct subject *s)
 {
-    for (int n = 0; n < 3; n++)
+    for (int n = 0; n < TABLES; n++)
         csv_clear(&s->compared.own[n]);
     truth_clear(&s->truth);
     scene_clear(&s->scene);
@@ -226,7 +225,7 @@ static void write_speeds(FILE *file, const struct csv_table *t,
 /* Returns the truth's largest error bar over the length at the times that were compared. */
 static double bar_of(const struct subject *s)
 {
-    const struct csv_table *t = s->compared.runs;
+    const struct csv_table *t = s->compared.table[RUNS];
     double bar = 0, last = 0, time;
 
     for (int n = 0; n < t->columns; n++)
@@ -246,14 +245,14 @@ static enum status write_compared(FILE *file, const struct subject *s)
     fputs("<h2 id=\"speed\">Speed against error</h2>\n", file);
     if (*c->trouble)
         html_print(file, "<p class=\"no\">Damaged: %s</p>\n", c->trouble);
-    if (!c->runs) {
+    if (!c->table[RUNS]) {
         html_print(file, "<p>Not measured: <code>clothbench compare %s</code></p>\n",
                    s->scene.name);
         return st;
     }
-    TRY(site_chart_write(file, c->runs, bar_of(s), true));
-    if (c->targets)
-        write_speeds(file, c->targets, c->limits);
+    TRY(site_chart_write(file, c->table[RUNS], bar_of(s), true));
+    if (c->table[TARGETS])
+        write_speeds(file, c->table[TARGETS], c->table[LIMITS]);
 out:
     return st;
 }
@@ -322,8 +321,8 @@ enum status site_scene_chart(FILE *file, const char *folder,
     enum status st;
 
     TRY(read_subject(&s, folder, found, name, &why));
-    if (s.compared.runs)
-        TRY(site_chart_write(file, s.compared.runs, bar_of(&s), false));
+    if (s.compared.table[RUNS])
+        TRY(site_chart_write(file, s.compared.table[RUNS], bar_of(&s), false));
 out:
     clear_subject(&s);
     return st == STATUS_MEMORY ? st : STATUS_OK;

@@ -1,4 +1,4 @@
-#include "bench/report/site_sheet.h"
+#include "bench/report/site_parts.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -132,8 +132,9 @@ static enum status write_index(struct site *s, struct message *why)
                   why));
     FILE *file = output_stream(out);
     write_found(s, file);
-    html_print(file, "<h2 id=\"speed\">Speed against error on "
-                     "<a href=\"scene_edge_drop.html\">edge_drop</a></h2>\n");
+    if (report_summary_runs(report_part_found(s->found, "compare")))
+        html_print(file, "<h2 id=\"speed\">Speed against error on "
+                         "<a href=\"scene_edge_drop.html\">edge_drop</a></h2>\n");
     TRY(site_scene_chart(file, s->folder, s->found, "edge_drop"));
     fputs("<h2 id=\"scenes\">Scenes</h2>\n<p>Up to when a scene's motion is known, and how "
           "well it is then, in per cent of the sheet's length.</p>\n",
@@ -175,7 +176,7 @@ enum status site_write(const char *path, const char *folder,
     TRY(close_lists(s));
     TRY(write_index(s, why));
     TRY(folder_aside_commit(&aside, why));
-    printf("%s: a site; begin with %s/index.html\n", path, path);
+    printf("%s: a site; begin with its index.html\n", path);
 out:
     folder_aside_discard(&aside);
     close_lists(s);

@@ -8,6 +8,8 @@
 #include "models/reader/scene_file.h"
 #include "models/reader/schema.h"
 
+enum { WORDS = 16 }; /* of an option, at most */
+
 static const char *words(const struct csv_table *t, int row, const char *key)
 {
     return csv_words(t, row, csv_column(t, key));
@@ -37,16 +39,18 @@ static void write_option(void *file, const char *key, const char *text)
 }
 
 /* Writes a model's options; those that it shares with others are described by their table,
- * but for the words that it has. */
+ * with the words that it has of them. */
 static void write_options(FILE *file, const struct schema_key *options)
 {
     for (; options->key; options++) {
-        struct schema_key one[2] = {*options, {0}};
         const struct schema_key *shared = option_find(option_shared, options->key);
-        if (shared && !options->what) {
-            one[0] = *shared;
-            one[0].only = options->only;
-        }
+        struct schema_key one[2] = {options->what ? *options : *shared, {0}};
+        const char *some[WORDS] = {NULL};
+        for (int n = 0, count = 0; options->only && one[0].words[n]; n++)
+            if (options->only & OPTION(n) && count < WORDS - 1)
+                some[count++] = one[0].words[n];
+        if (options->only)
+            one[0].words = some;
         schema_list(one, "discretization.", write_option, file);
     }
 }
@@ -85,18 +89,28 @@ static void write_scene(FILE *file, const char *name)
     free(path);
 }
 
+/* Ends a table of so many rows, or says what would measure them. */
+static void end_table(FILE *file, int rows, const char *command, const char *name)
+{
+    if (rows)
+        html_table_end(file);
+    else
+        html_print(file,
+                   "<p>Not measured: <code>clothbench %s ... --models %s</code></p>\n",
+                   command, name);
+}
+
 static void write_scenes(FILE *file, const struct csv_table *t, const char *name)
 {
+    int all = 0;
+
     fputs("<h2 id=\"scenes\">On the scenes</h2>\n", file);
-    if (!t) {
-        fputs("<p>Not measured: <code>clothbench compare</code> of several scenes</p>\n",
-              file);
-        return;
-    }
-    html_table(file, "<scene|error asked [%]|seconds to it|lowest error [%]|points");
-    for (int row = 0; row < t->rows; row++) {
+    for (int row = 0; t && row < t->rows; row++) {
         if (strcmp(words(t, row, "contestant"), name) != 0)
             continue;
+        if (!all++)
+            html_table(file,
+                       "<scene|error asked [%]|seconds to it|lowest error [%]|points");
         fputs("<tr>", file);
         write_scene(file, words(t, row, "scene"));
         html_print(file, "<td>%g</td><td>%g</td><td>%g</td><td>",
@@ -109,7 +123,7 @@ static void write_scenes(FILE *file, const struct csv_table *t, const char *name
             html_print(file, "%gx%g</td></tr>\n", number(t, row, "side"),
                        number(t, row, "across"));
     }
-    html_table_end(file);
+    end_table(file, all, "compare", name);
 }
 
 static void write_cases(FILE *file, const struct csv_table *t, const char *name)
@@ -128,11 +142,7 @@ static void write_cases(FILE *file, const struct csv_table *t, const char *name)
                    words(t, row, "case"), words(t, row, "end"), number(t, row, "error"),
                    words(t, row, "in_words"));
     }
-    if (all)
-        html_table_end(file);
-    else
-        html_print(file, "<p>Not run: <code>clothbench stress --models %s</code></p>\n",
-                   name);
+    end_table(file, all, "stress", name);
 }
 
 /* Returns the table of a part that has a key; NULL: there is none. */

@@ -115,23 +115,20 @@ out:
     return st;
 }
 
-/* Writes the page of the site that a link to a file leads to, "compare.md#seconds"; returns
- * false where there is none. */
-static bool write_target(const struct page *p, const char *link)
+/* Writes where a link leads in the site, "compare.md#seconds"; nothing where a file is no
+ * page. */
+static void write_target(const struct page *p, const char *link)
 {
     const size_t size = strcspn(link, "#");
 
     if (*link == '#' || !strncmp(link, "https://", 8) || !strncmp(link, "http://", 7)) {
         fprintf(p->file, " href=\"%s\"", link);
-        return true;
+        return;
     }
     for (int n = 0; n < p->count; n++)
         if (size == strlen(p->entries[n].name) + 3 && !strncmp(link + size - 3, ".md", 3) &&
-            !strncmp(link, p->entries[n].name, size - 3)) {
+            !strncmp(link, p->entries[n].name, size - 3))
             fprintf(p->file, " href=\"manual_%s.html%s\"", p->entries[n].name, link + size);
-            return true;
-        }
-    return false;
 }
 
 /* Writes an attribute's value, which the renderer has escaped, as the site has it. */
@@ -145,9 +142,9 @@ static void write_link(struct page *p, bool picture, const char *value, size_t s
         write_target(p, link);
         return;
     }
-    if (!*link || strspn(link, "abcdefghijklmnopqrstuvwxyz_.") != strlen(link)) {
+    if (strcmp(link + strspn(link, "abcdefghijklmnopqrstuvwxyz_"), ".svg") != 0) {
         p->status = status_fail(p->why, STATUS_INPUT,
-                                "%s: the picture '%s' does not lie beside the page",
+                                "%s: the picture '%s' is no NAME.svg beside the page",
                                 p->source, link);
         return;
     }

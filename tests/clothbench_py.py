@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""bench/export/clothbench.py from plain Python: frames that come back, truths of a scene and of
-files, and a sentence for what is wrong. Ends with 77 where numpy is missing.
-    clothbench_py.py PROGRAM FOLDER-OF-clothbench.py
+"""The package in python/: frames that come back, truths of a scene and of files, an exported
+folder, and a sentence for what is wrong; its wheel, and its example with that. Ends with 77 where
+numpy is missing.
+    clothbench_py.py PROGRAM TOP
 """
 
-import json
+import ctypes
+import importlib.util
 import os
+import shutil
 import stat
 import subprocess
 import sys
@@ -26,10 +29,10 @@ try:
 except ImportError:
     h5py = None
 
-program, folder = sys.argv[1:]
-sys.path.insert(0, folder)
+program, top = map(os.path.abspath, sys.argv[1:])
+sys.path.insert(0, os.path.join(top, "python"))
 sys.dont_write_bytecode = True
-os.environ["CLOTHBENCH"] = os.path.abspath(program)
+os.environ["CLOTHBENCH"] = program
 import clothbench
 from checks import check, finish, says
 
@@ -43,6 +46,8 @@ def frames_come_back():
         check("names", sorted(file.files) == ["t", "uv", "xyz"])
         check("t", (file["t"] == t).all() and (file["uv"] == uv).all())
         check("xyz", (file["xyz"] == xyz).all() and file["xyz"].dtype == float)
+    again = clothbench.frames.read("mine.npz")
+    check("read", (again.xyz == xyz).all() and (again.t == t).all() and (again.uv == uv).all())
     check("may be read", stat.S_IMODE(os.stat("mine.npz").st_mode) == 0o666 & ~umask)
     clothbench.frames.write("mine.npz", t, uv, xyz.astype("f4").tolist())  # again, lists
     with numpy.load("mine.npz") as file:
@@ -52,6 +57,7 @@ def frames_come_back():
         with h5py.File("mine.h5") as file:
             check("h5", (file["xyz"][...] == xyz).all() and (file["uv"][...] == uv).all())
             check("units", file["xyz"].attrs["unit"] == "m" and file["t"].attrs["unit"] == "s")
+        check("read h5", (clothbench.frames.read("mine.h5").xyz == xyz).all())
     else:
         says("no h5py", ImportError, "needs h5py", clothbench.frames.write, "x.h5", t, uv, xyz)
     check("nothing else is left", sorted(os.listdir()) == ["mine.h5", "mine.npz"][not h5py:])
@@ -77,12 +83,10 @@ def bad_frames():
             ("words", "could not convert", (t, uv, [["x"]]))):
         says(what, ValueError, words, clothbench.frames.write, "bad.npz", *arguments)
     says("an ending", ValueError, "must end in", clothbench.frames.write, "bad.mat", t, uv, xyz)
-    says("a folder", OSError, "nowhere", clothbench.frames.write, "nowhere/bad.npz", t, uv, xyz)
+    says("no folder", OSError, "mine.npz", clothbench.frames.write, "mine.npz/bad.npz", t, uv, xyz)
+    numpy.savez("mine.npz", t=t, xyz=xyz)
+    says("no uv", ValueError, "has no uv", clothbench.frames.read, "mine.npz")
     check("nothing is left", not [name for name in os.listdir() if "mine" not in name])
-
-
-def run(*arguments):
-    return subprocess.run([program, *arguments], capture_output=True, text=True, check=True).stdout
 
 
 def truths():
@@ -95,40 +99,92 @@ def truths():
     check("bar", (fall.bar < 1e-13).all() and (fall.bar > 0).all())
     check("source", "falls as one body" in fall.source)
     with open("small.csv", "w") as file:
-        file.write(run("truth", "edge_drop", "--stored", "--points", "5,4"))
+        file.write(clothbench.run("truth", "edge_drop", "--stored", "--points", "5,4"))
     drop = clothbench.truth.read("small.csv")
     check("a file", drop.xyz.shape == (74, 20, 3) and drop.t[-1] == 1.48)
     check("held", abs(drop.xyz[:, drop.uv[:, 0] == 0, 0]).max() < 1e-6)
     if h5py:
-        run("truth", "hanging", "--out", "hanging.h5")
+        clothbench.run("truth", "hanging", "--out", "hanging.h5")
         a, b = clothbench.truth.read("hanging.h5"), clothbench.truth.read("hanging")
         check("h5 and csv", abs(a.xyz - b.xyz).max() < b.bar.min() / 10)  # packed
         check("uv of h5 and csv", abs(a.uv - b.uv).max() < 1e-15)
         check("h5's bar", (a.bar == b.bar).all() and a.source == b.source)
-        stored = clothbench.truth.read(os.path.join(folder, "../truths/edge_drop.h5"))
+        stored = clothbench.truth.read(os.path.join(top, "bench/truths/edge_drop.h5"))
         check("a bar a time", len(stored.bar) == len(stored.t) == 74)
 
 
 def scored():
     """What is written here is read there; and doc/score.md's simulator is told what its page says."""
-    drop = clothbench.truth.read("edge_drop")
-    for path in ["drop.npz"] + ["drop.h5"] * bool(h5py):
-        clothbench.frames.write(path, drop.t, drop.uv, drop.xyz)
-        sheet = json.loads(run("score", "edge_drop", path, "--format", "json"))
+    fall = clothbench.truth.read("free_fall")
+    for path in ["fall.npz"] + ["fall.h5"] * bool(h5py):
+        clothbench.frames.write(path, fall.t, fall.uv, fall.xyz)
+        (sheet,) = clothbench.score("free_fall", path)
         check(path + " is sound", [d["kind"] for d in sheet["diagnosis"]] == ["sound"])
-        check(path + " fits", len(sheet["rows"]) == 14 and max(
+        check(path + " fits", len(sheet["rows"]) == 5 and max(
             row["error"] for row in sheet["rows"]) < 1e-12)
-    with open(os.path.join(folder, "../../doc/score.md")) as file:
+    with open(os.path.join(top, "doc/score.md")) as file:
         page = file.read()
     block = page[page.index("    import numpy"):]
     exec(textwrap.dedent(block[:block.index("\n\n")]), {})
     said = page[page.index("    scene       time"):]
     said = textwrap.dedent(said[:said.index("\n\n## ")])
-    check("the page's simulator", said in run("score", "free_fall", "frames.npz"))
+    check("the page's simulator", said in clothbench.run("score", "free_fall", "frames.npz"))
     made = numpy.load("frames.npz")
     numpy.savez_compressed("packed.npz", **{name: made[name].astype("f4") for name in made})
-    sheet = json.loads(run("score", "free_fall", "packed.npz", "--format", "json"))
+    (sheet,) = clothbench.score("free_fall", "packed.npz")
     check("the same, packed", [d["kind"] for d in sheet["diagnosis"]] == ["first_order_step"])
+
+
+def exported():
+    """The same numbers as edge_drop has them, and a folder that is left."""
+    scene = clothbench.export("edge_drop", 5, 4, "edge", {"material.young": 2e5})
+    E, h, nu = 2e5, 1.177e-3, 0.3
+    check("points", scene.x.shape == (24, 3) and abs(scene.x[:20, :2] - scene.uv).max() < 1e-12)
+    check("outside", scene.beside[21] == 5 and scene.held[5] == scene.held[21] == "xyz")
+    check("held", sorted(scene.held) == [0, 5, 10, 15, 20, 21, 22, 23] and not scene.path)
+    check("mass", abs(scene.mass.sum() - 0.5 * h) < 1e-12)
+    a, b, c = (scene.x[scene.triangles[:, k]] for k in range(3))
+    area = numpy.cross(b - a, c - a)[:, 2] / 2
+    check("triangles", area.shape == (24,) and abs(area.sum() - 1) < 1e-12 and area.min() > 0)
+    length = numpy.linalg.norm(scene.x[scene.springs["a"]] - scene.x[scene.springs["b"]], axis=1)
+    check("springs", len(length) == 55 and abs(length - scene.springs["length"]).max() < 1e-12)
+    check("material", scene.material["E"] == E and "hinge u held" in scene.material and abs(
+        scene.material["D"] / (E * h ** 3 / 12 / (1 - nu ** 2)) - 1) < 1e-12)
+    check("times", scene.step == 0.005 and not len(scene.times) and list(scene.gravity) == [0, 0, -9.81])
+    check("files", os.path.exists("edge/scene.usda") and scene.damping == {"kind": "none"})
+    moves = clothbench.export("moving_edge", 3, 3)
+    check("path", set(moves.path.values()) == {0} and len(moves.path) == 6)
+    check("mass damping", clothbench.export("hanging", 3, 3).damping["value"] == 20)
+    check("no springs", clothbench.export("cloak", 4, 3).springs.shape == (0,))
+    says("no scene", ValueError, "nobody", clothbench.export, "nobody", 3, 3)
+
+
+def wheel_and_example():
+    """What pip installs, without a network, has the program's version and runs the example."""
+    if not all(map(importlib.util.find_spec, ("pip", "setuptools", "wheel"))):
+        print("not tested: the wheel, without python3-pip, python3-setuptools and python3-wheel")
+        return
+    for name in "CMakeLists.txt", "python":
+        copy = shutil.copytree if name == "python" else shutil.copy
+        copy(os.path.join(top, name), name)
+    pip = subprocess.run(
+        [sys.executable, "-m", "pip", "install", "--no-build-isolation", "--no-deps", "--no-index",
+         "--target", "site", "./python"], capture_output=True, text=True)
+    check("pip: " + pip.stderr[-500:], not pip.returncode)
+    version = clothbench.run("--version").split()[2]
+    check("version", os.path.isdir(f"site/clothbench-{version}.dist-info"))
+    try:
+        ctypes.CDLL("libode.so.8")
+    except OSError:
+        print("not tested: python/examples/ode.py, without libode8")
+        return
+    done = subprocess.run([sys.executable, "python/examples/ode.py", "ode", "5", "free_fall"],
+                          env={**os.environ, "PYTHONPATH": "site"}, capture_output=True, text=True)
+    check("example: " + done.stderr[-500:], "of first order" in done.stdout)
+    check("page", os.path.exists("ode/protocol.html"))
+    fall = clothbench.frames.read("ode/free_fall/5x5.npz")
+    far = abs(fall.xyz[-1, :, 2] + 9.81 * 0.5 * (0.5 + 0.005) / 2).max()  # symplectic Euler
+    check("falls", fall.t[-1] == 0.5 and far < 1e-12)
 
 
 def bad_truths():
@@ -151,6 +207,7 @@ def bad_truths():
         says("no truth", ValueError, "is no truth", clothbench.truth.read, "bad.h5")
     os.environ["CLOTHBENCH"] = ""
     os.environ["PATH"] = ""
+    clothbench.program.__file__ = os.path.abspath("elsewhere.py")
     says("no program", FileNotFoundError, "no program", clothbench.truth.read, "free_fall")
 
 
@@ -162,6 +219,8 @@ with tempfile.TemporaryDirectory() as scratch:
     bad_frames()
     truths()
     scored()
+    exported()
+    wheel_and_example()
     bad_truths()
     os.chdir("/")
 finish()

@@ -35,7 +35,7 @@ if(NOT scenes)
   message(FATAL_ERROR "no scenes in ${SOURCE}/models/scenes")
 endif()
 list(TRANSFORM scenes PREPEND share/clothbench/scenes/)
-foreach(file bin/clothbench bin/clothbench.py share/man/man1/clothbench.1 ${scenes}
+foreach(file bin/clothbench lib/python3/dist-packages/clothbench/truth.py share/man/man1/clothbench.1 ${scenes}
              share/clothbench/plans/feasibility.yaml
              share/clothbench/report/page.html share/clothbench/manual/iterations.md
              share/clothbench/manual/iterations.svg ${libraries})

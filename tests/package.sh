@@ -14,7 +14,7 @@ for name in libcholmod3 libhdf5-103 liblapacke libyaml-0-2 libzip4 libmd4c-html0
     [[ $needs == *$name* ]] || fail "the package does not depend on $name: $needs"
 done
 for file in bin/clothbench share/man/man1/clothbench.1 share/doc/clothbench/copyright \
-    share/clothbench/truths/edge_drop.h5 share/bash-completion/completions/clothbench; do
+    share/clothbench/truths/edge_drop.h5 share/bash-completion/completions/clothbench lib/python3/dist-packages/clothbench/truth.py; do
     [ -f "root/usr/$file" ] || fail "$file is not in the package"
 done
 cd / || exit 1

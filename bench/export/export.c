@@ -459,8 +459,8 @@ static void put_score(const struct export_job *j, struct output *out)
                  "## Frames, and how they are scored\n\n"
                  "Positions of all vertices of the sheet at each time: a CSV with lines "
                  "t,u,v,x,y,z in any\norder, OBJ or PLY a frame, or NPZ or HDF5 with "
-                 "xyz [frames][n][3], uv [n][2], t [frames]\n(clothbench.py: "
-                 "frames.write(path, t, uv, xyz)).\n\n");
+                 "xyz [frames][n][3], uv [n][2], t [frames]\n(in Python: "
+                 "clothbench.frames.write(path, t, uv, xyz)).\n\n");
     if (known->claimed == 1)
         output_print(out, "The truth is known at %g s", known->time[0]);
     else if (known->claimed)
@@ -514,6 +514,7 @@ static const struct {
     {"loads.csv", NULL, SCENE_NEED_LOADS, export_numbers_loads},
     {"velocities.csv", NULL, SCENE_NEED_INITIAL_MOTION, export_numbers_velocities},
     {"scene.yaml", NULL, 0, write_scene},
+    {"scene.usda", NULL, 0, export_usd},
     {"README.md", NULL, 0, write_readme},
 };
 enum { FILES = sizeof files / sizeof *files };
@@ -641,10 +642,10 @@ const struct command export_command = {
         "Writes what another simulator needs to run a scene: the rest mesh with u and v,\n"
         "the vertices that are held and those outside the sheet that make an edge a\n"
         "clamp, the material as elements, springs and XPBD need it, the times at which\n"
-        "the truth is known, obstacles, loads and moving supports, the scene itself, and\n"
-        "README.md with the rules on one page. The physics are those of the scene's\n"
-        "truth. Either all files appear or none does; a folder that is not empty is left\n"
-        "alone.\n",
+        "the truth is known, obstacles, loads and moving supports, the scene itself,\n"
+        "also in OpenUSD, and README.md with the rules on one page. The physics are those\n"
+        "of the scene's truth. Either all files appear or none does; a folder that is not\n"
+        "empty is left alone.\n",
     .examples = "export edge_drop --points 21,21 --out edge_drop_21\n"
                 "export sphere --points 51,51 --format obj --out ball\n",
     .least = 1,

@@ -5,9 +5,7 @@
 
 #include "models/contact/contact_mesh.h"
 
-/* Finds the corners of the n-th triangle, counted from 0: counter-clockwise seen from where
- * u x v points. A cell's diagonals alternate, so that the mesh has no bias. */
-static void triangle(const struct export_sheet *s, int n, int corner[3])
+void export_mesh_triangle(const struct export_sheet *s, int n, int corner[3])
 {
     const int columns = export_sheet_columns(s), cells = s->points[0] - 1,
               row = columns - columns / s->points[0], /* cells in a row */
@@ -18,7 +16,7 @@ static void triangle(const struct export_sheet *s, int n, int corner[3])
     memcpy(corner, cell[(i % cells + j) % 2][n % 2], 3 * sizeof *corner);
 }
 
-static int triangles(const struct export_sheet *s)
+int export_mesh_triangles(const struct export_sheet *s)
 {
     return 2 * scene_sheets(s->scene) * (s->points[0] - 1) * (s->points[1] - 1);
 }
@@ -39,8 +37,8 @@ enum status export_mesh_obj(struct export_job *j, struct output *out)
         export_sheet_vertex(s, n, uvw, x);
         output_print(out, "vt %.17g %.17g\n", uvw[0], uvw[1]);
     }
-    for (int n = 0; n < triangles(s); n++) {
-        triangle(s, n, c);
+    for (int n = 0; n < export_mesh_triangles(s); n++) {
+        export_mesh_triangle(s, n, c);
         output_print(out, "f %d/%d %d/%d %d/%d\n", c[0] + 1, c[0] + 1, c[1] + 1, c[1] + 1,
                      c[2] + 1, c[2] + 1);
     }
@@ -74,14 +72,14 @@ enum status export_mesh_ply(struct export_job *j, struct output *out)
                  "element vertex %d\nproperty double x\nproperty double y\n"
                  "property double z\nproperty double s\nproperty double t\n"
                  "element face %d\nproperty list uchar int vertex_indices\nend_header\n",
-                 s->scene->name, export_sheet_vertices(s), triangles(s));
+                 s->scene->name, export_sheet_vertices(s), export_mesh_triangles(s));
     for (int n = 0; n < export_sheet_vertices(s); n++) {
         export_sheet_vertex(s, n, uvw, x);
         output_print(out, "%.17g %.17g %.17g %.17g %.17g\n", x[0], x[1], x[2], uvw[0],
                      uvw[1]);
     }
-    for (int n = 0; n < triangles(s); n++) {
-        triangle(s, n, c);
+    for (int n = 0; n < export_mesh_triangles(s); n++) {
+        export_mesh_triangle(s, n, c);
         output_print(out, "3 %d %d %d\n", c[0], c[1], c[2]);
     }
     return STATUS_OK;

@@ -325,20 +325,26 @@ out:
     return st;
 }
 
+void export_numbers_velocity(const struct export_job *j, int n, int *held, double v[3])
+{
+    const bool is_held = *held < j->held.count && j->held.vertex[*held].vertex == n;
+    const unsigned fix = is_held ? j->held.vertex[(*held)++].fix : 0;
+    double uvw[3], x[3] = {0};
+
+    if (n < export_sheet_vertices(&j->sheet)) /* others are held */
+        export_sheet_vertex(&j->sheet, n, uvw, x);
+    scene_initial_velocity(&j->scene, x, v);
+    for (int c = 0; c < 3; c++)
+        v[c] = fix >> c & 1 ? 0 : v[c];
+}
+
 enum status export_numbers_velocities(struct export_job *j, struct output *out)
 {
-    const struct export_held *held = &j->held;
-    int next = 0; /* held vertices of the sheet come in their order */
+    double v[3];
 
     output_print(out, "vertex,x,y,z\n");
-    for (int n = 0; n < export_sheet_vertices(&j->sheet); n++) {
-        const bool is_held = next < held->count && held->vertex[next].vertex == n;
-        const unsigned fix = is_held ? held->vertex[next++].fix : 0;
-        double uvw[3], x[3], v[3];
-        export_sheet_vertex(&j->sheet, n, uvw, x);
-        scene_initial_velocity(&j->scene, x, v);
-        for (int c = 0; c < 3; c++)
-            v[c] = fix >> c & 1 ? 0 : v[c];
+    for (int n = 0, held = 0; n < export_sheet_vertices(&j->sheet); n++) {
+        export_numbers_velocity(j, n, &held, v);
         output_print(out, "%d,%.17g,%.17g,%.17g\n", n, v[0], v[1], v[2]);
     }
     return STATUS_OK;

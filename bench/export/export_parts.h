@@ -44,6 +44,15 @@ struct export_job {
     bool undamped;         /* the scene is damped by a factor a step, its truth is not   */
 };
 
+/* Finds the corners of the n-th triangle, counted from 0: counter-clockwise seen from where
+ * u x v points. A cell's diagonals alternate, so that the mesh has no bias. */
+void export_mesh_triangle(const struct export_sheet *s, int n, int corner[3]);
+int export_mesh_triangles(const struct export_sheet *s);
+
+/* Finds the velocity of vertex n at t = 0, none in components that are held [m/s]. *held
+ * goes through the held vertices as n goes up from 0, and begins at 0. */
+void export_numbers_velocity(const struct export_job *j, int n, int *held, double v[3]);
+
 /* Write one file each. STATUS_MEMORY; output.h says what cannot be written. */
 enum status export_mesh_obj(struct export_job *j, struct output *out);
 enum status export_mesh_ply(struct export_job *j, struct output *out);
@@ -56,5 +65,6 @@ enum status export_numbers_obstacles(struct export_job *j, struct output *out);
 enum status export_numbers_paths(struct export_job *j, struct output *out);
 enum status export_numbers_loads(struct export_job *j, struct output *out);
 enum status export_numbers_velocities(struct export_job *j, struct output *out);
+enum status export_usd(struct export_job *j, struct output *out);
 
 #endif

@@ -62,7 +62,7 @@ static enum status check_free(const char *path, const char *mark, const char *en
         return STATUS_OK;
     return status_fail(why, STATUS_INPUT,
                        "%s: is there already, with %s in it; a new folder is needed%s",
-                       path, *foreign ? foreign : "something",
+                       path, mark && *foreign ? foreign : "something",
                        mark ? ", or one that this command has written" : "");
 }
 

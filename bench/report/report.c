@@ -5,7 +5,7 @@
 
 #include "bench/files/output.h"
 #include "bench/report/report_page.h"
-#include "bench/report/site.h"
+#include "bench/report/site_index.h"
 
 static enum status make_page(const char *folder, const struct report_found *found,
                              const char *path, struct message *why)
@@ -44,7 +44,7 @@ static enum status make(const char *folder, const char *page, const char *site,
     for (int n = 0; report_part_list[n].id; n++)
         TRY(report_part_find(folder, &report_part_list[n], &found[n]));
     if (site)
-        TRY(site_write(site, folder, found, why));
+        TRY(site_index_write(site, folder, found, why));
     else
         TRY(make_page(folder, found, page, why));
 out:

@@ -321,6 +321,12 @@ enum status score_read(const char *scene, int count, const char *const *paths,
     TRY(read_frames(s, frames, look, &window, why));
     TRY(check_times(s, paths[0], why));
     TRY(judge(s));
+    if (!s->times)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: no frame is at a time of the truth, or near enough to go "
+                        "between (1/24 s); frames at the times of clothbench truth %s "
+                        "--stored would be right",
+                        paths[0], scene));
 out:
     for (int a = 0; a < WINDOW; a++)
         free(window.xyz[a]);

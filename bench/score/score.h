@@ -53,7 +53,8 @@ struct score {
     double begin[3]; /* the same on average over the sheet, with its direction [m]      */
 };
 
-/* Reads all frames of paths[count]. STATUS_INPUT with a sentence. Free with score_clear. */
+/* Reads all frames of paths[count]; times >= 1. STATUS_INPUT with a sentence. Free with
+ * score_clear. */
 enum status score_read(const char *scene, int count, const char *const *paths,
                        const struct score_look *look, struct score *score,
                        struct message *why);

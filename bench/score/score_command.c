@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 
 #include "bench/frames/frames.h"
-#include "bench/score/score_print.h"
+#include "bench/score/protocol.h"
 #include "models/reader/scene_file.h"
 
 struct job {
@@ -42,12 +42,6 @@ static enum status score_one(struct job *j, const char *scene, int count,
     enum status st;
 
     TRY(score_read(scene, count, paths, &j->look, &s, why));
-    if (!s.times)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: no frame is at a time of the truth, or near enough to go "
-                        "between (1/24 s); frames at the times of clothbench truth %s "
-                        "--stored would be right",
-                        paths[0], scene));
     score_diagnosis_make(&s, &d);
     score_print_add(&j->sheet, &s, &d);
 out:
@@ -114,6 +108,70 @@ out:
     return st;
 }
 
+/* --- the protocol of a simulator --- */
+
+enum { WORDS = 24 }; /* columns of the screen for a verdict's word */
+
+static void add_verdict(void *table, const struct protocol_verdict *v)
+{
+    table_row(table);
+    table_text(table, "%s", protocol_subject_name(v->subject));
+    table_text(table, "%s", v->word);
+    table_text(table, "%s", v->text);
+}
+
+static void print_verdict(void *last, const struct protocol_verdict *v)
+{
+    if (*(int *)last != (int)v->subject)
+        printf("%s%s\n", *(int *)last < 0 ? "" : "\n", protocol_subject_name(v->subject));
+    *(int *)last = (int)v->subject;
+    printf("  ");
+    table_print_item(v->word, WORDS, v->text, stdout);
+}
+
+static enum status print_protocol(const struct protocol *p, enum table_format format,
+                                  struct message *why)
+{
+    static const struct table_column columns[] = {{"subject", NULL, TABLE_LEFT},
+                                                  {"verdict", NULL, TABLE_LEFT},
+                                                  {"sentence", NULL, TABLE_LEFT}};
+    int last = -1;
+
+    if (format == TABLE_TEXT)
+        return protocol_judge(p, print_verdict, &last, why);
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns, NULL);
+    const enum status st = protocol_judge(p, add_verdict, t, why);
+    if (st == STATUS_OK)
+        return table_finish(t, format, stdout);
+    table_destroy(t);
+    return st;
+}
+
+static enum status run_protocol(const struct command_line *line, const struct job *j,
+                                struct message *why)
+{
+    const char *folder = command_value(line, "--protocol"),
+               *out = command_value(line, "--out");
+    struct protocol p = {.scenes = 0};
+    char path[4096];
+    enum status st = STATUS_OK;
+
+    if (line->word_count || command_given(line, "--rest"))
+        TRY(status_fail(why, STATUS_INPUT,
+                        "score --protocol %s: has no SCENE, FRAMES or --rest beside it; "
+                        "frames are %s/SCENE/21x21.csv",
+                        folder, folder));
+    if (snprintf(path, sizeof path, "%s/protocol.html", folder) >= (int)sizeof path)
+        TRY(status_fail(why, STATUS_INPUT, "%.60s...: the path is too long", folder));
+    TRY(protocol_read(folder, &j->look, &p, why));
+    TRY(protocol_page_write(out ? out : path, &p, why));
+    TRY(print_protocol(&p, j->sheet.format, why));
+    fprintf(stderr, "%s: one page\n", out ? out : path);
+out:
+    protocol_clear(&p);
+    return st;
+}
+
 static enum status run(const struct command_line *line, struct message *why)
 {
     struct job j = {.sheet.file = stdout};
@@ -121,6 +179,13 @@ static enum status run(const struct command_line *line, struct message *why)
     enum status st, refused = STATUS_OK;
 
     TRY(prepare(&j, line, why));
+    if (command_given(line, "--protocol"))
+        return run_protocol(line, &j, why);
+    if (!line->word_count || command_given(line, "--out"))
+        TRY(status_fail(why, STATUS_INPUT,
+                        line->word_count ? "score: --out is for the page of --protocol"
+                                         : "score: no scene; score SCENE FRAMES, or score "
+                                           "--protocol DIR, would be right"));
     if (line->word_count > 1) {
         TRY(score_one(&j, line->words[0], line->word_count - 1, line->words + 1, why));
     } else {
@@ -139,6 +204,10 @@ out:
 }
 
 static const struct command_option options[] = {
+    {"--protocol", "DIR", false,
+     "all frames of one simulator, DIR/SCENE/NxM[-REPEAT].csv,\n"
+     "on one page"},
+    {"--out", "FILE", false, "that page (DIR/protocol.html)"},
     {"--rest", "FILE", false,
      "a mesh (.obj, .ply) in the order of the frames, for\n"
      "frames without uv: its vt, or its vertices' positions"},
@@ -154,7 +223,7 @@ static const struct command_option options[] = {
 const struct command score_command = {
     .name = "score",
     .summary = "compare your simulator's frames with a scene's truth, and diagnose them",
-    .arguments = "SCENE [FRAMES]... [OPTION]...",
+    .arguments = "[SCENE] [FRAMES]... [OPTION]...",
     .text =
         "Compares the frames of any simulator with the truth of a scene at the times at\n"
         "which both are known: the rms distance over the sheet, beside the truth's error\n"
@@ -173,14 +242,20 @@ const struct command score_command = {
         "FRAMES is a .csv with lines t,u,v,x,y,z; .npz or .h5 with xyz [frames][n][3],\n"
         "uv [n][2] and t [frames]; .npy; .mdd or .pc2; .obj or .ply with a file a frame\n"
         "(several files or a folder); or a result file of this program. A folder alone,\n"
-        "whose files or folders are named like scenes, gives one table of all.\n",
+        "whose files or folders are named like scenes, gives one table of all.\n"
+        "\n"
+        "--protocol DIR takes the frames of one simulator on several scenes and nets, a\n"
+        "file a run, DIR/SCENE/NxM.csv on N x M points and NxM-2.csv for a repeat, and\n"
+        "writes one page: errors with bars, order of the step, damping, stiffnesses, the\n"
+        "clamp, whether finer nets converge and to what, whether two runs agree, whether\n"
+        "the sheet passes through itself, and its place among the contestants.\n",
     .examples =
         "score edge_drop frames.csv\n"
         "score edge_drop frames.npz --format json\n"
         "score flag blender_objs --dt 0.0416667 --up y\n"
         "score edge_drop cloth.mdd --rest rest.obj --scale 0.001\n"
-        "score my_simulator            # my_simulator/edge_drop.csv, flag.npz, ...\n",
-    .least = 1,
+        "score my_simulator            # my_simulator/edge_drop.csv, flag.npz, ...\n"
+        "score --protocol mine         # mine/edge_drop/21x21.csv, 41x41.csv, ...\n",
     .most = 100000,
     .options = options,
     .run = run,

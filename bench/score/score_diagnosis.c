@@ -494,6 +494,15 @@ const char *score_diagnosis_name(enum score_kind kind)
     return names[kind];
 }
 
+bool score_diagnosis_has_place(const struct score_diagnosis *d)
+{
+    for (int n = 0; n < d->count; n++)
+        if (d->finding[n].kind == SCORE_AXES || d->finding[n].kind == SCORE_UNITS ||
+            d->finding[n].kind == SCORE_ORDER)
+            return false;
+    return true;
+}
+
 static void __attribute__((format(printf, 4, 5)))
 say(struct score_diagnosis *d, enum score_kind kind, double value, const char *format, ...)
 {

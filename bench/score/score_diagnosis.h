@@ -45,6 +45,10 @@ struct score_diagnosis {
 /* Returns the name of a kind: "first_order_step", ... */
 const char *score_diagnosis_name(enum score_kind kind);
 
+/* Returns whether frames are of a sheet in metres, in the scene's axes, with its vertices
+ * where they belong: else nothing is to be said of its contact or its stiffness. */
+bool score_diagnosis_has_place(const struct score_diagnosis *diagnosis);
+
 /* Diagnoses a score; finds nothing where it has no times. */
 void score_diagnosis_make(const struct score *score, struct score_diagnosis *diagnosis);
 

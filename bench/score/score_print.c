@@ -1,5 +1,8 @@
 #include "bench/score/score_print.h"
 
+#include <assert.h>
+#include <string.h>
+
 #include "bench/score/score_stiffness.h"
 
 /* Returns the table, which the first scene begins and others go on with below a line. */
@@ -45,68 +48,59 @@ static void range_text(const struct score *s, size_t size, char *text)
              s->truth.undamped ? "; the scene moves undamped here, as its truth does" : "");
 }
 
-/* Returns whether the frames are of a sheet in metres, in the scene's axes, with its
- * vertices where they belong: else nothing is said of its contact. */
-static bool has_place(const struct score_diagnosis *d)
+/* Returns the place of the next sentence. */
+static char *next(struct score_print_said *said)
 {
-    for (int n = 0; n < d->count; n++)
-        if (d->finding[n].kind == SCORE_AXES || d->finding[n].kind == SCORE_UNITS ||
-            d->finding[n].kind == SCORE_ORDER)
-            return false;
-    return true;
+    assert(said->count < SCORE_PRINT_SENTENCES);
+    return said->text[said->count++];
 }
 
-/* Notes where it passes through itself or a body, and what it rests on. */
-static void add_contact(const struct score_print *p, const struct score *s,
-                        const char *name, const char *colon)
+/* Says where the sheet passes through itself or a body, and what it rests on. */
+static void say_contact(const struct score *s, struct score_print_said *said)
 {
     const struct score_contact *c = &s->contact;
-    char text[SCORE_CONTACT_TEXT];
 
     if (!c->event[SCORE_CONTACT_ITSELF].frame && !c->event[SCORE_CONTACT_BODY].frame)
-        table_note(p->table, "%s%sNo frame passes through %s%s.", name, colon,
-                   scene_sheet_other(&s->truth.scene),
-                   s->truth.scene.obstacle_count ? " or has a vertex in a body" : "");
+        snprintf(next(said), sizeof *said->text, "No frame passes through %s%s.",
+                 scene_sheet_other(&s->truth.scene),
+                 s->truth.scene.obstacle_count ? " or has a vertex in a body" : "");
     for (int k = 0; k < SCORE_CONTACT_KINDS; k++)
-        if (score_contact_tells(c, k)) {
-            score_contact_text(c, k, text);
-            table_note(p->table, "%s%s%s", name, colon, text);
-        }
+        if (score_contact_tells(c, k))
+            score_contact_text(c, k, next(said));
 }
 
-/* Notes how stiff it is, where its shape shows that. */
-static void add_stiffness(const struct score_print *p, const struct score *s,
-                          const char *name, const char *colon)
+void score_print_say(const struct score *s, const struct score_diagnosis *d,
+                     struct score_print_said *said)
 {
     struct score_stiffness stiffness;
-    char text[SCORE_STIFFNESS_TEXT];
 
-    score_stiffness_make(s, &stiffness);
-    if (!stiffness.applies)
+    said->count = 0;
+    for (int n = 0; n < d->count; n++)
+        memcpy(next(said), d->finding[n].text, sizeof *said->text);
+    if (d->left > 0)
+        snprintf(next(said), sizeof *said->text,
+                 "Put right, what is said of the motion leaves %.0f %% of the difference.",
+                 100 * d->left);
+    if (!d->count)
+        snprintf(next(said), sizeof *said->text,
+                 "No flaw that is known here explains the difference.");
+    if (!score_diagnosis_has_place(d))
         return;
-    score_stiffness_text(&stiffness, text);
-    table_note(p->table, "%s%s%s", name, colon, text);
+    score_stiffness_make(s, &stiffness);
+    if (stiffness.applies)
+        score_stiffness_text(&stiffness, next(said));
+    say_contact(s, said);
 }
 
 static void add_notes(const struct score_print *p, const struct score *s,
                       const struct score_diagnosis *d, const char *range)
 {
     const char *name = p->named ? s->truth.scene.name : "", *colon = p->named ? ": " : "";
+    struct score_print_said said;
 
-    for (int n = 0; n < d->count; n++)
-        table_note(p->table, "%s%s%s", name, colon, d->finding[n].text);
-    if (d->left > 0)
-        table_note(p->table,
-                   "%s%sPut right, what is said of the motion leaves %.0f %% of the "
-                   "difference.",
-                   name, colon, 100 * d->left);
-    if (!d->count)
-        table_note(p->table, "%s%sNo flaw that is known here explains the difference.",
-                   name, colon);
-    if (has_place(d)) {
-        add_stiffness(p, s, name, colon);
-        add_contact(p, s, name, colon);
-    }
+    score_print_say(s, d, &said);
+    for (int n = 0; n < said.count; n++)
+        table_note(p->table, "%s%s%s", name, colon, said.text[n]);
     table_note(p->table, "%s%s%s.", name, colon, range);
     table_note(p->table, "%s%sThe truth: %s.", name, colon, s->truth.known.source);
 }
@@ -184,10 +178,10 @@ static void print_json(const struct score *s, const struct score_diagnosis *d,
         fputc('}', file);
     }
     fputs("], \"stiffness\": [", file);
-    if (has_place(d))
+    if (score_diagnosis_has_place(d))
         print_stiffness(s, file);
     fputs("], \"contact\": [", file);
-    if (has_place(d))
+    if (score_diagnosis_has_place(d))
         print_contact(s, file);
     fputs("], ", file);
     print_text(file, "frames", range);

@@ -12,6 +12,16 @@ struct score_print {
     struct table *table; /* NULL before the first score, and for JSON           owned   */
 };
 
+/* The sentences on a score: what is wrong with its frames, how stiff they are, and where
+ * the sheet passes through itself or a body. */
+enum { SCORE_PRINT_SENTENCES = SCORE_KINDS + SCORE_CONTACT_KINDS + 4 };
+struct score_print_said {
+    int count;
+    char text[SCORE_PRINT_SENTENCES][400];
+};
+void score_print_say(const struct score *score, const struct score_diagnosis *diagnosis,
+                     struct score_print_said *said);
+
 /* Adds a score: CSV has scene,time,error,bar,floor, over the length; JSON an object a
  * scene, printed at once. */
 void score_print_add(struct score_print *p, const struct score *score,

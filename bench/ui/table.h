@@ -25,7 +25,14 @@
 
 #include "models/status.h"
 
-enum table_format { TABLE_TEXT, TABLE_CSV, TABLE_MARKDOWN, TABLE_LATEX, TABLE_JSON };
+enum table_format {
+    TABLE_TEXT,
+    TABLE_CSV,
+    TABLE_MARKDOWN,
+    TABLE_LATEX,
+    TABLE_JSON,
+    TABLE_HTML /* a <table> for the program's own pages; no value of --format           */
+};
 
 /* The values of --format, for tables of options. */
 #define TABLE_FORMATS "text|csv|markdown|latex|json"
@@ -120,6 +127,10 @@ enum status table_json_close(void);
 
 /* Prints a text as JSON, with its quotes. */
 void table_json_string(const char *text, FILE *file);
+
+/* Prints a text for HTML: whatever it contains, it is text there, also in the value of an
+ * attribute in double quotes. */
+void table_html_text(const char *text, FILE *file);
 
 /* Writes FOLDER/NAME.csv: a line of keys, a line each row, as many cells in each; no
  * caption and no notes. STATUS_FILE (as output.h), STATUS_MEMORY. */

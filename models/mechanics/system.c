@@ -266,18 +266,6 @@ enum status system_factor(struct system *s, double k, const double (*K)[9], doub
     return factor_refactor(s->factor);
 }
 
-void system_multiply(const struct system *s, double k, const double (*K)[9], double m,
-                     const double *M, const double *x, double *y, double *work)
-{
-    size_t count = 3 * (size_t)s->graph->nodes;
-
-    blocks_multiply(s->graph, K, x, y);
-    if (M)
-        blocks_multiply_mass(s->graph, M, x, work);
-    for (size_t t = 0; t < count; t++)
-        y[t] = k * y[t] + (M ? m * work[t] : 0);
-}
-
 enum status system_solve(struct system *s, double *x)
 {
     return s->iterative ? iterative_solve(s->iterative, x) : solve_factored(s, x);

@@ -54,10 +54,6 @@ void system_single(struct system *s);
  * system_solve, which its caller counts. */
 void system_work(struct system *s, struct counters *counters);
 
-/* Computes y = (k K + m M) x; x, y [nodes][3], work [nodes][3], not aliased. */
-void system_multiply(const struct system *s, double k, const double (*K)[9], double m,
-                     const double *M, const double *x, double *y, double *work);
-
 /* Solves for the free unknowns: x[nodes][3] holds the right-hand side on entry, the
  * solution on return; held entries become zero. */
 enum status system_solve(struct system *s, double *x);

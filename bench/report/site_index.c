@@ -1,4 +1,4 @@
-#include "bench/report/site.h"
+#include "bench/report/site_index.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -157,8 +157,8 @@ out:
     return st;
 }
 
-enum status site_write(const char *path, const char *folder,
-                       const struct report_found *found, struct message *why)
+enum status site_index_write(const char *path, const char *folder,
+                             const struct report_found *found, struct message *why)
 {
     struct folder_aside aside = {0};
     struct site *s = calloc(1, sizeof *s);

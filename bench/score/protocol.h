@@ -1,0 +1,121 @@
+/* protocol.h - the frames of one simulator on several scenes and nets, as a folder has
+ * them, and what they show together: `score --protocol DIR`.
+ *
+ *     DIR/engine.yaml              optional: name, version, step
+ *     DIR/SCENE/NxM.ENDING         a run on N x M points; or NxM/, a file a frame
+ *     DIR/SCENE/NxM-2.ENDING       the same run once more
+ *     DIR/SCENE/scene.yaml         optional: the scene, where SCENE is no scene's name
+ *
+ * Each file is read and diagnosed as `score SCENE FILE` does it; sentences on several files
+ * (protocol_judge.c) and the page (protocol_page.c) come from these scores alone.
+ */
+#ifndef PROTOCOL_H
+#define PROTOCOL_H
+
+#include "bench/score/score_print.h"
+#include "bench/score/score_stiffness.h"
+
+/* One file's score. */
+struct protocol_run {
+    char *file; /* SCENE/NxM-REPEAT.ENDING                                        owned  */
+    int net[2], repeat; /* points along u and v; from 1                                  */
+    int frames, vertices;
+    int times;
+    struct score_time *row; /* [times], `got` alone has its field; over the length owned */
+    double *got;            /* [times][SCORE_POINTS][3] [m]                        owned */
+    bool itself, body;      /* the sheet passes through itself, through a body           */
+    struct score_diagnosis diagnosis;
+    struct score_stiffness stiffness; /* `applies` is false where it has no place        */
+    struct score_print_said said;
+};
+
+struct protocol_scene {
+    char *name;    /* of its folder                                               owned  */
+    bool own;      /* it is that of a scene.yaml in it                                   */
+    double length; /* [m]                                                                */
+    int runs;
+    struct protocol_run *run; /* [runs] from coarse to fine, then by repeat        owned */
+};
+
+struct protocol {
+    char *folder;         /*                                                       owned */
+    char *name, *version; /* of the engine; NULL: not said                         owned */
+    double step;          /* that was asked for [s]; 0: not said                         */
+    int scenes;
+    struct protocol_scene *scene; /* [scenes] those to begin with first            owned */
+};
+
+/* Reads and scores all files of a folder. STATUS_INPUT with a sentence: one of them is
+ * wrong, or there are none. Free with protocol_clear. */
+enum status protocol_read(const char *folder, const struct score_look *look,
+                          struct protocol *p, struct message *why);
+void protocol_clear(struct protocol *p); /* all-zero is allowed */
+
+/* The scenes to begin with, in their order; NULL ends them. */
+extern const char *const protocol_first[];
+
+/* Returns a scene by the name of its folder; NULL: it is not there. */
+const struct protocol_scene *protocol_find(const struct protocol *p, const char *name);
+
+/* Returns the run of the finest net that was made first. */
+const struct protocol_run *protocol_finest(const struct protocol_scene *scene);
+
+/* Returns the time of a run at which its error is largest. */
+const struct score_time *protocol_worst(const struct protocol_run *run);
+
+/* --- What they show --- */
+
+#define PROTOCOL_SUBJECT_LIST(X)                                                           \
+    X(ERROR, "error")                                                                      \
+    X(FLAW, "flaws")                                                                       \
+    X(STEP, "order of the step")                                                           \
+    X(DAMPING, "damping")                                                                  \
+    X(STIFFNESS, "stiffness")                                                              \
+    X(CLAMP, "clamp")                                                                      \
+    X(NETS, "finer nets")                                                                  \
+    X(REPEATS, "repeated runs")                                                            \
+    X(CONTACT, "contact")                                                                  \
+    X(PLACE, "place")
+
+enum protocol_subject {
+#define PROTOCOL_SUBJECT(code, name) PROTOCOL_##code,
+    PROTOCOL_SUBJECT_LIST(PROTOCOL_SUBJECT)
+#undef PROTOCOL_SUBJECT
+};
+
+enum protocol_tone { PROTOCOL_GOOD, PROTOCOL_BAD, PROTOCOL_NEUTRAL, PROTOCOL_UNKNOWN };
+
+struct protocol_verdict {
+    enum protocol_subject subject;
+    enum protocol_tone tone;
+    char word[40];  /* "converges", ... */
+    char text[640]; /* a sentence or two                                                 */
+};
+
+/* Returns the name of a subject: "error", ... */
+const char *protocol_subject_name(enum protocol_subject subject);
+
+/* A contestant's run with no more points than the engine's. */
+struct protocol_rival {
+    char title[96];
+    int net[2];
+    double error; /* at the worst of the times, over the length                          */
+    double ours;  /* of the engine at the same times                                     */
+};
+
+/* Lists the best such run of each contestant on a scene, best first; *count is 0 where none
+ * is stored. *rivals is freed by the receiver. STATUS_MEMORY, or STATUS_INPUT with a
+ * sentence: the stored table is damaged. */
+enum status protocol_place(const struct protocol_scene *scene, int *count,
+                           struct protocol_rival **rivals, struct message *why);
+
+/* Calls say() with each verdict, by subject. Statuses of protocol_place. */
+enum status protocol_judge(const struct protocol *p,
+                           void (*say)(void *context, const struct protocol_verdict *v),
+                           void *context, struct message *why);
+
+/* Writes the page; nothing is left of it on failure. STATUS_FILE, and as protocol_judge. */
+enum status protocol_page_write(const char *path, const struct protocol *p,
+                                struct message *why);
+
+#endif

@@ -1,0 +1,115 @@
+/* protocol_place.c - the stored runs of our own contestants, which engines are compared
+ * with. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/files/csv.h"
+#include "bench/score/protocol.h"
+#include "models/reader/named_file.h"
+
+#define ERRORS "rmse_over_length_"
+
+/* Times are the same to within this [s]. */
+#define SAME_TIME 1e-6
+
+static const struct named_file_kind kind = {
+    .what = "table of contestants",
+    .ending = ".csv",
+    .environment = "CLOTHBENCH_CONTESTANTS",
+    .from_program = CONTESTANTS_FROM_PROGRAM,
+    .in_source = CONTESTANTS_IN_SOURCE,
+};
+
+static const struct csv_table *table_of(const struct csv *csv, const char *scene)
+{
+    char caption[160];
+
+    snprintf(caption, sizeof caption, "Every run on %.100s (", scene);
+    for (int n = 0; n < csv->count; n++)
+        if (strstr(csv->table[n].caption, caption))
+            return &csv->table[n];
+    return NULL;
+}
+
+/* Fills the largest errors of a row of the table and of the engine, at the times that both
+ * have; false: there are none, or the row has not all of them. */
+static bool read_errors(const struct csv_table *t, int row, const struct protocol_run *run,
+                        struct protocol_rival *r)
+{
+    bool any = false, all = true;
+
+    r->error = r->ours = 0;
+    for (int n = 0; n < t->columns; n++) {
+        double time;
+        if (sscanf(t->cell[n], ERRORS "%lf_s", &time) != 1)
+            continue;
+        for (int m = 0; m < run->times; m++)
+            if (fabs(run->row[m].time - time) < SAME_TIME) {
+                const double error = csv_number(t, row, n);
+                any = true;
+                all = all && error > 0;
+                r->error = fmax(r->error, error);
+                r->ours = fmax(r->ours, run->row[m].error);
+            }
+    }
+    return any && all;
+}
+
+/* Puts a run in the place of the same contestant's if it is better, else behind all. */
+static void enter(struct protocol_rival *rival, int *count, const struct protocol_rival *r)
+{
+    int n = 0;
+
+    while (n < *count && strcmp(rival[n].title, r->title) != 0)
+        n++;
+    if (n == *count)
+        rival[(*count)++] = *r;
+    else if (r->error < rival[n].error)
+        rival[n] = *r;
+}
+
+static int compare_rivals(const void *a, const void *b)
+{
+    const struct protocol_rival *left = a, *right = b;
+
+    return (left->error > right->error) - (left->error < right->error);
+}
+
+enum status protocol_place(const struct protocol_scene *scene, int *count,
+                           struct protocol_rival **rivals, struct message *why)
+{
+    const struct protocol_run *run = protocol_finest(scene);
+    struct csv csv = {0};
+    char *path = NULL;
+    enum status st;
+
+    *count = 0;
+    *rivals = NULL;
+    st = scene->own ? STATUS_INPUT : named_file_find(&kind, "compare_scenes", &path, NULL);
+    if (st != STATUS_OK) /* nothing is stored */
+        return st == STATUS_MEMORY ? st : STATUS_OK;
+    TRY(csv_read(path, &csv, why));
+    const struct csv_table *t = table_of(&csv, scene->name);
+    if (!t)
+        goto out;
+    *rivals = malloc(((size_t)t->rows + 1) * sizeof **rivals);
+    TRY(*rivals ? STATUS_OK : STATUS_MEMORY);
+    for (int row = 0; row < t->rows; row++) {
+        const double side = csv_number(t, row, csv_column(t, "side")),
+                     across = csv_number(t, row, csv_column(t, "across"));
+        struct protocol_rival r;
+        if (!(side * across <= (double)run->net[0] * run->net[1]) ||
+            !read_errors(t, row, run, &r))
+            continue;
+        r.net[0] = (int)side, r.net[1] = (int)across;
+        snprintf(r.title, sizeof r.title, "%s", csv_words(t, row, csv_column(t, "title")));
+        enter(*rivals, count, &r);
+    }
+    qsort(*rivals, (size_t)*count, sizeof **rivals, compare_rivals);
+out:
+    csv_clear(&csv);
+    free(path);
+    return st;
+}

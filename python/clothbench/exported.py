@@ -1,0 +1,63 @@
+"""What `clothbench export` wrote, as arrays."""
+
+import csv
+import json
+import pathlib
+import re
+
+import numpy
+
+
+class Exported:
+    """A folder of `clothbench export`, in SI units; vertices count from 0.
+
+    x [n + outside, 3]   at rest: vertices of the sheet, then those outside that make a clamp
+    uv [n, 2]            of the sheet
+    triangles [m, 3]     of the sheet, counter-clockwise seen from u x v
+    held                 {vertex: its held components, as "xyz"}
+    beside               {vertex outside: the held vertex that it stands beside}
+    path                 {held vertex that moves: the number of its path in paths.csv}
+    mass [n]             of each vertex
+    springs              an array with fields a, b, stiffness, length
+    material             {quantity: value}: E, nu, h, D, hinge u, ... of materials.csv
+    times, bars          at which the truth is known, and how well; step, end
+    gravity [3]          and damping, {"kind": "mass", "value": 2.0}
+    """
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        rest, held = self._rows("rest.csv"), self._rows("held.csv")
+        self.uv = _columns(rest, "uv")
+        self.x = _columns(rest + [r for r in held if r["beside"]], "xyz")
+        self.held = {int(r["vertex"]): r["fix"] for r in held}
+        self.beside = {int(r["vertex"]): int(r["beside"]) for r in held if r["beside"]}
+        self.path = {int(r["vertex"]): int(r["path"]) for r in held if r["path"]}
+        faces = re.findall(r"^f (\d+)/\d+ (\d+)/\d+ (\d+)/\d+$", self._text("rest.obj"), re.M)
+        self.triangles = numpy.array(faces, dtype=int).reshape(-1, 3) - 1
+        self._read_numbers(self._rows("materials.csv"))
+        times = self._rows("times.csv")
+        self.step, self.end = (float(r["time"]) for r in times[:2])
+        self.times, self.bars = _columns(times[2:], ("time", "bar")).T
+        scene = self._text("scene.yaml")
+        self.gravity = numpy.array(json.loads(re.search(r"^gravity: (.*)$", scene, re.M)[1]))
+        damping = re.search(r"^damping: {(.*)}$", scene, re.M)[1]
+        self.damping = {key: word if key == "kind" else float(word)
+                        for key, word in re.findall(r"(\w+): ([^,]+)", damping)}
+
+    def _text(self, name):
+        return (self.folder / name).read_text()
+
+    def _rows(self, name):
+        return list(csv.DictReader(self._text(name).splitlines()))
+
+    def _read_numbers(self, rows):
+        springs = [r for r in rows if r["quantity"].startswith("spring ")]
+        self.mass = numpy.array([float(r["value"]) for r in rows if r["quantity"] == "mass"])
+        self.springs = numpy.array(
+            [(r["a"], r["b"], r["value"], r["rest_length"]) for r in springs],
+            dtype=[("a", int), ("b", int), ("stiffness", float), ("length", float)])
+        self.material = {r["quantity"]: float(r["value"]) for r in rows if not r["a"]}
+
+
+def _columns(rows, names):
+    return numpy.array([[float(r[c]) for c in names] for r in rows]).reshape(-1, len(names))

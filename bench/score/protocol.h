@@ -12,6 +12,7 @@
 #ifndef PROTOCOL_H
 #define PROTOCOL_H
 
+#include "bench/files/csv.h"
 #include "bench/score/score_print.h"
 #include "bench/score/score_stiffness.h"
 
@@ -43,6 +44,7 @@ struct protocol {
     double step;          /* that was asked for [s]; 0: not said                         */
     int scenes;
     struct protocol_scene *scene; /* [scenes] those to begin with first            owned */
+    struct csv contestants;       /* stored runs of our own; count is 0: none is there   */
 };
 
 /* Reads and scores all files of a folder. STATUS_INPUT with a sentence: one of them is
@@ -103,18 +105,21 @@ struct protocol_rival {
     double ours;  /* of the engine at the same times                                     */
 };
 
-/* Lists the best such run of each contestant on a scene, best first; *count is 0 where none
- * is stored. *rivals is freed by the receiver. STATUS_MEMORY, or STATUS_INPUT with a
- * sentence: the stored table is damaged. */
-enum status protocol_place(const struct protocol_scene *scene, int *count,
-                           struct protocol_rival **rivals, struct message *why);
+/* Reads the stored runs of our own contestants, if there are any. STATUS_MEMORY, or
+ * STATUS_INPUT with a sentence: their table is damaged. */
+enum status protocol_place_read(struct csv *contestants, struct message *why);
 
-/* Calls say() with each verdict, by subject. Statuses of protocol_place. */
+/* Lists the best such run of each contestant on a scene, best first; *count is 0 where none
+ * is stored. *rivals is freed by the receiver. STATUS_MEMORY. */
+enum status protocol_place(const struct protocol *p, const struct protocol_scene *scene,
+                           int *count, struct protocol_rival **rivals);
+
+/* Calls say() with each verdict, by subject. STATUS_MEMORY. */
 enum status protocol_judge(const struct protocol *p,
                            void (*say)(void *context, const struct protocol_verdict *v),
-                           void *context, struct message *why);
+                           void *context);
 
-/* Writes the page; nothing is left of it on failure. STATUS_FILE, and as protocol_judge. */
+/* Writes the page; nothing is left of it on failure. STATUS_FILE, STATUS_MEMORY. */
 enum status protocol_page_write(const char *path, const struct protocol *p,
                                 struct message *why);
 

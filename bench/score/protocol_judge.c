@@ -74,17 +74,12 @@ static const struct protocol_run *finest(const struct judge *j, const char *name
     return scene ? protocol_finest(scene) : NULL;
 }
 
-/* Returns whether a run was fitted, and something was found: only then does it mean
- * something that a flaw of the motion is not among the findings. */
-static bool is_fitted(const struct protocol_run *run)
+/* Returns whether nothing is wrong with a run, or the fits explain what is: only then does
+ * it mean something that a flaw of the motion is not among the findings. */
+static bool is_explained(const struct protocol_run *run)
 {
-    static const enum score_kind cut_short[] = {SCORE_STILL, SCORE_AXES, SCORE_UNITS,
-                                                SCORE_ORDER, SCORE_TIME};
-
-    for (size_t n = 0; n < sizeof cut_short / sizeof *cut_short; n++)
-        if (find(run, cut_short[n]))
-            return false;
-    return run && run->diagnosis.count;
+    return find(run, SCORE_SOUND) || find(run, SCORE_FLOOR) ||
+           (run && run->diagnosis.left > 0);
 }
 
 /* --- errors and flaws --- */
@@ -97,8 +92,8 @@ static void tell_error(const struct judge *j, const struct protocol_scene *scene
 
     tell(j, PROTOCOL_ERROR, sound ? PROTOCOL_GOOD : PROTOCOL_NEUTRAL,
          sound ? "sound" : "off",
-         "On %s its error is %.2g %% of the length at most (%dx%d points, at %.4g s). The "
-         "error bar of the truth is %.2g %% there, and the floor of this net %.2g %%.",
+         "On %s its error is at most %.3g %% of the length (%dx%d points, at %.4g s; error "
+         "bar of the truth %.3g %%, floor of the net %.3g %%).",
          scene->name, 100 * worst->error, run->net[0], run->net[1], worst->time,
          100 * worst->bar, 100 * worst->floor);
 }
@@ -181,7 +176,7 @@ static void tell_motion_flaw(const struct judge *j, const struct motion_flaw *f)
                      "On %s: %s", f->scene[k], flaw->text);
         }
         found = found || flaw;
-        clean = !flaw && !clean && is_fitted(run) ? f->scene[k] : clean;
+        clean = !flaw && !clean && is_explained(run) ? f->scene[k] : clean;
     }
     if (!found && clean)
         tell(j, f->subject, PROTOCOL_GOOD, f->without, "On %s %s.", clean, f->sentence);
@@ -213,9 +208,8 @@ static void tell_stiffness(const struct judge *j)
                                  : PROTOCOL_NEUTRAL,
              s->found ? s->part == LAW_MEMBRANE ? "membrane" : "bending" : "none fits",
              "On %s: %s", scene->name, text);
-        if (s->found)
-            known[s->part != LAW_MEMBRANE][strstr(s->along, "weft") != NULL] |=
-                strcmp(s->along, "u") != 0;
+        known[s->part != LAW_MEMBRANE][strstr(s->along, "weft") != NULL] |=
+            strcmp(s->along, "u") != 0;
     }
     if (bends)
         tell(j, PROTOCOL_STIFFNESS, PROTOCOL_NEUTRAL, "bending", "On edge_drop: %s",
@@ -305,17 +299,17 @@ static void tell_limit(const struct judge *j, const struct protocol_scene *scene
              net[1]->net[0], net[1]->net[1], net[2]->net[0], net[2]->net[1]);
     if (error <= bar)
         snprintf(limit, sizeof limit,
-                 "The truth is %.2g %% from the finest, so that it may be the limit.",
+                 "The truth is %.3g %% from the finest, so that it may be the limit.",
                  100 * error);
     else
         snprintf(limit, sizeof limit,
-                 "The truth is %.2g %% from the finest: the limit is another motion, at "
-                 "least %.2g %% from the truth and its bar.",
+                 "The truth is %.3g %% from the finest: the limit is another motion, at "
+                 "least %.3g %% from the truth and its bar.",
                  100 * error, 100 * (error - bar));
     tell(j, PROTOCOL_NETS, error <= bar ? PROTOCOL_GOOD : PROTOCOL_BAD,
          error <= bar ? "converges" : "to another limit",
          "On %s it converges with order %.2g in the width of the cells (%s); the finest "
-         "net is up to %.2g %% of the length from the limit. %s",
+         "net is up to %.3g %% of the length from the limit. %s",
          scene->name, order->order, nets, 100 * order->bar, limit);
 }
 
@@ -327,13 +321,13 @@ static void tell_refined(const struct judge *j, const struct protocol_scene *sce
 
     const int times = compare(scene, count, net, apart, &worst, &when);
     if (times && apart[1] < SAME && (count == 2 || apart[2] < SAME)) {
-        tell(j, PROTOCOL_NETS, PROTOCOL_GOOD, "the same on each",
+        tell(j, PROTOCOL_NETS, PROTOCOL_NEUTRAL, "the same on each",
              "On %s its motion does not depend on the net.", scene->name);
         return;
     }
     if (count == 2 || !times) {
         tell(j, PROTOCOL_NETS, PROTOCOL_UNKNOWN, "not known",
-             times ? "On %s there are two nets, %.2g %% of the length apart: three would "
+             times ? "On %s there are two nets, %.3g %% of the length apart: three would "
                      "show whether it converges."
                    : "On %s the nets have no time of the truth in common.",
              scene->name, 100 * apart[1]);
@@ -346,8 +340,8 @@ static void tell_refined(const struct judge *j, const struct protocol_scene *sce
         tell_limit(j, scene, net, &order);
     else
         tell(j, PROTOCOL_NETS, PROTOCOL_BAD, "does not converge",
-             "On %s it does not converge: from %dx%d to %dx%d points it changes by %.2g %% "
-             "of the length, from there to %dx%d by %.2g %%.",
+             "On %s it does not converge: from %dx%d to %dx%d points it changes by %.3g %% "
+             "of the length, from there to %dx%d by %.3g %%.",
              scene->name, net[0]->net[0], net[0]->net[1], net[1]->net[0], net[1]->net[1],
              100 * apart[1], net[2]->net[0], net[2]->net[1], 100 * apart[2]);
 }
@@ -388,8 +382,8 @@ static void tell_repeat(const struct judge *j, const struct protocol_scene *scen
              worst > 0 ? " to single precision" : " to the last digit");
     else
         tell(j, PROTOCOL_REPEATS, PROTOCOL_BAD, "do not agree",
-             "%s and %s do not agree: they are %.2g %% of the length apart at %.4g s, "
-             "where the truth is %.2g %% from the first.",
+             "%s and %s do not agree: they are %.3g %% of the length apart at %.4g s, "
+             "where the truth is %.3g %% from the first.",
              pair[0]->file, pair[1]->file, 100 * worst, when,
              100 * protocol_worst(pair[0])->error);
 }
@@ -437,26 +431,26 @@ static void tell_contact(const struct judge *j)
 }
 
 static enum status tell_place(const struct judge *j, const struct protocol_scene *scene,
-                              bool *any, struct message *why)
+                              bool *any)
 {
     struct protocol_rival *rival = NULL;
     int count, before = 0;
     char word[40], next[160] = "";
     enum status st;
 
-    TRY(protocol_place(scene, &count, &rival, why));
+    TRY(protocol_place(j->p, scene, &count, &rival));
     if (!count)
         goto out;
     *any = true;
     while (before < count && rival[before].error < rival[before].ours)
         before++;
     if (before)
-        snprintf(next, sizeof next, " The best of them is %s with %.2g %%.", rival->title,
+        snprintf(next, sizeof next, " The best of them is %s with %.3g %%.", rival->title,
                  100 * rival->error);
     snprintf(word, sizeof word, "place %d of %d", before + 1, count + 1);
     tell(j, PROTOCOL_PLACE, PROTOCOL_NEUTRAL, word,
          "On %s %d of %d contestants come nearer to the truth with as many points or "
-         "fewer; its own error is %.2g %% at the same times.%s",
+         "fewer; its own error is %.3g %% at the same times.%s",
          scene->name, before, count, 100 * rival->ours, next);
 out:
     free(rival);
@@ -465,7 +459,7 @@ out:
 
 enum status protocol_judge(const struct protocol *p,
                            void (*say)(void *context, const struct protocol_verdict *v),
-                           void *context, struct message *why)
+                           void *context)
 {
     const struct judge j = {p, say, context};
     bool placed = false;
@@ -483,7 +477,7 @@ enum status protocol_judge(const struct protocol *p,
     tell_repeats(&j);
     tell_contact(&j);
     for (int k = 0; k < p->scenes; k++)
-        TRY(tell_place(&j, &p->scene[k], &placed, why));
+        TRY(tell_place(&j, &p->scene[k], &placed));
     if (!placed)
         tell(&j, PROTOCOL_PLACE, PROTOCOL_UNKNOWN, "not known",
              "Its place among the contestants is not known: edge_drop shows it, on a net "

@@ -2,6 +2,7 @@
  * script, and all words that come from files go through table_html_text. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
@@ -26,7 +27,7 @@ static const char style[] =
     ".good { color: var(--good) } .bad { color: var(--bad) }\n"
     ".unknown { color: var(--soft) }\n"
     ".charts { display: flex; flex-wrap: wrap; gap: 1rem }\n"
-    "figure { margin: 0; flex: 1 1 19rem; max-width: 30rem } figure p { margin: 0 }\n"
+    "figure { margin: 0; flex: 1 1 20rem; max-width: 29rem } figure p { margin: 0 }\n"
     "figcaption { font-weight: 600 } svg { width: 100%; display: block }\n"
     "svg text { fill: var(--soft); font-size: 12px } svg line { stroke: var(--line) }\n"
     ".c0 { color: #2a78d6 } .c1 { color: #d06010 } .c2 { color: #2e8f4e }\n"
@@ -78,7 +79,7 @@ static void write_head(FILE *file, const struct protocol *p)
     fputs("<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
           file);
-    write_text(file, "<title>", name, ": its cloth against known motions</title>\n");
+    write_text(file, "<title>", name, ": its cloth beside known motions</title>\n");
     fprintf(file, "<style>\n%s</style>\n<body>\n", style);
     write_text(file, "<h1>", name, "");
     write_text(file, p->version ? " " : "", p->version ? p->version : "", "</h1>\n");
@@ -146,7 +147,7 @@ static void chart_times(FILE *file, const struct protocol_scene *scene, struct l
         return;
     for (int k = 0; k < scene->runs; k++) {
         const struct protocol_run *run = &scene->run[k];
-        begin_line(l, run->file, false);
+        begin_line(l, strchr(run->file, '/') + 1, false);
         for (int n = 0; n < run->times; n++)
             add_point(l, run->row[n].time, run->row[n].error);
     }
@@ -204,7 +205,7 @@ static enum status table_errors(FILE *file, const struct protocol *p)
 
 /* Lists contestants on a scene and the engine among them. */
 static enum status table_place(FILE *file, const struct protocol *p,
-                               const struct protocol_scene *scene, struct message *why)
+                               const struct protocol_scene *scene)
 {
     static const struct table_column columns[] = {{"place"},
                                                   {"contestant", NULL, TABLE_LEFT},
@@ -216,7 +217,7 @@ static enum status table_place(FILE *file, const struct protocol *p,
     int count;
     enum status st;
 
-    TRY(protocol_place(scene, &count, &rival, why));
+    TRY(protocol_place(p, scene, &count, &rival));
     if (!count)
         goto out;
     t = table_create(sizeof columns / sizeof *columns, columns,
@@ -254,7 +255,7 @@ static void write_said(FILE *file, const struct protocol *p)
         }
 }
 
-static enum status write_page(FILE *file, const struct protocol *p, struct message *why)
+static enum status write_page(FILE *file, const struct protocol *p)
 {
     struct page page = {file, -1};
     struct lines l;
@@ -263,14 +264,14 @@ static enum status write_page(FILE *file, const struct protocol *p, struct messa
     TRY(lines_make(&l, p));
     write_head(file, p);
     fputs("<dl>\n", file);
-    TRY(protocol_judge(p, write_verdict, &page, why));
+    TRY(protocol_judge(p, write_verdict, &page));
     fputs("</dl>\n<h2>Charts</h2>\n<div class=\"charts\">\n", file);
     for (int k = 0; k < p->scenes; k++)
         chart_times(file, &p->scene[k], &l);
     chart_nets(file, p, &l);
     fputs("</div>\n<h2>Tables</h2>\n", file);
     for (int k = 0; k < p->scenes; k++)
-        TRY(table_place(file, p, &p->scene[k], why));
+        TRY(table_place(file, p, &p->scene[k]));
     TRY(table_errors(file, p));
     fputs("<h2>What <code>score</code> says of each file</h2>\n", file);
     write_said(file, p);
@@ -288,7 +289,7 @@ enum status protocol_page_write(const char *path, const struct protocol *p,
     enum status st;
 
     TRY(output_create(path, &out, why));
-    TRY(write_page(output_stream(out), p, why));
+    TRY(write_page(output_stream(out), p));
     done = out, out = NULL;
     st = output_close(done, why);
 out:

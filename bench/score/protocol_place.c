@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/csv.h"
 #include "bench/score/protocol.h"
 #include "models/reader/named_file.h"
 
@@ -77,26 +76,31 @@ static int compare_rivals(const void *a, const void *b)
     return (left->error > right->error) - (left->error < right->error);
 }
 
-enum status protocol_place(const struct protocol_scene *scene, int *count,
-                           struct protocol_rival **rivals, struct message *why)
+enum status protocol_place_read(struct csv *contestants, struct message *why)
+{
+    char *path = NULL;
+    enum status st = named_file_find(&kind, "compare_scenes", &path, NULL);
+
+    *contestants = (struct csv){0};
+    if (st == STATUS_OK)
+        st = csv_read(path, contestants, why);
+    else if (st != STATUS_MEMORY) /* none are installed */
+        st = STATUS_OK;
+    free(path);
+    return st;
+}
+
+enum status protocol_place(const struct protocol *p, const struct protocol_scene *scene,
+                           int *count, struct protocol_rival **rivals)
 {
     const struct protocol_run *run = protocol_finest(scene);
-    struct csv csv = {0};
-    char *path = NULL;
-    enum status st;
+    const struct csv_table *t = scene->own ? NULL : table_of(&p->contestants, scene->name);
 
     *count = 0;
-    *rivals = NULL;
-    st = scene->own ? STATUS_INPUT : named_file_find(&kind, "compare_scenes", &path, NULL);
-    if (st != STATUS_OK) /* nothing is stored */
-        return st == STATUS_MEMORY ? st : STATUS_OK;
-    TRY(csv_read(path, &csv, why));
-    const struct csv_table *t = table_of(&csv, scene->name);
-    if (!t)
-        goto out;
-    *rivals = malloc(((size_t)t->rows + 1) * sizeof **rivals);
-    TRY(*rivals ? STATUS_OK : STATUS_MEMORY);
-    for (int row = 0; row < t->rows; row++) {
+    *rivals = t ? malloc(((size_t)t->rows + 1) * sizeof **rivals) : NULL;
+    if (t && !*rivals)
+        return STATUS_MEMORY;
+    for (int row = 0; t && row < t->rows; row++) {
         const double side = csv_number(t, row, csv_column(t, "side")),
                      across = csv_number(t, row, csv_column(t, "across"));
         struct protocol_rival r;
@@ -107,9 +111,7 @@ enum status protocol_place(const struct protocol_scene *scene, int *count,
         snprintf(r.title, sizeof r.title, "%s", csv_words(t, row, csv_column(t, "title")));
         enter(*rivals, count, &r);
     }
-    qsort(*rivals, (size_t)*count, sizeof **rivals, compare_rivals);
-out:
-    csv_clear(&csv);
-    free(path);
-    return st;
+    if (*count)
+        qsort(*rivals, (size_t)*count, sizeof **rivals, compare_rivals);
+    return STATUS_OK;
 }

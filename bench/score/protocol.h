@@ -97,20 +97,21 @@ struct protocol_verdict {
 /* Returns the name of a subject: "error", ... */
 const char *protocol_subject_name(enum protocol_subject subject);
 
-/* A contestant's run with no more points than the engine's. */
+/* A run of a contestant, or of the engine. */
 struct protocol_rival {
     char title[96];
     int net[2];
-    double error; /* at the worst of the times, over the length                          */
-    double ours;  /* of the engine at the same times                                     */
+    bool own;     /* the engine's                                                        */
+    double error; /* at the worst of the times that all have, over the length            */
 };
 
 /* Reads the stored runs of our own contestants, if there are any. STATUS_MEMORY, or
  * STATUS_INPUT with a sentence: their table is damaged. */
 enum status protocol_place_read(struct csv *contestants, struct message *why);
 
-/* Lists the best such run of each contestant on a scene, best first; *count is 0 where none
- * is stored. *rivals is freed by the receiver. STATUS_MEMORY. */
+/* Lists, best first, the engine's finest run and the best of each contestant with no more
+ * points; *count is 0 where none is stored. *rivals is freed by the receiver.
+ * STATUS_MEMORY. */
 enum status protocol_place(const struct protocol *p, const struct protocol_scene *scene,
                            int *count, struct protocol_rival **rivals);
 

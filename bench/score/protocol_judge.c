@@ -433,26 +433,23 @@ static void tell_contact(const struct judge *j)
 static enum status tell_place(const struct judge *j, const struct protocol_scene *scene,
                               bool *any)
 {
-    struct protocol_rival *rival = NULL;
+    struct protocol_rival *rival;
     int count, before = 0;
-    char word[40], next[160] = "";
-    enum status st;
+    char word[40], best[160] = "";
+    const enum status st = protocol_place(j->p, scene, &count, &rival);
 
-    TRY(protocol_place(j->p, scene, &count, &rival));
-    if (!count)
-        goto out;
-    *any = true;
-    while (before < count && rival[before].error < rival[before].ours)
+    while (before < count && !rival[before].own)
         before++;
     if (before)
-        snprintf(next, sizeof next, " The best of them is %s with %.3g %%.", rival->title,
+        snprintf(best, sizeof best, " The best of them is %s with %.3g %%.", rival->title,
                  100 * rival->error);
-    snprintf(word, sizeof word, "place %d of %d", before + 1, count + 1);
-    tell(j, PROTOCOL_PLACE, PROTOCOL_NEUTRAL, word,
-         "On %s %d of %d contestants come nearer to the truth with as many points or "
-         "fewer; its own error is %.3g %% at the same times.%s",
-         scene->name, before, count, 100 * rival->ours, next);
-out:
+    snprintf(word, sizeof word, "place %d of %d", before + 1, count);
+    if (count > 1)
+        tell(j, PROTOCOL_PLACE, PROTOCOL_NEUTRAL, word,
+             "On %s %d of %d contestants come nearer to the truth with as many points or "
+             "fewer; its own error is %.3g %% at the same times.%s",
+             scene->name, before, count - 1, 100 * rival[before].error, best);
+    *any = *any || count > 1;
     free(rival);
     return st;
 }

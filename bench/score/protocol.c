@@ -267,12 +267,18 @@ const struct protocol_scene *protocol_find(const struct protocol *p, const char 
     return NULL;
 }
 
+bool protocol_is_first(const struct protocol_scene *scene, int run)
+{
+    const struct protocol_run *r = &scene->run[run];
+
+    return !run || memcmp(r->net, r[-1].net, sizeof r->net) != 0;
+}
+
 const struct protocol_run *protocol_finest(const struct protocol_scene *scene)
 {
     int n = scene->runs - 1;
 
-    while (n > 0 &&
-           !memcmp(scene->run[n].net, scene->run[n - 1].net, sizeof scene->run->net))
+    while (!protocol_is_first(scene, n))
         n--;
     return &scene->run[n];
 }

@@ -59,7 +59,10 @@ extern const char *const protocol_first[];
 /* Returns a scene by the name of its folder; NULL: it is not there. */
 const struct protocol_scene *protocol_find(const struct protocol *p, const char *name);
 
-/* Returns the run of the finest net that was made first. */
+/* Returns whether a run of a scene is the first on its net, no repeat of one. */
+bool protocol_is_first(const struct protocol_scene *scene, int run);
+
+/* Returns the first run on the finest net. */
 const struct protocol_run *protocol_finest(const struct protocol_scene *scene);
 
 /* Returns the time of a run at which its error is largest. */

@@ -5,7 +5,7 @@
 #include "bench/ui/table.h"
 
 /* Size of the drawing, and where its axes are [px]. */
-enum { WIDTH = 420, HEIGHT = 276, LEFT = 60, RIGHT = 410, TOP = 8, BOTTOM = 238 };
+enum { WIDTH = 420, HEIGHT = 276, LEFT = 66, RIGHT = 410, TOP = 8, BOTTOM = 238 };
 
 /* Colours, which the page's style names c0, c1, ... */
 enum { COLOURS = 6 };

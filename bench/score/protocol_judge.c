@@ -66,20 +66,23 @@ static const struct score_finding *find(const struct protocol_run *run,
     return NULL;
 }
 
-/* Returns the finest run on a scene; NULL: there is none. */
-static const struct protocol_run *finest(const struct judge *j, const char *name)
-{
-    const struct protocol_scene *scene = protocol_find(j->p, name);
-
-    return scene ? protocol_finest(scene) : NULL;
-}
-
 /* Returns whether nothing is wrong with a run, or the fits explain what is: only then does
  * it mean something that a flaw of the motion is not among the findings. */
 static bool is_explained(const struct protocol_run *run)
 {
     return find(run, SCORE_SOUND) || find(run, SCORE_FLOOR) ||
            (run && run->diagnosis.left > 0);
+}
+
+/* Returns the run on the finest net of a scene that is explained; NULL: there is none. */
+static const struct protocol_run *explained(const struct judge *j, const char *name)
+{
+    const struct protocol_scene *scene = protocol_find(j->p, name);
+
+    for (int n = scene ? scene->runs - 1 : -1; n >= 0; n--)
+        if (protocol_is_first(scene, n) && is_explained(&scene->run[n]))
+            return &scene->run[n];
+    return NULL;
 }
 
 /* --- errors and flaws --- */
@@ -113,19 +116,20 @@ static void tell_missing(const struct judge *j)
 /* Tells the flaws that have no subject of their own. */
 static void tell_flaws(const struct judge *j, const struct protocol_scene *scene)
 {
-    const struct score_diagnosis *d = &protocol_finest(scene)->diagnosis;
+    const struct protocol_run *run = protocol_finest(scene);
+    const struct score_diagnosis *d = &run->diagnosis;
 
     for (int n = 0; n < d->count; n++) {
         const enum score_kind kind = d->finding[n].kind;
         if (kind != SCORE_FIRST_ORDER_STEP && kind != SCORE_DAMPING &&
             kind != SCORE_BENDING && kind != SCORE_HINGE && kind != SCORE_CLAMP &&
             kind != SCORE_FLOOR && kind != SCORE_SOUND)
-            tell(j, PROTOCOL_FLAW, PROTOCOL_BAD, score_diagnosis_name(kind), "On %s: %s",
-                 scene->name, d->finding[n].text);
+            tell(j, PROTOCOL_FLAW, PROTOCOL_BAD, score_diagnosis_name(kind), "%s: %s",
+                 run->file, d->finding[n].text);
     }
     if (!d->count)
         tell(j, PROTOCOL_FLAW, PROTOCOL_NEUTRAL, "unexplained",
-             "On %s no flaw that is known here explains the error.", scene->name);
+             "%s: No flaw that is known here explains the error.", run->file);
 }
 
 /* --- step, damping, clamp, stiffness --- */
@@ -146,40 +150,39 @@ static const struct motion_flaw motion_flaws[] = {
      {"free_fall", "edge_drop"},
      {{SCORE_FIRST_ORDER_STEP, "first order"}},
      "second order",
-     "nothing of a first-order step is seen: the step is of second order at least"},
+     "Nothing of a first-order step is seen: the step is of second order at least"},
     {PROTOCOL_DAMPING,
      {"free_fall", "edge_drop"},
      {{SCORE_DAMPING, "damped"}},
      "none seen",
-     "no damping is seen that the scene has not"},
+     "No damping is seen that the scene has not"},
     {PROTOCOL_CLAMP,
      {"edge_drop"},
      {{SCORE_HINGE, "a hinge"}, {SCORE_CLAMP, "gives way"}},
      "clamped",
-     "the held edge is a clamp, and nothing of a hinge is seen"},
+     "The held edge is a clamp, and nothing of a hinge is seen"},
 };
 
 static void tell_motion_flaw(const struct judge *j, const struct motion_flaw *f)
 {
-    const char *clean = NULL;
+    const struct protocol_run *clean = NULL;
     bool found = false;
 
     for (int k = 0; k < 2 && f->scene[k]; k++) {
-        const struct protocol_run *run = finest(j, f->scene[k]);
-        const struct score_finding *flaw = NULL;
-        for (int n = 0; n < 2 && f->found[n].word && !flaw; n++) {
-            flaw = find(run, f->found[n].kind);
-            if (flaw)
-                tell(j, f->subject, PROTOCOL_BAD,
-                     flaw->kind == SCORE_DAMPING && flaw->value < 0 ? "gains energy"
-                                                                    : f->found[n].word,
-                     "On %s: %s", f->scene[k], flaw->text);
-        }
+        const struct protocol_run *run = explained(j, f->scene[k]);
+        const struct score_finding *flaw = find(run, f->found[0].kind);
+        const bool second = !flaw && f->found[1].word;
+        flaw = second ? find(run, f->found[1].kind) : flaw;
+        if (flaw)
+            tell(j, f->subject, PROTOCOL_BAD,
+                 flaw->kind == SCORE_DAMPING && flaw->value < 0 ? "gains energy"
+                                                                : f->found[second].word,
+                 "%s: %s", run->file, flaw->text);
         found = found || flaw;
-        clean = !flaw && !clean && is_explained(run) ? f->scene[k] : clean;
+        clean = !flaw && !clean ? run : clean;
     }
     if (!found && clean)
-        tell(j, f->subject, PROTOCOL_GOOD, f->without, "On %s %s.", clean, f->sentence);
+        tell(j, f->subject, PROTOCOL_GOOD, f->without, "%s: %s.", clean->file, f->sentence);
     else if (!found)
         tell(j, f->subject, PROTOCOL_UNKNOWN, "not known",
              "It would be seen on %s%s, which %s no frames here, or flaws that hide it.",
@@ -191,14 +194,15 @@ static void tell_stiffness(const struct judge *j)
     static const char *const part[] = {"the membrane's along the warp",
                                        "the membrane's along the weft",
                                        "bending along the warp", "bending along the weft"};
-    const struct score_finding *bends = find(finest(j, "edge_drop"), SCORE_BENDING);
+    const struct protocol_run *drop = explained(j, "edge_drop");
+    const struct score_finding *bends = find(drop, SCORE_BENDING);
     bool known[2][2] = {{false}};
     char text[SCORE_STIFFNESS_TEXT], missing[200] = "";
 
     for (int k = 0; k < j->p->scenes; k++) {
-        const struct protocol_scene *scene = &j->p->scene[k];
-        const struct score_stiffness *s = &protocol_finest(scene)->stiffness;
-        if (!s->applies || (!s->found && find(protocol_finest(scene), SCORE_SOUND)))
+        const struct protocol_run *run = protocol_finest(&j->p->scene[k]);
+        const struct score_stiffness *s = &run->stiffness;
+        if (!s->applies || (!s->found && find(run, SCORE_SOUND)))
             continue;
         const double off = fabs(s->value / s->scene - 1);
         score_stiffness_text(s, text);
@@ -207,12 +211,12 @@ static void tell_stiffness(const struct judge *j)
              : off < STIFF_ERROR ? PROTOCOL_GOOD
                                  : PROTOCOL_NEUTRAL,
              s->found ? s->part == LAW_MEMBRANE ? "membrane" : "bending" : "none fits",
-             "On %s: %s", scene->name, text);
+             "%s: %s", run->file, text);
         known[s->part != LAW_MEMBRANE][strstr(s->along, "weft") != NULL] |=
             strcmp(s->along, "u") != 0;
     }
     if (bends)
-        tell(j, PROTOCOL_STIFFNESS, PROTOCOL_NEUTRAL, "bending", "On edge_drop: %s",
+        tell(j, PROTOCOL_STIFFNESS, PROTOCOL_NEUTRAL, "bending", "%s: %s", drop->file,
              bends->text);
     for (int n = 0; n < 4; n++)
         if (!known[n / 2][n % 2])
@@ -267,12 +271,11 @@ static int last_nets(const struct protocol_scene *scene, const struct protocol_r
     int count = 0;
 
     for (int n = 0; n < scene->runs; n++) {
-        const struct protocol_run *run = &scene->run[n];
-        if (count && !memcmp(net[count - 1]->net, run->net, sizeof run->net))
+        if (!protocol_is_first(scene, n))
             continue;
         if (count == 3)
             net[0] = net[1], net[1] = net[2], count = 2;
-        net[count++] = run;
+        net[count++] = &scene->run[n];
     }
     return count;
 }
@@ -396,7 +399,7 @@ static void tell_repeats(const struct judge *j)
         const struct protocol_scene *scene = &j->p->scene[k];
         for (int n = 1; n < scene->runs; n++) {
             const struct protocol_run *const pair[2] = {&scene->run[n - 1], &scene->run[n]};
-            if (memcmp(pair[0]->net, pair[1]->net, sizeof pair[0]->net) != 0)
+            if (protocol_is_first(scene, n))
                 continue;
             tell_repeat(j, scene, pair);
             any = true;

@@ -82,9 +82,11 @@ static void write_head(FILE *file, const struct protocol *p)
     write_text(file, "<title>", name, ": its cloth beside known motions</title>\n");
     fprintf(file, "<style>\n%s</style>\n<body>\n", style);
     write_text(file, "<h1>", name, "");
-    write_text(file, p->version ? " " : "", p->version ? p->version : "", "</h1>\n");
+    write_text(file, p->version ? " " : "", p->version ? p->version : "", "</h1>\n<p>");
+    if (p->step > 0)
+        fprintf(file, "Its step is said to be %.3g ms. ", 1e3 * p->step);
     fprintf(file,
-            "<p>%d file%s of frames on %d scene%s were compared with motions that are "
+            "%d file%s of frames on %d scene%s were compared with motions that are "
             "known, with error bars. Errors are rms distances over the sheet, in per cent "
             "of its length.</p>\n",
             files, files == 1 ? "" : "s", p->scenes, p->scenes == 1 ? "" : "s");
@@ -136,11 +138,11 @@ static void chart_nets(FILE *file, const struct protocol *p, struct protocol_lin
             continue;
         line[lines] = (struct protocol_line){.label = scene->name};
         for (int m = 0; m < scene->runs; m++)
-            if (scene->run[m].repeat == 1)
+            if (protocol_is_first(scene, m))
                 add_point(&line[lines],
                           sqrt((double)scene->run[m].net[0] * scene->run[m].net[1]),
                           protocol_worst(&scene->run[m])->error);
-        lines += line[lines].count > 0;
+        lines++;
     }
     if (lines)
         protocol_chart_write("Largest error on each net", "points a side", true, lines,

@@ -154,7 +154,7 @@ static const struct row rows[] = {
      "gravity",
      "under gravity x 0.917"},
 
-    {{{FALL}}, PROTOCOL_STEP, GOOD, "second order", "On free_fall nothing"},
+    {{{FALL}}, PROTOCOL_STEP, GOOD, "second order", "free_fall/4x4.csv: Nothing"},
     {{{"free_fall/4x4.csv", "mass_spring"}},
      PROTOCOL_STEP,
      BAD,
@@ -162,7 +162,7 @@ static const struct row rows[] = {
      "dt = 5 ms"},
     {{{REST("5x5")}}, PROTOCOL_STEP, UNKNOWN, "not known", "free_fall or edge_drop"},
 
-    {{{FALL}}, PROTOCOL_DAMPING, GOOD, "none seen", "On free_fall"},
+    {{{FALL}}, PROTOCOL_DAMPING, GOOD, "none seen", "free_fall"},
     {{{FALL, {"damping={kind: mass, value: 1}"}}},
      PROTOCOL_DAMPING,
      BAD,
@@ -170,7 +170,7 @@ static const struct row rows[] = {
      "Is damped like by"},
     {{{FALL, {"gravity=[9,0,0]"}}}, PROTOCOL_DAMPING, UNKNOWN, "not known", ""},
 
-    {{{DROP}}, PROTOCOL_CLAMP, GOOD, "clamped", "On edge_drop the held edge"},
+    {{{DROP}}, PROTOCOL_CLAMP, GOOD, "clamped", "edge_drop/17x17.csv: The held edge"},
     {{{DROP, {HINGE}}}, PROTOCOL_CLAMP, BAD, "a hinge", "not a clamp"},
     {{{FALL}}, PROTOCOL_CLAMP, UNKNOWN, "not known", "edge_drop, which has no frames"},
 

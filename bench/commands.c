@@ -42,36 +42,20 @@ static enum status list_files(const struct named_file_kind *kind, struct message
 static void list_models(void)
 {
     const struct model *model;
+    char text[CONTESTANT_TEXT];
 
     for (int n = 0; (model = contestant_model(n)); n++) {
-        char text[512], not_served[256];
-        scene_needs_text(SCENE_NEED_ALL & ~model->serves, not_served, sizeof not_served);
-        snprintf(text, sizeof text, "%s; serves %s%s (%s)", model->title,
-                 *not_served ? "all but " : "every scene", not_served, model->source);
+        contestant_tell_model(model, text);
         print_item(model->name, text);
     }
 }
 
 static void list_contestants(void)
 {
-    static const struct {
-        unsigned where;
-        const char *name;
-    } places[] = {{CONTESTANT_COMPARE, "compare"},
-                  {CONTESTANT_STRESS, "stress"},
-                  {CONTESTANT_SMALL, "verify at small strains"},
-                  {CONTESTANT_LARGE, "verify bending far"},
-                  {CONTESTANT_SPEED, "bench"}};
+    char text[CONTESTANT_TEXT];
 
     for (const struct contestant *c = contestant_table; c->name; c++) {
-        char text[512];
-        int used = snprintf(text, sizeof text, "%s", c->title);
-        for (size_t n = 0; n < sizeof places / sizeof *places; n++)
-            if (c->enters & places[n].where)
-                used += snprintf(text + used, sizeof text - (size_t)used, "; %s",
-                                 places[n].name);
-        if (c->note)
-            snprintf(text + used, sizeof text - (size_t)used, ". %s", c->note);
+        contestant_tell(c, text);
         print_item(c->name, text);
     }
 }

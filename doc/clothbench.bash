@@ -6,6 +6,7 @@ _clothbench_names() { # KIND: the names of `clothbench list KIND`
 }
 
 _clothbench_words() { # all words that may stand here
+    local values
     case $before in
     --model | --models | --contestant)
         _clothbench_names contestants
@@ -15,7 +16,10 @@ _clothbench_words() { # all words that may stand here
         "$program" help scene 2>/dev/null | sed -n 's/^  \([a-z][a-z.]*\) .*/\1=/p'
         return
         ;;
-    --format) echo text csv markdown latex json && return ;;
+    --*) # the words that the help of the option names: --format text|csv|...
+        values=$("$program" "$command" --help 2>/dev/null | sed -n "s/^  $before \([a-z]*|[a-z|]*\).*/\1/p")
+        [ -z "$values" ] || { tr '|' '\n' <<<"$values" && return; }
+        ;;
     esac
     case $command,$word in
     *,-*) "$program" "$command" --help 2>/dev/null | grep -o -e '--[a-z][a-z-]*' ;;
@@ -25,7 +29,7 @@ _clothbench_words() { # all words that may stand here
     verify,*) _clothbench_names checks ;;
     stress,*) _clothbench_names cases ;;
     bench,*) _clothbench_names benchmarks ;;
-    table,*) echo 1 2 3 4 ;;
+    table,*) _clothbench_names tables ;;
     help,*) "$program" help 2>/dev/null | sed -n 's/^  \([a-z]\{1,\}\) .*/\1/p' ;;
     run,* | compare,* | advise,* | truth,* | export,* | score,*) _clothbench_names scenes ;;
     esac

@@ -4,6 +4,7 @@
     baselines.py check FILE
     baselines.py head               # the columns
     baselines.py merge FILE ROWS    # what was run takes the place of what the file had of it
+    baselines.py protocol FILE ROWS # the same of peers/protocol.csv, by simulator
 """
 import csv
 import math
@@ -103,6 +104,22 @@ def merged(kept, made):
     return [row for case in order for row in groups[case]]
 
 
+def keep_protocol(path, made):
+    """Puts the rows of a file into another, in place of those of the same simulators."""
+    with open(made, newline="") as file:
+        rows = list(csv.DictReader(file))
+    ran = {row["simulator"] for row in rows}
+    try:
+        with open(path, newline="") as file:
+            kept = [row for row in csv.DictReader(file) if row["simulator"] not in ran]
+    except FileNotFoundError:
+        kept = []
+    with open(path, "w", newline="") as file:
+        to = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        to.writeheader()
+        to.writerows(kept + rows)
+
+
 def main(words):
     try:
         if words[:1] == ["check"] and len(words) == 2:
@@ -112,6 +129,8 @@ def main(words):
             with open(words[1], "w", newline="") as file:
                 file.write(HEAD + "\n")
                 write(rows, file)
+        elif words[:1] == ["protocol"] and len(words) == 3:
+            keep_protocol(words[1], words[2])
         elif words == ["head"]:
             print(HEAD)
         else:

@@ -3,14 +3,17 @@
 
     runs.py rows PROGRAM PLACE NAME NET SCENE...            # rows of peers/baselines.csv, printed
     runs.py drive PLACE NAME FOLDER FRAMES.csv KEY=VALUE... # one export, by one driver
+    runs.py protocol PROGRAM PLACE NAME # a page a title of cases.txt, PLACE/protocol/TITLE
 
 NAME is a simulator's or all; NET n,m or - for that of each case. PLACE has the copies of the
 drivers, and what npm brought.
 """
+import csv
 import datetime
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -23,6 +26,15 @@ UNTIL = {"edge_drop": 0.5}  # s; elsewhere as far as the truth is known
 WIDTH = {"strip_swing": 0.2}  # of the length: nets have square cells, as the springs' rule needs
 FEWEST = 5                  # points across
 PATIENCE = 1800             # s of patience with a run
+# What `score --protocol` is given: folder, scene, nets and settings; the 21 x 21 of edge_drop twice.
+WEFT = ["--set", "material.warp=90"]
+PROTOCOL = [("free_fall", "free_fall", ["21,21"], []), ("hanging", "hanging", ["21,21"], []),
+            ("rest_small", "rest_small", ["11,11", "21,21", "41,41"], []),
+            ("rest_large", "rest_large", ["21,21"], []),
+            ("edge_drop", "edge_drop", ["11,11", "21,21", "41,41"], []),
+            ("warp_hang", "woven_hang", ["21,5"], []), ("weft_hang", "woven_hang", ["21,5"], WEFT),
+            ("warp_level", "woven_level", ["21,5"], []),
+            ("weft_level", "woven_level", ["21,5"], WEFT)]
 
 
 def command(place, name):
@@ -106,8 +118,8 @@ def net_of(scene, net):
         [along[0], str(max(FEWEST, round((int(along[1]) - 1) * across) + 1))])
 
 
-def export_scene(program, scene, net, folder):
-    run = subprocess.run([program, "export", scene, "--points", net, "--out", str(folder)],
+def export_scene(program, scene, net, folder, more=()):
+    run = subprocess.run([program, "export", scene, "--points", net, "--out", str(folder), *more],
                          capture_output=True, text=True)
     if run.returncode:
         raise export.Refused(said(run))
@@ -145,6 +157,48 @@ def run_case(program, place, case, scenes):
         yield from baselines.case_rows(columns, told[scene], sheets.get(scene))
 
 
+def make_protocol(program, place, case):
+    """The folder of one title; rows of `score --protocol`, with what was refused."""
+    name, title, _, settings, _ = case
+    out = place / "protocol" / re.sub(r"[^a-z0-9]+", "_", title.lower())
+    shutil.rmtree(out, ignore_errors=True)
+    version, refused = "unknown", {}
+    for folder, scene, nets, more in PROTOCOL:
+        for net in nets + nets[1:2] * (scene == "edge_drop"):
+            stem = net.replace(",", "x")
+            twice = "-2" * any((out / folder).glob(f"{stem}.*"))
+            print(f"{title}, {folder}, {stem}{twice}", file=sys.stderr, flush=True)
+            words = settings + ([f"until={UNTIL[scene]}"] if scene in UNTIL else [])
+            (out / folder).mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryDirectory(dir=place) as work:
+                try:
+                    export_scene(program, scene, net, f"{work}/scene", more)
+                    frames = str(out / folder / f"{stem}{twice}")
+                    told = (drive(place, name, f"{work}/scene", frames + ".csv", words)
+                            if (place / name).exists() else
+                            contest(program, name, f"{work}/scene", frames + ".h5", net, words))
+                    version = told["version"]
+                    if folder != scene:
+                        shutil.copy(f"{work}/scene/scene.yaml", out / folder)
+                    if "died" in told:
+                        refused.setdefault("it died", []).append(f"{folder} {stem}{twice}")
+                except export.Refused as e:
+                    refused.setdefault(str(e), []).append(f"{folder} {stem}{twice}")
+        if not any(file.suffix in (".csv", ".h5") for file in (out / folder).iterdir()):
+            shutil.rmtree(out / folder)
+    (out / "engine.yaml").write_text("".join(f"{key}: {json.dumps(value)}\n" for key, value in (
+        ("name", title), ("version", version), ("step", float(settings[0][5:])))))
+    run = subprocess.run([program, "score", "--protocol", str(out), "--format", "csv"],
+                         capture_output=True, text=True)
+    if run.returncode:
+        raise export.Refused(said(run))
+    for row in csv.DictReader(run.stdout.splitlines()):
+        yield {"simulator": title, "version": version, **row}
+    for why, where in refused.items():
+        yield {"simulator": title, "version": version, "subject": "not run", "verdict": "not run",
+               "sentence": f"{', '.join(where)}: {' '.join(why.split())}."}
+
+
 def main(words):
     if words[:1] == ["rows"] and len(words) > 5:
         program, place, name, net, *scenes = words[1:]
@@ -154,6 +208,14 @@ def main(words):
                 rows = run_case(program, pathlib.Path(place), case, wanted)
                 baselines.write(rows, sys.stdout)
                 sys.stdout.flush()
+    elif words[:1] == ["protocol"] and len(words) == 4:
+        to = csv.DictWriter(sys.stdout, ["simulator", "version", "subject", "verdict", "sentence"],
+                            lineterminator="\n")
+        titles = {case[1]: case for case in reversed(list(cases(words[3])))}
+        to.writeheader()
+        for case in reversed(titles.values()):
+            to.writerows(make_protocol(words[1], pathlib.Path(words[2]), case))
+            sys.stdout.flush()
     elif words[:1] == ["drive"] and len(words) > 5:
         place, name, folder, out, *settings = words[1:]
         try:

@@ -48,7 +48,9 @@ class Scene:
 
     def read_material(self, material):
         value = {r["quantity"]: float(r["value"]) for r in material}
-        self.E, self.nu, self.rho, self.h, self.D = (value[q] for q in ("E", "nu", "rho", "h", "D"))
+        self.E, self.nu, self.rho, self.h = (value[q] for q in ("E", "nu", "rho", "h"))
+        # of a fabric the isotropic mean
+        self.D = value.get("D", self.E * self.h ** 3 / 12 / (1 - self.nu ** 2))
         self.mass = [float(r["value"]) for r in material if r["quantity"] == "mass"]
         self.springs = [(int(r["a"]), int(r["b"]), float(r["value"]), float(r["rest_length"]),
                          r["quantity"]) for r in material if r["quantity"].startswith("spring ")]

@@ -64,7 +64,7 @@ done || fail 'a page has an option that help has not'
 good run edge_drop --model hex --help
 says out --static --modes --probe --matrices --out --set
 good version
-says out 'clothbench 0' compiler blas_kernel
+says out 'clothbench 1' compiler blas_kernel
 good --version
 good help version
 good help help

@@ -27,6 +27,10 @@ offers stack verify st
 offers contact bench c
 offers strip_swing score strip
 offers advise help ad
+offers --site report --s
+offers markdown compare edge_drop --format m
+offers ply export edge_drop --format p
+offers 3 table 3
 COMP_WORDS=(clothbench run zzz) COMP_CWORD=2
 _clothbench "$program" zzz run
 [ ${#COMPREPLY[@]} -eq 0 ] || fail "zzz: ${COMPREPLY[*]}"

@@ -16,7 +16,7 @@ own_folder
 # What a reader does, and what the page then shows, as attributes of its body.
 cat >reader.js <<'SCRIPT'
 const said = {}, seen = document.getElementById('tip'), when = document.getElementById('when');
-const point = document.querySelector('#speed circle'), slider = document.getElementById('frame');
+const point = document.querySelector('.chart circle'), slider = document.getElementById('frame');
 point.dispatchEvent(new PointerEvent('pointerenter', {clientX: 50, clientY: 50}));
 said.hover = seen.style.display + ' ' + seen.textContent;
 point.dispatchEvent(new PointerEvent('pointerleave'));
@@ -34,7 +34,7 @@ said.moved = picture() !== first;
 said.claims = document.querySelectorAll('.claims li').length;
 [said.tally, said.least, said.checks] = [1, 2, 3].map(n =>
   document.querySelectorAll('p')[n].textContent);
-said.lines = document.querySelectorAll('#best path').length;
+said.lines = document.querySelectorAll('.chart g path').length;
 said.quick = document.querySelector('.quick')?.textContent;
 const cells = [...document.querySelectorAll('td')].map(cell => cell.textContent);
 said.above = cells.filter(words => words === 'hex').length;

@@ -79,6 +79,21 @@ says '"contact": [{"kind": "through_itself", "frame": 3, "time": 0.2000000000000
     free_fall "$scratch/folded.csv" --format json
 says "No frame passes through itself or has a vertex in a body." sphere "$truths/sphere.h5"
 
+# One page on a simulator; what is wrong in its folder leaves none.
+mkdir -p "$scratch/mine/free_fall"
+cp "$scratch/folded.csv" "$scratch/mine/free_fall/11x11.csv"
+says "free_fall/11x11.csv: Passes through itself, first in frame 3" --protocol "$scratch/mine"
+grep -q '</html>' "$scratch/mine/protocol.html" || fail "--protocol writes no page"
+says 'subject,verdict,sentence' --protocol "$scratch/mine" --out "$scratch/page.html" --format csv
+grep -q "</html>" "$scratch/page.html" || fail "--out: no page"
+rm "$scratch/page.html"
+cp "$scratch/folded.csv" "$scratch/mine/free_fall/cells.csv"
+refuses "cells.csv: its name says no net" --protocol "$scratch/mine" --out "$scratch/page.html"
+[ ! -e "$scratch/page.html" ] || fail "bad input, and a page"
+refuses "has no SCENE, FRAMES or --rest" --protocol "$scratch/mine" edge_drop
+refuses "--out is for the page of --protocol" edge_drop "$scratch/folded.csv" --out x.html
+refuses "score --protocol DIR, would be right"
+
 echo "0,0,0,0,0,0" >"$scratch/one.csv"
 refuses "No such file" edge_drop "$scratch/absent.csv"
 refuses "no folder of several" "$scratch/one.csv"

@@ -21,7 +21,6 @@ same CHANGELOG.md Unreleased '^## \[\(.*\)\].*'
 same CITATION.cff "$version" '^version: \(.*\)$'
 same CITATION.cff "$day" '^date-released: "\(.*\)"$'
 same doc/clothbench.1 "$version" '^\.TH .* "clothbench \(.*\)"$'
-[ ! -e python/pyproject.toml ] || same python/pyproject.toml "$version" '^version *= *"\(.*\)"$'
 for key in cff-version message type title abstract authors license keywords references doi; do
     grep -q "^ *$key: " CITATION.cff || grep -q "^ *$key:\$" CITATION.cff || fail "CITATION.cff has no $key"
 done

@@ -25,6 +25,8 @@ packages=(
     "zlib1g-dev: checksums of result files"
     "libzip-dev: reads frames in NumPy's .npz"
     "libyaml-dev: reads scene files"
+    "libmd4c-dev: reads the manual's pages for a site"
+    "libmd4c-html0-dev: makes them HTML"
     "gnuplot-nox: draws the charts"
     "python3: holds the figures of README.md and doc/ against doc/results (a test)"
 )

@@ -110,6 +110,35 @@ void contestant_settings(const struct contestant *c, struct settings *s)
     settings_list(s, CONTESTANT_SETTINGS, c->settings);
 }
 
+void contestant_tell_model(const struct model *model, char text[CONTESTANT_TEXT])
+{
+    char not_served[256];
+
+    scene_needs_text(SCENE_NEED_ALL & ~model->serves, not_served, sizeof not_served);
+    snprintf(text, CONTESTANT_TEXT, "%s; serves %s%s (%s)", model->title,
+             *not_served ? "all but " : "every scene", not_served, model->source);
+}
+
+void contestant_tell(const struct contestant *c, char text[CONTESTANT_TEXT])
+{
+    static const struct {
+        unsigned where;
+        const char *name;
+    } places[] = {{CONTESTANT_COMPARE, "compare"},
+                  {CONTESTANT_STRESS, "stress"},
+                  {CONTESTANT_SMALL, "verify at small strains"},
+                  {CONTESTANT_LARGE, "verify bending far"},
+                  {CONTESTANT_SPEED, "bench"}};
+    int used = snprintf(text, CONTESTANT_TEXT, "%s", c->title);
+
+    for (size_t n = 0; n < sizeof places / sizeof *places; n++)
+        if (c->enters & places[n].where)
+            used += snprintf(text + used, CONTESTANT_TEXT - (size_t)used, "; %s",
+                             places[n].name);
+    if (c->note)
+        snprintf(text + used, CONTESTANT_TEXT - (size_t)used, ". %s", c->note);
+}
+
 const char *contestant_setting(const struct contestant *c, const char *key)
 {
     int count = 0;

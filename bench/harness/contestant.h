@@ -61,6 +61,12 @@ enum status contestant_check(const char *choice, struct message *why);
 /* Adds the settings that define it. */
 void contestant_settings(const struct contestant *c, struct settings *s);
 
+/* Tell what a model is, which scenes it serves and whose it is; what a contestant is, where
+ * it enters and what its readers should know. */
+enum { CONTESTANT_TEXT = 512 };
+void contestant_tell_model(const struct model *model, char text[CONTESTANT_TEXT]);
+void contestant_tell(const struct contestant *c, char text[CONTESTANT_TEXT]);
+
 /* Returns the value that it sets a key to; NULL: it does not. Static storage. */
 const char *contestant_setting(const struct contestant *c, const char *key);
 

@@ -15,7 +15,8 @@
 static const char *const scene = "edge_drop";
 
 enum {
-    SIDE = 14, /* points a side of a sheet that is played */
+    STEP = 9, /* every so many points of the grid are played                            */
+    SIDE = (GRID_U - 1) / STEP + 1, /* points a side                                    */
     NUMBERS = SIDE * SIDE * 3,
     FRAMES_MOST = 400, /* of a truth                                                   */
     FRAME = NUMBERS * 2 * 4 / 3 + 16, /* a frame in the page [bytes]                   */
@@ -30,22 +31,6 @@ struct player {
     int runs;    /* that share the room left                                           */
     long room;   /* [bytes]                                                            */
 };
-
-/* Takes every so many points of the mid-surface of a field. */
-static void thin(const double *xyz, double out[NUMBERS])
-{
-    const int layer = GRID_U * GRID_V;
-
-    for (int j = 0; j < SIDE; j++)
-        for (int i = 0; i < SIDE; i++) {
-            const int u = (int)lround(i * (GRID_U - 1.0) / (SIDE - 1));
-            const int v = (int)lround(j * (GRID_V - 1.0) / (SIDE - 1));
-            for (int c = 0; c < 3; c++) {
-                const double *x = xyz + 3 * (v * GRID_U + u) + c;
-                out[3 * (j * SIDE + i) + c] = (x[0] + x[3 * layer]) / 2;
-            }
-        }
-}
 
 static void write_numbers(FILE *file, const char *key, const double *value, int count)
 {
@@ -110,7 +95,7 @@ static enum status write_truth(struct player *p, const struct truth *made)
 
     if (xyz) {
         for (int n = 0; n < frames; n++)
-            thin(made->xyz[n], xyz + (size_t)n * NUMBERS);
+            grid_middle(made->xyz[n], STEP, xyz + (size_t)n * NUMBERS);
         st = write_motion(p, "truth", true, 1, frames, made->time, xyz);
     }
     free(xyz);
@@ -145,7 +130,7 @@ static enum status read_fields(const struct store_read *store, int stride, int f
         TRY(STATUS_MEMORY);
     for (int n = 0; n < frames; n++) {
         TRY(store_read_frame(store, n * stride, all, why));
-        thin(all, *xyz + (size_t)n * NUMBERS);
+        grid_middle(all, STEP, *xyz + (size_t)n * NUMBERS);
         time[n] = time[n * stride];
     }
 out:

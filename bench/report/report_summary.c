@@ -10,7 +10,7 @@
 /* The least time to an error of this share of the length is reported. */
 #define ENOUGH 0.01
 
-enum { TEXT = 512 };
+enum { TEXT = REPORT_SENTENCE };
 
 /* Counts of claims. */
 struct tally {
@@ -67,16 +67,10 @@ static void write_claims(FILE *file, const struct report_found *found, struct ta
     }
 }
 
-/* A contestant's run. */
-struct point {
-    const char *title, *model;
-    double seconds, error; /* [s], over the length                                       */
-};
-
 /* Orders runs: those that are near enough by their seconds, then others by their error. */
 static int compare_points(const void *a, const void *b)
 {
-    const struct point *p = a, *q = b;
+    const struct report_run *p = a, *q = b;
     const bool near[2] = {p->error <= ENOUGH, q->error <= ENOUGH};
 
     if (near[0] != near[1])
@@ -85,8 +79,7 @@ static int compare_points(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Returns the table of speed against error; NULL: there is none. */
-static const struct csv_table *speed_table(const struct report_found *compare)
+const struct csv_table *report_summary_runs(const struct report_found *compare)
 {
     static const char *const keys[] = {"title", "model", "seconds",
                                        "worst_rmse_over_length", "front"};
@@ -102,14 +95,14 @@ static const struct csv_table *speed_table(const struct report_found *compare)
     return NULL;
 }
 
-/* Finds the best run of each model, best first; returns their count. */
-static int find_best(const struct csv_table *t, struct point *best)
+int report_summary_best(const struct csv_table *t, struct report_run *best)
 {
     int count = 0, models = 0;
 
     for (int row = 0; row < t->rows; row++) {
-        const struct point p = {
+        const struct report_run p = {
             csv_words(t, row, csv_column(t, "title")),
+            csv_words(t, row, csv_column(t, "contestant")),
             csv_words(t, row, csv_column(t, "model")),
             csv_number(t, row, csv_column(t, "seconds")),
             csv_number(t, row, csv_column(t, "worst_rmse_over_length"))};
@@ -147,7 +140,7 @@ static void tell_claims(const struct tally *t, char text[TEXT])
              t->hold, t->fail, more);
 }
 
-static void tell_speed(const struct point *best, int models, char text[TEXT])
+static void tell_speed(const struct report_run *best, int models, char text[TEXT])
 {
     char next[160] = ".";
 
@@ -212,21 +205,23 @@ static void tell_contact(const struct report_found *touching, char text[TEXT])
              through, runs, rounded(1000 * deepest));
 }
 
-enum status report_summary_write(FILE *file, const struct report_found *found)
+enum status report_summary_write(FILE *file, const struct report_found *found,
+                                 char said[REPORT_SENTENCES][REPORT_SENTENCE])
 {
     const struct report_found *verify = report_part_found(found, "verify"),
                               *touching = report_part_found(found, "study_touching");
-    const struct csv_table *speed = speed_table(report_part_found(found, "compare"));
-    struct point *best = malloc(((size_t)(speed ? speed->rows : 0) + 1) * sizeof *best);
+    const struct csv_table *speed =
+        report_summary_runs(report_part_found(found, "compare"));
+    struct report_run *best =
+        malloc(((size_t)(speed ? speed->rows : 0) + 1) * sizeof *best);
     struct tally claims = {0};
-    char said[4][TEXT];
 
     if (!best)
         return STATUS_MEMORY;
     fputs("\"claims\":[", file);
     write_claims(file, found, &claims);
     fputs("],", file);
-    const int models = speed ? find_best(speed, best) : 0;
+    const int models = speed ? report_summary_best(speed, best) : 0;
     tell_claims(&claims, said[0]);
     if (speed)
         tell_speed(best, models, said[1]);
@@ -243,14 +238,9 @@ enum status report_summary_write(FILE *file, const struct report_found *found)
     else
         snprintf(said[3], TEXT, "Contact was not run: clothbench study touching");
     fputs("\"found\":", file);
-    for (int n = 0; n < 4; n++) {
+    for (int n = 0; n < REPORT_SENTENCES; n++) {
         fputc(n ? ',' : '[', file);
         report_json_string(file, said[n]);
-    }
-    fputs("],\"best\":[", file);
-    for (int n = 0; n < models; n++) {
-        fputs(n ? "," : "", file);
-        report_json_string(file, best[n].title);
     }
     fputs("],", file);
     free(best);

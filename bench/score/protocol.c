@@ -230,6 +230,7 @@ enum status protocol_read(const char *path, const struct score_look *look,
                         "would be right",
                         path));
     TRY(read_engine(p, why));
+    TRY(protocol_place_read(&p->contestants, why));
     p->scene = calloc((size_t)folder.count, sizeof *p->scene);
     TRY(p->scene ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < folder.count; n++)
@@ -250,6 +251,7 @@ void protocol_clear(struct protocol *p)
         free(p->scene[k].run);
         free(p->scene[k].name);
     }
+    csv_clear(&p->contestants);
     free(p->scene);
     free(p->folder);
     free(p->name);
@@ -265,12 +267,18 @@ const struct protocol_scene *protocol_find(const struct protocol *p, const char 
     return NULL;
 }
 
+bool protocol_is_first(const struct protocol_scene *scene, int run)
+{
+    const struct protocol_run *r = &scene->run[run];
+
+    return !run || memcmp(r->net, r[-1].net, sizeof r->net) != 0;
+}
+
 const struct protocol_run *protocol_finest(const struct protocol_scene *scene)
 {
     int n = scene->runs - 1;
 
-    while (n > 0 &&
-           !memcmp(scene->run[n].net, scene->run[n - 1].net, sizeof scene->run->net))
+    while (!protocol_is_first(scene, n))
         n--;
     return &scene->run[n];
 }

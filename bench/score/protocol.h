@@ -12,6 +12,7 @@
 #ifndef PROTOCOL_H
 #define PROTOCOL_H
 
+#include "bench/files/csv.h"
 #include "bench/score/score_print.h"
 #include "bench/score/score_stiffness.h"
 
@@ -43,6 +44,7 @@ struct protocol {
     double step;          /* that was asked for [s]; 0: not said                         */
     int scenes;
     struct protocol_scene *scene; /* [scenes] those to begin with first            owned */
+    struct csv contestants;       /* stored runs of our own; count is 0: none is there   */
 };
 
 /* Reads and scores all files of a folder. STATUS_INPUT with a sentence: one of them is
@@ -57,7 +59,10 @@ extern const char *const protocol_first[];
 /* Returns a scene by the name of its folder; NULL: it is not there. */
 const struct protocol_scene *protocol_find(const struct protocol *p, const char *name);
 
-/* Returns the run of the finest net that was made first. */
+/* Returns whether a run of a scene is the first on its net, no repeat of one. */
+bool protocol_is_first(const struct protocol_scene *scene, int run);
+
+/* Returns the first run on the finest net. */
 const struct protocol_run *protocol_finest(const struct protocol_scene *scene);
 
 /* Returns the time of a run at which its error is largest. */
@@ -95,26 +100,30 @@ struct protocol_verdict {
 /* Returns the name of a subject: "error", ... */
 const char *protocol_subject_name(enum protocol_subject subject);
 
-/* A contestant's run with no more points than the engine's. */
+/* A run of a contestant, or of the engine. */
 struct protocol_rival {
     char title[96];
     int net[2];
-    double error; /* at the worst of the times, over the length                          */
-    double ours;  /* of the engine at the same times                                     */
+    bool own;     /* the engine's                                                        */
+    double error; /* at the worst of the times that all have, over the length            */
 };
 
-/* Lists the best such run of each contestant on a scene, best first; *count is 0 where none
- * is stored. *rivals is freed by the receiver. STATUS_MEMORY, or STATUS_INPUT with a
- * sentence: the stored table is damaged. */
-enum status protocol_place(const struct protocol_scene *scene, int *count,
-                           struct protocol_rival **rivals, struct message *why);
+/* Reads the stored runs of our own contestants, if there are any. STATUS_MEMORY, or
+ * STATUS_INPUT with a sentence: their table is damaged. */
+enum status protocol_place_read(struct csv *contestants, struct message *why);
 
-/* Calls say() with each verdict, by subject. Statuses of protocol_place. */
+/* Lists, best first, the engine's finest run and the best of each contestant with no more
+ * points; *count is 0 where none is stored. *rivals is freed by the receiver.
+ * STATUS_MEMORY. */
+enum status protocol_place(const struct protocol *p, const struct protocol_scene *scene,
+                           int *count, struct protocol_rival **rivals);
+
+/* Calls say() with each verdict, by subject. STATUS_MEMORY. */
 enum status protocol_judge(const struct protocol *p,
                            void (*say)(void *context, const struct protocol_verdict *v),
-                           void *context, struct message *why);
+                           void *context);
 
-/* Writes the page; nothing is left of it on failure. STATUS_FILE, and as protocol_judge. */
+/* Writes the page; nothing is left of it on failure. STATUS_FILE, STATUS_MEMORY. */
 enum status protocol_page_write(const char *path, const struct protocol *p,
                                 struct message *why);
 

@@ -5,7 +5,7 @@
 #include "bench/ui/table.h"
 
 /* Size of the drawing, and where its axes are [px]. */
-enum { WIDTH = 420, HEIGHT = 276, LEFT = 52, RIGHT = 410, TOP = 8, BOTTOM = 238 };
+enum { WIDTH = 420, HEIGHT = 276, LEFT = 66, RIGHT = 410, TOP = 8, BOTTOM = 238 };
 
 /* Colours, which the page's style names c0, c1, ... */
 enum { COLOURS = 6 };
@@ -19,13 +19,13 @@ struct frame {
     bool log_x;
 };
 
-static struct frame frame_of(const struct protocol_chart *c)
+static struct frame frame_of(bool log_x, int lines, const struct protocol_line *line)
 {
-    struct frame f = {{INFINITY, 0}, {INFINITY, 0}, c->log_x};
+    struct frame f = {{INFINITY, 0}, {INFINITY, 0}, log_x};
 
-    for (int n = 0; n < c->count; n++)
-        for (int k = 0; k < c->line[n].count; k++) {
-            const double *p = c->line[n].xy[k];
+    for (int n = 0; n < lines; n++)
+        for (int k = 0; k < line[n].count; k++) {
+            const double *p = line[n].xy[k];
             f.x[0] = fmin(f.x[0], p[0]), f.x[1] = fmax(f.x[1], p[0]);
             f.y[0] = p[1] > 0 ? fmin(f.y[0], p[1]) : f.y[0], f.y[1] = fmax(f.y[1], p[1]);
         }
@@ -33,8 +33,8 @@ static struct frame frame_of(const struct protocol_chart *c)
         f.y[0] = f.y[1] = 1;
     f.y[0] = pow(10, floor(log10(fmax(f.y[0], f.y[1] / RANGE))));
     f.y[1] = fmax(pow(10, ceil(log10(f.y[1]))), 10 * f.y[0]);
-    f.x[0] = c->log_x ? f.x[0] / 1.2 : 0;
-    f.x[1] = c->log_x ? f.x[1] * 1.2 : f.x[1];
+    f.x[0] = log_x ? f.x[0] / 1.2 : 0;
+    f.x[1] = log_x ? f.x[1] * 1.2 : f.x[1];
     return f;
 }
 
@@ -77,7 +77,7 @@ static void draw_axes(const struct frame *f, const char *name, FILE *file)
 static void draw_line(const struct frame *f, const struct protocol_line *line, int colour,
                       FILE *file)
 {
-    const double(*xy)[2] = line->xy;
+    const double(*const xy)[2] = line->xy;
 
     fprintf(file, "<path class=\"c%d\" d=\"M", colour);
     if (line->bar)
@@ -95,23 +95,23 @@ static void draw_line(const struct frame *f, const struct protocol_line *line, i
     }
 }
 
-void protocol_chart_write(const struct protocol_chart *c, FILE *file)
+void protocol_chart_write(const char *title, const char *x_name, bool log_x, int lines,
+                          const struct protocol_line *line, FILE *file)
 {
-    const struct frame f = frame_of(c);
+    const struct frame f = frame_of(log_x, lines, line);
 
     fputs("<figure><figcaption>", file);
-    table_html_text(c->title, file);
+    table_html_text(title, file);
     fprintf(file, "</figcaption>\n<svg viewBox=\"0 0 %d %d\" role=\"img\">\n", WIDTH,
             HEIGHT);
-    draw_axes(&f, c->x_name, file);
-    for (int n = 0; n < c->count; n++)
-        draw_line(&f, &c->line[n], c->line[n].bar ? COLOURS : n % COLOURS, file);
+    draw_axes(&f, x_name, file);
+    for (int n = 0; n < lines; n++)
+        draw_line(&f, &line[n], line[n].bar ? COLOURS : n % COLOURS, file);
     fputs("</svg>\n<p class=\"soft\">", file);
-    for (int n = 0; n < c->count; n++) {
-        fprintf(file, "<span class=\"c%d\">%s</span> ",
-                c->line[n].bar ? COLOURS : n % COLOURS,
-                c->line[n].bar ? "&#9632;" : "&#9679;");
-        table_html_text(c->line[n].label, file);
+    for (int n = 0; n < lines; n++) {
+        fprintf(file, "<span class=\"c%d\">%s</span> ", line[n].bar ? COLOURS : n % COLOURS,
+                line[n].bar ? "&#9632;" : "&#9679;");
+        table_html_text(line[n].label, file);
         fputs(" &ensp;", file);
     }
     fputs("</p></figure>\n", file);

@@ -5,22 +5,18 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+enum { PROTOCOL_POINTS = 256 }; /* of a line at most */
+
 struct protocol_line {
     const char *label; /*                                                       borrowed */
+    bool bar;          /* the area below it is filled                                    */
     int count;
-    const double (*xy)[2]; /* [count] with y in per cent                        borrowed */
-    bool bar;              /* the area below it is filled                                */
+    double xy[PROTOCOL_POINTS][2]; /* [count] with y in per cent                         */
 };
 
-struct protocol_chart {
-    const char *title, *x_name; /* with its unit                                         */
-    bool log_x;                 /* y always is                                           */
-    int count;
-    const struct protocol_line *line; /* [count]                                borrowed */
-};
-
-/* Writes a figure with its legend. Points below its axis, which spans RANGE at most, are
- * drawn on it. */
-void protocol_chart_write(const struct protocol_chart *c, FILE *file);
+/* Writes a figure with its legend; y is logarithmic. Points below its axis, which spans
+ * four decades at most, are drawn on it. `x_name` has its unit and is not escaped. */
+void protocol_chart_write(const char *title, const char *x_name, bool log_x, int lines,
+                          const struct protocol_line *line, FILE *file);
 
 #endif

@@ -66,25 +66,23 @@ static const struct score_finding *find(const struct protocol_run *run,
     return NULL;
 }
 
-/* Returns the finest run on a scene; NULL: there is none. */
-static const struct protocol_run *finest(const struct judge *j, const char *name)
+/* Returns whether nothing is wrong with a run, or the fits explain what is: only then does
+ * it mean something that a flaw of the motion is not among the findings. */
+static bool is_explained(const struct protocol_run *run)
+{
+    return find(run, SCORE_SOUND) || find(run, SCORE_FLOOR) ||
+           (run && run->diagnosis.left > 0);
+}
+
+/* Returns the run on the finest net of a scene that is explained; NULL: there is none. */
+static const struct protocol_run *explained(const struct judge *j, const char *name)
 {
     const struct protocol_scene *scene = protocol_find(j->p, name);
 
-    return scene ? protocol_finest(scene) : NULL;
-}
-
-/* Returns whether a run was fitted, and something was found: only then does it mean
- * something that a flaw of the motion is not among the findings. */
-static bool is_fitted(const struct protocol_run *run)
-{
-    static const enum score_kind cut_short[] = {SCORE_STILL, SCORE_AXES, SCORE_UNITS,
-                                                SCORE_ORDER, SCORE_TIME};
-
-    for (size_t n = 0; n < sizeof cut_short / sizeof *cut_short; n++)
-        if (find(run, cut_short[n]))
-            return false;
-    return run && run->diagnosis.count;
+    for (int n = scene ? scene->runs - 1 : -1; n >= 0; n--)
+        if (protocol_is_first(scene, n) && is_explained(&scene->run[n]))
+            return &scene->run[n];
+    return NULL;
 }
 
 /* --- errors and flaws --- */
@@ -97,8 +95,8 @@ static void tell_error(const struct judge *j, const struct protocol_scene *scene
 
     tell(j, PROTOCOL_ERROR, sound ? PROTOCOL_GOOD : PROTOCOL_NEUTRAL,
          sound ? "sound" : "off",
-         "On %s its error is %.2g %% of the length at most (%dx%d points, at %.4g s). The "
-         "error bar of the truth is %.2g %% there, and the floor of this net %.2g %%.",
+         "On %s its error is at most %.3g %% of the length (%dx%d points, at %.4g s; error "
+         "bar of the truth %.3g %%, floor of the net %.3g %%).",
          scene->name, 100 * worst->error, run->net[0], run->net[1], worst->time,
          100 * worst->bar, 100 * worst->floor);
 }
@@ -118,19 +116,20 @@ static void tell_missing(const struct judge *j)
 /* Tells the flaws that have no subject of their own. */
 static void tell_flaws(const struct judge *j, const struct protocol_scene *scene)
 {
-    const struct score_diagnosis *d = &protocol_finest(scene)->diagnosis;
+    const struct protocol_run *run = protocol_finest(scene);
+    const struct score_diagnosis *d = &run->diagnosis;
 
     for (int n = 0; n < d->count; n++) {
         const enum score_kind kind = d->finding[n].kind;
         if (kind != SCORE_FIRST_ORDER_STEP && kind != SCORE_DAMPING &&
             kind != SCORE_BENDING && kind != SCORE_HINGE && kind != SCORE_CLAMP &&
             kind != SCORE_FLOOR && kind != SCORE_SOUND)
-            tell(j, PROTOCOL_FLAW, PROTOCOL_BAD, score_diagnosis_name(kind), "On %s: %s",
-                 scene->name, d->finding[n].text);
+            tell(j, PROTOCOL_FLAW, PROTOCOL_BAD, score_diagnosis_name(kind), "%s: %s",
+                 run->file, d->finding[n].text);
     }
     if (!d->count)
         tell(j, PROTOCOL_FLAW, PROTOCOL_NEUTRAL, "unexplained",
-             "On %s no flaw that is known here explains the error.", scene->name);
+             "%s: No flaw that is known here explains the error.", run->file);
 }
 
 /* --- step, damping, clamp, stiffness --- */
@@ -151,40 +150,39 @@ static const struct motion_flaw motion_flaws[] = {
      {"free_fall", "edge_drop"},
      {{SCORE_FIRST_ORDER_STEP, "first order"}},
      "second order",
-     "nothing of a first-order step is seen: the step is of second order at least"},
+     "Nothing of a first-order step is seen: the step is of second order at least"},
     {PROTOCOL_DAMPING,
      {"free_fall", "edge_drop"},
      {{SCORE_DAMPING, "damped"}},
      "none seen",
-     "no damping is seen that the scene has not"},
+     "No damping is seen that the scene has not"},
     {PROTOCOL_CLAMP,
      {"edge_drop"},
      {{SCORE_HINGE, "a hinge"}, {SCORE_CLAMP, "gives way"}},
      "clamped",
-     "the held edge is a clamp, and nothing of a hinge is seen"},
+     "The held edge is a clamp, and nothing of a hinge is seen"},
 };
 
 static void tell_motion_flaw(const struct judge *j, const struct motion_flaw *f)
 {
-    const char *clean = NULL;
+    const struct protocol_run *clean = NULL;
     bool found = false;
 
     for (int k = 0; k < 2 && f->scene[k]; k++) {
-        const struct protocol_run *run = finest(j, f->scene[k]);
-        const struct score_finding *flaw = NULL;
-        for (int n = 0; n < 2 && f->found[n].word && !flaw; n++) {
-            flaw = find(run, f->found[n].kind);
-            if (flaw)
-                tell(j, f->subject, PROTOCOL_BAD,
-                     flaw->kind == SCORE_DAMPING && flaw->value < 0 ? "gains energy"
-                                                                    : f->found[n].word,
-                     "On %s: %s", f->scene[k], flaw->text);
-        }
+        const struct protocol_run *run = explained(j, f->scene[k]);
+        const struct score_finding *flaw = find(run, f->found[0].kind);
+        const bool second = !flaw && f->found[1].word;
+        flaw = second ? find(run, f->found[1].kind) : flaw;
+        if (flaw)
+            tell(j, f->subject, PROTOCOL_BAD,
+                 flaw->kind == SCORE_DAMPING && flaw->value < 0 ? "gains energy"
+                                                                : f->found[second].word,
+                 "%s: %s", run->file, flaw->text);
         found = found || flaw;
-        clean = !flaw && !clean && is_fitted(run) ? f->scene[k] : clean;
+        clean = !flaw && !clean ? run : clean;
     }
     if (!found && clean)
-        tell(j, f->subject, PROTOCOL_GOOD, f->without, "On %s %s.", clean, f->sentence);
+        tell(j, f->subject, PROTOCOL_GOOD, f->without, "%s: %s.", clean->file, f->sentence);
     else if (!found)
         tell(j, f->subject, PROTOCOL_UNKNOWN, "not known",
              "It would be seen on %s%s, which %s no frames here, or flaws that hide it.",
@@ -196,14 +194,15 @@ static void tell_stiffness(const struct judge *j)
     static const char *const part[] = {"the membrane's along the warp",
                                        "the membrane's along the weft",
                                        "bending along the warp", "bending along the weft"};
-    const struct score_finding *bends = find(finest(j, "edge_drop"), SCORE_BENDING);
+    const struct protocol_run *drop = explained(j, "edge_drop");
+    const struct score_finding *bends = find(drop, SCORE_BENDING);
     bool known[2][2] = {{false}};
     char text[SCORE_STIFFNESS_TEXT], missing[200] = "";
 
     for (int k = 0; k < j->p->scenes; k++) {
-        const struct protocol_scene *scene = &j->p->scene[k];
-        const struct score_stiffness *s = &protocol_finest(scene)->stiffness;
-        if (!s->applies || (!s->found && find(protocol_finest(scene), SCORE_SOUND)))
+        const struct protocol_run *run = protocol_finest(&j->p->scene[k]);
+        const struct score_stiffness *s = &run->stiffness;
+        if (!s->applies || (!s->found && find(run, SCORE_SOUND)))
             continue;
         const double off = fabs(s->value / s->scene - 1);
         score_stiffness_text(s, text);
@@ -212,13 +211,12 @@ static void tell_stiffness(const struct judge *j)
              : off < STIFF_ERROR ? PROTOCOL_GOOD
                                  : PROTOCOL_NEUTRAL,
              s->found ? s->part == LAW_MEMBRANE ? "membrane" : "bending" : "none fits",
-             "On %s: %s", scene->name, text);
-        if (s->found)
-            known[s->part != LAW_MEMBRANE][strstr(s->along, "weft") != NULL] |=
-                strcmp(s->along, "u") != 0;
+             "%s: %s", run->file, text);
+        known[s->part != LAW_MEMBRANE][strstr(s->along, "weft") != NULL] |=
+            strcmp(s->along, "u") != 0;
     }
     if (bends)
-        tell(j, PROTOCOL_STIFFNESS, PROTOCOL_NEUTRAL, "bending", "On edge_drop: %s",
+        tell(j, PROTOCOL_STIFFNESS, PROTOCOL_NEUTRAL, "bending", "%s: %s", drop->file,
              bends->text);
     for (int n = 0; n < 4; n++)
         if (!known[n / 2][n % 2])
@@ -273,12 +271,11 @@ static int last_nets(const struct protocol_scene *scene, const struct protocol_r
     int count = 0;
 
     for (int n = 0; n < scene->runs; n++) {
-        const struct protocol_run *run = &scene->run[n];
-        if (count && !memcmp(net[count - 1]->net, run->net, sizeof run->net))
+        if (!protocol_is_first(scene, n))
             continue;
         if (count == 3)
             net[0] = net[1], net[1] = net[2], count = 2;
-        net[count++] = run;
+        net[count++] = &scene->run[n];
     }
     return count;
 }
@@ -305,17 +302,17 @@ static void tell_limit(const struct judge *j, const struct protocol_scene *scene
              net[1]->net[0], net[1]->net[1], net[2]->net[0], net[2]->net[1]);
     if (error <= bar)
         snprintf(limit, sizeof limit,
-                 "The truth is %.2g %% from the finest, so that it may be the limit.",
+                 "The truth is %.3g %% from the finest, so that it may be the limit.",
                  100 * error);
     else
         snprintf(limit, sizeof limit,
-                 "The truth is %.2g %% from the finest: the limit is another motion, at "
-                 "least %.2g %% from the truth and its bar.",
+                 "The truth is %.3g %% from the finest: the limit is another motion, at "
+                 "least %.3g %% from the truth and its bar.",
                  100 * error, 100 * (error - bar));
     tell(j, PROTOCOL_NETS, error <= bar ? PROTOCOL_GOOD : PROTOCOL_BAD,
          error <= bar ? "converges" : "to another limit",
          "On %s it converges with order %.2g in the width of the cells (%s); the finest "
-         "net is up to %.2g %% of the length from the limit. %s",
+         "net is up to %.3g %% of the length from the limit. %s",
          scene->name, order->order, nets, 100 * order->bar, limit);
 }
 
@@ -327,13 +324,13 @@ static void tell_refined(const struct judge *j, const struct protocol_scene *sce
 
     const int times = compare(scene, count, net, apart, &worst, &when);
     if (times && apart[1] < SAME && (count == 2 || apart[2] < SAME)) {
-        tell(j, PROTOCOL_NETS, PROTOCOL_GOOD, "the same on each",
+        tell(j, PROTOCOL_NETS, PROTOCOL_NEUTRAL, "the same on each",
              "On %s its motion does not depend on the net.", scene->name);
         return;
     }
     if (count == 2 || !times) {
         tell(j, PROTOCOL_NETS, PROTOCOL_UNKNOWN, "not known",
-             times ? "On %s there are two nets, %.2g %% of the length apart: three would "
+             times ? "On %s there are two nets, %.3g %% of the length apart: three would "
                      "show whether it converges."
                    : "On %s the nets have no time of the truth in common.",
              scene->name, 100 * apart[1]);
@@ -346,8 +343,8 @@ static void tell_refined(const struct judge *j, const struct protocol_scene *sce
         tell_limit(j, scene, net, &order);
     else
         tell(j, PROTOCOL_NETS, PROTOCOL_BAD, "does not converge",
-             "On %s it does not converge: from %dx%d to %dx%d points it changes by %.2g %% "
-             "of the length, from there to %dx%d by %.2g %%.",
+             "On %s it does not converge: from %dx%d to %dx%d points it changes by %.3g %% "
+             "of the length, from there to %dx%d by %.3g %%.",
              scene->name, net[0]->net[0], net[0]->net[1], net[1]->net[0], net[1]->net[1],
              100 * apart[1], net[2]->net[0], net[2]->net[1], 100 * apart[2]);
 }
@@ -388,8 +385,8 @@ static void tell_repeat(const struct judge *j, const struct protocol_scene *scen
              worst > 0 ? " to single precision" : " to the last digit");
     else
         tell(j, PROTOCOL_REPEATS, PROTOCOL_BAD, "do not agree",
-             "%s and %s do not agree: they are %.2g %% of the length apart at %.4g s, "
-             "where the truth is %.2g %% from the first.",
+             "%s and %s do not agree: they are %.3g %% of the length apart at %.4g s, "
+             "where the truth is %.3g %% from the first.",
              pair[0]->file, pair[1]->file, 100 * worst, when,
              100 * protocol_worst(pair[0])->error);
 }
@@ -402,7 +399,7 @@ static void tell_repeats(const struct judge *j)
         const struct protocol_scene *scene = &j->p->scene[k];
         for (int n = 1; n < scene->runs; n++) {
             const struct protocol_run *const pair[2] = {&scene->run[n - 1], &scene->run[n]};
-            if (memcmp(pair[0]->net, pair[1]->net, sizeof pair[0]->net) != 0)
+            if (protocol_is_first(scene, n))
                 continue;
             tell_repeat(j, scene, pair);
             any = true;
@@ -437,35 +434,32 @@ static void tell_contact(const struct judge *j)
 }
 
 static enum status tell_place(const struct judge *j, const struct protocol_scene *scene,
-                              bool *any, struct message *why)
+                              bool *any)
 {
-    struct protocol_rival *rival = NULL;
+    struct protocol_rival *rival;
     int count, before = 0;
-    char word[40], next[160] = "";
-    enum status st;
+    char word[40], best[160] = "";
+    const enum status st = protocol_place(j->p, scene, &count, &rival);
 
-    TRY(protocol_place(scene, &count, &rival, why));
-    if (!count)
-        goto out;
-    *any = true;
-    while (before < count && rival[before].error < rival[before].ours)
+    while (before < count && !rival[before].own)
         before++;
     if (before)
-        snprintf(next, sizeof next, " The best of them is %s with %.2g %%.", rival->title,
+        snprintf(best, sizeof best, " The best of them is %s with %.3g %%.", rival->title,
                  100 * rival->error);
-    snprintf(word, sizeof word, "place %d of %d", before + 1, count + 1);
-    tell(j, PROTOCOL_PLACE, PROTOCOL_NEUTRAL, word,
-         "On %s %d of %d contestants come nearer to the truth with as many points or "
-         "fewer; its own error is %.2g %% at the same times.%s",
-         scene->name, before, count, 100 * rival->ours, next);
-out:
+    snprintf(word, sizeof word, "place %d of %d", before + 1, count);
+    if (count > 1)
+        tell(j, PROTOCOL_PLACE, PROTOCOL_NEUTRAL, word,
+             "On %s %d of %d contestants come nearer to the truth with as many points or "
+             "fewer; its own error is %.3g %% at the same times.%s",
+             scene->name, before, count - 1, 100 * rival[before].error, best);
+    *any = *any || count > 1;
     free(rival);
     return st;
 }
 
 enum status protocol_judge(const struct protocol *p,
                            void (*say)(void *context, const struct protocol_verdict *v),
-                           void *context, struct message *why)
+                           void *context)
 {
     const struct judge j = {p, say, context};
     bool placed = false;
@@ -483,7 +477,7 @@ enum status protocol_judge(const struct protocol *p,
     tell_repeats(&j);
     tell_contact(&j);
     for (int k = 0; k < p->scenes; k++)
-        TRY(tell_place(&j, &p->scene[k], &placed, why));
+        TRY(tell_place(&j, &p->scene[k], &placed));
     if (!placed)
         tell(&j, PROTOCOL_PLACE, PROTOCOL_UNKNOWN, "not known",
              "Its place among the contestants is not known: edge_drop shows it, on a net "

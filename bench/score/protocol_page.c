@@ -2,6 +2,7 @@
  * script, and all words that come from files go through table_html_text. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
@@ -26,7 +27,7 @@ static const char style[] =
     ".good { color: var(--good) } .bad { color: var(--bad) }\n"
     ".unknown { color: var(--soft) }\n"
     ".charts { display: flex; flex-wrap: wrap; gap: 1rem }\n"
-    "figure { margin: 0; flex: 1 1 19rem; max-width: 30rem } figure p { margin: 0 }\n"
+    "figure { margin: 0; flex: 1 1 20rem; max-width: 29rem } figure p { margin: 0 }\n"
     "figcaption { font-weight: 600 } svg { width: 100%; display: block }\n"
     "svg text { fill: var(--soft); font-size: 12px } svg line { stroke: var(--line) }\n"
     ".c0 { color: #2a78d6 } .c1 { color: #d06010 } .c2 { color: #2e8f4e }\n"
@@ -78,12 +79,14 @@ static void write_head(FILE *file, const struct protocol *p)
     fputs("<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
           file);
-    write_text(file, "<title>", name, ": its cloth against known motions</title>\n");
+    write_text(file, "<title>", name, ": its cloth beside known motions</title>\n");
     fprintf(file, "<style>\n%s</style>\n<body>\n", style);
     write_text(file, "<h1>", name, "");
-    write_text(file, p->version ? " " : "", p->version ? p->version : "", "</h1>\n");
+    write_text(file, p->version ? " " : "", p->version ? p->version : "", "</h1>\n<p>");
+    if (p->step > 0)
+        fprintf(file, "Its step is said to be %.3g ms. ", 1e3 * p->step);
     fprintf(file,
-            "<p>%d file%s of frames on %d scene%s were compared with motions that are "
+            "%d file%s of frames on %d scene%s were compared with motions that are "
             "known, with error bars. Errors are rms distances over the sheet, in per cent "
             "of its length.</p>\n",
             files, files == 1 ? "" : "s", p->scenes, p->scenes == 1 ? "" : "s");
@@ -95,50 +98,17 @@ static void write_head(FILE *file, const struct protocol *p)
 
 /* --- charts --- */
 
-/* Room for the points of all lines of a chart. */
-struct lines {
-    struct protocol_line *line;
-    double (*xy)[2];
-    int lines, points;
-};
-
-static enum status lines_make(struct lines *l, const struct protocol *p)
+static void add_point(struct protocol_line *line, double x, double share)
 {
-    size_t lines = 2, points = 1;
-
-    for (int k = 0; k < p->scenes; k++) {
-        lines += (size_t)p->scene[k].runs + 1;
-        for (int m = 0; m < p->scene[k].runs; m++)
-            points += 2 * (size_t)p->scene[k].run[m].times;
-    }
-    *l = (struct lines){malloc(lines * sizeof *l->line), malloc(points * sizeof *l->xy), 0,
-                        0};
-    return l->line && l->xy ? STATUS_OK : STATUS_MEMORY;
+    if (line->count == PROTOCOL_POINTS)
+        return;
+    line->xy[line->count][0] = x;
+    line->xy[line->count++][1] = 100 * share;
 }
 
-static void begin_line(struct lines *l, const char *label, bool bar)
-{
-    l->line[l->lines++] =
-        (struct protocol_line){.label = label, .xy = l->xy + l->points, .bar = bar};
-}
-
-static void add_point(struct lines *l, double x, double share)
-{
-    l->xy[l->points][0] = x;
-    l->xy[l->points++][1] = 100 * share;
-    l->line[l->lines - 1].count++;
-}
-
-static void write_chart(FILE *file, struct lines *l, const char *title, const char *x_name,
-                        bool log_x)
-{
-    if (l->lines)
-        protocol_chart_write(
-            &(struct protocol_chart){title, x_name, log_x, l->lines, l->line}, file);
-    l->lines = l->points = 0;
-}
-
-static void chart_times(FILE *file, const struct protocol_scene *scene, struct lines *l)
+/* Draws errors over time, a line a run, and the error bar of the truth. */
+static void chart_times(FILE *file, const struct protocol_scene *scene,
+                        struct protocol_line *line)
 {
     const struct protocol_run *finest = protocol_finest(scene);
 
@@ -146,30 +116,55 @@ static void chart_times(FILE *file, const struct protocol_scene *scene, struct l
         return;
     for (int k = 0; k < scene->runs; k++) {
         const struct protocol_run *run = &scene->run[k];
-        begin_line(l, run->file, false);
+        line[k] = (struct protocol_line){.label = strchr(run->file, '/') + 1};
         for (int n = 0; n < run->times; n++)
-            add_point(l, run->row[n].time, run->row[n].error);
+            add_point(&line[k], run->row[n].time, run->row[n].error);
     }
-    begin_line(l, "error bar of the truth", true);
+    line[scene->runs] =
+        (struct protocol_line){.label = "error bar of the truth", .bar = true};
     for (int n = 0; n < finest->times; n++)
-        add_point(l, finest->row[n].time, finest->row[n].bar);
-    write_chart(file, l, scene->name, "time, s", false);
+        add_point(&line[scene->runs], finest->row[n].time, finest->row[n].bar);
+    protocol_chart_write(scene->name, "time, s", false, scene->runs + 1, line, file);
 }
 
 /* Draws the largest error of each net's first run over its points a side. */
-static void chart_nets(FILE *file, const struct protocol *p, struct lines *l)
+static void chart_nets(FILE *file, const struct protocol *p, struct protocol_line *line)
 {
+    int lines = 0;
+
     for (int k = 0; k < p->scenes; k++) {
         const struct protocol_scene *scene = &p->scene[k];
         if (protocol_finest(scene) == scene->run) /* one net */
             continue;
-        begin_line(l, scene->name, false);
+        line[lines] = (struct protocol_line){.label = scene->name};
         for (int m = 0; m < scene->runs; m++)
-            if (scene->run[m].repeat == 1 || !m)
-                add_point(l, sqrt((double)scene->run[m].net[0] * scene->run[m].net[1]),
+            if (protocol_is_first(scene, m))
+                add_point(&line[lines],
+                          sqrt((double)scene->run[m].net[0] * scene->run[m].net[1]),
                           protocol_worst(&scene->run[m])->error);
+        lines++;
     }
-    write_chart(file, l, "Largest error on each net", "points a side", true);
+    if (lines)
+        protocol_chart_write("Largest error on each net", "points a side", true, lines,
+                             line, file);
+}
+
+static enum status write_charts(FILE *file, const struct protocol *p)
+{
+    int most = p->scenes;
+
+    for (int k = 0; k < p->scenes; k++)
+        most = p->scene[k].runs > most ? p->scene[k].runs : most;
+    struct protocol_line *line = malloc(((size_t)most + 1) * sizeof *line);
+    if (!line)
+        return STATUS_MEMORY;
+    fputs("<h2>Charts</h2>\n<div class=\"charts\">\n", file);
+    for (int k = 0; k < p->scenes; k++)
+        chart_times(file, &p->scene[k], line);
+    chart_nets(file, p, line);
+    fputs("</div>\n", file);
+    free(line);
+    return STATUS_OK;
 }
 
 /* --- tables --- */
@@ -204,40 +199,33 @@ static enum status table_errors(FILE *file, const struct protocol *p)
 
 /* Lists contestants on a scene and the engine among them. */
 static enum status table_place(FILE *file, const struct protocol *p,
-                               const struct protocol_scene *scene, struct message *why)
+                               const struct protocol_scene *scene)
 {
     static const struct table_column columns[] = {{"place"},
                                                   {"contestant", NULL, TABLE_LEFT},
                                                   {"points", NULL, TABLE_LEFT},
                                                   {"error", "% L", .scale = 100}};
-    const struct protocol_run *run = protocol_finest(scene);
-    struct protocol_rival *rival = NULL;
-    struct table *t = NULL;
+    struct protocol_rival *rival;
     int count;
-    enum status st;
+    enum status st = protocol_place(p, scene, &count, &rival);
 
-    TRY(protocol_place(scene, &count, &rival, why));
-    if (!count)
+    if (count < 2)
         goto out;
-    t = table_create(sizeof columns / sizeof *columns, columns,
-                     "The best run of each contestant with no more points: error at the "
-                     "worst of the same times");
-    for (int n = 0, entered = 0; n <= count; n++) {
-        const bool own = !entered && (n == count || !(rival[n].error < rival[n].ours));
-        const struct protocol_rival *r = &rival[n - entered];
+    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
+                                   "The best run of each with no more points: error at the "
+                                   "worst of the same times");
+    for (int n = 0; n < count; n++) {
         table_row(t);
         table_integer(t, n + 1);
-        table_text(t, "%s", !own ? r->title : p->name ? p->name : p->folder);
-        table_text(t, "%dx%d", own ? run->net[0] : r->net[0],
-                   own ? run->net[1] : r->net[1]);
-        table_number(t, own ? rival->ours : r->error, 2);
-        entered += own;
+        table_text(t, "%s%s", rival[n].own ? "\u2192 " : "", rival[n].title);
+        table_text(t, "%dx%d", rival[n].net[0], rival[n].net[1]);
+        table_number(t, rival[n].error, 2);
     }
     write_text(file, "<details><summary>Contestants on ", scene->name, "</summary>\n");
     st = table_print(t, TABLE_HTML, file);
     fputs("</details>\n", file);
-out:
     table_destroy(t);
+out:
     free(rival);
     return st;
 }
@@ -254,30 +242,24 @@ static void write_said(FILE *file, const struct protocol *p)
         }
 }
 
-static enum status write_page(FILE *file, const struct protocol *p, struct message *why)
+static enum status write_page(FILE *file, const struct protocol *p)
 {
     struct page page = {file, -1};
-    struct lines l;
     enum status st;
 
-    TRY(lines_make(&l, p));
     write_head(file, p);
     fputs("<dl>\n", file);
-    TRY(protocol_judge(p, write_verdict, &page, why));
-    fputs("</dl>\n<h2>Charts</h2>\n<div class=\"charts\">\n", file);
+    TRY(protocol_judge(p, write_verdict, &page));
+    fputs("</dl>\n", file);
+    TRY(write_charts(file, p));
+    fputs("<h2>Tables</h2>\n", file);
     for (int k = 0; k < p->scenes; k++)
-        chart_times(file, &p->scene[k], &l);
-    chart_nets(file, p, &l);
-    fputs("</div>\n<h2>Tables</h2>\n", file);
-    for (int k = 0; k < p->scenes; k++)
-        TRY(table_place(file, p, &p->scene[k], why));
+        TRY(table_place(file, p, &p->scene[k]));
     TRY(table_errors(file, p));
     fputs("<h2>What <code>score</code> says of each file</h2>\n", file);
     write_said(file, p);
     fputs("</body>\n</html>\n", file);
 out:
-    free(l.line);
-    free(l.xy);
     return st;
 }
 
@@ -288,7 +270,7 @@ enum status protocol_page_write(const char *path, const struct protocol *p,
     enum status st;
 
     TRY(output_create(path, &out, why));
-    TRY(write_page(output_stream(out), p, why));
+    TRY(write_page(output_stream(out), p));
     done = out, out = NULL;
     st = output_close(done, why);
 out:

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/csv.h"
 #include "bench/score/protocol.h"
 #include "models/reader/named_file.h"
 
@@ -33,34 +32,26 @@ static const struct csv_table *table_of(const struct csv *csv, const char *scene
     return NULL;
 }
 
-/* Fills the largest errors of a row of the table and of the engine, at the times that both
- * have; false: there are none, or the row has not all of them. */
-static bool read_errors(const struct csv_table *t, int row, const struct protocol_run *run,
-                        struct protocol_rival *r)
+/* Returns the largest error of a row of the table, or of the engine where the row is -1, at
+ * the times that both have; NaN: there are none, or the row has not all of them. */
+static double error_of(const struct csv_table *t, int row, const struct protocol_run *run)
 {
-    bool any = false, all = true;
+    double worst = 0, time;
 
-    r->error = r->ours = 0;
-    for (int n = 0; n < t->columns; n++) {
-        double time;
-        if (sscanf(t->cell[n], ERRORS "%lf_s", &time) != 1)
-            continue;
-        for (int m = 0; m < run->times; m++)
+    for (int n = 0; n < t->columns; n++)
+        for (int m = 0; sscanf(t->cell[n], ERRORS "%lf_s", &time) == 1 && m < run->times;
+             m++)
             if (fabs(run->row[m].time - time) < SAME_TIME) {
-                const double error = csv_number(t, row, n);
-                any = true;
-                all = all && error > 0;
-                r->error = fmax(r->error, error);
-                r->ours = fmax(r->ours, run->row[m].error);
+                const double error = row < 0 ? run->row[m].error : csv_number(t, row, n);
+                worst = error > worst ? error : error >= 0 ? worst : NAN;
             }
-    }
-    return any && all;
+    return worst > 0 ? worst : NAN;
 }
 
-/* Puts a run in the place of the same contestant's if it is better, else behind all. */
+/* Puts a run in the place of the same contestant's if it is better, or behind all. */
 static void enter(struct protocol_rival *rival, int *count, const struct protocol_rival *r)
 {
-    int n = 0;
+    int n = 1; /* behind the engine */
 
     while (n < *count && strcmp(rival[n].title, r->title) != 0)
         n++;
@@ -77,39 +68,47 @@ static int compare_rivals(const void *a, const void *b)
     return (left->error > right->error) - (left->error < right->error);
 }
 
-enum status protocol_place(const struct protocol_scene *scene, int *count,
-                           struct protocol_rival **rivals, struct message *why)
+enum status protocol_place_read(struct csv *contestants, struct message *why)
+{
+    char *path = NULL;
+    enum status st = named_file_find(&kind, "compare_scenes", &path, NULL);
+
+    *contestants = (struct csv){0};
+    if (st == STATUS_OK)
+        st = csv_read(path, contestants, why);
+    else if (st != STATUS_MEMORY) /* none are installed */
+        st = STATUS_OK;
+    free(path);
+    return st;
+}
+
+enum status protocol_place(const struct protocol *p, const struct protocol_scene *scene,
+                           int *count, struct protocol_rival **rivals)
 {
     const struct protocol_run *run = protocol_finest(scene);
-    struct csv csv = {0};
-    char *path = NULL;
-    enum status st;
+    const struct csv_table *t = scene->own ? NULL : table_of(&p->contestants, scene->name);
+    struct protocol_rival r = {.own = true, .net = {run->net[0], run->net[1]}};
 
     *count = 0;
     *rivals = NULL;
-    st = scene->own ? STATUS_INPUT : named_file_find(&kind, "compare_scenes", &path, NULL);
-    if (st != STATUS_OK) /* nothing is stored */
-        return st == STATUS_MEMORY ? st : STATUS_OK;
-    TRY(csv_read(path, &csv, why));
-    const struct csv_table *t = table_of(&csv, scene->name);
-    if (!t)
-        goto out;
+    if (!t || isnan(r.error = error_of(t, -1, run)))
+        return STATUS_OK;
     *rivals = malloc(((size_t)t->rows + 1) * sizeof **rivals);
-    TRY(*rivals ? STATUS_OK : STATUS_MEMORY);
+    if (!*rivals)
+        return STATUS_MEMORY;
+    snprintf(r.title, sizeof r.title, "%s", p->name ? p->name : p->folder);
+    (*rivals)[(*count)++] = r;
+    r.own = false;
     for (int row = 0; row < t->rows; row++) {
         const double side = csv_number(t, row, csv_column(t, "side")),
                      across = csv_number(t, row, csv_column(t, "across"));
-        struct protocol_rival r;
-        if (!(side * across <= (double)run->net[0] * run->net[1]) ||
-            !read_errors(t, row, run, &r))
+        r.error = error_of(t, row, run);
+        if (!(side * across <= (double)run->net[0] * run->net[1]) || isnan(r.error))
             continue;
         r.net[0] = (int)side, r.net[1] = (int)across;
         snprintf(r.title, sizeof r.title, "%s", csv_words(t, row, csv_column(t, "title")));
         enter(*rivals, count, &r);
     }
     qsort(*rivals, (size_t)*count, sizeof **rivals, compare_rivals);
-out:
-    csv_clear(&csv);
-    free(path);
-    return st;
+    return STATUS_OK;
 }

@@ -129,8 +129,7 @@ static void print_verdict(void *last, const struct protocol_verdict *v)
     table_print_item(v->word, WORDS, v->text, stdout);
 }
 
-static enum status print_protocol(const struct protocol *p, enum table_format format,
-                                  struct message *why)
+static enum status print_protocol(const struct protocol *p, enum table_format format)
 {
     static const struct table_column columns[] = {{"subject", NULL, TABLE_LEFT},
                                                   {"verdict", NULL, TABLE_LEFT},
@@ -138,9 +137,9 @@ static enum status print_protocol(const struct protocol *p, enum table_format fo
     int last = -1;
 
     if (format == TABLE_TEXT)
-        return protocol_judge(p, print_verdict, &last, why);
+        return protocol_judge(p, print_verdict, &last);
     struct table *t = table_create(sizeof columns / sizeof *columns, columns, NULL);
-    const enum status st = protocol_judge(p, add_verdict, t, why);
+    const enum status st = protocol_judge(p, add_verdict, t);
     if (st == STATUS_OK)
         return table_finish(t, format, stdout);
     table_destroy(t);
@@ -165,7 +164,7 @@ static enum status run_protocol(const struct command_line *line, const struct jo
         TRY(status_fail(why, STATUS_INPUT, "%.60s...: the path is too long", folder));
     TRY(protocol_read(folder, &j->look, &p, why));
     TRY(protocol_page_write(out ? out : path, &p, why));
-    TRY(print_protocol(&p, j->sheet.format, why));
+    TRY(print_protocol(&p, j->sheet.format));
     fprintf(stderr, "%s: one page\n", out ? out : path);
 out:
     protocol_clear(&p);

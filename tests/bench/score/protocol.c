@@ -1,0 +1,362 @@
+/* The verdicts on folders of our own models' frames on small nets: each is turned round by
+ * what the folder has, and its word changes. Names in a folder are text of the page, and
+ * what is wrong in one is a sentence. */
+#include <sys/stat.h>
+
+#include "bench/score/protocol.h"
+#include "models/reader/scene_file.h"
+#include "tests/opened_run.h"
+#include "tests/scratch.h"
+
+enum { FILES = 4, SETTINGS = 3 };
+
+/* A file of frames, of a model on a scene. */
+struct made {
+    const char *name; /* SCENE/NxM.csv, whose points are the model's                     */
+    const char *contestant;
+    const char *setting[SETTINGS];
+    double fold; /* at the end the edge u = 1 is so far below the sheet, from above [m] */
+};
+
+/* The scenes at rest are settled, others run to 0.5 s, of which these frames are written.
+ */
+enum { EVERY = 4, FRAMES = 100 };
+
+static void put(FILE *file, const struct run *run, const int net[2], double t, double fold)
+{
+    for (int n = 0; n < net[0] * net[1]; n++) {
+        const double uvw[3] = {n % net[0] / (net[0] - 1.), n / net[0] / (net[1] - 1.), .5};
+        double x[3];
+        run->model->probe(run->state, 1, uvw, x);
+        if (fold > 0 && n % net[0] == net[0] - 2)
+            x[2] += 3 * fold;
+        if (fold > 0 && n % net[0] == net[0] - 1)
+            x[0] -= .8, x[2] -= fold;
+        fprintf(file, "%g,%.9g,%.9g,%.9g,%.9g,%.9g\n", t, uvw[0], uvw[1], x[0], x[1], x[2]);
+    }
+}
+
+/* Makes a file in the scratch folder, which is the present one. */
+static void make(const struct made *m)
+{
+    char scene[32], points[64];
+    const char *setting[SETTINGS + 2] = {points, "damping={kind: none}"};
+    struct run run;
+    int net[2];
+
+    REQUIRE(sscanf(m->name, "%31[^/]/%dx%d", scene, &net[0], &net[1]) == 3);
+    const bool rests = strncmp(scene, "rest", 4) == 0 || strncmp(scene, "woven", 5) == 0;
+    snprintf(points, sizeof points, "discretization.points=[%d,%d]", net[0], net[1]);
+    memcpy(setting + 1 + !rests, m->setting, sizeof m->setting);
+    opened_run(&run, scene, m->contestant, SETTINGS + 2, setting);
+    mkdir(scene, 0700);
+    FILE *file = fopen(m->name, "w");
+    REQUIRE(file);
+    put(file, &run, net, 0, 0);
+    if (rests) {
+        opened_settle(&run);
+        put(file, &run, net, run.scene.end, m->fold);
+    }
+    for (int k = EVERY; k <= FRAMES && !rests; k += EVERY) {
+        opened_steps(&run, EVERY);
+        put(file, &run, net, k * run.scene.step, k == FRAMES ? m->fold : 0);
+    }
+    REQUIRE(fclose(file) == 0);
+    run_close(&run);
+}
+
+struct row {
+    struct made made[FILES];
+    enum protocol_subject subject;
+    enum protocol_tone tone;
+    const char *word, *text; /* of a verdict, text in part                               */
+};
+
+static void look_for(void *context, const struct protocol_verdict *v)
+{
+    struct row *row = context;
+
+    if (v->subject == row->subject && !strcmp(v->word, row->word) && v->tone == row->tone &&
+        strstr(v->text, row->text))
+        row->subject = PROTOCOL_PLACE + 1; /* found */
+}
+
+static void show(void *context, const struct protocol_verdict *v)
+{
+    (void)context;
+    printf("  %s, %s (%d): %s\n", protocol_subject_name(v->subject), v->word, v->tone,
+           v->text);
+}
+
+static const struct score_look look = {.up = 'z', .scale = 1};
+
+static void judge(struct row row)
+{
+    struct protocol p;
+    struct message why = {""};
+
+    for (int n = 0; n < FILES && row.made[n].name; n++)
+        make(&row.made[n]);
+    if (!CHECK(protocol_read(".", &look, &p, &why) == STATUS_OK)) {
+        printf("%s\n", why.text);
+        return;
+    }
+    const struct row wanted = row;
+    CHECK(protocol_judge(&p, look_for, &row) == STATUS_OK);
+    if (!CHECK(row.subject > PROTOCOL_PLACE)) {
+        printf("%s: want %s, %s: '%s' in\n", row.made[0].name,
+               protocol_subject_name(wanted.subject), row.word, row.text);
+        protocol_judge(&p, show, NULL);
+    }
+    protocol_clear(&p);
+}
+
+/* Enters an empty folder. */
+static void fresh(void)
+{
+    REQUIRE(chdir(scratch) == 0);
+    scratch_remove("folder");
+    REQUIRE(mkdir("folder", 0700) == 0 && chdir("folder") == 0);
+}
+
+#define HINGE     "supports=[{at: {u: 0, w: 0.5}, fix: xyz}]"
+#define FALL      "free_fall/4x4.csv", "triangles_explicit"
+#define REST(net) "rest_small/" net ".csv", "triangles"
+#define OF(young)                                                                          \
+    {                                                                                      \
+        "material.young=" young                                                            \
+    }
+#define DROP    "edge_drop/17x17.csv", "triangles_explicit"
+#define LEVEL   "woven_level/21x5.csv", "mass_spring"
+#define GOOD    PROTOCOL_GOOD
+#define BAD     PROTOCOL_BAD
+#define NEUTRAL PROTOCOL_NEUTRAL
+#define UNKNOWN PROTOCOL_UNKNOWN
+
+static const struct row rows[] = {
+    {{{FALL}}, PROTOCOL_ERROR, GOOD, "sound", "On free_fall its error is at most"},
+    {{{FALL, {"gravity=[0,0,-9]"}}},
+     PROTOCOL_ERROR,
+     NEUTRAL,
+     "off",
+     "(4x4 points, at 0.5 s"},
+    {{{FALL}},
+     PROTOCOL_ERROR,
+     UNKNOWN,
+     "not run",
+     "hanging, rest_small, rest_large, edge_drop;"},
+    {{{FALL, {"gravity=[0,0,-9]"}}},
+     PROTOCOL_FLAW,
+     BAD,
+     "gravity",
+     "under gravity x 0.917"},
+
+    {{{FALL}}, PROTOCOL_STEP, GOOD, "second order", "free_fall/4x4.csv: Nothing"},
+    {{{"free_fall/4x4.csv", "mass_spring"}},
+     PROTOCOL_STEP,
+     BAD,
+     "first order",
+     "dt = 5 ms"},
+    {{{REST("5x5")}}, PROTOCOL_STEP, UNKNOWN, "not known", "free_fall or edge_drop"},
+
+    {{{FALL}}, PROTOCOL_DAMPING, GOOD, "none seen", "free_fall"},
+    {{{FALL, {"damping={kind: mass, value: 1}"}}},
+     PROTOCOL_DAMPING,
+     BAD,
+     "damped",
+     "Is damped like by"},
+    {{{FALL, {"gravity=[9,0,0]"}}}, PROTOCOL_DAMPING, UNKNOWN, "not known", ""},
+
+    {{{DROP}}, PROTOCOL_CLAMP, GOOD, "clamped", "edge_drop/17x17.csv: The held edge"},
+    {{{DROP, {HINGE}}}, PROTOCOL_CLAMP, BAD, "a hinge", "not a clamp"},
+    {{{FALL}}, PROTOCOL_CLAMP, UNKNOWN, "not known", "edge_drop, which has no frames"},
+
+    {{{LEVEL}}, PROTOCOL_STIFFNESS, GOOD, "bending", "along the warp, 1"},
+    {{{LEVEL, {"material.bending=[2e-4,5e-5,0,5e-6]"}}},
+     PROTOCOL_STIFFNESS,
+     NEUTRAL,
+     "bending",
+     "along the warp, 2"},
+    {{{LEVEL}},
+     PROTOCOL_STIFFNESS,
+     UNKNOWN,
+     "not known",
+     "the weft, bending along the weft."},
+
+    {{{REST("5x5")}, {REST("9x9")}, {REST("17x17")}},
+     PROTOCOL_NETS,
+     GOOD,
+     "converges",
+     "so that it may be the limit"},
+    {{{REST("5x5"), OF("4e6")}, {REST("9x9"), OF("4e6")}, {REST("17x17"), OF("4e6")}},
+     PROTOCOL_NETS,
+     BAD,
+     "to another limit",
+     "the limit is another motion"},
+    {{{REST("5x5")}, {REST("9x9")}, {REST("17x17"), OF("4e6")}},
+     PROTOCOL_NETS,
+     BAD,
+     "does not converge",
+     "from 5x5 to 9x9 points it changes by"},
+    {{{REST("5x5"), OF("1.01e7")}, {REST("9x9"), OF("1.09e7")}, {REST("17x17")}},
+     PROTOCOL_NETS,
+     BAD,
+     "does not converge",
+     ""}, /* of an order of less than a half */
+    {{{REST("5x5")}, {REST("9x9")}}, PROTOCOL_NETS, UNKNOWN, "not known", "two nets"},
+    {{{REST("5x5")}, {FALL}},
+     PROTOCOL_NETS,
+     UNKNOWN,
+     "not known",
+     "on free_fall, rest_small:"},
+    {{{FALL}, {"free_fall/3x3.csv", "triangles_explicit"}},
+     PROTOCOL_NETS,
+     NEUTRAL,
+     "the same on each",
+     "does not depend"},
+
+    {{{FALL}, {"free_fall/4x4-2.csv", "triangles_explicit"}},
+     PROTOCOL_REPEATS,
+     GOOD,
+     "agree",
+     "4x4.csv and free_fall/4x4-2.csv agree to the last digit"},
+    {{{FALL}, {"free_fall/4x4-2.csv", "triangles_explicit", {"gravity=[0,0,-9.82]"}}},
+     PROTOCOL_REPEATS,
+     BAD,
+     "do not agree",
+     "0.125 % of the length apart at 0.5 s"},
+    {{{FALL}, {"free_fall/3x3.csv", "triangles_explicit"}},
+     PROTOCOL_REPEATS,
+     UNKNOWN,
+     "not known",
+     "No run was repeated"},
+
+    {{{FALL}}, PROTOCOL_CONTACT, GOOD, "does not pass", "none of the 1 files"},
+    {{{"free_fall/5x4.csv", "triangles_explicit", .fold = .1}},
+     PROTOCOL_CONTACT,
+     BAD,
+     "passes through",
+     "Passes through itself, first in frame 26"},
+
+    {{{FALL}}, PROTOCOL_PLACE, NEUTRAL, "place 1 of 2", "On free_fall 0 of 1 contestants"},
+    {{{FALL, {"gravity=[0,0,-9]"}}},
+     PROTOCOL_PLACE,
+     NEUTRAL,
+     "place 2 of 2",
+     "is near with 0.2 %"},
+    {{{"free_fall/3x3.csv", "mass_spring"}},
+     PROTOCOL_PLACE,
+     UNKNOWN,
+     "not known",
+     "edge_drop"},
+};
+
+/* A stored table: one run on 4 x 4 points with an error, another that has too many. */
+static void write_contestants(void)
+{
+    FILE *file = fopen(scratch_path("compare_scenes.csv"), "w");
+
+    REQUIRE(file);
+    fputs(
+        "# Every run on free_fall (Gamma)\n"
+        "title,side,across,rmse_over_length_0.4_s,rmse_over_length_0.5_s\n"
+        "near,4,4,0.001,0.002\nnear,3,4,0.1,0.2\ndied,4,4,0.001,nan\nfine,5,4,1e-9,1e-9\n",
+        file);
+    REQUIRE(fclose(file) == 0 && setenv("CLOTHBENCH_CONTESTANTS", scratch, 1) == 0);
+}
+
+static void put_text(const char *name, const char *text)
+{
+    FILE *file = fopen(name, "w");
+
+    REQUIRE(file);
+    fputs(text, file);
+    REQUIRE(fclose(file) == 0);
+}
+
+/* Names of files and of the engine are text of the page, whatever they hold. */
+static void hostile(void)
+{
+    static const char name[] = "<script>alert('1')&\"<b>";
+    static char page[200000];
+    const struct made fall = {FALL};
+    struct protocol p;
+    struct message why = {""};
+    char *scene;
+
+    fresh();
+    make(&fall);
+    REQUIRE(scene_file_find("free_fall", &scene, NULL) == STATUS_OK);
+    REQUIRE(symlink(scene, "free_fall/scene.yaml") == 0);
+    free(scene);
+    REQUIRE(rename("free_fall", name) == 0);
+    put_text("engine.yaml",
+             "name: \"<script>\"\nversion: \"</title><img src=x>\"\nstep: 0.1\n");
+    if (!CHECK(protocol_read(".", &look, &p, &why) == STATUS_OK) ||
+        !CHECK(protocol_page_write("page.html", &p, &why) == STATUS_OK)) {
+        printf("%s\n", why.text);
+        return;
+    }
+    FILE *file = fopen("page.html", "r");
+    REQUIRE(file);
+    page[fread(page, 1, sizeof page - 1, file)] = '\0';
+    fclose(file);
+    CHECK(strstr(page, "&lt;script&gt;alert(&#39;1&#39;)&amp;&quot;&lt;b&gt;/4x4.csv"));
+    CHECK(strstr(page, "<h1>&lt;script&gt; &lt;/title&gt;&lt;img src=x&gt;</h1>"));
+    CHECK(!strstr(page, "<script") && !strstr(page, "<img") && strstr(page, "</html>"));
+    protocol_clear(&p);
+}
+
+static void refuse(void)
+{
+    static const struct {
+        const char *file, *text, *words;
+    } row[] = {
+        {"file", "", "has no folders named like scenes"},
+        {"edge_dorp/4x4.csv", "0,0,0,0,0,0\n", "edge_dorp"},
+        {"free_fall/README", "", "free_fall: has no frames in it"},
+        {"free_fall/fine.csv", "", "fine.csv: its name says no net; 21x21.csv"},
+        {"free_fall/4x-4.csv", "", "4x-4.csv: its name says no net"},
+        {"free_fall/4x4-.csv", "", "4x4-.csv: its name says no net"},
+        {"free_fall/4x4-0.csv", "", "4x4-0.csv: its name says no net"},
+        {"free_fall/1x4.csv", "", "1x4.csv: its name says no net"},
+        {"free_fall/4x4.csv", "0,0,0,0,0,nan\n", "vertex 1 has z = nan"},
+        {"engine.yaml", "step: soon\n", "engine.yaml:1: "},
+        {"engine.yaml", "speed: 1\n", "engine.yaml:1: "},
+    };
+    const struct made fall = {"free_fall/5x5.csv", "triangles_explicit", {NULL}, 0};
+    struct protocol p;
+    struct message why;
+
+    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
+        char folder[32] = "";
+        fresh();
+        if (!strncmp(row[n].file, "engine", 6))
+            make(&fall);
+        snprintf(folder, sizeof folder, "%.*s", (int)strcspn(row[n].file, "/"),
+                 row[n].file);
+        if (strchr(row[n].file, '/'))
+            mkdir(folder, 0700);
+        put_text(row[n].file, row[n].text);
+        CHECK(protocol_read(".", &look, &p, &why) == STATUS_INPUT);
+        if (!CHECK(strstr(why.text, row[n].words)))
+            printf("%s: %s\n", row[n].file, why.text);
+    }
+    fresh();
+    make(&fall);
+    put_text("free_fall/5x5.npz", "");
+    CHECK(protocol_read(".", &look, &p, &why) == STATUS_INPUT);
+}
+
+int main(void)
+{
+    scratch_open();
+    write_contestants();
+    for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
+        fresh();
+        judge(rows[n]);
+    }
+    hostile();
+    refuse();
+    return check_result();
+}

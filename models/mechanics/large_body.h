@@ -6,6 +6,7 @@
 
 #include "models/mechanics/contact_coupled.h"
 #include "models/mechanics/newmark.h"
+#include "models/mechanics/pressure.h"
 #include "models/model.h"
 
 /* The stress and geometry of an equation: stress of s0 e_old + s1 e(x) on the geometry (1 -
@@ -96,9 +97,10 @@ struct large_motion {
                                 method cannot take without                             */
     bool euler;              /* steps are Euler's implicit ones                        */
     int enough;              /* iterations after which a step is taken; 0: converged   */
-    struct contact *contact; /* NULL: nothing to meet                             */
-    struct contact_coupled coupled; /* where the sheet touches itself          owned   */
-    bool full;                      /* a new tangent in each iteration                   */
+    const struct pressure *pressure; /* NULL: none                                    */
+    struct contact *contact;         /* NULL: nothing to meet                             */
+    struct contact_coupled coupled;  /* where the sheet touches itself          owned   */
+    bool full;                       /* a new tangent in each iteration                   */
     bool rings; /* nothing damps the membrane, and Newton's method expects it  */
 
     double *strain_old;  /* strains at the step's start                         owned   */

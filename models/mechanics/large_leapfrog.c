@@ -135,6 +135,8 @@ static enum status accelerate(struct large_leapfrog *l, struct counters *counter
         .s0 = -rate, .s1 = 1 + rate, .g1 = 1, .strain_old = m->strain_old};
 
     TRY(large_body_force(&m->body, &path, m->x, a));
+    if (m->pressure)
+        pressure_force(m->pressure, -1, NULL, 1, m->x, a);
     if (rate > 0)
         TRY(large_body_strain(&m->body, m->x, m->strain_old));
     for (int h = 0; m->supports->moving && h < m->supports->held_count; h++)
@@ -166,6 +168,8 @@ static enum status store(struct large_leapfrog *l, double *elastic)
     if (m->contact)
         *elastic += m->contact->energy;
     l->stored = *elastic;
+    if (m->pressure)
+        l->stored += pressure_energy(m->pressure, m->rest, m->x);
     for (size_t t = 0; t < count_of(l); t++)
         l->stored -= m->load[t] * (m->x[t] - m->rest[t]);
     return st;

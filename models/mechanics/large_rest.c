@@ -217,6 +217,8 @@ enum status large_rest_modes(struct large_motion *m, int count, double *omega,
 
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &statics, m->x, (struct large_foresight){0}, m->K));
+    if (m->pressure)
+        pressure_tangent(m->pressure, 1, NULL, 1, m->x, m->graph, m->K);
     if (m->contact) {
         contact_begin_rest(m->contact, supports_rest_time(m->supports, m->scene),
                            m->scene->step, m->x);

@@ -185,10 +185,13 @@ static void add_need(struct scene *scene, unsigned need, double w)
         scene->fabric.areal_density = 0.01;
         scene_use_fabric(scene);
         return;
+    case SCENE_NEED_PRESSURE:
+        scene->pressure = 1; /* on */
+        __attribute__((fallthrough));
     case SCENE_NEED_CURVED_REST:
     case SCENE_NEED_CLOSED_REST:
         scene->shape = SCENE_CLOAK;
-        scene->opening = need == SCENE_NEED_CLOSED_REST ? 360 : 90;
+        scene->opening = need == SCENE_NEED_CURVED_REST ? 90 : 360;
         return;
     case SCENE_NEED_MOVING_SUPPORTS:
         s.path = path, s.path_count = 2;

@@ -105,10 +105,9 @@ void pressure_tangent(const struct pressure *p, double factor, const double *x_o
         for (int q = 0; q < p->points; q++)
             slopes(p, node, shape_of(p, n, q), x_old, share, x, slope[q]);
         for (int a = 0; a < p->local; a++)
-            for (int b = 0; b < p->local; b++)
-                if (node[a] < node[b])
-                    add_pair(p, shape_of(p, n, 0), a, b, half, slope,
-                             K[blocks_find(graph, node[a], node[b])]);
+            for (int b = a + 1; b < p->local; b++)
+                add_pair(p, shape_of(p, n, 0), a, b, half, slope,
+                         K[blocks_find(graph, node[a], node[b])]);
     }
 }
 

@@ -5,10 +5,13 @@
  * at quadrature points that integrate products of three functions. Of a sheet that is
  * closed along v its potential is p times the enclosed volume, int (x - (x e) e) n dA / 2
  * with the axis e: exact where the edges u = 0 and 1 stay in planes across the axis. A ring
- * of width w has p w times the area inside. The tangent here is the symmetric part, K_ab =
- * p/2 int [c_ab]x,  c_ab = (N_a N_b,v - N_b N_a,v) x_u - (N_a N_b,u - N_b N_a,u) x_v; the
- * other part is an integral along the two edges, zero under the same condition, and where
- * it is not, Newton's method takes more iterations to the same end.
+ * of width w has p w times the area inside. The tangent is the symmetric part,
+ *
+ *   K_ab = p/2 int [c]x,  c = (N_a N_b,v - N_b N_a,v) x_u - (N_a N_b,u - N_b N_a,u) x_v;
+ *
+ * the other part is an integral along both edges, which has no work on motions of them
+ * that are held or stay in such planes. Where it has, Newton's method takes more iterations
+ * to the same end.
  */
 #ifndef PRESSURE_H
 #define PRESSURE_H
@@ -22,7 +25,7 @@ struct pressure {
     double value;   /* pushes against the normal; 0: there is none            [Pa]     */
     double axis[3]; /* e                                                                */
     int elements, points, local; /* points an element, functions alive there            */
-    const int *node;             /* [elements][local]                         borrowed  */
+    const int *node;             /* [elements][local] ascending               borrowed  */
     double *shape; /* [elements][points][3][local] N times the weight, N_u, N_v   owned */
 };
 

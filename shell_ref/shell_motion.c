@@ -15,8 +15,6 @@
 #include "models/mechanics/pencil.h"
 #include "models/room.h"
 
-static const struct large_path statics = {.s1 = 1, .g1 = 1};
-
 static void compute_load(struct shell_motion *m)
 {
     const struct scene *s = m->scene;
@@ -267,8 +265,8 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     TRY(add_loads(m));
     TRY(press(m));
     supports_initial_velocity(&m->supports, scene, m->space->rest, NULL, m->newmark.v);
-    TRY(large_body_tangent(&m->assembly.body, &statics, m->x, (struct large_foresight){0},
-                           m->K));
+    TRY(large_body_tangent(&m->assembly.body, &large_path_statics, m->x,
+                           (struct large_foresight){0}, m->K));
     if (m->kinematics == KINEMATICS_NONLINEAR)
         TRY(make_large(m, d));
     else if (!contact_wanted(scene))
@@ -476,7 +474,7 @@ static enum status make_stiffness(const struct shell_motion *m, double (**K)[9])
     const struct blocks *graph = &m->assembly.graph;
 
     *K = malloc((size_t)graph->start[graph->nodes] * sizeof **K);
-    return *K ? large_body_tangent(&m->assembly.body, &statics, m->space->rest,
+    return *K ? large_body_tangent(&m->assembly.body, &large_path_statics, m->space->rest,
                                    (struct large_foresight){0}, *K)
               : STATUS_MEMORY;
 }

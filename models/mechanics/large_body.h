@@ -10,13 +10,15 @@
 #include "models/model.h"
 
 /* The stress and geometry of an equation: stress of s0 e_old + s1 e(x) on the geometry (1 -
- * g1) x_old + g1 x. Statics: s1 = g1 = 1. */
+ * g1) x_old + g1 x. */
 struct large_path {
     double s0, s1, g1;
     double lag;               /* added to s1, taken from s0, for the body's stiff strains */
     const double *x_old;      /* [nodes][3]; NULL if g1 == 1                   borrowed   */
     const double *strain_old; /* NULL if s0 == 0                               borrowed   */
 };
+
+extern const struct large_path large_path_statics; /* the stress and geometry of x itself */
 
 /* The stress that the geometric part of a tangent takes; all unset: that of the path. A
  * thin body whose step has turned it has spurious membrane stress to second order in the

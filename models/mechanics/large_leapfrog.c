@@ -100,7 +100,6 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
     enum status st;
     struct large_leapfrog *l = NULL;
     size_t count = 3 * (size_t)m->graph->nodes;
-    const struct large_path statics = {.s1 = 1, .g1 = 1};
     bool meets = m->contact != NULL, moving = m->supports->moving;
     size_t held = moving ? (size_t)m->supports->held_count : 0;
 
@@ -116,7 +115,8 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
                  ROOM(l->compliance, meets ? count / 3 : 0), ROOM(l->pull, held),
                  ROOM(l->shift, held)));
     m->factored = -1;
-    TRY(large_body_tangent(&m->body, &statics, m->rest, (struct large_foresight){0}, m->K));
+    TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
+                           (struct large_foresight){0}, m->K));
     make_mass(l);
     TRY(choose_step(l, why));
     m->leapfrog = l, l = NULL;

@@ -55,7 +55,6 @@ static double sliding(const struct contact *c)
 /* Computes the unbalanced share of the loads and the supports' reactions at m->x. */
 static enum status unbalanced(struct large_motion *m, double *share)
 {
-    static const struct large_path statics = {.s1 = 1, .g1 = 1};
     enum status st;
     const size_t count = 3 * (size_t)m->graph->nodes;
     double *f = m->room + 2 * count, *load = f + count, left = 0, borne = 0;
@@ -63,7 +62,7 @@ static enum status unbalanced(struct large_motion *m, double *share)
     memcpy(load, m->load, count * sizeof *load);
     if (m->pressure)
         pressure_force(m->pressure, 1, NULL, 1, m->x, load);
-    TRY(large_body_force(&m->body, &statics, m->x, f));
+    TRY(large_body_force(&m->body, &large_path_statics, m->x, f));
     for (size_t t = 0; t < count; t++)
         f[t] = load[t] - f[t];
     if (m->contact) {

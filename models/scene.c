@@ -159,6 +159,8 @@ unsigned scene_needs(const struct scene *scene)
         needs |= SCENE_NEED_SHEETS;
     if (scene->load_count > 0)
         needs |= SCENE_NEED_LOADS;
+    if (scene->pressure != 0)
+        needs |= SCENE_NEED_PRESSURE;
     if (scene->drag > 0)
         needs |= SCENE_NEED_DRAG;
     if (scene->shape != SCENE_FLAT)

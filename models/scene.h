@@ -138,6 +138,7 @@ struct scene {
     double gravity[3]; /*                                                  [m/s^2] */
     double drag;       /* body drag c, force c (wind - v) per volume  [kg/m^3/s]   */
     double wind[3];    /*                                                  [m/s]   */
+    double pressure;   /* on the face w = 1, against its normal wherever it turns [Pa]  */
     struct scene_damping damping;
     double velocity[3], spin[3]; /* rigid motion at t = 0: velocity + spin x position,
                                     where nothing holds              [m/s], [rad/s]   */
@@ -166,6 +167,7 @@ struct scene {
     X(THICKNESS_SUPPORTS, "supports on part of the thickness")                             \
     X(DRAG, "body drag")                                                                   \
     X(LOADS, "loads")                                                                      \
+    X(PRESSURE, "pressure that follows the normal")                                        \
     X(CURVED_REST, "curved rest shape")                                                    \
     X(CLOSED_REST, "rest shape that is closed around")                                     \
     X(FABRIC, "fabrics")                                                                   \

@@ -8,7 +8,7 @@ enum { LINE = 8 }; /* numbers of a cache line */
 
 void pd_net_init(struct pd_net *net, const struct scene *scene, int n, int m)
 {
-    const int sheets = scene->sheets > 1 ? scene->sheets : 1;
+    const int sheets = scene_sheets(scene);
 
     *net = (struct pd_net){.n = sheets * n, .m = m, .nodes = sheets * n * m, .rows = n};
     net->du = scene->length / (n - 1);

@@ -144,6 +144,10 @@ static enum status refuse(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "softening: with kinematics=nonlinear, on flat sheets without "
                            "weights only");
+    if (scene->pressure != 0 && d->kinematics != KINEMATICS_NONLINEAR)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "pressure that follows the normal: with kinematics=nonlinear "
+                           "only");
     st = check_remedy(d, why);
     return st == STATUS_OK ? large_leapfrog_refuse(d, why) : st;
 }
@@ -354,7 +358,7 @@ const struct model shell_model = {
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS |
               SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST | SCENE_NEED_CLOSED_REST |
               SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS | SCENE_NEED_FABRIC |
-              SCENE_NEED_BIAS | SCENE_NEED_SOFTENING,
+              SCENE_NEED_BIAS | SCENE_NEED_SOFTENING | SCENE_NEED_PRESSURE,
     .options = options,
     /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
      * about the same time: Newton's method takes fewer tangents. */

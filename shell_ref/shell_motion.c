@@ -15,8 +15,6 @@
 #include "models/mechanics/pencil.h"
 #include "models/room.h"
 
-static const struct large_path statics = {.s1 = 1, .g1 = 1};
-
 static void compute_load(struct shell_motion *m)
 {
     const struct scene *s = m->scene;
@@ -41,6 +39,31 @@ static enum status add_loads(struct shell_motion *m)
                                     b[i].U + b[i].p, bspline_values, &part[i]};
     }
     return dead_load_make(m->scene, line, &m->dead, m->load);
+}
+
+/* Fills in the functions at the points of the mass, which lie in each element alike. */
+static enum status press(struct shell_motion *m)
+{
+    const struct shell_space *s = m->space;
+    struct shell_element *e = &m->assembly.work[0];
+    struct shell_place place[SHELL_MAX_POINTS];
+    const int points = shell_space_places(s, SHELL_MASS, 0, place), local = s->local;
+    enum status st =
+        pressure_init(&m->pressure, m->scene, s->elements, points, local, s->ien);
+    double *shape = m->pressure.shape;
+
+    if (!shape)
+        return st;
+    for (int n = 0; n < s->elements; n++) {
+        const double *T;
+        shell_space_places(s, SHELL_MASS, n, place);
+        shell_space_functions(s, SHELL_MASS, n, e->at[SHELL_MASS].room, &T);
+        for (int q = 0; q < points; q++)
+            for (int a = 0; a < SHELL_SLOPES * local; a++)
+                *shape++ = T[a * s->rule[SHELL_MASS].padded + q] *
+                           (a < local ? place[q].weight : 1);
+    }
+    return st;
 }
 
 /* Widens an edge of a sheet in direction d to the second row of control points, at either
@@ -158,6 +181,7 @@ static enum status make_large(struct shell_motion *m, const struct discretizatio
         .lag = rings ? 0 : large_motion_lag,
         .rings = rings,
         .full = d->newton == NEWTON_FULL,
+        .pressure = m->pressure.value != 0 ? &m->pressure : NULL,
         .contact = contact_wanted(m->scene) ? &m->contact : NULL,
     };
     return large_motion_init(&m->large);
@@ -239,9 +263,10 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
     TRY(make_room(m));
     compute_load(m);
     TRY(add_loads(m));
+    TRY(press(m));
     supports_initial_velocity(&m->supports, scene, m->space->rest, NULL, m->newmark.v);
-    TRY(large_body_tangent(&m->assembly.body, &statics, m->x, (struct large_foresight){0},
-                           m->K));
+    TRY(large_body_tangent(&m->assembly.body, &large_path_statics, m->x,
+                           (struct large_foresight){0}, m->K));
     if (m->kinematics == KINEMATICS_NONLINEAR)
         TRY(make_large(m, d));
     else if (!contact_wanted(scene))
@@ -267,6 +292,7 @@ void shell_motion_clear(struct shell_motion *m)
     free(m->parity);
     free(m->room);
     free(m->dead);
+    pressure_clear(&m->pressure);
     large_motion_clear(&m->large);
     contact_linear_clear(&m->meets);
     contact_clear(&m->contact);
@@ -361,6 +387,8 @@ void shell_motion_energy(const void *state, struct energy *energy)
                         (m->dead ? m->dead[t] : 0);
         energy->potential -= weight * (m->x[t] - m->space->rest[t]);
     }
+    if (m->pressure.value != 0)
+        energy->potential += pressure_energy(&m->pressure, m->space->rest, m->x);
     if (m->kinematics == KINEMATICS_NONLINEAR) {
         if (shell_assembly_energy(&m->assembly, m->x, &energy->elastic) != STATUS_OK)
             energy->elastic = NAN;
@@ -446,7 +474,7 @@ static enum status make_stiffness(const struct shell_motion *m, double (**K)[9])
     const struct blocks *graph = &m->assembly.graph;
 
     *K = malloc((size_t)graph->start[graph->nodes] * sizeof **K);
-    return *K ? large_body_tangent(&m->assembly.body, &statics, m->space->rest,
+    return *K ? large_body_tangent(&m->assembly.body, &large_path_statics, m->space->rest,
                                    (struct large_foresight){0}, *K)
               : STATUS_MEMORY;
 }

@@ -44,7 +44,8 @@ struct shell_motion {
                        belongs to x                                                    */
 
     struct large_motion large; /* nonlinear only                                       */
-    struct contact contact;    /* all zero where there is nothing to meet                 */
+    struct pressure pressure;
+    struct contact contact; /* all zero where there is nothing to meet                 */
     struct contact_linear meets; /* linear kinematics with contact                     */
 };
 

@@ -8,8 +8,6 @@
 #include "models/mechanics/large_body.h"
 #include "tests/check.h"
 
-static const struct large_path derivative_statics = {.s1 = 1, .g1 = 1};
-
 static inline double derivative_dot(size_t count, const double *a, const double *b)
 {
     double sum = 0;
@@ -44,10 +42,10 @@ static inline void derivative_check(const struct large_body *b, const struct blo
     double(*K)[9] = malloc((size_t)graph->start[graph->nodes] * sizeof *K);
 
     REQUIRE(want && K);
-    CHECK(large_body_force(b, &derivative_statics, x, want) == STATUS_OK);
+    CHECK(large_body_force(b, &large_path_statics, x, want) == STATUS_OK);
     const double along = derivative_dot(count, want, d),
                  size = derivative_norm(count, want) * derivative_norm(count, d);
-    CHECK(large_body_tangent(b, &derivative_statics, x, (struct large_foresight){0}, K) ==
+    CHECK(large_body_tangent(b, &large_path_statics, x, (struct large_foresight){0}, K) ==
           STATUS_OK);
     blocks_multiply(graph, (const double(*)[9])K, d, want);
     for (double step = 1e-3; step > 1e-8; step /= 4) {
@@ -56,7 +54,7 @@ static inline void derivative_check(const struct large_body *b, const struct blo
             for (size_t t = 0; t < count; t++)
                 moved[t] = x[t] + (side ? step : -step) * d[t];
             energy[side] = derivative_energy(b, moved);
-            CHECK(large_body_force(b, &derivative_statics, moved, f[side]) == STATUS_OK);
+            CHECK(large_body_force(b, &large_path_statics, moved, f[side]) == STATUS_OK);
         }
         for (size_t t = 0; t < count; t++)
             moved[t] = (f[1][t] - f[0][t]) / (2 * step) - want[t];
@@ -89,7 +87,7 @@ static inline void derivative_rigid(const struct large_body *b, const double *re
         }
     }
     CHECK_NEAR(derivative_energy(b, x) / deformed, 0, tol_energy);
-    CHECK(large_body_force(b, &derivative_statics, x, f) == STATUS_OK);
+    CHECK(large_body_force(b, &large_path_statics, x, f) == STATUS_OK);
     CHECK_NEAR(derivative_norm(count, f) / deformed, 0, tol_force);
     free(x);
 }

@@ -10,8 +10,6 @@
 #include "models/mechanics/pencil.h"
 #include "models/room.h"
 
-static const struct large_path statics = {.s1 = 1, .g1 = 1};
-
 static size_t count_of(const struct tri_motion *m)
 {
     return 3 * (size_t)m->net.points.nodes;
@@ -44,7 +42,7 @@ static enum status make_large(struct tri_motion *m)
 
 static enum status rest_stiffness(const struct tri_motion *m, double (*K)[9])
 {
-    return large_body_tangent(&m->body.body, &statics, m->net.points.rest,
+    return large_body_tangent(&m->body.body, &large_path_statics, m->net.points.rest,
                               (struct large_foresight){0}, K);
 }
 
@@ -211,7 +209,7 @@ enum status tri_motion_matrices(const void *state, struct matrix *K, struct matr
         TRY(STATUS_MEMORY);
     for (int a = 0; a < net.points.nodes; a++)
         mass[net.graph.start[a]] = m->load.mass[a];
-    TRY(large_body_tangent(&body.body, &statics, net.points.rest,
+    TRY(large_body_tangent(&body.body, &large_path_statics, net.points.rest,
                            (struct large_foresight){0}, tangent));
     TRY(pencil_matrices(
         &(struct pencil){&net.graph, (const double(*)[9])tangent, mass, false}, K, M));

@@ -75,6 +75,8 @@ static void put_forces(const struct scene *s, struct output *out)
     const struct scene_damping *d = &s->damping;
 
     put(out, "gravity: [#, #, #]\n", s->gravity);
+    if (s->pressure != 0)
+        put(out, "pressure: #\n", &s->pressure);
     if (s->drag > 0) {
         put(out, "drag: {coefficient: #", &s->drag);
         put(out, ", wind: [#, #, #]}\n", s->wind);
@@ -320,6 +322,11 @@ static void put_physics(const struct export_job *j, struct output *out)
                      "- Body drag: %g kg/m^3/s times (wind - velocity) per volume, wind "
                      "%g %g %g m/s: times area and h per vertex.\n",
                      c->drag, c->wind[0], c->wind[1], c->wind[2]);
+    if (needs & SCENE_NEED_PRESSURE)
+        output_print(out,
+                     "- Pressure of %g Pa against the outward normal, as it turns: times a "
+                     "vertex's area.\n",
+                     c->pressure);
     if (needs & SCENE_NEED_CONTACT)
         output_print(out,
                      "- Obstacles%s: obstacles.csv; normals point outward; "

@@ -114,9 +114,15 @@ static bool damping_is_no_rate(const struct run *r, double number[])
            r->discretization.kinematics != KINEMATICS_PRINTED;
 }
 
+static bool is_around(const struct run *r, int along)
+{
+    return along == 1 && scene_closed(&r->scene);
+}
+
 static int spans_of(const struct run *r, int along)
 {
-    return r->discretization.points[along] - r->discretization.degree[along];
+    return r->discretization.points[along] -
+           (is_around(r, along) ? 0 : r->discretization.degree[along]);
 }
 
 /* Returns the points along u (0) or v (1), at least the present ones, with which lines of
@@ -131,6 +137,8 @@ static int fitting_points(const struct run *r, int along)
                                             is_solid(r) ? SUPPORT_KNOTS_SOLID
                                                         : SUPPORT_KNOTS_SHELL);
 
+    if (is_around(r, along)) /* as many lines as points, and the first is the last */
+        return fmax(0, net_fit_points(&r->scene, along, points + 1, 1) - 1);
     return d->knots[along] ? points : degree > 1 && fit && fit < least ? least : fit;
 }
 

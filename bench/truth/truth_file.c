@@ -130,6 +130,8 @@ enum status truth_physics(const struct scene *s, char **text)
             print(out, "softening", 2, s->fabric.softening);
     }
     print(out, "gravity", 3, s->gravity);
+    if (s->pressure != 0)
+        print(out, "pressure", 1, &s->pressure);
     print(out, "drag", 1, &s->drag);
     if (s->drag != 0)
         print(out, "wind", 3, s->wind);

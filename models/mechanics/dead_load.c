@@ -53,11 +53,6 @@ static void line_means(const struct dead_load_line *line, double lo, double hi,
     }
 }
 
-static int sheets_of(const struct scene *scene)
-{
-    return scene->sheets > 1 ? scene->sheets : 1;
-}
-
 /* Computes the range [lo, hi] along u as s of a sheet; returns its length, which is 1 for a
  * line on that sheet. */
 static double part_on(const struct scene *scene, int sheet, double lo, double hi,
@@ -99,9 +94,9 @@ static void add_load(const struct scene *scene, const struct scene_load *load,
 
     for (int d = 1; d < 3; d++)
         line_means(&line[d], load->lo[d], load->hi[d], mean[d], work);
-    for (int k = 0; k < sheets_of(scene); k++)
+    for (int k = 0; k < scene_sheets(scene); k++)
         whole += part_on(scene, k, load->lo[0], load->hi[0], s);
-    for (int k = 0; k < sheets_of(scene); k++, f += count) {
+    for (int k = 0; k < scene_sheets(scene); k++, f += count) {
         const double part = part_on(scene, k, load->lo[0], load->hi[0], s);
         if (part == 0)
             continue;
@@ -131,7 +126,7 @@ enum status dead_load_add(const struct scene *scene, const struct dead_load_line
 enum status dead_load_make(const struct scene *scene, const struct dead_load_line line[3],
                            double **dead, double *load)
 {
-    const size_t count = 3 * (size_t)sheets_of(scene) * (size_t)line[0].n *
+    const size_t count = 3 * (size_t)scene_sheets(scene) * (size_t)line[0].n *
                          (size_t)line[1].n * (size_t)line[2].n;
 
     if (!scene->load_count)

@@ -4,6 +4,8 @@
 #include <omp.h>
 #include <string.h>
 
+const struct large_path large_path_statics = {.s1 = 1, .g1 = 1};
+
 /* The task of one pass over the elements. */
 struct task {
     const struct large_body *body;

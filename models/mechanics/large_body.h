@@ -6,16 +6,19 @@
 
 #include "models/mechanics/contact_coupled.h"
 #include "models/mechanics/newmark.h"
+#include "models/mechanics/pressure.h"
 #include "models/model.h"
 
 /* The stress and geometry of an equation: stress of s0 e_old + s1 e(x) on the geometry (1 -
- * g1) x_old + g1 x. Statics: s1 = g1 = 1. */
+ * g1) x_old + g1 x. */
 struct large_path {
     double s0, s1, g1;
     double lag;               /* added to s1, taken from s0, for the body's stiff strains */
     const double *x_old;      /* [nodes][3]; NULL if g1 == 1                   borrowed   */
     const double *strain_old; /* NULL if s0 == 0                               borrowed   */
 };
+
+extern const struct large_path large_path_statics; /* the stress and geometry of x itself */
 
 /* The stress that the geometric part of a tangent takes; all unset: that of the path. A
  * thin body whose step has turned it has spurious membrane stress to second order in the
@@ -96,9 +99,10 @@ struct large_motion {
                                 method cannot take without                             */
     bool euler;              /* steps are Euler's implicit ones                        */
     int enough;              /* iterations after which a step is taken; 0: converged   */
-    struct contact *contact; /* NULL: nothing to meet                             */
-    struct contact_coupled coupled; /* where the sheet touches itself          owned   */
-    bool full;                      /* a new tangent in each iteration                   */
+    const struct pressure *pressure; /* NULL: none                                    */
+    struct contact *contact;         /* NULL: nothing to meet                             */
+    struct contact_coupled coupled;  /* where the sheet touches itself          owned   */
+    bool full;                       /* a new tangent in each iteration                   */
     bool rings; /* nothing damps the membrane, and Newton's method expects it  */
 
     double *strain_old;  /* strains at the step's start                         owned   */

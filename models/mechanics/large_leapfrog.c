@@ -100,7 +100,6 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
     enum status st;
     struct large_leapfrog *l = NULL;
     size_t count = 3 * (size_t)m->graph->nodes;
-    const struct large_path statics = {.s1 = 1, .g1 = 1};
     bool meets = m->contact != NULL, moving = m->supports->moving;
     size_t held = moving ? (size_t)m->supports->held_count : 0;
 
@@ -116,7 +115,8 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
                  ROOM(l->compliance, meets ? count / 3 : 0), ROOM(l->pull, held),
                  ROOM(l->shift, held)));
     m->factored = -1;
-    TRY(large_body_tangent(&m->body, &statics, m->rest, (struct large_foresight){0}, m->K));
+    TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
+                           (struct large_foresight){0}, m->K));
     make_mass(l);
     TRY(choose_step(l, why));
     m->leapfrog = l, l = NULL;
@@ -135,6 +135,8 @@ static enum status accelerate(struct large_leapfrog *l, struct counters *counter
         .s0 = -rate, .s1 = 1 + rate, .g1 = 1, .strain_old = m->strain_old};
 
     TRY(large_body_force(&m->body, &path, m->x, a));
+    if (m->pressure)
+        pressure_force(m->pressure, -1, NULL, 1, m->x, a);
     if (rate > 0)
         TRY(large_body_strain(&m->body, m->x, m->strain_old));
     for (int h = 0; m->supports->moving && h < m->supports->held_count; h++)
@@ -166,6 +168,8 @@ static enum status store(struct large_leapfrog *l, double *elastic)
     if (m->contact)
         *elastic += m->contact->energy;
     l->stored = *elastic;
+    if (m->pressure)
+        l->stored += pressure_energy(m->pressure, m->rest, m->x);
     for (size_t t = 0; t < count_of(l); t++)
         l->stored -= m->load[t] * (m->x[t] - m->rest[t]);
     return st;

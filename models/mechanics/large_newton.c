@@ -48,6 +48,8 @@ static enum status residual(struct large_motion *m, const struct large_equation 
         return st;
     for (size_t t = 0; t < count; t++)
         r[t] = q->load * m->load[t] - r[t];
+    if (m->pressure)
+        pressure_force(m->pressure, q->load, q->path.x_old, q->path.g1, x, r);
     if (m->contact) {
         st = met ? STATUS_OK : contact_find(m->contact, x);
         if (st != STATUS_OK)
@@ -109,6 +111,9 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
         foresight.none = m->stressless;
         TRY(large_body_tangent(&m->body, &q->path, x, foresight, m->K));
         counters->assemblies++;
+        if (m->pressure)
+            pressure_tangent(m->pressure, q->load, q->path.x_old, q->path.g1, x, m->graph,
+                             m->K);
         if (m->contact) /* without inertia, small steps lead nowhere */
             m->contact->error = m->contact->rests ? 0 : size;
         if (m->contact)

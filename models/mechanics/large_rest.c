@@ -8,8 +8,6 @@
 #include "models/mechanics/large_settle.h"
 #include "models/mechanics/pencil.h"
 
-static const struct large_path statics = {.s1 = 1, .g1 = 1};
-
 /* Increments of the load or of the paths' time: the first; the smallest before giving up,
  * also along a path; the largest along a path. */
 static const double FIRST_INCREMENT = 1.0 / 8, SMALLEST_INCREMENT = 1e-7,
@@ -53,7 +51,7 @@ static enum status increment_to(struct large_motion *m, enum stage stage, double
     size_t count = 3 * (size_t)m->graph->nodes;
     const double *last = m->room, *before = m->room + count;
     const struct large_equation q = {
-        .path = statics, .load = stage == LOADING ? part : 1, .limit = 30};
+        .path = large_path_statics, .load = stage == LOADING ? part : 1, .limit = 30};
 
     TRY(large_body_strain(&m->body, last, m->strain_old));
     for (size_t t = 0; t < count; t++)
@@ -78,8 +76,11 @@ static enum status relax(struct large_motion *m, struct counters *counters)
 
     for (int n = 0; n < STEPS; n++) {
         final = mass < 1e-8 * first;
-        const struct large_equation q = {
-            .path = statics, .mass = final ? 0 : mass, .hat = last, .load = 1, .limit = 30};
+        const struct large_equation q = {.path = large_path_statics,
+                                         .mass = final ? 0 : mass,
+                                         .hat = last,
+                                         .load = 1,
+                                         .limit = 30};
         memcpy(last, m->x, count * sizeof *last);
         TRY(large_body_strain(&m->body, last, m->strain_old));
         m->factored = -1;
@@ -216,7 +217,10 @@ enum status large_rest_modes(struct large_motion *m, int count, double *omega,
     const struct pencil p = {m->graph, (const double(*)[9])m->K, m->M, .stressed = true};
 
     m->factored = -1;
-    TRY(large_body_tangent(&m->body, &statics, m->x, (struct large_foresight){0}, m->K));
+    TRY(large_body_tangent(&m->body, &large_path_statics, m->x, (struct large_foresight){0},
+                           m->K));
+    if (m->pressure)
+        pressure_tangent(m->pressure, 1, NULL, 1, m->x, m->graph, m->K);
     if (m->contact) {
         contact_begin_rest(m->contact, supports_rest_time(m->supports, m->scene),
                            m->scene->step, m->x);

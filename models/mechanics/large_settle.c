@@ -55,13 +55,16 @@ static double sliding(const struct contact *c)
 /* Computes the unbalanced share of the loads and the supports' reactions at m->x. */
 static enum status unbalanced(struct large_motion *m, double *share)
 {
-    static const struct large_path statics = {.s1 = 1, .g1 = 1};
     enum status st;
-    double *f = m->room + 2 * 3 * (size_t)m->graph->nodes, left = 0, borne = 0;
+    const size_t count = 3 * (size_t)m->graph->nodes;
+    double *f = m->room + 2 * count, *load = f + count, left = 0, borne = 0;
 
-    TRY(large_body_force(&m->body, &statics, m->x, f));
-    for (int t = 0; t < 3 * m->graph->nodes; t++)
-        f[t] = m->load[t] - f[t];
+    memcpy(load, m->load, count * sizeof *load);
+    if (m->pressure)
+        pressure_force(m->pressure, 1, NULL, 1, m->x, load);
+    TRY(large_body_force(&m->body, &large_path_statics, m->x, f));
+    for (size_t t = 0; t < count; t++)
+        f[t] = load[t] - f[t];
     if (m->contact) {
         TRY(contact_find(m->contact, m->x));
         contact_force(m->contact, f);
@@ -75,7 +78,7 @@ static enum status unbalanced(struct large_motion *m, double *share)
     }
     for (int a = 0; a < m->graph->nodes; a++) {
         left += vector_length(f + 3 * (size_t)a);
-        borne += vector_length(m->load + 3 * (size_t)a);
+        borne += vector_length(load + 3 * (size_t)a);
     }
     *share = left > 0 ? left / borne : 0;
 out:

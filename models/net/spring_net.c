@@ -224,7 +224,7 @@ enum status spring_net_init(struct spring_net *net, const struct scene *scene,
                             const int points[2], enum parameters parameters, bool whole)
 {
     enum status st;
-    const int sheets = scene->sheets > 1 ? scene->sheets : 1;
+    const int sheets = scene_sheets(scene);
     struct spring_net new = {
         .points = {sheets * points[0], points[1]},
         .rows = points[0],

@@ -115,7 +115,8 @@ out:
     return st;
 }
 
-/* Refuses loads on a curved shape, where even over parameters is not even over area. */
+/* Refuses loads on a curved shape, where even over parameters is not even over area, and
+ * pressure on a sheet with sides, which has no potential unless they are held. */
 static enum status check_loads(const struct yaml_tree *root, const struct scene *scene,
                                struct message *why)
 {
@@ -123,6 +124,10 @@ static enum status check_loads(const struct yaml_tree *root, const struct scene 
         return yaml_tree_refuse(yaml_tree_find(root, "loads"), why,
                                 "loads are for flat sheets, but pose has kind '%s'",
                                 scene_shape_words[scene->shape]);
+    if (scene->pressure != 0 && !scene_closed(scene))
+        return yaml_tree_refuse(yaml_tree_find(root, "pressure"), why,
+                                "pressure is for a closed sheet: pose must have kind "
+                                "'cloak' and opening 360");
     return STATUS_OK;
 }
 

@@ -488,6 +488,8 @@ static const struct schema_key SCENE[] = {
     {"material", "what the sheet is made of", SCHEMA_SECTION, .required = true,
      .keys = scene_material_keys, .read = scene_material_check},
     {"gravity", "acceleration [m/s^2]", SCHEMA_VECTOR, PLACE, IN(scene, gravity)},
+    {"pressure", "on the outside of a closed cloak, against its normal as it turns [Pa]",
+     SCHEMA_NUMBER, .low = -1e15, .high = 1e15, IN(scene, pressure)},
     {"drag", "body drag", SCHEMA_SECTION, .keys = DRAG},
     {"damping", "damping", SCHEMA_SECTION, .keys = DAMPING},
     {"motion", "at the start, where nothing holds", SCHEMA_SECTION, .keys = MOTION},

@@ -159,14 +159,14 @@ static void check_strips(bool softens)
         along[t] = noise(3 * t + 1);
     }
     derivative_check(&body, &s.m.net.graph, x, along, DIFFERENCE);
-    CHECK(large_body_force(&body, &derivative_statics, x, f) == STATUS_OK);
+    CHECK(large_body_force(&body, &large_path_statics, x, f) == STATUS_OK);
     spring_stencil_force_add(stencil, x, apart);
     for (int t = 0; t < COUNT; t++)
         apart[t] += f[t];
     CHECK_NEAR(derivative_norm(COUNT, apart) / derivative_norm(COUNT, f), 0, ALIKE);
     /* and the stencil's own matrix, for who seeks rest */
     double(*K)[9] = s.m.newton.K;
-    CHECK(large_body_tangent(&body, &derivative_statics, x, (struct large_foresight){0},
+    CHECK(large_body_tangent(&body, &large_path_statics, x, (struct large_foresight){0},
                              K) == STATUS_OK);
     blocks_multiply(&s.m.net.graph, (const double(*)[9])K, along, f);
     spring_stencil_jacobian(stencil, x, false, K);

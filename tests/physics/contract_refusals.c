@@ -151,11 +151,10 @@ static void add_need(struct scene *scene, unsigned need, double w)
     const struct scene_load tip = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .force = {0, 0, 1}};
 
     switch (need) {
-    case SCENE_NEED_CONTACT:
-        REQUIRE(scene_add_obstacle(scene, &floor) == STATUS_OK);
-        return;
     case SCENE_NEED_MOVING_OBSTACLES:
         floor.path = path, floor.path_count = 2;
+        __attribute__((fallthrough));
+    case SCENE_NEED_CONTACT:
         REQUIRE(scene_add_obstacle(scene, &floor) == STATUS_OK);
         return;
     case SCENE_NEED_SELF_CONTACT:
@@ -185,10 +184,12 @@ static void add_need(struct scene *scene, unsigned need, double w)
         scene->fabric.areal_density = 0.01;
         scene_use_fabric(scene);
         return;
+    case SCENE_NEED_PRESSURE:
     case SCENE_NEED_CURVED_REST:
     case SCENE_NEED_CLOSED_REST:
+        scene->pressure = need == SCENE_NEED_PRESSURE;
         scene->shape = SCENE_CLOAK;
-        scene->opening = need == SCENE_NEED_CLOSED_REST ? 360 : 90;
+        scene->opening = need == SCENE_NEED_CURVED_REST ? 90 : 360;
         return;
     case SCENE_NEED_MOVING_SUPPORTS:
         s.path = path, s.path_count = 2;

@@ -22,6 +22,7 @@ enum { MOST = 4 };
 #define CLOAK     "pose={kind: cloak, opening: 200, flare: 25}"
 #define PONTE     "material={fabric: ponte_roma, warp: "
 #define TUBE      "pose={kind: cloak, opening: 360, flare: 0}"
+#define PRESSED   "pressure=1"
 static const struct row {
     const char *name, *sentence, *settings[MOST]; /* sentence NULL: it is accepted       */
 } rows[] = {
@@ -45,6 +46,8 @@ static const struct row {
     {"shell",
      "nonlinear, on flat",
      {PONTE "0, softening: [0, -1e-9]}", "discretization.kinematics=linear"}},
+    {"shell", "pressure that", {TUBE, PRESSED, "discretization.kinematics=linear"}},
+    {"iga", "pressure that follows the normal", {TUBE, PRESSED}},
     {"triangles", "warp along u or v", {PONTE "30, softening: [0, -1e-9]}"}},
     {"triangles", "couples stretch to shear", {PONTE "30}", LEAPFROG}},
     {"mass_spring", "momentum only", {PONTE "0, softening: [0, -1e-9]}"}},

@@ -3,8 +3,6 @@
  * `truths`.) */
 #include "tests/shell_fixture.h"
 
-static const struct large_path statics = {.s1 = 1, .g1 = 1};
-
 /* Forces that balance: sums of some hundred products, against the largest of them. */
 static const double BALANCE = 1e-12;
 
@@ -56,7 +54,7 @@ static double check_patch(const struct shell_space *space, bool balanced)
         x[3 * a + 1] = 0.04 * r[0] + 0.95 * r[1];
         x[3 * a + 2] = r[2];
     }
-    CHECK(large_body_force(&s.body, &statics, x, f) == STATUS_OK);
+    CHECK(large_body_force(&s.body, &large_path_statics, x, f) == STATUS_OK);
     for (int a = 0; a < space->nodes; a++) {
         bool in = a / m > 0 && a / m < n - 1 && a % m > 0 && a % m < m - 1;
         double *worst = in ? &inside : &border;

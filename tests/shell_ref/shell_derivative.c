@@ -54,7 +54,7 @@ static void check_kept(const struct shell_assembly *s, struct shell_space *space
     REQUIRE(f[0] && f[1]);
     CHECK(space->table);
     for (int made = 0; made < 2; made++) {
-        CHECK(large_body_force(&s->body, &derivative_statics, x, f[made]) == STATUS_OK);
+        CHECK(large_body_force(&s->body, &large_path_statics, x, f[made]) == STATUS_OK);
         space->table = NULL;
     }
     CHECK(!memcmp(f[0], f[1], count * sizeof *f[0]));

@@ -595,7 +595,7 @@ static void scenes_come_back(void)
     } cases[] = {
         {"corners_patch", {NULL}, 0},
         {"edge_drop", {"damping={kind: none}"}, 1}, /* what the export sets by itself */
-        {"cloak", {"damping={kind: none}", "pose.flare=7.123456789"}, 2},
+        {"drape", {"damping={kind: none}", "pose.flare=7.123456789", "pressure=0.1"}, 3},
         {"strip_bias", {"material.softening=[-1e-9, -2.5e-9]"}, 1},
         {"ground", {"damping={kind: rayleigh, alpha: 0.1, beta: 1.0e-3}"}, 1},
         {"sphere", {"motion={velocity: [0, 0, -1], spin: [0.1, 0, 3]}"}, 1},

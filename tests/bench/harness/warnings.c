@@ -16,6 +16,9 @@
 #define TABLE        SHEET "obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1]}}];"
 #define BALL(radius) SHEET "obstacles=[{sphere: {center: [0,0,-2], radius: " radius "}}];"
 #define CLAMP        "supports=[{at: {u: [0,0.1], v: [0.9,1]}, fix: xyz}];"
+#define TUBE                                                                               \
+    "pose={kind: cloak, u: [0,1,0], v: [1,0,0], opening: 360};"                            \
+    "supports=[{at: {v: 0.25}, fix: x}];"
 
 static const struct row {
     const char *rule, *contestant;
@@ -73,6 +76,8 @@ static const struct row {
     {"between", "shell", true, CLAMP "discretization.points=[6,5]"},
     {"between", "iga", false, CLAMP "discretization.points=[7,7,2]"},
     {"between", "iga", true, CLAMP "discretization.points=[6,7,2]"},
+    {"between", "shell", false, TUBE "discretization.points=[6,8]"},
+    {"between", "shell", true, TUBE "discretization.points=[6,9]"},
     /* Gamma = 0.6 g, 7 spans: 4 Gamma^(-1/2) is one at g = 1306.7. */
     {"clamp", "shell", true, SHEET LIGHT "gravity=[0,0,-1310]"},
     {"clamp", "shell", false, SHEET LIGHT "gravity=[0,0,-1300]"},

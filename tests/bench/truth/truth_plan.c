@@ -171,7 +171,7 @@ static const struct pair {
      "damping={kind: rayleigh, alpha: 1, beta: 2e-3}"},
     {"edge_drop", NULL, "time.step=0.0025"}, /* a factor each step */
     {"edge_drop", NULL, "damping.value=0.4"},
-    {"sphere", NULL, "drag={coefficient: 1, wind: [0,0,0]}"},
+    {"sphere", NULL, "drag={coefficient: 1, wind: [0,0,0]}"}, {"drape", NULL, "pressure=0.1"},
     {"sphere", "drag={coefficient: 1, wind: [0,0,1]}",
      "drag={coefficient: 1, wind: [0,0,2]}"},
     {"sphere", "drag={coefficient: 0, wind: [0,0,1]}",

@@ -14,7 +14,6 @@
 #include "tests/shell_fixture.h"
 #include "tests/solid_fixture.h"
 
-static const struct large_path statics = {.s1 = 1, .g1 = 1};
 static const double LENGTH = 1, WIDTH = 0.8, THICKNESS = 0.01;
 
 /* Eigenvalues of round-off, in parts of the largest: n eps, n < 600. */
@@ -136,8 +135,8 @@ static size_t solve(const struct sheet *s, enum state state, size_t parts, doubl
     x = malloc(3 * (size_t)graph->nodes * sizeof *x);
     REQUIRE(a && K && x);
     place(state, &s->basis[0], &s->basis[1], s->layers, x);
-    CHECK(large_body_tangent(s->body, &statics, x, (struct large_foresight){.none = true},
-                             K) == STATUS_OK);
+    CHECK(large_body_tangent(s->body, &large_path_statics, x,
+                             (struct large_foresight){.none = true}, K) == STATUS_OK);
     for (int i = 0; i < graph->nodes; i++)
         for (long t = graph->start[i]; t < graph->start[i + 1]; t++)
             for (size_t k = 0; k < parts * parts; k++) {

@@ -23,7 +23,7 @@ static void check_rest(const struct solid_green *g)
     double(*K)[9] = malloc((size_t)pairs * sizeof *K), most = 0, apart = 0;
 
     REQUIRE(K);
-    CHECK(large_body_tangent(&g->body, &derivative_statics, g->assembly->space->rest,
+    CHECK(large_body_tangent(&g->body, &large_path_statics, g->assembly->space->rest,
                              (struct large_foresight){0}, K) == STATUS_OK);
     for (long n = 0; n < pairs; n++)
         for (int t = 0; t < 9; t++) {
@@ -58,10 +58,10 @@ static void check_foresight(const struct solid_green *g)
         x[t] = rest[t] + e + d[t];
         beside[t] = d[t] + 2 * e;
     }
-    CHECK(large_body_tangent(&g->body, &derivative_statics, x,
+    CHECK(large_body_tangent(&g->body, &large_path_statics, x,
                              (struct large_foresight){.change = d, .beside = beside},
                              K) == STATUS_OK);
-    CHECK(large_body_tangent(&g->body, &derivative_statics, x,
+    CHECK(large_body_tangent(&g->body, &large_path_statics, x,
                              (struct large_foresight){.none = true},
                              K + pairs) == STATUS_OK);
     for (long n = 0; n < pairs; n++)

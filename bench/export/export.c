@@ -377,14 +377,12 @@ static void put_softening(const struct export_job *j, struct output *out)
 
     for (int n = 0; n < 2; n++)
         if (law.soft[n].second < 0)
-            output_print(
-                out,
-                "- bending along the %s softens: M = B%d k + C%d k |k| to k = %.3g "
-                "1/m (C%d, N m^2), straight on from\n  there. A simulator of shells "
-                "may take that as a curve; all others here lose it, and are %.3g "
-                "times\n  as stiff at that curvature;\n",
-                name[n], n + 1, n + 1, law.soft[n].most, n + 1,
-                B[n] / (B[n] + law.soft[n].second * law.soft[n].most));
+            output_print(out,
+                         "- bending along the %s softens: M = B%d k + C%d k |k| up to k = "
+                         "%.3g 1/m. Without C%d [N m^2],\n  which only a curve of moment "
+                         "over curvature holds, a sheet is %.3g times as stiff there;\n",
+                         name[n], n + 1, n + 1, law.soft[n].most, n + 1,
+                         B[n] / (B[n] + law.soft[n].second * law.soft[n].most));
 }
 
 /* Says what each kind of simulator takes of a fabric, and what is lost on the way. */

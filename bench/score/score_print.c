@@ -79,13 +79,10 @@ static void add_stiffness(const struct score_print *p, const struct score *s,
                           const char *name, const char *colon)
 {
     struct score_stiffness stiffness;
-    char text[SCORE_STIFFNESS_TEXT];
 
     score_stiffness_make(s, &stiffness);
-    if (!stiffness.applies)
-        return;
-    score_stiffness_text(&stiffness, text);
-    table_note(p->table, "%s%s%s", name, colon, text);
+    if (stiffness.applies)
+        table_note(p->table, "%s%s%s", name, colon, stiffness.text);
 }
 
 static void add_notes(const struct score_print *p, const struct score *s,
@@ -143,16 +140,14 @@ static void print_contact(const struct score *s, FILE *file)
 static void print_stiffness(const struct score *s, FILE *file)
 {
     struct score_stiffness stiffness;
-    char text[SCORE_STIFFNESS_TEXT];
 
     score_stiffness_make(s, &stiffness);
     if (!stiffness.found)
         return;
-    score_stiffness_text(&stiffness, text);
     fprintf(file, "{\"kind\": \"%s\", \"value\": %.17g, \"scene\": %.17g, ",
             stiffness.part == LAW_MEMBRANE ? "membrane" : "bending", stiffness.value,
             stiffness.scene);
-    print_text(file, "text", text);
+    print_text(file, "text", stiffness.text);
     fputc('}', file);
 }
 

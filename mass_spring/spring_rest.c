@@ -14,6 +14,9 @@ enum { PATH = 32 };
  * round-off of the membrane's forces exceeds it: then a long step that moves nothing, in
  * lengths of the sheet, shows that rest is reached. */
 static const double FORCE_TOLERANCE = 1e-8, MOVE_TOLERANCE = 1e-9, LONG_STEP = 1e6;
+/* Round-off of energies over their sum; of second differences of places, which softening
+ * takes, where the others take those of displacements. */
+static const double ROUND_OFF = 1e-13, ROUND_OFF_SOFT = 1e-11;
 /* Factors on the time step: growth after a good step, cut after a bad one. */
 static const double GROWTH = 4, CUT = 0.1;
 
@@ -136,8 +139,9 @@ static enum status advance(struct search *s, struct counters *counters)
         m->x[n] += s->d[n];
         move = fmax(move, fabs(s->d[n]));
     }
-    double energy = total_energy(m);
-    if (energy <= s->energy + s->slack + 1e-13 * scale) { /* round-off of its sums */
+    const double energy = total_energy(m);
+    const double round_off = m->stencil.soft.forms.count ? ROUND_OFF_SOFT : ROUND_OFF;
+    if (energy <= s->energy + s->slack + round_off * scale) {
         s->energy = energy;
         s->move = s->step >= LONG_STEP ? move : INFINITY;
         s->step = fmin(GROWTH * s->step, 1e12);

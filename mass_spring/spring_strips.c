@@ -37,7 +37,7 @@ static double *strains_of(const struct spring_strips *s, int thread)
 static double *soft_strain(const struct spring_strips *s, int thread, int row, int n)
 {
     return strains_of(s, thread) + (SPRINGS + 3) * row_length(s) +
-           3 * (n - s->stencil->form_at[row]);
+           3 * (n - s->stencil->soft.forms.row_at[row]);
 }
 
 /* Computes the edge of x, from `first` on, from a to b; returns its square. */
@@ -82,6 +82,7 @@ static double *strain_of(const void *self, int thread, int row, const double *x,
     const struct spring_strips *s = self;
     const struct spring_stencil *t = s->stencil;
     int m = row_length(s), rows = t->net->points[0] - row, first = row * m;
+    const struct spring_forms *soft = &t->soft.forms;
     double *strain = strains_of(s, thread), e[3];
 
     memcpy(room_of(s, thread), x + 3 * (size_t)first,
@@ -97,8 +98,8 @@ static double *strain_of(const void *self, int thread, int row, const double *x,
         }
         bending_at(t, a, x, strain + SPRINGS * m + 3 * j);
     }
-    for (int n = t->form_at[row]; n < t->form_at[row + 1]; n++)
-        spring_plate_value(&t->form[n], x, soft_strain(s, thread, row, n));
+    for (int n = soft->row_at[row]; n < soft->row_at[row + 1]; n++)
+        spring_form_value(soft, n, x, soft_strain(s, thread, row, n));
     return strain;
 }
 
@@ -119,6 +120,7 @@ static void add_force(const void *self, int thread, int row, double *force)
 {
     const struct spring_strips *s = self;
     const struct spring_stencil *t = s->stencil;
+    const struct spring_forms *soft = &t->soft.forms;
     const double *x = geometry_of(s, thread), *strain = strains_of(s, thread);
     int m = row_length(s), first = row * m;
     double e[3];
@@ -139,14 +141,8 @@ static void add_force(const void *self, int thread, int row, double *force)
         for (int c = 0; c < 3; c++)
             force[3 * a + c] += strain[SPRINGS * m + 3 * j + c];
     }
-    for (int n = t->form_at[row]; n < t->form_at[row + 1]; n++) {
-        const struct spring_plate_form *form = &t->form[n];
-        const double *value = soft_strain(s, thread, row, n);
-        double along, pull = spring_plate_soft_pull(&t->soft, form, value, &along);
-        for (int k = 0; k < form->count; k++)
-            for (int c = 0; c < 3; c++)
-                force[3 * form->node[k] + c] += pull * form->weight[k] * value[c];
-    }
+    for (int n = soft->row_at[row]; n < soft->row_at[row + 1]; n++)
+        spring_soft_force(&t->soft, n, soft_strain(s, thread, row, n), 1, force);
 }
 
 /* Adds all I + along e e' between a and the n-th ahead of it to K, in its four blocks. */
@@ -171,6 +167,7 @@ static void add_tangent(const void *self, int thread, int row,
 {
     const struct spring_strips *s = self;
     const struct spring_stencil *t = s->stencil;
+    const struct spring_forms *soft = &t->soft.forms;
     const double *x = geometry_of(s, thread), *strain = strains_of(s, thread);
     int m = row_length(s), first = row * m;
 
@@ -187,8 +184,9 @@ static void add_tangent(const void *self, int thread, int row,
             }
             add_block(s, a, n, all, along, e, K);
         }
-    for (int n = t->form_at[row]; n < t->form_at[row + 1]; n++)
-        spring_stencil_soften(t, &t->form[n], soft_strain(s, thread, row, n), path->s1, K);
+    for (int n = soft->row_at[row]; n < soft->row_at[row + 1]; n++)
+        spring_soft_tangent(&t->soft, n, soft_strain(s, thread, row, n), path->s1,
+                            &t->net->graph, K);
 }
 
 void spring_strips_clear(struct spring_strips *s)
@@ -215,12 +213,8 @@ enum status spring_strips_init(struct spring_strips *s,
 {
     enum status st;
     const struct spring_net *net = stencil->net;
-    size_t m = (size_t)net->points[1], soft = 0;
-
-    for (int i = 0; i < net->points[0]; i++) {
-        const size_t here = (size_t)(stencil->form_at[i + 1] - stencil->form_at[i]);
-        soft = here > soft ? here : soft;
-    }
+    const size_t m = (size_t)net->points[1];
+    const size_t soft = (size_t)spring_forms_most(&stencil->soft.forms, net);
     const size_t strains = (SPRINGS + 3) * m + 3 * soft;
 
     *s = (struct spring_strips){.stencil = stencil, .room = 2 * 3 * ROWS * m + strains};

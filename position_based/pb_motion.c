@@ -93,13 +93,14 @@ static void put_springs(struct pb_motion *m)
 
 /* Sets a form. Where components are held the others' weight is taken for all, so that one
  * factor suffices: that only takes more iterations. */
-static void set_form(const struct pb_motion *m, const struct spring_plate_form *form,
-                     double *strength, double *recall)
+static void set_form(const struct pb_motion *m, int k, double *strength, double *recall)
 {
+    const struct spring_form *form = spring_form_of(&m->forms, k);
     double sum = 0;
 
     for (int n = 0; n < form->count; n++)
-        sum += form->weight[n] * form->weight[n] * free_inverse_mass(m, form->node[n]);
+        sum += form->weight[n] * form->weight[n] *
+               free_inverse_mass(m, m->forms.place[k].at + form->step[n]);
     pb_sweep_form(strength_of(m, m->bending_every * form->stiffness, sum),
                   1 + m->points.beta / m->dt, sum, strength, recall);
 }
@@ -115,9 +116,11 @@ static void put_forms(struct pb_motion *m)
     for (int k = SPRING_PLATE_U; k <= SPRING_PLATE_MEAN; k++) {
         int kind = kind_of_form[k];
         memset(m->work, 0, count(m) * sizeof *m->work);
-        for (int n = 0; n < m->form_count; n++)
-            if ((int)m->form[n].kind == k)
-                set_form(m, &m->form[n], &strength[m->form[n].at], &recall[m->form[n].at]);
+        for (int n = 0; n < m->forms.count; n++) {
+            const int at = m->forms.place[n].at;
+            if (spring_form_of(&m->forms, n)->kind == k)
+                set_form(m, n, &strength[at], &recall[at]);
+        }
         pb_sweep_put(m->sweep, PB_STRENGTH + kind, 1, strength);
         pb_sweep_put(m->sweep, PB_RECALL + kind - PB_SPRINGS, 1, recall);
     }
@@ -128,14 +131,14 @@ static int list_clamps(struct pb_motion *m)
 {
     int clamps = 0;
 
-    for (int n = 0; n < m->form_count; n++) {
-        const struct spring_plate_form *form = &m->form[n];
+    for (int n = 0; n < m->forms.count; n++) {
+        const struct spring_form *form = spring_form_of(&m->forms, n);
         struct pb_odd *odd = &m->odd[clamps];
         if (form->kind != SPRING_PLATE_CLAMP)
             continue;
-        set_form(m, form, &odd->strength, &odd->recall);
+        set_form(m, n, &odd->strength, &odd->recall);
         for (int k = 0; k < 3; k++) {
-            odd->node[k] = form->node[k < form->count ? k : 0];
+            odd->node[k] = m->forms.place[n].at + form->step[k < form->count ? k : 0];
             odd->weight[k] = k < form->count ? form->weight[k] : 0;
             odd->shift[k] = form->shift[k];
         }
@@ -188,13 +191,14 @@ static double bending_frequency(const struct pb_motion *m)
     double most = 0;
 
     memset(m->work, 0, count(m) * sizeof *m->work);
-    for (int n = 0; n < m->form_count; n++) {
-        const struct spring_plate_form *form = &m->form[n];
+    for (int n = 0; n < m->forms.count; n++) {
+        const struct spring_form *form = spring_form_of(&m->forms, n);
         double sum = 0;
         for (int k = 0; k < form->count; k++)
             sum += fabs(form->weight[k]);
         for (int k = 0; k < form->count; k++)
-            m->work[form->node[k]] += form->stiffness * fabs(form->weight[k]) * sum;
+            m->work[m->forms.place[n].at + form->step[k]] +=
+                form->stiffness * fabs(form->weight[k]) * sum;
     }
     for (int a = 0; a < m->net.nodes; a++)
         most = fmax(most, m->work[a] * free_inverse_mass(m, a));
@@ -238,10 +242,10 @@ static double elastic(const struct pb_motion *m)
         double more = longer(s, m->x);
         sum += s->stiffness * more * more / 2;
     }
-    for (int n = 0; n < m->form_count; n++) {
-        spring_plate_value(&m->form[n], m->x, value);
+    for (int n = 0; n < m->forms.count; n++) {
+        spring_form_value(&m->forms, n, m->x, value);
         for (int c = 0; c < 3; c++)
-            sum += m->form[n].stiffness * value[c] * value[c] / 2;
+            sum += spring_form_of(&m->forms, n)->stiffness * value[c] * value[c] / 2;
     }
     return sum;
 }
@@ -252,7 +256,7 @@ static enum status allocate(struct pb_motion *m)
 
     return room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->v, 3 * nodes),
                     ROOM(m->before, 3 * nodes), ROOM(m->work, 9 * nodes),
-                    ROOM(m->shift, m->supports.held_count), ROOM(m->odd, m->form_count));
+                    ROOM(m->shift, m->supports.held_count), ROOM(m->odd, m->forms.count));
 }
 
 void pb_motion_clear(struct pb_motion *m)
@@ -264,7 +268,7 @@ void pb_motion_clear(struct pb_motion *m)
     spring_load_clear(&m->points);
     supports_clear(&m->supports);
     spring_net_clear(&m->net);
-    free(m->form);
+    spring_forms_clear(&m->forms);
     free(m->room);
     memset(m, 0, sizeof *m);
 }
@@ -289,7 +293,7 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters, false));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
     TRY(supports_init(&m->supports, scene, m->net.nodes, m->net.uvw, why));
-    TRY(spring_plate_make(scene, &m->net, &m->form, &m->form_count));
+    TRY(spring_plate_make(scene, &m->net, &m->forms));
     TRY(allocate(m));
     memcpy(m->x, m->net.rest, count(m) * sizeof *m->x);
     supports_initial_velocity(&m->supports, scene, m->net.rest, NULL, m->v);

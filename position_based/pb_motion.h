@@ -77,9 +77,8 @@ struct pb_motion {
     struct spring_net net;
     struct spring_load points;
     struct supports supports;
-    struct spring_plate_form *form; /* [form_count]                            owned   */
-    int form_count;
-    struct pb_odd *odd; /* the clamps among them                        owned   */
+    struct spring_forms forms; /*                                              owned   */
+    struct pb_odd *odd;        /* the clamps among them                        owned   */
     struct pb_sweep *sweep;
     struct net_contact *contact; /* or NULL                                    owned   */
     enum projection projection;

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "models/net/spring_form.h"
+
 static struct pd_row *add_row(struct pd_bending *b, double weight)
 {
     struct pd_row *row = &b->rows[b->count++];
@@ -12,13 +14,7 @@ static struct pd_row *add_row(struct pd_bending *b, double weight)
 
 static void add_term(struct pd_row *row, int node, double coefficient)
 {
-    int s = 0;
-
-    while (s < row->count && row->node[s] != node)
-        s++;
-    if (s == row->count)
-        row->node[row->count++] = node;
-    row->coefficient[s] += coefficient;
+    row->coefficient[spring_form_slot(&row->count, row->node, node)] += coefficient;
 }
 
 /* Adds the second difference along the line through k, whose nodes are `by` apart. */

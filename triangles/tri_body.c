@@ -86,6 +86,15 @@ static void gather_hinge(const struct tri_hinge *h, const double *x, int first,
         memcpy(at[k], x + 3 * (h->node[k] - first), sizeof at[k]);
 }
 
+/* Computes the values of a strip's forms; returns the end. */
+static double *values_of(const struct spring_forms *forms, int strip, const double *x,
+                         double *value)
+{
+    for (int k = forms->row_at[strip]; k < forms->row_at[strip + 1]; k++, value += 3)
+        spring_form_value(forms, k, x, value);
+    return value;
+}
+
 static double *strain_of(const void *self, int thread, int strip, const double *x,
                          const struct large_foresight *foresight)
 {
@@ -102,9 +111,8 @@ static double *strain_of(const void *self, int thread, int strip, const double *
     for (int k = net->triangle_at[strip]; k < net->triangle_at[strip + 1]; k++, next += 3)
         if (!membrane_strain(b, &net->triangles[k], r, change, next))
             return NULL;
-    next = r->strain + b->forms_from;
-    for (int k = net->form_at[strip]; k < net->form_at[strip + 1]; k++, next += 3)
-        spring_plate_value(&net->forms[k], x, next);
+    next = values_of(&net->forms, strip, x, r->strain + b->forms_from);
+    values_of(&net->soft.forms, strip, x, next);
     next = r->strain + b->hinges_from;
     for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++) {
         double at[4][3];
@@ -180,20 +188,17 @@ static void add_force(const void *self, int thread, int strip, double *force)
     const struct tri_body *b = self;
     const struct tri_net *net = b->net;
     const struct tri_body_room *r = &b->work[thread];
+    const int *form_at = net->forms.row_at, *soft_at = net->soft.forms.row_at;
     const double *e = r->strain;
 
     for (int k = net->triangle_at[strip]; k < net->triangle_at[strip + 1]; k++, e += 3)
         membrane_force(b, &net->triangles[k], r, e, force);
     e = r->strain + b->forms_from;
-    for (int k = net->form_at[strip]; k < net->form_at[strip + 1]; k++, e += 3) {
-        const struct spring_plate_form *f = &net->forms[k];
-        double along, pull = f->stiffness;
-        if (f->kind >= SPRING_PLATE_SOFT_U)
-            pull = spring_plate_soft_pull(&net->soft, f, e, &along);
-        for (int p = 0; p < f->count; p++)
-            for (int i = 0; i < 3; i++)
-                force[3 * f->node[p] + i] += pull * f->weight[p] * e[i];
-    }
+    for (int k = form_at[strip]; k < form_at[strip + 1]; k++, e += 3)
+        spring_form_pull(&net->forms, k, spring_form_of(&net->forms, k)->stiffness, e,
+                         force);
+    for (int k = soft_at[strip]; k < soft_at[strip + 1]; k++, e += 3)
+        spring_soft_force(&net->soft, k, e, 1, force);
     e = r->strain + b->hinges_from;
     for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++, e++) {
         const struct tri_hinge *h = &net->hinges[k];
@@ -284,24 +289,6 @@ static void hinge_tangent(const struct tri_hinge *h, const struct tri_body_room 
     tri_net_add(4, h->node, h->pair, H[0], K);
 }
 
-/* Adds weight weight' s1 (pull I + along e e'). */
-static void soft_tangent(const struct tri_net *net, const struct spring_plate_form *f,
-                         const double e[3], double s1, double (*K)[9])
-{
-    enum { MOST = SPRING_PLATE_POINTS };
-    double along, B[9 * MOST * MOST];
-    const double pull = spring_plate_soft_pull(&net->soft, f, e, &along);
-    const int n = 3 * f->count;
-    long pair[MOST * (MOST + 1) / 2];
-
-    for (int p = 0; p < n; p++)
-        for (int q = 0; q < n; q++)
-            B[n * p + q] = s1 * f->weight[p / 3] * f->weight[q / 3] *
-                           ((p % 3 == q % 3 ? pull : 0) + along * e[p % 3] * e[q % 3]);
-    tri_net_pairs(net, f->count, f->node, pair);
-    tri_net_add(f->count, f->node, pair, B, K);
-}
-
 static void add_tangent(const void *self, int thread, int strip,
                         const struct large_path *path, double (*K)[9])
 {
@@ -309,7 +296,8 @@ static void add_tangent(const void *self, int thread, int strip,
     const struct tri_net *net = b->net;
     const struct tri_body_room *r = &b->work[thread];
     const struct blocks *graph = &net->graph;
-    int m = net->points.points[1];
+    const int m = net->points.points[1];
+    const int *form_at = net->forms.row_at, *soft_at = net->soft.forms.row_at;
     const double *e = r->strain;
 
     for (int k = net->triangle_at[strip]; k < net->triangle_at[strip + 1]; k++, e += 3)
@@ -317,11 +305,9 @@ static void add_tangent(const void *self, int thread, int strip,
     for (long n = graph->start[strip * m]; n < graph->start[(strip + 1) * m]; n++)
         for (int i = 0; i < 3; i++)
             K[n][4 * i] += path->s1 * net->plate[n];
-    e = r->strain + b->forms_from;
-    for (int k = net->form_at[strip]; net->softens && k < net->form_at[strip + 1];
-         k++, e += 3)
-        if (net->forms[k].kind >= SPRING_PLATE_SOFT_U)
-            soft_tangent(net, &net->forms[k], e, path->s1, K);
+    e = r->strain + b->forms_from + 3 * (form_at[strip + 1] - form_at[strip]);
+    for (int k = soft_at[strip]; k < soft_at[strip + 1]; k++, e += 3)
+        spring_soft_tangent(&net->soft, k, e, path->s1, graph, K);
     e = r->strain + b->hinges_from;
     for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++)
         hinge_tangent(&net->hinges[k], r, *e++, path, K);
@@ -372,7 +358,8 @@ enum status tri_body_init(struct tri_body *b, const struct scene *scene,
     tri_strain_stiffness(scene, membrane, b->D);
     b->area = net->points.cell[0] * net->points.cell[1] / 2;
     b->forms_from = 3 * most_of(net->triangle_at, n);
-    b->hinges_from = b->forms_from + 3 * most_of(net->form_at, n);
+    b->hinges_from = b->forms_from + 3 * spring_forms_most(&net->forms, &net->points) +
+                     3 * spring_forms_most(&net->soft.forms, &net->points);
     b->body =
         (struct large_body){.self = b,
                             .nodes = net->points.nodes,
@@ -396,6 +383,7 @@ out:
 double tri_body_energy(const struct tri_body *b, const double *x)
 {
     const struct tri_net *net = b->net;
+    const int *form_at = net->forms.row_at, *soft_at = net->soft.forms.row_at;
     double energy = 0, stress[3];
 
     for (int strip = 0; strip < net->points.points[0]; strip++) {
@@ -407,10 +395,10 @@ double tri_body_energy(const struct tri_body *b, const double *x)
             law_stress(b->D, e, stress);
             energy += b->area * dot(stress, e) / 2, e += 3;
         }
-        for (int k = net->form_at[strip]; k < net->form_at[strip + 1]; k++, form += 3)
-            energy += net->forms[k].kind >= SPRING_PLATE_SOFT_U
-                          ? spring_plate_soft_energy(&net->soft, &net->forms[k], form)
-                          : net->forms[k].stiffness * dot(form, form) / 2;
+        for (int k = form_at[strip]; k < form_at[strip + 1]; k++, form += 3)
+            energy += spring_form_of(&net->forms, k)->stiffness * dot(form, form) / 2;
+        for (int k = soft_at[strip]; k < soft_at[strip + 1]; k++, form += 3)
+            energy += spring_soft_energy(&net->soft, k, form);
         for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++, hinge++)
             energy += net->hinges[k].stiffness * *hinge * *hinge / 2;
     }

@@ -42,11 +42,9 @@ static enum status refuse(const struct scene *scene, const struct discretization
         OWN(tri_own, d)->membrane == MEMBRANE_COROTATIONAL)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "a fabric: corotational triangles with implicit steps only");
-    if (scene_needs(scene) & SCENE_NEED_SOFTENING &&
-        (d->integrator == INTEGRATOR_LEAPFROG || scene_needs(scene) & SCENE_NEED_BIAS))
+    if (scene_needs(scene) & SCENE_NEED_SOFTENING && d->integrator == INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
-                           "softening: integrator=momentum or implicit only, and the warp "
-                           "along u or v; shells soften along any");
+                           "softening: integrator=momentum or implicit only");
     if (scene_needs(scene) & SCENE_NEED_BIAS &&
         (d->integrator == INTEGRATOR_LEAPFROG ||
          OWN(tri_own, d)->membrane == MEMBRANE_BARAFF_WITKIN))

@@ -79,7 +79,7 @@ static enum status make_leapfrog(struct tri_motion *m, const struct discretizati
     memcpy(m->cells.cell, points->cell, sizeof m->cells.cell);
     TRY(spring_stencil_init(&m->stencil, m->scene, points, SPRINGS_SQUARES,
                             BENDING_QUADRATIC));
-    spring_stencil_replace(&m->stencil, m->net.form_count, m->net.forms);
+    spring_stencil_replace(&m->stencil, &m->net.forms);
     TRY(rest_frequency(m, &body.omega));
     supports_initial_velocity(&m->supports, m->scene, points->rest, NULL, m->v);
     TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,

@@ -50,7 +50,7 @@ static void add_edge(struct tri_net *net, double D, int i, int j, int along)
         return;
     for (int k = 0; k < 2; k++) {
         int before = end[k] - step, behind = end[k] + step;
-        double weight = spring_plate_beside(p, before, behind);
+        double weight = spring_form_beside(p, before, behind);
         if (!p->clamped[end[k]])
             add_hinge(net, end[k], end[!k], before, behind,
                       weight * D / 2 * p->cell[along] / p->cell[across]);
@@ -92,47 +92,45 @@ static void fill(struct tri_net *net, double D)
     net->hinge_at[n] = net->hinge_count;
 }
 
-/* Adds the plate's forms by strips: all, or the clamps alone. */
-static enum status add_forms(struct tri_net *net, const struct scene *scene, bool all)
-{
-    enum status st;
-    int count = 0;
-    struct spring_plate_form *forms = NULL;
-
-    TRY(spring_plate_make(scene, &net->points, &forms, &count));
-    TRY(spring_plate_by_rows(&net->points, count, forms,
-                             all ? ~0u : 1u << SPRING_PLATE_CLAMP, &net->forms,
-                             net->form_at));
-    net->form_count = net->form_at[net->points.points[0]];
-out:
-    free(forms);
-    return st;
-}
-
-/* Lists `most` nodes of an element, the last one repeated. */
-static void list(int **next, int most, int count, const int *node)
+/* Lists `most` nodes of an element, the last one repeated; steps are from `at`. */
+static void list(int **next, int most, int count, int at, const int *step)
 {
     for (int k = 0; k < most; k++)
-        *(*next)++ = node[k < count ? k : count - 1];
+        *(*next)++ = at + step[k < count ? k : count - 1];
+}
+
+static void list_forms(int **next, int most, const struct spring_forms *forms)
+{
+    for (int k = 0; k < forms->count; k++)
+        list(next, most, spring_form_of(forms, k)->count, forms->place[k].at,
+             spring_form_of(forms, k)->step);
+}
+
+/* Returns the most points of a form, or `most`. */
+static int largest(const struct spring_forms *forms, int most)
+{
+    for (int k = 0; k < forms->forms; k++)
+        most = forms->form[k].count > most ? forms->form[k].count : most;
+    return most;
 }
 
 static enum status make_graph(struct tri_net *net)
 {
     enum status st = STATUS_MEMORY;
-    int elements = net->triangle_count + net->hinge_count + net->form_count, most = 4;
+    const int elements =
+        net->triangle_count + net->hinge_count + net->forms.count + net->soft.forms.count;
+    const int most = largest(&net->soft.forms, largest(&net->forms, 4));
     int *ien, *next;
 
-    for (int k = 0; k < net->form_count; k++)
-        most = net->forms[k].count > most ? net->forms[k].count : most;
     ien = next = malloc(((size_t)elements * (size_t)most + 1) * sizeof *ien);
     if (!ien)
         goto out;
     for (int k = 0; k < net->triangle_count; k++)
-        list(&next, most, 3, net->triangles[k].node);
+        list(&next, most, 3, 0, net->triangles[k].node);
     for (int k = 0; k < net->hinge_count; k++)
-        list(&next, most, 4, net->hinges[k].node);
-    for (int k = 0; k < net->form_count; k++)
-        list(&next, most, net->forms[k].count, net->forms[k].node);
+        list(&next, most, 4, 0, net->hinges[k].node);
+    list_forms(&next, most, &net->forms);
+    list_forms(&next, most, &net->soft.forms);
     TRY(blocks_init(&net->graph, net->points.nodes, elements, most, ien));
 out:
     free(ien);
@@ -144,21 +142,23 @@ static long pair_of(const struct blocks *g, int a, int b)
     return a < b ? blocks_find(g, a, b) : blocks_find(g, b, a);
 }
 
-void tri_net_pairs(const struct tri_net *net, int count, const int *node, long *pair)
+/* Finds the pairs (p, q >= p) of node[count]. */
+static void find_pairs(const struct blocks *g, int count, const int *node, long *pair)
 {
     for (int p = 0; p < count; p++)
         for (int q = p; q < count; q++)
-            *pair++ = pair_of(&net->graph, node[p], node[q]);
+            *pair++ = pair_of(g, node[p], node[q]);
 }
 
 static void set_plate(struct tri_net *net)
 {
-    for (int k = 0; k < net->form_count; k++) {
-        const struct spring_plate_form *f = &net->forms[k];
-        for (int p = 0; p < f->count && f->kind < SPRING_PLATE_SOFT_U; p++)
+    for (int k = 0; k < net->forms.count; k++) {
+        const struct spring_form *f = spring_form_of(&net->forms, k);
+        const int at = net->forms.place[k].at;
+        for (int p = 0; p < f->count; p++)
             for (int q = 0; q < f->count; q++)
-                if (f->node[p] <= f->node[q])
-                    net->plate[pair_of(&net->graph, f->node[p], f->node[q])] +=
+                if (f->step[p] <= f->step[q])
+                    net->plate[pair_of(&net->graph, at + f->step[p], at + f->step[q])] +=
                         f->stiffness * f->weight[p] * f->weight[q];
     }
 }
@@ -167,7 +167,8 @@ void tri_net_clear(struct tri_net *net)
 {
     blocks_clear(&net->graph);
     spring_net_clear(&net->points);
-    free(net->forms);
+    spring_forms_clear(&net->forms);
+    spring_soft_clear(&net->soft);
     free(net->plate);
     free(net->room);
     memset(net, 0, sizeof *net);
@@ -185,16 +186,17 @@ enum status tri_net_init(struct tri_net *net, const struct scene *scene,
     n = (size_t) new.points.points[0];
     TRY(room_cut(&new.room, ROOM(new.triangles, 2 * n * m),
                  ROOM(new.hinges, hinges ? 6 * n * m : 0), ROOM(new.triangle_at, n + 1),
-                 ROOM(new.hinge_at, n + 1), ROOM(new.form_at, n + 1)));
+                 ROOM(new.hinge_at, n + 1)));
     fill(&new, hinges ? scene_bending_stiffness(scene) : 0);
-    TRY(add_forms(&new, scene, !hinges));
-    new.softens = scene_needs(scene) & SCENE_NEED_SOFTENING;
-    new.soft = spring_plate_softening(scene, &new.points);
+    TRY(spring_plate_make(scene, &new.points, &new.forms));
+    TRY(spring_forms_sort(&new.forms, &new.points,
+                          hinges ? 1u << SPRING_PLATE_CLAMP : ~0u));
+    TRY(spring_soft_init(&new.soft, scene, &new.points));
     TRY(make_graph(&new));
     for (int k = 0; k < new.triangle_count; k++)
-        tri_net_pairs(&new, 3, new.triangles[k].node, new.triangles[k].pair);
+        find_pairs(&new.graph, 3, new.triangles[k].node, new.triangles[k].pair);
     for (int k = 0; k < new.hinge_count; k++)
-        tri_net_pairs(&new, 4, new.hinges[k].node, new.hinges[k].pair);
+        find_pairs(&new.graph, 4, new.hinges[k].node, new.hinges[k].pair);
     new.plate = calloc((size_t) new.graph.start[new.points.nodes], sizeof *new.plate);
     if (!new.plate)
         TRY(STATUS_MEMORY);

@@ -29,6 +29,7 @@
 #define TRI_NET_H
 
 #include "models/net/spring_plate.h"
+#include "models/net/spring_soft.h"
 
 /* Node 0 has the right angle; 1 lies beside it along u, 2 along v. */
 struct tri_triangle {
@@ -47,25 +48,21 @@ struct tri_hinge {
  * reaches rows i to i + 2. */
 struct tri_net {
     struct spring_net points; /* its springs are not used                              */
-    void *room;               /* of the arrays but forms                       owned   */
-    int triangle_count, hinge_count, form_count;
+    void *room;               /* of the arrays                                 owned   */
+    int triangle_count, hinge_count;
     struct tri_triangle *triangles;
     struct tri_hinge *hinges;
-    struct spring_plate_form *forms;       /*                             owned   */
-    int *triangle_at, *hinge_at, *form_at; /* [n + 1] first of each strip         */
+    int *triangle_at, *hinge_at; /* [n + 1] first of each strip                       */
+    struct spring_forms forms;   /* of the plate, by strips                    owned   */
+    struct spring_soft soft;     /*                                            owned   */
     struct blocks graph;
-    bool softens; /* some forms do                                                      */
-    struct spring_plate_soft soft;
-    double *plate; /* [pairs] second derivative of quadratic forms, times the identity
-                      [N/m], owned */
+    double *plate; /* [pairs] second derivative of forms, times the identity
+                      [N/m], owned                                                     */
 };
 
 enum status tri_net_init(struct tri_net *net, const struct scene *scene,
                          const int points[2], enum bending bending);
 void tri_net_clear(struct tri_net *net);
-
-/* Finds the pairs (p, q >= p) of node[count] in the graph. */
-void tri_net_pairs(const struct tri_net *net, int count, const int *node, long *pair);
 
 /* Adds B[3 count][3 count], symmetric, of node[count] with pairs (p, q >= p), to K. */
 void tri_net_add(int count, const int *node, const long *pair, const double *B,

@@ -88,11 +88,10 @@ static void list_plate(struct vb_body *b, const struct tri_net *net, int *next)
             if (other != a)
                 b->plate[next[other]++] = (struct vb_plate){a, net->plate[n]};
         }
-    for (const struct spring_plate_form *f = net->forms; f < net->forms + net->form_count;
-         f++)
-        for (int p = 0; p < f->count; p++)
-            for (int i = 0; i < 3; i++)
-                b->pull[3 * f->node[p] + i] += f->stiffness * f->weight[p] * f->shift[i];
+    for (int k = 0; k < net->forms.count; k++) {
+        const struct spring_form *f = spring_form_of(&net->forms, k);
+        spring_form_pull(&net->forms, k, f->stiffness, f->shift, b->pull);
+    }
 }
 
 static void list_hinges(struct vb_body *b, const struct tri_net *net, int *next)

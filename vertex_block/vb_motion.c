@@ -32,10 +32,9 @@ static double springs_energy(const struct vb_motion *m)
         const double more = vector_length(way) - s->length;
         sum += s->stiffness * more * more / 2;
     }
-    for (const struct spring_plate_form *f = m->net.forms;
-         f < m->net.forms + m->net.form_count; f++) {
-        spring_plate_value(f, m->x, value);
-        sum += f->stiffness * vector_dot(value, value) / 2;
+    for (int k = 0; k < m->net.forms.count; k++) {
+        spring_form_value(&m->net.forms, k, m->x, value);
+        sum += spring_form_of(&m->net.forms, k)->stiffness * vector_dot(value, value) / 2;
     }
     return sum;
 }

@@ -375,6 +375,23 @@ static void put_held(const struct export_held *h, struct output *out)
     output_print(out, "%s%s\n\n", *h->doubt.text ? "\nNote: " : "", h->doubt.text);
 }
 
+/* Says what a simulator without softening loses of it. */
+static void put_softening(const struct export_job *j, struct output *out)
+{
+    const struct law law = scene_law(&j->scene);
+    const double *B = j->scene.fabric.bending;
+    static const char *const name[] = {"warp", "weft"};
+
+    for (int n = 0; n < 2; n++)
+        if (law.soft[n].second < 0)
+            output_print(out,
+                         "- bending along the %s softens: M = B%d k + C%d k |k| up to k = "
+                         "%.3g 1/m. Without C%d [N m^2],\n  which only a curve of moment "
+                         "over curvature holds, a sheet is %.3g times as stiff there;\n",
+                         name[n], n + 1, n + 1, law.soft[n].most, n + 1,
+                         B[n] / (B[n] + law.soft[n].second * law.soft[n].most));
+}
+
 /* Says what each kind of simulator takes of a fabric, and what is lost on the way. */
 static void put_fabric_parameters(const struct export_job *j, struct output *out)
 {
@@ -397,6 +414,7 @@ static void put_fabric_parameters(const struct export_job *j, struct output *out
         Y[LAW_WARP] * law.thickness * law.thickness / 12 / B[LAW_WARP],
         Y[LAW_WEFT] * law.thickness * law.thickness / 12 / B[LAW_WEFT],
         Y[LAW_SHEAR] * law.thickness * law.thickness / 12 / B[LAW_SHEAR]);
+    put_softening(j, out);
     if (j->scene.shape == SCENE_FLAT && law_is_aligned(&law))
         output_print(out,
                      "- springs and XPBD: `value` [N/m], `compliance` [m/N] along u, v "

@@ -49,6 +49,9 @@ static void put_fabric(const struct scene *scene, const struct taker *t)
         put(t, name[LAW_MEMBRANE][n], Y[n], "N/m");
     for (int n = 0; n < LAW_MODULI; n++)
         put(t, name[LAW_BENDING][n], f->bending[n], "N m");
+    for (int n = 0; n < 2; n++)
+        if (f->softening[n] < 0)
+            put(t, n ? "C2" : "C1", f->softening[n], "N m^2");
     put(t, "warp", f->warp, "deg");
     put(t, "E1", (Y[LAW_WARP] - Y[LAW_CROSS] * Y[LAW_CROSS] / Y[LAW_WEFT]) / h, "Pa");
     put(t, "E2", (Y[LAW_WEFT] - Y[LAW_CROSS] * Y[LAW_CROSS] / Y[LAW_WARP]) / h, "Pa");

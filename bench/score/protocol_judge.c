@@ -197,7 +197,7 @@ static void tell_stiffness(const struct judge *j)
     const struct protocol_run *drop = explained(j, "edge_drop");
     const struct score_finding *bends = find(drop, SCORE_BENDING);
     bool known[2][2] = {{false}};
-    char text[SCORE_STIFFNESS_TEXT], missing[200] = "";
+    char missing[200] = "";
 
     for (int k = 0; k < j->p->scenes; k++) {
         const struct protocol_run *run = protocol_finest(&j->p->scene[k]);
@@ -205,13 +205,12 @@ static void tell_stiffness(const struct judge *j)
         if (!s->applies || (!s->found && find(run, SCORE_SOUND)))
             continue;
         const double off = fabs(s->value / s->scene - 1);
-        score_stiffness_text(s, text);
         tell(j, PROTOCOL_STIFFNESS,
              !s->found           ? PROTOCOL_BAD
              : off < STIFF_ERROR ? PROTOCOL_GOOD
                                  : PROTOCOL_NEUTRAL,
              s->found ? s->part == LAW_MEMBRANE ? "membrane" : "bending" : "none fits",
-             "%s: %s", run->file, text);
+             "%s: %s", run->file, s->text);
         known[s->part != LAW_MEMBRANE][strstr(s->along, "weft") != NULL] |=
             strcmp(s->along, "u") != 0;
     }

@@ -88,7 +88,7 @@ void score_print_say(const struct score *s, const struct score_diagnosis *d,
         return;
     score_stiffness_make(s, &stiffness);
     if (stiffness.applies)
-        score_stiffness_text(&stiffness, next(said));
+        memcpy(next(said), stiffness.text, sizeof stiffness.text);
     say_contact(s, said);
 }
 
@@ -137,16 +137,14 @@ static void print_contact(const struct score *s, FILE *file)
 static void print_stiffness(const struct score *s, FILE *file)
 {
     struct score_stiffness stiffness;
-    char text[SCORE_STIFFNESS_TEXT];
 
     score_stiffness_make(s, &stiffness);
     if (!stiffness.found)
         return;
-    score_stiffness_text(&stiffness, text);
     fprintf(file, "{\"kind\": \"%s\", \"value\": %.17g, \"scene\": %.17g, ",
             stiffness.part == LAW_MEMBRANE ? "membrane" : "bending", stiffness.value,
             stiffness.scene);
-    print_text(file, "text", text);
+    print_text(file, "text", stiffness.text);
     fputc('}', file);
 }
 

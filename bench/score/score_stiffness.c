@@ -104,6 +104,21 @@ static const char *direction(const struct scene *scene, const struct law *law)
     return fmod(scene->fabric.warp, 180) == 0 ? "the warp" : "the weft";
 }
 
+static void write_text(struct score_stiffness *s)
+{
+    if (!s->found)
+        snprintf(s->text, sizeof s->text,
+                 "No stiffness explains its last shape, which must be one at rest (%.2g %% "
+                 "is left): does it still move, or is a step iterated too little?",
+                 100 * s->left);
+    else
+        snprintf(s->text, sizeof s->text,
+                 "Its %s is as stiff as %.4g N%sm along %s, %.3g times the scene's %.4g.",
+                 s->part == LAW_MEMBRANE ? "membrane" : "bending", s->value,
+                 s->part == LAW_MEMBRANE ? "/" : " ", s->along, s->value / s->scene,
+                 s->scene);
+}
+
 void score_stiffness_make(const struct score *score, struct score_stiffness *stiffness)
 {
     const struct scene *scene = &score->truth.scene;
@@ -123,21 +138,5 @@ void score_stiffness_make(const struct score *score, struct score_stiffness *sti
     stiffness->value = s.ff / s.fe;
     stiffness->left = sqrt(fmax(0, 1 - s.fe * s.fe / (s.ff * s.ee)));
     stiffness->found = stiffness->value > 0 && stiffness->left <= LEFT_MOST;
-}
-
-void score_stiffness_text(const struct score_stiffness *s, char text[SCORE_STIFFNESS_TEXT])
-{
-    const bool pulled = s->part == LAW_MEMBRANE;
-
-    if (!s->found) {
-        snprintf(text, SCORE_STIFFNESS_TEXT,
-                 "No stiffness explains its last shape, which must be one at rest (%.2g %% "
-                 "is left): does it still move, or is a step iterated too little?",
-                 100 * s->left);
-        return;
-    }
-    snprintf(text, SCORE_STIFFNESS_TEXT,
-             "%s as stiff as %.4g N%sm along %s, %.3g times the scene's %.4g.",
-             pulled ? "Its membrane is" : "Its bending is", s->value, pulled ? "/" : " ",
-             s->along, s->value / s->scene, s->scene);
+    write_text(stiffness);
 }

@@ -16,14 +16,11 @@ struct score_stiffness {
     double value;       /* stiffness of the frames                       [N/m], [N m]   */
     double scene;       /* stiffness of a narrow strip of the scene      [N/m], [N m]   */
     double left;        /* rms of what it leaves unexplained, over the rms of the strain */
+    char text[256];     /* the sentence                                                 */
 };
 
 /* Measures the last time of a score whose truth is one of these shapes at rest;
  * applies nowhere else. None is found where one leaves more than a tenth unexplained. */
 void score_stiffness_make(const struct score *score, struct score_stiffness *stiffness);
-
-#define SCORE_STIFFNESS_TEXT 256
-void score_stiffness_text(const struct score_stiffness *stiffness,
-                          char text[SCORE_STIFFNESS_TEXT]);
 
 #endif

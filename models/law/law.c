@@ -135,13 +135,6 @@ double law_energy(const double m[LAW_ENTRIES], const double e[3])
     return (e[0] * s[0] + e[1] * s[1] + e[2] * s[2]) / 2;
 }
 
-void law_stress(const double m[LAW_ENTRIES], const double e[3], double s[3])
-{
-    s[0] = m[LAW_11] * e[0] + m[LAW_12] * e[1] + m[LAW_13] * e[2];
-    s[1] = m[LAW_12] * e[0] + m[LAW_22] * e[1] + m[LAW_23] * e[2];
-    s[2] = m[LAW_13] * e[0] + m[LAW_23] * e[1] + m[LAW_33] * e[2];
-}
-
 void law_transform(const double matrix[LAW_ENTRIES], double T[3][3],
                    double out[LAW_ENTRIES])
 {

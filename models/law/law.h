@@ -85,9 +85,16 @@ double law_cross(const struct law *law, enum law_part part);
 /* Tells whether warp and weft run along u and v, either way round. */
 bool law_is_aligned(const struct law *law);
 
-/* Returns e.A e / 2, and computes A e; of three strains or curvatures. */
+/* Computes A e of three strains or curvatures; here, as steps call it for each element. */
+static inline void law_stress(const double m[LAW_ENTRIES], const double e[3], double s[3])
+{
+    s[0] = m[LAW_11] * e[0] + m[LAW_12] * e[1] + m[LAW_13] * e[2];
+    s[1] = m[LAW_12] * e[0] + m[LAW_22] * e[1] + m[LAW_23] * e[2];
+    s[2] = m[LAW_13] * e[0] + m[LAW_23] * e[1] + m[LAW_33] * e[2];
+}
+
+/* Returns e.A e / 2. */
 double law_energy(const double matrix[LAW_ENTRIES], const double strain[3]);
-void law_stress(const double matrix[LAW_ENTRIES], const double strain[3], double stress[3]);
 
 /* Computes a matrix in axes that are turned by `degrees` from its own: exactly for right
  * angles. */

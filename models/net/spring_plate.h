@@ -15,8 +15,7 @@
  * B33 - s_u B13 - s_v B23 > 0: exact where the curvature is constant, and no part is
  * negative.
  *
- * A law that softens (law.h) adds to it, at free points and clamps, the energy of the
- * curvatures |x_uu| and |x_vv|, which are those along warp and weft; these forms come last.
+ * Softening adds to it: spring_soft.h.
  *
  * Clamps: at a held column that cannot turn, the curvature of the cubic that leaves the
  * point x0 along e with the free neighbours x1, x2 on it,
@@ -33,70 +32,22 @@
 #ifndef SPRING_PLATE_H
 #define SPRING_PLATE_H
 
-#include "models/net/spring_net.h"
+#include "models/net/spring_form.h"
 
 enum spring_plate_kind {
-    SPRING_PLATE_U,      /* x_uu a_u^2: points before, at, after; those of x_uv, if any */
-    SPRING_PLATE_V,      /* x_vv a_v^2                                                  */
-    SPRING_PLATE_TWIST,  /* x_uv a_u a_v: points (i,j), (i,j+1), (i+1,j), (i+1,j+1)     */
-    SPRING_PLATE_MEAN,   /* (x_uu + s x_vv) a_u a_v: at, before and after along u, v    */
-    SPRING_PLATE_CLAMP,  /* kappa a^2: the held point, its neighbour, the next          */
-    SPRING_PLATE_SOFT_U, /* x_uu a_u^2, or a clamp's, as it softens: not quadratic, and
-                            `stiffness` is its area [m^2]                              */
-    SPRING_PLATE_SOFT_V,
-    SPRING_PLATE_SOFT = 1 << SPRING_PLATE_SOFT_U | 1 << SPRING_PLATE_SOFT_V /* bits    */
+    SPRING_PLATE_U,     /* x_uu a_u^2: points before, at, after; those of x_uv, if any  */
+    SPRING_PLATE_V,     /* x_vv a_v^2                                                   */
+    SPRING_PLATE_TWIST, /* x_uv a_u a_v: points (i,j), (i,j+1), (i+1,j), (i+1,j+1)      */
+    SPRING_PLATE_MEAN,  /* (x_uu + s x_vv) a_u a_v: at, before and after along u, v     */
+    SPRING_PLATE_CLAMP  /* kappa a^2: the held point, its neighbour, the next           */
 };
 
-/* A term of the energy: stiffness |sum weight x_node + shift|^2 / 2. */
-enum { SPRING_PLATE_POINTS = 9 };
-struct spring_plate_form {
-    enum spring_plate_kind kind;
-    int at; /* the node that it belongs to                                              */
-    int count, node[SPRING_PLATE_POINTS];
-    double weight[SPRING_PLATE_POINTS]; /* sum to zero                           [1]   */
-    double shift[3];                    /* shift of clamps                       [m]   */
-    double stiffness;                   /* >= 0                                  [N/m] */
-};
-
-/* Makes all of a net's, *forms, owned by the caller; none if its law has no bending. */
+/* Makes all forms of a net, of the energy stiffness |value|^2 / 2; none if its law has no
+ * bending. Owned by the caller. */
 enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
-                              struct spring_plate_form **forms, int *count);
-
-/* Sorts the forms whose kinds are bits of `kinds` by the least row that they reach:
- * *sorted, owned by the caller; at[rows of points + 1], zero before, has the first of each
- * row. */
-enum status spring_plate_by_rows(const struct spring_net *net, int count,
-                                 const struct spring_plate_form *forms, unsigned kinds,
-                                 struct spring_plate_form **sorted, int *at);
-
-/* The softening along u and v, and the squares of the cell's sides. */
-struct spring_plate_soft {
-    struct law_soft law[2];
-    double square[2]; /*                                                       [m^2]   */
-};
-struct spring_plate_soft spring_plate_softening(const struct scene *scene,
-                                                const struct spring_net *net);
-
-/* Returns the energy [J] of a form of SPRING_PLATE_SOFT at a value. */
-double spring_plate_soft_energy(const struct spring_plate_soft *s,
-                                const struct spring_plate_form *form,
-                                const double value[3]);
-
-/* Returns k of the derivative k value, and computes q of the second derivative
- * k I + q value value^t [N/m], [N/m^3]. */
-double spring_plate_soft_pull(const struct spring_plate_soft *s,
-                              const struct spring_plate_form *form, const double value[3],
-                              double *along);
+                              struct spring_forms *forms);
 
 /* Computes the weights of SPRING_PLATE_MEAN: of neighbours along u and along v. */
 void spring_plate_mean(const struct scene *scene, const double cell[2], double weight[2]);
-
-/* Returns the weight of the curvature at a free point of a line, 1 in the middle of the
- * net; the arguments are the nodes before and behind it. */
-double spring_plate_beside(const struct spring_net *net, int before, int behind);
-
-/* Computes the form's value at x[nodes][3], value[3] [m]. */
-void spring_plate_value(const struct spring_plate_form *form, const double *x,
-                        double value[3]);
 
 #endif

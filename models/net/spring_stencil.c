@@ -69,24 +69,28 @@ static void add_struts(struct spring_stencil *s)
     }
 }
 
-/* Adds the forces of a form on each of its points, by the others. */
-static void add_form(struct spring_stencil *s, const struct spring_plate_form *form)
+/* Adds the forces of all forms on each of their points, by the others. */
+static void add_forms(struct spring_stencil *s, const struct spring_forms *forms)
 {
-    for (int m = 0; m < form->count; m++) {
-        int a = form->node[m];
-        double b = form->stiffness * form->weight[m];
-        for (int n = 0; n < form->count; n++)
-            if (n != m)
-                s->bend[a][place_of(s->net, a, form->node[n])] -= b * form->weight[n];
-        for (int c = 0; c < 3; c++)
-            s->clamp[a][c] -= b * form->shift[c];
+    for (int k = 0; k < forms->count; k++) {
+        const struct spring_form *form = spring_form_of(forms, k);
+        for (int m = 0; m < form->count; m++) {
+            const int a = forms->place[k].at + form->step[m];
+            const double b = form->stiffness * form->weight[m];
+            for (int n = 0; n < form->count; n++)
+                if (n != m)
+                    s->bend[a][place_of(s->net, a, forms->place[k].at + form->step[n])] -=
+                        b * form->weight[n];
+            for (int c = 0; c < 3; c++)
+                s->clamp[a][c] -= b * form->shift[c];
+        }
     }
 }
 
 void spring_stencil_clear(struct spring_stencil *s)
 {
     free(s->room);
-    free(s->form);
+    spring_soft_clear(&s->soft);
     memset(s, 0, sizeof *s);
 }
 
@@ -96,41 +100,33 @@ enum status spring_stencil_init(struct spring_stencil *s, const struct scene *sc
 {
     enum status st;
     size_t nodes = (size_t)net->nodes;
-    struct spring_plate_form *forms = NULL;
-    int count = 0;
+    struct spring_forms forms = {0};
 
     *s = (struct spring_stencil){.net = net, .springs = springs};
     TRY(room_cut(&s->room, ROOM(s->spring, nodes), ROOM(s->bend, nodes),
-                 ROOM(s->clamp, nodes), ROOM(s->form_at, (size_t)net->points[0] + 1),
+                 ROOM(s->clamp, nodes),
                  ROOM(s->strut, bending == BENDING_STRUT ? nodes : 0)));
     set_springs(s);
-    if (bending == BENDING_STRUT)
+    TRY(spring_soft_init(&s->soft, scene, net));
+    if (bending == BENDING_STRUT) {
         add_struts(s);
-    else
-        TRY(spring_plate_make(scene, net, &forms, &count));
-    for (int n = 0; n < count; n++)
-        if (forms[n].kind < SPRING_PLATE_SOFT_U)
-            add_form(s, &forms[n]);
-    if (scene_needs(scene) & SCENE_NEED_SOFTENING) {
-        s->soft = spring_plate_softening(scene, net);
-        TRY(spring_plate_by_rows(net, count, forms, SPRING_PLATE_SOFT, &s->form,
-                                 s->form_at));
+    } else {
+        TRY(spring_plate_make(scene, net, &forms));
+        add_forms(s, &forms);
     }
 out:
-    free(forms);
+    spring_forms_clear(&forms);
     return st;
 }
 
-void spring_stencil_replace(struct spring_stencil *s, int count,
-                            const struct spring_plate_form *forms)
+void spring_stencil_replace(struct spring_stencil *s, const struct spring_forms *forms)
 {
     size_t nodes = (size_t)s->net->nodes;
 
     memset(s->spring, 0, nodes * sizeof *s->spring);
     memset(s->bend, 0, nodes * sizeof *s->bend);
     memset(s->clamp, 0, nodes * sizeof *s->clamp);
-    for (int n = 0; n < count; n++)
-        add_form(s, &forms[n]);
+    add_forms(s, forms);
 }
 
 static double square_of_edge(const double *x, int a, int b, double edge[3])
@@ -175,9 +171,9 @@ double spring_stencil_energy(const struct spring_stencil *s, const double *x)
                 moved += (edge[c] - rest[c]) * (edge[c] - rest[c]);
             energy += strain_of(s, a, n, q).energy + s->bend[a][n] * moved / 2;
         }
-    for (int n = 0; n < s->form_at[s->net->points[0]]; n++) {
-        spring_plate_value(&s->form[n], x, edge);
-        energy += spring_plate_soft_energy(&s->soft, &s->form[n], edge);
+    for (int k = 0; k < s->soft.forms.count; k++) {
+        spring_form_value(&s->soft.forms, k, x, edge);
+        energy += spring_soft_energy(&s->soft, k, edge);
     }
     return energy;
 }
@@ -235,31 +231,10 @@ void spring_stencil_force_add(const struct spring_stencil *s, const double *x, d
         }
     for (int t = 0; t < 3 * s->net->nodes; t++)
         f[t] += s->clamp[t / 3][t % 3];
-    for (int n = 0; n < s->form_at[s->net->points[0]]; n++) {
-        const struct spring_plate_form *form = &s->form[n];
-        double along;
-        spring_plate_value(form, x, edge);
-        const double pull = spring_plate_soft_pull(&s->soft, form, edge, &along);
-        for (int k = 0; k < form->count; k++)
-            for (int c = 0; c < 3; c++)
-                f[3 * form->node[k] + c] -= pull * form->weight[k] * edge[c];
+    for (int k = 0; k < s->soft.forms.count; k++) {
+        spring_form_value(&s->soft.forms, k, x, edge);
+        spring_soft_force(&s->soft, k, edge, -1, f);
     }
-}
-
-void spring_stencil_soften(const struct spring_stencil *s,
-                           const struct spring_plate_form *form, const double value[3],
-                           double s1, double (*K)[9])
-{
-    double along, block[9];
-    const double pull = spring_plate_soft_pull(&s->soft, form, value, &along);
-
-    for (int p = 0; p < form->count; p++)
-        for (int q = p + 1; q < form->count; q++) { /* the weights sum to zero */
-            for (int t = 0; t < 9; t++)
-                block[t] = -s1 * form->weight[p] * form->weight[q] *
-                           (along * value[t / 3] * value[t % 3] + (t % 4 ? 0 : pull));
-            add_block(&s->net->graph, form->node[p], form->node[q], block, K);
-        }
 }
 
 void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bool clamped,
@@ -280,8 +255,8 @@ void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bo
                 block[t] = e.gain * edge[t / 3] * edge[t % 3] + (t % 4 == 0 ? all : 0);
             add_block(graph, a, b, block, K);
         }
-    for (int n = 0; n < s->form_at[s->net->points[0]]; n++) {
-        spring_plate_value(&s->form[n], x, edge);
-        spring_stencil_soften(s, &s->form[n], edge, 1, K);
+    for (int k = 0; k < s->soft.forms.count; k++) {
+        spring_form_value(&s->soft.forms, k, x, edge);
+        spring_soft_tangent(&s->soft, k, edge, 1, graph, K);
     }
 }

@@ -15,6 +15,7 @@
 #define SPRING_STENCIL_H
 
 #include "models/net/spring_plate.h"
+#include "models/net/spring_soft.h"
 
 enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12, SPRING_STENCIL_STRUTS = 16 };
 
@@ -33,10 +34,8 @@ struct spring_stencil {
     double (*bend)[SPRING_STENCIL_ALL]; /* [nodes] force towards a neighbour, per metre of
                                     edge                                     [N/m]    */
     double (*strut)[SPRING_STENCIL_STRUTS]; /* [nodes] P of edges, of struts; or NULL [N] */
-    double (*clamp)[3]; /* [nodes] constant force of clamps          [N]     */
-    struct spring_plate_soft soft;
-    struct spring_plate_form *form; /* what softens, by rows; steps do not know it  owned */
-    int *form_at;                   /* [rows + 1] first of each                           */
+    double (*clamp)[3];      /* [nodes] constant force of clamps          [N]     */
+    struct spring_soft soft; /* explicit steps do not know it                 owned  */
 };
 
 /* Initialises, after spring_net_init; `net` must stay where it is. No bending where its law
@@ -47,8 +46,7 @@ enum status spring_stencil_init(struct spring_stencil *s, const struct scene *sc
 void spring_stencil_clear(struct spring_stencil *s);
 
 /* Puts these forms in place of all bending, without springs; their `square` stays. */
-void spring_stencil_replace(struct spring_stencil *s, int count,
-                            const struct spring_plate_form *forms);
+void spring_stencil_replace(struct spring_stencil *s, const struct spring_forms *forms);
 
 /* Returns the neighbour's node, or -1 beyond the rim. */
 int spring_stencil_node(const struct spring_net *net, int node, int neighbour);
@@ -65,11 +63,6 @@ void spring_stencil_force_add(const struct spring_stencil *s, const double *x, d
  * and K is positive semi-definite. */
 void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bool clamped,
                              double (*K)[9]);
-
-/* Adds s1 times the second derivative of what softens, at a value, to K likewise. */
-void spring_stencil_soften(const struct spring_stencil *s,
-                           const struct spring_plate_form *form, const double value[3],
-                           double s1, double (*K)[9]);
 
 /* Returns the largest (l/r)^2 of a spring at x[nodes][3] [1]. */
 double spring_stencil_stretch2(const struct spring_stencil *s, const double *x);

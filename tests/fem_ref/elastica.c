@@ -1,6 +1,6 @@
 /* The heavy elastica against values computed elsewhere by another method, and its limits.
  */
-#include "fem_ref/elastica.h"
+#include "fem_ref/elastica_soft.h"
 #include "fem_ref/reference.h"
 #include "tests/check.h"
 
@@ -81,8 +81,28 @@ static void check_buckled(void)
           isnan(elastica_buckled(NAN)));
 }
 
+/* Without softening, and with so much that every point is on the law's last line, where
+ * M = M0 + 0.1 B k and M0 tends to 0: a strip a tenth as stiff. */
+static void check_soft(void)
+{
+    static const double gammas[] = {0.1, 3, 30}, all[] = {0, -1e9}, share[] = {1, 0.1};
+
+    for (int c = 0; c < 2; c++)
+        for (int n = 0; n < 3; n++) {
+            const struct law_fabric cloth = {
+                {1, 1, 0, 1}, {2e-3, 3e-3, 0, 1e-3}, 0, 1, {all[c], all[c]}};
+            const struct law law = law_of_fabric(&cloth);
+            struct elastica_point soft, want;
+            const double bar = elastica_soft(&law, gammas[n] * share[c] * 2e-3, &soft);
+            CHECK(elastica_solve(gammas[n], &want) == STATUS_OK);
+            CHECK_NEAR(soft.drop, want.drop, bar);
+            CHECK_NEAR(soft.reach, want.reach, bar);
+        }
+}
+
 int main(void)
 {
+    check_soft();
     check_buckled();
     check_table();
     check_limits();

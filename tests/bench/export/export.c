@@ -155,6 +155,11 @@ static void fabric_materials(void)
     CHECK_RELATIVE(number_of("hinge diagonal"), 4 * 6e-6 * a * b / (a * a + b * b),
                    TOL_SUM);
     CHECK(has("spring u"));
+    CHECK(!has("C1"));
+    open_table(exported("strip_bias", "9,7",
+                        (const char *const[]){"material.softening=[-1e-9, 0]", NULL}),
+               "materials");
+    CHECK(number_of("C1") == -1e-9 && !has("C2"));
     open_table(exported("strip_bias", "9,7", NULL), "materials");
     CHECK(number_of("warp") == 45 && has("hinge diagonal") && !has("spring diagonal"));
 }

@@ -15,15 +15,17 @@ static const char *const blocks[] = {
     "{fabric: denim, warp: 30}",
     "{membrane: [2000, 5000, 800, 300], bending: [1e-5, 4e-5, 4e-6, 6e-6], "
     "areal_density: 0.1, warp: 90}",
+    "{fabric: feng_421, softening: [-5.06e-8, -2.19e-8], warp: 30}",
 };
 /* Words that take the place of others. */
 static const char *const words[] = {
-    "0",       "-1",      "1e-9",    "1e-300",   "1e300",   "1e15",  "nan",
-    "inf",     "-0.0",    "359.999", "89.99999", "0x10",    "1e-5",  "5000",
-    "denim",   "nylon",   "~",       "''",       "[]",      "{}",    "[1, 2, 3]",
-    "fabric",  "young",   "warp",    "membrane", "bending", ",",     ":",
-    "]",       "}",       "&a",      "*a",       "#",       "\xff",  "areal_density",
-    "poisson", "density", "0.49",    "800",      "-800",    "1e-12", "3162.2",
+    "0",       "-1",      "1e-9",    "1e-300",   "1e300",     "1e15",  "nan",
+    "inf",     "-0.0",    "359.999", "89.99999", "0x10",      "1e-5",  "5000",
+    "denim",   "nylon",   "~",       "''",       "[]",        "{}",    "[1, 2, 3]",
+    "fabric",  "young",   "warp",    "membrane", "bending",   ",",     ":",
+    "]",       "}",       "&a",      "*a",       "#",         "\xff",  "areal_density",
+    "poisson", "density", "0.49",    "800",      "-800",      "1e-12", "3162.2",
+    "-1e-8",   "[-1, 0]", "law",     "mean",     "softening",
 };
 static const char punctuation[] = "{}[],: ";
 
@@ -124,7 +126,8 @@ static bool is_read(const char *text)
         CHECK(scene.thickness > 0 && scene.density > 0 && scene.young > 0 &&
               scene.poisson < 0.5 &&
               (!scene.is_fabric ||
-               (is_sound(scene.fabric.membrane) && is_sound(scene.fabric.bending))));
+               (is_sound(scene.fabric.membrane) && is_sound(scene.fabric.bending) &&
+                scene.fabric.softening[0] <= 0 && scene.fabric.softening[1] <= 0)));
     scene_clear(&scene);
     discretization_clear(&d);
     return st == STATUS_OK;
@@ -169,7 +172,7 @@ int main(int argc, char **argv)
 
     for (int n = 0; n < count; n++) {
         char text[ROOM];
-        snprintf(text, sizeof text, "%s", blocks[any(3)]);
+        snprintf(text, sizeof text, "%s", blocks[any(sizeof blocks / sizeof *blocks)]);
         for (size_t k = 1 + any(3); k > 0; k--)
             mutate(text);
         if (is_read(text) && ++read % EVERY == 0)

@@ -6,11 +6,13 @@
 #include "models/room.h"
 #include "models/vector.h"
 
-/* A triangle near a sample, and how near when it was found [m]. */
+/* A triangle near a sample, how near when it was found [m], and on which of its sides it
+ * stays while near triangles are kept: EITHER if that isn't sure. */
 struct contact_near {
-    int sample, triangle;
+    int sample, triangle, side;
     double distance;
 };
+enum { EITHER = 2 };
 
 struct contact_pair {
     int cell, other;
@@ -191,7 +193,8 @@ static int near_of_cell(const struct contact_search *s, int samples, int cell,
                 continue;
             const double distance = sqrt(contact_foot_nearest(y, p, share));
             if (distance < reach)
-                near[count++] = (struct contact_near){sample[n], first + k, distance};
+                near[count++] =
+                    (struct contact_near){sample[n], first + k, EITHER, distance};
         }
     }
     return count;
@@ -308,6 +311,43 @@ static void find_normals(struct contact_search *s)
         contact_foot_normal(&s->sheet, s->use[n], s->normal + 3 * (long)s->use[n]);
 }
 
+/* Returns the side of its sample on which all of a near triangle stays. Places move by half
+ * of the margin at most, so ways between them and differences of neighbours by all of it,
+ * which turns the normal, their product. */
+static int side_of(const struct contact_search *s, const struct contact_near *near)
+{
+    const struct contact_surface *f = s->sheet.surface;
+    const int m = f->points[1], i = near->sample / m % f->rows, j = near->sample % m;
+    const double *y = s->sheet.y + 3 * (long)near->sample;
+    const double *n = s->normal + 3 * (long)near->sample;
+    double u[3], v[3], low = INFINITY, high = -INFINITY;
+    int corner[3];
+
+    if (i == 0 || i + 1 == f->rows || j == 0 || j + 1 == m)
+        return EITHER;
+    vector_between(y - 3 * (long)m, y + 3 * (long)m, u);
+    vector_between(y - 3, y + 3, v);
+    const double turn = s->margin * (vector_length(u) + vector_length(v) + s->margin);
+    const double shift = s->margin * (vector_length(n) + turn);
+    contact_foot_corners(f, near->triangle, corner);
+    for (int k = 0; k < 3; k++) {
+        double way[3];
+        vector_between(s->sheet.y + 3 * (long)corner[k], y, way);
+        const double along = vector_dot(way, n);
+        const double change = vector_length(way) * turn + shift;
+        low = smaller(low, along - change);
+        high = larger(high, along + change);
+    }
+    return low > 0 ? 1 : high < 0 ? 0 : EITHER;
+}
+
+static void find_sides(struct contact_search *s)
+{
+#pragma omp parallel for if (s->near_count >= PARALLEL)
+    for (long n = 0; n < s->near_count; n++)
+        s->near[n].side = side_of(s, &s->near[n]);
+}
+
 /* Finds near triangles again. */
 static enum status seek(struct contact_search *s)
 {
@@ -321,6 +361,8 @@ static enum status seek(struct contact_search *s)
     TRY(test_pairs(s));
     TRY(sort_near(s));
     list_used(s);
+    find_normals(s);
+    find_sides(s);
     memcpy(s->kept, s->sheet.y, 3 * (size_t)s->sheet.surface->count * sizeof *s->kept);
 out:
     s->stale = st != STATUS_OK;
@@ -384,16 +426,23 @@ static void consider_all(const struct contact_search *s, int sample,
     }
 }
 
-/* Considers the near triangles of a sample; samples have moved by `way` at most. */
-static void consider_near(const struct contact_search *s, int sample, double way,
-                          struct contact_pairs *pairs, struct contact_place best[2])
+/* Considers the first of the near triangles of a sample, or the others, which are seldom
+ * closer; samples have moved by `way` at most. */
+static void consider_near(const struct contact_search *s, int sample, bool others,
+                          double way, struct contact_pairs *pairs,
+                          struct contact_place best[2])
 {
-    const struct contact_near *near = s->near + s->first[sample];
-    const struct contact_near *end = s->near + s->first[sample + 1];
+    const struct contact_near *near = s->near + s->first[sample] + others;
+    const struct contact_near *end = others ? s->near + s->first[sample + 1] : near + 1;
 
-    for (; near < end && near->distance - 2 * way < s->start; near++)
-        if (contact_foot_add(&s->sheet, pairs, sample, near->triangle, best))
+    for (; near < end && near->distance - 2 * way < s->start; near++) {
+        const double least = larger(near->distance - 2 * way, 0);
+        const double most = near->side == EITHER ? larger(best[0].square, best[1].square)
+                                                 : best[near->side].square;
+        if (least * least <= most &&
+            contact_foot_add(&s->sheet, pairs, sample, near->triangle, best))
             contact_foot_consider(&s->sheet, pairs);
+    }
 }
 
 /* Finds the feet of a piece of the samples in use, which have moved by `way` at most, or of
@@ -401,15 +450,18 @@ static void consider_near(const struct contact_search *s, int sample, double way
 static int find_piece(const struct contact_search *s, int first, double way, bool all)
 {
     const int count = s->actives - first < PIECE ? s->actives - first : PIECE;
+    const int *active = s->active + first;
     struct contact_place best[PIECE][2];
     struct contact_pairs pairs = {{0}};
 
-    for (int n = 0; n < count; n++) {
+    for (int n = 0; n < count; n++)
         contact_foot_begin(s->start, best[n]);
-        if (all)
-            consider_all(s, s->active[first + n], &pairs, best[n]);
-        else
-            consider_near(s, s->active[first + n], way, &pairs, best[n]);
+    for (int n = 0; all && n < count; n++)
+        consider_all(s, active[n], &pairs, best[n]);
+    for (int others = 0; !all && others < 2; others++) {
+        for (int n = 0; n < count; n++)
+            consider_near(s, active[n], others, way, &pairs, best[n]);
+        contact_foot_consider(&s->sheet, &pairs);
     }
     contact_foot_consider(&s->sheet, &pairs);
     return finish(s, first, count, (const struct contact_place(*)[2])best);

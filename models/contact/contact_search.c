@@ -6,13 +6,11 @@
 #include "models/room.h"
 #include "models/vector.h"
 
-/* A triangle near a sample, how near when it was found [m], and on which of its sides it
- * stays while near triangles are kept: EITHER if that isn't sure. */
+/* A triangle near a sample, and how near it was when it was found, at least [m]. */
 struct contact_near {
-    int sample, triangle, side;
-    double distance;
+    int sample, triangle;
+    float distance;
 };
-enum { EITHER = 2 };
 
 struct contact_pair {
     int cell, other;
@@ -20,12 +18,15 @@ struct contact_pair {
 
 /* Samples or pairs of cells from which threads are worth their start; of a piece. */
 enum { PARALLEL = 1000, PIECE = 64, FIRST_ROOM = 1024 };
+enum { EITHER = 2 }; /* of the two sides of a sample */
 
 /* Margin over start: start and margin stay below the distance along the sheet from which
  * pairs count, so that flat parts have nothing near. */
 static const double margin_share = 0.2;
 /* A share of start that rounding can't reach. */
 static const double rounding = 1e-9;
+/* A share of a distance that is less than it in single precision, too. */
+static const double less = 1 - 1e-7;
 static const double half_pi = 1.5707963267948966;
 
 void contact_search_clear(struct contact_search *s)
@@ -62,7 +63,7 @@ enum status contact_search_init(struct contact_search *s,
     s->sheet.tree = &s->tree;
     TRY(room_cut(&s->room, ROOM(s->own, s->plain ? 0 : 3 * count), ROOM(s->kept, 3 * count),
                  ROOM(s->normal, 3 * count), ROOM(s->ready, count), ROOM(s->use, count),
-                 ROOM(s->first, count + 1), ROOM(s->active, count),
+                 ROOM(s->first, count + 1), ROOM(s->active, count), ROOM(s->side, count),
                  ROOM(s->found, count / PIECE + 1), ROOM(s->foot, 2 * count),
                  ROOM(s->node, 2 * count * width), ROOM(s->weight, 2 * count * width)));
     s->sheet.normal = s->normal, s->sheet.ready = s->ready;
@@ -166,38 +167,57 @@ static bool useless(const struct contact_search *s, int sample, const int corner
     return true;
 }
 
-/* Finds the triangles of a cell near the samples of another; returns how many. */
-static int near_of_cell(const struct contact_search *s, int samples, int cell,
-                        struct contact_near *near)
+/* Triangles that may be near samples, in the lanes, and what was found of them. */
+struct sieve {
+    struct contact_lanes lanes;
+    int triangle[CONTACT_LANES];
+    int count;
+    struct contact_near near[16 * PIECE]; /* of pairs of cells */
+};
+
+/* Keeps those in the lanes that are near. */
+static void sift(const struct contact_search *s, struct sieve *v)
 {
-    int sample[4], count = 0;
+    if (v->lanes.count)
+        contact_lanes_nearest(&v->lanes);
+    for (int l = 0; l < v->lanes.count; l++) {
+        const double distance = sqrt(v->lanes.square[l]);
+        v->near[v->count] = (struct contact_near){v->lanes.point[0][l], v->triangle[l],
+                                                  (float)(less * distance)};
+        v->count += distance < s->start + s->margin;
+    }
+    v->lanes.count = 0;
+}
+
+/* Looks at the triangles of a cell for the samples of another. */
+static void look_at(const struct contact_search *s, int samples, int cell, struct sieve *v)
+{
+    int sample[4];
     const int many = contact_tree_samples(&s->tree, samples, sample);
     const int first = contact_tree_triangle(&s->tree, cell);
     const double reach = s->start + s->margin;
 
     for (int k = 0; k < 2; k++) {
         int corner[3];
-        const double *p[3];
-        double low[3], high[3], share[3];
+        double low[3], high[3];
         contact_foot_corners(s->sheet.surface, first + k, corner);
-        for (int c = 0; c < 3; c++)
-            p[c] = s->sheet.y + 3 * (long)corner[c];
         for (int i = 0; i < 3; i++) {
-            low[i] = smaller(smaller(p[0][i], p[1][i]), p[2][i]) - reach;
-            high[i] = larger(larger(p[0][i], p[1][i]), p[2][i]) + reach;
+            const double *y = s->sheet.y + i, p = y[3 * (long)corner[0]];
+            const double q = y[3 * (long)corner[1]], r = y[3 * (long)corner[2]];
+            low[i] = smaller(smaller(p, q), r) - reach;
+            high[i] = larger(larger(p, q), r) + reach;
         }
         for (int n = 0; n < many; n++) {
             const double *y = s->sheet.y + 3 * (long)sample[n];
             if (y[0] < low[0] || y[0] > high[0] || y[1] < low[1] || y[1] > high[1] ||
                 y[2] < low[2] || y[2] > high[2] || useless(s, sample[n], corner))
                 continue;
-            const double distance = sqrt(contact_foot_nearest(y, p, share));
-            if (distance < reach)
-                near[count++] =
-                    (struct contact_near){sample[n], first + k, EITHER, distance};
+            v->triangle[v->lanes.count] = first + k;
+            contact_lanes_set(&v->lanes, v->lanes.count++, sample[n], corner);
+            if (v->lanes.count == CONTACT_LANES)
+                sift(s, v);
         }
     }
-    return count;
 }
 
 static enum status keep_pair(struct contact_tree_search *search, int cell, int other)
@@ -220,22 +240,23 @@ static enum status test_pairs(struct contact_search *s)
     s->near_count = 0;
 #pragma omp parallel for schedule(dynamic, 4) if (s->pair_count >= PARALLEL)
     for (long piece = 0; piece < pieces; piece++) {
-        struct contact_near found[16 * PIECE];
-        int count = 0;
+        struct sieve v;
+        v.lanes = (struct contact_lanes){.y = s->sheet.y}, v.count = 0;
         for (long n = piece * PIECE; n < (piece + 1) * PIECE && n < s->pair_count; n++) {
             const struct contact_pair *p = &s->pair[n];
-            count += near_of_cell(s, p->cell, p->other, found + count);
+            look_at(s, p->cell, p->other, &v);
             if (p->cell != p->other)
-                count += near_of_cell(s, p->other, p->cell, found + count);
+                look_at(s, p->other, p->cell, &v);
         }
-        if (count)
+        sift(s, &v);
+        if (v.count)
 #pragma omp critical
         {
             const enum status more =
-                grow(&s->near, sizeof *s->near, s->near_count + count, &s->near_room);
+                grow(&s->near, sizeof *s->near, s->near_count + v.count, &s->near_room);
             if (more == STATUS_OK)
-                memcpy(s->near + s->near_count, found, count * sizeof *found);
-            s->near_count += more == STATUS_OK ? count : 0;
+                memcpy(s->near + s->near_count, v.near, v.count * sizeof *v.near);
+            s->near_count += more == STATUS_OK ? v.count : 0;
             st = st ? st : more;
         }
     }
@@ -311,17 +332,16 @@ static void find_normals(struct contact_search *s)
         contact_foot_normal(&s->sheet, s->use[n], s->normal + 3 * (long)s->use[n]);
 }
 
-/* Returns the side of its sample on which all of a near triangle stays. Places move by half
- * of the margin at most, so ways between them and differences of neighbours by all of it,
- * which turns the normal, their product. */
-static int side_of(const struct contact_search *s, const struct contact_near *near)
+/* Returns the side of a sample on which all of its near triangles stay while they are kept,
+ * EITHER if that isn't sure. Places move by half of the margin at most, so ways between
+ * them and differences of neighbours by all of it, which turns the normal, their product.
+ */
+static int side_of(const struct contact_search *s, int sample)
 {
     const struct contact_surface *f = s->sheet.surface;
-    const int m = f->points[1], i = near->sample / m % f->rows, j = near->sample % m;
-    const double *y = s->sheet.y + 3 * (long)near->sample;
-    const double *n = s->normal + 3 * (long)near->sample;
+    const int m = f->points[1], i = sample / m % f->rows, j = sample % m;
+    const double *y = s->sheet.y + 3 * (long)sample, *n = s->normal + 3 * (long)sample;
     double u[3], v[3], low = INFINITY, high = -INFINITY;
-    int corner[3];
 
     if (i == 0 || i + 1 == f->rows || j == 0 || j + 1 == m)
         return EITHER;
@@ -329,23 +349,25 @@ static int side_of(const struct contact_search *s, const struct contact_near *ne
     vector_between(y - 3, y + 3, v);
     const double turn = s->margin * (vector_length(u) + vector_length(v) + s->margin);
     const double shift = s->margin * (vector_length(n) + turn);
-    contact_foot_corners(f, near->triangle, corner);
-    for (int k = 0; k < 3; k++) {
-        double way[3];
-        vector_between(s->sheet.y + 3 * (long)corner[k], y, way);
-        const double along = vector_dot(way, n);
-        const double change = vector_length(way) * turn + shift;
-        low = smaller(low, along - change);
-        high = larger(high, along + change);
+    for (int k = s->first[sample]; k < s->first[sample + 1]; k++) {
+        int corner[3];
+        contact_foot_corners(f, s->near[k].triangle, corner);
+        for (int c = 0; c < 3; c++) {
+            double way[3];
+            vector_between(s->sheet.y + 3 * (long)corner[c], y, way);
+            const double along = vector_dot(way, n);
+            const double change = vector_length(way) * turn + shift;
+            low = smaller(low, along - change), high = larger(high, along + change);
+        }
     }
     return low > 0 ? 1 : high < 0 ? 0 : EITHER;
 }
 
 static void find_sides(struct contact_search *s)
 {
-#pragma omp parallel for if (s->near_count >= PARALLEL)
-    for (long n = 0; n < s->near_count; n++)
-        s->near[n].side = side_of(s, &s->near[n]);
+#pragma omp parallel for if (s->actives >= PARALLEL)
+    for (int n = 0; n < s->actives; n++)
+        s->side[n] = (char)side_of(s, s->active[n]);
 }
 
 /* Finds near triangles again. */
@@ -426,8 +448,8 @@ static void consider_all(const struct contact_search *s, int sample,
     }
 }
 
-/* Considers the first of the near triangles of a sample, or the others, which are seldom
- * closer; samples have moved by `way` at most. */
+/* Considers the first of the near triangles of a sample, or those of the others, the
+ * nearest first, that may be closer; samples have moved by `way` at most. */
 static void consider_near(const struct contact_search *s, int sample, bool others,
                           double way, struct contact_pairs *pairs,
                           struct contact_place best[2])
@@ -435,12 +457,11 @@ static void consider_near(const struct contact_search *s, int sample, bool other
     const struct contact_near *near = s->near + s->first[sample] + others;
     const struct contact_near *end = others ? s->near + s->first[sample + 1] : near + 1;
 
-    for (; near < end && near->distance - 2 * way < s->start; near++) {
+    for (; near < end; near++) {
         const double least = larger(near->distance - 2 * way, 0);
-        const double most = near->side == EITHER ? larger(best[0].square, best[1].square)
-                                                 : best[near->side].square;
-        if (least * least <= most &&
-            contact_foot_add(&s->sheet, pairs, sample, near->triangle, best))
+        if (least * least > larger(best[0].square, best[1].square))
+            break;
+        if (contact_foot_add(&s->sheet, pairs, sample, near->triangle, best))
             contact_foot_consider(&s->sheet, pairs);
     }
 }
@@ -452,10 +473,14 @@ static int find_piece(const struct contact_search *s, int first, double way, boo
     const int count = s->actives - first < PIECE ? s->actives - first : PIECE;
     const int *active = s->active + first;
     struct contact_place best[PIECE][2];
-    struct contact_pairs pairs = {{0}};
+    struct contact_pairs pairs = {.lanes = {.y = s->sheet.y}};
 
-    for (int n = 0; n < count; n++)
+    for (int n = 0; n < count; n++) {
+        const int side = all ? EITHER : s->side[first + n];
         contact_foot_begin(s->start, best[n]);
+        if (side != EITHER)
+            best[n][!side].square = -1; /* nothing will be there */
+    }
     for (int n = 0; all && n < count; n++)
         consider_all(s, active[n], &pairs, best[n]);
     for (int others = 0; !all && others < 2; others++) {

@@ -68,18 +68,38 @@ static inline double difference(const double *y, int at, int points, long step)
     return at ? -near : near;
 }
 
-void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3])
+/* Computes the normal at sample j of row i of a sheet. */
+static inline void normal_at(const struct contact_sheet *sheet, int sample, int i, int j,
+                             double normal[3])
 {
     const struct contact_surface *s = sheet->surface;
-    const int m = s->points[1], i = sample / m, j = sample % m;
+    const int m = s->points[1];
     const double *y = sheet->y + 3 * (long)sample;
     double along_u[3], along_v[3];
 
     for (int k = 0; k < 3; k++) {
-        along_u[k] = difference(y + k, i % s->rows, s->rows, m);
+        along_u[k] = difference(y + k, i, s->rows, m);
         along_v[k] = difference(y + k, j, m, 1);
     }
     vector_cross(along_u, along_v, normal);
+}
+
+void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3])
+{
+    const int m = sheet->surface->points[1];
+
+    normal_at(sheet, sample, sample / m % sheet->surface->rows, sample % m, normal);
+}
+
+void contact_foot_normals(const struct contact_sheet *sheet, int i, const bool *wanted,
+                          double *normal)
+{
+    const int m = sheet->surface->points[1], first = i * m;
+
+    for (int j = 0; j < m; j++)
+        if (wanted[first + j])
+            normal_at(sheet, first + j, i % sheet->surface->rows, j,
+                      normal + 3 * (long)(first + j));
 }
 
 /* Returns the squared cosine of the angle between the way from a point of a triangle to a
@@ -153,7 +173,7 @@ static int neighbour(const struct contact_surface *s, int triangle, int corner)
     return 2 * (i * m + j) + by[2];
 }
 
-/* A triangle of which not all corners may be ready. */
+/* A triangle at whose corners normals may be missing. */
 struct face {
     struct contact_lanes lanes; /* the first, of the arrays                        */
     double y[4][3], normal[4][3];
@@ -348,12 +368,13 @@ static double strength(const struct contact_sheet *sheet, const struct contact_p
                        const struct contact_foot *foot, bool near)
 {
     const struct contact_surface *s = sheet->surface;
+    const double seen = contact_foot_seen(place->square_cos);
+
+    if (!near)
+        return seen;
     const double uv[2] = {s->line[0][foot->sample / s->points[1]],
                           s->line[1][foot->sample % s->points[1]]};
-
-    const double apart =
-        near ? contact_foot_far(sheet, uv, (const double[2]){foot->u, foot->v}) : 1;
-    return apart * contact_foot_seen(place->square_cos);
+    return seen * contact_foot_far(sheet, uv, (const double[2]){foot->u, foot->v});
 }
 
 /* A sheet's feet in the lanes, from places that are kept until they are filled. */

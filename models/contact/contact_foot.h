@@ -40,8 +40,8 @@ struct contact_sheet {
     const struct contact_surface *surface; /*                              borrowed  */
     const struct contact_tree *tree; /* for distances along the sheet      borrowed  */
     const double *x, *y;  /* [nodes][3], [samples][3]                     borrowed  */
-    const double *normal; /* [samples][3] as contact_foot_normal computes them       */
-    const bool *ready;    /* [samples] those that `normal` has                       */
+    const double *normal; /* [samples][3] as contact_foot_normal computes them, of those
+                             at which they are needed                                 */
 };
 
 /* A point of a triangle and its distance from a sample. */
@@ -81,6 +81,11 @@ double contact_foot_between(const double *const p[4], double at[2]);
 /* Computes the normal of the sheet at a sample, along (d/du) x (d/dv), of any length; 0 if
  * it has none. */
 void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3]);
+
+/* Computes normal[samples][3] at the samples of row i that are marked in wanted[samples].
+ */
+void contact_foot_normals(const struct contact_sheet *sheet, int i, const bool *wanted,
+                          double *normal);
 
 /* Begins with nothing on either side of a sample nearer than `start` [m]. */
 static inline void contact_foot_begin(double start, struct contact_place best[2])

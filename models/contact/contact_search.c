@@ -62,11 +62,11 @@ enum status contact_search_init(struct contact_search *s,
     TRY(contact_tree_init(&s->tree, surface, half_pi * start));
     s->sheet.tree = &s->tree;
     TRY(room_cut(&s->room, ROOM(s->own, s->plain ? 0 : 3 * count), ROOM(s->kept, 3 * count),
-                 ROOM(s->normal, 3 * count), ROOM(s->ready, count), ROOM(s->use, count),
+                 ROOM(s->normal, 3 * count), ROOM(s->wanted, count),
                  ROOM(s->first, count + 1), ROOM(s->active, count), ROOM(s->side, count),
                  ROOM(s->found, count / PIECE + 1), ROOM(s->foot, 2 * count),
                  ROOM(s->node, 2 * count * width), ROOM(s->weight, 2 * count * width)));
-    s->sheet.normal = s->normal, s->sheet.ready = s->ready;
+    s->sheet.normal = s->normal;
 out:
     if (st)
         contact_search_clear(s);
@@ -304,32 +304,24 @@ static enum status sort_near(struct contact_search *s)
     return STATUS_OK;
 }
 
-static void use(struct contact_search *s, int sample)
+/* Marks the samples whose normals are needed. */
+static void mark_wanted(struct contact_search *s)
 {
-    if (!s->ready[sample])
-        s->use[s->uses++] = sample;
-    s->ready[sample] = true;
-}
-
-/* Lists the samples whose normals are needed. */
-static void list_used(struct contact_search *s)
-{
-    s->uses = 0;
-    memset(s->ready, 0, s->sheet.surface->count * sizeof *s->ready);
+    memset(s->wanted, 0, s->sheet.surface->count * sizeof *s->wanted);
     for (long n = 0; n < s->near_count; n++) {
         int corner[3];
         contact_foot_corners(s->sheet.surface, s->near[n].triangle, corner);
-        use(s, s->near[n].sample);
+        s->wanted[s->near[n].sample] = true;
         for (int k = 0; k < 3; k++)
-            use(s, corner[k]);
+            s->wanted[corner[k]] = true;
     }
 }
 
 static void find_normals(struct contact_search *s)
 {
-#pragma omp parallel for if (s->uses >= PARALLEL)
-    for (int n = 0; n < s->uses; n++)
-        contact_foot_normal(&s->sheet, s->use[n], s->normal + 3 * (long)s->use[n]);
+#pragma omp parallel for if (s->actives >= PARALLEL)
+    for (int i = 0; i < s->sheet.surface->points[0]; i++)
+        contact_foot_normals(&s->sheet, i, s->wanted, s->normal);
 }
 
 /* Returns the side of a sample on which all of its near triangles stay while they are kept,
@@ -382,7 +374,7 @@ static enum status seek(struct contact_search *s)
     TRY(contact_tree_visit(&s->tree, &search));
     TRY(test_pairs(s));
     TRY(sort_near(s));
-    list_used(s);
+    mark_wanted(s);
     find_normals(s);
     find_sides(s);
     memcpy(s->kept, s->sheet.y, 3 * (size_t)s->sheet.surface->count * sizeof *s->kept);
@@ -542,13 +534,12 @@ enum status contact_search_find_all(struct contact_search *s, const double *x)
     enum status st = STATUS_OK;
     double way;
 
-    s->count = s->uses = 0;
+    s->count = 0;
     TRY(place_samples(s, x, &way));
     s->stale = true; /* the lists are used */
     s->actives = s->sheet.surface->count;
-    memset(s->ready, 0, s->actives * sizeof *s->ready);
     for (int n = 0; n < s->actives; n++)
-        use(s, s->active[n] = n);
+        s->active[n] = n, s->wanted[n] = true;
     find_feet(s, way, true);
 out:
     return st;

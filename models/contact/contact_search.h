@@ -34,9 +34,8 @@ struct contact_search {
     void *room;           /* of the feet and the arrays of samples            owned     */
     double *own;          /* [samples][3] places, unless plain                            */
     double *kept;         /* [samples][3] where near triangles were found                 */
-    double *normal;       /* [samples][3] of those in use                                 */
-    bool *ready;          /* [samples] in use: with near triangles, or corners of those   */
-    int uses, *use;       /* [samples] the same as a list                                 */
+    double *normal;       /* [samples][3] of those wanted                                 */
+    bool *wanted;         /* [samples] with near triangles, or corners of those           */
     int *first;           /* [samples + 1] into near                                      */
     int actives, *active; /* [samples] those with near triangles                     */
     char *side;           /* [actives] of the sample on which all of those stay, or 2     */

@@ -105,25 +105,28 @@ static const double *at_samples(const struct contact_search *s, const double *x,
     return own;
 }
 
-/* Returns how far samples have moved since triangles were found, at most, less the shift of
- * the middle one; NaN if a place is not finite. */
+/* Returns how far samples have moved since triangles were found, at most, less a common
+ * shift: half the diagonal of the box around their ways. NaN if a place is not finite. */
 static double moved(const struct contact_search *s)
 {
     const long count = s->sheet.surface->count;
     const double *y = s->sheet.y, *old = s->kept;
-    double shift[3], most = 0, none = 0;
+    double way[3], none = 0;
 
-    vector_between(old + 3 * (count / 2), y + 3 * (count / 2), shift);
-#pragma omp simd reduction(max : most) reduction(+ : none)
+    vector_between(old, y, way);
+    double la = way[0], lb = way[1], lc = way[2], ha = la, hb = lb, hc = lc;
+#pragma omp simd reduction(min : la, lb, lc) reduction(max : ha, hb, hc) reduction(+ : none)
     for (long n = 0; n < count; n++) {
-        const double a = y[3 * n] - old[3 * n] - shift[0];
-        const double b = y[3 * n + 1] - old[3 * n + 1] - shift[1];
-        const double c = y[3 * n + 2] - old[3 * n + 2] - shift[2];
-        const double square = a * a + b * b + c * c;
-        most = square > most ? square : most;
-        none += 0 * square;
+        const double a = y[3 * n] - old[3 * n];
+        const double b = y[3 * n + 1] - old[3 * n + 1];
+        const double c = y[3 * n + 2] - old[3 * n + 2];
+        la = a < la ? a : la, ha = a > ha ? a : ha;
+        lb = b < lb ? b : lb, hb = b > hb ? b : hb;
+        lc = c < lc ? c : lc, hc = c > hc ? c : hc;
+        none += 0 * (a + b + c);
     }
-    return sqrt(most) + rounding * s->start + none;
+    way[0] = ha - la, way[1] = hb - lb, way[2] = hc - lc;
+    return vector_length(way) / 2 + rounding * s->start + none;
 }
 
 /* Places the samples; computes how far they have moved. */

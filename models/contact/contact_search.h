@@ -8,7 +8,7 @@
  *
  * Closest points are found on the triangles between samples and refined by contact_foot.h.
  * Triangles near a sample are found with a margin, by contact_tree.h, and kept until the
- * samples, less a common shift, have moved half of it; a call in between costs O(samples),
+ * samples have moved by it against each other; a call in between costs O(samples),
  * and next to nothing for a sheet that touches nowhere. What is kept doesn't change what is
  * found. The same bits for any number of threads.
  */

@@ -18,11 +18,10 @@ struct contact_pair {
 
 /* Samples or pairs of cells from which threads are worth their start; of a piece. */
 enum { PARALLEL = 1000, PIECE = 64, FIRST_ROOM = 1024 };
-enum { EITHER = 2 }; /* of the two sides of a sample */
 
 /* Margin over start: start and margin stay below the distance along the sheet from which
  * pairs count, so that flat parts have nothing near. */
-static const double margin_share = 0.2;
+static const double margin_share = 0.4;
 /* A share of start that rounding can't reach. */
 static const double rounding = 1e-9;
 /* A share of a distance that is less than it in single precision, too. */
@@ -192,35 +191,40 @@ static void sift(const struct contact_search *s, struct sieve *v)
     v->lanes.count = 0;
 }
 
+/* Tells whether a sample is outside the box of a cell, from its first sample on, by so
+ * much.
+ */
+static bool outside(const struct contact_search *s, int sample, int first, double reach)
+{
+    const double *y = s->sheet.y + 3 * (long)sample, *p = s->sheet.y + 3 * (long)first;
+    const double *q = p + 3 * (long)s->sheet.surface->points[1];
+
+    for (int i = 0; i < 3; i++)
+        if (y[i] < smaller(smaller(p[i], p[i + 3]), smaller(q[i], q[i + 3])) - reach ||
+            y[i] > larger(larger(p[i], p[i + 3]), larger(q[i], q[i + 3])) + reach)
+            return true;
+    return false;
+}
+
 /* Looks at the triangles of a cell for the samples of another. */
 static void look_at(const struct contact_search *s, int samples, int cell, struct sieve *v)
 {
     int sample[4];
     const int many = contact_tree_samples(&s->tree, samples, sample);
     const int first = contact_tree_triangle(&s->tree, cell);
-    const double reach = s->start + s->margin;
 
-    for (int k = 0; k < 2; k++) {
-        int corner[3];
-        double low[3], high[3];
-        contact_foot_corners(s->sheet.surface, first + k, corner);
-        for (int i = 0; i < 3; i++) {
-            const double *y = s->sheet.y + i, p = y[3 * (long)corner[0]];
-            const double q = y[3 * (long)corner[1]], r = y[3 * (long)corner[2]];
-            low[i] = smaller(smaller(p, q), r) - reach;
-            high[i] = larger(larger(p, q), r) + reach;
-        }
-        for (int n = 0; n < many; n++) {
-            const double *y = s->sheet.y + 3 * (long)sample[n];
-            if (y[0] < low[0] || y[0] > high[0] || y[1] < low[1] || y[1] > high[1] ||
-                y[2] < low[2] || y[2] > high[2] || useless(s, sample[n], corner))
+    for (int n = 0; n < many; n++)
+        for (int k = 0; k < 2 && !outside(s, sample[n], first / 2, s->start + s->margin);
+             k++) {
+            int corner[3];
+            contact_foot_corners(s->sheet.surface, first + k, corner);
+            if (useless(s, sample[n], corner))
                 continue;
             v->triangle[v->lanes.count] = first + k;
             contact_lanes_set(&v->lanes, v->lanes.count++, sample[n], corner);
             if (v->lanes.count == CONTACT_LANES)
                 sift(s, v);
         }
-    }
 }
 
 static enum status keep_pair(struct contact_tree_search *search, int cell, int other)
@@ -327,11 +331,11 @@ static void find_normals(struct contact_search *s)
         contact_foot_normals(&s->sheet, i, s->wanted, s->normal);
 }
 
-/* Returns the side of a sample on which all of its near triangles stay while they are kept,
- * EITHER if that isn't sure. Places move by half of the margin at most, so ways between
- * them and differences of neighbours by all of it, which turns the normal, their product.
- */
-static int side_of(const struct contact_search *s, int sample)
+/* Returns by how much samples may move against each other, up to the margin, before a near
+ * triangle of a sample can get to its other side, negative if the side is above; 0: it
+ * isn't known. Then a way between samples is longer by as much, differences of neighbours,
+ * too, which turns the normal, and the product of both changes by less than by `rate`. */
+static double side_of(const struct contact_search *s, int sample)
 {
     const struct contact_surface *f = s->sheet.surface;
     const int m = f->points[1], i = sample / m % f->rows, j = sample % m;
@@ -339,30 +343,29 @@ static int side_of(const struct contact_search *s, int sample)
     double u[3], v[3], low = INFINITY, high = -INFINITY;
 
     if (i == 0 || i + 1 == f->rows || j == 0 || j + 1 == m)
-        return EITHER;
+        return 0;
     vector_between(y - 3 * (long)m, y + 3 * (long)m, u);
     vector_between(y - 3, y + 3, v);
-    const double turn = s->margin * (vector_length(u) + vector_length(v) + s->margin);
-    const double shift = s->margin * (vector_length(n) + turn);
+    const double turn = vector_length(u) + vector_length(v) + s->margin;
     for (int k = s->first[sample]; k < s->first[sample + 1]; k++) {
         int corner[3];
         contact_foot_corners(f, s->near[k].triangle, corner);
         for (int c = 0; c < 3; c++) {
             double way[3];
             vector_between(s->sheet.y + 3 * (long)corner[c], y, way);
-            const double along = vector_dot(way, n);
-            const double change = vector_length(way) * turn + shift;
-            low = smaller(low, along - change), high = larger(high, along + change);
+            const double rate = (vector_length(way) + s->margin) * turn + vector_length(n);
+            const double most = vector_dot(way, n) / rate;
+            low = smaller(low, most), high = larger(high, most);
         }
     }
-    return low > 0 ? 1 : high < 0 ? 0 : EITHER;
+    return low > 0 ? low : high < 0 ? high : 0;
 }
 
 static void find_sides(struct contact_search *s)
 {
 #pragma omp parallel for if (s->actives >= PARALLEL)
     for (int n = 0; n < s->actives; n++)
-        s->side[n] = (char)side_of(s, s->active[n]);
+        s->side[n] = (float)(less * side_of(s, s->active[n]));
 }
 
 /* Finds near triangles again. */
@@ -410,20 +413,6 @@ static int finish(const struct contact_search *s, int first, int count,
     return feet;
 }
 
-/* Tells whether a point is outside the box of a cell by the start of contact. */
-static bool outside(const struct contact_search *s, int cell, const double y[3])
-{
-    const int m = s->sheet.surface->points[1];
-    const double *p = s->sheet.y + 3 * (long)(cell / (m - 1) * m + cell % (m - 1));
-    const double *q = p + 3 * (long)m;
-
-    for (int i = 0; i < 3; i++)
-        if (y[i] < smaller(smaller(p[i], p[i + 3]), smaller(q[i], q[i + 3])) - s->start ||
-            y[i] > larger(larger(p[i], p[i + 3]), larger(q[i], q[i + 3])) + s->start)
-            return true;
-    return false;
-}
-
 /* Considers all cells for a sample. */
 static void consider_all(const struct contact_search *s, int sample,
                          struct contact_pairs *pairs, struct contact_place best[2])
@@ -432,10 +421,10 @@ static void consider_all(const struct contact_search *s, int sample,
     const int m = f->points[1], cells = (f->points[0] - 1) * (m - 1);
 
     for (int cell = 0; cell < cells; cell++) {
-        if (outside(s, cell, s->sheet.y + 3 * (long)sample) ||
+        const int triangle = contact_tree_triangle(&s->tree, cell);
+        if (outside(s, sample, triangle / 2, s->start) ||
             contact_surface_cut(f, cell / (m - 1)))
             continue;
-        const int triangle = contact_tree_triangle(&s->tree, cell);
         for (int k = triangle; k < triangle + 2; k++)
             if (!has_corner(s, k, sample) &&
                 contact_foot_add(&s->sheet, pairs, sample, k, best))
@@ -471,10 +460,10 @@ static int find_piece(const struct contact_search *s, int first, double way, boo
     struct contact_pairs pairs = {.lanes = {.y = s->sheet.y}};
 
     for (int n = 0; n < count; n++) {
-        const int side = all ? EITHER : s->side[first + n];
+        const double side = all ? 0 : s->side[first + n];
         contact_foot_begin(s->start, best[n]);
-        if (side != EITHER)
-            best[n][!side].square = -1; /* nothing will be there */
+        if (fabs(side) > 2 * way)
+            best[n][side < 0].square = -1; /* nothing is there */
     }
     for (int n = 0; all && n < count; n++)
         consider_all(s, active[n], &pairs, best[n]);

@@ -38,7 +38,7 @@ struct contact_search {
     bool *wanted;         /* [samples] with near triangles, or corners of those           */
     int *first;           /* [samples + 1] into near                                      */
     int actives, *active; /* [samples] those with near triangles                     */
-    char *side;           /* [actives] of the sample on which all of those stay, or 2     */
+    float *side;          /* [actives] side_of the sample                       [m] */
     int *found;           /* feet of each piece of those                                  */
     long near_count, near_room, pair_count, pair_room;
     struct contact_near *near; /* by sample and distance                 owned     */

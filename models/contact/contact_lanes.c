@@ -72,37 +72,69 @@ INLINE void reach(struct contact_lanes *lanes, int l, struct three way)
     lanes->square[l] = dot(way, way);
 }
 
-CLONES void contact_lanes_nearest(struct contact_lanes *lanes)
+/* Sets a lane to the point of its triangle with the shares s, t of corners 2 and 3, which
+ * is at p + s a + t b. */
+INLINE void take(struct contact_lanes *lanes, int l, double p, double s, double t,
+                 struct three a, struct three b, struct three way)
 {
-    double p[4][3][LANES];
+    lanes->share[1][l] = p, lanes->share[2][l] = s, lanes->share[3][l] = t;
+    reach(lanes, l, plus(plus(way, -s, a), -t, b));
+}
 
-    gather(lanes->y, lanes, 0, p);
-#pragma omp simd
+/* Finds the closest points where these are inside of triangles; returns whether all are. */
+INLINE bool find_inside(struct contact_lanes *lanes, const double p[4][3][LANES],
+                        double inside[LANES])
+{
+    double least = 1;
+
+#pragma omp simd reduction(min : least)
     for (int l = 0; l < LANES; l++) {
-        const struct three o = at(p[1], l), q = at(p[2], l);
-        const struct three a = less(q, o), b = less(at(p[3], l), o);
-        const struct three c = less(b, a), way = less(at(p[0], l), o);
-        const struct three n = cross(a, b), from_q = less(way, a);
+        const struct three a = less(at(p[2], l), at(p[1], l));
+        const struct three b = less(at(p[3], l), at(p[1], l));
+        const struct three way = less(at(p[0], l), at(p[1], l)), n = cross(a, b);
         const double aa = dot(a, a), bb = dot(b, b), nn = dot(n, n);
         const double s = dot(cross(way, b), n), t = dot(cross(a, way), n);
         const double rest = (nn < needle * aa * bb ? 0 : nn) - s - t;
-        const bool inside = smaller(smaller(s, t), rest) > 0;
-        /* the closest points of the sides */
-        const double on_a = clamp(dot(a, way) / aa), on_b = clamp(dot(b, way) / bb);
+        const double per_nn = 1 / nn, share_s = s * per_nn, share_t = t * per_nn;
+        inside[l] = smaller(smaller(s, t), rest) > 0 ? 1 : 0;
+        least = smaller(least, inside[l]);
+        take(lanes, l, 1 - share_s - share_t, share_s, share_t, a, b, way);
+    }
+    return least > 0;
+}
+
+/* Finds them on the sides where they are not inside. */
+INLINE void find_on_sides(struct contact_lanes *lanes, const double p[4][3][LANES],
+                          const double inside[LANES])
+{
+#pragma omp simd
+    for (int l = 0; l < LANES; l++) {
+        const struct three a = less(at(p[2], l), at(p[1], l));
+        const struct three b = less(at(p[3], l), at(p[1], l)), c = less(b, a);
+        const struct three way = less(at(p[0], l), at(p[1], l)), from_q = less(way, a);
+        const double on_a = clamp(dot(a, way) / dot(a, a));
+        const double on_b = clamp(dot(b, way) / dot(b, b));
         const double on_c = clamp(dot(c, from_q) / dot(c, c));
         const struct three of_a = plus(way, -on_a, a), of_b = plus(way, -on_b, b);
         const struct three of_c = plus(from_q, -on_c, c);
         const double to_a = dot(of_a, of_a), to_b = dot(of_b, of_b), to_c = dot(of_c, of_c);
         const bool by_b = to_b < to_a, by_c = to_c < (by_b ? to_b : to_a);
-        const double side_s = by_c ? 1 - on_c : by_b ? 0 : on_a;
-        const double side_t = by_c ? on_c : by_b ? on_b : 0;
-        const double per_nn = 1 / nn, side_p = by_c ? 0 : 1 - side_s - side_t;
-        const double share_s = inside ? s * per_nn : side_s;
-        const double share_t = inside ? t * per_nn : side_t;
-        lanes->share[1][l] = inside ? 1 - share_s - share_t : side_p;
-        lanes->share[2][l] = share_s, lanes->share[3][l] = share_t;
-        reach(lanes, l, plus(plus(way, -share_s, a), -share_t, b));
+        const double s = by_c ? 1 - on_c : by_b ? 0 : on_a;
+        const double t = by_c ? on_c : by_b ? on_b : 0, rest = by_c ? 0 : 1 - s - t;
+        const bool in = inside[l] > 0;
+        take(lanes, l, in ? lanes->share[1][l] : rest, in ? lanes->share[2][l] : s,
+             in ? lanes->share[3][l] : t, a, b, way);
     }
+}
+
+CLONES void contact_lanes_nearest(struct contact_lanes *lanes)
+{
+    double p[4][3][LANES], inside[LANES];
+    const double(*places)[3][LANES] = (const double(*)[3][LANES])p;
+
+    gather(lanes->y, lanes, 0, p);
+    if (!find_inside(lanes, places, inside))
+        find_on_sides(lanes, places, inside);
 }
 
 /* Measures the lanes, whose points' places are p. */

@@ -63,8 +63,8 @@ enum status contact_search_init(struct contact_search *s,
     TRY(room_cut(&s->room, ROOM(s->own, s->plain ? 0 : 3 * count), ROOM(s->kept, 3 * count),
                  ROOM(s->normal, 3 * count), ROOM(s->wanted, count),
                  ROOM(s->first, count + 1), ROOM(s->active, count), ROOM(s->side, count),
-                 ROOM(s->found, count / PIECE + 1), ROOM(s->foot, 2 * count),
-                 ROOM(s->node, 2 * count * width), ROOM(s->weight, 2 * count * width)));
+                 ROOM(s->foot, 2 * count), ROOM(s->node, 2 * count * width),
+                 ROOM(s->weight, 2 * count * width)));
     s->sheet.normal = s->normal;
 out:
     if (st)
@@ -389,14 +389,13 @@ out:
     return st;
 }
 
-/* Refines what was found of `count` samples, those in use from the first on, into feet from
- * there on; returns how many there are. */
+/* Refines what was found of `count` samples, those in use from the first on, into feet;
+ * returns how many there are. */
 static int finish(const struct contact_search *s, int first, int count,
-                  const struct contact_place (*best)[2])
+                  const struct contact_place (*best)[2], struct contact_foot *foot)
 {
     const int width = contact_foot_width(s->sheet.surface), from = 2 * first;
     const struct contact_place *found[2 * PIECE];
-    struct contact_foot *foot = s->foot + from;
     int places = 0, feet = 0;
 
     for (int k = 0; k < 2 * count; k++)
@@ -452,7 +451,8 @@ static void consider_near(const struct contact_search *s, int sample, bool other
 
 /* Finds the feet of a piece of the samples in use, which have moved by `way` at most, or of
  * all; returns how many. */
-static int find_piece(const struct contact_search *s, int first, double way, bool all)
+static int find_piece(const struct contact_search *s, int first, double way, bool all,
+                      struct contact_foot foot[2 * PIECE])
 {
     const int count = s->actives - first < PIECE ? s->actives - first : PIECE;
     const int *active = s->active + first;
@@ -473,7 +473,7 @@ static int find_piece(const struct contact_search *s, int first, double way, boo
         contact_foot_consider(&s->sheet, &pairs);
     }
     contact_foot_consider(&s->sheet, &pairs);
-    return finish(s, first, count, (const struct contact_place(*)[2])best);
+    return finish(s, first, count, (const struct contact_place(*)[2])best, foot);
 }
 
 /* Finds the feet of the samples in use. */
@@ -481,14 +481,15 @@ static void find_feet(struct contact_search *s, double way, bool all)
 {
     if (s->actives)
         find_normals(s);
-#pragma omp parallel for schedule(dynamic) if (s->actives >= PARALLEL)
-    for (int first = 0; first < s->actives; first += PIECE)
-        s->found[first / PIECE] = find_piece(s, first, way, all);
+#pragma omp parallel for ordered schedule(dynamic) if (s->actives >= PARALLEL)
     for (int first = 0; first < s->actives; first += PIECE) {
-        const int count = s->found[first / PIECE];
-        if (s->count != 2 * first)
-            memmove(s->foot + s->count, s->foot + 2 * (long)first, count * sizeof *s->foot);
-        s->count += count;
+        struct contact_foot foot[2 * PIECE];
+        const int count = find_piece(s, first, way, all, foot);
+#pragma omp ordered
+        {
+            memcpy(s->foot + s->count, foot, count * sizeof *foot);
+            s->count += count;
+        }
     }
 }
 

@@ -39,7 +39,6 @@ struct contact_search {
     int *first;           /* [samples + 1] into near                                      */
     int actives, *active; /* [samples] those with near triangles                     */
     float *side;          /* [actives] side_of the sample                       [m] */
-    int *found;           /* feet of each piece of those                                  */
     long near_count, near_room, pair_count, pair_room;
     struct contact_near *near; /* by sample and distance                 owned     */
     struct contact_pair *pair; /* cells                                  owned     */

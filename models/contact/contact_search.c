@@ -340,25 +340,28 @@ static double side_of(const struct contact_search *s, int sample)
     const struct contact_surface *f = s->sheet.surface;
     const int m = f->points[1], i = sample / m % f->rows, j = sample % m;
     const double *y = s->sheet.y + 3 * (long)sample, *n = s->normal + 3 * (long)sample;
-    double u[3], v[3], low = INFINITY, high = -INFINITY;
+    double u[3], v[3], low = INFINITY, high = -INFINITY, far = 0;
 
     if (i == 0 || i + 1 == f->rows || j == 0 || j + 1 == m)
         return 0;
-    vector_between(y - 3 * (long)m, y + 3 * (long)m, u);
-    vector_between(y - 3, y + 3, v);
-    const double turn = vector_length(u) + vector_length(v) + s->margin;
     for (int k = s->first[sample]; k < s->first[sample + 1]; k++) {
         int corner[3];
         contact_foot_corners(f, s->near[k].triangle, corner);
         for (int c = 0; c < 3; c++) {
             double way[3];
             vector_between(s->sheet.y + 3 * (long)corner[c], y, way);
-            const double rate = (vector_length(way) + s->margin) * turn + vector_length(n);
-            const double most = vector_dot(way, n) / rate;
-            low = smaller(low, most), high = larger(high, most);
+            const double along = vector_dot(way, n);
+            low = smaller(low, along), high = larger(high, along);
+            far = larger(far, vector_dot(way, way));
         }
+        if (low <= 0 && high >= 0)
+            return 0;
     }
-    return low > 0 ? low : high < 0 ? high : 0;
+    vector_between(y - 3 * (long)m, y + 3 * (long)m, u);
+    vector_between(y - 3, y + 3, v);
+    const double turn = vector_length(u) + vector_length(v) + s->margin;
+    const double rate = (sqrt(far) + s->margin) * turn + vector_length(n);
+    return (low > 0 ? low : high) / rate;
 }
 
 static void find_sides(struct contact_search *s)

@@ -494,6 +494,17 @@ def tinyvbd():
                                         iterations=r["iterations"], precision="float")]])
 
 
+def bullet_fold():
+    """A row a net of the folded sheet, Bullet's times beside the program's."""
+    rows = result("bullet_fold")[-1][1]
+    return markdown(["", "waves", "Bullet's contacts", "feet", "Bullet, ms", "found again", "kept",
+                     "found again over Bullet's", "kept over Bullet's"],
+                    [[r["net"], f"{r['wave_mm']} mm" if float(r["wave_mm"]) else "none", r["contacts"],
+                      r["feet"], *(digits(r[name], 2) for name in
+                                   ("theirs_ms", "again_ms", "kept_ms", "again", "kept"))]
+                     for r in rows])
+
+
 def part_of(error):
     """A fraction in per cent; of what is round-off, nought."""
     return digits(100 * float(error), 2) if float(error) > 1e-9 else "0"
@@ -897,6 +908,7 @@ BLOCKS = {"fabrics": fabrics, "fabrics_apart": fabrics_apart, "touching": touchi
           "iterations_enough": iterations_enough, "vertex_block": vertex_block,
           "mesh": mesh, "locking": locking, "cures": cures, "timestep": timestep,
           "peers": peers, "peers_drop": peers_drop, "tinyvbd": tinyvbd,
+          "bullet_fold": bullet_fold,
           "peers_said": peers_said, "refinement": refinement, "refinement_nets": refinement_nets,
           "remedies": remedies,
           "supports": supports, "supports_orders": supports_orders}

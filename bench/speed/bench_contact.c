@@ -1,8 +1,10 @@
 /* Times the search for contact of a sheet with itself: with the triangles that were kept,
- * with all found again, and by every pair, beside an explicit step of the same net. */
+ * with all found again, in motion, and by every pair, beside an explicit step of the same
+ * net. */
 #include <math.h>
 #include <stdlib.h>
 
+#include "bench/harness/timing.h"
 #include "bench/speed/bench.h"
 #include "models/contact/contact_search.h"
 #include "models/net/spring_sweep.h"
@@ -11,15 +13,23 @@ static const double half_pi = 1.5707963267948966;
 /* A sheet of 1 m: where contact starts, and the gap of a fold [m]. */
 static const double start = 0.002, gap = 0.0016;
 
-static void flat(double u, double v, double x[3])
+/* A motion: parts move at SPEED against each other, and waves cross a cell in a step. */
+enum { STEPS = 32 };
+static const double speed = 1, waves = 100; /* [m/s] */
+
+/* Turns about the edge u = 0. */
+static void flat(double u, double v, double t, double x[3])
 {
-    x[0] = 0.6 * u - 0.48 * v, x[1] = 0.8 * u + 0.36 * v, x[2] = 0.8 * v;
+    const double angle = 0.927295218001612 + speed * t;
+
+    x[0] = cos(angle) * u - 0.48 * v, x[1] = sin(angle) * u + 0.36 * v, x[2] = 0.8 * v;
 }
 
-/* Folds 0.3 of the sheet over, about a cylinder as thick as the gap. */
-static void folded(double u, double v, double x[3])
+/* Folds 0.3 of the sheet over, about a cylinder as thick as the gap, and ever more of it.
+ */
+static void folded(double u, double v, double t, double x[3])
 {
-    const double r = gap / 2, s = u - 0.7013;
+    const double r = gap / 2, s = u - 0.7013 + speed * t / 2;
     const double angle = fmax(fmin(s / r, half_pi), -half_pi);
 
     x[0] = r * cos(angle) - fmax(fabs(s) - r * half_pi, 0);
@@ -28,7 +38,7 @@ static void folded(double u, double v, double x[3])
 
 static const struct shape {
     const char *name;
-    void (*point)(double u, double v, double x[3]);
+    void (*point)(double u, double v, double t, double x[3]);
 } shapes[] = {{"flat", flat}, {"folded", folded}};
 static const int sides[] = {32, 64, 100, 256}, quick_sides[] = {12, 24};
 enum { SHAPES = 2, SIDES = 4, QUICK_SIDES = 2, CASES = SHAPES * SIDES, TASKS = 4 };
@@ -43,6 +53,14 @@ struct net {
     struct spring_sweep *sweep;
     int by_tree, by_pairs; /* feet                                                     */
 };
+
+static void place(struct net *net, const struct shape *shape, double t)
+{
+    const int side = net->side;
+
+    for (int n = 0; n < side * side; n++)
+        shape->point(net->line[n / side], net->line[n % side], t, net->x + 3 * (long)n);
+}
 
 static int row(const void *self, double u, double v, int *node, double *shape)
 {
@@ -120,8 +138,7 @@ static enum status make(const struct scene *scene, const struct shape *shape, in
         return STATUS_MEMORY;
     for (int n = 0; n < side; n++)
         net->line[n] = n / (side - 1.);
-    for (int n = 0; n < side * side; n++)
-        shape->point(net->line[n / side], net->line[n % side], net->x + 3 * (long)n);
+    place(net, shape, 0);
     TRY(contact_surface_init(&net->surface, scene, net, row, 1, side * side,
                              (const double *const[]){net->line, net->line},
                              (const int[]){side, side}));
@@ -140,6 +157,34 @@ static void clear(struct net *net)
     spring_sweep_free(net->sweep);
     free(net->x);
     free(net->line);
+}
+
+/* Times the search in steps of a motion, between them those of the springs. */
+static enum status time_motion(struct bench *b, const struct shape *shape, struct net *n)
+{
+    const double dt = 1 / waves / (n->side - 1);
+    enum status st = STATUS_OK;
+    int count = 1;
+
+    for (int r = 0; r < count; r++) {
+        double seconds = 0;
+        place(n, shape, 0);
+        TRY(find_again(n));
+        const long sought = n->search.sought;
+        for (int k = 1; k <= STEPS; k++) {
+            place(n, shape, k * dt);
+            TRY(step(n));
+            const double begin = clock_now();
+            TRY(find(n));
+            seconds += clock_now() - begin;
+        }
+        samples_add(&b->samples, n->name, "moving", seconds / STEPS);
+        samples_add(&b->samples, n->name, "steps kept",
+                    (double)STEPS / fmax(1, n->search.sought - sought));
+        count = timing_repeats(seconds, b->quick);
+    }
+out:
+    return st;
 }
 
 static enum status sample(struct bench *b, struct message *why)
@@ -165,11 +210,12 @@ static enum status sample(struct bench *b, struct message *why)
     }
     TRY(samples_time(&b->samples, b->quick, used, tasks));
     for (int k = 0; k < SHAPES * count; k++) {
-        const struct net *n = &all[k];
+        struct net *n = &all[k];
         if (n->side <= PAIRS_SIDE && n->by_tree != n->by_pairs)
             TRY(status_fail(why, STATUS_LIBRARY, "%s: the tree finds %d feet of %d",
                             n->name, n->by_tree, n->by_pairs));
         samples_add(&b->samples, n->name, "feet", n->by_tree);
+        TRY(time_motion(b, &shapes[k / count], n));
     }
 out:
     for (int k = 0; k < CASES; k++)
@@ -209,6 +255,9 @@ static enum status print(const struct bench *b, struct message *why)
                                                   {"kept", "us"},
                                                   {"over step"},
                                                   {"again", "us"},
+                                                  {"steps kept"},
+                                                  {"moving", "us"},
+                                                  {"over step"},
                                                   {"every pair", "us"},
                                                   {"gain"},
                                                   {"repeats"}};
@@ -224,6 +273,7 @@ static enum status print(const struct bench *b, struct message *why)
         const double seconds = samples_number(&b->samples, name, "step");
         const struct clock_summary kept = samples_of(&b->samples, name, "kept");
         const double again = samples_number(&b->samples, name, "again");
+        const double moving = samples_number(&b->samples, name, "moving");
         const double all = samples_number(&b->samples, name, "every pair");
         table_row(t);
         table_text(t, "%s", name);
@@ -232,6 +282,9 @@ static enum status print(const struct bench *b, struct message *why)
         table_number(t, 1e6 * kept.median, 3);
         table_number(t, kept.median / seconds, 3);
         table_number(t, 1e6 * again, 3);
+        table_number(t, samples_number(&b->samples, name, "steps kept"), 3);
+        table_number(t, 1e6 * moving, 3);
+        table_number(t, moving / seconds, 3);
         table_number(t, 1e6 * all, 3);
         table_number(t, all / again, 3);
         table_integer(t, kept.count);
@@ -239,9 +292,16 @@ static enum status print(const struct bench *b, struct message *why)
     table_note(
         t, "A sheet of 1 m, contact from 2 mm on. The column `step` is an explicit step of "
            "the net's springs, `kept` a search whose near triangles still hold, `again` "
-           "one that finds them again (after samples have moved 0.2 mm relative to the "
-           "sheet's middle), `every pair` one that looks at all samples and cells, boxes "
+           "one that finds them again (after samples have moved by the margin against "
+           "each other), `every pair` one that looks at all samples and cells, boxes "
            "first, and finds the same.");
+    table_note(
+        t,
+        "In `moving` the sheet turns about an edge or is folded ever more, its parts "
+        "at %g m/s against each other, in steps of a cell over %g m/s; its search is "
+        "the mean of %d steps, and near triangles hold for so many as `steps kept` "
+        "tells (a motion of %d at most).",
+        speed, waves, STEPS, STEPS);
     table_note(
         t,
         "With the number of points the time grows by the power %.2f (flat) and %.2f "

@@ -6,14 +6,14 @@
 
 /* Shares beyond the triangle that are round-off. */
 static const double within = 1e-12;
-/* Squared sines of the angle at corner 0 from which triangles are sharp, or segments. */
-static const double sharp = 1e-6, needle = 1e-16;
 /* A net's foot is at least as far as its closest point, and at most this many times; what
  * is not, where a net is folded too sharply to have normals, is the closest point. */
 static const double as_near = 1 - 1e-9, far = 2;
 /* The squared cosine of the angle to the normal from which places count; and that and the
  * distance along the sheet, over the least that counts, from which they do so wholly. */
 static const double square_cos = 0.5, whole_square_cos = 0.75, whole_apart = 1.5;
+/* As far, by more than rounding. */
+static const double surely_apart = 1.5 + 1e-9;
 /* The most that a smooth surface's foot is from the triangles' in u and v, in samples. */
 static const double astray = 2;
 
@@ -22,78 +22,19 @@ static double clamp(double t, double low, double high)
     return t > low ? (t < high ? t : high) : low; /* NaN: low */
 }
 
-/* The closest point on the sides of a triangle that were looked at. */
-struct side {
-    double square, share[3]; /* of the distance                                        */
-};
-
-/* Looks at the side from corner a to b; `way` leads from a to the point. */
-static void look_at(struct side *best, int a, int b, const double side[3],
-                    const double way[3])
-{
-    const double t = clamp(vector_dot(side, way) / vector_dot(side, side), 0, 1);
-    double rest[3], square;
-
-    for (int i = 0; i < 3; i++)
-        rest[i] = way[i] - t * side[i];
-    square = vector_dot(rest, rest);
-    if (square < best->square) {
-        best->square = square;
-        best->share[a] = 1 - t, best->share[b] = t, best->share[3 - a - b] = 0;
-    }
-}
-
-/* Computes the shares, over *det, of corners 1 and 2 in the foot on a triangle's plane; of
- * a sharp one by cross products, which lose half the digits only. */
-static void plane_shares(const double e1[3], const double e2[3], const double way[3],
-                         double *s, double *t, double *det)
-{
-    const double a = vector_dot(e1, e1), b = vector_dot(e1, e2), c = vector_dot(e2, e2);
-    const double d1 = vector_dot(e1, way), d2 = vector_dot(e2, way);
-
-    *det = a * c - b * b, *s = c * d1 - b * d2, *t = a * d2 - b * d1;
-    if (*det < sharp * a * c) {
-        double n[3], by[3];
-        vector_cross(e1, e2, n);
-        vector_cross(way, e2, by);
-        *s = vector_dot(by, n);
-        vector_cross(e1, way, by);
-        *t = vector_dot(by, n);
-        *det = vector_dot(n, n);
-        if (*det < needle * a * c)
-            *s = *t = *det = 0;
-    }
-}
-
 double contact_foot_nearest(const double y[3], const double *const p[3], double share[3])
 {
-    double e1[3], e2[3], way[3], s, t, det;
+    double place[4][3];
+    struct contact_lanes one = {.y = place[0]};
 
-    vector_between(p[0], p[1], e1);
-    vector_between(p[0], p[2], e2);
-    vector_between(p[0], y, way);
-    plane_shares(e1, e2, way, &s, &t, &det);
-    if (s > 0 && t > 0 && s + t < det) {
-        share[1] = s / det, share[2] = t / det;
-        share[0] = 1 - share[1] - share[2];
-        for (int i = 0; i < 3; i++)
-            way[i] -= share[1] * e1[i] + share[2] * e2[i];
-        return vector_dot(way, way);
-    }
-    /* the closest side is one that is seen from there */
-    struct side best = {.square = INFINITY, .share = {1}};
-    if (!(t > 0))
-        look_at(&best, 0, 1, e1, way);
-    if (!(s > 0))
-        look_at(&best, 0, 2, e2, way);
-    if (!(s + t < det)) {
-        double side[3], on[3];
-        vector_between(p[1], p[2], side);
-        vector_between(p[1], y, on);
-        look_at(&best, 1, 2, side, on);
-    }
-    memcpy(share, best.share, sizeof best.share);
-    return best.square;
+    memcpy(place[0], y, sizeof place[0]);
+    for (int k = 0; k < 3; k++)
+        memcpy(place[k + 1], p[k], sizeof place[k + 1]);
+    contact_lanes_set(&one, 0, 0, (const int[]){1, 2, 3});
+    contact_lanes_nearest(&one);
+    for (int k = 0; k < 3; k++)
+        share[k] = one.share[k + 1][0];
+    return one.square[0];
 }
 
 double contact_foot_between(const double *const p[4], double at[2])
@@ -127,18 +68,38 @@ static inline double difference(const double *y, int at, int points, long step)
     return at ? -near : near;
 }
 
-void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3])
+/* Computes the normal at sample j of row i of a sheet. */
+static inline void normal_at(const struct contact_sheet *sheet, int sample, int i, int j,
+                             double normal[3])
 {
     const struct contact_surface *s = sheet->surface;
-    const int m = s->points[1], i = sample / m, j = sample % m;
+    const int m = s->points[1];
     const double *y = sheet->y + 3 * (long)sample;
     double along_u[3], along_v[3];
 
     for (int k = 0; k < 3; k++) {
-        along_u[k] = difference(y + k, i % s->rows, s->rows, m);
+        along_u[k] = difference(y + k, i, s->rows, m);
         along_v[k] = difference(y + k, j, m, 1);
     }
     vector_cross(along_u, along_v, normal);
+}
+
+void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3])
+{
+    const int m = sheet->surface->points[1];
+
+    normal_at(sheet, sample, sample / m % sheet->surface->rows, sample % m, normal);
+}
+
+void contact_foot_normals(const struct contact_sheet *sheet, int i, const bool *wanted,
+                          double *normal)
+{
+    const int m = sheet->surface->points[1], first = i * m;
+
+    for (int j = 0; j < m; j++)
+        if (wanted[first + j])
+            normal_at(sheet, first + j, i % sheet->surface->rows, j,
+                      normal + 3 * (long)(first + j));
 }
 
 /* Returns the squared cosine of the angle between the way from a point of a triangle to a
@@ -165,15 +126,14 @@ static void judge(const struct contact_sheet *sheet, const struct contact_pairs 
     const struct contact_lanes *lanes = &pairs->lanes;
     const double way[3] = {lanes->way[0][l], lanes->way[1][l], lanes->way[2][l]};
     const double share[3] = {lanes->share[1][l], lanes->share[2][l], lanes->share[3][l]};
-    const int sample = pairs->sample[l], triangle = pairs->triangle[l];
+    const int sample = lanes->point[0][l], triangle = pairs->triangle[l];
+    const int corner[3] = {lanes->point[1][l], lanes->point[2][l], lanes->point[3][l]};
     const bool below = vector_dot(way, sheet->normal + 3 * (long)sample) > 0;
     struct contact_place *side = &pairs->best[l][below];
-    int corner[3];
 
     if (lanes->square[l] > side->square ||
         (lanes->square[l] == side->square && triangle > side->triangle))
         return;
-    contact_foot_corners(sheet->surface, triangle, corner);
     if (contact_tree_near(sheet->tree, sheet->tree->apart, sample, corner, share))
         return;
     const double cosine = square_cos_of(sheet, corner, share, way);
@@ -187,7 +147,8 @@ static void judge(const struct contact_sheet *sheet, const struct contact_pairs 
 
 void contact_foot_consider(const struct contact_sheet *sheet, struct contact_pairs *pairs)
 {
-    contact_lanes_nearest(&pairs->lanes);
+    if (pairs->lanes.count)
+        contact_lanes_nearest(&pairs->lanes);
     for (int l = 0; l < pairs->lanes.count; l++)
         judge(sheet, pairs, l);
     pairs->lanes.count = 0;
@@ -212,27 +173,36 @@ static int neighbour(const struct contact_surface *s, int triangle, int corner)
     return 2 * (i * m + j) + by[2];
 }
 
-/* Sets a lane to a sample, a triangle and the normals at its corners. */
+/* A triangle at whose corners normals may be missing. */
+struct face {
+    struct contact_lanes lanes; /* the first, of the arrays                        */
+    double y[4][3], normal[4][3];
+};
+
+/* Sets a face to a sample and a triangle. */
 static void open_face(const struct contact_sheet *sheet, int sample, int triangle,
-                      struct contact_lanes *lanes, int l)
+                      struct face *face)
+{
+    int corner[3];
+
+    face->lanes.y = face->y[0], face->lanes.normal = face->normal[0];
+    contact_lanes_set(&face->lanes, 0, 0, (const int[]){1, 2, 3});
+    contact_foot_corners(sheet->surface, triangle, corner);
+    memcpy(face->y[0], sheet->y + 3 * (long)sample, sizeof face->y[0]);
+    for (int k = 0; k < 3; k++) {
+        memcpy(face->y[k + 1], sheet->y + 3 * (long)corner[k], sizeof face->y[0]);
+        contact_foot_normal(sheet, corner[k], face->normal[k + 1]);
+    }
+}
+
+/* Sets a lane to a sample and a triangle. */
+static void set_triangle(const struct contact_sheet *sheet, struct contact_lanes *lanes,
+                         int l, int sample, int triangle)
 {
     int corner[3];
 
     contact_foot_corners(sheet->surface, triangle, corner);
-    for (int i = 0; i < 3; i++)
-        lanes->p[0][i][l] = sheet->y[3 * (long)sample + i];
-    for (int k = 0; k < 3; k++) {
-        const double *n = sheet->normal + 3 * (long)corner[k];
-        double own[3];
-        if (!sheet->ready[corner[k]]) {
-            contact_foot_normal(sheet, corner[k], own);
-            n = own;
-        }
-        for (int i = 0; i < 3; i++) {
-            lanes->p[k + 1][i][l] = sheet->y[3 * (long)corner[k] + i];
-            lanes->n[k + 1][i][l] = n[i];
-        }
-    }
+    contact_lanes_set(lanes, l, sample, corner);
 }
 
 static void set_share(struct contact_lanes *lanes, int l, const double share[3])
@@ -248,18 +218,16 @@ static void get(const double v[3][CONTACT_LANES], int l, double to[3])
         to[i] = v[i][l];
 }
 
-/* Finds the foot on the border edge opposite to a corner of the face in lane 0: the way to
- * it is normal to the edge's part across n, as it is where a foot within the face reaches
- * the edge. Returns the corner beyond which it lies, -1 if it is on the edge. */
-static int meet_edge(const struct contact_lanes *lanes, int corner, double share[3])
+/* Finds the foot on the border edge opposite to a corner of a face: the way to it is normal
+ * to the edge's part across n, as it is where a foot within the face reaches the edge.
+ * Returns the corner beyond which it lies, -1 if it is on the edge. */
+static int meet_edge(const struct face *face, int corner, double share[3])
 {
     const int a = (corner + 1) % 3, b = (corner + 2) % 3;
-    double t = clamp(share[b] / (share[a] + share[b]), 0, 1), wanted = t;
-    double e[3], y[3], p[2][3], m[2][3];
+    const double *y = face->y[0], *p[2] = {face->y[a + 1], face->y[b + 1]};
+    const double *m[2] = {face->normal[a + 1], face->normal[b + 1]};
+    double t = clamp(share[b] / (share[a] + share[b]), 0, 1), wanted = t, e[3];
 
-    get(lanes->p[0], 0, y);
-    get(lanes->p[a + 1], 0, p[0]), get(lanes->p[b + 1], 0, p[1]);
-    get(lanes->n[a + 1], 0, m[0]), get(lanes->n[b + 1], 0, m[1]);
     vector_between(p[0], p[1], e);
     for (int turn = 0; turn < 16; turn++) {
         double n[3], way[3];
@@ -305,7 +273,7 @@ static int along_border(const struct contact_surface *s, int triangle, int inner
 static int walk(const struct contact_sheet *sheet, int sample, int triangle, bool met,
                 double share[3])
 {
-    struct contact_lanes one = {0};
+    struct face one = {{0}};
 
     for (int turn = 0; met && turn < 8; turn++) {
         const int low = share[0] < share[1] ? (share[0] < share[2] ? 0 : 2)
@@ -314,18 +282,18 @@ static int walk(const struct contact_sheet *sheet, int sample, int triangle, boo
             return triangle;
         int next = neighbour(sheet->surface, triangle, low);
         if (next < 0) {
-            open_face(sheet, sample, triangle, &one, 0);
+            open_face(sheet, sample, triangle, &one);
             const int beyond = meet_edge(&one, low, share);
             next = beyond < 0 ? -1 : along_border(sheet->surface, triangle, low, beyond);
             if (next < 0)
                 return triangle;
         }
         triangle = next;
-        open_face(sheet, sample, triangle, &one, 0);
-        contact_lanes_nearest(&one);
-        contact_lanes_meet(&one);
-        get(one.share + 1, 0, share);
-        met = one.met[0];
+        open_face(sheet, sample, triangle, &one);
+        contact_lanes_nearest(&one.lanes);
+        contact_lanes_meet(&one.lanes);
+        get(one.lanes.share + 1, 0, share);
+        met = one.lanes.met[0];
     }
     return -1;
 }
@@ -352,6 +320,63 @@ static void place_at(const struct contact_surface *s, int triangle, const double
     *v = line_v[0] + on_v * (line_v[1] - line_v[0]);
 }
 
+/* Returns 0 below low, 1 above high, and a smooth curve between. */
+static double rise(double x, double low, double high)
+{
+    const double t = clamp((x - low) / (high - low), 0, 1);
+
+    return t * t * (3 - 2 * t);
+}
+
+/* Returns where the lines of the sheet at u begin. */
+static const double *start_of(const struct contact_surface *s, double u)
+{
+    const double *start = s->line[0];
+
+    while (start + s->rows < s->line[0] + s->points[0] && u >= start[s->rows])
+        start += s->rows;
+    return start;
+}
+
+double contact_foot_far(const struct contact_sheet *sheet, const double uv[2],
+                        const double other[2])
+{
+    const struct contact_surface *s = sheet->surface;
+    const double *start = start_of(s, uv[0]), apart = sheet->tree->apart;
+    const double du =
+        (other[0] - uv[0]) * (s->flat[0][s->rows - 1] / (start[s->rows - 1] - *start));
+    const double dv =
+        contact_tree_across(sheet->tree, (other[1] - uv[1]) * s->flat[1][s->points[1] - 1]);
+    const double square = du * du + dv * dv;
+
+    if (square > whole_apart * whole_apart * apart * apart ||
+        start_of(s, other[0]) != start)
+        return 1;
+    return rise(sqrt(square), apart, whole_apart * apart);
+}
+
+double contact_foot_seen(double square)
+{
+    return rise(square, square_cos, whole_square_cos);
+}
+
+/* Returns the foot's share in the law, which grows from nothing beside what doesn't count:
+ * places near along the sheet, also those to which a foot on a smooth surface went back,
+ * and those seen under 45 degrees. Forces would else jump. `near` tells that it may be near
+ * along the sheet. */
+static double strength(const struct contact_sheet *sheet, const struct contact_place *place,
+                       const struct contact_foot *foot, bool near)
+{
+    const struct contact_surface *s = sheet->surface;
+    const double seen = contact_foot_seen(place->square_cos);
+
+    if (!near)
+        return seen;
+    const double uv[2] = {s->line[0][foot->sample / s->points[1]],
+                          s->line[1][foot->sample % s->points[1]]};
+    return seen * contact_foot_far(sheet, uv, (const double[2]){foot->u, foot->v});
+}
+
 /* A sheet's feet in the lanes, from places that are kept until they are filled. */
 struct feet {
     struct contact_lanes lanes;
@@ -364,12 +389,16 @@ static void fill(const struct contact_sheet *sheet, const struct feet *f, int l,
 {
     const struct contact_surface *s = sheet->surface;
     const struct contact_lanes *lanes = &f->lanes;
-    int corner[3];
-    double share[3];
+
+    const int corner[3] = {lanes->point[1][l], lanes->point[2][l], lanes->point[3][l]};
+    double share[3], n[3] = {0};
 
     get(lanes->share + 1, l, share);
     place_at(s, f->triangle[l], share, &foot->u, &foot->v);
-    contact_foot_corners(s, f->triangle[l], corner);
+    foot->strength =
+        strength(sheet, f->place[l], foot,
+                 contact_tree_near(sheet->tree, surely_apart * sheet->tree->apart,
+                                   foot->sample, corner, share));
     foot->count = 3;
     for (int k = 0; k < 3; k++) {
         node[k] = s->node[corner[k]];
@@ -379,10 +408,12 @@ static void fill(const struct contact_sheet *sheet, const struct feet *f, int l,
     get(lanes->way, l, foot->normal);
     if (foot->distance > 0)
         return;
-    double n[3];
-    for (int k = 0; k < 3; k++)
-        n[k] = share[0] * lanes->n[1][k][l] + share[1] * lanes->n[2][k][l] +
-               share[2] * lanes->n[3][k][l];
+    for (int k = 0; k < 3; k++) {
+        double own[3];
+        contact_foot_normal(sheet, corner[k], own);
+        for (int i = 0; i < 3; i++)
+            n[i] += share[k] * own[i];
+    }
     point_along(n, foot);
 }
 
@@ -390,6 +421,7 @@ static void fill(const struct contact_sheet *sheet, const struct feet *f, int l,
 static void refine_lanes(const struct contact_sheet *sheet, struct feet *f)
 {
     struct contact_lanes *lanes = &f->lanes;
+    bool changed = false;
 
     contact_lanes_meet(lanes);
     for (int l = 0; l < lanes->count; l++) {
@@ -400,16 +432,18 @@ static void refine_lanes(const struct contact_sheet *sheet, struct feet *f)
             continue;
         const int to = walk(sheet, sample, f->triangle[l], lanes->met[l], share);
         if (to >= 0 && to != f->triangle[l])
-            open_face(sheet, sample, f->triangle[l] = to, lanes, l);
+            set_triangle(sheet, lanes, l, sample, f->triangle[l] = to);
         set_share(lanes, l, to < 0 ? f->place[l]->share : share);
+        changed = true;
     }
-    contact_lanes_measure(lanes);
+    if (changed)
+        contact_lanes_measure(lanes);
     for (int l = 0; l < lanes->count; l++) {
         const double square = f->place[l]->square, found = lanes->square[l];
         if (found >= as_near * square && found <= far * far * square)
             continue;
         f->triangle[l] = f->place[l]->triangle;
-        open_face(sheet, f->place[l]->sample, f->triangle[l], lanes, l);
+        set_triangle(sheet, lanes, l, f->place[l]->sample, f->triangle[l]);
         set_share(lanes, l, f->place[l]->share);
         contact_lanes_measure(lanes);
     }
@@ -419,13 +453,13 @@ static void refine_net(const struct contact_sheet *sheet, int count,
                        const struct contact_place *const *place, struct contact_foot *foot,
                        int *node, double *weight)
 {
-    struct feet f = {.lanes = {0}};
+    struct feet f = {.lanes = {.y = sheet->y, .normal = sheet->normal}};
 
     for (int from = 0; from < count; from += f.lanes.count) {
         f.lanes.count = count - from < CONTACT_LANES ? count - from : CONTACT_LANES;
         for (int l = 0; l < f.lanes.count; l++) {
             f.place[l] = place[from + l], f.triangle[l] = f.place[l]->triangle;
-            open_face(sheet, f.place[l]->sample, f.triangle[l], &f.lanes, l);
+            set_triangle(sheet, &f.lanes, l, f.place[l]->sample, f.triangle[l]);
             set_share(&f.lanes, l, f.place[l]->share);
         }
         refine_lanes(sheet, &f);
@@ -545,60 +579,7 @@ static void refine_smooth(const struct contact_sheet *sheet,
     foot->distance = vector_length(way);
     vector_cross(b.d[0], b.d[1], normal);
     point_along(foot->distance > 0 ? way : normal, foot);
-}
-
-/* Returns 0 below low, 1 above high, and a smooth curve between. */
-static double rise(double x, double low, double high)
-{
-    const double t = clamp((x - low) / (high - low), 0, 1);
-
-    return t * t * (3 - 2 * t);
-}
-
-/* Returns where the lines of the sheet at u begin. */
-static const double *start_of(const struct contact_surface *s, double u)
-{
-    const double *start = s->line[0];
-
-    while (start + s->rows < s->line[0] + s->points[0] && u >= start[s->rows])
-        start += s->rows;
-    return start;
-}
-
-double contact_foot_far(const struct contact_sheet *sheet, const double uv[2],
-                        const double other[2])
-{
-    const struct contact_surface *s = sheet->surface;
-    const double *start = start_of(s, uv[0]), apart = sheet->tree->apart;
-    const double du =
-        (other[0] - uv[0]) * (s->flat[0][s->rows - 1] / (start[s->rows - 1] - *start));
-    const double dv =
-        contact_tree_across(sheet->tree, (other[1] - uv[1]) * s->flat[1][s->points[1] - 1]);
-    const double square = du * du + dv * dv;
-
-    if (square > whole_apart * whole_apart * apart * apart ||
-        start_of(s, other[0]) != start)
-        return 1;
-    return rise(sqrt(square), apart, whole_apart * apart);
-}
-
-double contact_foot_seen(double square)
-{
-    return rise(square, square_cos, whole_square_cos);
-}
-
-/* Returns the foot's share in the law, which grows from nothing beside what doesn't count:
- * places near along the sheet, also those to which a foot on a smooth surface went back,
- * and those seen under 45 degrees. Forces would else jump. */
-static double strength(const struct contact_sheet *sheet, const struct contact_place *place,
-                       const struct contact_foot *foot)
-{
-    const struct contact_surface *s = sheet->surface;
-    const double uv[2] = {s->line[0][foot->sample / s->points[1]],
-                          s->line[1][foot->sample % s->points[1]]};
-
-    return contact_foot_far(sheet, uv, (const double[2]){foot->u, foot->v}) *
-           contact_foot_seen(place->square_cos);
+    foot->strength = strength(sheet, place, foot, true);
 }
 
 void contact_foot_refine(const struct contact_sheet *sheet, int count,
@@ -611,9 +592,6 @@ void contact_foot_refine(const struct contact_sheet *sheet, int count,
         foot[k].sample = place[k]->sample, foot[k].side = place[k]->side;
     if (sheet->surface->width == 1)
         refine_net(sheet, count, place, foot, node, weight);
-    for (int k = 0; k < count; k++) {
-        if (sheet->surface->width > 1)
-            refine_smooth(sheet, place[k], &foot[k], node + k * width, weight + k * width);
-        foot[k].strength = strength(sheet, place[k], &foot[k]);
-    }
+    for (int k = 0; k < count && sheet->surface->width > 1; k++)
+        refine_smooth(sheet, place[k], &foot[k], node + k * width, weight + k * width);
 }

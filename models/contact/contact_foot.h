@@ -40,8 +40,8 @@ struct contact_sheet {
     const struct contact_surface *surface; /*                              borrowed  */
     const struct contact_tree *tree; /* for distances along the sheet      borrowed  */
     const double *x, *y;  /* [nodes][3], [samples][3]                     borrowed  */
-    const double *normal; /* [samples][3] as contact_foot_normal computes them       */
-    const bool *ready;    /* [samples] those that `normal` has                       */
+    const double *normal; /* [samples][3] as contact_foot_normal computes them, of those
+                             at which they are needed                                 */
 };
 
 /* A point of a triangle and its distance from a sample. */
@@ -55,7 +55,7 @@ struct contact_place {
 /* Samples and triangles whose distances are computed together. */
 struct contact_pairs {
     struct contact_lanes lanes;
-    int sample[CONTACT_LANES], triangle[CONTACT_LANES];
+    int triangle[CONTACT_LANES];
     struct contact_place *best[CONTACT_LANES]; /* of the sample's two sides   borrowed  */
 };
 
@@ -71,7 +71,7 @@ static inline void contact_foot_corners(const struct contact_surface *s, int tri
 }
 
 /* Returns the squared distance of y from the triangle p, and the shares of the corners in
- * the closest point. A triangle may be a segment or a point. */
+ * the closest point, as contact_lanes_nearest does. */
 double contact_foot_nearest(const double y[3], const double *const p[3], double share[3]);
 
 /* Returns the distance of the segments p[0] p[1] and p[2] p[3], and the parameters of the
@@ -82,6 +82,11 @@ double contact_foot_between(const double *const p[4], double at[2]);
  * it has none. */
 void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3]);
 
+/* Computes normal[samples][3] at the samples of row i that are marked in wanted[samples].
+ */
+void contact_foot_normals(const struct contact_sheet *sheet, int i, const bool *wanted,
+                          double *normal);
+
 /* Begins with nothing on either side of a sample nearer than `start` [m]. */
 static inline void contact_foot_begin(double start, struct contact_place best[2])
 {
@@ -89,18 +94,19 @@ static inline void contact_foot_begin(double start, struct contact_place best[2]
     best[0].square = best[1].square = start * start;
 }
 
-/* Adds a triangle that may be the closest to a sample; returns whether the lanes are full.
- */
+/* Adds a triangle that may be the closest to a sample; returns whether the lanes, of the
+ * sheet's places, are full. */
 static inline bool contact_foot_add(const struct contact_sheet *sheet,
                                     struct contact_pairs *pairs, int sample, int triangle,
                                     struct contact_place *best)
 {
-    const int l = pairs->lanes.count;
-    int point[4] = {sample};
+    const int l = pairs->lanes.count++;
+    int corner[3];
 
-    contact_foot_corners(sheet->surface, triangle, point + 1);
-    pairs->sample[l] = sample, pairs->triangle[l] = triangle, pairs->best[l] = best;
-    return contact_lanes_add(&pairs->lanes, sheet->y, point);
+    contact_foot_corners(sheet->surface, triangle, corner);
+    contact_lanes_set(&pairs->lanes, l, sample, corner);
+    pairs->triangle[l] = triangle, pairs->best[l] = best;
+    return l + 1 == CONTACT_LANES;
 }
 
 /* Takes each triangle that was added for the closest on its side of its sample, if it is,

@@ -6,10 +6,10 @@
 #include "models/room.h"
 #include "models/vector.h"
 
-/* A triangle near a sample, and how near when it was found [m]. */
+/* A triangle near a sample, and how near it was when it was found, at least [m]. */
 struct contact_near {
     int sample, triangle;
-    double distance;
+    float distance;
 };
 
 struct contact_pair {
@@ -21,9 +21,11 @@ enum { PARALLEL = 1000, PIECE = 64, FIRST_ROOM = 1024 };
 
 /* Margin over start: start and margin stay below the distance along the sheet from which
  * pairs count, so that flat parts have nothing near. */
-static const double margin_share = 0.2;
+static const double margin_share = 0.4;
 /* A share of start that rounding can't reach. */
 static const double rounding = 1e-9;
+/* A share of a distance that is less than it in single precision, too. */
+static const double less = 1 - 1e-7;
 static const double half_pi = 1.5707963267948966;
 
 void contact_search_clear(struct contact_search *s)
@@ -59,11 +61,11 @@ enum status contact_search_init(struct contact_search *s,
     TRY(contact_tree_init(&s->tree, surface, half_pi * start));
     s->sheet.tree = &s->tree;
     TRY(room_cut(&s->room, ROOM(s->own, s->plain ? 0 : 3 * count), ROOM(s->kept, 3 * count),
-                 ROOM(s->normal, 3 * count), ROOM(s->ready, count), ROOM(s->use, count),
-                 ROOM(s->first, count + 1), ROOM(s->active, count),
-                 ROOM(s->found, count / PIECE + 1), ROOM(s->foot, 2 * count),
-                 ROOM(s->node, 2 * count * width), ROOM(s->weight, 2 * count * width)));
-    s->sheet.normal = s->normal, s->sheet.ready = s->ready;
+                 ROOM(s->normal, 3 * count), ROOM(s->wanted, count),
+                 ROOM(s->first, count + 1), ROOM(s->active, count), ROOM(s->side, count),
+                 ROOM(s->foot, 2 * count), ROOM(s->node, 2 * count * width),
+                 ROOM(s->weight, 2 * count * width)));
+    s->sheet.normal = s->normal;
 out:
     if (st)
         contact_search_clear(s);
@@ -102,25 +104,28 @@ static const double *at_samples(const struct contact_search *s, const double *x,
     return own;
 }
 
-/* Returns how far samples have moved since triangles were found, at most, less the shift of
- * the middle one; NaN if a place is not finite. */
+/* Returns how far samples have moved since triangles were found, at most, less a common
+ * shift: half the diagonal of the box around their ways. NaN if a place is not finite. */
 static double moved(const struct contact_search *s)
 {
     const long count = s->sheet.surface->count;
     const double *y = s->sheet.y, *old = s->kept;
-    double shift[3], most = 0, none = 0;
+    double way[3], none = 0;
 
-    vector_between(old + 3 * (count / 2), y + 3 * (count / 2), shift);
-#pragma omp simd reduction(max : most) reduction(+ : none)
+    vector_between(old, y, way);
+    double la = way[0], lb = way[1], lc = way[2], ha = la, hb = lb, hc = lc;
+#pragma omp simd reduction(min : la, lb, lc) reduction(max : ha, hb, hc) reduction(+ : none)
     for (long n = 0; n < count; n++) {
-        const double a = y[3 * n] - old[3 * n] - shift[0];
-        const double b = y[3 * n + 1] - old[3 * n + 1] - shift[1];
-        const double c = y[3 * n + 2] - old[3 * n + 2] - shift[2];
-        const double square = a * a + b * b + c * c;
-        most = square > most ? square : most;
-        none += 0 * square;
+        const double a = y[3 * n] - old[3 * n];
+        const double b = y[3 * n + 1] - old[3 * n + 1];
+        const double c = y[3 * n + 2] - old[3 * n + 2];
+        la = a < la ? a : la, ha = a > ha ? a : ha;
+        lb = b < lb ? b : lb, hb = b > hb ? b : hb;
+        lc = c < lc ? c : lc, hc = c > hc ? c : hc;
+        none += 0 * (a + b + c);
     }
-    return sqrt(most) + rounding * s->start + none;
+    way[0] = ha - la, way[1] = hb - lb, way[2] = hc - lc;
+    return vector_length(way) / 2 + rounding * s->start + none;
 }
 
 /* Places the samples; computes how far they have moved. */
@@ -164,37 +169,62 @@ static bool useless(const struct contact_search *s, int sample, const int corner
     return true;
 }
 
-/* Finds the triangles of a cell near the samples of another; returns how many. */
-static int near_of_cell(const struct contact_search *s, int samples, int cell,
-                        struct contact_near *near)
+/* Triangles that may be near samples, in the lanes, and what was found of them. */
+struct sieve {
+    struct contact_lanes lanes;
+    int triangle[CONTACT_LANES];
+    int count;
+    struct contact_near near[16 * PIECE]; /* of pairs of cells */
+};
+
+/* Keeps those in the lanes that are near. */
+static void sift(const struct contact_search *s, struct sieve *v)
 {
-    int sample[4], count = 0;
+    if (v->lanes.count)
+        contact_lanes_nearest(&v->lanes);
+    for (int l = 0; l < v->lanes.count; l++) {
+        const double distance = sqrt(v->lanes.square[l]);
+        v->near[v->count] = (struct contact_near){v->lanes.point[0][l], v->triangle[l],
+                                                  (float)(less * distance)};
+        v->count += distance < s->start + s->margin;
+    }
+    v->lanes.count = 0;
+}
+
+/* Tells whether a sample is outside the box of a cell, from its first sample on, by so
+ * much.
+ */
+static bool outside(const struct contact_search *s, int sample, int first, double reach)
+{
+    const double *y = s->sheet.y + 3 * (long)sample, *p = s->sheet.y + 3 * (long)first;
+    const double *q = p + 3 * (long)s->sheet.surface->points[1];
+
+    for (int i = 0; i < 3; i++)
+        if (y[i] < smaller(smaller(p[i], p[i + 3]), smaller(q[i], q[i + 3])) - reach ||
+            y[i] > larger(larger(p[i], p[i + 3]), larger(q[i], q[i + 3])) + reach)
+            return true;
+    return false;
+}
+
+/* Looks at the triangles of a cell for the samples of another. */
+static void look_at(const struct contact_search *s, int samples, int cell, struct sieve *v)
+{
+    int sample[4];
     const int many = contact_tree_samples(&s->tree, samples, sample);
     const int first = contact_tree_triangle(&s->tree, cell);
-    const double reach = s->start + s->margin;
 
-    for (int k = 0; k < 2; k++) {
-        int corner[3];
-        const double *p[3];
-        double low[3], high[3], share[3];
-        contact_foot_corners(s->sheet.surface, first + k, corner);
-        for (int c = 0; c < 3; c++)
-            p[c] = s->sheet.y + 3 * (long)corner[c];
-        for (int i = 0; i < 3; i++) {
-            low[i] = smaller(smaller(p[0][i], p[1][i]), p[2][i]) - reach;
-            high[i] = larger(larger(p[0][i], p[1][i]), p[2][i]) + reach;
-        }
-        for (int n = 0; n < many; n++) {
-            const double *y = s->sheet.y + 3 * (long)sample[n];
-            if (y[0] < low[0] || y[0] > high[0] || y[1] < low[1] || y[1] > high[1] ||
-                y[2] < low[2] || y[2] > high[2] || useless(s, sample[n], corner))
+    for (int n = 0; n < many; n++)
+        for (int k = 0; k < 2 && !outside(s, sample[n], first / 2, s->start + s->margin);
+             k++) {
+            int corner[3];
+            contact_foot_corners(s->sheet.surface, first + k, corner);
+            if (useless(s, sample[n], corner))
                 continue;
-            const double distance = sqrt(contact_foot_nearest(y, p, share));
-            if (distance < reach)
-                near[count++] = (struct contact_near){sample[n], first + k, distance};
+            v->triangle[v->lanes.count] = first + k;
+            contact_lanes_set(&v->lanes, v->lanes.count++, sample[n], corner);
+            if (v->lanes.count == CONTACT_LANES)
+                sift(s, v);
         }
-    }
-    return count;
 }
 
 static enum status keep_pair(struct contact_tree_search *search, int cell, int other)
@@ -217,22 +247,23 @@ static enum status test_pairs(struct contact_search *s)
     s->near_count = 0;
 #pragma omp parallel for schedule(dynamic, 4) if (s->pair_count >= PARALLEL)
     for (long piece = 0; piece < pieces; piece++) {
-        struct contact_near found[16 * PIECE];
-        int count = 0;
+        struct sieve v;
+        v.lanes = (struct contact_lanes){.y = s->sheet.y}, v.count = 0;
         for (long n = piece * PIECE; n < (piece + 1) * PIECE && n < s->pair_count; n++) {
             const struct contact_pair *p = &s->pair[n];
-            count += near_of_cell(s, p->cell, p->other, found + count);
+            look_at(s, p->cell, p->other, &v);
             if (p->cell != p->other)
-                count += near_of_cell(s, p->other, p->cell, found + count);
+                look_at(s, p->other, p->cell, &v);
         }
-        if (count)
+        sift(s, &v);
+        if (v.count)
 #pragma omp critical
         {
             const enum status more =
-                grow(&s->near, sizeof *s->near, s->near_count + count, &s->near_room);
+                grow(&s->near, sizeof *s->near, s->near_count + v.count, &s->near_room);
             if (more == STATUS_OK)
-                memcpy(s->near + s->near_count, found, count * sizeof *found);
-            s->near_count += more == STATUS_OK ? count : 0;
+                memcpy(s->near + s->near_count, v.near, v.count * sizeof *v.near);
+            s->near_count += more == STATUS_OK ? v.count : 0;
             st = st ? st : more;
         }
     }
@@ -280,32 +311,64 @@ static enum status sort_near(struct contact_search *s)
     return STATUS_OK;
 }
 
-static void use(struct contact_search *s, int sample)
+/* Marks the samples whose normals are needed. */
+static void mark_wanted(struct contact_search *s)
 {
-    if (!s->ready[sample])
-        s->use[s->uses++] = sample;
-    s->ready[sample] = true;
-}
-
-/* Lists the samples whose normals are needed. */
-static void list_used(struct contact_search *s)
-{
-    s->uses = 0;
-    memset(s->ready, 0, s->sheet.surface->count * sizeof *s->ready);
+    memset(s->wanted, 0, s->sheet.surface->count * sizeof *s->wanted);
     for (long n = 0; n < s->near_count; n++) {
         int corner[3];
         contact_foot_corners(s->sheet.surface, s->near[n].triangle, corner);
-        use(s, s->near[n].sample);
+        s->wanted[s->near[n].sample] = true;
         for (int k = 0; k < 3; k++)
-            use(s, corner[k]);
+            s->wanted[corner[k]] = true;
     }
 }
 
 static void find_normals(struct contact_search *s)
 {
-#pragma omp parallel for if (s->uses >= PARALLEL)
-    for (int n = 0; n < s->uses; n++)
-        contact_foot_normal(&s->sheet, s->use[n], s->normal + 3 * (long)s->use[n]);
+#pragma omp parallel for if (s->actives >= PARALLEL)
+    for (int i = 0; i < s->sheet.surface->points[0]; i++)
+        contact_foot_normals(&s->sheet, i, s->wanted, s->normal);
+}
+
+/* Returns by how much samples may move against each other, up to the margin, before a near
+ * triangle of a sample can get to its other side, negative if the side is above; 0: it
+ * isn't known. Then a way between samples is longer by as much, differences of neighbours,
+ * too, which turns the normal, and the product of both changes by less than by `rate`. */
+static double side_of(const struct contact_search *s, int sample)
+{
+    const struct contact_surface *f = s->sheet.surface;
+    const int m = f->points[1], i = sample / m % f->rows, j = sample % m;
+    const double *y = s->sheet.y + 3 * (long)sample, *n = s->normal + 3 * (long)sample;
+    double u[3], v[3], low = INFINITY, high = -INFINITY, far = 0;
+
+    if (i == 0 || i + 1 == f->rows || j == 0 || j + 1 == m)
+        return 0;
+    for (int k = s->first[sample]; k < s->first[sample + 1]; k++) {
+        int corner[3];
+        contact_foot_corners(f, s->near[k].triangle, corner);
+        for (int c = 0; c < 3; c++) {
+            double way[3];
+            vector_between(s->sheet.y + 3 * (long)corner[c], y, way);
+            const double along = vector_dot(way, n);
+            low = smaller(low, along), high = larger(high, along);
+            far = larger(far, vector_dot(way, way));
+        }
+        if (low <= 0 && high >= 0)
+            return 0;
+    }
+    vector_between(y - 3 * (long)m, y + 3 * (long)m, u);
+    vector_between(y - 3, y + 3, v);
+    const double turn = vector_length(u) + vector_length(v) + s->margin;
+    const double rate = (sqrt(far) + s->margin) * turn + vector_length(n);
+    return (low > 0 ? low : high) / rate;
+}
+
+static void find_sides(struct contact_search *s)
+{
+#pragma omp parallel for if (s->actives >= PARALLEL)
+    for (int n = 0; n < s->actives; n++)
+        s->side[n] = (float)(less * side_of(s, s->active[n]));
 }
 
 /* Finds near triangles again. */
@@ -320,21 +383,22 @@ static enum status seek(struct contact_search *s)
     TRY(contact_tree_visit(&s->tree, &search));
     TRY(test_pairs(s));
     TRY(sort_near(s));
-    list_used(s);
+    mark_wanted(s);
+    find_normals(s);
+    find_sides(s);
     memcpy(s->kept, s->sheet.y, 3 * (size_t)s->sheet.surface->count * sizeof *s->kept);
 out:
     s->stale = st != STATUS_OK;
     return st;
 }
 
-/* Refines what was found of `count` samples, those in use from the first on, into feet from
- * there on; returns how many there are. */
+/* Refines what was found of `count` samples, those in use from the first on, into feet;
+ * returns how many there are. */
 static int finish(const struct contact_search *s, int first, int count,
-                  const struct contact_place (*best)[2])
+                  const struct contact_place (*best)[2], struct contact_foot *foot)
 {
     const int width = contact_foot_width(s->sheet.surface), from = 2 * first;
     const struct contact_place *found[2 * PIECE];
-    struct contact_foot *foot = s->foot + from;
     int places = 0, feet = 0;
 
     for (int k = 0; k < 2 * count; k++)
@@ -351,20 +415,6 @@ static int finish(const struct contact_search *s, int first, int count,
     return feet;
 }
 
-/* Tells whether a point is outside the box of a cell by the start of contact. */
-static bool outside(const struct contact_search *s, int cell, const double y[3])
-{
-    const int m = s->sheet.surface->points[1];
-    const double *p = s->sheet.y + 3 * (long)(cell / (m - 1) * m + cell % (m - 1));
-    const double *q = p + 3 * (long)m;
-
-    for (int i = 0; i < 3; i++)
-        if (y[i] < smaller(smaller(p[i], p[i + 3]), smaller(q[i], q[i + 3])) - s->start ||
-            y[i] > larger(larger(p[i], p[i + 3]), larger(q[i], q[i + 3])) + s->start)
-            return true;
-    return false;
-}
-
 /* Considers all cells for a sample. */
 static void consider_all(const struct contact_search *s, int sample,
                          struct contact_pairs *pairs, struct contact_place best[2])
@@ -373,10 +423,10 @@ static void consider_all(const struct contact_search *s, int sample,
     const int m = f->points[1], cells = (f->points[0] - 1) * (m - 1);
 
     for (int cell = 0; cell < cells; cell++) {
-        if (outside(s, cell, s->sheet.y + 3 * (long)sample) ||
+        const int triangle = contact_tree_triangle(&s->tree, cell);
+        if (outside(s, sample, triangle / 2, s->start) ||
             contact_surface_cut(f, cell / (m - 1)))
             continue;
-        const int triangle = contact_tree_triangle(&s->tree, cell);
         for (int k = triangle; k < triangle + 2; k++)
             if (!has_corner(s, k, sample) &&
                 contact_foot_add(&s->sheet, pairs, sample, k, best))
@@ -384,35 +434,49 @@ static void consider_all(const struct contact_search *s, int sample,
     }
 }
 
-/* Considers the near triangles of a sample; samples have moved by `way` at most. */
-static void consider_near(const struct contact_search *s, int sample, double way,
-                          struct contact_pairs *pairs, struct contact_place best[2])
+/* Considers the first of the near triangles of a sample, or those of the others, the
+ * nearest first, that may be closer; samples have moved by `way` at most. */
+static void consider_near(const struct contact_search *s, int sample, bool others,
+                          double way, struct contact_pairs *pairs,
+                          struct contact_place best[2])
 {
-    const struct contact_near *near = s->near + s->first[sample];
-    const struct contact_near *end = s->near + s->first[sample + 1];
+    const struct contact_near *near = s->near + s->first[sample] + others;
+    const struct contact_near *end = others ? s->near + s->first[sample + 1] : near + 1;
 
-    for (; near < end && near->distance - 2 * way < s->start; near++)
+    for (; near < end; near++) {
+        const double least = larger(near->distance - 2 * way, 0);
+        if (least * least > larger(best[0].square, best[1].square))
+            break;
         if (contact_foot_add(&s->sheet, pairs, sample, near->triangle, best))
             contact_foot_consider(&s->sheet, pairs);
+    }
 }
 
 /* Finds the feet of a piece of the samples in use, which have moved by `way` at most, or of
  * all; returns how many. */
-static int find_piece(const struct contact_search *s, int first, double way, bool all)
+static int find_piece(const struct contact_search *s, int first, double way, bool all,
+                      struct contact_foot foot[2 * PIECE])
 {
     const int count = s->actives - first < PIECE ? s->actives - first : PIECE;
+    const int *active = s->active + first;
     struct contact_place best[PIECE][2];
-    struct contact_pairs pairs = {{0}};
+    struct contact_pairs pairs = {.lanes = {.y = s->sheet.y}};
 
     for (int n = 0; n < count; n++) {
+        const double side = all ? 0 : s->side[first + n];
         contact_foot_begin(s->start, best[n]);
-        if (all)
-            consider_all(s, s->active[first + n], &pairs, best[n]);
-        else
-            consider_near(s, s->active[first + n], way, &pairs, best[n]);
+        if (fabs(side) > 2 * way)
+            best[n][side < 0].square = -1; /* nothing is there */
+    }
+    for (int n = 0; all && n < count; n++)
+        consider_all(s, active[n], &pairs, best[n]);
+    for (int others = 0; !all && others < 2; others++) {
+        for (int n = 0; n < count; n++)
+            consider_near(s, active[n], others, way, &pairs, best[n]);
+        contact_foot_consider(&s->sheet, &pairs);
     }
     contact_foot_consider(&s->sheet, &pairs);
-    return finish(s, first, count, (const struct contact_place(*)[2])best);
+    return finish(s, first, count, (const struct contact_place(*)[2])best, foot);
 }
 
 /* Finds the feet of the samples in use. */
@@ -420,14 +484,15 @@ static void find_feet(struct contact_search *s, double way, bool all)
 {
     if (s->actives)
         find_normals(s);
-#pragma omp parallel for schedule(dynamic) if (s->actives >= PARALLEL)
-    for (int first = 0; first < s->actives; first += PIECE)
-        s->found[first / PIECE] = find_piece(s, first, way, all);
+#pragma omp parallel for ordered schedule(dynamic) if (s->actives >= PARALLEL)
     for (int first = 0; first < s->actives; first += PIECE) {
-        const int count = s->found[first / PIECE];
-        if (s->count != 2 * first)
-            memmove(s->foot + s->count, s->foot + 2 * (long)first, count * sizeof *s->foot);
-        s->count += count;
+        struct contact_foot foot[2 * PIECE];
+        const int count = find_piece(s, first, way, all, foot);
+#pragma omp ordered
+        {
+            memcpy(s->foot + s->count, foot, count * sizeof *foot);
+            s->count += count;
+        }
     }
 }
 
@@ -465,13 +530,12 @@ enum status contact_search_find_all(struct contact_search *s, const double *x)
     enum status st = STATUS_OK;
     double way;
 
-    s->count = s->uses = 0;
+    s->count = 0;
     TRY(place_samples(s, x, &way));
     s->stale = true; /* the lists are used */
     s->actives = s->sheet.surface->count;
-    memset(s->ready, 0, s->actives * sizeof *s->ready);
     for (int n = 0; n < s->actives; n++)
-        use(s, s->active[n] = n);
+        s->active[n] = n, s->wanted[n] = true;
     find_feet(s, way, true);
 out:
     return st;

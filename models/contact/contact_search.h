@@ -8,7 +8,7 @@
  *
  * Closest points are found on the triangles between samples and refined by contact_foot.h.
  * Triangles near a sample are found with a margin, by contact_tree.h, and kept until the
- * samples, less a common shift, have moved half of it; a call in between costs O(samples),
+ * samples have moved by it against each other; a call in between costs O(samples),
  * and next to nothing for a sheet that touches nowhere. What is kept doesn't change what is
  * found. The same bits for any number of threads.
  */
@@ -34,12 +34,11 @@ struct contact_search {
     void *room;           /* of the feet and the arrays of samples            owned     */
     double *own;          /* [samples][3] places, unless plain                            */
     double *kept;         /* [samples][3] where near triangles were found                 */
-    double *normal;       /* [samples][3] of those in use                                 */
-    bool *ready;          /* [samples] in use: with near triangles, or corners of those   */
-    int uses, *use;       /* [samples] the same as a list                                 */
+    double *normal;       /* [samples][3] of those wanted                                 */
+    bool *wanted;         /* [samples] with near triangles, or corners of those           */
     int *first;           /* [samples + 1] into near                                      */
     int actives, *active; /* [samples] those with near triangles                     */
-    int *found;           /* feet of each piece of those                                  */
+    float *side;          /* [actives] side_of the sample                       [m] */
     long near_count, near_room, pair_count, pair_room;
     struct contact_near *near; /* by sample and distance                 owned     */
     struct contact_pair *pair; /* cells                                  owned     */

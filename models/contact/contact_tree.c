@@ -51,28 +51,6 @@ out:
     return st;
 }
 
-double contact_tree_across(const struct contact_tree *t, double way)
-{
-    const double around = t->surface->around;
-
-    return around > 0 ? way - around * round(way / around) : way;
-}
-
-bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
-                       const int corner[3], const double share[3])
-{
-    double du = -t->flat[sample][0], dv = -t->flat[sample][1];
-
-    if (contact_surface_apart(t->surface, sample, corner[0]))
-        return false;
-    for (int k = 0; k < 3; k++) {
-        du += share[k] * t->flat[corner[k]][0];
-        dv += share[k] * t->flat[corner[k]][1];
-    }
-    dv = contact_tree_across(t, dv);
-    return du * du + dv * dv < apart * apart;
-}
-
 int contact_tree_triangle(const struct contact_tree *t, int cell)
 {
     return 2 * (cell + cell / (t->surface->points[1] - 1));

@@ -12,6 +12,8 @@
 #ifndef CONTACT_TREE_H
 #define CONTACT_TREE_H
 
+#include <math.h>
+
 #include "models/contact/contact_surface.h"
 
 struct contact_tree {
@@ -35,12 +37,29 @@ void contact_tree_clear(struct contact_tree *t);
 
 /* Returns a way along v between two places, of a closed sheet the shorter way around [m].
  */
-double contact_tree_across(const struct contact_tree *t, double way);
+static inline double contact_tree_across(const struct contact_tree *t, double way)
+{
+    const double around = t->surface->around;
+
+    return around > 0 ? way - around * round(way / around) : way;
+}
 
 /* Tells whether a point of a triangle, by the shares of its corners, is nearer to a sample
  * than `apart` along the sheet [m]. */
-bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
-                       const int corner[3], const double share[3]);
+static inline bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
+                                     const int corner[3], const double share[3])
+{
+    double du = -t->flat[sample][0], dv = -t->flat[sample][1];
+
+    if (contact_surface_apart(t->surface, sample, corner[0]))
+        return false;
+    for (int k = 0; k < 3; k++) {
+        du += share[k] * t->flat[corner[k]][0];
+        dv += share[k] * t->flat[corner[k]][1];
+    }
+    dv = contact_tree_across(t, dv);
+    return du * du + dv * dv < apart * apart;
+}
 
 /* Returns the first of a cell's two triangles (contact_foot.h). */
 int contact_tree_triangle(const struct contact_tree *t, int cell);

@@ -34,7 +34,7 @@ said.moved = picture() !== first;
 said.claims = document.querySelectorAll('.claims li').length;
 [said.tally, said.least, said.checks] = [1, 2, 3].map(n =>
   document.querySelectorAll('p')[n].textContent);
-said.lines = document.querySelectorAll('.chart g path').length;
+said.lines = document.querySelectorAll('.chart path').length;
 said.quick = document.querySelector('.quick')?.textContent;
 const cells = [...document.querySelectorAll('td')].map(cell => cell.textContent);
 said.above = cells.filter(words => words === 'hex').length;
@@ -68,7 +68,7 @@ said() { # KEY PATTERN
 
 browse read.html --dump-dom --window-size=390,844
 ! grep CONSOLE err || fail 'the console has something to say'
-said hover 'block .* points, step .* s: .* % in .* s'
+said hover 'block .* points, step .* s, .*: .* %'
 said left none
 said start '0[.]000 s'
 # 61 frames of the run, and the truth's, fifty a second: nothing between them is made up

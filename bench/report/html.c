@@ -6,20 +6,7 @@
 #include <string.h>
 
 #include "bench/files/output.h"
-
-static void put_text(FILE *file, const char *text)
-{
-    static const char marks[] = "<>&\"'";
-    static const char *const entity[] = {"&lt;", "&gt;", "&amp;", "&quot;", "&#39;"};
-
-    for (; *text; text++) {
-        const char *mark = strchr(marks, *text);
-        if (mark)
-            fputs(entity[mark - marks], file);
-        else
-            fputc(*text, file);
-    }
-}
+#include "bench/ui/table.h"
 
 static void put_number(FILE *file, double value)
 {
@@ -42,7 +29,7 @@ void html_print(FILE *file, const char *markup, ...)
         c++;
         assert(*c && strchr("sdg%", *c));
         if (*c == 's')
-            put_text(file, va_arg(arguments, const char *));
+            table_html_text(va_arg(arguments, const char *), file);
         else if (*c == 'd')
             fprintf(file, "%d", va_arg(arguments, int));
         else if (*c == 'g')

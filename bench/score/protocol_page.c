@@ -7,7 +7,7 @@
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
 #include "bench/score/protocol.h"
-#include "bench/score/protocol_chart.h"
+#include "bench/ui/svg_chart.h"
 
 static const char style[] =
     ":root { color-scheme: light dark; --back: #fff; --text: #1b1f24; --soft: #5c6670;\n"
@@ -32,8 +32,8 @@ static const char style[] =
     "svg text { fill: var(--soft); font-size: 12px } svg line { stroke: var(--line) }\n"
     ".c0 { color: #2a78d6 } .c1 { color: #d06010 } .c2 { color: #2e8f4e }\n"
     ".c3 { color: #9a50d8 } .c4 { color: #9c8000 } .c5 { color: #cc4488 }\n"
-    ".c6 { color: var(--line) } path { stroke: currentColor; fill: none }\n"
-    "circle, path.c6 { fill: currentColor } path.c6 { opacity: .6 }\n"
+    ".c6 { color: #555 } .c7 { color: #0a9396 } .area { color: var(--line); opacity: .6 }\n"
+    "path { stroke: currentColor; fill: none } circle, .area { fill: currentColor }\n"
     ".scroll { overflow-x: auto; margin: .6em 0 } table { border-collapse: collapse;\n"
     "  font-size: .8125rem; font-variant-numeric: tabular-nums }\n"
     "th, td { padding: .2rem .5rem; text-align: right; white-space: nowrap;\n"
@@ -98,9 +98,9 @@ static void write_head(FILE *file, const struct protocol *p)
 
 /* --- charts --- */
 
-static void add_point(struct protocol_line *line, double x, double share)
+static void add_point(struct svg_chart_line *line, double x, double share)
 {
-    if (line->count == PROTOCOL_POINTS)
+    if (line->count == SVG_CHART_POINTS)
         return;
     line->xy[line->count][0] = x;
     line->xy[line->count++][1] = 100 * share;
@@ -108,7 +108,7 @@ static void add_point(struct protocol_line *line, double x, double share)
 
 /* Draws errors over time, a line a run, and the error bar of the truth. */
 static void chart_times(FILE *file, const struct protocol_scene *scene,
-                        struct protocol_line *line)
+                        struct svg_chart_line *line)
 {
     const struct protocol_run *finest = protocol_finest(scene);
 
@@ -116,19 +116,19 @@ static void chart_times(FILE *file, const struct protocol_scene *scene,
         return;
     for (int k = 0; k < scene->runs; k++) {
         const struct protocol_run *run = &scene->run[k];
-        line[k] = (struct protocol_line){.label = strchr(run->file, '/') + 1};
+        line[k] = (struct svg_chart_line){.label = strchr(run->file, '/') + 1};
         for (int n = 0; n < run->times; n++)
             add_point(&line[k], run->row[n].time, run->row[n].error);
     }
     line[scene->runs] =
-        (struct protocol_line){.label = "error bar of the truth", .bar = true};
+        (struct svg_chart_line){.label = "error bar of the truth", .bar = true};
     for (int n = 0; n < finest->times; n++)
         add_point(&line[scene->runs], finest->row[n].time, finest->row[n].bar);
-    protocol_chart_write(scene->name, "time, s", false, scene->runs + 1, line, file);
+    svg_chart_write(scene->name, "time, s", false, scene->runs + 1, line, file);
 }
 
 /* Draws the largest error of each net's first run over its points a side. */
-static void chart_nets(FILE *file, const struct protocol *p, struct protocol_line *line)
+static void chart_nets(FILE *file, const struct protocol *p, struct svg_chart_line *line)
 {
     int lines = 0;
 
@@ -136,7 +136,7 @@ static void chart_nets(FILE *file, const struct protocol *p, struct protocol_lin
         const struct protocol_scene *scene = &p->scene[k];
         if (protocol_finest(scene) == scene->run) /* one net */
             continue;
-        line[lines] = (struct protocol_line){.label = scene->name};
+        line[lines] = (struct svg_chart_line){.label = scene->name};
         for (int m = 0; m < scene->runs; m++)
             if (protocol_is_first(scene, m))
                 add_point(&line[lines],
@@ -145,8 +145,8 @@ static void chart_nets(FILE *file, const struct protocol *p, struct protocol_lin
         lines++;
     }
     if (lines)
-        protocol_chart_write("Largest error on each net", "points a side", true, lines,
-                             line, file);
+        svg_chart_write("Largest error on each net", "points a side", true, lines, line,
+                        file);
 }
 
 static enum status write_charts(FILE *file, const struct protocol *p)
@@ -155,7 +155,7 @@ static enum status write_charts(FILE *file, const struct protocol *p)
 
     for (int k = 0; k < p->scenes; k++)
         most = p->scene[k].runs > most ? p->scene[k].runs : most;
-    struct protocol_line *line = malloc(((size_t)most + 1) * sizeof *line);
+    struct svg_chart_line *line = malloc(((size_t)most + 1) * sizeof *line);
     if (!line)
         return STATUS_MEMORY;
     fputs("<h2>Charts</h2>\n<div class=\"charts\">\n", file);

@@ -1,4 +1,4 @@
-#include "bench/score/protocol_chart.h"
+#include "bench/ui/svg_chart.h"
 
 #include <math.h>
 
@@ -7,11 +7,13 @@
 /* Size of the drawing, and where its axes are [px]. */
 enum { WIDTH = 420, HEIGHT = 276, LEFT = 66, RIGHT = 410, TOP = 8, BOTTOM = 238 };
 
-/* Colours, which the page's style names c0, c1, ... */
-enum { COLOURS = 6 };
+enum { COLOURS = 8 };
 
 /* The largest ratio of the ends of the axis of errors: less is rounding. */
 static const double RANGE = 1e4;
+
+/* The ratio of the ends of an axis from which on its tics are powers of ten. */
+static const double DECADES = 100;
 
 /* The ends of both axes. */
 struct frame {
@@ -19,7 +21,7 @@ struct frame {
     bool log_x;
 };
 
-static struct frame frame_of(bool log_x, int lines, const struct protocol_line *line)
+static struct frame frame_of(bool log_x, int lines, const struct svg_chart_line *line)
 {
     struct frame f = {{INFINITY, 0}, {INFINITY, 0}, log_x};
 
@@ -53,33 +55,53 @@ static double y_of(const struct frame *f, double y)
     return BOTTOM + s * (TOP - BOTTOM);
 }
 
+static void draw_tic(const struct frame *f, double x, FILE *file)
+{
+    const double at = x_of(f, x);
+
+    fprintf(file,
+            "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%d\" y2=\"%d\"/><text x=\"%.1f\" y=\"%d\" "
+            "text-anchor=\"middle\">%g</text>\n",
+            at, at, TOP, BOTTOM, at, BOTTOM + 16, x);
+}
+
 static void draw_axes(const struct frame *f, const char *name, FILE *file)
 {
     const double ten = pow(10, floor(log10(f->x[1] / 2)));
+    const bool decades = f->log_x && f->x[1] > DECADES * f->x[0];
 
     for (double y = f->y[0]; y <= f->y[1] * (1 + 1e-9); y *= 10)
         fprintf(file,
                 "<line x1=\"%d\" x2=\"%d\" y1=\"%.1f\" y2=\"%.1f\"/><text x=\"%d\" "
                 "y=\"%.1f\" text-anchor=\"end\">%g %%</text>\n",
                 LEFT, RIGHT, y_of(f, y), y_of(f, y), LEFT - 5, y_of(f, y) + 4, y);
-    for (int n = 0; n * ten <= f->x[1] * (1 + 1e-9); n++)
+    for (int n = 0; !decades && n * ten <= f->x[1] * (1 + 1e-9); n++)
         if (n * ten >= f->x[0])
-            fprintf(file,
-                    "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%d\" y2=\"%d\"/><text x=\"%.1f\" "
-                    "y=\"%d\" text-anchor=\"middle\">%g</text>\n",
-                    x_of(f, n * ten), x_of(f, n * ten), TOP, BOTTOM, x_of(f, n * ten),
-                    BOTTOM + 16, n * ten);
+            draw_tic(f, n * ten, file);
+    for (int n = (int)ceil(log10(f->x[0])); decades && n <= log10(f->x[1]); n++)
+        draw_tic(f, pow(10, n), file);
     fprintf(file, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">%s</text>\n",
             (LEFT + RIGHT) / 2, BOTTOM + 34, name);
 }
 
+/* Writes the class of the n-th line's colour. */
+static void put_class(int n, const struct svg_chart_line *line, FILE *file)
+{
+    if (line->bar)
+        fputs("class=\"area\"", file);
+    else
+        fprintf(file, "class=\"c%d\"", n % COLOURS);
+}
+
 /* Draws a line with its points, or the area below it. */
-static void draw_line(const struct frame *f, const struct protocol_line *line, int colour,
+static void draw_line(const struct frame *f, int n, const struct svg_chart_line *line,
                       FILE *file)
 {
     const double(*const xy)[2] = line->xy;
 
-    fprintf(file, "<path class=\"c%d\" d=\"M", colour);
+    fputs("<path ", file);
+    put_class(n, line, file);
+    fputs(" d=\"M", file);
     if (line->bar)
         fprintf(file, "%.1f %dL", x_of(f, xy[0][0]), BOTTOM);
     for (int k = 0; k < line->count; k++)
@@ -88,31 +110,49 @@ static void draw_line(const struct frame *f, const struct protocol_line *line, i
         fprintf(file, "L%.1f %dZ", x_of(f, xy[line->count - 1][0]), BOTTOM);
     fputs("\"/>\n", file);
     for (int k = 0; k < line->count && !line->bar; k++) {
-        fprintf(file, "<circle class=\"c%d\" cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\"><title>",
-                colour, x_of(f, xy[k][0]), y_of(f, xy[k][1]));
+        fputs("<circle ", file);
+        put_class(n, line, file);
+        fprintf(file, " cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\"><title>", x_of(f, xy[k][0]),
+                y_of(f, xy[k][1]));
         table_html_text(line->label, file);
-        fprintf(file, ", %g: %.3g %%</title></circle>\n", xy[k][0], xy[k][1]);
+        fputs(*line->note[k] ? ", " : "", file);
+        table_html_text(line->note[k], file);
+        fprintf(file, ", %.3g: %.3g %%</title></circle>\n", xy[k][0], xy[k][1]);
     }
 }
 
-void protocol_chart_write(const char *title, const char *x_name, bool log_x, int lines,
-                          const struct protocol_line *line, FILE *file)
+static void put_legend(int n, const struct svg_chart_line *line, FILE *file)
+{
+    fputs("<span style=\"display:inline-block;margin-right:1em\"><b ", file);
+    put_class(n, line, file);
+    fputs(line->bar ? ">&#9632;</b> " : ">&#9679;</b> ", file);
+    if (*line->link) {
+        fputs("<a href=\"", file);
+        table_html_text(line->link, file);
+        fputs("\">", file);
+    }
+    table_html_text(line->label, file);
+    fputs(*line->link ? "</a></span>\n" : "</span>\n", file);
+}
+
+void svg_chart_write(const char *title, const char *x_name, bool log_x, int lines,
+                     const struct svg_chart_line *line, FILE *file)
 {
     const struct frame f = frame_of(log_x, lines, line);
 
-    fputs("<figure><figcaption>", file);
-    table_html_text(title, file);
-    fprintf(file, "</figcaption>\n<svg viewBox=\"0 0 %d %d\" role=\"img\">\n", WIDTH,
+    fputs("<figure>", file);
+    if (title) {
+        fputs("<figcaption>", file);
+        table_html_text(title, file);
+        fputs("</figcaption>\n", file);
+    }
+    fprintf(file, "<svg class=\"chart\" viewBox=\"0 0 %d %d\" role=\"img\">\n", WIDTH,
             HEIGHT);
     draw_axes(&f, x_name, file);
     for (int n = 0; n < lines; n++)
-        draw_line(&f, &line[n], line[n].bar ? COLOURS : n % COLOURS, file);
+        draw_line(&f, n, &line[n], file);
     fputs("</svg>\n<p class=\"soft\">", file);
-    for (int n = 0; n < lines; n++) {
-        fprintf(file, "<span class=\"c%d\">%s</span> ", line[n].bar ? COLOURS : n % COLOURS,
-                line[n].bar ? "&#9632;" : "&#9679;");
-        table_html_text(line[n].label, file);
-        fputs(" &ensp;", file);
-    }
+    for (int n = 0; n < lines; n++)
+        put_legend(n, &line[n], file);
     fputs("</p></figure>\n", file);
 }

@@ -94,7 +94,7 @@ const struct report_part report_part_list[] = {
     {"peers", "Other people's simulators", "peers/run all",
      .file = {"peers/baselines.csv", "../peers/baselines.csv"}},
     {"protocols", "Simulators, a page each, in sentences", "peers/run NAME --protocol --keep",
-     .file = {"peers/protocol.csv", "../peers/protocol.csv"}},
+     .show = "protocols", .file = {"peers/protocol.csv", "../peers/protocol.csv"}},
     /* clang-format on */
     {0},
 };

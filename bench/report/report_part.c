@@ -93,7 +93,7 @@ const struct report_part report_part_list[] = {
      .folder = "sweep_feasibility", .picture = {{"map.png"}}},
     {"peers", "Other people's simulators", "peers/run all",
      .file = {"peers/baselines.csv", "../peers/baselines.csv"}},
-    {"protocols", "Simulators, a page each, in sentences", "peers/run NAME --protocol --keep",
+    {"protocols", "Other simulators, verdict by verdict", "peers/run NAME --protocol --keep",
      .show = "protocols", .file = {"peers/protocol.csv", "../peers/protocol.csv"}},
     /* clang-format on */
     {0},

@@ -157,7 +157,11 @@ static const struct row rows[] = {
      BAD,
      "first order",
      "dt = 5 ms"},
-    {{{"free_fall/4x4.csv", "mass_spring"}}, PROTOCOL_DAMPING, GOOD, "none seen", "free_fall"},
+    {{{"free_fall/4x4.csv", "mass_spring"}},
+     PROTOCOL_DAMPING,
+     GOOD,
+     "none seen",
+     "free_fall"},
     {{{REST("5x5")}}, PROTOCOL_STEP, UNKNOWN, "not known", "free_fall or edge_drop"},
 
     {{{FALL}}, PROTOCOL_DAMPING, GOOD, "none seen", "free_fall"},

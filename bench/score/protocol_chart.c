@@ -10,8 +10,8 @@ enum { WIDTH = 420, HEIGHT = 276, LEFT = 66, RIGHT = 410, TOP = 8, BOTTOM = 238 
 /* Colours, which the page's style names c0, c1, ... */
 enum { COLOURS = 6 };
 
-/* The largest ratio of the ends of the axis of errors: less is rounding. */
-static const double RANGE = 1e4;
+/* The axis of errors begins at the largest of them over this. */
+static const double RANGE = 1e3;
 
 /* The ends of both axes. */
 struct frame {
@@ -109,8 +109,8 @@ void protocol_chart_write(const char *title, const char *x_name, bool log_x, int
         draw_line(&f, &line[n], line[n].bar ? COLOURS : n % COLOURS, file);
     fputs("</svg>\n<p class=\"soft\">", file);
     for (int n = 0; n < lines; n++) {
-        fprintf(file, "<span class=\"c%d\">%s</span> ", line[n].bar ? COLOURS : n % COLOURS,
-                line[n].bar ? "&#9632;" : "&#9679;");
+        fprintf(file, "<span class=\"c%d\">%s</span>&nbsp;",
+                line[n].bar ? COLOURS : n % COLOURS, line[n].bar ? "&#9632;" : "&#9679;");
         table_html_text(line[n].label, file);
         fputs(" &ensp;", file);
     }

@@ -15,7 +15,7 @@ struct protocol_line {
 };
 
 /* Writes a figure with its legend; y is logarithmic. Points below its axis, which spans
- * four decades at most, are drawn on it. `x_name` has its unit and is not escaped. */
+ * three decades or four, are drawn on it. `x_name` has its unit and is not escaped. */
 void protocol_chart_write(const char *title, const char *x_name, bool log_x, int lines,
                           const struct protocol_line *line, FILE *file);
 

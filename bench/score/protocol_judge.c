@@ -424,23 +424,26 @@ static void tell_repeats(const struct judge *j)
 
 static void tell_contact(const struct judge *j)
 {
-    int files = 0, through = 0;
+    int files = 0;
+    bool through = false;
 
     for (int k = 0; k < j->p->scenes; k++)
         for (int n = 0; n < j->p->scene[k].runs; n++) {
             const struct protocol_run *run = &j->p->scene[k].run[n];
-            files++;
-            through += run->itself || run->body;
-            if (run->itself || run->body)
-                for (int m = 0; m < run->said.count; m++)
-                    if (!strncmp(run->said.text[m], "Passes through", 14))
-                        tell(j, PROTOCOL_CONTACT, PROTOCOL_BAD, "passes through", "%s: %s",
-                             run->file, run->said.text[m]);
+            files += score_diagnosis_has_place(&run->diagnosis);
+            for (int m = 0; m < run->said.count; m++)
+                if (!strncmp(run->said.text[m], "Passes through", 14)) {
+                    tell(j, PROTOCOL_CONTACT, PROTOCOL_BAD, "passes through", "%s: %s",
+                         run->file, run->said.text[m]);
+                    through = true;
+                }
         }
-    if (!through)
+    if (!files)
+        tell(j, PROTOCOL_CONTACT, PROTOCOL_UNKNOWN, "not known",
+             "In no file do axes, units and order of the vertices allow a judgement.");
+    else if (!through)
         tell(j, PROTOCOL_CONTACT, PROTOCOL_GOOD, "does not pass",
-             "In none of the %d files does the sheet pass through itself or a body.",
-             files);
+             "In none of %d files does the sheet pass through itself or a body.", files);
 }
 
 static enum status tell_place(const struct judge *j, const struct protocol_scene *scene,

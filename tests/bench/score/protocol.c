@@ -236,7 +236,7 @@ static const struct row rows[] = {
      "not known",
      "No run was repeated"},
 
-    {{{FALL}}, PROTOCOL_CONTACT, GOOD, "does not pass", "none of the 1 files"},
+    {{{FALL}}, PROTOCOL_CONTACT, GOOD, "does not pass", "none of 1 files"},
     {{{"free_fall/5x4.csv", "triangles_explicit", .fold = .1}},
      PROTOCOL_CONTACT,
      BAD,

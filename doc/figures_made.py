@@ -481,6 +481,23 @@ def peers_said():
                      for (simulator, words), where in sorted(found.items())])
 
 
+def protocol():
+    """A row a simulator with the verdicts of `score --protocol`; what is not known stands where
+    nothing else is."""
+    rows = tables(TOP / "peers" / "protocol.csv")[-1][1]
+    subjects = ["order of the step", "damping", "clamp", "finer nets", "repeated runs", "contact",
+                "place"]
+
+    def cell(name, subject):
+        words = list(dict.fromkeys(r["verdict"] for r in rows
+                                   if (r["simulator"], r["subject"]) == (name, subject)))
+        return ", ".join([w for w in words if w != "not known"] or words)
+
+    return markdown(["", *subjects],
+                    [[name] + [cell(name, subject) for subject in subjects]
+                     for name in dict.fromkeys(r["simulator"] for r in rows)])
+
+
 def tinyvbd():
     """A row a strand, in double precision; what single precision does beside it."""
     rows = result("tinyvbd")[-1][1]
@@ -909,6 +926,7 @@ BLOCKS = {"fabrics": fabrics, "fabrics_apart": fabrics_apart, "touching": touchi
           "mesh": mesh, "locking": locking, "cures": cures, "timestep": timestep,
           "peers": peers, "peers_drop": peers_drop, "tinyvbd": tinyvbd,
           "bullet_fold": bullet_fold,
+          "protocol": protocol,
           "peers_said": peers_said, "refinement": refinement, "refinement_nets": refinement_nets,
           "remedies": remedies,
           "supports": supports, "supports_orders": supports_orders}

@@ -96,6 +96,19 @@ def merging():
           [r["error"] for r in baselines.merged(kept, [net])] == list("12348"))
 
 
+def protocol():
+    """Rows of a simulator that ran take the place of its own, and of nobody else's."""
+    head = "simulator,version,subject,verdict,sentence\n"
+    table.unlink()
+    made = folder / "made.csv"
+    for rows in ["A,1,clamp,a hinge,s\nB,1,clamp,clamped,s\n", "A,2,clamp,clamped,s\n"]:
+        made.write_text(head + rows)
+        baselines.keep_protocol(table, made)
+    check("rows of one simulator are replaced",
+          table.read_text() == head + "B,1,clamp,clamped,s\nA,2,clamp,clamped,s\n")
+    check("a fabric's mean is handed over", 0 < exported("woven_level").D < 1e-3)
+
+
 def exported(scene, *settings):
     place = pathlib.Path(tempfile.mkdtemp(dir=folder)) / "scene"
     subprocess.run([program, "export", scene, "--points", "5,5", "--out", place,
@@ -149,6 +162,7 @@ def kept_rows():
 rows_of_runs()
 kept_table()
 merging()
+protocol()
 handed_over()
 kept_rows()
 finish()

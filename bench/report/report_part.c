@@ -93,8 +93,8 @@ const struct report_part report_part_list[] = {
      .folder = "sweep_feasibility", .picture = {{"map.png"}}},
     {"peers", "Other people's simulators", "peers/run all",
      .file = {"peers/baselines.csv", "../peers/baselines.csv"}},
-    {"protocols", "Simulators, a page each, in sentences", "peers/run NAME --protocol --keep",
-     .file = {"peers/protocol.csv", "../peers/protocol.csv"}},
+    {"protocols", "Other simulators, verdict by verdict", "peers/run NAME --protocol --keep",
+     .show = "protocols", .file = {"peers/protocol.csv", "../peers/protocol.csv"}},
     /* clang-format on */
     {0},
 };

@@ -72,9 +72,7 @@ static void run_clear(struct protocol_run *run)
 static enum status keep(const struct score *s, struct protocol_run *run)
 {
     const size_t times = (size_t)s->times, numbers = 3 * (size_t)SCORE_POINTS;
-    const struct score_contact_event *event = s->contact.event;
 
-    run->frames = s->frames;
     run->vertices = s->net.vertices;
     run->row = malloc(times * sizeof *run->row);
     run->got = malloc(times * numbers * sizeof *run->got);
@@ -90,11 +88,8 @@ static enum status keep(const struct score *s, struct protocol_run *run)
     }
     score_diagnosis_make(s, &run->diagnosis);
     score_print_say(s, &run->diagnosis, &run->said);
-    if (!score_diagnosis_has_place(&run->diagnosis))
-        return STATUS_OK;
-    score_stiffness_make(s, &run->stiffness);
-    run->itself = event[SCORE_CONTACT_ITSELF].frame > 0;
-    run->body = event[SCORE_CONTACT_BODY].frame > 0;
+    if (score_diagnosis_has_place(&run->diagnosis))
+        score_stiffness_make(s, &run->stiffness);
     return STATUS_OK;
 }
 

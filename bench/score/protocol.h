@@ -20,11 +20,10 @@
 struct protocol_run {
     char *file; /* SCENE/NxM-REPEAT.ENDING                                        owned  */
     int net[2], repeat; /* points along u and v; from 1                                  */
-    int frames, vertices;
+    int vertices;
     int times;
     struct score_time *row; /* [times], `got` alone has its field; over the length owned */
     double *got;            /* [times][SCORE_POINTS][3] [m]                        owned */
-    bool itself, body;      /* the sheet passes through itself, through a body           */
     struct score_diagnosis diagnosis;
     struct score_stiffness stiffness; /* `applies` is false where it has no place        */
     struct score_print_said said;

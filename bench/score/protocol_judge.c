@@ -18,6 +18,10 @@ static const double ORDER_LEAST = 0.5, PROMISED = 2;
 /* A stiffness counts as the scene's within the method's own error. */
 static const double STIFF_ERROR = 0.03;
 
+/* It means something that a flaw was not found in a run if what was found leaves at most
+ * this share of the difference. */
+static const double CLEAR = 0.25;
+
 struct judge {
     const struct protocol *p;
     void (*say)(void *context, const struct protocol_verdict *v);
@@ -66,12 +70,18 @@ static const struct score_finding *find(const struct protocol_run *run,
     return NULL;
 }
 
-/* Returns whether nothing is wrong with a run, or the fits explain what is: only then does
- * it mean something that a flaw of the motion is not among the findings. */
+/* Returns whether nothing is wrong with a run, or a fit explains its motion. */
 static bool is_explained(const struct protocol_run *run)
 {
-    return find(run, SCORE_SOUND) || find(run, SCORE_FLOOR) ||
-           (run && run->diagnosis.left > 0);
+    static const enum score_kind fitted[] = {
+        SCORE_SOUND,   SCORE_FLOOR,   SCORE_FIRST_ORDER_STEP,
+        SCORE_LAG,     SCORE_GRAVITY, SCORE_DAMPING,
+        SCORE_BENDING, SCORE_HINGE,   SCORE_CLAMP};
+
+    for (size_t n = 0; n < sizeof fitted / sizeof *fitted; n++)
+        if (find(run, fitted[n]))
+            return true;
+    return false;
 }
 
 /* Returns the run on the finest net of a scene that is explained; NULL: there is none. */
@@ -179,7 +189,7 @@ static void tell_motion_flaw(const struct judge *j, const struct motion_flaw *f)
                                                                 : f->found[second].word,
                  "%s: %s", run->file, flaw->text);
         found = found || flaw;
-        clean = !flaw && !clean ? run : clean;
+        clean = !flaw && !clean && run && run->diagnosis.left <= CLEAR ? run : clean;
     }
     if (!found && clean)
         tell(j, f->subject, PROTOCOL_GOOD, f->without, "%s: %s.", clean->file, f->sentence);
@@ -413,23 +423,26 @@ static void tell_repeats(const struct judge *j)
 
 static void tell_contact(const struct judge *j)
 {
-    int files = 0, through = 0;
+    int files = 0;
+    bool through = false;
 
     for (int k = 0; k < j->p->scenes; k++)
         for (int n = 0; n < j->p->scene[k].runs; n++) {
             const struct protocol_run *run = &j->p->scene[k].run[n];
-            files++;
-            through += run->itself || run->body;
-            if (run->itself || run->body)
-                for (int m = 0; m < run->said.count; m++)
-                    if (!strncmp(run->said.text[m], "Passes through", 14))
-                        tell(j, PROTOCOL_CONTACT, PROTOCOL_BAD, "passes through", "%s: %s",
-                             run->file, run->said.text[m]);
+            files += score_diagnosis_has_place(&run->diagnosis);
+            for (int m = 0; m < run->said.count; m++)
+                if (!strncmp(run->said.text[m], "Passes through", 14)) {
+                    tell(j, PROTOCOL_CONTACT, PROTOCOL_BAD, "passes through", "%s: %s",
+                         run->file, run->said.text[m]);
+                    through = true;
+                }
         }
-    if (!through)
+    if (!files)
+        tell(j, PROTOCOL_CONTACT, PROTOCOL_UNKNOWN, "not known",
+             "In no file do axes, units and order of the vertices allow a judgement.");
+    else if (!through)
         tell(j, PROTOCOL_CONTACT, PROTOCOL_GOOD, "does not pass",
-             "In none of the %d files does the sheet pass through itself or a body.",
-             files);
+             "In none of %d files does the sheet pass through itself or a body.", files);
 }
 
 static enum status tell_place(const struct judge *j, const struct protocol_scene *scene,

@@ -9,8 +9,8 @@ enum { WIDTH = 420, HEIGHT = 276, LEFT = 66, RIGHT = 410, TOP = 8, BOTTOM = 238 
 
 enum { COLOURS = 8 };
 
-/* The largest ratio of the ends of the axis of errors: less is rounding. */
-static const double RANGE = 1e4;
+/* The axis of errors begins at the largest of them over this. */
+static const double RANGE = 1e3;
 
 /* The ratio of the ends of an axis from which on its tics are powers of ten. */
 static const double DECADES = 100;

@@ -157,6 +157,11 @@ static const struct row rows[] = {
      BAD,
      "first order",
      "dt = 5 ms"},
+    {{{"free_fall/4x4.csv", "mass_spring"}},
+     PROTOCOL_DAMPING,
+     GOOD,
+     "none seen",
+     "free_fall"},
     {{{REST("5x5")}}, PROTOCOL_STEP, UNKNOWN, "not known", "free_fall or edge_drop"},
 
     {{{FALL}}, PROTOCOL_DAMPING, GOOD, "none seen", "free_fall"},
@@ -231,7 +236,7 @@ static const struct row rows[] = {
      "not known",
      "No run was repeated"},
 
-    {{{FALL}}, PROTOCOL_CONTACT, GOOD, "does not pass", "none of the 1 files"},
+    {{{FALL}}, PROTOCOL_CONTACT, GOOD, "does not pass", "none of 1 files"},
     {{{"free_fall/5x4.csv", "triangles_explicit", .fold = .1}},
      PROTOCOL_CONTACT,
      BAD,

@@ -202,7 +202,6 @@ static void add_need(struct scene *scene, unsigned need, double w)
         break;
     case SCENE_NEED_THICKNESS_SUPPORTS:
         s.lo[2] = s.hi[2] = w;
-        break;
     }
     REQUIRE(scene_add_support(scene, &s) == STATUS_OK);
 }

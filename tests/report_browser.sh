@@ -35,6 +35,8 @@ said.claims = document.querySelectorAll('.claims li').length;
 [said.tally, said.least, said.checks] = [1, 2, 3].map(n =>
   document.querySelectorAll('p')[n].textContent);
 said.lines = document.querySelectorAll('.chart path').length;
+const fabrics = name => document.querySelectorAll('[aria-label*="isotropic mean"] ' + name).length;
+said.fabrics = fabrics('circle') + ', ' + fabrics('rect');
 said.quick = document.querySelector('.quick')?.textContent;
 const cells = [...document.querySelectorAll('td')].map(cell => cell.textContent);
 said.above = cells.filter(words => words === 'hex').length;
@@ -82,6 +84,7 @@ said tally 'Of the paper.s [0-9]{2} claims [0-9]+ hold and [0-9]+ do not; [0-9]+
 said least 'The least time to an error of 1 % .* is 0[.]0[0-9]+ s, by .*; the next model, .* times as long'
 said checks 'Of the results .*, [0-9]{3} have it and [0-9]+ do not'
 said lines '[5-9]'
+said fabrics '[34][0-9], 3$' # two laws in seven models and three scenes, but for what refuses
 said quick '$'
 said wide false
 # cells that are packed because they are those of the row above: all rows of hexahedra, at least

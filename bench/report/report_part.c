@@ -54,6 +54,7 @@ const struct report_part report_part_list[] = {
     {"bench_contact", "Contact: what looking for it costs", "bench contact",
      .file = {"bench_contact.csv", "bench/contact.csv"}},
     {"study_fabrics", "Fabrics, and what their isotropic mean does instead", "study fabrics",
+     .show = "fabrics",
      .picture = {{"napkin_cotton_sheets.png"}, {"flag_silk_sheets.png"},
                  {"strip_bias_sheets.png"}}},
     {"study_iterations", "How many iterations?", "study iterations",

@@ -19,7 +19,7 @@ struct svg_chart_line {
 };
 
 /* Writes a figure with its legend; y is logarithmic. Points below its axis, which spans
- * four decades at most, are drawn on it. The title may be NULL; `x_name` has its unit and
+ * three decades or four, are drawn on it. The title may be NULL; `x_name` has its unit and
  * is not escaped. The page's style has the colours c0 to c7 of lines and `area` of bars. */
 void svg_chart_write(const char *title, const char *x_name, bool log_x, int lines,
                      const struct svg_chart_line *line, FILE *file);

@@ -97,27 +97,37 @@ static void add_twist(struct plate *p, int i, int j)
         spring_forms_add(p->forms, i * m + j, &form);
 }
 
+/* Takes the bending stiffness of one sheet. */
+static void use_sheet(struct plate *p, const struct scene *scene, int sheet)
+{
+    const struct scene one = scene_sheet(scene, sheet);
+    const struct law law = scene_law(&one);
+    const double *B = law.matrix[LAW_BENDING];
+
+    p->stiffness[0] = B[LAW_11], p->stiffness[1] = B[LAW_22];
+    p->twist = B[LAW_33];
+    p->poisson = law_cross(&law, LAW_BENDING);
+    p->skew[0] = p->skew[1] = 0;
+    if (!law_is_aligned(&law)) {
+        const double det = B[LAW_11] * B[LAW_22] - B[LAW_12] * B[LAW_12];
+        p->skew[0] = (B[LAW_22] * B[LAW_13] - B[LAW_12] * B[LAW_23]) / det;
+        p->skew[1] = (B[LAW_11] * B[LAW_23] - B[LAW_12] * B[LAW_13]) / det;
+        p->twist -= p->skew[0] * B[LAW_13] + p->skew[1] * B[LAW_23];
+    }
+}
+
 enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
                               struct spring_forms *forms)
 {
-    const struct law law = scene_law(scene);
-    const double *B = law.matrix[LAW_BENDING];
-    struct plate p = {.net = net,
-                      .stiffness = {B[LAW_11], B[LAW_22]},
-                      .twist = B[LAW_33],
-                      .poisson = law_cross(&law, LAW_BENDING),
-                      .forms = forms};
+    struct plate p = {.net = net, .forms = forms};
+    const int each = net->rows * net->points[1];
     const bool bends = net->hinge_count || net->clamp_count;
 
     if (spring_forms_init(forms, FORMS * (size_t)net->nodes) != STATUS_OK)
         return STATUS_MEMORY;
-    if (!law_is_aligned(&law)) {
-        const double det = B[LAW_11] * B[LAW_22] - B[LAW_12] * B[LAW_12];
-        p.skew[0] = (B[LAW_22] * B[LAW_13] - B[LAW_12] * B[LAW_23]) / det;
-        p.skew[1] = (B[LAW_11] * B[LAW_23] - B[LAW_12] * B[LAW_13]) / det;
-        p.twist -= p.skew[0] * B[LAW_13] + p.skew[1] * B[LAW_23];
-    }
     for (int a = 0; bends && a < net->nodes; a++) {
+        if (a % each == 0)
+            use_sheet(&p, scene, a / each);
         int i = a / net->points[1], j = a % net->points[1];
         bool both = !net->clamped[a] && spring_form_between(net, i, j, 0) &&
                     spring_form_between(net, i, j, 1);

@@ -522,6 +522,14 @@ def bullet_fold():
                      for r in rows])
 
 
+def contact_search():
+    """A row a net: what looking for its contact with itself costs, in explicit steps."""
+    rows = part("bench_contact", "Searching", "moving_over_step")
+    return markdown(["", "feet", "triangles kept", "in motion", "found again after"],
+                    [[r["net"], r["feet"], digits(r["over_step"], 2), digits(r["moving_over_step"], 2),
+                      digits(r["steps_kept"], 2)] for r in rows])
+
+
 def part_of(error):
     """A fraction in per cent; of what is round-off, nought."""
     return digits(100 * float(error), 2) if float(error) > 1e-9 else "0"
@@ -925,8 +933,7 @@ BLOCKS = {"fabrics": fabrics, "fabrics_apart": fabrics_apart, "touching": touchi
           "iterations_enough": iterations_enough, "vertex_block": vertex_block,
           "mesh": mesh, "locking": locking, "cures": cures, "timestep": timestep,
           "peers": peers, "peers_drop": peers_drop, "tinyvbd": tinyvbd,
-          "bullet_fold": bullet_fold,
-          "protocol": protocol,
+          "bullet_fold": bullet_fold, "contact_search": contact_search, "protocol": protocol,
           "peers_said": peers_said, "refinement": refinement, "refinement_nets": refinement_nets,
           "remedies": remedies,
           "supports": supports, "supports_orders": supports_orders}

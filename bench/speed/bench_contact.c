@@ -257,7 +257,7 @@ static enum status print(const struct bench *b, struct message *why)
                                                   {"again", "us"},
                                                   {"steps kept"},
                                                   {"moving", "us"},
-                                                  {"over step"},
+                                                  {"moving over step"},
                                                   {"every pair", "us"},
                                                   {"gain"},
                                                   {"repeats"}};

@@ -52,22 +52,24 @@ double samples_number(const struct samples *s, const char *name, const char *wha
 
 static const double SAMPLE = 1e-3; /* [s] a sample lasts at least */
 
+/* Times a task by the mean of its calls. The first fetches again what other tasks have
+ * driven out of the caches: it isn't counted if there is time for more, of which short
+ * calls have many, and long ones one or two. */
 static enum status sample(const struct samples_task *task, double *seconds)
 {
     const double begin = clock_now();
     double sum = 0;
-    int calls = 0;
     enum status st = STATUS_OK;
 
-    do {
+    for (int calls = 0; st == STATUS_OK && (!calls || clock_now() - begin < SAMPLE);
+         calls++) {
         if (task->prepare)
             task->prepare(task->context);
         const double start = clock_now();
         st = task->call(task->context);
-        sum += clock_now() - start;
-        calls++;
-    } while (st == STATUS_OK && clock_now() - begin < SAMPLE);
-    *seconds = sum / calls;
+        sum = (calls > 1 ? sum : 0) + clock_now() - start;
+        *seconds = sum / (calls > 1 ? calls : 1);
+    }
     return st;
 }
 

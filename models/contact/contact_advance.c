@@ -88,20 +88,23 @@ static double motion_between(const struct change *c, const struct meeting *m)
     return sqrt(most);
 }
 
-/* Cuts the share to one that is safe for two: a bound by their motion, from where it leads
- * to looked for again. */
-static void cut(struct change *c, const struct meeting *m)
+/* Tells whether both have a sample in common. */
+static bool joined(const struct meeting *m)
 {
-    bool near, ignored;
     const int split = m->edges ? 2 : 1;
 
     for (int k = 0; k < split; k++)
         for (int l = split; l < 4; l++)
             if (m->sample[k] == m->sample[l])
-                return;
-    const double distance = distance_after(c, m, 0, &near);
-    if (near)
-        return;
+                return true;
+    return false;
+}
+
+/* Cuts the share to one that is safe for two at a distance: a bound by their motion, from
+ * where it leads to looked for again. */
+static void cut(struct change *c, const struct meeting *m, double distance)
+{
+    bool ignored;
     const double floor = distance > c->wall ? c->wall : 0, clear = distance - floor;
     const double motion = motion_between(c, m);
     const double kept = (1 - spent) * fmin(clear, c->range);
@@ -118,17 +121,28 @@ static void cut(struct change *c, const struct meeting *m)
 
 static void cut_samples(struct change *c, int samples, int cell)
 {
-    struct meeting m = {.edges = false};
+    struct contact_lanes lanes = {.y = c->y};
     int sample[4];
     const int count = contact_tree_samples(c->tree, samples, sample);
 
     for (int k = 0; k < 2; k++) {
+        int corner[3];
         contact_foot_corners(c->tree->surface, contact_tree_triangle(c->tree, cell) + k,
-                             m.sample + 1);
-        for (int n = 0; n < count; n++) {
-            m.sample[0] = sample[n];
-            cut(c, &m);
-        }
+                             corner);
+        for (int n = 0; n < count; n++)
+            contact_lanes_set(&lanes, lanes.count++, sample[n], corner);
+    }
+    contact_lanes_nearest(&lanes);
+    for (int l = 0; l < lanes.count; l++) {
+        struct meeting m = {.edges = false};
+        double share[3];
+        for (int k = 0; k < 4; k++)
+            m.sample[k] = lanes.point[k][l];
+        for (int k = 0; k < 3; k++)
+            share[k] = lanes.share[k + 1][l];
+        if (!joined(&m) &&
+            !contact_tree_near(c->tree, c->apart, m.sample[0], m.sample + 1, share))
+            cut(c, &m, sqrt(lanes.square[l]));
     }
 }
 
@@ -146,7 +160,12 @@ static enum status cut_cells(struct contact_tree_search *search, int cell, int o
         for (int l = cell == other ? k + 1 : 0; l < others; l++) {
             const struct meeting m = {
                 {of_cell[k][0], of_cell[k][1], of_other[l][0], of_other[l][1]}, true};
-            cut(c, &m);
+            bool near;
+            if (joined(&m))
+                continue;
+            const double distance = distance_after(c, &m, 0, &near);
+            if (!near)
+                cut(c, &m, distance);
         }
     return STATUS_OK;
 }

@@ -84,6 +84,22 @@ static inline void normal_at(const struct contact_sheet *sheet, int sample, int 
     vector_cross(along_u, along_v, normal);
 }
 
+/* Computes the normals of samples, none at the border, that follow each other in a row. */
+static void normals_between(const double *restrict y, long m, long from, long to,
+                            double *restrict normal)
+{
+#pragma omp simd
+    for (long n = from; n < to; n++) {
+        const double *p = y + 3 * n, *q = p + 3 * m, *r = p - 3 * m;
+        const double a = q[0] - r[0], d = p[3] - p[-3];
+        const double b = q[1] - r[1], e = p[4] - p[-2];
+        const double c = q[2] - r[2], f = p[5] - p[-1];
+        normal[3 * n] = b * f - c * e;
+        normal[3 * n + 1] = c * d - a * f;
+        normal[3 * n + 2] = a * e - b * d;
+    }
+}
+
 void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3])
 {
     const int m = sheet->surface->points[1];
@@ -94,12 +110,23 @@ void contact_foot_normal(const struct contact_sheet *sheet, int sample, double n
 void contact_foot_normals(const struct contact_sheet *sheet, int i, const bool *wanted,
                           double *normal)
 {
-    const int m = sheet->surface->points[1], first = i * m;
+    const struct contact_surface *s = sheet->surface;
+    const int m = s->points[1], first = i * m, on = i % s->rows;
+    const bool inner = on > 0 && on + 1 < s->rows;
 
-    for (int j = 0; j < m; j++)
-        if (wanted[first + j])
-            normal_at(sheet, first + j, i % sheet->surface->rows, j,
-                      normal + 3 * (long)(first + j));
+    for (int j = 0, end; j < m; j = end) {
+        const bool border = !inner || j == 0 || j + 1 == m;
+        end = j + 1;
+        if (!wanted[first + j])
+            continue;
+        if (border) {
+            normal_at(sheet, first + j, on, j, normal + 3 * (long)(first + j));
+            continue;
+        }
+        while (end + 1 < m && wanted[first + end])
+            end++;
+        normals_between(sheet->y, m, first + j, first + end, normal);
+    }
 }
 
 /* Returns the squared cosine of the angle between the way from a point of a triangle to a

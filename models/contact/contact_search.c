@@ -21,7 +21,7 @@ enum { PARALLEL = 1000, PIECE = 64, FIRST_ROOM = 1024 };
 
 /* Margin over start: start and margin stay below the distance along the sheet from which
  * pairs count, so that flat parts have nothing near. */
-static const double margin_share = 0.4;
+static const double margin_share = 0.3;
 /* A share of start that rounding can't reach. */
 static const double rounding = 1e-9;
 /* A share of a distance that is less than it in single precision, too. */

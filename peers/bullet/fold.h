@@ -1,4 +1,5 @@
-/* fold.h - a folded sheet of 1 m x 1 m, and this program's search for contact with itself. */
+/* fold.h - a folded sheet of 1 m x 1 m, and this program's search for contact with itself.
+ */
 #ifndef FOLD_H
 #define FOLD_H
 
@@ -19,7 +20,8 @@ const double *fold_places(const struct fold *f);
 /* The distance at which contact starts [m]. */
 extern const double fold_start;
 
-/* Searches; `again` finds the near triangles, too. Returns the number of feet; -1: failed. */
+/* Searches; `again` finds the near triangles, too. Returns the number of feet; -1: failed.
+ */
 int fold_search(struct fold *f, int again);
 
 #ifdef __cplusplus

@@ -53,8 +53,10 @@ def started(words):
 def drive(place, name, folder, out, settings):
     """Frames in `out`, if there are any; what the driver told. Refused with a sentence."""
     scene = export.Scene(folder)
-    export.refuse(scene)
+    export.refuse(scene, name)
     export.write_plain(scene)
+    if scene.fabric:
+        print(f"{name:<10} of this fabric it loses {export.LOST[name]}", file=sys.stderr)
     raw = pathlib.Path(folder) / "frames.txt"
     run = started(command(place, name) + [str(folder), str(raw), *settings])
     told = [line for line in run.stdout.splitlines() if line.startswith('{"version')]
@@ -106,8 +108,9 @@ def net_of(scene, net):
         [along[0], str(max(FEWEST, round((int(along[1]) - 1) * across) + 1))])
 
 
-def export_scene(program, scene, net, folder):
-    run = subprocess.run([program, "export", scene, "--points", net, "--out", str(folder)],
+def export_scene(program, scene, net, folder, changes=()):
+    run = subprocess.run([program, "export", scene, "--points", net, "--out", str(folder),
+                          *(word for change in changes for word in ("--set", change))],
                          capture_output=True, text=True)
     if run.returncode:
         raise export.Refused(said(run))

@@ -923,7 +923,21 @@ def fabrics_apart():
     return markdown(["scene and fabric", "at", "the mean is off by"], made)
 
 
-BLOCKS = {"fabrics": fabrics, "fabrics_apart": fabrics_apart, "touching": touching, "table1": table1, "table23": table23, "growth": growth, "table4": table4,
+def denim():
+    """A row for each table of CalculiX's: how far contestants are from it, and its own bar."""
+    rows = [r for _, rows in result("verify_outside") for r in rows if "denim" in r["quantity"]]
+    titles = list(dict.fromkeys(r["model"] for r in rows))
+    made = []
+    for quantity, run in itertools.groupby(rows, lambda r: r["quantity"]):
+        off = {r["model"]: r for r in run}
+        name, when = re.match(r"calculix_denim_(\w+)_(rest|motion)", quantity).groups()
+        made.append([f"`{name}`", "at rest" if when == "rest" else "until 0.3 s",
+                     percent(100 * float(next(iter(off.values()))["error_bar"]))] +
+                    [percent(100 * float(off[t]["error"])) if t in off else "-" for t in titles])
+    return markdown(["denim", "", "CalculiX's bar"] + titles, made)
+
+
+BLOCKS = {"fabrics": fabrics, "denim": denim, "fabrics_apart": fabrics_apart, "touching": touching, "table1": table1, "table23": table23, "growth": growth, "table4": table4,
           "table4_verdicts": table4_verdicts, "verify": verify,
           "compare": compare, "compare_models": compare_models, "compare_plate": compare_plate,
           "compare_threads": compare_threads, "compare_scenes": compare_scenes,

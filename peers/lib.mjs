@@ -15,7 +15,7 @@ export function readScene(folder) {
     springs: rows('springs', 5).map(([a, b, stiffness, length]) => ({ a, b, stiffness, length })),
     hinges: rows('hinges', 6).map(([a, b, c, d, stiffness, inverseMass]) => (
       { a, b, c, d, stiffness, inverseMass })) };
-  for (const name of ['E', 'nu', 'rho', 'h', 'D', 'count', 'columns', 'damping'])
+  for (const name of ['E', 'nu', 'h', 'count', 'columns', 'damping'])
     [scene[name]] = list[name];
   scene.triangles = rows('faces', 3).concat(scene.clamp);
   scene.inverseMass = scene.mass.map((m, v) => (scene.held.has(v) ? 0 : 1 / m));

@@ -27,7 +27,7 @@ WIDTH = {"strip_swing": 0.2}  # of the length: nets have square cells, as the sp
 FEWEST = 5                  # points across
 PATIENCE = 1800             # s of patience with a run
 # What `score --protocol` is given: folder, scene, nets and settings; the 21 x 21 of edge_drop twice.
-WEFT = ["--set", "material.warp=90"]
+WEFT = ["material.warp=90"]
 PROTOCOL = [("free_fall", "free_fall", ["21,21"], []), ("hanging", "hanging", ["21,21"], []),
             ("rest_small", "rest_small", ["11,11", "21,21", "41,41"], []),
             ("rest_large", "rest_large", ["21,21"], []),
@@ -65,8 +65,10 @@ def started(words):
 def drive(place, name, folder, out, settings):
     """Frames in `out`, if there are any; what the driver told. Refused with a sentence."""
     scene = export.Scene(folder)
-    export.refuse(scene)
+    export.refuse(scene, name)
     export.write_plain(scene)
+    if scene.fabric:
+        print(f"{name:<10} of this fabric it loses {export.LOST[name]}", file=sys.stderr)
     raw = pathlib.Path(folder) / "frames.txt"
     run = started(command(place, name) + [str(folder), str(raw), *settings])
     told = [line for line in run.stdout.splitlines() if line.startswith('{"version')]
@@ -118,8 +120,9 @@ def net_of(scene, net):
         [along[0], str(max(FEWEST, round((int(along[1]) - 1) * across) + 1))])
 
 
-def export_scene(program, scene, net, folder, more=()):
-    run = subprocess.run([program, "export", scene, "--points", net, "--out", str(folder), *more],
+def export_scene(program, scene, net, folder, changes=()):
+    run = subprocess.run([program, "export", scene, "--points", net, "--out", str(folder),
+                          *(word for change in changes for word in ("--set", change))],
                          capture_output=True, text=True)
     if run.returncode:
         raise export.Refused(said(run))

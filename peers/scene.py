@@ -17,6 +17,21 @@ import sys
 # comes: what does has blown up.
 REACH = 10
 
+# Rows of a fabric; E, nu and D are then its isotropic mean's.
+MODULI = ("Y11", "Y22", "Y12", "G", "warp")
+
+# A fabric's law as far as each simulator cannot hold it.
+LOST = {
+    "blender": "warp and weft: it has their mean in stretch, and the isotropic mean's bending",
+    "bullet": "bending and Y12, and with implicit springs warp and weft, of which it has the mean",
+    "calculix": "bending of its own: it bends with h^2/12 of the membrane",
+    "cannon-es": "all but its masses",
+    "jolt": "Y12, which is G in a net of springs, and B12",
+    "mujoco": "warp and weft: it has E, nu and h of the isotropic mean",
+    "rapier3d": "Y12, and of bending all but one frequency for all hinges"}
+WITHOUT_SPRINGS = ("calculix", "mujoco")
+
+
 class Refused(Exception):
     """A sentence."""
 
@@ -49,11 +64,15 @@ class Scene:
     def read_material(self, material):
         value = {r["quantity"]: float(r["value"]) for r in material}
         self.E, self.nu, self.rho, self.h = (value[q] for q in ("E", "nu", "rho", "h"))
-        # of a fabric the isotropic mean
         self.D = value.get("D", self.E * self.h ** 3 / 12 / (1 - self.nu ** 2))
+        self.fabric = {q: value[q] for q in MODULI} if "warp" in value else None
+        self.bends = {q[6:]: k for q, k in value.items() if q.startswith("hinge ")}
         self.mass = [float(r["value"]) for r in material if r["quantity"] == "mass"]
         self.springs = [(int(r["a"]), int(r["b"]), float(r["value"]), float(r["rest_length"]),
                          r["quantity"]) for r in material if r["quantity"].startswith("spring ")]
+        u, v, self.shear = (max((s[2] for s in self.springs if s[4] == f"spring {kind}"), default=0)
+                            for kind in ("u", "v", "diagonal"))
+        self.stretch = (u + v) / 2  # N/m, of springs that are not on the rim; shear, too
 
     def read_net(self, rest, held):
         self.uv = [(r["u"], r["v"]) for r in rest]
@@ -89,8 +108,8 @@ class Scene:
 
     def hinges(self, triangles):
         """Where two triangles meet that are not both held: edge a b, corners c and d off it, k of
-        k theta^2 / 2, which is D |e|^2 over the area of those that are not held, and the inverse
-        mass of theta, sum over vertices of |d theta / d x|^2 / m, of the flat sheet."""
+        k theta^2 / 2 as exported, twice as large where one is held, and the inverse mass of theta,
+        sum over vertices of |d theta / d x|^2 / m, of the flat sheet."""
         met = {}
         for t in triangles:
             for i in range(3):
@@ -112,14 +131,23 @@ class Scene:
         (s, high), (r, low) = side(c), side(d)
         slopes = [(a, (1 - s) / high + (1 - r) / low), (b, s / high + r / low), (c, 1 / high),
                   (d, 1 / low)]
-        bends = sum(h for v, h in ((c, high), (d, low)) if not {a, b, v} <= self.held)
-        return (self.D * length / (bends / 2),
+        along = [p == q for p, q in zip(self.uv[a], self.uv[b])]  # whether u, v stay
+        kind = "v" if along[0] else "u" if along[1] else "diagonal"
+        clamped = any({a, b, corner} <= self.held for corner in (c, d))
+        return (self.bends[kind] * (1 + clamped),
                 sum(g * g / self.mass[v] for v, g in slopes if v not in self.held))
 
 
-def refuse(scene):
-    """Raises a sentence about what no driver hands over; a driver itself tells what its simulator
-    cannot."""
+def refuse(scene, name):
+    """Raises a sentence about what the driver of a simulator does not hand over; a driver itself
+    tells what its simulator cannot."""
+    if not scene.bends:
+        raise Refused("the drivers hand flat sheets over: the export tells no hinges of others")
+    if not scene.springs and name not in WITHOUT_SPRINGS:
+        raise Refused("the driver needs springs, and the export tells none: nets along u and v "
+                      "cannot hold this warp")
+    if "\n  softening:" in (scene.folder / "scene.yaml").read_text():
+        raise Refused("the drivers hand no softening over")
     for file in "loads", "paths", "velocities":
         if (scene.folder / f"{file}.csv").exists():
             raise Refused(f"the drivers hand no {file} over")
@@ -136,8 +164,8 @@ def write_plain(scene):
     outside = len(scene.x) - scene.count
     springs = [(*s[:4], int(s[4] == "spring diagonal")) for s in scene.springs]
     lists = {
-        **{name: [getattr(scene, name)] for name in ("E", "nu", "rho", "h", "D", "count", "columns",
-                                                     "damping")},
+        **{name: [getattr(scene, name)] for name in ("E", "nu", "h", "stretch", "shear", "count",
+                                                     "columns", "damping")},
         "gravity": scene.gravity, "reach": scene.reach, "times": scene.times,
         "held": sorted(scene.held),
         "mass": scene.mass + [0] * outside,

@@ -12,8 +12,9 @@ import tempfile
 from checks import check, finish, says
 
 program, peers = sys.argv[1], pathlib.Path(sys.argv[2])
-sys.path.insert(0, str(peers))
+sys.path[:0] = [str(peers), str(peers / "calculix")]
 import baselines  # noqa: E402
+import drive  # noqa: E402
 import runs  # noqa: E402
 import scene as export  # noqa: E402
 
@@ -135,14 +136,38 @@ def handed_over():
     check("at rest or not", rest.at_rest and not drop.at_rest and rest.damping == 20)
     for name, words in (("ground", "one ball"), ("moving_edge", "no paths"),
                         ("drag_fall", "no other drag")):
-        says(name, export.Refused, words, export.refuse, exported(name))
+        says(name, export.Refused, words, export.refuse, exported(name), "jolt")
     one = exported("edge_drop", "supports=[{at: {u: 0, v: [0, 1], w: 0.5}, fix: z}]")
-    says("a slide", export.Refused, "whole vertices", export.refuse, one)
+    says("a slide", export.Refused, "whole vertices", export.refuse, one, "jolt")
     far = [list(x) for x in drop.x]
     check("not lost", not export.is_lost(drop, 0.5, far))
     for bad in math.nan, math.inf, 100:
         far[3] = [0, bad, 0]
         check(f"{bad} is lost", export.is_lost(drop, 0.5, far))
+
+
+def fabrics():
+    """What the rows of a fabric become, and who cannot have which."""
+    cut = [exported("edge_drop", f"material={{fabric: denim, warp: {warp}}}") for warp in (0, 30)]
+    along, bias = cut
+    Y, B = along.fabric, along.bends
+    check("stretch and shear of nets", along.stretch > along.shear > 0 and bias.stretch == 0)
+    check("hinges are those of the rows", {round(h[4] / B["u"], 9) for h in along.hinges(
+        [[0, 1, 5], [1, 6, 5], [5, 6, 11], [5, 11, 10]])} >= {1.0})
+    check("a weft that bends more", B["u"] > 1.8 * B["v"])
+    law = drive.elastic(along)
+    check("the law over h", law[1].split(", ")[:3] == [
+        "%.12g" % (Y[q] / along.h) for q in ("Y11", "Y12", "Y22")])
+    check("axes of the warp", drive.orientation(bias)[1].startswith("0.866025403784, 0.5, 0, -0.5"))
+    check("nobody without a sentence", set(export.LOST) >= {
+        line[0] for line in runs.cases("all") if (peers / line[0]).exists()})
+    for name in export.LOST:
+        if name in export.WITHOUT_SPRINGS:
+            export.refuse(bias, name)
+        else:
+            says(f"{name} on the bias", export.Refused, "needs springs", export.refuse, bias, name)
+    soft = exported("edge_drop", "material={fabric: feng_421, softening: [-5e-8, -2e-8]}")
+    says("softening", export.Refused, "no softening", export.refuse, soft, "calculix")
 
 
 def kept_rows():
@@ -164,5 +189,6 @@ kept_table()
 merging()
 protocol()
 handed_over()
+fabrics()
 kept_rows()
 finish()

@@ -20,10 +20,12 @@ loader.exec_module(third)
 def decks(name):
     third.check(program, name)
     check(f"{name}: decks are those of what is stored", True)
-    nets, step, until = third.NETS[name]
-    third.NETS[name] = nets, step / 2, until
-    says(f"{name}: another step", SystemExit, "of another deck", third.check, program, name)
-    third.NETS[name] = nets, step, until
+    book = third.TABLES if name in third.TABLES else third.NETS
+    kept = book[name]
+    (along, across), *finer = kept[0]
+    book[name] = [(along + 10, across), *finer], *kept[1:]
+    says(f"{name}: another net", SystemExit, "of another deck", third.check, program, name)
+    book[name] = kept
 
 
 def shapes():
@@ -38,4 +40,6 @@ def shapes():
 shapes()
 for path in sorted((peers.parent / "bench" / "truths" / "third").glob("*.h5")):
     decks(path.stem)
+for name in third.TABLES:
+    decks(name)
 finish()

@@ -5,8 +5,8 @@ It counts time in frames of 1/sqrt(1000) s whatever the scene's frames a second 
 multiplied by 0.001), and its numbers turn into forces so:
     tension, compression and shear   k = stiffness / mean length of all springs
     bending (angular)                k = 0.1 stiffness x length of the edge
-so stiffnesses are those that make k the exported spring, and D for bending: its bending force has
-no lever arm, which no number makes good on every net. All vertices weigh the same, those of the
+so stiffnesses are those that make k the exported spring (warp's and weft's mean), and D for bending
+(a fabric's isotropic mean's): its bending force has no lever arm, which no number makes good on every net. All vertices weigh the same, those of the
 rim too: the exported mass of one inside. Vertices outside the sheet are pinned: a clamp. Mass
 damping is its air damping, a force of 0.01 air_damping times velocity. A ball is a mesh of quads;
 contact is at its least distance, 1 mm, where h/2 is less.
@@ -62,9 +62,8 @@ def set_cloth(scene, cloth, settings):
     unit = s.mass / max(scene.mass) * FRAME ** 2
     lengths = [length for _, _, _, length, _ in scene.springs]
     mean = sum(lengths) / len(lengths)
-    stiffest = {kind: k for k, kind in sorted((k, kind) for _, _, k, _, kind in scene.springs)}
-    s.tension_stiffness = s.compression_stiffness = stiffest["spring u"] * mean * unit
-    s.shear_stiffness = stiffest["spring diagonal"] * mean * unit
+    s.tension_stiffness = s.compression_stiffness = scene.stretch * mean * unit
+    s.shear_stiffness = scene.shear * mean * unit
     s.bending_model = "ANGULAR"
     s.bending_stiffness = scene.D / (0.1 * min(lengths)) * unit
     c = cloth.collision_settings

@@ -5,8 +5,9 @@
  *       btSoftBody: links of kLST = 1, which has no unit, so E maps to nothing
  *   drive ... body=springs [project=yes]
  *       btDeformableMassSpringForce, implicit: stiffness in N/m. It has one for links and
- * one for those that are marked as bending, which the diagonals are here; springs of the
- * rim, half as stiff in the export, are as stiff as the others
+ * one for those that are marked as bending, which the diagonals are here; the first is the
+ * mean along u and v. Springs of the rim, half as stiff in the export, are as stiff as the
+ * others
  *
  * Mass damping c: velocities lose c step of themselves in a step, kDP; the springs have none.
  * How it is run: scene.py.
@@ -76,17 +77,6 @@ static Scene read(const std::string &folder)
 }
 
 enum { SPRING_A, SPRING_B, STIFFNESS, LENGTH, DIAGONAL, SPRING };
-
-static double stiffest(const Scene &scene, bool diagonal)
-{
-    double most = 0;
-    for (size_t n = 0; n < scene.rows("springs", SPRING); n++) {
-        const double *r = scene.row("springs", SPRING, n);
-        if ((r[DIAGONAL] != 0) == diagonal)
-            most = std::fmax(most, r[STIFFNESS]);
-    }
-    return most;
-}
 
 static btSoftBody *make_sheet(btSoftBodyWorldInfo &info, const Scene &scene)
 {
@@ -170,8 +160,8 @@ static World make_world(const Scene &scene, std::map<std::string, std::string> &
     world->addSoftBody(sheet);
     add_ball(world, scene, sheet, btSoftBody::fCollision::SDF_RD);
     world->addForce(sheet,
-                    new btDeformableMassSpringForce(stiffest(scene, false), 0, true,
-                                                    stiffest(scene, true)));
+                    new btDeformableMassSpringForce(scene.number("stretch"), 0, true,
+                                                    scene.number("shear")));
     world->addForce(sheet, new btDeformableGravityForce(gravity));
     world->setImplicit(true);
     world->setLineSearch(false);

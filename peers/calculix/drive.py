@@ -1,5 +1,6 @@
 """CalculiX (Debian calculix-ccx): quadratic shells S8R, large displacements, implicit steps of
-Hilber, Hughes and Taylor with its default alpha, -0.05. E, nu, rho and h are its own parameters.
+Hilber, Hughes and Taylor with its default alpha, -0.05. E, nu, rho and h are its own parameters;
+a fabric is *ELASTIC, TYPE=ORTHO along the warp, and bends with h^2/12 of its membrane.
 
 An element covers two by two cells of the exported net, whose counts of cells are to be even. The
 vertex in its middle is no node of S8R: it is where the element's own shape functions have it.
@@ -8,6 +9,7 @@ patches. Mass damping is Rayleigh's alpha. A scene whose truth is a shape at res
 rest, without time. There is no ball: refused.
 S4 and S8 lock here, S4R runs away by hourglassing.
 """
+import math
 import os
 import pathlib
 import subprocess
@@ -17,7 +19,8 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import scene as export  # noqa: E402
 
-FIRST = 20  # a load at rest begins with so small a share; CalculiX picks the later ones
+FIRST = 1e4  # a load at rest begins with so small a share; CalculiX picks the later ones
+MOST = 2000  # increments to rest
 
 
 def elements(scene):
@@ -35,6 +38,27 @@ def in_patches(scene):
     n = scene.columns
     cells = ({v, v + 1, v + n, v + n + 1} for v in range(scene.count - n) if (v + 1) % n)
     return set().union(*(cell for cell in cells if cell <= scene.held))
+
+
+def elastic(scene):
+    """Lines of the law. A fabric's membrane over h is that of plane stress, for nothing across the
+    sheet is coupled to it; across it is as stiff as along the warp, and sheared as in the plane."""
+    if not scene.fabric:
+        return ["*ELASTIC", f"{scene.E!r}, {scene.nu!r}"]
+    a, b, c, g = (scene.fabric[name] / scene.h for name in ("Y11", "Y22", "Y12", "G"))
+    return ["*ELASTIC, TYPE=ORTHO", "%.12g, %.12g, %.12g, 0, 0, %.12g, %.12g, %.12g," %
+            (a, c, b, a, g, g), "%.12g" % g]
+
+
+def orientation(scene):
+    """Directions of warp and weft of a flat sheet."""
+    u, v = ([q - p for p, q in zip(scene.x[0], scene.x[far])]
+            for far in (scene.columns - 1, scene.count - scene.columns))
+    u, v = ([c / math.hypot(*side) for c in side] for side in (u, v))
+    turn = math.radians(scene.fabric["warp"])
+    axes = [math.cos(turn) * p + math.sin(turn) * q for p, q in zip(u, v)] + \
+        [math.cos(turn) * q - math.sin(turn) * p for p, q in zip(u, v)]
+    return ["*ORIENTATION, NAME=WARP", ", ".join("%.12g" % (c + 0.0) for c in axes)]
 
 
 def deck(scene, settings):
@@ -56,12 +80,14 @@ def deck(scene, settings):
         ["*ELEMENT, TYPE=S8R, ELSET=SHEET"] +
         [", ".join(str(k) for k in [e + 1] + [v + 1 for v in ring])
          for e, (ring, _) in enumerate(shells)] +
-        ["*MATERIAL, NAME=CLOTH", "*ELASTIC", f"{scene.E!r}, {scene.nu!r}", "*DENSITY",
-         repr(scene.rho)] + damping + ["*SHELL SECTION, ELSET=SHEET, MATERIAL=CLOTH", repr(scene.h)] +
+        (orientation(scene) if scene.fabric else []) +
+        ["*MATERIAL, NAME=CLOTH", *elastic(scene), "*DENSITY", repr(scene.rho)] + damping +
+        ["*SHELL SECTION, ELSET=SHEET, MATERIAL=CLOTH" + ", ORIENTATION=WARP" * bool(scene.fabric),
+         repr(scene.h)] +
         (["*BOUNDARY"] if scene.held else []) +
         ["%d, 1, %d" % (v + 1, 6 if v in clamped else 3) for v in nodes if v in scene.held] +
         ["*TIME POINTS, NAME=TRUTH"] + ["%.12g" % t for t in times] +
-        ["*STEP, NLGEOM, INC=%d" % (100 * times[-1] / step)] + procedure +
+        ["*STEP, NLGEOM, INC=%d" % (MOST if scene.at_rest else 100 * times[-1] / step)] + procedure +
         ["*DLOAD", "SHEET, GRAV, %.12g, %.12g, %.12g, %.12g" % (g, *(c / g for c in scene.gravity)),
          "*NODE FILE, NSET=ALL, OUTPUT=2D, TIME POINTS=TRUTH", "U", "*END STEP"]) + "\n"
 

@@ -1,7 +1,7 @@
 // MuJoCo (WebAssembly, double precision): a flex of dimension 2 on the exported vertices, those
 // outside the sheet among them: a clamp. Every cell has the same diagonal, as in flexcomp's own
 // grid: with alternating ones it has forces at rest (README.md, cut=alternating). E, nu and h are
-// its own parameters, so E maps to itself.
+// its own parameters, so E maps to itself; those of a fabric are its isotropic mean's.
 // Mass damping c: dof_damping of c m for each of a vertex's three slides. Friction of a pair is the
 // larger; contacts are as soft as they come.
 // flexcomp gives all vertices the same mass; the exported ones are set after compiling. Elasticity
@@ -19,7 +19,8 @@ function describe(scene, set) {
   const triangles = set.cut === 'alternating' ? scene.triangles
     : cutAlike(scene).concat(scene.clamp);
   const area = scene.mass.reduce((sum, m) => sum + m, 0);
-  const thin = Math.min(scene.h / 2, scene.springs[0].length / 5); // of no account without a ball
+  const cell = Math.hypot(...scene.x[1].map((c, i) => c - scene.x[0][i]));
+  const thin = Math.min(scene.h / 2, cell / 5); // of no account without a ball
   const { ball } = scene;
   return `<mujoco><option timestep="${set.step}" gravity="${scene.gravity.join(' ')}"
     integrator="discrete"/><worldbody>

@@ -197,29 +197,40 @@ static void add_twist(struct plate *p, int i, int j)
         add(p, &form);
 }
 
+/* Takes the bending stiffness of one sheet. */
+static void use_sheet(struct plate *p, const struct scene *scene, int sheet)
+{
+    const struct scene one = scene_sheet(scene, sheet);
+    const struct law law = scene_law(&one);
+    const double *B = law.matrix[LAW_BENDING];
+
+    p->stiffness[0] = B[LAW_11], p->stiffness[1] = B[LAW_22];
+    p->twist = B[LAW_33];
+    p->poisson = law_cross(&law, LAW_BENDING);
+    p->softens = law.softens;
+    if (!law_is_aligned(&law)) {
+        const double det = B[LAW_11] * B[LAW_22] - B[LAW_12] * B[LAW_12];
+        p->skew[0] = (B[LAW_22] * B[LAW_13] - B[LAW_12] * B[LAW_23]) / det;
+        p->skew[1] = (B[LAW_11] * B[LAW_23] - B[LAW_12] * B[LAW_13]) / det;
+        p->twist -= p->skew[0] * B[LAW_13] + p->skew[1] * B[LAW_23];
+    }
+}
+
 enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
                               struct spring_plate_form **forms, int *count)
 {
-    const struct law law = scene_law(scene);
-    const double *B = law.matrix[LAW_BENDING];
-    struct plate p = {.net = net,
-                      .stiffness = {B[LAW_11], B[LAW_22]},
-                      .twist = B[LAW_33],
-                      .poisson = law_cross(&law, LAW_BENDING),
-                      .softens = law.softens};
-    const size_t most = FORMS + (law.softens ? SOFT_FORMS : 0);
+    struct plate p = {.net = net};
+    const int each = net->rows * net->points[1];
 
+    use_sheet(&p, scene, 0);
+    const size_t most = FORMS + (p.softens ? SOFT_FORMS : 0);
     p.form = malloc(most * (size_t)net->nodes * sizeof *p.form);
     if (!p.form)
         return STATUS_MEMORY;
-    if (!law_is_aligned(&law)) {
-        const double det = B[LAW_11] * B[LAW_22] - B[LAW_12] * B[LAW_12];
-        p.skew[0] = (B[LAW_22] * B[LAW_13] - B[LAW_12] * B[LAW_23]) / det;
-        p.skew[1] = (B[LAW_11] * B[LAW_23] - B[LAW_12] * B[LAW_13]) / det;
-        p.twist -= p.skew[0] * B[LAW_13] + p.skew[1] * B[LAW_23];
-    }
     const bool bends = net->hinge_count || net->clamp_count;
     for (int a = 0; bends && a < net->nodes; a++) {
+        if (a % each == 0)
+            use_sheet(&p, scene, a / each);
         int i = a / net->points[1], j = a % net->points[1], u[2], v[2];
         bool both =
             !net->clamped[a] && between(net, i, j, 0, u) && between(net, i, j, 1, v);

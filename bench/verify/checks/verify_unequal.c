@@ -1,7 +1,6 @@
 #include <math.h>
 
 #include "bench/verify/verify_check.h"
-#include "models/contact/contact_law.h"
 
 /* Claims: 1e-3 of tips, 1 % for triangles, as of heavy strips; 2 % of ways and pressures.
  * What the distance of the clamps leaves at mid-length is 7e-4 of the weight, which is more
@@ -23,6 +22,20 @@ static const double B[2] = {1e-3, 2e-3}, BOTH = 3e-3, WEIGHT = 0.03, THICK = 2e-
  * hardly, hardly apart, apart. */
 static const double RATIO[] = {4, 1.05, 1 / 1.05, 0.25};
 enum { RATIOS = sizeof RATIO / sizeof *RATIO };
+
+/* Return the distance under a pressure, and the pressure at a distance, of a law that
+ * starts at THICK and has half of it as its range. */
+static double distance_under(double p)
+{
+    return THICK / 2 * (1 + 1 / (1 + sqrt(p / KAPPA)));
+}
+
+static double pressure_at(double D)
+{
+    const double x = 2 * D / THICK - 1;
+
+    return x < 1 ? KAPPA * (1 / x - 1) * (1 / x - 1) : 0;
+}
 
 /* A heavy strip's shape, from the clamp: x along, y up. */
 struct shape {
@@ -109,7 +122,7 @@ static double pressure_of(const struct pair *p, double lean, double d)
     return -B[0] * bend + p->weight[0] * (cos(theta) + (k - d * k * k) * over);
 }
 
-static struct pair pair_of(double ratio, const struct contact_law *law)
+static struct pair pair_of(double ratio)
 {
     const double lower = WEIGHT / (1 + ratio * B[0] / B[1]);
     struct pair p = {.weight = {WEIGHT - lower, lower}};
@@ -120,7 +133,7 @@ static struct pair pair_of(double ratio, const struct contact_law *law)
         const double lean = gap * p.excess / WEIGHT;
         p.both = hang(WEIGHT / BOTH, lean);
         p.pressure = pressure_of(&p, lean, gap * B[1] / BOTH);
-        gap = contact_law_distance(law, p.pressure);
+        gap = distance_under(p.pressure);
     }
     return p;
 }
@@ -173,7 +186,7 @@ static double distance(double xyz[PLACES][3])
 }
 
 static void add_together(struct verify_subject *s, struct verify_trial *t, double ratio,
-                         const struct pair *p, const struct contact_law *law)
+                         const struct pair *p)
 {
     double xyz[PLACES][3], off[2];
 
@@ -187,7 +200,7 @@ static void add_together(struct verify_subject *s, struct verify_trial *t, doubl
     s->changed = ratio < 2 ? "2 %, as where strips press" : NULL;
     verify_row_judge(
         verify_sheet_add(s, "pressure at mid-length / weight of both, ratio %.3g", ratio),
-        contact_law_pressure(law, distance(xyz), NULL) / WEIGHT, p->pressure / WEIGHT, 0);
+        pressure_at(distance(xyz)) / WEIGHT, p->pressure / WEIGHT, 0);
 }
 
 static void add_apart(struct verify_subject *s, struct verify_trial *t, double ratio,
@@ -220,16 +233,15 @@ static void add_apart(struct verify_subject *s, struct verify_trial *t, double r
 
 static void add_rows(struct verify_subject *s)
 {
-    const struct contact_law law = {.start = THICK, .range = THICK / 2, .stiffness = KAPPA};
     const double ratio = RATIO[s->at];
-    const struct pair p = pair_of(ratio, &law);
+    const struct pair p = pair_of(ratio);
     struct verify_trial t = verify_trial_of(
         s, "stack",
         p.excess > 0 ? "tips as of one strip, ratio %.3g" : "tips alone, ratio %.3g",
         ratio);
 
     if (p.excess > 0)
-        add_together(s, &t, ratio, &p, &law);
+        add_together(s, &t, ratio, &p);
     else
         add_apart(s, &t, ratio, &p);
 }

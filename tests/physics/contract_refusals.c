@@ -161,6 +161,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
     case SCENE_NEED_SELF_CONTACT:
         scene->contact.self = true;
         return;
+    case SCENE_NEED_OWN_MATERIALS:
+        scene->own[1] = (struct scene_own){scene->young / 2, 0.1, 2 * scene->density};
+        __attribute__((fallthrough));
     case SCENE_NEED_SHEETS:
         scene->sheets = 2, scene->pose[1] = scene->pose[0];
         return;

@@ -142,6 +142,8 @@ static struct pair pair_of(double ratio)
  * one's near its middle. */
 enum { TIPS, MIDDLES = 2, NEAR = 4, LOOKS = 41, PLACES = NEAR + LOOKS };
 
+static const struct scene two = {.sheets = 2};
+
 static bool settle(struct verify_trial *t, const struct pair *p, double xyz[PLACES][3])
 {
     const double cube = THICK * THICK * THICK, reach = 2 * THICK;
@@ -151,7 +153,6 @@ static bool settle(struct verify_trial *t, const struct pair *p, double xyz[PLAC
         const double s = n < MIDDLES ? 1
                          : n < NEAR  ? 0.5
                                      : 0.5 + reach * (2.0 * (n - NEAR) / (LOOKS - 1) - 1);
-        const struct scene two = {.sheets = 2};
         uvw[n][0] = scene_sheet_u(&two, n < NEAR ? n % 2 : 0, s);
         uvw[n][1] = uvw[n][2] = 0.5;
     }

@@ -157,6 +157,9 @@ unsigned scene_needs(const struct scene *scene)
         needs |= SCENE_NEED_SELF_CONTACT;
     if (scene->sheets > 1)
         needs |= SCENE_NEED_SHEETS;
+    for (int k = 0; k < scene->sheets; k++)
+        if (scene->own[k].density > 0)
+            needs |= SCENE_NEED_OWN_MATERIALS;
     if (scene->load_count > 0)
         needs |= SCENE_NEED_LOADS;
     if (scene->pressure != 0)
@@ -258,12 +261,23 @@ const char *scene_sheet_other(const struct scene *scene)
     return scene->sheets > 1 ? "itself or another sheet" : "itself";
 }
 
+int scene_sheet_of(const struct scene *scene, int item, int items)
+{
+    return item / (items / scene_sheets(scene));
+}
+
 struct scene scene_sheet(const struct scene *scene, int sheet)
 {
+    const struct scene_own *own = &scene->own[sheet];
     struct scene one = *scene;
 
     one.sheets = 1;
     one.pose[0] = scene->pose[sheet];
+    if (own->density > 0) {
+        one.young = own->young;
+        one.poisson = own->poisson;
+        one.density = own->density;
+    }
     return one;
 }
 

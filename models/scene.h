@@ -5,10 +5,10 @@
  *   X(u,v,w) = origin + u L e_u + v W e_v + (w - 1/2) h e_w,   e_w = e_u x e_v,
  * so that `origin` is the mid-surface corner; or it has the curved rest shape of cloak.h.
  *
- * A scene may have several flat sheets, alike but for where they lie. They share u: sheet k
- * of K has the columns of the material grid that grid_columns tells, the rest is void.
- * Everywhere u is this one of the scene, unless it is called s, which runs from 0 to 1
- * along each sheet. With one sheet they are the same.
+ * A scene may have several flat sheets, alike but for where they lie and what they are made
+ * of. They share u: sheet k of K has the columns of the material grid that grid_columns
+ * tells, the rest is void. Everywhere u is this one of the scene, unless it is called s,
+ * which runs from 0 to 1 along each sheet. With one sheet they are the same.
  */
 #ifndef SCENE_H
 #define SCENE_H
@@ -39,6 +39,11 @@ enum { SCENE_MAX_SHEETS = 8 };
 /* The place of a flat sheet at rest. */
 struct scene_pose {
     double origin[3], axis_u[3], axis_v[3]; /* [m]; axes orthonormal */
+};
+
+/* The isotropic material of one of several sheets; density 0: the scene's. */
+struct scene_own {
+    double young, poisson, density; /* [Pa], [1], [kg/m^3]                             */
 };
 
 struct scene_damping {
@@ -124,6 +129,7 @@ struct scene {
             double origin[3], axis_u[3], axis_v[3]; /* of the first                   */
         };
     };
+    struct scene_own own[SCENE_MAX_SHEETS]; /* materials of sheets that have their own */
     enum scene_shape shape; /* at rest                                       */
     double opening, flare;  /* angles of a cloak; opening 360: closed  [deg] */
 
@@ -176,7 +182,8 @@ struct scene {
     X(INITIAL_MOTION, "initial motion")                                                    \
     X(MOVING_OBSTACLES, "moving obstacles")                                                \
     X(SELF_CONTACT, "contact of the sheet with itself")                                    \
-    X(SHEETS, "several sheets")
+    X(SHEETS, "several sheets")                                                            \
+    X(OWN_MATERIALS, "sheets with materials of their own")
 
 enum scene_need_bit {
 #define SCENE_NEED_BIT(name, sentence) SCENE_NEED_BIT_##name,
@@ -241,8 +248,12 @@ double scene_sheet_inside(const struct scene *scene, double u);
 /* Returns whom a sheet may pass through: "itself", or "itself or another sheet". */
 const char *scene_sheet_other(const struct scene *scene);
 
-/* Returns the scene with that sheet as its only one; supports and loads stay as they are.
- * Borrows all that the scene owns: not to be cleared. */
+/* Returns the sheet of an item of so many that stand one sheet's after another's, equally
+ * many of each: elements, nodes or rows of a net. */
+int scene_sheet_of(const struct scene *scene, int item, int items);
+
+/* Returns the scene with that sheet as its only one, of that sheet's material; supports and
+ * loads stay as they are. Borrows all that the scene owns: not to be cleared. */
 struct scene scene_sheet(const struct scene *scene, int sheet);
 
 /* Computes e_w = e_u x e_v of the first sheet. */

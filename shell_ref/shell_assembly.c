@@ -34,6 +34,11 @@ static size_t rest_size(const struct shell_space *space, int rule)
     return SHELL_REST_ROWS * (size_t)space->rule[rule].padded;
 }
 
+static const struct shell_material *material_of(const struct shell_assembly *s, int element)
+{
+    return &s->material[element / (s->space->elements / s->sheets)];
+}
+
 /* The places where an element's rest data begins, by parts. */
 struct rest {
     const double *part[SHELL_PARTS];
@@ -54,7 +59,8 @@ static void add_mass(struct shell_assembly *s, const struct shell_element *e, in
 {
     const struct shell_points *p = &e->at[SHELL_MASS];
     const int *node = nodes_of(s->space, element);
-    double sheet = s->material.density * s->material.law.thickness;
+    const struct shell_material *material = material_of(s, element);
+    double sheet = material->density * material->law.thickness;
     int local = e->local, runs = runs_of(s->space), run = local / runs;
     const int *place = s->place + (size_t)element * (size_t)(local * runs);
 
@@ -85,7 +91,7 @@ static enum status add_rest(struct shell_assembly *s, struct shell_element *e, i
         double *rest =
             r == SHELL_MASS ? mass : s->rest[r] + (size_t)element * rest_size(s->space, r);
         shell_space_places(s->space, r, element, place);
-        enum status st = shell_element_rest(e, r, &s->material, place, rest);
+        enum status st = shell_element_rest(e, r, material_of(s, element), place, rest);
         if (st != STATUS_OK)
             return st;
     }
@@ -132,7 +138,7 @@ static void add_force(const void *self, int thread, int element, double *force)
     struct shell_element *e = &s->work[thread];
     const int *node = nodes_of(s->space, element);
 
-    shell_element_force(e, &s->material, rest_of(s, element).part);
+    shell_element_force(e, material_of(s, element), rest_of(s, element).part);
     for (int a = 0; a < e->local; a++)
         for (int i = 0; i < 3; i++)
             force[3 * (size_t)node[a] + (size_t)i] += e->f[3 * a + i];
@@ -146,7 +152,7 @@ static void add_tangent(const void *self, int thread, int element,
     int local = e->local, row = e->row, runs = runs_of(s->space), run = local / runs;
     const int *place = s->place + (size_t)element * (size_t)(local * runs);
 
-    shell_tangent_compute(e, &s->material, rest_of(s, element).part, path);
+    shell_tangent_compute(e, material_of(s, element), rest_of(s, element).part, path);
     for (int a = 0; a < local; a++) {
         const double *from = e->K + (size_t)(a * 9 * row);
         for (int r = a / run; r < runs; r++) {
@@ -192,11 +198,13 @@ void shell_assembly_clear(struct shell_assembly *s)
 }
 
 enum status shell_assembly_init(struct shell_assembly *s, const struct shell_space *space,
-                                const struct shell_material *material, struct message *why)
+                                int sheets, const struct shell_material *material,
+                                struct message *why)
 {
     enum status st;
-    struct shell_assembly new = {.space = space, .material = *material};
+    struct shell_assembly new = {.space = space, .sheets = sheets};
 
+    memcpy(new.material, material, (size_t)sheets * sizeof *material);
     TRY(blocks_init(&new.graph, space->nodes, space->elements, space->local, space->ien));
     TRY(blocks_places(&new.graph, space->elements, space->local,
                       space->local / runs_of(space), space->ien, &new.place));
@@ -231,7 +239,7 @@ enum status shell_assembly_energy(const struct shell_assembly *s, const double *
         gather(s->space, n, x, e->X[0]);
         if (!shell_element_strain(e, rest_of(s, n).part))
             return STATUS_NAN;
-        *energy += shell_element_energy(e, &s->material, rest_of(s, n).part);
+        *energy += shell_element_energy(e, material_of(s, n), rest_of(s, n).part);
     }
     return STATUS_OK;
 }

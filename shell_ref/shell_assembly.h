@@ -14,7 +14,8 @@
 
 struct shell_assembly {
     const struct shell_space *space; /* borrowed                                       */
-    struct shell_material material;
+    int sheets; /* whose elements stand one after the other                             */
+    struct shell_material material[SCENE_MAX_SHEETS];
     struct blocks graph;
     struct large_body body; /* the lag is for the membrane strains                     */
     void *room;   /* of the arrays but place                               owned   */
@@ -26,10 +27,12 @@ struct shell_assembly {
     struct shell_element *work; /* [threads]                                           */
 };
 
-/* Prepares; *s must stay where it is. Threads: as many as OpenMP would give at this moment.
+/* Prepares a shell of so many sheets, with equally many elements each, of material[sheets];
+ * *s must stay where it is. Threads: as many as OpenMP would give at this moment.
  * STATUS_INPUT with a sentence if the rest shape has no normal somewhere. */
 enum status shell_assembly_init(struct shell_assembly *s, const struct shell_space *space,
-                                const struct shell_material *material, struct message *why);
+                                int sheets, const struct shell_material *material,
+                                struct message *why);
 void shell_assembly_clear(struct shell_assembly *s);
 
 /* Returns elastic energy at x[nodes][3] [J]. STATUS_NAN where the surface has no normal. */

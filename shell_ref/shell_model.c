@@ -43,8 +43,8 @@ static enum status check_remedy(const struct discretization *d, struct message *
  * fastest growing wave is 2 pi sqrt(2 D / p) long. */
 static double wrinkle(const struct scene *scene, int sheet)
 {
-    const struct scene_pose *pose = &scene->pose[sheet];
-    const double *axis[2] = {pose->axis_u, pose->axis_v};
+    const struct scene one = scene_sheet(scene, sheet);
+    const double *axis[2] = {one.axis_u, one.axis_v};
     const double side[2] = {scene->length, scene->width};
     double g[2] = {0}, push = 0;
     bool pushed = false;
@@ -61,8 +61,7 @@ static double wrinkle(const struct scene *scene, int sheet)
     if (!pushed || push == 0)
         return INFINITY;
     return 2 * acos(-1) *
-           sqrt(2 * scene_bending_stiffness(scene) /
-                (scene->density * scene->thickness * push));
+           sqrt(2 * scene_bending_stiffness(&one) / (one.density * one.thickness * push));
 }
 
 /* Returns whether that is shorter than SPANS of the longest spans, with a sentence. At a
@@ -358,7 +357,8 @@ const struct model shell_model = {
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS |
               SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST | SCENE_NEED_CLOSED_REST |
               SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS | SCENE_NEED_FABRIC |
-              SCENE_NEED_BIAS | SCENE_NEED_SOFTENING | SCENE_NEED_PRESSURE,
+              SCENE_NEED_BIAS | SCENE_NEED_SOFTENING | SCENE_NEED_PRESSURE |
+              SCENE_NEED_OWN_MATERIALS,
     .options = options,
     /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
      * about the same time: Newton's method takes fewer tangents. */

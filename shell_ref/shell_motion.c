@@ -15,15 +15,22 @@
 #include "models/mechanics/pencil.h"
 #include "models/room.h"
 
+/* Returns the density at a node [kg/m^3]. */
+static double density_at(const struct shell_motion *m, int node)
+{
+    return m->assembly.material[scene_sheet_of(m->scene, node, m->space->nodes)].density;
+}
+
 static void compute_load(struct shell_motion *m)
 {
     const struct scene *s = m->scene;
 
-    for (int i = 0; i < 3; i++) {
-        double force = (s->density * s->gravity[i] + s->drag * s->wind[i]) * s->thickness;
-        for (int a = 0; a < m->space->nodes; a++)
+    for (int a = 0; a < m->space->nodes; a++)
+        for (int i = 0; i < 3; i++) {
+            double force =
+                (density_at(m, a) * s->gravity[i] + s->drag * s->wind[i]) * s->thickness;
             m->load[3 * a + i] = force * m->assembly.area[a];
-    }
+        }
 }
 
 static enum status add_loads(struct shell_motion *m)
@@ -241,21 +248,32 @@ static enum status meet(struct shell_motion *m, const struct discretization *d)
     return st == STATUS_OK ? contact_init(&m->contact, m->scene, &surface) : st;
 }
 
-static enum status build(struct shell_motion *m, const struct discretization *d,
-                         struct message *why)
+static struct shell_material material_of(const struct scene *sheet)
 {
-    const struct scene *scene = m->scene;
-    struct shell_material material = {scene_law(scene), scene->density, {{0}}};
-    int *order = NULL;
-    enum status st;
+    struct shell_material material = {scene_law(sheet), sheet->density, {{0}}};
 
     for (int i = 0; i < 2; i++) {
-        const double *along = material.law.along[i], l = scene->length, w = scene->width;
+        const double *along = material.law.along[i], l = sheet->length, w = sheet->width;
         material.along[i][0] = along[0] / (l * l);
         material.along[i][1] = along[1] / (w * w);
         material.along[i][2] = along[2] / (l * w);
     }
-    TRY(shell_assembly_init(&m->assembly, m->space, &material, why));
+    return material;
+}
+
+static enum status build(struct shell_motion *m, const struct discretization *d,
+                         struct message *why)
+{
+    const struct scene *scene = m->scene;
+    struct shell_material material[SCENE_MAX_SHEETS];
+    int *order = NULL;
+    enum status st;
+
+    for (int k = 0; k < scene_sheets(scene); k++) {
+        const struct scene sheet = scene_sheet(scene, k);
+        material[k] = material_of(&sheet);
+    }
+    TRY(shell_assembly_init(&m->assembly, m->space, scene_sheets(scene), material, why));
     TRY(lumped_mass_make(d, &m->assembly.graph, m->assembly.M, why));
     TRY(hold(m, why));
     TRY(newmark_init(&m->newmark, m->space->nodes, scene->step,
@@ -377,12 +395,13 @@ void shell_motion_energy(const void *state, struct energy *energy)
     const struct blocks *graph = &m->assembly.graph;
     const struct scene *s = m->scene;
     size_t count = 3 * (size_t)m->space->nodes;
-    double *y = n->work, sheet = s->density * s->thickness;
+    double *y = n->work;
 
     *energy = (struct energy){0};
     blocks_multiply_mass(graph, m->assembly.M, n->v, y);
     for (size_t t = 0; t < count; t++) {
         energy->kinetic += n->v[t] * y[t] / 2;
+        double sheet = density_at(m, (int)(t / 3)) * s->thickness;
         double weight = sheet * s->gravity[t % 3] * m->assembly.area[t / 3] +
                         (m->dead ? m->dead[t] : 0);
         energy->potential -= weight * (m->x[t] - m->space->rest[t]);

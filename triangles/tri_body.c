@@ -137,6 +137,13 @@ static void set_geometry(const void *self, int thread, int strip, const double *
         r->x[1][t] = (1 - share) * x_old[3 * r->first + t] + share * r->x[0][t];
 }
 
+static const double *stiffness_of(const struct tri_body *b, const struct tri_triangle *t)
+{
+    const struct spring_net *points = &b->net->points;
+
+    return b->D[t->node[0] / (points->rows * points->points[1])];
+}
+
 /* Computes dE / dC of a triangle, and the tangents there. False where it has no area: it
  * then exerts no force, since Newton's method must not accept such a geometry. */
 static bool pull_of(const struct tri_body *b, const struct tri_triangle *t,
@@ -149,7 +156,7 @@ static bool pull_of(const struct tri_body *b, const struct tri_triangle *t,
     metric(X, C);
     if (!tri_strain_at(b->membrane, C, s))
         return false;
-    law_stress(b->D, e, stress);
+    law_stress(stiffness_of(b, t), e, stress);
     for (int l = 0; l < 3; l++) {
         pull[l] = 0;
         for (int k = 0; k < 3; k++)
@@ -211,7 +218,7 @@ static void add_force(const void *self, int thread, int strip, double *force)
 }
 
 /* Computes a triangle's M = m J'D J + g sum stress_k H_k, the second derivatives by C. */
-static void by_metric(const struct tri_body *b, const struct tri_strain *s,
+static void by_metric(const struct tri_strain *s, const double D[LAW_ENTRIES], double area,
                       const double stress[3], double material, double geometric,
                       double M[3][3])
 {
@@ -219,11 +226,11 @@ static void by_metric(const struct tri_body *b, const struct tri_strain *s,
         for (int m = 0; m < 3; m++) {
             const double column[3] = {s->J[0][m], s->J[1][m], s->J[2][m]};
             double DJ[3], sum = 0;
-            law_stress(b->D, column, DJ);
+            law_stress(D, column, DJ);
             for (int k = 0; k < 3; k++)
                 sum +=
                     material * s->J[k][l] * DJ[k] + geometric * stress[k] * s->H[k][l][m];
-            M[l][m] = b->area * sum;
+            M[l][m] = area * sum;
         }
 }
 
@@ -256,7 +263,7 @@ static void membrane_tangent(const struct tri_body *b, const struct tri_triangle
 
     if (!pull_of(b, t, r, e, &X, &s, stress, g))
         return;
-    by_metric(b, &s, stress, path->s1 + path->lag, path->g1, M);
+    by_metric(&s, stiffness_of(b, t), b->area, stress, path->s1 + path->lag, path->g1, M);
     for (int l = 0; l < 3; l++)
         g[l] *= path->g1;
     by_tangents(&X, (const double(*)[3])M, g, Q);
@@ -355,7 +362,10 @@ enum status tri_body_init(struct tri_body *b, const struct scene *scene,
     int n = net->points.points[0];
 
     *b = (struct tri_body){.net = net, .membrane = membrane};
-    tri_strain_stiffness(scene, membrane, b->D);
+    for (int k = 0; k < scene_sheets(scene); k++) {
+        const struct scene sheet = scene_sheet(scene, k);
+        tri_strain_stiffness(&sheet, membrane, b->D[k]);
+    }
     b->area = net->points.cell[0] * net->points.cell[1] / 2;
     b->forms_from = 3 * most_of(net->triangle_at, n);
     b->hinges_from = b->forms_from + 3 * spring_forms_most(&net->forms, &net->points) +
@@ -392,7 +402,7 @@ double tri_body_energy(const struct tri_body *b, const double *x)
             return NAN;
         form = e + b->forms_from, hinge = e + b->hinges_from;
         for (int k = net->triangle_at[strip]; k < net->triangle_at[strip + 1]; k++) {
-            law_stress(b->D, e, stress);
+            law_stress(stiffness_of(b, &net->triangles[k]), e, stress);
             energy += b->area * dot(stress, e) / 2, e += 3;
         }
         for (int k = form_at[strip]; k < form_at[strip + 1]; k++, form += 3)

@@ -12,7 +12,7 @@
 struct tri_body {
     const struct tri_net *net; /* borrowed                                             */
     enum membrane membrane;
-    double D[LAW_ENTRIES]; /* tri_strain_stiffness                             [N/m]   */
+    double D[SCENE_MAX_SHEETS][LAW_ENTRIES]; /* tri_strain_stiffness of sheets [N/m]   */
     double area; /* of a triangle                                              [m^2]   */
     int forms_from, hinges_from; /* where a strip's strains of bending start             */
     struct large_body body;      /* the lag is for the membrane                        */

@@ -35,6 +35,11 @@ static enum status refuse(const struct scene *scene, const struct discretization
     if (d->precision == PRECISION_SINGLE && d->bending == BENDING_HINGE)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with bending=quadratic only");
+    if (scene_needs(scene) & SCENE_NEED_OWN_MATERIALS &&
+        (d->integrator == INTEGRATOR_LEAPFROG || d->bending == BENDING_HINGE))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "sheets with materials of their own: integrator=momentum or "
+                           "implicit with bending=quadratic only");
     if (scene->is_fabric && d->bending == BENDING_HINGE)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "a fabric: with bending=quadratic only, hinges are isotropic");
@@ -144,7 +149,7 @@ const struct model tri_model = {
               SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
               SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
               SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_BIAS |
-              SCENE_NEED_SOFTENING,
+              SCENE_NEED_SOFTENING | SCENE_NEED_OWN_MATERIALS,
     .options = options,
     .defaults = {.points = {16, 16, 1},
                  .degree = {1, 1, 1},

@@ -72,10 +72,10 @@ static enum status make_leapfrog(struct tri_motion *m, const struct discretizati
                                .cells = &m->cells};
 
     m->cells.membrane = OWN(tri_own, d)->membrane;
-    m->cells.D[0] = m->body.D[LAW_11];
-    m->cells.D[1] = m->body.D[LAW_12];
-    m->cells.D[2] = m->body.D[LAW_22];
-    m->cells.D[3] = m->body.D[LAW_33];
+    m->cells.D[0] = m->body.D[0][LAW_11];
+    m->cells.D[1] = m->body.D[0][LAW_12];
+    m->cells.D[2] = m->body.D[0][LAW_22];
+    m->cells.D[3] = m->body.D[0][LAW_33];
     memcpy(m->cells.cell, points->cell, sizeof m->cells.cell);
     TRY(spring_stencil_init(&m->stencil, m->scene, points, SPRINGS_SQUARES,
                             BENDING_QUADRATIC));

@@ -182,7 +182,7 @@ enum status vb_body_init(struct vb_body *b, const struct tri_net *net,
     for (int j = 0; j < 3; j++) {
         double e[3] = {0}, stress[3];
         e[j] = 1;
-        law_stress(law->D, e, stress);
+        law_stress(law->D[0], e, stress);
         for (int i = 0; i < 3; i++)
             b->D[i][j] = stress[i];
     }

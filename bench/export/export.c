@@ -620,6 +620,11 @@ static enum status prepare(struct export_job *j, const struct command_line *line
     if (format && strcmp(format, "obj") && strcmp(format, "ply") && strcmp(format, "csv"))
         TRY(status_fail(why, STATUS_INPUT, "--format %s: obj, ply or csv", format));
     TRY(read_scene(j, line, why));
+    if (scene_needs(&j->scene) & SCENE_NEED_OWN_MATERIALS)
+        TRY(status_fail(why, STATUS_UNSUPPORTED,
+                        "%s has sheets with materials of their own, but export writes one "
+                        "material",
+                        j->scene.name));
     j->sheet.scene = &j->scene;
     TRY(export_held_find(&j->sheet, &j->held, why));
     TRY(truth_judged(&j->scene, &j->known, why));

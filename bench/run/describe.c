@@ -58,6 +58,13 @@ static void describe_scene(const struct scene *scene, FILE *file)
                 "kg/m^3\n",
                 scene->name, scene->length, scene->width, scene->thickness, scene->young,
                 scene->poisson, scene->density);
+    for (int k = 0; k < scene->sheets; k++) {
+        const struct scene_own *own = &scene->own[k];
+        if (own->density > 0)
+            fprintf(file,
+                    "sheet %d         E = %g Pa, nu = %g, rho = %g kg/m^3 of its own\n",
+                    k + 1, own->young, own->poisson, own->density);
+    }
     fprintf(file, "damping         %s", damping_words[scene->damping.kind]);
     if (scene->damping.kind == DAMPING_RAYLEIGH)
         fprintf(file, ", alpha %g 1/s, beta %g s", scene->damping.alpha,

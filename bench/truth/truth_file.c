@@ -120,6 +120,8 @@ enum status truth_physics(const struct scene *s, char **text)
         print(out, "origin", 3, s->pose[k].origin);
         print(out, "u", 3, s->pose[k].axis_u);
         print(out, "v", 3, s->pose[k].axis_v);
+        if (s->own[k].density > 0)
+            print(out, "own", 3, &s->own[k].young);
     }
     print(out, "material", 3, (double[]){s->young, s->poisson, s->density});
     if (s->is_fabric) {

@@ -22,9 +22,9 @@ static double fastest(int count, const double (*path)[4])
     return most;
 }
 
-/* Returns the energy per area that contact has to stop [J/m^2]: of a fall through the
- * sheet's length, of its speed at the start, or that of a body; and, for sheets without
- * weight, of bending to a circle. */
+/* Returns the energy per area of a sheet that contact has to stop [J/m^2]: of a fall
+ * through the sheet's length, of its speed at the start, or that of a body; and, for sheets
+ * without weight, of bending to a circle. */
 static double energy_to_stop(const struct scene *s)
 {
     const double areal = s->density * s->thickness, round = 2 * PI / s->length;
@@ -38,17 +38,29 @@ static double energy_to_stop(const struct scene *s)
            scene_bending_stiffness(s) * round * round / 2;
 }
 
+/* Returns the largest of all sheets. */
+static double most_to_stop(const struct scene *scene)
+{
+    double most = 0;
+
+    for (int k = 0; k < scene_sheets(scene); k++) {
+        const struct scene one = scene_sheet(scene, k);
+        most = fmax(most, energy_to_stop(&one));
+    }
+    return most;
+}
+
 struct contact_law contact_law_self(const struct scene *scene)
 {
     const struct scene_contact *c = &scene->contact;
     const double t = c->thickness > 0 ? c->thickness : scene->thickness;
 
-    return (struct contact_law){
-        .start = t,
-        .range = c->range > 0 ? c->range : t / 2,
-        .stiffness = c->stiffness > 0 ? c->stiffness : 4 * energy_to_stop(scene) / t,
-        .rebound = 2 * REBOUND * scene->length,
-        .creep = CREEP * scene->length};
+    return (struct contact_law){.start = t,
+                                .range = c->range > 0 ? c->range : t / 2,
+                                .stiffness = c->stiffness > 0 ? c->stiffness
+                                                              : 4 * most_to_stop(scene) / t,
+                                .rebound = 2 * REBOUND * scene->length,
+                                .creep = CREEP * scene->length};
 }
 
 struct contact_law contact_law_body(const struct scene *scene)

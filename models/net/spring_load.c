@@ -12,8 +12,10 @@ static void set_points(struct spring_load *l, double alpha)
     const struct scene *s = l->scene;
 
     for (int a = 0; a < l->net->nodes; a++) {
+        const struct scene_own *own = &s->own[scene_sheet_of(s, a, l->net->nodes)];
         double volume = l->net->area[a] * s->thickness;
-        l->mass[a] = l->net->law.area_mass * l->net->area[a];
+        l->mass[a] = own->density > 0 ? own->density * volume
+                                      : l->net->law.area_mass * l->net->area[a];
         l->drag[a] = alpha * l->mass[a] + l->net->law.drag + s->drag * volume;
         for (int i = 0; i < 3; i++)
             l->load[3 * a + i] = l->mass[a] * s->gravity[i] + s->drag * volume * s->wind[i];

@@ -164,7 +164,8 @@ out:
     return st;
 }
 
-/* Checks the places of several sheets, which meet unless the scene says otherwise. */
+/* Checks the places and materials of several sheets, which meet unless the scene says
+ * otherwise. */
 static enum status check_sheets(const struct yaml_tree *root, struct scene *scene,
                                 struct message *why)
 {
@@ -177,8 +178,16 @@ static enum status check_sheets(const struct yaml_tree *root, struct scene *scen
         return yaml_tree_refuse(is_setting(list) ? list : pose, why,
                                 "the scene has both pose and sheets, but must have one: "
                                 "the rows of sheets say where each lies");
-    for (struct scene_pose *p = scene->pose; row; p++, row = row->next)
+    for (struct scene_pose *p = scene->pose; row; p++, row = row->next) {
+        const struct yaml_tree *material = yaml_tree_find(row, "material");
         TRY(check_axes(row, "sheet", p->axis_u, p->axis_v, why));
+        if (material && (scene->is_fabric || scene->fabric_mean))
+            return yaml_tree_refuse(material, why, SCENE_MATERIAL_OWN);
+        if (material && scene->drag > 0)
+            return yaml_tree_refuse(material, why,
+                                    "body drag is for sheets of one material; leave out "
+                                    "drag, or the sheet's own material");
+    }
     if (list && !yaml_tree_find(root, "contact"))
         scene->contact.self = true;
 out:

@@ -6,6 +6,13 @@
 #include "models/reader/schema.h"
 #include "models/scene.h"
 
+/* The sentence about a sheet's own material where one of the two is a fabric. */
+#define SCENE_MATERIAL_OWN                                                                 \
+    "sheets share their thickness, which a fabric has of its own: a sheet can have a "     \
+    "material of its own where both this and the scene's are isotropic, of young, "        \
+    "poisson "                                                                             \
+    "and density"
+
 extern const struct schema_key scene_material_keys[];
 
 /* Checks a section just read (schema_key.h): its keys are of one kind, and all are there. A

@@ -346,6 +346,29 @@ out:
     return st;
 }
 
+/* A sheet while it is read. */
+struct sheet_row {
+    struct scene_pose pose;
+    struct scene_own own;
+};
+
+/* Reads the material of one sheet, by the keys of the scene's. */
+static enum status read_own(const struct schema_key *key, const struct yaml_tree *node,
+                            void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct sheet_row *row = target;
+    struct scene one = {.sheets = 1};
+
+    TRY(schema_read(scene_material_keys, node, key->key, &one, why));
+    TRY(scene_material_check(key, node, &one, why));
+    if (one.is_fabric)
+        return yaml_tree_refuse(node, why, SCENE_MATERIAL_OWN);
+    row->own = (struct scene_own){one.young, one.poisson, one.density};
+out:
+    return st;
+}
+
 static enum status read_sheets(const struct schema_key *key, const struct yaml_tree *node,
                                void *target, struct message *why)
 {
@@ -356,8 +379,10 @@ static enum status read_sheets(const struct schema_key *key, const struct yaml_t
     if (node->kind != YAML_TREE_LIST || node->count < 2 || node->count > SCENE_MAX_SHEETS)
         return schema_refuse(key, node, why);
     for (const struct yaml_tree *row = node->first; row; row = row->next) {
-        scene->pose[k] = (struct scene_pose){.axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}};
-        TRY(schema_read(key->keys, row, "a sheet", &scene->pose[k++], why));
+        struct sheet_row read = {.pose = {.axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}}};
+        TRY(schema_read(key->keys, row, "a sheet", &read, why));
+        scene->pose[k] = read.pose;
+        scene->own[k++] = read.own;
     }
     scene->sheets = k;
 out:
@@ -421,10 +446,12 @@ static const struct schema_key POSE[] = {
 
 static const struct schema_key SHEETS[] = {
     {"origin", "mid-surface corner u = v = 0 [m]", SCHEMA_VECTOR, PLACE, .required = true,
-     IN(scene_pose, origin)},
-    {"u", "unit vector along the length; x", SCHEMA_VECTOR, PLACE, IN(scene_pose, axis_u)},
+     IN(sheet_row, pose.origin)},
+    {"u", "unit vector along the length; x", SCHEMA_VECTOR, PLACE, IN(sheet_row, pose.axis_u)},
     {"v", "unit vector along the width, across u; y", SCHEMA_VECTOR, PLACE,
-     IN(scene_pose, axis_v)},
+     IN(sheet_row, pose.axis_v)},
+    {"material", "its own in place of the scene's", SCHEMA_SPECIAL, .read = read_own,
+     .want = "{young: E, poisson: nu, density: rho}"},
     {NULL}};
 
 static const struct schema_key DRAG[] = {
@@ -482,9 +509,9 @@ static const struct schema_key SCENE[] = {
     {"about", "what happens, for lists", SCHEMA_TEXT, IN(scene, about)},
     {"sheet", "the sheet", SCHEMA_SECTION, .required = true, .keys = SHEET},
     {"pose", "its rest pose", SCHEMA_SECTION, .keys = POSE},
-    {"sheets", "in place of pose: several sheets, alike but for their places", SCHEMA_SPECIAL,
+    {"sheets", "in place of pose: several sheets of one size", SCHEMA_SPECIAL,
      .keys = SHEETS, .read = read_sheets,
-     .want = "a list of 2 to 8 sheets {origin: [x, y, z], u: [...], v: [...]}"},
+     .want = "a list of 2 to 8 sheets {origin: [x, y, z], u: [...], v: [...], material: {...}}"},
     {"material", "what the sheet is made of", SCHEMA_SECTION, .required = true,
      .keys = scene_material_keys, .read = scene_material_check},
     {"gravity", "acceleration [m/s^2]", SCHEMA_VECTOR, PLACE, IN(scene, gravity)},

@@ -140,6 +140,14 @@ static void check_nets(const struct model *model, const struct scene *scene)
     }
 }
 
+static void use_fabric(struct scene *scene)
+{
+    memcpy(scene->fabric.membrane, (double[]){2e3, 1e3, 400, 100}, 4 * sizeof(double));
+    memcpy(scene->fabric.bending, (double[]){4e-2, 1e-2, 6e-3, 8e-3}, 4 * sizeof(double));
+    scene->fabric.areal_density = 0.01;
+    scene_use_fabric(scene);
+}
+
 /* A scene with one need more than the plain one; w: where a part of the thickness is held.
  */
 static void add_need(struct scene *scene, unsigned need, double w)
@@ -160,6 +168,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
     case SCENE_NEED_SELF_CONTACT:
         scene->contact.self = true;
         return;
+    case SCENE_NEED_OWN_MATERIALS:
+        scene->own[1] = (struct scene_own){scene->young / 2, 0.1, 2 * scene->density};
+        __attribute__((fallthrough));
     case SCENE_NEED_SHEETS:
         scene->sheets = 2, scene->pose[1] = scene->pose[0];
         return;
@@ -178,11 +189,7 @@ static void add_need(struct scene *scene, unsigned need, double w)
         scene->fabric.softening[0] = need == SCENE_NEED_BIAS ? 0 : -1e-4; /* and */
         __attribute__((fallthrough));
     case SCENE_NEED_FABRIC:
-        memcpy(scene->fabric.membrane, (double[]){2e3, 1e3, 400, 100}, 4 * sizeof(double));
-        memcpy(scene->fabric.bending, (double[]){4e-2, 1e-2, 6e-3, 8e-3},
-               4 * sizeof(double));
-        scene->fabric.areal_density = 0.01;
-        scene_use_fabric(scene);
+        use_fabric(scene);
         return;
     case SCENE_NEED_PRESSURE:
     case SCENE_NEED_CURVED_REST:

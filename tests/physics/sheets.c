@@ -1,5 +1,6 @@
 /* Tests scenes of several sheets, a row a model: sheets that never meet move as each does
- * alone, hang as each does and swing with its frequencies; those that meet rest on each
+ * alone, also of materials of their own, hang as each does and swing with its frequencies;
+ * those that meet rest on each
  * other as the law says, and keep their momentum. */
 #include "models/contact/contact_law.h"
 #include "tests/opened_run.h"
@@ -24,6 +25,7 @@ static const struct row {
     const char *model, *settings;
     double apart; /* tolerance of positions                                            */
     int modes;    /* frequencies to compare                                            */
+    bool own;     /* each sheet has a material of its own                              */
 } rows[] = {
     {"mass_spring", KEY "tolerance=1e-10", SOLVED, 0},
     {"mass_spring", KEY "integrator=explicit;" KEY "substeps=24", SAME, 0},
@@ -35,6 +37,7 @@ static const struct row {
     {"mass_spring", KEY "integrator=momentum", STOPPED, 0},
     {"triangles", KEY "integrator=momentum", STOPPED, 4},
     {"triangles", KEY "integrator=implicit", STOPPED, 0},
+    {"triangles", KEY "integrator=momentum", STOPPED, 0, .own = true},
     {"triangles", KEY "integrator=leapfrog;" KEY "substeps=24", SAME, 0},
     {"triangles", KEY "integrator=leapfrog;" KEY "substeps=24;" KEY "bending=hinge", SAME,
      4},
@@ -49,6 +52,8 @@ static const struct row {
     {"projective_dynamics", FINE, SAME, 0},
     {"shell", "", STOPPED, 4},
     {"shell", KEY "remedy=none;" KEY "degree=[2,3,1]", STOPPED, 0},
+    {"shell", "", STOPPED, 0, .own = true},
+    {"shell", KEY "kinematics=linear", SAME, 0, .own = true},
     {"shell", KEY "kinematics=linear", SAME, 4},
     {"shell", KEY "integrator=leapfrog;" KEY "substeps=24", SAME, 0},
     {"iga", "", STOPPED, 4},
@@ -129,9 +134,16 @@ static void open_sheets(struct run *run, const struct row *row, int alone)
     read_sheet(run, row, "damping={kind: mass, value: 2}");
     run->scene.spin[1] = 0.5;
     run->scene.sheets = alone < 0 ? SHEETS : 1;
-    for (int k = 0; k < SHEETS; k++)
-        if (alone < 0 || alone == k)
-            add_sheet(&run->scene, k, alone < 0 ? k : 0);
+    for (int k = 0; k < SHEETS; k++) {
+        if (alone >= 0 && alone != k)
+            continue;
+        add_sheet(&run->scene, k, alone < 0 ? k : 0);
+        if (row->own && k > 0 && alone < 0)
+            run->scene.own[k] = (struct scene_own){1e5 * k, 0.3 - 0.2 * k, 100 + 50 * k};
+        else if (row->own && k > 0)
+            run->scene.young = 1e5 * k, run->scene.poisson = 0.3 - 0.2 * k,
+            run->scene.density = 100 + 50 * k;
+    }
     load.force[0] = 0.3 * run->scene.sheets;
     REQUIRE(scene_add_load(&run->scene, &load) == STATUS_OK);
     opened_build(run);

@@ -34,7 +34,7 @@ static void assemble(struct shell_assembly *s, const struct shell_space *space)
     const struct shell_material material = {.law = law_isotropic(3, 0.3, 0.1),
                                             .density = 2};
 
-    REQUIRE(shell_assembly_init(s, space, &material, NULL) == STATUS_OK);
+    REQUIRE(shell_assembly_init(s, space, 1, &material, NULL) == STATUS_OK);
 }
 
 /* Moved by a linear field in its plane, a sheet has constant strain: nothing acts on points

@@ -86,7 +86,7 @@ static void check_shell(int p, int n, int q, int m, bool weights, bool selective
         soften(&material);
 
     shell_curved(&space, p, n, q, m, weights, selective);
-    REQUIRE(shell_assembly_init(&s, &space, &material, NULL) == STATUS_OK);
+    REQUIRE(shell_assembly_init(&s, &space, 1, &material, NULL) == STATUS_OK);
     double *x = shell_moved(&space, 0.05, 3), *d = shell_moved(&space, 0.5, 11);
     for (int t = 0; t < 3 * space.nodes; t++)
         d[t] -= space.rest[t];

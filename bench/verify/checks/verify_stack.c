@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "bench/verify/verify_check.h"
-#include "models/grid.h"
 
 /* Claims: heights, over the range, to the way of a few steps at the speed of impact;
  * compression at rest, of splines least at the edge, where their samples share the area
@@ -63,14 +62,7 @@ static void chain_move(struct chain *c, double kappa, double until)
     }
 }
 
-/* Returns u at s of a sheet of so many. */
-static double place(int sheets, int sheet, double s)
-{
-    int column[2];
-
-    grid_columns(sheets, sheet, column);
-    return (column[0] + s * (column[1] - column[0])) / (GRID_U - 1.0);
-}
+static const struct scene three = {.sheets = SHEETS}, two = {.sheets = 2};
 
 struct seen {
     double kappa;
@@ -89,7 +81,8 @@ static enum status look(void *context, const struct motion *m, struct message *w
         double x[3];
         const double fall = LOWEST + k * APART - G * m->time * m->time / 2,
                      rest = (k + 0.5) * THICK;
-        m->model->probe(m->state, 1, (double[]){place(SHEETS, k, 0.5), 0.5, 0.5}, x);
+        m->model->probe(m->state, 1, (double[]){scene_sheet_u(&three, k, 0.5), 0.5, 0.5},
+                        x);
         s->off = verify_row_worse(fabs(x[2] - s->chain.z[k]), s->off);
         s->rigid = verify_row_worse(fabs(x[2] - fmax(fall, rest)), s->rigid);
         s->z[k] = x[2];
@@ -151,8 +144,8 @@ static enum status look_mirror(void *context, const struct motion *m, struct mes
     for (int n = 0; n < LOOKED; n++) {
         const double s = n % SIDE / (SIDE - 1.0), v = n / SIDE / (SIDE - 1.0);
         double low[3], high[3];
-        m->model->probe(m->state, 1, (double[]){place(2, 0, s), v, 0.5}, low);
-        m->model->probe(m->state, 1, (double[]){place(2, 1, s), v, 0.5}, high);
+        m->model->probe(m->state, 1, (double[]){scene_sheet_u(&two, 0, s), v, 0.5}, low);
+        m->model->probe(m->state, 1, (double[]){scene_sheet_u(&two, 1, s), v, 0.5}, high);
         for (int c = 0; c < 3; c++)
             *most = verify_row_worse(fabs(high[c] - (c == 2 ? -1 : 1) * low[c]), *most);
     }
@@ -203,7 +196,8 @@ static void add_plane(struct verify_subject *s)
     for (int pair = 0; pair < 2 && lived; pair++) {
         for (int n = 0; n < LOOKED; n++) {
             const double u = n % SIDE / (SIDE - 1.0), v = n / SIDE / (SIDE - 1.0);
-            memcpy(uvw[pair] + 3 * n, (double[]){pair ? place(2, 1, u) : u, v, 0.5},
+            memcpy(uvw[pair] + 3 * n,
+                   (double[]){pair ? scene_sheet_u(&two, 1, u) : u, v, 0.5},
                    3 * sizeof(double));
         }
         verify_trial_set(&t, pair ? SHEET PUSHED PAIR : SHEET PUSHED ALONE, THICK, RANGE);

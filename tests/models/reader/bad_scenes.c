@@ -158,6 +158,13 @@ static const struct {
     {"sheets=[{origin: [0,0,0]},{u: [1,0,0]}]", "a sheet lacks the key 'origin'"},
     {"sheets=[{origin: [0,0,0]},{origin: [0,0,1],u: [2,0,0]}]",
      "sheet axis u has length 2"},
+    {"sheets=[{origin: [0,0,0]},{origin: [0,0,1],material: {young: 1}}]",
+     "material lacks the key 'poisson'"},
+    {"sheets=[{origin: [0,0,0]},{origin: [0,0,1],material: {young: 1,poisson: 0.5,density: "
+     "1}}]",
+     "poisson is '0.5'"},
+    {"sheets=[{origin: [0,0,0]},{origin: [0,0,1],material: {fabric: denim}}]",
+     "sheets share their thickness, which a fabric has of its own"},
     {"supports=[{at: {sheet: 2, u: 0}, fix: x}]", "sheet is 2, but the scene has 1"},
     {"loads=[{at: {sheet: 0}, force: [1,0,0]}]", "sheet is '0', but must be"},
     {"contact.self=yes", "self is 'yes', but must be true or false"},

@@ -150,10 +150,29 @@ static void check_sheets(void)
     CHECK_NEAR(at, 0.5, 1e-15);
     scene_rest_point(&r.s, (double[3]){r.s.loads[0].lo[0], 1, 0.5}, x);
     CHECK_NEAR(x[2], 1 + r.s.width, 1e-15);
+    CHECK(!(scene_needs(&r.s) & SCENE_NEED_OWN_MATERIALS));
     clear(&r);
 
     r = read_text(MINIMAL, NULL, 4, said);
     CHECK(r.st == STATUS_OK && !r.s.contact.self);
+    clear(&r);
+    said[1] = "sheets[1].material={young: 7, poisson: 0.25, density: 9}";
+    r = read_text(MINIMAL, NULL, 2, said);
+    CHECK(r.st == STATUS_OK && scene_needs(&r.s) & SCENE_NEED_OWN_MATERIALS);
+    for (int k = 0; k < r.s.sheets; k++) {
+        const struct scene one = scene_sheet(&r.s, k);
+        CHECK(one.young == (k == 1 ? 7 : r.s.young));
+        CHECK(one.poisson == (k == 1 ? 0.25 : r.s.poisson));
+        CHECK(one.density == (k == 1 ? 9 : r.s.density));
+    }
+    clear(&r);
+    said[2] = "drag={coefficient: 1}";
+    r = try_text(MINIMAL, NULL, 3, said);
+    CHECK(r.st == STATUS_INPUT && strstr(r.why.text, "drag is for sheets of one material"));
+    clear(&r);
+    said[2] = "material={fabric: cotton}";
+    r = try_text(MINIMAL, NULL, 3, said);
+    CHECK(r.st == STATUS_INPUT && strstr(r.why.text, "sheets share their thickness"));
     clear(&r);
     said[1] = "pose.kind=cloak";
     r = try_text(MINIMAL, NULL, 2, said);

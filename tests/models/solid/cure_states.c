@@ -105,7 +105,7 @@ static void make(struct sheet *s, enum kind kind, int p, int n, int m)
     place(REST, &s->basis[0], &s->basis[1], 1, x);
     REQUIRE(shell_space_init(&s->space, s->basis, x, NULL, (int[]){0, 0}, kind == CURED,
                              NULL) == STATUS_OK);
-    REQUIRE(shell_assembly_init(&s->shell, &s->space, &thin, NULL) == STATUS_OK);
+    REQUIRE(shell_assembly_init(&s->shell, &s->space, 1, &thin, NULL) == STATUS_OK);
     s->body = &s->shell.body, s->graph = &s->shell.graph, s->M = s->shell.M;
 }
 

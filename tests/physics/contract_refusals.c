@@ -155,7 +155,7 @@ static void add_need(struct scene *scene, unsigned need, double w)
         REQUIRE(scene_add_obstacle(scene, &floor) == STATUS_OK);
         return;
     case SCENE_NEED_MOVING_OBSTACLES:
-        floor.path = path, floor.path_count = 2;
+        floor.motion.path = path, floor.motion.path_count = 2;
         REQUIRE(scene_add_obstacle(scene, &floor) == STATUS_OK);
         return;
     case SCENE_NEED_SELF_CONTACT:
@@ -191,7 +191,7 @@ static void add_need(struct scene *scene, unsigned need, double w)
         scene->opening = need == SCENE_NEED_CLOSED_REST ? 360 : 90;
         return;
     case SCENE_NEED_MOVING_SUPPORTS:
-        s.path = path, s.path_count = 2;
+        s.motion.path = path, s.motion.path_count = 2;
         break;
     case SCENE_NEED_PATCH_SUPPORTS:
         s.lo[0] = 0.75;

@@ -375,8 +375,8 @@ static enum status check_supports(const struct yaml_tree *root, const struct sce
                 return yaml_tree_refuse(
                     node, why,
                     "supports[%d] contradicts supports[%d]: they "
-                    "hold the same points in the same component, but along "
-                    "different paths",
+                    "hold the same points in the same component, but move "
+                    "differently",
                     j, i);
         }
     return STATUS_OK;

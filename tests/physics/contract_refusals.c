@@ -144,7 +144,8 @@ static void check_nets(const struct model *model, const struct scene *scene)
  */
 static void add_need(struct scene *scene, unsigned need, double w)
 {
-    static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.1}};
+    static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.1}},
+                  turn[2][2] = {{0, 0}, {1, 9}};
     struct scene_obstacle floor = {
         .kind = OBSTACLE_PLANE, .point = {0, 0, -1}, .normal = {0, 0, 1}};
     struct scene_support s = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_XYZ};
@@ -192,6 +193,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
         return;
     case SCENE_NEED_MOVING_SUPPORTS:
         s.motion.path = path, s.motion.path_count = 2;
+        break;
+    case SCENE_NEED_TURNING_CLAMPS:
+        s.motion.turn = turn, s.motion.turn_count = 2, s.motion.axis[1] = 1;
         break;
     case SCENE_NEED_PATCH_SUPPORTS:
         s.lo[0] = 0.75;

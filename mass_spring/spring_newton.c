@@ -88,7 +88,7 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
         .net = net, .linear = {.solver = d->solver, .preconditioner = d->preconditioner}};
     if (d->solver == SOLVER_AUTO)
         s->linear.solver = SOLVER_CG; /* on an earlier factor */
-    TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, why));
+    TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, net->rest, why));
     TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->work, 18 * (size_t)net->nodes)));
 out:
     if (st != STATUS_OK)

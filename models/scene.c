@@ -16,7 +16,7 @@
 void scene_clear(struct scene *scene)
 {
     for (int i = 0; i < scene->support_count; i++)
-        free(scene->supports[i].path);
+        scene_motion_clear(&scene->supports[i].motion);
     free(scene->supports);
     free(scene->loads);
     for (int i = 0; i < scene->obstacle_count; i++)
@@ -60,28 +60,16 @@ static void *grow(void *array, int count, size_t size)
     return realloc(array, ((size_t)count + 1) * size);
 }
 
-/* Returns a copy of `bytes` bytes; NULL if there are none, *st tells of memory. */
-static void *copied(const void *from, size_t bytes, enum status *st)
-{
-    void *copy = from && bytes ? malloc(bytes) : NULL;
-
-    if (copy)
-        memcpy(copy, from, bytes);
-    else if (from && bytes)
-        *st = STATUS_MEMORY;
-    return copy;
-}
-
 enum status scene_add_support(struct scene *scene, const struct scene_support *support)
 {
-    enum status st = STATUS_OK;
+    enum status st;
     struct scene_support copy = *support;
     struct scene_support *s = grow(scene->supports, scene->support_count, sizeof *s);
 
     if (!s)
         return STATUS_MEMORY;
     scene->supports = s;
-    copy.path = copied(support->path, (size_t)support->path_count * sizeof *copy.path, &st);
+    st = scene_motion_copy(&copy.motion, &support->motion);
     if (st == STATUS_OK)
         s[scene->support_count++] = copy;
     return st;
@@ -98,7 +86,7 @@ enum status scene_add_load(struct scene *scene, const struct scene_load *load)
 
 enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle *obstacle)
 {
-    enum status st = STATUS_OK;
+    enum status st;
     struct scene_obstacle copy = *obstacle;
     struct scene_obstacle *o = grow(scene->obstacles, scene->obstacle_count, sizeof *o);
     const char *file = obstacle->file;
@@ -106,9 +94,10 @@ enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle 
     if (!o)
         return STATUS_MEMORY;
     scene->obstacles = o;
-    copy.path = copied(obstacle->path, (size_t)copy.path_count * sizeof *copy.path, &st);
-    copy.turn = copied(obstacle->turn, (size_t)copy.turn_count * sizeof *copy.turn, &st);
-    copy.file = copied(file, file ? strlen(file) + 1 : 0, &st);
+    st = scene_motion_copy(&copy.motion, &obstacle->motion);
+    copy.file = file ? strdup(file) : NULL;
+    if (file && !copy.file)
+        st = STATUS_MEMORY;
     if (st == STATUS_OK) {
         o[scene->obstacle_count++] = copy;
         return st;
@@ -120,8 +109,7 @@ enum status scene_add_obstacle(struct scene *scene, const struct scene_obstacle 
 
 void scene_obstacle_clear(struct scene_obstacle *o)
 {
-    free(o->path);
-    free(o->turn);
+    scene_motion_clear(&o->motion);
     free(o->file);
     free(o->mesh);
     *o = (struct scene_obstacle){.kind = o->kind};
@@ -131,8 +119,10 @@ static unsigned support_needs(const struct scene_support *s)
 {
     unsigned needs = 0;
 
-    if (s->path_count > 0)
+    if (SCENE_MOVES(s->motion))
         needs |= SCENE_NEED_MOVING_SUPPORTS;
+    if (s->motion.turn_count > 0 && s->lo[2] < s->hi[2])
+        needs |= SCENE_NEED_TURNING_CLAMPS;
     if (s->hi[0] > s->lo[0] && s->hi[1] > s->lo[1])
         needs |= SCENE_NEED_PATCH_SUPPORTS;
     if (s->fix != FIX_XYZ)
@@ -151,7 +141,7 @@ unsigned scene_needs(const struct scene *scene)
     if (scene->obstacle_count > 0)
         needs |= SCENE_NEED_CONTACT;
     for (int i = 0; i < scene->obstacle_count; i++)
-        if (scene->obstacles[i].path_count + scene->obstacles[i].turn_count > 0)
+        if (SCENE_MOVES(scene->obstacles[i].motion))
             needs |= SCENE_NEED_MOVING_OBSTACLES;
     if (scene->contact.self)
         needs |= SCENE_NEED_SELF_CONTACT;
@@ -315,41 +305,13 @@ void scene_initial_velocity(const struct scene *scene, const double xyz[3], doub
     }
 }
 
-void scene_table_at(int rows, int columns, const double *table, double t, double *value)
-{
-    int k = 0, high = rows; /* rows before k are at or before t, rows from high on after */
-
-    while (k < high) {
-        const int middle = (k + high) / 2;
-
-        if (table[middle * columns] <= t)
-            k = middle + 1;
-        else
-            high = middle;
-    }
-    const int before = k > 0 ? k - 1 : 0, after = k < rows ? k : rows - 1;
-
-    for (int i = 1; i < columns; i++) {
-        value[i - 1] = rows > 0 ? table[before * columns + i] : 0;
-        if (before < after)
-            value[i - 1] += (t - table[before * columns]) /
-                            (table[after * columns] - table[before * columns]) *
-                            (table[after * columns + i] - table[before * columns + i]);
-    }
-}
-
-void scene_support_shift(const struct scene_support *support, double t, double shift[3])
-{
-    scene_table_at(support->path_count, 4, (const double *)support->path, t, shift);
-}
-
 bool scene_is_cantilever(const struct scene *scene)
 {
     const struct scene_support *s = scene->supports;
 
     return scene->sheets < 2 && scene->support_count == 1 && s->lo[0] == 0 &&
            s->hi[0] == 0 && s->lo[1] == 0 && s->hi[1] == 1 && s->lo[2] == 0 &&
-           s->hi[2] == 1 && s->fix == FIX_XYZ && !s->path_count;
+           s->hi[2] == 1 && s->fix == FIX_XYZ && !SCENE_MOVES(s->motion);
 }
 
 bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end)

@@ -16,6 +16,7 @@
 #include <stdbool.h>
 
 #include "models/law/law.h"
+#include "models/scene_motion.h"
 #include "models/status.h"
 
 /* The components of a support that are held; bits. */
@@ -53,15 +54,14 @@ struct scene_damping {
 };
 
 /* All material points with lo <= (u,v,w) <= hi are held in the components of `fix` at
- * rest position + path(t). An edge is lo = hi in one direction, [0,1] in the others. */
+ * rest position as `motion` moves it. An edge is lo = hi in one direction, [0,1] in the
+ * others. */
 struct scene_support {
     double lo[3], hi[3];
     unsigned fix;
-    int path_count;    /* 0: does not move                                         */
-    double (*path)[4]; /* [path_count][t, dx, dy, dz], t increasing; linear between,
-                          constant outside                          [s, m]  owned  */
-    int line;          /* in the scene file; 0 if made in memory                   */
-    int sheet;         /* named by the scene file, from 1; 0: none                 */
+    struct scene_motion motion; /*                                         owned   */
+    int line;                   /* in the scene file; 0 if made in memory          */
+    int sheet;                  /* named by the scene file, from 1; 0: none        */
 };
 
 /* A dead force, spread evenly over the material points lo <= (u,v,w) <= hi: an edge, a
@@ -93,7 +93,7 @@ enum obstacle_kind {
 
 struct obstacle_mesh; /* models/contact/contact_mesh.h; one piece of memory */
 
-/* A body that the sheet may not enter; rigid. Places are those without path and turn. */
+/* A body that the sheet may not enter; rigid. Places are those without its motion. */
 struct scene_obstacle {
     enum obstacle_kind kind;
     double point[3];   /* on the plane; centre of sphere and box; the capsule's one end,
@@ -104,15 +104,10 @@ struct scene_obstacle {
     double size[3];    /* box: its edges' lengths                              [m] > 0 */
     double axis[2][3]; /* box: directions of its first two edges, orthonormal         */
     struct obstacle_mesh *mesh; /*                                            owned   */
-    char *file;        /* of the mesh, as the scene names it                   owned   */
-    double scale;      /* mesh: metres a unit of the file                      > 0     */
-    double friction;   /* Coulomb coefficient, >= 0                                    */
-    int path_count;    /* 0: does not move                                             */
-    double (*path)[4]; /* [path_count][t, dx, dy, dz] as scene_support's      owned   */
-    int turn_count;    /* 0: does not turn                                            */
-    double (*turn)[2]; /* [turn_count][t, angle], linear between      [s, deg] owned   */
-    double turn_axis[3], turn_point[3]; /* the line of the turn, moved by the path; the
-                                           axis has length 1                          */
+    char *file;      /* of the mesh, as the scene names it                   owned   */
+    double scale;    /* mesh: metres a unit of the file                      > 0     */
+    double friction; /* Coulomb coefficient, >= 0                                    */
+    struct scene_motion motion; /*                                             owned   */
 };
 
 struct scene {
@@ -183,7 +178,8 @@ struct scene {
     X(MOVING_OBSTACLES, "moving obstacles")                                                \
     X(SELF_CONTACT, "contact of the sheet with itself")                                    \
     X(SHEETS, "several sheets")                                                            \
-    X(OWN_MATERIALS, "sheets with materials of their own")
+    X(OWN_MATERIALS, "sheets with materials of their own")                                 \
+    X(TURNING_CLAMPS, "clamps that turn")
 
 enum scene_need_bit {
 #define SCENE_NEED_BIT(name, sentence) SCENE_NEED_BIT_##name,
@@ -320,13 +316,6 @@ bool scene_ripples(const struct scene *scene);
 
 /* Returns the velocity at t = 0 of the point at xyz [m/s]. */
 void scene_initial_velocity(const struct scene *scene, const double xyz[3], double v[3]);
-
-/* Computes value[columns - 1] at time t from rows [t, value...] with t increasing: linear
- * between, constant outside; 0 without rows. */
-void scene_table_at(int rows, int columns, const double *table, double t, double *value);
-
-/* Returns the shift of a support at time t [m]. */
-void scene_support_shift(const struct scene_support *support, double t, double shift[3]);
 
 /* Tells whether there is one support alone, which holds the edge u = 0 in x, y, z and
  * rests. */

@@ -292,7 +292,7 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
                             .iterations = d->iterations > 0 ? d->iterations : 1};
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters, false));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
-    TRY(supports_init(&m->supports, scene, m->net.nodes, m->net.uvw, why));
+    TRY(supports_init(&m->supports, scene, m->net.nodes, m->net.uvw, m->net.rest, why));
     TRY(spring_plate_make(scene, &m->net, &m->forms));
     TRY(allocate(m));
     memcpy(m->x, m->net.rest, count(m) * sizeof *m->x);

@@ -36,16 +36,19 @@ static double velocity_factor(const struct pd_motion *m)
 static enum status hold_nodes(struct pd_motion *m, struct message *why)
 {
     struct pd_net net;
-    double(*uvw)[3];
+    double(*uvw)[3], (*rest)[3];
     enum status st;
 
     pd_net_init(&net, m->scene, m->options.points[0], m->options.points[1]);
-    uvw = malloc((size_t)net.nodes * sizeof *uvw);
+    uvw = malloc(2 * (size_t)net.nodes * sizeof *uvw);
     if (!uvw)
         return STATUS_MEMORY;
-    for (int k = 0; k < net.nodes; k++)
+    rest = uvw + net.nodes;
+    for (int k = 0; k < net.nodes; k++) {
         pd_net_parameters(&net, m->scene, k, uvw[k]);
-    st = supports_init(&m->supports, m->scene, net.nodes, uvw, why);
+        scene_rest_point(m->scene, uvw[k], rest[k]);
+    }
+    st = supports_init(&m->supports, m->scene, net.nodes, uvw, *rest, why);
     free(uvw);
     return st;
 }

@@ -353,12 +353,12 @@ const struct model shell_model = {
         "Kiendl, Bletzinger, Linhard, Wuechner, Comput. Methods Appl. Mech. Engrg. 198 "
         "(2009) 3902-3914; Simo, Tarnow, ZAMP 43 (1992) 757-792",
     .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
-              SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
-              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS |
-              SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST | SCENE_NEED_CLOSED_REST |
-              SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS | SCENE_NEED_FABRIC |
-              SCENE_NEED_BIAS | SCENE_NEED_SOFTENING | SCENE_NEED_PRESSURE |
-              SCENE_NEED_OWN_MATERIALS,
+              SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_TURNING_CLAMPS |
+              SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS |
+              SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |
+              SCENE_NEED_CLOSED_REST | SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS |
+              SCENE_NEED_FABRIC | SCENE_NEED_BIAS | SCENE_NEED_SOFTENING |
+              SCENE_NEED_PRESSURE | SCENE_NEED_OWN_MATERIALS,
     .options = options,
     /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
      * about the same time: Newton's method takes fewer tangents. */

@@ -127,7 +127,7 @@ static enum status hold(struct shell_motion *m, struct message *why)
         uvw[a][2] = 0.5;
     }
     TRY(clamp_edges(m, why));
-    st = supports_init(&m->supports, &m->held_scene, nodes, uvw, why);
+    st = supports_init(&m->supports, &m->held_scene, nodes, uvw, m->space->rest, why);
 out:
     free(uvw);
     return st;

@@ -83,7 +83,7 @@ static enum status hold(struct toy *t, struct message *why)
         uvw[a][1] = (double)(a % t->points[1]) / (t->points[1] - 1);
         uvw[a][2] = SUPPORTS_MIDDLE; /* a node stands for its column */
     }
-    st = supports_init(&t->supports, t->scene, t->nodes, uvw, why);
+    st = supports_init(&t->supports, t->scene, t->nodes, uvw, *uvw, why);
     free(uvw);
     return st;
 }

@@ -98,7 +98,7 @@ static enum status build(struct tri_motion *m, const struct discretization *d,
     TRY(tri_net_init(&m->net, scene, d->points, d->bending));
     TRY(tri_body_init(&m->body, scene, &m->net, OWN(tri_own, d)->membrane));
     TRY(spring_load_init(&m->load, scene, points, PARAMETERS_MATCHED));
-    TRY(supports_init(&m->supports, scene, points->nodes, points->uvw, why));
+    TRY(supports_init(&m->supports, scene, points->nodes, points->uvw, points->rest, why));
     TRY(make_arrays(m));
     if (m->swept) {
         TRY(make_leapfrog(m, d, why));

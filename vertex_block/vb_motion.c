@@ -108,7 +108,8 @@ enum status vb_motion_init(struct vb_motion *m, const struct scene *scene,
     scale_hinges(m);
     TRY(tri_body_init(&m->law, scene, &m->net, MEMBRANE_GREEN));
     TRY(spring_load_init(&m->load, scene, &m->net.points, PARAMETERS_MATCHED));
-    TRY(supports_init(&m->supports, scene, m->net.points.nodes, m->net.points.uvw, why));
+    TRY(supports_init(&m->supports, scene, m->net.points.nodes, m->net.points.uvw,
+                      m->net.points.rest, why));
     TRY(vb_body_init(&m->body, &m->net, &m->law, m->own.elements == VB_SPRINGS));
     TRY(allocate(m));
     memcpy(m->x, m->net.points.rest, count(m) * sizeof *m->x);

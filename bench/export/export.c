@@ -119,36 +119,33 @@ static void put_region(const struct scene *s, int sheet, struct output *out,
     }
 }
 
+static void put_motion(const struct scene_motion *m, struct output *out)
+{
+    output_print(out, "%s", m->path_count ? "    path:\n" : "");
+    for (int k = 0; k < m->path_count; k++)
+        put(out, "      - [#, #, #, #]\n", m->path[k]);
+    if (!m->turn_count)
+        return;
+    put(out, "    turn:\n      axis: [#, #, #]\n", m->axis);
+    put(out, "      about: [#, #, #]\n      angles:\n", m->about);
+    for (int k = 0; k < m->turn_count; k++)
+        put(out, "        - [#, #]\n", m->turn[k]);
+}
+
 static void put_supports(const struct scene *s, struct output *out)
 {
     for (int n = 0; n < s->support_count; n++) {
         const struct scene_support *p = &s->supports[n];
         output_print(out, "%s", n ? "" : "supports:\n");
         put_region(s, p->sheet, out, p->lo, p->hi);
-        output_print(out, "    fix: %s\n%s", export_sheet_axes(p->fix),
-                     p->path_count ? "    path:\n" : "");
-        for (int k = 0; k < p->path_count; k++)
-            put(out, "      - [#, #, #, #]\n", p->path[k]);
+        output_print(out, "    fix: %s\n", export_sheet_axes(p->fix));
+        put_motion(&p->motion, out);
     }
     for (int n = 0; n < s->load_count; n++) {
         output_print(out, "%s", n ? "" : "loads:\n");
         put_region(s, s->loads[n].sheet, out, s->loads[n].lo, s->loads[n].hi);
         put(out, "    force: [#, #, #]\n", s->loads[n].force);
     }
-}
-
-/* Puts path and turn of an obstacle. */
-static void put_motion(const struct scene_obstacle *o, struct output *out)
-{
-    output_print(out, "%s", o->path_count ? "    path:\n" : "");
-    for (int k = 0; k < o->path_count; k++)
-        put(out, "      - [#, #, #, #]\n", o->path[k]);
-    if (!o->turn_count)
-        return;
-    put(out, "    turn:\n      axis: [#, #, #]\n", o->turn_axis);
-    put(out, "      about: [#, #, #]\n      angles:\n", o->turn_point);
-    for (int k = 0; k < o->turn_count; k++)
-        put(out, "        - [#, #]\n", o->turn[k]);
 }
 
 /* Puts the numbers of each kind; a mesh lies in a file of its own, where it is. */
@@ -171,7 +168,7 @@ static void put_obstacles(const struct scene *s, struct output *out)
             put(out, vector ? "[#, #, #]\n" : "#\n",
                 (const void *)((const char *)o + k->offset));
         }
-        put_motion(o, out);
+        put_motion(&o->motion, out);
     }
 }
 

@@ -171,8 +171,8 @@ static void add_paths(const struct scene *scene, const struct supports *supports
         while (held->vertex[at].vertex < supports->held[n] / 3)
             at++;
         const int owner = supports->owner[n];
-        if (owner >= 0 && scene->supports[owner].path_count)
-            held->vertex[at].path = owner;
+        if (SCENE_MOVES(scene->supports[owner].motion))
+            held->vertex[at].support = owner;
     }
 }
 
@@ -181,14 +181,15 @@ static enum status find_supports(const struct export_sheet *s, struct supports *
                                  struct message *why)
 {
     const int vertices = export_sheet_vertices(s);
-    double(*uvw)[3] = malloc((size_t)vertices * sizeof *uvw), x[3];
+    double(*uvw)[3] = malloc(2 * (size_t)vertices * sizeof *uvw);
+    double(*rest)[3] = uvw ? uvw + vertices : NULL;
     enum status st = STATUS_MEMORY;
 
     if (!uvw)
         return st;
     for (int n = 0; n < vertices; n++)
-        export_sheet_vertex(s, n, uvw[n], x);
-    st = supports_init(supports, s->scene, vertices, uvw, why);
+        export_sheet_vertex(s, n, uvw[n], rest[n]);
+    st = supports_init(supports, s->scene, vertices, uvw, *rest, why);
     free(uvw);
     return st;
 }
@@ -219,6 +220,15 @@ out:
     return st;
 }
 
+int export_held_path(const struct export_job *j, int n)
+{
+    const int support = j->held.vertex[n].support;
+
+    return support < 0 || !j->scene.supports[support].motion.turn_count
+               ? support
+               : j->scene.support_count + n;
+}
+
 void export_held_clear(struct export_held *held)
 {
     free(held->vertex);
@@ -234,7 +244,8 @@ enum status export_held_csv(struct export_job *j, struct output *out)
         export_sheet_point(&j->sheet, v->i, v->j, uvw, x);
         output_print(out, "%d,%.17g,%.17g,%.17g,%.17g,%.17g,%s,", v->vertex, uvw[0], uvw[1],
                      x[0], x[1], x[2], export_sheet_axes(v->fix));
-        output_print(out, v->path < 0 ? "," : "%d,", v->path);
+        const int path = export_held_path(j, n);
+        output_print(out, path < 0 ? "," : "%d,", path);
         output_print(out, v->beside < 0 ? "\n" : "%d\n", v->beside);
     }
     return STATUS_OK;

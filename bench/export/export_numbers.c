@@ -10,6 +10,7 @@
 #include "models/net/spring_net.h"
 #include "models/mechanics/dead_load.h"
 #include "models/reader/scene_schema.h"
+#include "models/vector.h"
 
 /* A stiffness over E h below this is round-off: long cells do not need that spring. */
 static const double NOTHING = 1e-12;
@@ -277,8 +278,7 @@ enum status export_numbers_obstacles(struct export_job *j, struct output *out)
         const struct scene_obstacle *o = &j->scene.obstacles[n];
         const double *p = o->point, *m = o->normal;
         const double size = hypot(m[0], hypot(m[1], m[2]));
-        output_print(out, "%s%s,%.17g,%.17g,%.17g",
-                     o->path_count + o->turn_count ? "moving_" : "",
+        output_print(out, "%s%s,%.17g,%.17g,%.17g", SCENE_MOVES(o->motion) ? "moving_" : "",
                      scene_schema_obstacles[o->kind].key, p[0], p[1], p[2]);
         if (o->kind == OBSTACLE_PLANE)
             output_print(out, ",%.17g,%.17g,%.17g", m[0] / size, m[1] / size, m[2] / size);
@@ -291,15 +291,40 @@ enum status export_numbers_obstacles(struct export_job *j, struct output *out)
     return STATUS_OK;
 }
 
+static void print_path(int number, double t, const double shift[3], struct output *out)
+{
+    output_print(out, "%d,%.17g,%.17g,%.17g,%.17g\n", number, t, shift[0], shift[1],
+                 shift[2]);
+}
+
+/* Prints, frame by frame, the path of a held vertex whose support turns. */
+static void print_turning(const struct export_job *j, int n, struct output *out)
+{
+    const struct export_held_vertex *v = &j->held.vertex[n];
+    const int frames = (int)ceil(j->scene.end / j->scene.step);
+
+    for (int k = 0; k <= frames; k++) {
+        struct scene_placement place;
+        double uvw[3], X[3], x[3], shift[3];
+        export_sheet_point(&j->sheet, v->i, v->j, uvw, X);
+        scene_motion_at(&j->scene.supports[v->support].motion, k * j->scene.step, &place);
+        scene_placement_point(&place, X, x);
+        vector_between(X, x, shift);
+        print_path(export_held_path(j, n), k * j->scene.step, shift, out);
+    }
+}
+
 enum status export_numbers_paths(struct export_job *j, struct output *out)
 {
     output_print(out, "path,t,x,y,z\n");
-    for (int n = 0; n < j->scene.support_count; n++)
-        for (int k = 0; k < j->scene.supports[n].path_count; k++) {
-            const double *row = j->scene.supports[n].path[k];
-            output_print(out, "%d,%.17g,%.17g,%.17g,%.17g\n", n, row[0], row[1], row[2],
-                         row[3]);
-        }
+    for (int n = 0; n < j->scene.support_count; n++) {
+        const struct scene_motion *m = &j->scene.supports[n].motion;
+        for (int k = 0; k < m->path_count && !m->turn_count; k++)
+            print_path(n, m->path[k][0], m->path[k] + 1, out);
+    }
+    for (int n = 0; n < j->held.count; n++)
+        if (export_held_path(j, n) >= j->scene.support_count)
+            print_turning(j, n, out);
     return STATUS_OK;
 }
 

@@ -16,7 +16,7 @@
 struct export_held_vertex {
     int vertex, i, j; /* its number, from n m on for those outside; its place           */
     unsigned fix;     /* FIX_X...                                                       */
-    int path;         /* the support whose path it follows; -1: it does not move        */
+    int support;      /* that it moves with; -1: it does not move                       */
     int beside;       /* outside: the held vertex that it stands beside; else -1        */
 };
 
@@ -32,6 +32,12 @@ struct export_held {
 enum status export_held_find(const struct export_sheet *s, struct export_held *held,
                              struct message *why);
 void export_held_clear(struct export_held *held); /* all-zero is allowed */
+
+struct export_job;
+
+/* Returns the path in paths.csv of the nth held vertex: its support's number, or, as a turn
+ * moves each vertex another way, one of its own after those; -1: it does not move. */
+int export_held_path(const struct export_job *j, int n);
 
 struct export_job {
     struct scene scene; /* as its truth moves                                            */

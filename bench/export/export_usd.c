@@ -221,7 +221,7 @@ static void put_attached(const struct export_job *j, int path, bool at_rest,
     for (int n = 0; n < j->held.count; n++) {
         const struct export_held_vertex *v = &j->held.vertex[n];
         double uvw[3], x[3];
-        if (v->fix != FIX_XYZ || v->path != path)
+        if (v->fix != FIX_XYZ || v->support != path)
             continue;
         export_sheet_point(&j->sheet, v->i, v->j, uvw, x);
         if (at_rest)
@@ -232,20 +232,43 @@ static void put_attached(const struct export_job *j, int path, bool at_rest,
     }
 }
 
-/* Puts the body that a path moves, in seconds and metres. */
+/* Puts the matrix of a body that turns, frame by frame, for points as rows. */
+static void put_turning(const struct export_job *j, const struct scene_motion *m,
+                        struct output *out)
+{
+    const int frames = (int)ceil(j->scene.end / j->scene.step);
+
+    for (int k = 0; k <= frames; k++) {
+        struct scene_placement p;
+        scene_motion_at(m, k * j->scene.step, &p);
+        output_print(out, "            %.9g: (", k * j->scene.step);
+        for (int i = 0; i < 3; i++)
+            output_print(out, "(%.17g, %.17g, %.17g, 0), ", p.turn[0][i], p.turn[1][i],
+                         p.turn[2][i]);
+        output_print(out, "(%.17g, %.17g, %.17g, 1)),\n", p.shift[0], p.shift[1],
+                     p.shift[2]);
+    }
+}
+
+/* Puts the body that a support moves, in seconds and metres. */
 static void put_body(const struct export_job *j, int path, struct output *out)
 {
-    const struct scene_support *s = &j->scene.supports[path];
+    const struct scene_motion *m = &j->scene.supports[path].motion;
+    const char *kind = m->turn_count ? "transform" : "translate";
 
     output_print(out,
                  "\n    def Xform \"Path%d\"\n    {\n"
-                 "        double3 xformOp:translate.timeSamples = {\n",
-                 path);
-    for (int k = 0; k < s->path_count; k++)
-        output_print(out, "            %.9g: (%.9g, %.9g, %.9g),\n", s->path[k][0],
-                     s->path[k][1], s->path[k][2], s->path[k][3]);
-    output_print(out, "        }\n        uniform token[] xformOpOrder = "
-                      "[\"xformOp:translate\"]\n    }\n");
+                 "        %s xformOp:%s.timeSamples = {\n",
+                 path, m->turn_count ? "matrix4d" : "double3", kind);
+    if (m->turn_count)
+        put_turning(j, m, out);
+    for (int k = 0; k < m->path_count && !m->turn_count; k++)
+        output_print(out, "            %.9g: (%.9g, %.9g, %.9g),\n", m->path[k][0],
+                     m->path[k][1], m->path[k][2], m->path[k][3]);
+    output_print(out,
+                 "        }\n        uniform token[] xformOpOrder = "
+                 "[\"xformOp:%s\"]\n    }\n",
+                 kind);
 }
 
 /* Puts hard attachments to the world, path -1, or to the body that a path moves. */
@@ -278,7 +301,7 @@ static bool holds(const struct export_job *j, int path)
     bool any = false;
 
     for (int n = 0; n < j->held.count; n++)
-        any |= j->held.vertex[n].fix == FIX_XYZ && j->held.vertex[n].path == path;
+        any |= j->held.vertex[n].fix == FIX_XYZ && j->held.vertex[n].support == path;
     return any;
 }
 

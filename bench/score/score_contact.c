@@ -41,8 +41,8 @@ static int nearest_body(const struct scene *scene, double t, const double x[3],
 
     *distance = INFINITY;
     for (int n = 0; n < scene->obstacle_count; n++) {
-        struct contact_pose pose;
-        contact_pose_at(&scene->obstacles[n], t, &pose);
+        struct scene_placement pose;
+        scene_motion_at(&scene->obstacles[n].motion, t, &pose);
         const double far = contact_shape_distance(&scene->obstacles[n], &pose, x, NULL);
         if (far < *distance) {
             *distance = far;

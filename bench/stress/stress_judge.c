@@ -347,11 +347,12 @@ static enum status end_energy(struct judged *r)
 static double measure_buckled(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
-    double d[3], shift[3];
+    struct scene_placement end;
+    double d[3];
 
-    scene_support_shift(&s->supports[s->support_count - 1], s->end, shift);
+    scene_motion_at(&s->supports[s->support_count - 1].motion, s->end, &end);
     displacement(r, middle, d);
-    return fabs(fabs(d[2]) / s->length - elastica_buckled(-shift[0] / s->length));
+    return fabs(fabs(d[2]) / s->length - elastica_buckled(-end.shift[0] / s->length));
 }
 
 static double measure_still(struct judged *r)
@@ -371,14 +372,15 @@ static enum status begin_still_rest(struct judged *r)
 static double measure_shifted(struct judged *r)
 {
     const struct scene *s = &r->run.scene;
-    double shift[3], uvw[3], *rest = r->first;
+    struct scene_placement end;
+    double uvw[3], *rest = r->first;
 
-    scene_support_shift(&s->supports[0], s->end, shift);
+    scene_motion_at(&s->supports[0].motion, s->end, &end);
     for (int n = 0; n < GRID_POINTS; n++) {
         grid_point(n, uvw);
         scene_rest_point(s, uvw, rest + 3 * n);
         for (int i = 0; i < 3; i++)
-            rest[3 * n + i] += shift[i];
+            rest[3 * n + i] += end.shift[i];
     }
     r->run.model->sample(r->run.state, r->xyz);
     return metric_rmse(r->xyz, rest) / s->length;

@@ -24,6 +24,22 @@ static void print(FILE *out, const char *key, int count, const double *value)
     fputc('\n', out);
 }
 
+static void print_motion(const struct scene_motion *m, const char *whose, FILE *out)
+{
+    char key[32];
+
+    snprintf(key, sizeof key, "%s path", whose);
+    for (int row = 0; row < m->path_count; row++)
+        print(out, key, 4, m->path[row]);
+    if (m->turn_count) {
+        print(out, "turn axis", 3, m->axis);
+        print(out, "turn about", 3, m->about);
+    }
+    snprintf(key, sizeof key, "%s turn", whose);
+    for (int row = 0; row < m->turn_count; row++)
+        print(out, key, 2, m->turn[row]);
+}
+
 static void print_supports(const struct scene *s, FILE *out)
 {
     for (int n = 0; n < s->support_count; n++) {
@@ -31,8 +47,7 @@ static void print_supports(const struct scene *s, FILE *out)
         fprintf(out, "support fix %u\n", support->fix);
         print(out, "support from", 3, support->lo);
         print(out, "support to", 3, support->hi);
-        for (int k = 0; k < support->path_count; k++)
-            print(out, "support path", 4, support->path[k]);
+        print_motion(&support->motion, "support", out);
     }
 }
 
@@ -68,14 +83,7 @@ static void print_obstacles(const struct scene *s, FILE *out)
                 print(out, k == kind->keys ? kind->key : k->key,
                       k->type == SCHEMA_VECTOR ? 3 : 1,
                       (const void *)((const char *)o + k->offset));
-        for (int row = 0; row < o->path_count; row++)
-            print(out, "obstacle path", 4, o->path[row]);
-        if (o->turn_count) {
-            print(out, "turn axis", 3, o->turn_axis);
-            print(out, "turn about", 3, o->turn_point);
-        }
-        for (int row = 0; row < o->turn_count; row++)
-            print(out, "obstacle turn", 2, o->turn[row]);
+        print_motion(&o->motion, "obstacle", out);
     }
 }
 

@@ -78,8 +78,8 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
     c->finds = 0, c->error = 0;
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
     for (int o = 0; o < c->scene->obstacle_count; o++) {
-        contact_pose_at(&c->scene->obstacles[o], t, &c->pose_old[o]);
-        contact_pose_at(&c->scene->obstacles[o], end, &c->pose[o]);
+        scene_motion_at(&c->scene->obstacles[o].motion, t, &c->pose_old[o]);
+        scene_motion_at(&c->scene->obstacles[o].motion, end, &c->pose[o]);
     }
 }
 

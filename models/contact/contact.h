@@ -41,7 +41,7 @@ struct contact {
     struct contact_search search; /* with contact.self                       owned     */
     struct contact_rim rim;       /* the same                                owned     */
     enum status failed; /* of contact_limit: the next contact_find returns it          */
-    struct contact_pose *pose, *pose_old; /* [obstacles]                owned     */
+    struct scene_placement *pose, *pose_old; /* [obstacles]                owned     */
     int finds;       /* calls of contact_find in the step                             */
     double error;    /* how far x may be from the solution, 0: not told           [m]    */
     double dt;       /* of the step; INFINITY: no rates                     [s]    */

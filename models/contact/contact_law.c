@@ -9,15 +9,15 @@ static const double REBOUND = 1e-2, CREEP = 1e-3;
 
 static const double PI = 3.14159265358979323846;
 
-/* Returns the greatest speed of a path of rows [t, dx, dy, dz] [m/s]. */
-static double fastest(int count, const double (*path)[4])
+/* Returns the greatest speed along the path [m/s]. */
+static double fastest(const struct scene_motion *m)
 {
     double most = 0;
 
-    for (int n = 1; n < count; n++) {
+    for (int n = 1; n < m->path_count; n++) {
         double way[3];
-        vector_between(path[n - 1] + 1, path[n] + 1, way);
-        most = fmax(most, vector_length(way) / (path[n][0] - path[n - 1][0]));
+        vector_between(m->path[n - 1] + 1, m->path[n] + 1, way);
+        most = fmax(most, vector_length(way) / (m->path[n][0] - m->path[n - 1][0]));
     }
     return most;
 }
@@ -31,9 +31,7 @@ static double energy_to_stop(const struct scene *s)
     double v = vector_length(s->velocity);
 
     for (int o = 0; o < s->obstacle_count; o++)
-        v = fmax(v, vector_length(s->velocity) +
-                        fastest(s->obstacles[o].path_count,
-                                (const double(*)[4])s->obstacles[o].path));
+        v = fmax(v, vector_length(s->velocity) + fastest(&s->obstacles[o].motion));
     return areal * (vector_length(s->gravity) * s->length + v * v / 2) +
            scene_bending_stiffness(s) * round * round / 2;
 }

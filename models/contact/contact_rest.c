@@ -54,7 +54,7 @@ static void nearest_point(const struct scene *scene, const struct scene_obstacle
 struct least {
     const struct scene *scene;
     const struct scene_obstacle *obstacle;
-    struct contact_pose pose;
+    struct scene_placement pose;
     double distance; /* least so far, or that of contact                        [m]   */
     double place[3];
 };
@@ -105,9 +105,10 @@ static double depth_of_sheet(const struct scene *scene, const struct scene_obsta
     struct least l = {.scene = scene, .obstacle = o};
     const double start = contact_law_body(scene).start;
 
-    contact_pose_at(o, 0, &l.pose);
+    scene_motion_at(&o->motion, 0, &l.pose);
     l.distance = start;
-    if ((o->kind == OBSTACLE_PLANE || o->kind == OBSTACLE_SPHERE) && !o->turn_count) {
+    if ((o->kind == OBSTACLE_PLANE || o->kind == OBSTACLE_SPHERE) &&
+        !o->motion.turn_count) {
         nearest_point(scene, o, l.pose.shift, l.place);
         l.distance = contact_shape_distance(o, &l.pose, l.place, NULL);
     } else

@@ -6,65 +6,13 @@
 #include "models/contact/contact_mesh.h"
 #include "models/vector.h"
 
-static const double PI = 3.14159265358979323846;
-
-/* Sets turn to the rotation by an angle about a unit axis (Rodrigues). */
-static void rotation(const double axis[3], double angle, double turn[3][3])
-{
-    const double c = cos(angle), s = sin(angle);
-
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            const int sign = (j - i + 3) % 3 == 1 ? -1 : (j - i + 3) % 3 == 2 ? 1 : 0;
-            turn[i][j] = (1 - c) * axis[i] * axis[j] + (i == j) * c +
-                         (sign ? sign * s * axis[3 - i - j] : 0);
-        }
-}
-
-void contact_pose_at(const struct scene_obstacle *o, double t, struct contact_pose *pose)
-{
-    double shift[3], angle;
-
-    *pose = (struct contact_pose){.turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    scene_table_at(o->path_count, 4, (const double *)o->path, t, shift);
-    scene_table_at(o->turn_count, 2, (const double *)o->turn, t, &angle);
-    if (angle != 0)
-        rotation(o->turn_axis, angle * PI / 180, pose->turn);
-    for (int i = 0; i < 3; i++)
-        pose->shift[i] =
-            shift[i] +
-            (angle != 0 ? o->turn_point[i] - vector_dot(pose->turn[i], o->turn_point) : 0);
-}
-
-/* Computes y = turn x, or its inverse. */
-static void turned(const struct contact_pose *pose, bool back, const double x[3],
-                   double y[3])
-{
-    for (int i = 0; i < 3; i++) {
-        y[i] = 0;
-        for (int j = 0; j < 3; j++)
-            y[i] += (back ? pose->turn[j][i] : pose->turn[i][j]) * x[j];
-    }
-}
-
-/* Computes the point X where the scene places the body's point at x. */
-static void to_body(const struct contact_pose *pose, const double x[3], double X[3])
-{
-    double d[3];
-
-    vector_between(pose->shift, x, d);
-    turned(pose, true, d, X);
-}
-
-void contact_pose_carry(const struct contact_pose *to, const struct contact_pose *from,
-                        const double x[3], double y[3])
+void contact_shape_carry(const struct scene_placement *to,
+                         const struct scene_placement *from, const double x[3], double y[3])
 {
     double X[3];
 
-    to_body(to, x, X);
-    turned(from, false, X, y);
-    for (int i = 0; i < 3; i++)
-        y[i] += from->shift[i];
+    scene_placement_back(to, x, X);
+    scene_placement_point(from, X, y);
 }
 
 /* Sets the normal along d, of the given length; if that is 0 along any direction across
@@ -162,13 +110,14 @@ static double from_mesh(const struct scene_obstacle *o, const double x[3], doubl
     return isnan(vector_dot(x, x)) ? NAN : INFINITY;
 }
 
-double contact_shape_near(const struct scene_obstacle *o, const struct contact_pose *pose,
-                          const double x[3], double most, double normal[3])
+double contact_shape_near(const struct scene_obstacle *o,
+                          const struct scene_placement *pose, const double x[3],
+                          double most, double normal[3])
 {
     double X[3] = {x[0], x[1], x[2]}, n[3] = {0, 0, 1}, distance = NAN;
 
     if (pose)
-        to_body(pose, x, X);
+        scene_placement_back(pose, x, X);
     switch (o->kind) {
     case OBSTACLE_PLANE:
         distance = from_plane(o, X, n);
@@ -189,14 +138,14 @@ double contact_shape_near(const struct scene_obstacle *o, const struct contact_p
         break;
     }
     if (normal && pose)
-        turned(pose, false, n, normal);
+        scene_placement_turn(pose, n, normal);
     else if (normal)
         memcpy(normal, n, sizeof n);
     return distance;
 }
 
 double contact_shape_distance(const struct scene_obstacle *o,
-                              const struct contact_pose *pose, const double x[3],
+                              const struct scene_placement *pose, const double x[3],
                               double normal[3])
 {
     return contact_shape_near(o, pose, x, INFINITY, normal);
@@ -208,8 +157,8 @@ double contact_shape_least_gap(const struct scene *scene, double t, long count,
     double least = INFINITY;
 
     for (int o = 0; o < scene->obstacle_count; o++) {
-        struct contact_pose pose;
-        contact_pose_at(&scene->obstacles[o], t, &pose);
+        struct scene_placement pose;
+        scene_motion_at(&scene->obstacles[o].motion, t, &pose);
         for (long n = 0; n < count; n++) {
             double gap =
                 contact_shape_near(&scene->obstacles[o], &pose, x + 3 * n, least, NULL);

@@ -1,19 +1,10 @@
-/* contact_shape.h - the geometry of bodies: distance, normal, and where they are at a time.
+/* contact_shape.h - the geometry of bodies: distance and normal.
  * Model-free.
  */
 #ifndef CONTACT_SHAPE_H
 #define CONTACT_SHAPE_H
 
 #include "models/scene.h"
-
-/* A body's place: x = turn X + shift for its points X where the scene places it. */
-struct contact_pose {
-    double turn[3][3]; /* rotation                                                     */
-    double shift[3];   /*                                                        [m]   */
-};
-
-/* Computes the pose at time t [s]: turned about the line, then moved by the path. */
-void contact_pose_at(const struct scene_obstacle *o, double t, struct contact_pose *pose);
 
 /* Returns the signed distance of x from the body's surface [m], negative inside, and the
  * outward unit normal at the nearest point, the distance's gradient; where it has none (a
@@ -22,18 +13,20 @@ void contact_pose_at(const struct scene_obstacle *o, double t, struct contact_po
  * contact_mesh.h, INFINITY if it is not loaded. `normal` and `pose` (the scene's place) may
  * be NULL. NaN if x is NaN. */
 double contact_shape_distance(const struct scene_obstacle *o,
-                              const struct contact_pose *pose, const double x[3],
+                              const struct scene_placement *pose, const double x[3],
                               double normal[3]);
 
 /* Returns the same if it is less than `most` [m], else some number from `most` up to it,
  * with any normal: without a search for points off a mesh. */
-double contact_shape_near(const struct scene_obstacle *o, const struct contact_pose *pose,
-                          const double x[3], double most, double normal[3]);
+double contact_shape_near(const struct scene_obstacle *o,
+                          const struct scene_placement *pose, const double x[3],
+                          double most, double normal[3]);
 
 /* Returns where the body's point that is at x in the pose `to` was, or will be, in the pose
  * `from`. */
-void contact_pose_carry(const struct contact_pose *to, const struct contact_pose *from,
-                        const double x[3], double y[3]);
+void contact_shape_carry(const struct scene_placement *to,
+                         const struct scene_placement *from, const double x[3],
+                         double y[3]);
 
 /* Returns the least distance of x[count][3] to any body of the scene at time t [m]:
  * INFINITY without bodies or points, NaN if a coordinate is NaN. */

@@ -122,7 +122,7 @@ out:
 
 bool contact_touch_still(const struct scene_obstacle *o)
 {
-    return o->path_count + o->turn_count == 0;
+    return !SCENE_MOVES(o->motion);
 }
 
 void contact_touch_way(const struct contact *c, const struct contact_touch *t,
@@ -137,7 +137,7 @@ void contact_touch_way(const struct contact *c, const struct contact_touch *t,
     if (t->obstacle >= 0 && !contact_touch_still(&c->scene->obstacles[t->obstacle])) {
         double y[3], before[3];
         contact_surface_at(&c->surface, t->sample, x, y);
-        contact_pose_carry(&c->pose[t->obstacle], &c->pose_old[t->obstacle], y, before);
+        contact_shape_carry(&c->pose[t->obstacle], &c->pose_old[t->obstacle], y, before);
         for (int i = 0; i < 3; i++)
             way[i] -= y[i] - before[i];
     }
@@ -191,14 +191,14 @@ double contact_touch_met(const struct contact *c, int sample, int obstacle,
 {
     enum { TRIES = 60 };
     const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
-    const struct contact_pose *pose = &c->pose[obstacle];
+    const struct scene_placement *pose = &c->pose[obstacle];
     const double reached = 1e-3 * c->body.range;
     double old[3], from[3], at[3], way[3], far[3], entry[3], passed = 0;
 
     if (!isfinite(c->dt))
         return D;
     contact_surface_at(&c->surface, sample, c->x_old, old);
-    contact_pose_carry(&c->pose_old[obstacle], pose, old, from);
+    contact_shape_carry(&c->pose_old[obstacle], pose, old, from);
     vector_between(from, y, way);
     const double length = vector_length(way);
     if (!(D <= length))

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "models/room.h"
+#include "models/vector.h"
 
 /* Greville abscissae are sums of a few knots in [0,1], with round-off of a few ulp. */
 static const double ROUNDING = 1e-12;
@@ -105,25 +106,31 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
 }
 
 enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
-                          double (*uvw)[3], struct message *why)
+                          double (*uvw)[3], const double *rest, struct message *why)
 {
     enum status st;
     size_t count = 3 * (size_t)nodes;
+    bool turns = false;
     struct supports new = {.nodes = nodes};
     int *owner = malloc(count * sizeof *owner);
 
     if (!owner)
         return STATUS_MEMORY;
+    for (int n = 0; n < scene->support_count; n++)
+        turns |= scene->supports[n].motion.turn_count > 0;
     TRY(room_cut(&new.room, ROOM(new.free_index, count), ROOM(new.held, count),
-                 ROOM(new.owner, count)));
+                 ROOM(new.owner, count), ROOM(new.rest, turns ? count : 0)));
     TRY(assign(scene, nodes, uvw, owner, why));
     for (int n = 0; n < (int)count; n++) {
         new.free_index[n] = owner[n] < 0 ? new.free_count++ : -1;
         if (owner[n] < 0)
             continue;
+        if (turns)
+            memcpy(new.rest[new.held_count], rest + 3 * (n / 3), sizeof *new.rest);
         new.held[new.held_count] = n;
-        new.moving |= scene->supports[owner[n]].path_count > 0;
-        new.owner[new.held_count++] = uvw[n / 3][2] == SUPPORTS_DIFFERENCE ? -1 : owner[n];
+        new.moving |= SCENE_MOVES(scene->supports[owner[n]].motion);
+        new.owner[new.held_count++] =
+            uvw[n / 3][2] == SUPPORTS_DIFFERENCE ? -1 - owner[n] : owner[n];
     }
     HAND_OVER(s, new);
 out:
@@ -177,11 +184,19 @@ void supports_clear(struct supports *s)
 void supports_shift(const struct supports *s, const struct scene *scene, double t,
                     double *shift)
 {
+    struct scene_placement place;
+    int placed = -1;
+
     for (int n = 0; n < s->held_count; n++) {
-        double by[3] = {0};
-        if (s->owner[n] >= 0)
-            scene_support_shift(&scene->supports[s->owner[n]], t, by);
-        shift[n] = by[s->held[n] % 3];
+        const bool difference = s->owner[n] < 0;
+        const int owner = difference ? -1 - s->owner[n] : s->owner[n], i = s->held[n] % 3;
+        const struct scene_motion *motion = &scene->supports[owner].motion;
+        if (owner != placed)
+            scene_motion_at(motion, t, &place);
+        placed = owner;
+        shift[n] = difference ? 0 : place.shift[i];
+        if (motion->turn_count)
+            shift[n] += vector_dot(place.turn[i], s->rest[n]) - s->rest[n][i];
     }
 }
 

@@ -10,8 +10,8 @@
 #include "models/scene.h"
 
 /* Parameters w of coefficients that describe a whole column: its mid-surface, which
- * moves with a support, and its differences across the thickness, which a shift does not
- * change. */
+ * moves with a support, and its differences across the thickness, which a turn alone
+ * changes. */
 enum { SUPPORTS_MIDDLE = -1, SUPPORTS_DIFFERENCE = -2 };
 
 struct supports {
@@ -19,16 +19,18 @@ struct supports {
     void *room;      /* memory of the arrays                                   owned   */
     int *free_index; /* [3 nodes] place among the free unknowns, -1 if held            */
     int *held;       /* [held_count] unknown 3 node + component, ascending             */
-    int *owner;      /* [held_count] the support whose path it follows, -1: none       */
-    bool moving;     /* any of them has a path                                         */
+    int *owner;      /* [held_count] the support n that it follows; a difference: -1 - n */
+    bool moving;     /* any of them moves                                              */
+    double (*rest)[3]; /* [held_count] the node's rest [m] if any turns, else NULL     */
 };
 
-/* Finds the held unknowns. uvw[nodes][3]: parameters of the nodes; w < 0 (above) belongs to
+/* Finds the held unknowns. uvw[nodes][3] and rest[nodes][3] [m]: parameters of the nodes
+ * and their places, or differences, at rest; w < 0 (above) belongs to
  * a whole column, which only a support through the full thickness may hold, or of its
  * middle alone. STATUS_INPUT with a sentence if a support holds no node, STATUS_UNSUPPORTED
  * if it takes part of a column. */
 enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
-                          double (*uvw)[3], struct message *why);
+                          double (*uvw)[3], const double *rest, struct message *why);
 void supports_clear(struct supports *s);
 
 /* Refuses, with STATUS_INPUT or STATUS_UNSUPPORTED and a sentence, where a scene has no

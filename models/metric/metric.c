@@ -262,7 +262,7 @@ static bool escaped(const struct scene *scene, double t, int n, const double car
                     const double xyz[3])
 {
     const double limit = 10 * fmax(scene->length, scene->width);
-    double nearest = INFINITY, x[3], shift[3];
+    double nearest = INFINITY, x[3], still[3];
 
     if (scene->support_count == 0) {
         double uvw[3];
@@ -272,9 +272,11 @@ static bool escaped(const struct scene *scene, double t, int n, const double car
         nearest = metric_rest_distance(scene, uvw, uvw, limit, x);
     }
     for (int s = 0; s < scene->support_count; s++) {
-        scene_support_shift(&scene->supports[s], t, shift);
+        struct scene_placement place;
+        scene_motion_at(&scene->supports[s].motion, t, &place);
         for (int c = 0; c < 3; c++)
-            x[c] = xyz[c] - carried[c] - shift[c];
+            still[c] = xyz[c] - carried[c];
+        scene_placement_back(&place, still, x);
         nearest = fmin(nearest, metric_rest_distance(scene, scene->supports[s].lo,
                                                      scene->supports[s].hi, limit, x));
     }

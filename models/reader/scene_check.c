@@ -340,24 +340,38 @@ static bool overlap(const struct scene_support *a, const struct scene_support *b
     return true;
 }
 
-/* Tells whether paths agree at every row of `a`, in the components held by both. */
-static bool agrees_at_rows(const struct scene_support *a, const struct scene_support *b)
+static bool same(double a, double b)
 {
-    for (int k = 0; k < a->path_count; k++) {
-        double at[3], bt[3];
-
-        scene_support_shift(a, a->path[k][0], at);
-        scene_support_shift(b, a->path[k][0], bt);
-        for (int i = 0; i < 3; i++)
-            if ((a->fix & b->fix & 1u << i) &&
-                fabs(at[i] - bt[i]) > TOL_PATH * (1 + fabs(at[i])))
-                return false;
-    }
-    return true;
+    return fabs(a - b) <= TOL_PATH * (1 + fabs(a));
 }
 
-/* Compares all pairs, O(supports^2 rows log rows): piecewise linear paths are equal if they
- * are so at all rows. */
+/* Tells whether motions agree at every row of `a`, displacements in the components `fix`.
+ */
+static bool agrees_at_rows(const struct scene_motion *a, const struct scene_motion *b,
+                           unsigned fix)
+{
+    bool agree = true;
+
+    for (int k = 0; k < a->path_count; k++) {
+        double of_b[3];
+
+        scene_table_at(b->path_count, 4, (const double *)b->path, a->path[k][0], of_b);
+        for (int i = 0; i < 3; i++)
+            agree = agree && (!(fix & 1u << i) || same(a->path[k][i + 1], of_b[i]));
+    }
+    for (int k = 0; k < a->turn_count; k++) {
+        double of_b;
+
+        scene_table_at(b->turn_count, 2, (const double *)b->turn, a->turn[k][0], &of_b);
+        agree = agree && same(a->turn[k][1], of_b);
+    }
+    for (int i = 0; a->turn_count && i < 3; i++)
+        agree = agree && same(a->axis[i], b->axis[i]) && same(a->about[i], b->about[i]);
+    return agree;
+}
+
+/* Compares all pairs, O(supports^2 rows log rows): piecewise linear motions are equal if
+ * they are so at all rows. */
 static enum status check_supports(const struct yaml_tree *root, const struct scene *scene,
                                   struct message *why)
 {
@@ -367,14 +381,16 @@ static enum status check_supports(const struct yaml_tree *root, const struct sce
     for (int j = 0; node; j++, node = node->next)
         for (int i = 0; i < j; i++) {
             const struct scene_support *a = &scene->supports[i], *b = &scene->supports[j];
+            const unsigned fix = a->fix & b->fix;
 
-            if ((a->fix & b->fix) && overlap(a, b) &&
-                !(agrees_at_rows(a, b) && agrees_at_rows(b, a)))
+            if (fix && overlap(a, b) &&
+                !(agrees_at_rows(&a->motion, &b->motion, fix) &&
+                  agrees_at_rows(&b->motion, &a->motion, fix)))
                 return yaml_tree_refuse(
                     node, why,
                     "supports[%d] contradicts supports[%d]: they "
-                    "hold the same points in the same component, but along "
-                    "different paths",
+                    "hold the same points in the same component, but move "
+                    "differently",
                     j, i);
         }
     return STATUS_OK;

@@ -145,11 +145,41 @@ out:
     return st;
 }
 
+/* Makes the axis of a turn one of length 1. */
+static enum status check_turn(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
+{
+    struct scene_motion *m = target;
+    const double length = vector_length(m->axis);
+
+    (void)key;
+    if (!(length > 0))
+        return yaml_tree_refuse(yaml_tree_find(node, "axis"), why,
+                                "the axis of a turn is zero, but must have a direction");
+    for (int i = 0; i < 3; i++)
+        m->axis[i] /= length;
+    return STATUS_OK;
+}
+
 /* clang-format off */
 #define TABLE(type, rows, columns) SCHEMA_SPECIAL, PLACE, .read = read_table, .most = columns, \
     IN(type, rows), .count_offset = offsetof(struct type, rows##_count)
-#define PATH_OF(type) TABLE(type, path, 4), \
-    .want = "1 to 1000 rows [t, x, y, z] of numbers within -1e+06 and 1e+06"
+static const struct schema_key TURN[] = {
+    {"axis", "direction of the axis", SCHEMA_VECTOR, .required = true, PLACE,
+     IN(scene_motion, axis)},
+    {"about", "a point on the axis, which the path moves [m]", SCHEMA_VECTOR, .required = true,
+     PLACE, IN(scene_motion, about)},
+    {"angles", "angle in time, right-handed [s, deg]", .required = true,
+     .type = TABLE(scene_motion, turn, 2),
+     .want = "1 to 1000 rows [t, angle] of numbers within -1e+06 and 1e+06"},
+    {NULL}};
+
+/* The keys of a motion. */
+#define MOTION_OF(type) \
+    {"path", "displacement in time [s, m, m, m]", TABLE(type, motion.path, 4), \
+     .want = "1 to 1000 rows [t, x, y, z] of numbers within -1e+06 and 1e+06"}, \
+    {"turn", "turn in time, before the displacement", SCHEMA_SECTION, IN(type, motion), \
+     .keys = TURN, .read = check_turn}
 
 static const struct schema_key AT[] = {
     {"sheet", "the sheet whose u it is, from 1", SCHEMA_COUNT, .low = 1,
@@ -166,7 +196,7 @@ static const struct schema_key SUPPORT[] = {
     {"at", "where", SCHEMA_SECTION, .required = true, .keys = AT, .read = check_at},
     {"fix", "components that are held", SCHEMA_SPECIAL, .required = true, .read = read_fix,
      .want = "some of the letters x, y, z, each once, as in xyz"},
-    {"path", "displacement in time [s, m, m, m]", PATH_OF(scene_support)},
+    MOTION_OF(scene_support),
     {NULL}};
 
 static const struct schema_key LOAD[] = {
@@ -188,10 +218,10 @@ static enum status read_supports(const struct schema_key *key, const struct yaml
         s = (struct scene_support){.hi = {1, 1, 1}, .line = child->line};
         TRY(schema_read(SUPPORT, child, "a support", &s, why));
         TRY(scene_add_support(target, &s));
-        free(s.path), s.path = NULL;
+        scene_motion_clear(&s.motion);
     }
 out:
-    free(s.path);
+    scene_motion_clear(&s.motion);
     return st;
 }
 
@@ -217,33 +247,7 @@ out:
     return st;
 }
 
-/* Makes the axis of a turn one of length 1. */
-static enum status check_turn(const struct schema_key *key, const struct yaml_tree *node,
-                              void *target, struct message *why)
-{
-    struct scene_obstacle *o = target;
-    const double length = vector_length(o->turn_axis);
-
-    (void)key;
-    if (!(length > 0))
-        return yaml_tree_refuse(yaml_tree_find(node, "axis"), why,
-                                "the axis of a turn is zero, but must have a direction");
-    for (int i = 0; i < 3; i++)
-        o->turn_axis[i] /= length;
-    return STATUS_OK;
-}
-
 /* clang-format off */
-static const struct schema_key TURN[] = {
-    {"axis", "direction of the axis", SCHEMA_VECTOR, .required = true, PLACE,
-     IN(scene_obstacle, turn_axis)},
-    {"about", "a point on the axis, which the path moves [m]", SCHEMA_VECTOR, .required = true,
-     PLACE, IN(scene_obstacle, turn_point)},
-    {"angles", "angle in time, right-handed [s, deg]", .required = true,
-     .type = TABLE(scene_obstacle, turn, 2),
-     .want = "1 to 1000 rows [t, angle] of numbers within -1e+06 and 1e+06"},
-    {NULL}};
-
 /* The last keys of every shape. */
 #define FRICTION \
     {"friction", "Coulomb coefficient", SCHEMA_NUMBER, .low = 0, .high = 1e3, \
@@ -297,8 +301,7 @@ const struct schema_key scene_schema_obstacles[] = {
     [OBSTACLE_CAPSULE] = {"capsule", "a round rod", SCHEMA_SECTION, .keys = CAPSULE},
     [OBSTACLE_BOX] = {"box", "a cuboid", SCHEMA_SECTION, .keys = BOX},
     [OBSTACLE_MESH] = {"mesh", "triangles", SCHEMA_SECTION, .keys = MESH},
-    {"path", "displacement in time [s, m, m, m]", PATH_OF(scene_obstacle)},
-    {"turn", "turn in time", SCHEMA_SECTION, .keys = TURN, .read = check_turn},
+    MOTION_OF(scene_obstacle),
     {NULL}};
 /* clang-format on */
 

@@ -266,12 +266,13 @@ static enum status read_section(const struct schema_key *key, const struct yaml_
                                 void *target, struct message *why)
 {
     enum status st = STATUS_OK;
+    void *part = (char *)target + key->offset;
 
     if (node->kind != YAML_TREE_MAP)
         return schema_refuse(key, node, why);
-    TRY(schema_read(key->keys, node, key->key, target, why));
+    TRY(schema_read(key->keys, node, key->key, part, why));
     if (key->read)
-        TRY(key->read(key, node, target, why));
+        TRY(key->read(key, node, part, why));
 out:
     return st;
 }

@@ -16,9 +16,10 @@ struct solid_sheet {
 /* The scene's needs that solid_motion supports; bits of scene_need. */
 #define SOLID_MODEL_SERVES                                                                 \
     (SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |          \
-     SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |           \
-     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG |     \
-     SCENE_NEED_CURVED_REST | SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS)
+     SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_TURNING_CLAMPS |           \
+     SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS |                           \
+     SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |            \
+     SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS)
 
 /* Refuses a fabric where no layer holds membrane and bending apart (solid_layer.h), with
  * what a solid of one law as thick would have of the fabric's bending. */

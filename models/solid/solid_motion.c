@@ -152,7 +152,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     TRY(solid_assembly_init(&new.assembly, space, &material));
     const struct blocks *graph = &new.assembly.graph;
     const size_t pairs = (size_t)graph->start[graph->nodes];
-    TRY(supports_init(&new.supports, scene, space->nodes, space->uvw, why));
+    TRY(supports_init(&new.supports, scene, space->nodes, space->uvw, space->rest, why));
     TRY(newmark_init(&new.newmark, space->nodes, scene->step,
                      mass_damping(scene, d->kinematics), damping_stiffness(scene)));
     new.newmark.gamma = drag_on_d(scene, d->kinematics);

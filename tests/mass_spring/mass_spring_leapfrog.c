@@ -135,7 +135,7 @@ static void drive(struct driven by, double *x, double *energy)
 {
     double path[3][4] = {{0}, {0.05, by.pull, by.pull, 0}, {0.1}};
     const struct scene_support edge = {
-        .hi = {0, 1, 1}, .fix = FIX_XYZ, .path = path, .path_count = 3};
+        .hi = {0, 1, 1}, .fix = FIX_XYZ, .motion = {.path = path, .path_count = 3}};
     struct net s;
 
     net_init(&s, 8, 7, false);

@@ -36,9 +36,10 @@ static struct scene_obstacle moving(const struct scene_obstacle *o)
 {
     struct scene_obstacle m = *o;
 
-    m.path_count = m.turn_count = 2, m.path = path_table, m.turn = turn_table;
-    memcpy(m.turn_axis, turn_axis, sizeof m.turn_axis);
-    memcpy(m.turn_point, (double[3]){1, 0, 0}, sizeof m.turn_point);
+    m.motion.path_count = m.motion.turn_count = 2, m.motion.path = path_table,
+    m.motion.turn = turn_table;
+    memcpy(m.motion.axis, turn_axis, sizeof m.motion.axis);
+    memcpy(m.motion.about, (double[3]){1, 0, 0}, sizeof m.motion.about);
     return m;
 }
 
@@ -69,8 +70,8 @@ static void near_body(int n, double x[3])
 
 /* The normal is the distance's gradient, of length one, the nearest point is on the
  * surface, and a convex body is behind the tangent plane: these make a distance exact. */
-static void check_distance(const struct scene_obstacle *o, const struct contact_pose *pose,
-                           const double x[3])
+static void check_distance(const struct scene_obstacle *o,
+                           const struct scene_placement *pose, const double x[3])
 {
     double n[3], foot[3], step = 1e-5;
     const double distance = contact_shape_distance(o, pose, x, n);
@@ -118,13 +119,13 @@ static void check_shapes(void)
         int inside = 0, outside = 0;
         for (int n = 0; n < 200; n++) {
             double x[3], y[3];
-            struct contact_pose pose;
+            struct scene_placement pose;
             const struct scene_obstacle o = moving(&body[k]);
             near_body(n, x);
             if (!is_smooth(&o, x))
                 continue;
             check_distance(&o, NULL, x);
-            contact_pose_at(&o, 4, &pose);
+            scene_motion_at(&o.motion, 4, &pose);
             move_point(x, y);
             check_distance(&o, &pose, y);
             inside += contact_shape_distance(&o, NULL, x, NULL) < 0;
@@ -139,16 +140,16 @@ static void check_pose(void)
 {
     for (int k = 0; k < BODIES; k++) {
         struct scene_obstacle o = moving(&body[k]), other = body[k];
-        struct contact_pose pose, early, middle;
+        struct scene_placement pose, early, middle;
         double y[3], back[3], n[3], m[3];
         move_point(o.point, other.point);
         move_point(o.end, other.end);
         turn_direction(o.normal, other.normal);
         turn_direction(o.axis[0], other.axis[0]);
         turn_direction(o.axis[1], other.axis[1]);
-        contact_pose_at(&o, 9, &pose);
-        contact_pose_at(&o, 1, &early);
-        contact_pose_at(&o, 3, &middle);
+        scene_motion_at(&o.motion, 9, &pose);
+        scene_motion_at(&o.motion, 1, &early);
+        scene_motion_at(&o.motion, 3, &middle);
         for (int c = 0; c < 60; c++) {
             double x[3];
             near_body(c, x);
@@ -159,10 +160,10 @@ static void check_pose(void)
                 CHECK_NEAR(n[i], m[i], 8 * rounding);
             CHECK(contact_shape_distance(&o, &early, x, NULL) ==
                   contact_shape_distance(&o, NULL, x, NULL));
-            contact_pose_carry(&pose, &early, y, back);
+            contact_shape_carry(&pose, &early, y, back);
             for (int i = 0; i < 3; i++)
                 CHECK_NEAR(back[i], x[i], 8 * rounding);
-            contact_pose_carry(&early, &middle, x, back);
+            contact_shape_carry(&early, &middle, x, back);
             CHECK_NEAR(contact_shape_distance(&o, &middle, back, NULL),
                        contact_shape_distance(&o, NULL, x, NULL), 8 * rounding);
         }
@@ -184,7 +185,7 @@ static void check_least(void)
     REQUIRE(scene_add_obstacle(&scene, ball) == STATUS_OK);
     CHECK_NEAR(contact_shape_least_gap(&scene, 0, 1, x[1]), -3.6, 4 * rounding);
     CHECK(contact_shape_least_gap(&scene, 0, 0, x[0]) == INFINITY);
-    lift.turn_count = 0;
+    lift.motion.turn_count = 0;
     REQUIRE(scene_add_obstacle(&scene, &lift) == STATUS_OK);
     CHECK_NEAR(contact_shape_least_gap(&scene, 3, 1, x[0]), 0.8 - 1.5 * 0.8, 4 * rounding);
     x[2][1] = NAN;

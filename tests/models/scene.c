@@ -79,18 +79,16 @@ static void check_bodies(void)
 {
     double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 2}}, turn[1][2] = {{3, 45}};
     char file[] = "a.obj";
-    struct scene_obstacle o = {.kind = OBSTACLE_MESH,
-                               .path_count = 2,
-                               .path = path,
-                               .turn_count = 1,
-                               .turn = turn,
-                               .file = file};
+    struct scene_obstacle o = {
+        .kind = OBSTACLE_MESH,
+        .motion = {.path_count = 2, .path = path, .turn_count = 1, .turn = turn},
+        .file = file};
     struct scene s;
 
     REQUIRE(scene_init(&s) == STATUS_OK);
     REQUIRE(scene_add_obstacle(&s, &o) == STATUS_OK);
     path[1][3] = turn[0][1] = 0, file[0] = 'b';
-    CHECK(s.obstacles[0].path[1][3] == 2 && s.obstacles[0].turn[0][1] == 45);
+    CHECK(s.obstacles[0].motion.path[1][3] == 2 && s.obstacles[0].motion.turn[0][1] == 45);
     CHECK(!strcmp(s.obstacles[0].file, "a.obj") && !s.obstacles[0].mesh);
     CHECK(scene_needs(&s) == (SCENE_NEED_CONTACT | SCENE_NEED_MOVING_OBSTACLES));
     s.contact.self = true;
@@ -98,30 +96,45 @@ static void check_bodies(void)
     scene_clear(&s);
 }
 
-static void check_path(void)
+/* A support is a copy. By its path it goes up, then along x; its turn about a line
+ * through (1,0,0) along z begins at time 1. */
+static void check_motion(void)
 {
+    static const struct {
+        double time, at[3]; /* where (2,0,0) is                                        */
+    } rows[] = {{-1, {2, 0, 0}}, {.5, {2, 0, 1}}, {1, {2, 0, 2}},
+                {2, {3, 1, 2}},  {3, {4, 0, 2}},  {99, {4, 0, 2}}};
     double path[3][4] = {{0, 0, 0, 0}, {1, 0, 0, 2}, {3, 4, 0, 2}};
-    const struct scene_support moved = {.fix = FIX_XYZ, .path_count = 3, .path = path};
-    const struct scene_support still = {.fix = FIX_XYZ};
+    double turn[2][2] = {{1, 0}, {3, 180}};
+    const struct scene_support moved = {.hi = {0, 1, 1},
+                                        .fix = FIX_XYZ,
+                                        .motion = {.path_count = 3,
+                                                   .path = path,
+                                                   .turn_count = 2,
+                                                   .turn = turn,
+                                                   .axis = {0, 0, 1},
+                                                   .about = {1, 0, 0}}};
+    struct scene_placement place;
     struct scene s;
-    double d[3];
+    double x[3], back[3];
 
     REQUIRE(scene_init(&s) == STATUS_OK);
     REQUIRE(scene_add_support(&s, &moved) == STATUS_OK);
-    path[2][1] = -1; /* the scene has its own copy */
-    scene_support_shift(&s.supports[0], -1, d);
-    CHECK(d[0] == 0 && d[1] == 0 && d[2] == 0);
-    scene_support_shift(&s.supports[0], 0.5, d);
-    CHECK(d[0] == 0 && d[1] == 0 && d[2] == 1);
-    scene_support_shift(&s.supports[0], 1, d);
-    CHECK(d[0] == 0 && d[1] == 0 && d[2] == 2);
-    scene_support_shift(&s.supports[0], 2.5, d);
-    CHECK(d[0] == 3 && d[1] == 0 && d[2] == 2);
-    scene_support_shift(&s.supports[0], 99, d);
-    CHECK(d[0] == 4 && d[1] == 0 && d[2] == 2);
-    scene_support_shift(&still, 1, d);
-    CHECK(d[0] == 0 && d[1] == 0 && d[2] == 0);
-    CHECK(scene_needs(&s) & SCENE_NEED_MOVING_SUPPORTS);
+    path[2][1] = turn[1][1] = -1;
+    for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
+        scene_motion_at(&s.supports[0].motion, rows[n].time, &place);
+        scene_placement_point(&place, (const double[3]){2, 0, 0}, x);
+        scene_placement_back(&place, x, back);
+        for (int i = 0; i < 3; i++) {
+            CHECK_NEAR(x[i], rows[n].at[i], 1e-15);
+            CHECK_NEAR(back[i], i ? 0 : 2, 1e-15);
+        }
+    }
+    scene_motion_at(&(const struct scene_motion){0}, 1, &place);
+    CHECK(place.shift[0] == 0 && place.turn[0][0] == 1 && place.turn[1][0] == 0);
+    CHECK(scene_needs(&s) == (SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_TURNING_CLAMPS));
+    s.supports[0].lo[2] = s.supports[0].hi[2] = 0.5; /* a hinge */
+    CHECK(scene_needs(&s) == (SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_THICKNESS_SUPPORTS));
     scene_clear(&s);
 }
 
@@ -231,7 +244,7 @@ int main(void)
     check_rest_point();
     check_numbers();
     check_needs();
-    check_path();
+    check_motion();
     check_bodies();
     check_discretization();
     check_clamped();

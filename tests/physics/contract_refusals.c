@@ -152,7 +152,8 @@ static void use_fabric(struct scene *scene)
  */
 static void add_need(struct scene *scene, unsigned need, double w)
 {
-    static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.1}};
+    static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.1}},
+                  turn[2][2] = {{0, 0}, {1, 9}};
     struct scene_obstacle floor = {
         .kind = OBSTACLE_PLANE, .point = {0, 0, -1}, .normal = {0, 0, 1}};
     struct scene_support s = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_XYZ};
@@ -160,7 +161,7 @@ static void add_need(struct scene *scene, unsigned need, double w)
 
     switch (need) {
     case SCENE_NEED_MOVING_OBSTACLES:
-        floor.path = path, floor.path_count = 2;
+        floor.motion.path = path, floor.motion.path_count = 2;
         __attribute__((fallthrough));
     case SCENE_NEED_CONTACT:
         REQUIRE(scene_add_obstacle(scene, &floor) == STATUS_OK);
@@ -199,7 +200,10 @@ static void add_need(struct scene *scene, unsigned need, double w)
         scene->opening = need == SCENE_NEED_CURVED_REST ? 90 : 360;
         return;
     case SCENE_NEED_MOVING_SUPPORTS:
-        s.path = path, s.path_count = 2;
+        s.motion.path = path, s.motion.path_count = 2;
+        break;
+    case SCENE_NEED_TURNING_CLAMPS:
+        s.motion.turn = turn, s.motion.turn_count = 2, s.motion.axis[1] = 1;
         break;
     case SCENE_NEED_PATCH_SUPPORTS:
         s.lo[0] = 0.75;

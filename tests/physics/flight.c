@@ -186,7 +186,7 @@ static void test_carried(void)
             REQUIRE(scene_add_load(&scene, &(struct scene_load){.force = {0, 0.2, 0}}) ==
                     STATUS_OK);
         if (with & 1 << PATH)
-            edge.path_count = 2, edge.path = path;
+            edge.motion.path_count = 2, edge.motion.path = path;
         if (with & 1 << HELD_XZ)
             edge.fix = FIX_X | FIX_Z;
         if (with & (1 << HELD | 1 << HELD_XZ))

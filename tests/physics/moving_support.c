@@ -22,12 +22,12 @@ static void set_path(struct scene *scene, double at, int steps, shift_of *shift)
         struct scene_support *s = &scene->supports[n];
         if (s->lo[0] > at || s->hi[0] < at)
             continue;
-        s->path_count = steps + 3;
-        s->path = malloc((size_t)s->path_count * sizeof *s->path);
-        REQUIRE(s->path);
-        for (int row = 0; row < s->path_count; row++) {
-            s->path[row][0] = (row - 1) * scene->step;
-            shift(s->path[row][0], &s->path[row][1]);
+        s->motion.path_count = steps + 3;
+        s->motion.path = malloc((size_t)s->motion.path_count * sizeof *s->motion.path);
+        REQUIRE(s->motion.path);
+        for (int row = 0; row < s->motion.path_count; row++) {
+            s->motion.path[row][0] = (row - 1) * scene->step;
+            shift(s->motion.path[row][0], &s->motion.path[row][1]);
         }
     }
 }

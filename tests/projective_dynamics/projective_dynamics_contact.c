@@ -316,7 +316,7 @@ static void check_held(void)
     struct pd_options o = pd_fixture_options(6, 6, CONSTRAINT_EDGES);
     double path[2][4] = {{0, 0, 0, 0}, {0.05, 0, 0, -0.02}};
     struct scene_support edge = {
-        .hi = {0, 1, 1}, .fix = FIX_XYZ, .path = path, .path_count = 2};
+        .hi = {0, 1, 1}, .fix = FIX_XYZ, .motion = {.path = path, .path_count = 2}};
 
     floor_scene(&scene, 0, 0);
     REQUIRE(scene_add_support(&scene, &edge) == STATUS_OK);
@@ -374,7 +374,7 @@ static void check_fold(const struct variant *v)
     double path[4][4] = {
         {0, 0, 0, 0}, {0.2, 0.3, 0, 0.3}, {0.6, 0.8, 0, 0.3}, {0.62, 0.8, 0, 0.06}};
     struct scene_support edge = {
-        .hi = {0, 1, 1}, .fix = FIX_XYZ, .path = path, .path_count = 4};
+        .hi = {0, 1, 1}, .fix = FIX_XYZ, .motion = {.path = path, .path_count = 4}};
     double least = INFINITY;
 
     floor_scene(&scene, 0, 0.3);
@@ -404,8 +404,8 @@ static void check_lifted(const struct variant *v)
     double path[2][4] = {{0, 0, 0, 0}, {0.1, 0, 0, 0.4}};
 
     floor_scene(&scene, 0, 0.3);
-    scene.obstacles[0].path = path;
-    scene.obstacles[0].path_count = 2;
+    scene.obstacles[0].motion.path = path;
+    scene.obstacles[0].motion.path_count = 2;
     pd_fixture_motion(&m, &scene, &o);
     for (int frame = 1; frame <= 20; frame++) {
         pd_fixture_frames(&m, 1);
@@ -415,8 +415,8 @@ static void check_lifted(const struct variant *v)
             CHECK(m.x[2 * pd_net_stride(&m.energy.net) + k] > lowest);
     }
     pd_motion_clear(&m);
-    scene.obstacles[0].path = NULL;
-    scene.obstacles[0].path_count = 0;
+    scene.obstacles[0].motion.path = NULL;
+    scene.obstacles[0].motion.path_count = 0;
     scene_clear(&scene);
 }
 

@@ -79,7 +79,7 @@ static void check_supports(bool midpoint)
     struct pd_motion m, s;
     struct pd_options o = pd_fixture_options(7, 6, CONSTRAINT_TRIANGLES);
     struct scene_support edge = {
-        .hi = {0, 1, 1}, .fix = FIX_XYZ, .path = path, .path_count = 2};
+        .hi = {0, 1, 1}, .fix = FIX_XYZ, .motion = {.path = path, .path_count = 2}};
 
     pd_fixture_scene(&scene, 0.3);
     pd_fixture_scene(&split, 0.3);

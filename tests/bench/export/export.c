@@ -222,6 +222,11 @@ static void world(void)
         "loads=[{at: {u: 1}, force: [0, 3, -1]}, {at: {u: 1, v: 0}, force: [0.5, 0, 0]}]",
         "motion={velocity: [1, 2, 3], spin: [0, 0, 0]}", NULL};
 
+    enum { TURNING_FRAMES = 4 };
+    static const char *const turning[] = {
+        "supports=[{at: {u: 0}, fix: xyz, path: [[0, 0, 0, 0], [0.02, 0, 0, 2]], turn: "
+        "{axis: [0, 1, 0], about: [0, 0, 0], angles: [[0, 0], [0.02, 90]]}}]",
+        "time.end=0.02", "snapshots=[]", NULL};
     static const char *const others[] = {
         "obstacles=[{sphere: {center: [1, 2, -3], radius: 0.5}, path: [[0, 0, 0, 0]]}, "
         "{capsule: {from: [1, 2, -8], to: [1, 3, -8], radius: 2}}, {mesh: "
@@ -254,6 +259,17 @@ static void world(void)
     CHECK(reference_rows(table) == 3 && is(0, "kind", "moving_sphere"));
     CHECK(is(1, "kind", "capsule") && cell(1, "radius") == 2 && cell(1, "z") == -8);
     CHECK(is(2, "kind", "mesh") && cell(2, "friction") == 0.5);
+    /* each vertex of an edge that turns has a path of its own: a ring beside a clamp's */
+    open_table(exported("edge_drop", "5,4", turning), "paths");
+    CHECK(reference_rows(table) == 8 * (TURNING_FRAMES + 1));
+    CHECK(cell(0, "path") == 1 && cell(0, "t") == 0 && cell(0, "x") == 0);
+    for (int n = 0; n < 8; n++) { /* .25 behind the axis, which is at u = 0, outside */
+        const int last = n * (TURNING_FRAMES + 1) + TURNING_FRAMES;
+        const double behind = n < 4 ? 0 : 0.25;
+        CHECK_NEAR(cell(last, "t"), TURNING_FRAMES * 0.005, TOL_ONE);
+        CHECK_NEAR(cell(last, "x"), behind, TOL_ONE);
+        CHECK_NEAR(cell(last, "z"), 2 + behind, TOL_ONE);
+    }
 }
 
 /* --- the mesh --- */
@@ -614,7 +630,8 @@ static void scenes_come_back(void)
          {"sheets=[{origin: [0, 0, 0.1]}, {origin: [0, 0, 0], u: [0, 1, 0], v: [-0.6, 0, "
           "0.8]}]",
           "supports=[{at: {sheet: 2, u: [0.1, 0.37], v: 1, w: 0.5}, fix: xy}, {at: {v: 0, "
-          "w: 0.5}, fix: z}, {at: {sheet: 1, u: 1, w: 0.5}, fix: y}]",
+          "w: 0.5}, fix: z}, {at: {sheet: 1, u: 1, w: 0.5}, fix: y, turn: {axis: [0, 3, "
+          "4], about: [1, 0, 2], angles: [[0, 10], [1, 20]]}}]",
           "loads=[{at: {sheet: 1, u: 0.3}, force: [0, 0, 0.1]}]"},
          3},
         {"sphere",

@@ -118,8 +118,9 @@ static void test_series(void)
 static void test_moving(void)
 {
     static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.5}};
-    struct scene_obstacle plane = {
-        .kind = OBSTACLE_PLANE, .normal = {0, 0, 1}, .path_count = 2, .path = path};
+    struct scene_obstacle plane = {.kind = OBSTACLE_PLANE,
+                                   .normal = {0, 0, 1},
+                                   .motion = {.path_count = 2, .path = path}};
     double *xyz = calloc(3 * GRID_POINTS, sizeof *xyz);
 
     begin();

@@ -146,8 +146,11 @@ static void check_frames(void)
 
 /* Pairs of settings of a scene: what moves the sheet differs in the text; times, names and
  * numerics do not. NULL: the scene as it is. */
-#define HELD(at)    "supports=[{at: {" at "}, fix: xyz}]"
-#define LED(path)   "supports=[{at: {u: 0}, fix: xyz, path: [" path "]}]"
+#define HELD(at)  "supports=[{at: {" at "}, fix: xyz}]"
+#define LED(path) "supports=[{at: {u: 0}, fix: xyz, path: [" path "]}]"
+#define TURNED(axis, angles)                                                               \
+    "supports=[{at: {u: 0}, fix: xyz, turn: {axis: " axis                                  \
+    ", about: [1,0,0], angles: " angles "}}]"
 #define BODY(text)  "obstacles=[{" text "}}]"
 #define SPUN(text)  "obstacles[0].turn={axis: " text "}"
 #define OCTAHEDRON  SOURCE_DIR "/tests/bad_scenes/mesh_inside.obj"
@@ -204,6 +207,9 @@ static const struct pair {
     {"moving_edge", LED("[0,0,0,0],[1,0,0,1]"), LED("[0,0,0,0],[1,0,1,1]")},
     {"moving_edge", LED("[0,0,0,0],[1,0,0,1]"), LED("[0,0,0,0],[1,0,0,2]")},
     {"moving_edge", LED("[0,0,0,0],[1,0,0,1]"), LED("[0,0,0,0],[1,0,0,1],[2,0,0,0]")},
+    {"moving_edge", LED("[0,0,0,0],[1,0,0,1]"), TURNED("[0,0,1]", "[[0,0],[1,9]]")},
+    {"moving_edge", TURNED("[0,0,1]", "[[0,0],[1,9]]"), TURNED("[0,1,0]", "[[0,0],[1,9]]")},
+    {"moving_edge", TURNED("[0,0,1]", "[[0,0],[1,9]]"), TURNED("[0,0,1]", "[[0,0],[1,8]]")},
     {"edge_drop", NULL, PULL("u: 1}, force: [0,0,1")},
     {"edge_drop", PULL("u: 1}, force: [0,0,1"), PULL("u: 1}, force: [0,1,0")},
     {"edge_drop", PULL("u: 1}, force: [0,0,1"), PULL("v: 1}, force: [0,0,1")},

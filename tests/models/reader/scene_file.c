@@ -103,14 +103,17 @@ static void check_bodies(const struct scene *s)
 {
     const struct scene_obstacle *o = s->obstacles, *mesh = &o[4];
 
-    CHECK(!o[0].path_count && !o[0].turn_count && o[1].kind == OBSTACLE_SPHERE);
+    CHECK(!o[0].motion.path_count && !o[0].motion.turn_count &&
+          o[1].kind == OBSTACLE_SPHERE);
     CHECK(o[2].kind == OBSTACLE_CAPSULE && o[2].point[1] == 2 && o[2].end[2] == 8);
-    CHECK(o[2].path_count == 2 && o[2].path[1][0] == 1 && o[2].path[1][3] == 4);
+    CHECK(o[2].motion.path_count == 2 && o[2].motion.path[1][0] == 1 &&
+          o[2].motion.path[1][3] == 4);
     CHECK(o[3].kind == OBSTACLE_BOX && o[3].size[2] == 3 && o[3].axis[0][1] == 1 &&
           o[3].axis[1][2] == 1 && o[3].friction == 2);
     CHECK(mesh->kind == OBSTACLE_MESH && !strcmp(mesh->file, "a.obj") && !mesh->mesh);
-    CHECK(mesh->point[2] == 9 && mesh->scale == 2 && mesh->turn_count == 2);
-    CHECK(mesh->turn_axis[2] == 1 && mesh->turn_point[0] == 1 && mesh->turn[1][1] == 90);
+    CHECK(mesh->point[2] == 9 && mesh->scale == 2 && mesh->motion.turn_count == 2);
+    CHECK(mesh->motion.axis[2] == 1 && mesh->motion.about[0] == 1 &&
+          mesh->motion.turn[1][1] == 90);
     CHECK(s->contact.self && s->contact.thickness == 0.02 && s->contact.range == 0.004);
     CHECK(s->contact.stiffness == 5 && s->contact.friction == 0.25);
     CHECK(scene_needs(s) & SCENE_NEED_MOVING_OBSTACLES);
@@ -225,8 +228,9 @@ static void check_everything(void)
     a = &s.supports[0], b = &s.supports[1];
     CHECK(a->lo[0] == 0 && a->hi[0] == 0 && a->lo[1] == 0.25 && a->hi[1] == 0.5);
     CHECK(a->lo[2] == 0 && a->hi[2] == 1 && a->fix == (FIX_X | FIX_Z) && a->line == 10);
-    CHECK(a->path_count == 2 && a->path[1][0] == 1 && a->path[1][3] == 4);
-    CHECK(b->fix == FIX_Y && b->hi[0] == 1 && !b->path && b->line == 13);
+    CHECK(a->motion.path_count == 2 && a->motion.path[1][0] == 1 &&
+          a->motion.path[1][3] == 4);
+    CHECK(b->fix == FIX_Y && b->hi[0] == 1 && !b->motion.path && b->line == 13);
     REQUIRE(s.load_count == 1);
     CHECK(s.loads[0].lo[0] == 1 && s.loads[0].lo[1] == 0.5 && s.loads[0].hi[2] == 1);
     CHECK(s.loads[0].force[0] == 1 && s.loads[0].force[1] == -2 &&

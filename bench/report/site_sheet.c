@@ -112,13 +112,12 @@ static void write_place(FILE *file, const struct view *view, struct seen p)
  * that is not drawn. */
 static double place_body(const struct scene_obstacle *o, double t, struct seen end[2])
 {
-    double shift[3], x[2][3];
+    struct scene_placement place;
+    double x[2][3];
 
-    scene_table_at(o->path_count, 4, o->path ? *o->path : NULL, t, shift);
-    for (int c = 0; c < 3; c++) {
-        x[0][c] = o->point[c] + shift[c];
-        x[1][c] = (o->kind == OBSTACLE_CAPSULE ? o->end[c] : o->point[c]) + shift[c];
-    }
+    scene_motion_at(&o->motion, t, &place);
+    scene_placement_point(&place, o->point, x[0]);
+    scene_placement_point(&place, o->kind == OBSTACLE_CAPSULE ? o->end : o->point, x[1]);
     end[0] = see(x[0]), end[1] = see(x[1]);
     return o->kind == OBSTACLE_SPHERE || o->kind == OBSTACLE_CAPSULE ? o->radius : 0;
 }

@@ -40,7 +40,7 @@ void scene_motion_clear(struct scene_motion *motion)
     *motion = (struct scene_motion){0};
 }
 
-void scene_table_at(int rows, int columns, const double *table, double t, double *value)
+void scene_motion_table(int rows, int columns, const double *table, double t, double *value)
 {
     int k = 0, high = rows; /* rows before k are at or before t, rows from high on after */
 
@@ -82,8 +82,8 @@ void scene_motion_at(const struct scene_motion *motion, double t,
     double shift[3], angle;
 
     *place = (struct scene_placement){.turn = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    scene_table_at(motion->path_count, 4, (const double *)motion->path, t, shift);
-    scene_table_at(motion->turn_count, 2, (const double *)motion->turn, t, &angle);
+    scene_motion_table(motion->path_count, 4, (const double *)motion->path, t, shift);
+    scene_motion_table(motion->turn_count, 2, (const double *)motion->turn, t, &angle);
     if (angle != 0)
         rotation(motion->axis, angle * PI / 180, place->turn);
     for (int i = 0; i < 3; i++)

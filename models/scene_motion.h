@@ -47,6 +47,7 @@ void scene_placement_back(const struct scene_placement *place, const double x[3]
 
 /* Computes value[columns - 1] at time t from rows [t, value...] with t increasing: linear
  * between, constant outside; 0 without rows. */
-void scene_table_at(int rows, int columns, const double *table, double t, double *value);
+void scene_motion_table(int rows, int columns, const double *table, double t,
+                        double *value);
 
 #endif

@@ -355,14 +355,14 @@ static bool agrees_at_rows(const struct scene_motion *a, const struct scene_moti
     for (int k = 0; k < a->path_count; k++) {
         double of_b[3];
 
-        scene_table_at(b->path_count, 4, (const double *)b->path, a->path[k][0], of_b);
+        scene_motion_table(b->path_count, 4, (const double *)b->path, a->path[k][0], of_b);
         for (int i = 0; i < 3; i++)
             agree = agree && (!(fix & 1u << i) || same(a->path[k][i + 1], of_b[i]));
     }
     for (int k = 0; k < a->turn_count; k++) {
         double of_b;
 
-        scene_table_at(b->turn_count, 2, (const double *)b->turn, a->turn[k][0], &of_b);
+        scene_motion_table(b->turn_count, 2, (const double *)b->turn, a->turn[k][0], &of_b);
         agree = agree && same(a->turn[k][1], of_b);
     }
     for (int i = 0; a->turn_count && i < 3; i++)

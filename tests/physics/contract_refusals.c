@@ -148,15 +148,37 @@ static void use_fabric(struct scene *scene)
     scene_use_fabric(scene);
 }
 
+static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.1}}, turn[2][2] = {{0, 0}, {1, 9}};
+
+static void add_support(struct scene *scene, unsigned need, double w)
+{
+    struct scene_support s = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_XYZ};
+
+    switch (need) {
+    case SCENE_NEED_MOVING_SUPPORTS:
+        s.motion.path = path, s.motion.path_count = 2;
+        break;
+    case SCENE_NEED_TURNING_CLAMPS:
+        s.motion.turn = turn, s.motion.turn_count = 2, s.motion.axis[1] = 1;
+        break;
+    case SCENE_NEED_PATCH_SUPPORTS:
+        s.lo[0] = 0.75;
+        break;
+    case SCENE_NEED_COMPONENT_SUPPORTS:
+        s.fix = FIX_Z;
+        break;
+    case SCENE_NEED_THICKNESS_SUPPORTS:
+        s.lo[2] = s.hi[2] = w;
+    }
+    REQUIRE(scene_add_support(scene, &s) == STATUS_OK);
+}
+
 /* A scene with one need more than the plain one; w: where a part of the thickness is held.
  */
 static void add_need(struct scene *scene, unsigned need, double w)
 {
-    static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.1}},
-                  turn[2][2] = {{0, 0}, {1, 9}};
     struct scene_obstacle floor = {
         .kind = OBSTACLE_PLANE, .point = {0, 0, -1}, .normal = {0, 0, 1}};
-    struct scene_support s = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .fix = FIX_XYZ};
     const struct scene_load tip = {.lo = {1, 0, 0}, .hi = {1, 1, 1}, .force = {0, 0, 1}};
 
     switch (need) {
@@ -199,22 +221,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
         scene->shape = SCENE_CLOAK;
         scene->opening = need == SCENE_NEED_CURVED_REST ? 90 : 360;
         return;
-    case SCENE_NEED_MOVING_SUPPORTS:
-        s.motion.path = path, s.motion.path_count = 2;
-        break;
-    case SCENE_NEED_TURNING_CLAMPS:
-        s.motion.turn = turn, s.motion.turn_count = 2, s.motion.axis[1] = 1;
-        break;
-    case SCENE_NEED_PATCH_SUPPORTS:
-        s.lo[0] = 0.75;
-        break;
-    case SCENE_NEED_COMPONENT_SUPPORTS:
-        s.fix = FIX_Z;
-        break;
-    case SCENE_NEED_THICKNESS_SUPPORTS:
-        s.lo[2] = s.hi[2] = w;
+    default:
+        add_support(scene, need, w);
     }
-    REQUIRE(scene_add_support(scene, &s) == STATUS_OK);
 }
 
 /* Which part of the thickness a model can hold: layers have a lower face, surfaces only the

@@ -214,7 +214,7 @@ static void check_corotational(void)
         double f = U[0] * p + U[2] * q, g = U[2] * p + U[1] * q;
         x[3 * a] = cos(1) * f, x[3 * a + 1] = sin(1) * f, x[3 * a + 2] = g;
     }
-    const double *D = m->body.D;
+    const double *D = m->body.D[0];
     double e = U[0] - 1, f = U[1] - 1, area = run.scene.length * run.scene.width;
     CHECK_RELATIVE(tri_body_energy(&m->body, x),
                    area / 2 *

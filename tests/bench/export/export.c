@@ -614,7 +614,6 @@ static void scenes_come_back(void)
         const char *name, *set[4];
         int count;
     } cases[] = {
-        {"corners_patch", {NULL}, 0},
         {"edge_drop", {"damping={kind: none}"}, 1}, /* what the export sets by itself */
         {"drape", {"damping={kind: none}", "pose.flare=7.123456789", "pressure=0.1"}, 3},
         {"strip_bias", {"material.softening=[-1e-9, -2.5e-9]"}, 1},

@@ -149,8 +149,10 @@ static void test_contact(const char *folder)
         const char *name = rows[n].net;
         CHECK(cell(&s, name, 0) == rows[n].feet);
         CHECK_NEAR(cell(&s, name, 1) * cell(&s, name, 3) / cell(&s, name, 2), 1, 1e-9);
-        CHECK_NEAR(cell(&s, name, 4) * cell(&s, name, 6) / cell(&s, name, 5), 1, 1e-9);
-        CHECK(cell(&s, name, 7) == TIMING_REPEATS_QUICK);
+        CHECK(cell(&s, name, 5) >= 1); /* steps for which near triangles are kept */
+        CHECK_NEAR(cell(&s, name, 1) * cell(&s, name, 7) / cell(&s, name, 6), 1, 1e-9);
+        CHECK_NEAR(cell(&s, name, 4) * cell(&s, name, 9) / cell(&s, name, 8), 1, 1e-9);
+        CHECK(cell(&s, name, 10) == TIMING_REPEATS_QUICK);
     }
     said_clear(&s);
 }

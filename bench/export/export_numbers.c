@@ -301,7 +301,7 @@ static void print_path(int number, double t, const double shift[3], struct outpu
 static void print_turning(const struct export_job *j, int n, struct output *out)
 {
     const struct export_held_vertex *v = &j->held.vertex[n];
-    const int frames = (int)ceil(j->scene.end / j->scene.step);
+    const int frames = (int)lround(j->scene.end / j->scene.step);
 
     for (int k = 0; k <= frames; k++) {
         struct scene_placement place;

@@ -236,7 +236,7 @@ static void put_attached(const struct export_job *j, int path, bool at_rest,
 static void put_turning(const struct export_job *j, const struct scene_motion *m,
                         struct output *out)
 {
-    const int frames = (int)ceil(j->scene.end / j->scene.step);
+    const int frames = (int)lround(j->scene.end / j->scene.step);
 
     for (int k = 0; k <= frames; k++) {
         struct scene_placement p;

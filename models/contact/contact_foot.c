@@ -12,7 +12,7 @@ static const double as_near = 1 - 1e-9, far = 2;
 /* The squared cosine of the angle to the normal from which places count; and that and the
  * distance along the sheet, over the least that counts, from which they do so wholly. */
 static const double square_cos = 0.5, whole_square_cos = 0.75, whole_apart = 1.5;
-/* As far, by more than rounding. */
+/* The same distance, with more than rounding to spare. */
 static const double surely_apart = 1.5 + 1e-9;
 /* The most that a smooth surface's foot is from the triangles' in u and v, in samples. */
 static const double astray = 2;

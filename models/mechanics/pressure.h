@@ -1,9 +1,9 @@
 /* pressure.h - a scene's pressure: p on the face w = 1 against the normal n, which it
  * follows as the sheet turns.
  *
- * On coefficients x_a with functions N_a the force is -p int N_a (x_u x x_v) du dv, exact
- * at quadrature points that integrate products of three functions. Of a sheet that is
- * closed along v its potential is p times the enclosed volume, int (x - (x e) e) n dA / 2
+ * The force on coefficients x_a with functions N_a is -p int N_a (x_u x x_v) du dv, exact
+ * at quadrature points that integrate products of three functions. Its potential, of a
+ * sheet that is closed along v, is p times the enclosed volume, int (x - (x e) e) n dA / 2
  * with the axis e: exact where the edges u = 0 and 1 stay in planes across the axis. A ring
  * of width w has p w times the area inside. The tangent is the symmetric part,
  *

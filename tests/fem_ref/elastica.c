@@ -81,8 +81,9 @@ static void check_buckled(void)
           isnan(elastica_buckled(NAN)));
 }
 
-/* Without softening, and with so much that every point is on the law's last line, where
- * M = M0 + 0.1 B k and M0 tends to 0: a strip a tenth as stiff. */
+/* The elastica that softens is the plain one without softening, and that of a strip a tenth
+ * as stiff with so much that every point is on the law's last line, where M = M0 + 0.1 B k
+ * and M0 tends to 0. */
 static void check_soft(void)
 {
     static const double gammas[] = {0.1, 3, 30}, all[] = {0, -1e9}, share[] = {1, 0.1};

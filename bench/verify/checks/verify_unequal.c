@@ -3,8 +3,8 @@
 #include "bench/verify/verify_check.h"
 
 /* Claims: 1e-3 of tips, 1 % for triangles, as of heavy strips; 2 % of ways and pressures.
- * What the distance of the clamps leaves at mid-length is 7e-4 of the weight, which is more
- * where strips hardly press. */
+ * The clamps' distance leaves 7e-4 of the weight at mid-length, a larger share of the
+ * pressure where strips hardly press. */
 static const double BETWEEN = 0.02, HARDLY = 0.1;
 static const struct verify_subject entries[] = {
     {"shell_3,shell_selective_3", 1e-3, NULL, {24}, {4}, .dear = true},

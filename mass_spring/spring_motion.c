@@ -110,8 +110,10 @@ out:
     return st;
 }
 
-void spring_motion_clear(struct spring_motion *m)
+void spring_motion_clear(void *motion)
 {
+    struct spring_motion *m = motion;
+
     if (!m)
         return;
     spring_large_clear(&m->large);

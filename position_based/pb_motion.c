@@ -259,8 +259,10 @@ static enum status allocate(struct pb_motion *m)
                     ROOM(m->shift, m->supports.held_count), ROOM(m->odd, m->forms.count));
 }
 
-void pb_motion_clear(struct pb_motion *m)
+void pb_motion_clear(void *motion)
 {
+    struct pb_motion *m = motion;
+
     if (!m)
         return;
     pb_sweep_free(m->sweep);

@@ -164,8 +164,10 @@ out:
     return st;
 }
 
-void pd_motion_clear(struct pd_motion *m)
+void pd_motion_clear(void *motion)
 {
+    struct pd_motion *m = motion;
+
     if (!m)
         return;
     const struct pd_net *net = &m->energy.net;

@@ -64,27 +64,15 @@ out:
     return st;
 }
 
-static void destroy(void *state)
-{
-    if (state)
-        tri_motion_clear(state);
-    free(state);
-}
-
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
+static enum status init(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why)
 {
     enum status st;
-    struct tri_motion *m = NULL;
+    struct tri_motion *m = state;
 
     TRY(refuse(scene, d, why));
-    m = calloc(1, sizeof *m);
-    if (!m)
-        TRY(STATUS_MEMORY);
     TRY(tri_motion_init(m, scene, d, why));
-    *state = m, m = NULL;
 out:
-    destroy(m);
     return st;
 }
 
@@ -95,11 +83,6 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
                                     1};
 
     net_surface_points(&net, m->scene, n, uvw, xyz);
-}
-
-static void sample(const void *state, double *xyz)
-{
-    grid_sample(probe, state, xyz);
 }
 
 static void size(const void *state, struct model_size *size)
@@ -155,9 +138,9 @@ const struct model tri_model = {
                  .degree = {1, 1, 1},
                  .kinematics = KINEMATICS_NONLINEAR,
                  .integrator = INTEGRATOR_MOMENTUM},
-    .create = create,
+    .state = sizeof(struct tri_motion),
+    .init = init,
     .advance = tri_motion_step,
-    .sample = sample,
     .probe = probe,
     .size = size,
     .describe = describe,
@@ -166,5 +149,5 @@ const struct model tri_model = {
     .equilibrium = tri_motion_rest,
     .modes = tri_motion_modes,
     .matrices = tri_motion_matrices,
-    .destroy = destroy,
+    .clear = tri_motion_clear,
 };

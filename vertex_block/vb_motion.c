@@ -80,8 +80,10 @@ static enum status make_contact(struct vb_motion *m)
     return st;
 }
 
-void vb_motion_clear(struct vb_motion *m)
+void vb_motion_clear(void *motion)
 {
+    struct vb_motion *m = motion;
+
     if (!m)
         return;
     net_contact_free(m->contact);

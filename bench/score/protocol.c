@@ -225,7 +225,7 @@ enum status protocol_read(const char *path, const struct score_look *look,
                         "would be right",
                         path));
     TRY(read_engine(p, why));
-    TRY(protocol_place_read(&p->contestants, why));
+    TRY(protocol_place_read(p->contestants, why));
     p->scene = calloc((size_t)folder.count, sizeof *p->scene);
     TRY(p->scene ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < folder.count; n++)
@@ -246,7 +246,8 @@ void protocol_clear(struct protocol *p)
         free(p->scene[k].run);
         free(p->scene[k].name);
     }
-    csv_clear(&p->contestants);
+    for (int k = 0; k < 2; k++)
+        csv_clear(&p->contestants[k]);
     free(p->scene);
     free(p->folder);
     free(p->name);

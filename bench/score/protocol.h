@@ -43,7 +43,8 @@ struct protocol {
     double step;          /* that was asked for [s]; 0: not said                         */
     int scenes;
     struct protocol_scene *scene; /* [scenes] those to begin with first            owned */
-    struct csv contestants;       /* stored runs of our own; count is 0: none is there   */
+    struct csv contestants[2];    /* stored runs of our own, the scenes to begin with first;
+                                     count is 0: none is there                           */
 };
 
 /* Reads and scores all files of a folder. STATUS_INPUT with a sentence: one of them is
@@ -109,11 +110,11 @@ struct protocol_rival {
 
 /* Reads the stored runs of our own contestants, if there are any. STATUS_MEMORY, or
  * STATUS_INPUT with a sentence: their table is damaged. */
-enum status protocol_place_read(struct csv *contestants, struct message *why);
+enum status protocol_place_read(struct csv contestants[2], struct message *why);
 
 /* Lists, best first, the engine's finest run and the best of each contestant with no more
- * points; *count is 0 where none is stored. *rivals is freed by the receiver.
- * STATUS_MEMORY. */
+ * points, the engine first where its error is below what six digits show; *count is 0 where
+ * none is stored. *rivals is freed by the receiver. STATUS_MEMORY. */
 enum status protocol_place(const struct protocol *p, const struct protocol_scene *scene,
                            int *count, struct protocol_rival **rivals);
 

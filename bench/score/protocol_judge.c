@@ -492,8 +492,8 @@ enum status protocol_judge(const struct protocol *p,
         TRY(tell_place(&j, &p->scene[k], &placed));
     if (!placed)
         tell(&j, PROTOCOL_PLACE, PROTOCOL_UNKNOWN, "not known",
-             "Its place among the contestants is not known: edge_drop shows it, on a net "
-             "that one of them has, too.");
+             "Its place among the contestants is not known: the scenes to begin with show "
+             "it, on a net that one of them has, too.");
 out:
     return st;
 }

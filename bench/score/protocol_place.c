@@ -13,6 +13,12 @@
 /* Times are the same to within this [s]. */
 #define SAME_TIME 1e-6
 
+/* Error over the length below which the engine has none: frames may have six digits. */
+static const double NONE = 1e-5;
+
+/* The tables, without their ending; a scene's is the first that has it. */
+static const char *const tables[2] = {"compare_protocol", "compare_scenes"};
+
 static const struct named_file_kind kind = {
     .what = "table of contestants",
     .ending = ".csv",
@@ -21,14 +27,15 @@ static const struct named_file_kind kind = {
     .in_source = CONTESTANTS_IN_SOURCE,
 };
 
-static const struct csv_table *table_of(const struct csv *csv, const char *scene)
+static const struct csv_table *table_of(const struct protocol *p, const char *scene)
 {
     char caption[160];
 
     snprintf(caption, sizeof caption, "Every run on %.100s (", scene);
-    for (int n = 0; n < csv->count; n++)
-        if (strstr(csv->table[n].caption, caption))
-            return &csv->table[n];
+    for (const struct csv *csv = p->contestants; csv < p->contestants + 2; csv++)
+        for (int n = 0; n < csv->count; n++)
+            if (strstr(csv->table[n].caption, caption))
+                return &csv->table[n];
     return NULL;
 }
 
@@ -36,7 +43,7 @@ static const struct csv_table *table_of(const struct csv *csv, const char *scene
  * the times that both have; NaN: there are none, or the row has not all of them. */
 static double error_of(const struct csv_table *t, int row, const struct protocol_run *run)
 {
-    double worst = 0, time;
+    double worst = -1, time;
 
     for (int n = 0; n < t->columns; n++)
         for (int m = 0; sscanf(t->cell[n], ERRORS "%lf_s", &time) == 1 && m < run->times;
@@ -45,7 +52,7 @@ static double error_of(const struct csv_table *t, int row, const struct protocol
                 const double error = row < 0 ? run->row[m].error : csv_number(t, row, n);
                 worst = error > worst ? error : error >= 0 ? worst : NAN;
             }
-    return worst > 0 ? worst : NAN;
+    return worst >= 0 ? worst : NAN;
 }
 
 /* Puts a run in the place of the same contestant's if it is better, or behind all. */
@@ -61,24 +68,32 @@ static void enter(struct protocol_rival *rival, int *count, const struct protoco
         rival[n] = *r;
 }
 
-static int compare_rivals(const void *a, const void *b)
+static double rank(const struct protocol_rival *r)
 {
-    const struct protocol_rival *left = a, *right = b;
-
-    return (left->error > right->error) - (left->error < right->error);
+    return r->own && r->error < NONE ? -1 : r->error;
 }
 
-enum status protocol_place_read(struct csv *contestants, struct message *why)
+static int compare_rivals(const void *a, const void *b)
 {
-    char *path = NULL;
-    enum status st = named_file_find(&kind, "compare_scenes", &path, NULL);
+    const double left = rank(a), right = rank(b);
 
-    *contestants = (struct csv){0};
-    if (st == STATUS_OK)
-        st = csv_read(path, contestants, why);
-    else if (st != STATUS_MEMORY) /* none are installed */
-        st = STATUS_OK;
-    free(path);
+    return (left > right) - (left < right);
+}
+
+enum status protocol_place_read(struct csv contestants[2], struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    for (int k = 0; k < 2 && st == STATUS_OK; k++) {
+        char *path = NULL;
+        st = named_file_find(&kind, tables[k], &path, NULL);
+        contestants[k] = (struct csv){0};
+        if (st == STATUS_OK)
+            st = csv_read(path, &contestants[k], why);
+        else if (st != STATUS_MEMORY) /* none is installed */
+            st = STATUS_OK;
+        free(path);
+    }
     return st;
 }
 
@@ -86,7 +101,7 @@ enum status protocol_place(const struct protocol *p, const struct protocol_scene
                            int *count, struct protocol_rival **rivals)
 {
     const struct protocol_run *run = protocol_finest(scene);
-    const struct csv_table *t = scene->own ? NULL : table_of(&p->contestants, scene->name);
+    const struct csv_table *t = scene->own ? NULL : table_of(p, scene->name);
     struct protocol_rival r = {.own = true, .net = {run->net[0], run->net[1]}};
 
     *count = 0;

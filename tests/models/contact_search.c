@@ -511,19 +511,26 @@ static void test_limit(void)
     contact_surface_clear(&surface);
 }
 
-/* A net of several sheets, n[0] rows in all, in a search. */
-static void open_sheets(int sheets, const int n[2], struct contact_surface *surface,
-                        struct contact_search *search)
+/* A net of several sheets of so long sides, n[0] rows in all, in a search. */
+static void open_sized(int sheets, double side, const int n[2],
+                       struct contact_surface *surface, struct contact_search *search)
 {
     struct scene scene;
 
     REQUIRE(scene_init(&scene) == STATUS_OK);
     scene.sheets = sheets;
+    scene.length = scene.width = side;
     for (int k = 1; k < sheets; k++)
         scene.pose[k] = scene.pose[0];
     REQUIRE(contact_surface_init_net(surface, &scene, n) == STATUS_OK);
     REQUIRE(contact_search_init(search, surface, start) == STATUS_OK);
     scene_clear(&scene);
+}
+
+static void open_sheets(int sheets, const int n[2], struct contact_surface *surface,
+                        struct contact_search *search)
+{
+    open_sized(sheets, 1, n, surface, search);
 }
 
 static void close_sheets(struct contact_surface *surface, struct contact_search *search)
@@ -626,8 +633,55 @@ static void test_sheets_meet(void)
     close_sheets(&surface, &search);
 }
 
+/* A sheet comes to the other side of a sample within the margin: through it, where cells
+ * are so wide that nothing turns, or because the sample's neighbours turn its normal, where
+ * they are so near that little turns it far. What is known of sides keeps neither out. */
+static void test_sides(void)
+{
+    enum { ROWS = 12, M = 9, I = 5, J = 4 };
+    static const struct {
+        double cell, at[3], row[3], column[3]; /* of the lower sheet; the upper one [m] */
+        double through, turn; /* way of each sheet, of the sample's neighbours [m]      */
+    } cases[] = {{0.2, {-0.011, -0.008, 0.004}, {0.002, 0, 0}, {0, 0.002, 0}, 0.0026, 0},
+                 {5e-4, {0.01, -0.004, 0.002}, {0, 0, 0.001}, {0, 0.001, 0}, 0, 9e-4}};
+    const int n[2] = {2 * ROWS, M};
+
+    for (int k = 0; k < 2; k++) {
+        struct contact_surface surface, same;
+        struct contact_search kept, all;
+        open_sized(2, start / 4, n, &surface, &kept);
+        open_sized(2, start / 4, n, &same, &all);
+        for (int p = 0; p < 2 * ROWS * M; p++) {
+            const int i = p / M % ROWS, j = p % M;
+            const double lower[] = {(i - I) * cases[k].cell, (j - J) * cases[k].cell, 0};
+            for (int x = 0; x < 3; x++)
+                place[p][x] = p < ROWS * M ? lower[x]
+                                           : cases[k].at[x] + i * cases[k].row[x] +
+                                                 j * cases[k].column[x];
+        }
+        for (int side = 0; side < 2; side++) {
+            int f = 0;
+            REQUIRE(contact_search_find(&kept, place[0]) == STATUS_OK);
+            REQUIRE(contact_search_find_all(&all, place[0]) == STATUS_OK);
+            check_same(&kept, &all);
+            while (f < all.count && all.foot[f].sample != I * M + J)
+                f++;
+            CHECK(f < all.count && all.foot[f].side == side);
+            for (int p = 0; p < 2 * ROWS * M; p++)
+                place[p][2] += (p < ROWS * M ? 1 : -1) * cases[k].through;
+            for (int j = 0; j < M; j++)
+                place[(I - 1) * M + j][2] -= cases[k].turn,
+                    place[(I + 1) * M + j][2] += cases[k].turn;
+        }
+        CHECK(kept.sought == 1);
+        close_sheets(&surface, &kept);
+        close_sheets(&same, &all);
+    }
+}
+
 int main(void)
 {
+    test_sides();
     test_pairs_of_sheets();
     test_sheets_alone();
     test_sheets_meet();

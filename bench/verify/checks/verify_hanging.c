@@ -28,6 +28,14 @@ enum { MODES = 3 };
     .changed = "1 % at every Gamma, as now; withdrawn for a while after it was missed "    \
                "from 1e4 on"
 
+/* A cured shell of degree 3 sees its stretch at the tip itself, too, where its rule finds
+ * not no force but -.354 of the weight of the last span, of length s: statics alone, on any
+ * even net. Bending holds the tip against this push while Gamma (s / L)^3 < 51, on nets of
+ * 13, 25 and 37 points alike, even or graded; so spans at the tip must be short. */
+#define REFINED                                                                            \
+    "0.5 % with 25 points graded towards the clamp; missed from Gamma = 1e5, as the last " \
+    "span of 1/11 L folds beyond 7e4"
+
 /* Knots at (k / spans)^2 near the clamp, where a chain bends over L / sqrt(Gamma). */
 #define CHAIN {20, 40}, {3, 3}, 2
 static const struct verify_subject entries[] = {
@@ -36,7 +44,8 @@ static const struct verify_subject entries[] = {
     {"iga_reduced,iga_selective", SOLID, CHAIN, WITHDRAWN},
     {"iga_reduced_3", SOLID, CHAIN, .settings = {"discretization.degree=[3,2,1]"}},
     {"hex_incompatible", SOLID, {40, 80}, {2, 2}},
-    {"shell_3,shell_selective_3", HALF, {13, 25}, {4, 4}, 2},
+    {"shell_3", HALF, {13, 25}, {4, 4}, 2},
+    {"shell_selective_3", HALF, {25, 49}, {4, 4}, .changed = REFINED},
     {"triangles", SOLID, {40, 80}, {3, 5}},
     {"mass_spring,position_based,projective_dynamics", 0, NULL, {20, 40}, {3, 5}},
     {NULL}};

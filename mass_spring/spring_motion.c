@@ -20,11 +20,11 @@ static enum status allocate(struct spring_motion *m)
     size_t nodes = (size_t)m->net.nodes;
     size_t pairs = (size_t)m->net.graph.start[nodes];
 
-    return room_cut(
-        &m->room, ROOM(m->weight, nodes), ROOM(m->x, 3 * nodes), ROOM(m->v, 3 * nodes),
-        ROOM(m->start, 3 * nodes), ROOM(m->target, 3 * nodes), ROOM(m->gain[0], 3 * nodes),
-        ROOM(m->gain[1], 3 * nodes), ROOM(m->shift, m->newton.supports.held_count),
-        ROOM(m->V, m->points.beta > 0 ? pairs : 0));
+    return room_cut(&m->room, ROOM(m->weight, nodes), ROOM(m->x, 3 * nodes),
+                    ROOM(m->v, 3 * nodes), ROOM(m->start, 3 * nodes),
+                    ROOM(m->target, 3 * nodes), ROOM(m->gain, SPRING_GAINS * 3 * nodes),
+                    ROOM(m->shift, m->newton.supports.held_count),
+                    ROOM(m->V, m->points.beta > 0 ? pairs : 0));
 }
 
 /* Finds the largest angular frequency about rest; newton.K is work. */
@@ -178,37 +178,62 @@ static void damping_matrix(struct spring_motion *m)
         spring_force_clamped(&m->net, m->x, m->newton.hinges, m->V);
 }
 
-/* Guesses the end of an implicit step: its velocity by extrapolating the gains of the last
- * two (edge_drop, 32 x 32: with it 1214 solves of 1887). Not where a step is linearised
- * once, at its start. */
+/* Guesses the end of an implicit step: its velocity by extrapolating the last ones' gains,
+ * by a polynomial. Not where a step is linearised once, at its start. */
 static void guess(struct spring_motion *m)
 {
-    static const double weight[3][2] = {{0}, {1}, {2, -1}};
-    const double *w = weight[m->gains];
     size_t count = 3 * (size_t)m->net.nodes;
 
     if (m->limits.iterations == 1)
         return;
-    for (size_t n = 0; n < count; n++)
-        m->x[n] += m->dt * (m->v[n] + w[0] * m->gain[0][n] + w[1] * m->gain[1][n]);
+    for (size_t n = 0; n < count; n++) {
+        double v = m->v[n];
+        for (int k = 0; k < m->gains; k++)
+            v += m->gain[k * count + n];
+        m->x[n] += m->dt * v;
+    }
 }
 
-/* Computes v, and its gain. */
+/* Enters the last gain, change[nodes][3], which is used up, and chooses by how many
+ * differences the next is extrapolated: as many as would have foretold this one best, which
+ * after a start, with zeros for what is not known, is one; none under contact. */
+static void learn(struct spring_motion *m, double *change)
+{
+    size_t count = 3 * (size_t)m->net.nodes;
+    double least = INFINITY;
+
+    for (int k = 0; k <= SPRING_GAINS; k++) {
+        double *known = m->gain + k * count, size = 0;
+        for (size_t n = 0; n < count; n++)
+            size += change[n] * change[n];
+        if (k > 0 && size < least)
+            least = size, m->gains = k;
+        for (size_t n = 0; k < SPRING_GAINS && n < count; n++) {
+            double was = known[n];
+            known[n] = change[n];
+            change[n] -= was;
+        }
+    }
+    if (m->contact && m->contact->law.count)
+        m->gains = 0;
+}
+
+/* Computes v. */
 static enum status end_step(struct spring_motion *m)
 {
     size_t count = 3 * (size_t)m->net.nodes;
-    double *gain = m->gain[1];
+    double *change = m->start;
     enum status st = STATUS_OK;
 
     for (size_t n = 0; n < count; n++) {
         double v = (m->x[n] - m->start[n]) / m->dt;
-        gain[n] = v - m->v[n];
+        change[n] = v - m->v[n];
         m->v[n] = v;
         if (!isfinite(v))
             st = STATUS_NAN;
     }
-    m->gain[1] = m->gain[0], m->gain[0] = gain;
-    m->gains = m->contact && m->contact->law.count ? 0 : m->gains < 2 ? m->gains + 1 : 2;
+    if (m->integrator == INTEGRATOR_IMPLICIT && m->limits.iterations != 1)
+        learn(m, change);
     m->substep++;
     return st;
 }

@@ -42,6 +42,8 @@ struct spring_own {       /* choices of its own (models/option.h) */
     enum spring_surface surface;
 };
 
+enum { SPRING_GAINS = 5 };
+
 struct spring_motion {
     const struct scene *scene; /* borrowed                                             */
     struct spring_net net;
@@ -60,10 +62,11 @@ struct spring_motion {
     double *weight;            /* [nodes] m / dt^2 + c / dt                     [N/m]     */
     double *x, *v;             /* [nodes][3]                                              */
     double *start, *target;    /* [nodes][3] work                                         */
-    double *gain[2]; /* [nodes][3] of velocity in the last steps, the last first [m/s] */
-    int gains;       /* number of those known                                          */
-    double *shift;   /* [held_count] work                                       */
-    double (*V)[9];  /* [pairs] with beta, else NULL                            */
+    double *gain;   /* [SPRING_GAINS][nodes][3] of velocity in the last step, and its
+                       backward differences of orders 1, 2, ...                   [m/s] */
+    int gains;      /* those that would have foretold the last gain best, in their sum  */
+    double *shift;  /* [held_count] work                                       */
+    double (*V)[9]; /* [pairs] with beta, else NULL                            */
     struct spring_stencil stencil;    /* leapfrog and momentum                         */
     struct spring_leapfrog *leapfrog; /* steps of that integrator, else NULL   owned   */
     struct spring_strips strips;      /* momentum only, as what follows                */

@@ -114,10 +114,7 @@ enum { WORDS = 24 }; /* columns of the screen for a verdict's word */
 
 static void add_verdict(void *table, const struct protocol_verdict *v)
 {
-    table_row(table);
-    table_text(table, "%s", protocol_subject_name(v->subject));
-    table_text(table, "%s", v->word);
-    table_text(table, "%s", v->text);
+    table_line(table, "%s|%s|%s", protocol_subject_name(v->subject), v->word, v->text);
 }
 
 static void print_verdict(void *last, const struct protocol_verdict *v)

@@ -518,7 +518,7 @@ static enum status run(const struct command_line *line, struct message *why)
 {
     struct compare_job job = {.contest.quick = true};
     struct advise_search s = {.job = &job};
-    const char *word = command_value(line, "--format"), *out = command_value(line, "--out");
+    const char *out = command_value(line, "--out");
     enum table_format format = TABLE_TEXT;
     char folder[4096];
     const char *one = command_value(line, "--contestant"),
@@ -527,8 +527,7 @@ static enum status run(const struct command_line *line, struct message *why)
     int given;
     enum status st;
 
-    if (word)
-        TRY(table_format_parse(word, &format, why));
+    TRY(command_format(line, &format, why));
     TRY(contestant_check(models, why));
     TRY(read_wish(line, &s.wish, why));
     TRY(command_number(line, "--until", false, &until, why));

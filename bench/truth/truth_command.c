@@ -444,14 +444,12 @@ static enum status print_known(const struct job *j, const int points[2],
 static enum status run(const struct command_line *line, struct message *why)
 {
     const bool stored = command_given(line, "--stored");
-    const char *format = command_value(line, "--format");
     struct job j = {0};
     int points[2] = {0, 0}, count;
     const char *const *given = command_values(line, "--set", &count);
     enum status st;
 
-    if (format)
-        TRY(table_format_parse(format, &j.format, why));
+    TRY(command_format(line, &j.format, why));
     if (!line->word_count && (!stored || command_given(line, "--points")))
         TRY(status_fail(why, STATUS_INPUT,
                         "truth SCENE; without one --stored alone, what is known of all"));

@@ -190,21 +190,17 @@ static enum status prepare(struct job *job, const struct command_line *line,
                            struct message *why)
 {
     enum status st;
-    const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
-    const char *word = command_value(line, "--format");
+    const char *from;
 
-    if (from && out)
-        return status_fail(why, STATUS_INPUT,
-                           "--from reads rows and --out writes them; give one of the two");
-    job->folder = from ? from : out ? out : "results/verify";
+    job->folder = "results/verify";
+    TRY(command_folder(line, &job->folder, &from, why));
     job->read_only = from;
     job->models = command_value(line, "--models");
     job->quick = command_given(line, "--quick");
     if (from && (job->models || job->quick))
         return status_fail(why, STATUS_INPUT,
                            "--models and --quick are for a new run, not for --from");
-    if (word)
-        TRY(table_format_parse(word, &job->format, why));
+    TRY(command_format(line, &job->format, why));
     TRY(contestant_check(job->models, why));
     TRY(choose(job, line, why));
     if (!job->read_only)

@@ -2,18 +2,8 @@
 
 #include <string.h>
 
-#include "bench/advise/advise.h"
-#include "bench/report/report.h"
-#include "bench/speed/bench.h"
-#include "bench/compare/compare.h"
-#include "bench/export/export.h"
-#include "bench/run/run_command.h"
-#include "bench/score/score_command.h"
-#include "bench/stress/stress.h"
-#include "bench/studies/studies.h"
-#include "bench/sweep/sweep.h"
 #include "bench/truth/truth.h"
-#include "bench/verify/verify.h"
+#include "bench/score/score_command.h"
 #include "bench/experiment/plan.h"
 #include "bench/experiment/dataset.h"
 #include "bench/harness/contestant.h"

@@ -185,22 +185,21 @@ static void add_row(struct table *t, const struct advise_search *s,
     const bool serves = r && r == finest(s, who);
     struct message reason = {""};
 
-    table_row(t);
-    table_text(t, "%s", who->title);
-    table_text(t, "%s", who->name);
-    table_text(t, "%s", !serves ? "no" : is_fast(s, r) ? "yes" : "too slow");
+    table_line(t, "%s|%s|%s", who->title, who->name,
+               !serves         ? "no"
+               : is_fast(s, r) ? "yes"
+                               : "too slow");
     if (r)
-        table_text(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
+        table_add(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
     else
-        table_dash(t);
-    table_number(t, r ? scene_of(s)->step / size[CONTEST_STEP] : NAN, 3);
-    table_fixed(t, size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
-    table_number(t, r ? r->worst : NAN, 2);
-    table_number(t, r ? rate_of(s, r) : NAN, 2);
-    table_number(t, r ? r->result.bytes : NAN, 2);
+        table_add(t, "-");
+    table_add(t, "%.3g|%.0f|%.2g|%.2g|%.2g",
+              r ? scene_of(s)->step / size[CONTEST_STEP] : NAN,
+              size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, r ? r->worst : NAN,
+              r ? rate_of(s, r) : NAN, r ? r->result.bytes : NAN);
     if (!serves)
         tell_reason(s, who, &reason);
-    table_text(t, "%s", reason.text);
+    table_add(t, "%s", reason.text);
 }
 
 static struct table *create(const struct advise_search *s, char caption[TEXT])
@@ -519,7 +518,7 @@ static enum status run(const struct command_line *line, struct message *why)
 {
     struct compare_job job = {.contest.quick = true};
     struct advise_search s = {.job = &job};
-    const char *word = command_value(line, "--format"), *out = command_value(line, "--out");
+    const char *out = command_value(line, "--out");
     enum table_format format = TABLE_TEXT;
     char folder[4096];
     const char *one = command_value(line, "--contestant"),
@@ -528,8 +527,7 @@ static enum status run(const struct command_line *line, struct message *why)
     int given;
     enum status st;
 
-    if (word)
-        TRY(table_format_parse(word, &format, why));
+    TRY(command_format(line, &format, why));
     TRY(contestant_check(models, why));
     TRY(read_wish(line, &s.wish, why));
     TRY(command_number(line, "--until", false, &until, why));

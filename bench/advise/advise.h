@@ -10,8 +10,6 @@
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
 
-extern const struct command advise_command;
-
 struct advise_wish {
     double error;  /* largest error over the length, at every time; NaN: the least   */
     double frame;  /* seconds that a frame may take where the least error is wanted  */

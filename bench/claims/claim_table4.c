@@ -153,7 +153,7 @@ static void words_cell(struct table *t, int answers)
         if (answers >> n & 1)
             snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s",
                      strchr(text, ':') ? ", " : ": ", name_of(n));
-    table_text(t, "%s", text);
+    table_add(t, "%s", text);
 }
 
 static struct table *words_table(const struct study_results *d)
@@ -171,11 +171,7 @@ static struct table *words_table(const struct study_results *d)
 
     for (int row = 0; row < ROWS; row++) {
         const struct paper_table4_row *p = &paper_table4[row];
-        table_row(t);
-        table_integer(t, row + 1);
-        table_number(t, p->young, 1);
-        table_number(t, p->density, 1);
-        table_number(t, p->damping, 1);
+        table_line(t, "%d|%.1g|%.1g|%.1g", row + 1, p->young, p->density, p->damping);
         for (int s = 0; s < SCENES; s++)
             words_cell(t, ours(d, PRINTED, s, row));
         words_cell(t, papers(row));
@@ -197,12 +193,10 @@ static struct table *counts_table(const struct study_results *d)
                                    "Physics, or the scheme's? Rows of 18 that are called "
                                    "so, and that are judged as the paper judges them");
     for (int r = 0; r < SCENES * readings; r++) {
-        table_row(t);
-        table_text(t, "%s", reading[r / SCENES]);
-        table_text(t, "%s", scene_name[r % SCENES]);
+        table_line(t, "%s|%s", reading[r / SCENES], scene_name[r % SCENES]);
         for (int n = 0; n < ANSWERS; n++) {
             const struct count c = count(d, reading[r / SCENES], r % SCENES, n);
-            table_text(t, "%d, %d", c.called, c.agree);
+            table_add(t, "%d, %d", c.called, c.agree);
         }
     }
     return t;
@@ -232,13 +226,10 @@ static struct table *lessons_table(const struct study_results *d)
     for (int n = 0; n < ANSWERS; n++) {
         const struct verdict_rule *rule = rule_of(&d->plan->verdicts, n);
         const int paper = count(d, PRINTED, FLAG, n).paper;
-        table_row(t);
-        table_text(t, "%s", name_of(n));
-        table_integer(t, paper);
-        table_integer(t, ROWS - paper);
+        table_line(t, "%s|%d|%d", name_of(n), paper, ROWS - paper);
         for (int k = 0; k < TEACHERS; k++) {
-            table_integer(t, right(n, lesson[k][n].fitted));
-            table_integer(t, right(n, lesson[k][n].left_out));
+            table_add(t, "%d|%d", right(n, lesson[k][n].fitted),
+                      right(n, lesson[k][n].left_out));
         }
         for (int s = 0; rule && s < SCENES; s++) {
             const struct learnt *l = &lesson[s][n];

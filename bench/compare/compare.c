@@ -131,14 +131,11 @@ static enum status find_truth(struct compare_job *j, bool all_times, struct mess
     return STATUS_OK;
 }
 
-/* Writes the folder of a scene's files: that of --from or --out, in which several scenes
- * have a folder each. */
-static void choose_folder(const struct command_line *line, const char *scene, size_t size,
-                          char *folder)
+/* Writes the folder of a scene's files: that of --from or --out, `given`, in which several
+ * scenes have a folder each. */
+static void choose_folder(const struct command_line *line, const char *given,
+                          const char *scene, size_t size, char *folder)
 {
-    const char *from = command_value(line, "--from"), *out = command_value(line, "--out");
-    const char *given = from ? from : out;
-
     if (given && line->word_count == 1)
         snprintf(folder, size, "%s", given);
     else if (given)
@@ -148,12 +145,13 @@ static void choose_folder(const struct command_line *line, const char *scene, si
 }
 
 static enum status run_scene(struct compare_job *j, const struct command_line *line,
-                             enum table_format format, struct message *why)
+                             const char *given, enum table_format format,
+                             struct message *why)
 {
     enum status st;
     char folder[4096];
 
-    choose_folder(line, j->scene.name, sizeof folder, folder);
+    choose_folder(line, given, j->scene.name, sizeof folder, folder);
     j->folder = folder;
     TRY(compare_job_enter(j, command_value(line, "--models"),
                           j->contest.budget > 0 ? 1 : CONTEST_RUNGS, true, why));
@@ -191,31 +189,23 @@ out:
 
 static enum status run(const struct command_line *line, struct message *why)
 {
-    const char *word = command_value(line, "--format");
-    const char *from = command_value(line, "--from"), *out = command_value(line, "--out");
+    const char *given = NULL, *from;
     const struct contest *contests[MOST_SCENES];
     struct compare_job *jobs = calloc(MOST_SCENES, sizeof *jobs);
     enum table_format format = TABLE_TEXT;
     enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
-    if (word)
-        TRY(table_format_parse(word, &format, why));
-    if (out && from)
-        TRY(status_fail(
-            why, STATUS_INPUT,
-            "--from reads result files and --out writes them; give one of the two"));
+    TRY(command_format(line, &format, why));
+    TRY(command_folder(line, &given, &from, why));
     TRY(prepare_all(line, jobs, why));
     for (int n = 0; n < line->word_count; n++) {
-        TRY(run_scene(&jobs[n], line, format, why));
+        TRY(run_scene(&jobs[n], line, given, format, why));
         contests[n] = &jobs[n].contest;
     }
     if (line->word_count > 1)
-        TRY(league_print(line->word_count, contests,
-                         from  ? from
-                         : out ? out
-                               : "results",
-                         format, stdout, why));
+        TRY(league_print(line->word_count, contests, given ? given : "results", format,
+                         stdout, why));
 out:
     for (int n = 0; jobs && n < MOST_SCENES; n++)
         compare_job_close(&jobs[n]);

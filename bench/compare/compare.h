@@ -7,8 +7,6 @@
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
 
-extern const struct command compare_command;
-
 /* --- one scene: its contest, from the ladder over the search to the limits --- */
 
 struct compare_job {

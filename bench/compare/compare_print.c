@@ -160,11 +160,9 @@ static void note_end(struct table *t, const struct contest *c, const struct cont
 
 static void add_net(struct table *t, const struct contest *c, const int size[CONTEST_AXES])
 {
-    table_integer(t, size[CONTEST_NET]);
-    table_integer(t, size[CONTEST_ACROSS]);
-    table_text(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
-    table_number(t, c->scene->step / size[CONTEST_STEP], 3);
-    table_fixed(t, size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, 0);
+    table_add(t, "%d|%d|%dx%d|%.3g|%.0f", size[CONTEST_NET], size[CONTEST_ACROSS],
+              size[CONTEST_NET], size[CONTEST_ACROSS], c->scene->step / size[CONTEST_STEP],
+              size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN);
 }
 
 static void add_run(struct table *t, const struct contest *c, const struct contest_row *r)
@@ -172,23 +170,16 @@ static void add_run(struct table *t, const struct contest *c, const struct conte
     const struct contestant *who = r->at.contestant;
     const bool ran = !run_result_refused(&r->result), timed = ran && !r->probe;
 
-    table_row(t);
-    table_text(t, "%s", who->title);
-    table_text(t, "%s", who->column);
-    table_text(t, "%s", who->name);
-    table_text(t, "%s", who->model->name);
+    table_line(t, "%s|%s|%s|%s", who->title, who->column, who->name, who->model->name);
     add_net(t, c, r->at.size);
-    table_fixed(t, ran ? r->result.unknowns : NAN, 0);
-    table_number(t, timed ? r->result.create.median : NAN, 3);
-    table_number(t, timed ? r->result.step.median * (double)r->result.steps : NAN, 3);
-    table_fixed(t, timed ? r->result.step.count : NAN, 0);
-    table_number(t, timed ? r->result.bytes : NAN, 2);
-    table_number(t, timed ? r->seconds : NAN, 3);
+    table_add(t, "%.0f|%.3g|%.3g|%.0f|%.2g|%.3g", ran ? r->result.unknowns : NAN,
+              timed ? r->result.create.median : NAN,
+              timed ? r->result.step.median * (double)r->result.steps : NAN,
+              timed ? r->result.step.count : NAN, timed ? r->result.bytes : NAN,
+              timed ? r->seconds : NAN);
     for (int n = 0; n < c->truth->times; n++)
-        table_number(t, r->error[n], 3);
-    table_number(t, r->worst, 3);
-    table_integer(t, contest_on_front(c, r));
-    table_text(t, "%s", r->result.sentence.text);
+        table_add(t, "%.3g", r->error[n]);
+    table_add(t, "%.3g|%d|%s", r->worst, contest_on_front(c, r), r->result.sentence.text);
     note_end(t, c, r);
 }
 
@@ -197,13 +188,11 @@ static void add_bar(struct table *t, const struct contest *c)
     const bool known = c->truth->xyz;
 
     table_rule(t);
-    table_row(t);
-    table_dash(t);
-    table_text(t, "%s", c->truth->alone ? truth_bar_name(c->truth) : "truth's bar");
+    table_line(t, "-|%s", c->truth->alone ? truth_bar_name(c->truth) : "truth's bar");
     for (int n = 2; n < FIXED; n++)
-        table_dash(t);
+        table_add(t, "-");
     for (int n = 0; n < c->truth->times; n++)
-        table_number(t, contest_bar(c, n), 3);
+        table_add(t, "%.3g", contest_bar(c, n));
     table_note(t,
                "Truth: %s. All runs used one thread, and seconds are medians of the "
                "repeats%s.",
@@ -282,7 +271,7 @@ static void add_shown(struct table *t, const struct contest *c, const struct con
     if (!r) {
         table_missing(t, "%s", none);
         for (int n = 1; n < RUN_COLUMNS; n++)
-            table_dash(t);
+            table_add(t, "-");
         return;
     }
     const int *size = r->at.size, iterations = size[CONTEST_ITERATIONS];
@@ -292,11 +281,8 @@ static void add_shown(struct table *t, const struct contest *c, const struct con
     table_text(t, scale * value < 99.5 ? "%.2g %dx%d/%d%s" : "%.0f %dx%d/%d%s",
                scale * value, size[CONTEST_NET], size[CONTEST_ACROSS], size[CONTEST_STEP],
                last);
-    table_number(t, value, 3);
-    table_integer(t, size[CONTEST_NET]);
-    table_integer(t, size[CONTEST_ACROSS]);
-    table_number(t, c->scene->step / size[CONTEST_STEP], 3);
-    table_fixed(t, iterations ? iterations : NAN, 0);
+    table_add(t, "%.3g|%d|%d|%.3g|%.0f", value, size[CONTEST_NET], size[CONTEST_ACROSS],
+              c->scene->step / size[CONTEST_STEP], iterations ? iterations : NAN);
 }
 
 static enum status print_targets(const struct contest *c, const char *folder,
@@ -321,14 +307,12 @@ static enum status print_targets(const struct contest *c, const char *folder,
                      "Least seconds (set-up and stepping) to an RMSE/L at the worst of the "
                      "times, and what reaches it");
     for (int k = 0; (who = contest_entrant(c, k)); k++) {
-        table_row(t);
-        table_text(t, "%s", who->title);
-        table_text(t, "%s", who->name);
+        table_line(t, "%s|%s", who->title, who->name);
         for (int n = 0; n < CONTEST_TARGETS; n++) {
             const struct contest_row *r = contest_cheapest(c, who, contest_target[n]);
             add_shown(t, c, r, r ? r->seconds : NAN, 1, "not reached");
         }
-        table_number(t, contest_growth(c, who), 2);
+        table_add(t, "%.2g", contest_growth(c, who));
     }
     table_note(
         t,
@@ -350,16 +334,13 @@ static void add_limit(struct table *t, const struct contest *c,
     const struct contest_limit limit = contest_limit(c, who);
     struct message words;
 
-    table_row(t);
-    table_text(t, "%s", who->title);
-    table_text(t, "%s", who->name);
+    table_line(t, "%s|%s", who->title, who->name);
     add_shown(t, c, real, real ? real->worst : NAN, 100, "none");
     add_shown(t, c, best, best ? best->worst : NAN, 100, "none");
     contest_tell(c, &limit, &words);
-    table_text(t, "%s", words.text);
-    table_text(t, "%s", contest_kind_name[limit.kind]);
+    table_add(t, "%s|%s", words.text, contest_kind_name[limit.kind]);
     for (int axis = 0; axis < CONTEST_AXES; axis++)
-        table_number(t, limit.gain[axis], 3);
+        table_add(t, "%.3g", limit.gain[axis]);
 }
 
 static enum status print_limits(const struct contest *c, const char *folder,
@@ -436,17 +417,13 @@ static struct table *create_teams(const struct contest *c, struct team_words *w)
 
 static void add_best(struct table *t, const struct contest *c, const struct contest_row *r)
 {
-    table_row(t);
-    table_text(t, "%s", r->at.contestant->title);
-    table_text(t, "%s", r->at.contestant->name);
+    table_line(t, "%s|%s", r->at.contestant->title, r->at.contestant->name);
     add_net(t, c, r->at.size);
-    table_number(t, r->worst, 2);
-    table_number(t, r->seconds, 3);
+    table_add(t, "%.2g|%.3g", r->worst, r->seconds);
     for (int n = 0; n < c->teams; n++) {
-        table_number(t, r->team_seconds[n], 3);
-        table_number(t, r->team_seconds[n] / r->seconds, 2);
+        table_add(t, "%.3g|%.2g", r->team_seconds[n], r->team_seconds[n] / r->seconds);
     }
-    table_text(t, "%s", r->parted ? "no" : "yes");
+    table_add(t, "%s", r->parted ? "no" : "yes");
 }
 
 static enum status print_teams(const struct contest *c, const char *folder,

@@ -64,7 +64,7 @@ static void add_cell(struct table *t, const struct contest *c, const struct cont
     const struct contest_row *nearest = contest_nearest(c, who);
 
     if (!has_entered(c, who))
-        table_text(t, "%s", "");
+        table_add(t, "%s", "");
     else if (reached)
         table_text(t, "%.2g", reached->seconds);
     else if (nearest)
@@ -76,7 +76,7 @@ static void add_cell(struct table *t, const struct contest *c, const struct cont
 static void add_percent(struct table *t, double share)
 {
     if (isnan(share))
-        table_text(t, "none");
+        table_add(t, "none");
     else
         table_text(t, "%.2g %%", 100 * share);
 }
@@ -129,22 +129,18 @@ static enum status print_people(int count, const struct contest *const *contests
             somewhere |= has_entered(contests[s], who);
         if (!somewhere)
             continue;
-        table_row(t);
-        table_text(t, "%s", who->title);
+        table_line(t, "%s", who->title);
         for (int s = 0; s < count; s++)
             add_cell(t, contests[s], who);
     }
     table_rule(t);
-    table_row(t);
-    table_text(t, "error asked for");
+    table_line(t, "error asked for");
     for (int s = 0; s < count; s++)
         add_percent(t, target_of(contests[s]));
-    table_row(t);
-    table_text(t, "truth's bar");
+    table_line(t, "truth's bar");
     for (int s = 0; s < count; s++)
         add_percent(t, contest_largest_bar(contests[s]));
-    table_row(t);
-    table_text(t, "seconds shown");
+    table_line(t, "seconds shown");
     for (int s = 0; s < count; s++)
         table_text(t, "%.3g", span_of(contests[s]));
     for (int s = 0; s < count; s++)
@@ -161,19 +157,12 @@ static void add_row(struct table *t, const struct contest *c, const struct conte
     const struct contest_row *nearest = contest_nearest(c, who);
     const struct contest_row *shown = reached ? reached : nearest;
 
-    table_row(t);
-    table_text(t, "%s", c->scene->name);
-    table_text(t, "%s", who->name);
-    table_text(t, "%s", who->model->name);
-    table_number(t, span_of(c), 3);
-    table_number(t, contest_largest_bar(c), 3);
-    table_number(t, target_of(c), 3);
-    table_number(t, reached ? reached->seconds : NAN, 3);
-    table_number(t, nearest ? nearest->worst : NAN, 3);
+    table_line(t, "%s|%s|%s|%.3g|%.3g|%.3g|%.3g|%.3g", c->scene->name, who->name,
+               who->model->name, span_of(c), contest_largest_bar(c), target_of(c),
+               reached ? reached->seconds : NAN, nearest ? nearest->worst : NAN);
     for (int axis = 0; axis < CONTEST_AXES; axis++)
-        table_fixed(t, shown && shown->at.size[axis] ? shown->at.size[axis] : NAN, 0);
-    table_number(t, shown ? shown->result.bytes : NAN, 3);
-    table_integer(t, was_refused(c, who));
+        table_add(t, "%.0f", shown && shown->at.size[axis] ? shown->at.size[axis] : NAN);
+    table_add(t, "%.3g|%d", shown ? shown->result.bytes : NAN, was_refused(c, who));
 }
 
 static struct table *list_all(int count, const struct contest *const *contests)

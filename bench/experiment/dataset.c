@@ -341,23 +341,23 @@ static void add_row(struct table *t, const struct view *v, enum part part,
                             : n    ? NULL
                                    : "truth";
         if (label)
-            table_text(t, "%s", label);
+            table_add(t, "%s", label);
         else
-            table_dash(t);
+            table_add(t, "-");
     }
     if (part != PART_RUN && v->timed)
-        table_number(t, p->s->time ? p->s->time[p->time] : NAN, 4);
+        table_add(t, "%.4g", p->s->time ? p->s->time[p->time] : NAN);
     for (int n = 0; n < v->columns; n++) {
         const enum quantity q = v->column[n];
         if (is_in(part, q) && quantity_table[q].digits)
-            table_number(t, quantity_at(p, q), quantity_table[q].digits);
+            table_add(t, "%.*g", quantity_table[q].digits, quantity_at(p, q));
         else if (is_in(part, q))
-            table_fixed(t, quantity_at(p, q), 0);
+            table_add(t, "%.0f", quantity_at(p, q));
     }
     if (rules->count && part != PART_TIMES && truth)
-        table_dash(t);
+        table_add(t, "-");
     else if (rules->count && part != PART_TIMES)
-        table_text(
+        table_add(
             t, "%s",
             verdict_text(rules, verdict_of(rules, &row->result), words, sizeof words));
 }

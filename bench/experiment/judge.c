@@ -73,10 +73,7 @@ void judge_print(FILE *file, const char *quote, enum judge turn, const char *for
     table_print_wrapped(text, file);
     if (!kept)
         return;
-    table_row(kept);
-    table_text(kept, "%s", quote);
-    table_text(kept, "%s", word[turn]);
-    table_text(kept, "%s", sentence);
+    table_line(kept, "%s|%s|%s", quote, word[turn], sentence);
 }
 
 static void path_of(const char *folder, char path[4096])

@@ -1,4 +1,4 @@
-#include "bench/export/export.h"
+#include "bench/ui/command.h"
 
 #include <math.h>
 #include <stdlib.h>

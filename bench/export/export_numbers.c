@@ -208,13 +208,8 @@ enum status export_numbers_table(const struct export_sheet *s, struct table **ta
     TRY(each(s, &(struct taker){take_kind, &kinds}, &misfit));
     for (int n = 0; n < kinds.count; n++) {
         const struct number *k = &kinds.kind[n];
-        table_row(*table);
-        table_text(*table, "%s", k->quantity);
-        table_number(*table, k->value, 6);
-        table_text(*table, "%s", k->unit);
-        table_number(*table, k->length, 6);
-        table_number(*table, k->compliance, 6);
-        table_fixed(*table, k->a < 0 ? NAN : (double)kinds.uses[n], 0);
+        table_line(*table, "%s|%.6g|%s|%.6g|%.6g|%.0f", k->quantity, k->value, k->unit,
+                   k->length, k->compliance, k->a < 0 ? NAN : (double)kinds.uses[n]);
     }
     table_note(
         *table,

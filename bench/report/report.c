@@ -1,4 +1,4 @@
-#include "bench/report/report.h"
+#include "bench/ui/command.h"
 
 #include <stdlib.h>
 #include <sys/stat.h>

@@ -248,13 +248,12 @@ enum status describe_state(const struct run *run, double t, FILE *file)
         if ((drapes && isnan(row[n].value)) ||
             (!obstacles && !strcmp(row[n].name, "penetration")))
             continue;
-        table_row(table);
-        table_text(table, "%s", row[n].name);
+        table_line(table, "%s", row[n].name);
         if (!strcmp(row[n].unit, "pairs"))
-            table_fixed(table, row[n].value, 0);
+            table_add(table, "%.0f", row[n].value);
         else
-            table_number(table, row[n].value, 6);
-        table_text(table, "%s", row[n].unit);
+            table_add(table, "%.6g", row[n].value);
+        table_add(table, "%s", row[n].unit);
     }
     fputc('\n', file);
     const enum status st = table_print(table, TABLE_TEXT, file);

@@ -1,4 +1,4 @@
-#include "bench/run/run_command.h"
+#include "bench/ui/command.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -114,7 +114,6 @@ static enum status read_options(struct job *j, const struct command_line *line,
 {
     enum status st = STATUS_OK;
     const char *name = command_value(line, "--model");
-    const char *format = command_value(line, "--format");
     int count;
     const char *const *points = command_values(line, "--probe", &count);
 
@@ -130,8 +129,7 @@ static enum status read_options(struct job *j, const struct command_line *line,
     TRY(command_integer(line, "--every", 1, INT_MAX, &j->every, why));
     TRY(probe_init(&j->probe, count, points, why));
     TRY(check_options(j, line, why));
-    if (format)
-        TRY(table_format_parse(format, &j->format, why));
+    TRY(command_format(line, &j->format, why));
     j->contestant = contestant_table;
     if (name)
         TRY(contestant_find(name, &j->contestant, why));

@@ -27,19 +27,18 @@ static void add_point(struct table *t, const struct scene *scene, const double u
     double rest[3], along = 0, gravity = 0, unit = deflection_unit(scene);
 
     scene_rest_point(scene, uvw, rest);
-    table_row(t);
-    table_text(t, "%g,%g,%g", uvw[0], uvw[1], uvw[2]);
+    table_line(t, "%g,%g,%g", uvw[0], uvw[1], uvw[2]);
     for (int i = 0; i < 3; i++)
-        table_number(t, uvw[i], 3);
+        table_add(t, "%.3g", uvw[i]);
     for (int i = 0; i < 3; i++) {
         double d = xyz[i] - rest[i];
         if (fabs(d) < round_off * scene->length)
             d = 0;
-        table_number(t, d, 7);
+        table_add(t, "%.7g", d);
         along += d * scene->gravity[i];
         gravity += scene->gravity[i] * scene->gravity[i];
     }
-    table_number(t, unit > 0 ? along / sqrt(gravity) / unit : NAN, 7);
+    table_add(t, "%.7g", unit > 0 ? along / sqrt(gravity) / unit : NAN);
 }
 
 /* Modes whose rate is below this share of sqrt(g / L) are called neutral: a sheet that lies
@@ -140,14 +139,12 @@ static void add_mode(struct table *t, const struct scene *scene, int n, double o
     double L = scene->length, mass = scene->density * scene->thickness;
     double unit = L * L * sqrt(mass / scene_bending_stiffness(scene));
 
-    table_row(t);
-    table_integer(t, n);
-    table_number(t, omega, 9);
+    table_line(t, "%d|%.9g", n, omega);
     if (omega < 0)
         table_missing(t, "unstable");
     else
-        table_number(t, omega / two_pi, 9);
-    table_number(t, omega * unit, 9);
+        table_add(t, "%.9g", omega / two_pi);
+    table_add(t, "%.9g", omega * unit);
 }
 
 enum status statics_modes(struct run *run, int count, bool settled,

@@ -184,13 +184,9 @@ static enum status table_errors(FILE *file, const struct protocol *p)
         for (int m = 0; m < p->scene[k].runs; m++)
             for (int n = 0; n < p->scene[k].run[m].times; n++) {
                 const struct protocol_run *run = &p->scene[k].run[m];
-                table_row(t);
-                table_text(t, "%s", n ? "" : run->file);
-                table_integer(t, run->vertices);
-                table_number(t, run->row[n].time, 3);
-                table_number(t, run->row[n].error, 2);
-                table_number(t, run->row[n].bar, 2);
-                table_number(t, run->row[n].floor, 2);
+                table_line(t, "%s|%d|%.3g|%.2g|%.2g|%.2g", n ? "" : run->file,
+                           run->vertices, run->row[n].time, run->row[n].error,
+                           run->row[n].bar, run->row[n].floor);
             }
     const enum status st = table_print(t, TABLE_HTML, file);
     table_destroy(t);
@@ -215,11 +211,8 @@ static enum status table_place(FILE *file, const struct protocol *p,
                                    "The best run of each with no more points: error at the "
                                    "worst of the same times");
     for (int n = 0; n < count; n++) {
-        table_row(t);
-        table_integer(t, n + 1);
-        table_text(t, "%s%s", rival[n].own ? "\u2192 " : "", rival[n].title);
-        table_text(t, "%dx%d", rival[n].net[0], rival[n].net[1]);
-        table_number(t, rival[n].error, 2);
+        table_line(t, "%d|%s%s|%dx%d|%.2g", n + 1, rival[n].own ? "\u2192 " : "",
+                   rival[n].title, rival[n].net[0], rival[n].net[1], rival[n].error);
     }
     write_text(file, "<details><summary>Contestants on ", scene->name, "</summary>\n");
     st = table_print(t, TABLE_HTML, file);

@@ -17,13 +17,12 @@ struct job {
 static enum status prepare(struct job *j, const struct command_line *line,
                            struct message *why)
 {
-    const char *format = command_value(line, "--format"), *up = command_value(line, "--up");
+    const char *up = command_value(line, "--up");
     enum status st;
 
     j->look = (struct score_look){
         .frames.rest = command_value(line, "--rest"), .up = 'z', .scale = 1};
-    if (format)
-        TRY(table_format_parse(format, &j->sheet.format, why));
+    TRY(command_format(line, &j->sheet.format, why));
     if (up && (strlen(up) != 1 || !strchr("xyz", *up)))
         TRY(status_fail(why, STATUS_INPUT, "--up %s: x, y or z would be right", up));
     j->look.up = up ? *up : 'z';
@@ -114,10 +113,7 @@ enum { WORDS = 24 }; /* columns of the screen for a verdict's word */
 
 static void add_verdict(void *table, const struct protocol_verdict *v)
 {
-    table_row(table);
-    table_text(table, "%s", protocol_subject_name(v->subject));
-    table_text(table, "%s", v->word);
-    table_text(table, "%s", v->text);
+    table_line(table, "%s|%s|%s", protocol_subject_name(v->subject), v->word, v->text);
 }
 
 static void print_verdict(void *last, const struct protocol_verdict *v)

@@ -200,12 +200,8 @@ void score_print_add(struct score_print *p, const struct score *s,
     }
     struct table *t = begin_rows(p);
     for (int n = 0; n < s->times; n++) {
-        table_row(t);
-        table_text(t, "%s", s->truth.scene.name);
-        table_number(t, s->row[n].time, 3);
-        table_number(t, s->row[n].error, 2);
-        table_number(t, s->row[n].bar, 2);
-        table_number(t, s->row[n].floor, 2);
+        table_line(t, "%s|%.3g|%.2g|%.2g|%.2g", s->truth.scene.name, s->row[n].time,
+                   s->row[n].error, s->row[n].bar, s->row[n].floor);
     }
     add_notes(p, s, d, range);
 }
@@ -225,9 +221,7 @@ void score_print_refusal(struct score_print *p, const char *scene,
     if (p->format == TABLE_JSON)
         return;
     struct table *t = begin_rows(p);
-    table_row(t);
-    table_text(t, "%s", scene);
-    table_dash(t);
+    table_line(t, "%s|-", scene);
     table_missing(t, "refused");
     table_note(t, "%s%s%s.", p->named ? scene : "", p->named ? ": " : "", refused->text);
 }

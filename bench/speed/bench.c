@@ -141,11 +141,8 @@ static enum status check_word(const char *word, struct message *why)
 
 static enum status run(const struct command_line *line, struct message *why)
 {
-    const char *word = command_value(line, "--format");
-    const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
-    struct bench b = {.folder = from  ? from
-                                : out ? out
-                                      : "results/bench",
+    const char *from;
+    struct bench b = {.folder = "results/bench",
                       .models = command_value(line, "--models"),
                       .file = stdout,
                       .quick = command_given(line, "--quick")};
@@ -154,12 +151,8 @@ static enum status run(const struct command_line *line, struct message *why)
 
     for (int n = 0; n < line->word_count; n++)
         TRY(check_word(line->words[n], why));
-    if (word)
-        TRY(table_format_parse(word, &b.format, why));
-    if (from && out)
-        TRY(status_fail(
-            why, STATUS_INPUT,
-            "--from reads result files and --out writes them; give one of the two"));
+    TRY(command_format(line, &b.format, why));
+    TRY(command_folder(line, &b.folder, &from, why));
     TRY(contestant_check(b.models, why));
     TRY(scene_file_find("edge_drop", &path, why));
     b.path = path;

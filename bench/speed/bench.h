@@ -10,8 +10,6 @@
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
 
-extern const struct command bench_command;
-
 /* A run on edge_drop, with the time it should reach [ms] (0: no aim). peers.csv has what
  * other programs take for the work of its title. */
 struct bench_row {

@@ -179,18 +179,11 @@ static void add_row(struct table *t, const struct bench *b, int k)
         return;
     const double steps = samples_number(&b->samples, name, "steps");
     const double each = s.median / (steps * side * side), rate = bytes / each;
-    table_row(t);
-    table_text(t, "%dx%d", side, side);
-    table_text(t, "%s", precisions[k % PRECISIONS].word);
-    table_fixed(t, steps, 0);
-    table_number(t, 1e-6 * held_bytes(k), 3);
-    table_number(t, 1e9 * each, 3);
-    table_fixed(t, bytes, 0);
-    table_number(t, 1e-9 * rate, 3);
-    table_number(t, 1e-9 * triad_rate(&b->samples, name), 3);
-    table_number(t, 100 * rate / triad_rate(&b->samples, name), 2);
-    table_number(t, 100 * rate / triad_rate(&b->samples, "memory"), 2);
-    table_integer(t, s.count);
+    table_line(t, "%dx%d|%s|%.0f|%.3g|%.3g|%.0f|%.3g|%.3g|%.2g|%.2g|%d", side, side,
+               precisions[k % PRECISIONS].word, steps, 1e-6 * held_bytes(k), 1e9 * each,
+               bytes, 1e-9 * rate, 1e-9 * triad_rate(&b->samples, name),
+               100 * rate / triad_rate(&b->samples, name),
+               100 * rate / triad_rate(&b->samples, "memory"), s.count);
 }
 
 static enum status print(const struct bench *b, struct message *why)

@@ -187,9 +187,7 @@ static void add_ratio(struct table *t, const struct bench *b, const char *net,
     snprintf(ours, sizeof ours, "%s ours", phase);
     const double a = samples_number(&b->samples, net, theirs);
     const double o = samples_number(&b->samples, net, ours);
-    table_number(t, 1e3 * a, 3);
-    table_number(t, 1e3 * o, 3);
-    table_number(t, a / o, 3);
+    table_add(t, "%.3g|%.3g|%.3g", 1e3 * a, 1e3 * o, a / o);
 }
 
 static enum status print(const struct bench *b, struct message *why)
@@ -214,12 +212,10 @@ static enum status print(const struct bench *b, struct message *why)
             const char *net = bench_part_solids.rows[n].title;
             if (!samples_of(&b->samples, net, k ? "factor LAPACK" : "factor CHOLMOD").count)
                 continue;
-            table_row(t);
-            table_text(t, "%s", net);
-            table_text(t, "%s%s", library[k], k ? " band" : "");
+            table_line(t, "%s|%s%s", net, library[k], k ? " band" : "");
             add_ratio(t, b, net, "factor", library[k]);
             add_ratio(t, b, net, "solve", library[k]);
-            table_integer(t, samples_of(&b->samples, net, "factor ours").count);
+            table_add(t, "%d", samples_of(&b->samples, net, "factor ours").count);
         }
     table_note(t,
                "CHOLMOD with its defaults, analysis not counted; LAPACK dpbtrf and "

@@ -275,19 +275,11 @@ static enum status print(const struct bench *b, struct message *why)
         const double again = samples_number(&b->samples, name, "again");
         const double moving = samples_number(&b->samples, name, "moving");
         const double all = samples_number(&b->samples, name, "every pair");
-        table_row(t);
-        table_text(t, "%s", name);
-        table_fixed(t, samples_number(&b->samples, name, "feet"), 0);
-        table_number(t, 1e6 * seconds, 3);
-        table_number(t, 1e6 * kept.median, 3);
-        table_number(t, kept.median / seconds, 3);
-        table_number(t, 1e6 * again, 3);
-        table_number(t, samples_number(&b->samples, name, "steps kept"), 3);
-        table_number(t, 1e6 * moving, 3);
-        table_number(t, moving / seconds, 3);
-        table_number(t, 1e6 * all, 3);
-        table_number(t, all / again, 3);
-        table_integer(t, kept.count);
+        table_line(t, "%s|%.0f|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%d", name,
+                   samples_number(&b->samples, name, "feet"), 1e6 * seconds,
+                   1e6 * kept.median, kept.median / seconds, 1e6 * again,
+                   samples_number(&b->samples, name, "steps kept"), 1e6 * moving,
+                   moving / seconds, 1e6 * all, all / again, kept.count);
     }
     table_note(
         t, "A sheet of 1 m, contact from 2 mm on. The column `step` is an explicit step of "

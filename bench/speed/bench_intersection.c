@@ -155,15 +155,11 @@ static enum status print(const struct bench *b, struct message *why)
         const char *name = shapes[n].name;
         const struct clock_summary tree = samples_of(&b->samples, name, "tree");
         const double all = samples_number(&b->samples, name, "every pair");
-        table_row(t);
-        table_text(t, "%s", name);
-        table_fixed(t, samples_number(&b->samples, name, "pairs"), 0);
-        table_number(t, 1e3 * tree.median, 3);
-        table_number(t, 1e3 * all, 3);
-        table_number(t, all / tree.median, 3);
-        table_integer(t, tree.count);
-        table_number(t, 1e7 / triangles * samples_number(&b->samples, name, "mesh"), 3);
-        table_number(t, 1e7 / triangles * samples_number(&b->samples, name, "depth"), 3);
+        table_line(t, "%s|%.0f|%.3g|%.3g|%.3g|%d|%.3g|%.3g", name,
+                   samples_number(&b->samples, name, "pairs"), 1e3 * tree.median, 1e3 * all,
+                   all / tree.median, tree.count,
+                   1e7 / triangles * samples_number(&b->samples, name, "mesh"),
+                   1e7 / triangles * samples_number(&b->samples, name, "depth"));
     }
     table_note(t,
                "The surfaces are made up and have %.0f x %.0f points. The column `every "

@@ -99,18 +99,11 @@ out:
 static void add_phase(struct table *t, const struct bench_row *row, const char *phase,
                       const struct clock_summary *s, double aim)
 {
-    table_row(t);
-    table_text(t, "%s", row->title);
-    table_text(t, "%s", phase);
-    table_number(t, 1e3 * s->median, 3);
-    table_number(t, 1e3 * s->min, 3);
-    table_number(t, 1e3 * s->lower, 3);
-    table_number(t, 1e3 * s->upper, 3);
-    table_integer(t, s->count);
+    table_line(t, "%s|%s|%.3g|%.3g|%.3g|%.3g|%d", row->title, phase, 1e3 * s->median,
+               1e3 * s->min, 1e3 * s->lower, 1e3 * s->upper, s->count);
     if (aim <= 0)
         return;
-    table_number(t, aim, 3);
-    table_text(t, "%s", 1e3 * s->median <= aim ? "yes" : "no");
+    table_add(t, "%.3g|%s", aim, 1e3 * s->median <= aim ? "yes" : "no");
 }
 
 static enum status add_run(struct table *t, const struct bench_row *row,
@@ -236,13 +229,9 @@ static enum status print_fabrics(const struct bench *b, struct message *why)
     for (int n = 0; n < b->batch.count; n += 2) {
         const struct clock_summary *plain = &b->result[n].step,
                                    *cloth = &b->result[n + 1].step;
-        table_row(t);
-        table_text(t, "%s", b->batch.cases[n].plan.contestant->title);
-        table_number(t, 1e3 * plain->min, 3);
-        table_number(t, 1e3 * cloth->min, 3);
-        table_number(t, cloth->min / plain->min, 3);
-        table_integer(t, cloth->count);
-        table_text(t, "%s", cloth->min <= ASKED * plain->min ? "yes" : "no");
+        table_line(t, "%s|%.3g|%.3g|%.3g|%d|%s", b->batch.cases[n].plan.contestant->title,
+                   1e3 * plain->min, 1e3 * cloth->min, cloth->min / plain->min,
+                   cloth->count, cloth->min <= ASKED * plain->min ? "yes" : "no");
     }
     table_note(t, "The least of the repeats counts. Asked is a ratio of %g at most.",
                ASKED);
@@ -291,21 +280,14 @@ static void add_contestant(struct table *t, const struct contestant *c,
 {
     const bool ran = !run_result_refused(r);
 
-    table_row(t);
-    table_text(t, "%s", c->title);
-    table_text(t, "%s", c->name);
-    table_text(t, "%s", c->model->name);
-    table_text(t, "%dx%d", usual_side(c), usual_side(c));
-    table_fixed(t, ran ? r->unknowns : NAN, 0);
-    table_number(t, ran ? 1e3 * r->create.median : NAN, 3);
-    table_number(t, ran ? 1e3 * r->step.median : NAN, 3);
-    table_fixed(t, ran ? r->step.count : NAN, 0);
-    table_number(t,
-                 ran && r->work.iterations
-                     ? (double)r->work.iterations / (double)r->work.steps
-                     : NAN,
-                 3);
-    table_text(t, "%s", r->sentence.text);
+    table_line(t, "%s|%s|%s|%dx%d|%.0f|%.3g|%.3g|%.0f|%.3g|%s", c->title, c->name,
+               c->model->name, usual_side(c), usual_side(c), ran ? r->unknowns : NAN,
+               ran ? 1e3 * r->create.median : NAN, ran ? 1e3 * r->step.median : NAN,
+               ran ? r->step.count : NAN,
+               ran && r->work.iterations
+                   ? (double)r->work.iterations / (double)r->work.steps
+                   : NAN,
+               r->sentence.text);
     if (r->outcome)
         table_note(t, "%s: %s.", c->title, r->sentence.text);
 }

@@ -99,10 +99,7 @@ enum status samples_save(const struct samples *s, const char *folder, struct mes
     struct table *t = table_create(3, columns, NULL);
 
     for (int n = 0; n < s->count; n++) {
-        table_row(t);
-        table_text(t, "%s", s->all[n].name);
-        table_text(t, "%s", s->all[n].what);
-        table_number(t, s->all[n].value, 17);
+        table_line(t, "%s|%s|%.17g", s->all[n].name, s->all[n].what, s->all[n].value);
     }
     const enum status st = s->status ? s->status : table_save(t, folder, "samples", why);
     table_destroy(t);

@@ -199,11 +199,8 @@ out:
 
 static enum status run(const struct command_line *line, struct message *why)
 {
-    const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
-    const char *word = command_value(line, "--format");
-    struct options o = {.folder = from  ? from
-                                  : out ? out
-                                        : "results/stress",
+    const char *from;
+    struct options o = {.folder = "results/stress",
                         .choice = {.word_count = line->word_count,
                                    .words = line->words,
                                    .models = command_value(line, "--models"),
@@ -213,12 +210,8 @@ static enum status run(const struct command_line *line, struct message *why)
     struct kept *kept = NULL;
     enum status st = STATUS_OK;
 
-    if (from && out)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "--from reads result files and --out writes them; give one of the "
-                        "two"));
-    if (word)
-        TRY(table_format_parse(word, &format, why));
+    TRY(command_folder(line, &o.folder, &from, why));
+    TRY(command_format(line, &format, why));
     TRY(command_integer(line, "--jobs", 1, 1024, &jobs, why));
     TRY(stress_choice_check(&o.choice, why));
     o.jobs = (int)jobs;

@@ -153,6 +153,4 @@ enum status stress_choice_check(const struct stress_choice *choice, struct messa
 enum status stress_print(const char *folder, const struct stress_choice *choice,
                          enum table_format format, FILE *file, struct message *why);
 
-extern const struct command stress_command;
-
 #endif

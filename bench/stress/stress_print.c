@@ -64,38 +64,29 @@ static void add_word(struct table *t, const struct row *row)
     const struct stress_result *r = &row->r;
 
     if (row->file == ABSENT)
-        table_dash(t);
+        table_add(t, "-");
     else if (row->file == DAMAGED)
-        table_text(t, "damaged");
+        table_add(t, "damaged");
     else if (r->end == STRESS_ACCURATE || r->end == STRESS_DEGRADED)
-        table_text(t, "%s %.0e", r->end == STRESS_ACCURATE ? "ok" : "off", r->error);
+        table_add(t, "%s %.0e", r->end == STRESS_ACCURATE ? "ok" : "off", r->error);
     else if (r->end == STRESS_DIED && isfinite(r->time))
-        table_text(t, "died %.2g s", r->time);
+        table_add(t, "died %.2g s", r->time);
     else
-        table_text(t, "%s", stress_end_name[r->end]);
+        table_add(t, "%s", stress_end_name[r->end]);
 }
 
 static void add_details(struct table *t, const struct stress_case *c, const struct row *row)
 {
-    table_row(t);
-    table_text(t, "%s", c->item.name);
-    table_text(t, "%s", row->contestant->name);
-    table_number(t, c->bound, 1);
-    table_text(t, "%s", row->file == READ ? stress_end_name[row->r.end] : "damaged");
-    table_number(t, isfinite(row->r.error) ? row->r.error : NAN, 3);
-    table_number(t, row->r.time, 3);
-    table_fixed(t, row->r.seconds, 2);
-    table_text(t, "%s", row->r.sentence.text);
+    table_line(t, "%s|%s|%.1g|%s|%.3g|%.3g|%.2f|%s", c->item.name, row->contestant->name,
+               c->bound, row->file == READ ? stress_end_name[row->r.end] : "damaged",
+               isfinite(row->r.error) ? row->r.error : NAN, row->r.time, row->r.seconds,
+               row->r.sentence.text);
 }
 
 static void add_truth(struct table *t, const struct stress_case *c)
 {
-    table_row(t);
-    table_text(t, "%s", c->item.name);
-    table_text(t, "%s", c->item.text);
-    table_number(t, c->bound, 1);
-    table_text(t, "%s", c->why);
-    table_text(t, "%s", stress_truth_text[c->truth]);
+    table_line(t, "%s|%s|%.1g|%s|%s", c->item.name, c->item.text, c->bound, c->why,
+               stress_truth_text[c->truth]);
 }
 
 /* Reads what contestants left of a case; returns how many have left something. */
@@ -120,8 +111,7 @@ static int read_case(const char *folder, const struct stress_case *c, int contes
 static void add_case(struct tables *t, const struct stress_case *c, int contestants,
                      const struct row *rows)
 {
-    table_row(t->table[OVERVIEW]);
-    table_text(t->table[OVERVIEW], "%s", c->item.name);
+    table_line(t->table[OVERVIEW], "%s", c->item.name);
     for (const struct row *row = rows; row < rows + contestants; row++) {
         add_word(t->table[OVERVIEW], row);
         if (row->file == ABSENT)

@@ -38,7 +38,8 @@ static const struct command_item *const study_items[] = {&ensemble, NULL};
 /* A table or study that a command line asks for. */
 struct asked {
     struct plan plan; /* all-zero for the ensemble                                       */
-    bool ensemble, from;
+    bool ensemble;
+    const char *from;  /* NULL: it is measured */
     char folder[4096]; /* of the result files                                            */
     enum table_format format;
     struct study_ensemble_options options;
@@ -157,20 +158,14 @@ out:
 static enum status read_line(const struct command_line *line, struct asked *a,
                              struct message *why)
 {
-    const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
-    const char *word = command_value(line, "--format");
+    const char *folder = NULL;
     enum status st;
 
     TRY(choose(line, a, why));
-    if (from && out)
-        return status_fail(why, STATUS_INPUT,
-                           "--from reads result files and --out writes "
-                           "them; give one of the two");
-    if (word)
-        TRY(table_format_parse(word, &a->format, why));
-    if (from || out)
-        snprintf(a->folder, sizeof a->folder, "%s", from ? from : out);
-    a->from = from;
+    TRY(command_folder(line, &folder, &a->from, why));
+    TRY(command_format(line, &a->format, why));
+    if (folder)
+        snprintf(a->folder, sizeof a->folder, "%s", folder);
     a->options.folder = a->folder;
     a->options.quick = command_given(line, "--quick");
     if (line->command->items == study_items)

@@ -5,8 +5,6 @@
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
 
-extern const struct command studies_command, studies_table_command;
-
 enum { STUDIES_SCENES = 8 }; /* most that study ensemble takes */
 
 /* --- Ensembles (study_ensemble.c): beyond the horizon, where a change of 1e-6 has grown a

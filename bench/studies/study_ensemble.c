@@ -426,22 +426,18 @@ static void tell_one(const struct study_ensemble *e, const struct windows *w, in
     const enum judge turn = judge_one(e, w, ensemble, worst);
     char quote[256];
 
-    table_row(t);
-    table_text(t, "%s", e->scene);
-    table_text(t, "%s", one->title);
-    table_text(t, "%s", one->net);
-    table_integer(t, one->lived);
-    table_number(t, one->points[w->horizon < 0 ? e->fields - 1 : w->horizon], 2);
-    table_number(t, one->growth[e->fields - 1], 2);
+    table_line(t, "%s|%s|%s|%d|%.2g|%.2g", e->scene, one->title, one->net, one->lived,
+               one->points[w->horizon < 0 ? e->fields - 1 : w->horizon],
+               one->growth[e->fields - 1]);
     for (int n = 0; n <= NUMBERS; n++)
         if (n != DRAPE && n != FOLDS) /* tell_drape */
-            table_number(t, worst[n], 2);
-    table_text(t, "%s",
-               ensemble < TRUTHS ? "truth"
-               : one->died       ? "died"
-               : judged          ? judge_words(turn, "right", "wrong", "not told apart")
-               : e->quick        ? "not judged: quick"
-                                 : "not judged");
+            table_add(t, "%.2g", worst[n]);
+    table_add(t, "%s",
+              ensemble < TRUTHS ? "truth"
+              : one->died       ? "died"
+              : judged          ? judge_words(turn, "right", "wrong", "not told apart")
+              : e->quick        ? "not judged: quick"
+                                : "not judged");
     snprintf(quote, sizeof quote, "%s: %s is right in distribution", e->scene, one->title);
     if (judged && file)
         judge_print(file, quote, turn,
@@ -465,12 +461,9 @@ static struct table *fill_growth(const struct study_ensemble *e)
 
     for (int n = 0; n < e->count * e->fields; n++) {
         const struct study_ensemble_one *one = &e->one[n / e->fields];
-        table_row(t);
-        table_text(t, "%s", e->scene);
-        table_text(t, "%s", one->title);
-        table_fixed(t, e->field_time[n % e->fields], 2);
-        table_number(t, one->growth[n % e->fields], 3);
-        table_number(t, one->points[n % e->fields], 3);
+        table_line(t, "%s|%s|%.2f|%.3g|%.3g", e->scene, one->title,
+                   e->field_time[n % e->fields], one->growth[n % e->fields],
+                   one->points[n % e->fields]);
     }
     return t;
 }
@@ -530,23 +523,18 @@ static enum status tell_drape(const struct study_ensemble *e, const char *folder
              e->time[e->looks - 1]);
     struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
     for (int k = 0; k < e->count; k++) {
-        table_row(t);
-        table_text(t, "%s", e->scene);
-        table_text(t, "%s", e->one[k].title);
-        table_text(t, "%s", e->one[k].net);
-        table_integer(t, e->one[k].lived);
+        table_line(t, "%s|%s|%s|%d", e->scene, e->one[k].title, e->one[k].net,
+                   e->one[k].lived);
         for (int i = 0; i < 2; i++) {
             double off = NAN, spread = NAN, value = NAN;
             if (e->one[k].lived)
                 value = at_end(e, k, DRAPE + i, &off, &spread);
             if (k < TRUTHS)
                 mean[k][i] = value, error[k][i] = off;
-            table_number(t, value, 3);
-            table_number(t, off, 2);
-            table_number(t, spread, 2);
+            table_add(t, "%.3g|%.2g|%.2g", value, off, spread);
         }
         count_folds(e, k, text, sizeof text);
-        table_text(t, "%s", text);
+        table_add(t, "%s", text);
     }
     table_note(t,
                "Drape coefficient and number of folds (ISO 9073-9); +- is the standard "

@@ -172,6 +172,4 @@ enum status sweep_falls_print(const struct sweep_falls *f, FILE *file);
 enum status sweep_map(const struct sweep_rows *rows, struct chart **chart,
                       struct message *why);
 
-extern const struct command sweep_command;
-
 #endif

@@ -93,12 +93,11 @@ static void judge(struct sweep_falls *f, const struct sweep_rows *rows,
             table_missing(f->table, "%s", lack);
             continue;
         }
-        table_number(f->table, value, 3);
+        table_add(f->table, "%.3g", value);
         least = fmin(least, value);
         bar = by;
     }
-    table_number(f->table, bar, 3);
-    table_text(f->table, "%s", grows_at);
+    table_add(f->table, "%.3g|%s", bar, grows_at);
     f->rows += judged > 1;
     f->grown += *grows_at != '\0';
 }
@@ -113,10 +112,10 @@ static enum status add_row(struct sweep_falls *f, const struct sweep_rows *rows,
     TRY(plan_case_given(plan, first, &c));
     table_row(f->table);
     if (is_named(plan))
-        table_text(f->table, "%s", c.name);
+        table_add(f->table, "%s", c.name);
     for (int k = 0; k < plan->key_count; k++)
         if (is_shown(plan, plan->keys[k]))
-            table_text(f->table, "%s", c.given[k] ? c.given[k]->value : "");
+            table_add(f->table, "%s", c.given[k] ? c.given[k]->value : "");
     judge(f, rows, values, first, stride);
 out:
     plan_case_clear(&c);

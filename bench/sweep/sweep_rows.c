@@ -236,32 +236,25 @@ static void add_case(struct table *t, const struct plan *plan, const struct plan
 {
     char learnt[1024] = "";
 
-    table_row(t);
-    table_integer(t, c->number + 1);
-    table_text(t, "%s", c->name ? c->name : "");
+    table_line(t, "%ld|%s", c->number + 1, c->name ? c->name : "");
     for (int k = 0; k < plan->key_count; k++)
-        table_text(t, "%s", c->given[k] ? c->given[k]->value : "");
+        table_add(t, "%s", c->given[k] ? c->given[k]->value : "");
     for (int n = 0; n < MEASURES; n++)
-        table_number(t, row->value[n], 6);
-    table_text(t, "%s", verdict_kind_word[row->verdict.kind]);
-    table_text(t, "%s", row->label);
-    table_text(t, "%s", row->why);
+        table_add(t, "%.6g", row->value[n]);
+    table_add(t, "%s|%s|%s", verdict_kind_word[row->verdict.kind], row->label, row->why);
     if (!plan->learnt.count)
         return;
     if (row->state == SWEEP_RAN)
         verdict_text(&plan->learnt, row->learnt, learnt, sizeof learnt);
-    table_text(t, "%s", learnt);
+    table_add(t, "%s", learnt);
 }
 
 static void add_seconds(struct table *t, long number, const struct sweep_row *row)
 {
     if (row->state != SWEEP_RAN)
         return;
-    table_row(t);
-    table_integer(t, number + 1);
-    table_number(t, row->create_seconds, 6);
-    table_number(t, row->step_seconds, 6);
-    table_number(t, row->look_seconds, 6);
+    table_line(t, "%ld|%.6g|%.6g|%.6g", number + 1, row->create_seconds, row->step_seconds,
+               row->look_seconds);
 }
 
 enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,

@@ -325,8 +325,4 @@ enum status truth_file_find(const char *name, const struct scene *scene, struct 
 enum status truth_file_third(const char *path, char *third, size_t size,
                              struct message *why);
 
-/* The command `truth`: makes a scene's truth, or prints a stored one. */
-struct command;
-extern const struct command truth_command;
-
 #endif

@@ -70,12 +70,12 @@ static void add_row(struct table *t, const struct truth *made, int n, double len
         if (value == ERROR_BAR && n >= made->claimed)
             table_missing(t, "no claim");
         else if (value == TRUTH_CROSSINGS)
-            table_fixed(t, number, 0);
+            table_add(t, "%.0f", number);
         else if (!columns[c].digits)
-            table_fixed(t, number, 1);
+            table_add(t, "%.1f", number);
         else
-            table_number(t, columns[c].head.scale > 0 ? number / length : number,
-                         columns[c].digits);
+            table_add(t, "%.*g", columns[c].digits,
+                      columns[c].head.scale > 0 ? number / length : number);
     }
 }
 
@@ -213,9 +213,8 @@ static void add_known(struct table *t, const struct truth *made, double length)
 {
     const int last = made->claimed - 1;
 
-    table_text(t, "%s", made->closed ? "closed form" : "stored");
-    table_number(t, made->time[last], 3);
-    table_number(t, made->error[last] / length, 2);
+    table_add(t, "%s|%.3g|%.2g", made->closed ? "closed form" : "stored", made->time[last],
+              made->error[last] / length);
 }
 
 static enum status add_scene(struct table *t, const char *name, struct message *why)
@@ -232,12 +231,11 @@ static enum status add_scene(struct table *t, const char *name, struct message *
     st = truth_known(&scene, &made, &lack);
     if (st != STATUS_OK && st != STATUS_UNSUPPORTED && st != STATUS_FILE)
         TRY(status_fail(why, st, "%s", lack.text));
-    table_row(t);
-    table_text(t, "%s", name);
+    table_line(t, "%s", name);
     if (st == STATUS_OK && made.claimed) {
         add_known(t, &made, scene.length);
     } else {
-        table_text(t, "none");
+        table_add(t, "none");
         table_note(t, "%s.", lack.text);
     }
     st = STATUS_OK;
@@ -446,14 +444,12 @@ static enum status print_known(const struct job *j, const int points[2],
 static enum status run(const struct command_line *line, struct message *why)
 {
     const bool stored = command_given(line, "--stored");
-    const char *format = command_value(line, "--format");
     struct job j = {0};
     int points[2] = {0, 0}, count;
     const char *const *given = command_values(line, "--set", &count);
     enum status st;
 
-    if (format)
-        TRY(table_format_parse(format, &j.format, why));
+    TRY(command_format(line, &j.format, why));
     if (!line->word_count && (!stored || command_given(line, "--points")))
         TRY(status_fail(why, STATUS_INPUT,
                         "truth SCENE; without one --stored alone, what is known of all"));

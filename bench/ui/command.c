@@ -184,6 +184,28 @@ enum status command_pair(const struct command_line *line, const char *option, in
     return STATUS_OK;
 }
 
+enum status command_format(const struct command_line *line, enum table_format *format,
+                           struct message *why)
+{
+    const char *word = command_value(line, "--format");
+
+    return word ? table_format_parse(word, format, why) : STATUS_OK;
+}
+
+enum status command_folder(const struct command_line *line, const char **folder,
+                           const char **from, struct message *why)
+{
+    const char *out = command_value(line, "--out");
+
+    *from = command_value(line, "--from");
+    if (*from && out)
+        return status_fail(why, STATUS_INPUT,
+                           "--from reads what an earlier run has left and --out is written "
+                           "to; give one of the two");
+    *folder = *from ? *from : out ? out : *folder;
+    return STATUS_OK;
+}
+
 /* Prints the lines of `text`, all but the first after `indent` blanks, all after
  * `before`. */
 static void print_lines(const char *text, int indent, const char *before, FILE *file)

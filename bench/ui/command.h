@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "models/status.h"
+#include "bench/ui/table.h"
 
 struct command_option {
     const char *name;  /* "--model"; NULL ends a table                                 */
@@ -78,6 +78,14 @@ enum status command_number(const struct command_line *line, const char *option,
 /* Reads two whole numbers, "21,21", each from low to high. */
 enum status command_pair(const struct command_line *line, const char *option, int low,
                          int high, int pair[2], struct message *why);
+
+/* Read --format, which stays if it was not given; --from and --out, the folders that are
+ * read and written, of which one may be given: *from is NULL, and *folder stays, if it was
+ * not. */
+enum status command_format(const struct command_line *line, enum table_format *format,
+                           struct message *why);
+enum status command_folder(const struct command_line *line, const char **folder,
+                           const char **from, struct message *why);
 
 /* Prints usage, what the command does, options, examples. */
 void command_help(const struct command *command, FILE *file);

@@ -264,11 +264,6 @@ void table_missing(struct table *t, const char *format, ...)
     va_end(arguments);
 }
 
-void table_dash(struct table *t)
-{
-    table_missing(t, "-");
-}
-
 /* Fills a cell with a number, printed by `format` for people. */
 static void fill_number(struct table *t, double value, const char *format, ...)
 {
@@ -288,20 +283,67 @@ static double scaled(const struct table *t, double value)
     return scale != 0 ? value * scale : value;
 }
 
-void table_number(struct table *t, double value, int digits)
+/* Fills a cell with the number that `piece` of a format is the conversion of, "%.3g". */
+static void add_number(struct table *t, const char *piece, char kind, va_list *arguments)
 {
-    assert(digits > 0 && digits <= 17);
-    fill_number(t, value, "%#.*g", digits, scaled(t, value));
+    const bool given = piece[1] == '.' && piece[2] == '*';
+    const int digits =
+        given ? va_arg(*arguments, int) : atoi(piece + 1 + (piece[1] == '.'));
+    const double value = kind != 'd'       ? va_arg(*arguments, double)
+                         : piece[1] == 'l' ? (double)va_arg(*arguments, long)
+                                           : va_arg(*arguments, int);
+
+    fill_number(t, value, kind == 'g' ? "%#.*g" : "%.*f", digits, scaled(t, value));
 }
 
-void table_fixed(struct table *t, double value, int decimals)
+/* Fills a cell with text; its conversions are whole numbers, numbers and words. */
+static void add_text(struct table *t, const char *piece, size_t size, va_list *arguments)
 {
-    fill_number(t, value, "%.*f", decimals, scaled(t, value));
+    char *text = NULL, one[32];
+    size_t length;
+    FILE *to = open_memstream(&text, &length);
+
+    for (const char *c = piece; to && c < piece + size; c++) {
+        const int used = snprintf(one, sizeof one, "%.*s", 1 + (int)strcspn(c, "sdgf"), c);
+        if (*c != '%') {
+            fputc(*c, to);
+            continue;
+        }
+        assert(used < (int)sizeof one);
+        c += used - 1;
+        if (*c == 's')
+            fprintf(to, one, va_arg(*arguments, const char *));
+        else if (*c == 'd')
+            fprintf(to, one, va_arg(*arguments, int));
+        else
+            fprintf(to, one, va_arg(*arguments, double));
+    }
+    if (to && fclose(to) == 0)
+        table_text(t, "%s", text);
+    else
+        t->failed = true;
+    free(text);
 }
 
-void table_integer(struct table *t, long value)
+void table_add(struct table *t, const char *cells, ...)
 {
-    fill_number(t, (double)value, "%ld", value);
+    va_list arguments;
+    size_t size;
+
+    va_start(arguments, cells);
+    for (const char *c = cells; t && !t->failed; c += size + 1) {
+        size = strcspn(c, "|");
+        const bool one = *c == '%' && strcspn(c, "sdgf") == size - 1;
+        if (one && c[size - 1] != 's')
+            add_number(t, c, c[size - 1], &arguments);
+        else if (size == 1 && *c == '-')
+            table_missing(t, "-");
+        else
+            add_text(t, c, size, &arguments);
+        if (!c[size])
+            break;
+    }
+    va_end(arguments);
 }
 
 void table_note(struct table *t, const char *format, ...)

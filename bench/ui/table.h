@@ -9,10 +9,7 @@
  *         {"a frame", "ms", .key = "frame_s", .key_unit = "s", .scale = 1e3},
  *         {"unknowns", .readers = TABLE_MACHINES}};
  *     struct table *t = table_create(COUNT(columns), columns, "Cost of a frame");
- *     table_row(t);
- *     table_text(t, "%s", model->title);
- *     table_number(t, 0.0123456, 3);
- *     table_integer(t, 540);
+ *     table_line(t, "%s|%.3g|%d", model->title, 0.0123456, 540);
  *     table_note(t, "Median of %d repeats.", repeats);
  *     TRY(table_save(t, folder, "cost", why));
  *     TRY(table_finish(t, TABLE_TEXT, stdout));
@@ -85,19 +82,20 @@ void table_row(struct table *t);
 /* Draws a line between the rows before and after (text and LaTeX). */
 void table_rule(struct table *t);
 
-/* Fill the next cell of the row: words; a number to `digits` significant digits, trailing
- * zeros kept; a number to `decimals` places (0 for whole numbers that may be missing); a
- * whole number. Machines get 17 digits in any case. NaN is a number that does not exist: a
- * dash, empty in CSV, null in JSON. Infinities are `inf`. */
+/* Fills the next cells of the row, `|` between them, as printf has them. A cell that is one
+ * conversion is a number: %.3g to significant digits, trailing zeros kept, %.2f to decimal
+ * places (%.0f for whole numbers that may be missing), %d or %ld a whole one. Machines get
+ * 17 digits in any case. NaN is a number that does not exist: a dash, empty in CSV, null in
+ * JSON. Infinities are `inf`. `-` is a cell where there is nothing to show, and all else is
+ * text. _line starts a row first. */
+void table_add(struct table *t, const char *cells, ...)
+    __attribute__((format(printf, 2, 3)));
+#define table_line(t, ...) (table_row(t), table_add(t, __VA_ARGS__))
+
+/* Fill the next cell with text, also of numbers alone; with words that say why there is
+ * nothing to show, empty in CSV, null in JSON. */
 void table_text(struct table *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-void table_number(struct table *t, double value, int digits);
-void table_fixed(struct table *t, double value, int decimals);
-void table_integer(struct table *t, long value);
-
-/* Fill the next cell where there is nothing to show: a dash, or words that say why; empty
- * in CSV, null in JSON. */
-void table_dash(struct table *t);
 void table_missing(struct table *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

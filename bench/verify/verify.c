@@ -61,21 +61,10 @@ static const struct table_column columns[COLUMNS] = {
 static void add_row(struct table *t, const struct verify_check *check,
                     const struct verify_row *row)
 {
-    table_row(t);
-    table_text(t, "%s", row->quantity);
-    table_text(t, "%s", row->subject);
-    table_number(t, row->value, DIGITS);
-    table_number(t, row->truth, DIGITS);
-    table_number(t, row->bar, 1);
-    table_number(t, row->error, 2);
-    table_number(t, row->tolerance, 2);
-    table_fixed(t, row->order, 2);
-    table_text(t, "%s", verify_verdict_name((int)row->verdict));
-    table_number(t, row->seconds, 2);
-    table_text(t, "%s", row->note);
-    table_text(t, "%s", check->item.name);
-    table_text(t, "%s", check->source);
-    table_text(t, "%s", row->changed);
+    table_line(t, "%s|%s|%.*g|%.*g|%.1g|%.2g|%.2g|%.2f|%s|%.2g|%s|%s|%s|%s", row->quantity,
+               row->subject, DIGITS, row->value, DIGITS, row->truth, row->bar, row->error,
+               row->tolerance, row->order, verify_verdict_name((int)row->verdict),
+               row->seconds, row->note, check->item.name, check->source, row->changed);
 }
 
 enum status verify_file_write(const struct verify_check *check,
@@ -201,21 +190,17 @@ static enum status prepare(struct job *job, const struct command_line *line,
                            struct message *why)
 {
     enum status st;
-    const char *out = command_value(line, "--out"), *from = command_value(line, "--from");
-    const char *word = command_value(line, "--format");
+    const char *from;
 
-    if (from && out)
-        return status_fail(why, STATUS_INPUT,
-                           "--from reads rows and --out writes them; give one of the two");
-    job->folder = from ? from : out ? out : "results/verify";
+    job->folder = "results/verify";
+    TRY(command_folder(line, &job->folder, &from, why));
     job->read_only = from;
     job->models = command_value(line, "--models");
     job->quick = command_given(line, "--quick");
     if (from && (job->models || job->quick))
         return status_fail(why, STATUS_INPUT,
                            "--models and --quick are for a new run, not for --from");
-    if (word)
-        TRY(table_format_parse(word, &job->format, why));
+    TRY(command_format(line, &job->format, why));
     TRY(contestant_check(job->models, why));
     TRY(choose(job, line, why));
     if (!job->read_only)
@@ -267,11 +252,10 @@ static void add_tally(struct table *t, const char *name, const struct verify_she
             rows[VERIFY_VERDICTS]++;
             seconds += sheet->rows[n].seconds;
         }
-    table_row(t);
-    table_text(t, "%s", name);
+    table_line(t, "%s", name);
     for (int v = 0; v <= VERIFY_VERDICTS; v++)
-        table_integer(t, rows[v]);
-    table_number(t, seconds, 2);
+        table_add(t, "%ld", rows[v]);
+    table_add(t, "%.2g", seconds);
 }
 
 static enum status print_summary(const struct job *job)

@@ -5,8 +5,6 @@
 
 #include "bench/verify/verify_check.h"
 
-extern const struct command verify_command;
-
 /* Runs the command on given checks (NULL ends them) and prints tables to `out`.
  * STATUS_FAILED: claims are missed or died; the sentence says how many, and where. */
 enum status verify_run(const struct verify_check *const *known,

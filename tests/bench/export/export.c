@@ -1,7 +1,7 @@
 /* The files of `export` against the scene: areas, masses, springs, times, meshes that
  * agree, what is held under every kind of support, a scene file of the same physics, the
  * rules; and what it refuses, leaving nothing behind, nor taking anything away. */
-#include "bench/export/export.h"
+#include "bench/commands.h"
 
 #include <signal.h>
 #include <sys/resource.h>

@@ -104,9 +104,7 @@ static void check_kept(void)
 
     kept_open(".", "table", "1", &kept);
     REQUIRE(nowhere && kept);
-    table_row(t);
-    table_text(t, "a \"b\",\nc");
-    table_number(t, 0.1, 3);
+    table_line(t, "a \"b\",\nc|%.3g", 0.1);
     table_note(t, "one\ntwo");
     CHECK(table_finish(t, TABLE_TEXT, nowhere) == STATUS_OK);
     judge_print(nowhere, "up, always", JUDGE_HOLDS, "By %d.", 2);

@@ -5,6 +5,7 @@
  */
 #include <unistd.h>
 
+#include "bench/commands.h"
 #include "bench/harness/timing.h"
 #include "bench/speed/bench.h"
 #include "tests/run_fixture.h"

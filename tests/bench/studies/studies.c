@@ -4,6 +4,7 @@
  *   studies FOLDER
  */
 #define _GNU_SOURCE /* CPU_COUNT */
+#include "bench/commands.h"
 #include "bench/studies/studies.h"
 
 #include <sched.h>
@@ -127,7 +128,9 @@ static const struct {
     {"study ./none.yaml",
      "./none.yaml: cannot be read as a plan: No such file or directory", STATUS_INPUT},
     {"study tiny --from a --out b",
-     "--from reads result files and --out writes them; give one of the two", STATUS_INPUT},
+     "--from reads what an earlier run has left and --out is written to; give one of the "
+     "two",
+     STATUS_INPUT},
     {"study tiny --format words",
      "--format words: a format is text, csv, markdown, latex or json", STATUS_INPUT},
     {"study tiny --from nowhere",

@@ -19,26 +19,15 @@ static const struct table_column columns[] = {
 static struct table *make(void)
 {
     struct table *t = table_create(6, columns, "50 % & #1");
-    table_row(t);
-    table_text(t, "%s", "a|b, \"c\"\\\n\x01");
-    table_number(t, 0.0125, 3);
-    table_text(t, "10x10");
-    table_fixed(t, 0.125, 1);
-    table_integer(t, 2);
-    table_fixed(t, 540, 0);
+    table_line(t, "%s|%.3g|10x10|%.1f|%d|%.0f", "a|b, \"c\"\\\n\x01", 0.0125, 0.125, 2,
+               540.0);
     table_rule(t);
-    table_row(t);
-    table_text(t, "# no comment");
-    table_number(t, NAN, 3);
-    table_dash(t);
+    table_line(t, "# no comment|%.3g|-", NAN);
     table_missing(t, "not reached");
-    table_number(t, -INFINITY, 2);
-    table_fixed(t, -NAN, 0);
-    table_row(t);
-    table_text(t, "*_$#{}<>~^&");
-    table_number(t, 1.5e-12, 3);
+    table_add(t, "%.2g|%.0f", -INFINITY, -NAN);
+    table_line(t, "*_$#{}<>~^&|%.3g", 1.5e-12);
     table_text(t, "50%%");
-    table_fixed(t, 0.01 / 3, 2);
+    table_add(t, "%.2f", 0.01 / 3);
     table_row(t);
     table_note(t, "A \"note\" of %d.", 9);
     return t;
@@ -125,11 +114,9 @@ static void check_numbers(void)
     struct table *t = table_create(1, one, NULL);
 
     for (int n = 0; n < 4; n++) {
-        table_row(t);
-        table_number(t, number[n].x, number[n].digits);
+        table_line(t, "%.*g", number[n].digits, number[n].x);
     }
-    table_row(t);
-    table_fixed(t, 1.0 / 3, 2);
+    table_line(t, "%.2f", 1.0 / 3);
     print(t, TABLE_TEXT,
           "       x\n--------\n     123\n     2.0\n       -\n1.50e-09\n    0.33\n");
     table_destroy(t);
@@ -181,8 +168,7 @@ static void check_files(void)
     FILE *file = fopen("table.csv", "w");
     REQUIRE(file);
     CHECK(table_flush(t, file) == STATUS_OK && table_rows(t) == 0);
-    table_row(t);
-    table_text(t, "more");
+    table_line(t, "more");
     CHECK(table_flush(t, file) == STATUS_OK);
     CHECK(table_flush(t, file) == STATUS_OK);
     fclose(file);
@@ -230,11 +216,10 @@ static void check_wide(void)
         strcat(words, "some words ");
     struct table *t = table_create(20, wide, NULL);
     for (int row = 0; row < 2; row++) {
-        table_row(t);
-        table_text(t, "same");
+        table_line(t, "same");
         for (int n = 1; n < 19; n++)
-            table_integer(t, 12345 + row);
-        table_text(t, "%s", words);
+            table_add(t, "%d", 12345 + row);
+        table_add(t, "%s", words);
     }
     FILE *file = fmemopen(text, sizeof text, "w");
     REQUIRE(file && table_print(t, TABLE_TEXT, file) == STATUS_OK);

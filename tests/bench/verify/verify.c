@@ -1,5 +1,6 @@
 /* The command verify on checks that are made up: what it prints, counts and ends with for
  * every verdict; rows, subjects and their files. Nothing is computed. */
+#include "bench/commands.h"
 #include "bench/files/folder.h"
 #include "bench/verify/verify.h"
 #include "bench/verify/verify_check.h"

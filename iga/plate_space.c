@@ -119,6 +119,18 @@ static void functions(const struct solid_space *space, int element,
     }
 }
 
+static struct solid_line line(const struct solid_space *space, int element, int i)
+{
+    const struct plate_tables *t = space->tables;
+    const struct line_table *d = t->direction;
+    const int e = i == 0   ? element / (d[1].spans * d[2].spans)
+                  : i == 1 ? element / d[2].spans % d[1].spans
+                           : element % d[2].spans;
+
+    return (struct solid_line){d[i].most, d[i].order, values(&d[i], e, 0),
+                               d[i].weight + e * d[i].most};
+}
+
 static void number_elements(struct solid_space *space, const struct plate_tables *t,
                             const struct patch *patch)
 {
@@ -215,6 +227,7 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
     new.gauss = d[0].most *d[1].most *d[2].most;
     new.thickness_basis = thickness;
     new.functions = functions;
+    new.line = patch->weight ? NULL : line;
     new.tables = tables;
     TRY(solid_space_allocate(&new, d[1].spans * d[2].spans, patch->basis[0].p));
     number_elements(&new, &t, patch);

@@ -25,8 +25,10 @@ static int longest_run(const struct solid_space *s)
 
 void solid_assembly_clear(struct solid_assembly *s)
 {
-    for (int t = 0; t < s->threads; t++)
+    for (int t = 0; t < s->threads; t++) {
         solid_element_clear(&s->work[t]);
+        solid_batch_destroy(s->batch[t]);
+    }
     blocks_clear(&s->graph);
     free(s->place);
     free(s->room);
@@ -45,9 +47,13 @@ enum status solid_assembly_init(struct solid_assembly *s, const struct solid_spa
                       &new.place));
     size_t pairs = (size_t) new.graph.start[space->nodes];
     TRY(room_cut(&new.room, ROOM(new.K, pairs), ROOM(new.M, pairs),
-                 ROOM(new.volume, space->nodes), ROOM(new.work, omp_get_max_threads())));
-    for (; new.threads < omp_get_max_threads(); new.threads++)
-        TRY(solid_element_init(&new.work[new.threads], space));
+                 ROOM(new.volume, space->nodes), ROOM(new.work, omp_get_max_threads()),
+                 ROOM(new.batch, omp_get_max_threads())));
+    for (int t = 0; t < omp_get_max_threads(); t++) {
+        new.threads = t + 1;
+        TRY(solid_element_init(&new.work[t], space));
+        TRY(solid_batch_create(space, &new.batch[t]));
+    }
     HAND_OVER(s, new);
 out:
     solid_assembly_clear(&new);
@@ -75,10 +81,16 @@ static void scatter(struct solid_assembly *s, const struct solid_element *e, int
     }
 }
 
-static enum status assemble_slab(struct solid_assembly *s, struct solid_element *work,
-                                 int slab, const double *x)
+static enum status assemble_slab(struct solid_assembly *s, int thread, int slab,
+                                 const double *x)
 {
-    for (int e = s->space->slab[slab]; e < s->space->slab[slab + 1]; e++) {
+    struct solid_element *work = &s->work[thread];
+    const int first = s->space->slab[slab], end = s->space->slab[slab + 1];
+    const struct solid_batch_sums to = {s->K, s->M, s->volume, s->place, s->run};
+
+    if (s->batch[thread])
+        return solid_batch_add(s->batch[thread], first, end, &s->material, x, &to);
+    for (int e = first; e < end; e++) {
         enum status st = solid_element_compute(work, s->space, e, &s->material, x);
         if (st != STATUS_OK)
             return st;
@@ -100,7 +112,7 @@ enum status solid_assembly_compute(struct solid_assembly *s, const double *x)
     num_threads(s->threads) if (s->threads > 1 && slabs > 2) reduction(|                   \
                                                                        : inverted, nan)
         for (int slab = phase; slab < slabs; slab += 2) {
-            enum status st = assemble_slab(s, &s->work[omp_get_thread_num()], slab, x);
+            enum status st = assemble_slab(s, omp_get_thread_num(), slab, x);
             inverted |= st == STATUS_INVERTED;
             nan |= st == STATUS_NAN;
         }

@@ -7,6 +7,7 @@
 #define SOLID_ASSEMBLY_H
 
 #include "models/linalg/blocks.h"
+#include "models/solid/solid_batch.h"
 #include "models/solid/solid_element.h"
 
 struct solid_assembly {
@@ -22,6 +23,7 @@ struct solid_assembly {
     int *place; /* [elements][local][local / run] blocks_places            owned   */
     int threads;
     struct solid_element *work; /* [threads]                                           */
+    struct solid_batch **batch; /* [threads] NULL: element by element                  */
 };
 
 /* Prepares the assembly, with as many threads as OpenMP would give at this moment. */

@@ -36,6 +36,13 @@ struct solid_functions {
     double *weight; /* [gauss]            parametric quadrature weights                */
 };
 
+/* The functions of one element along one direction, at their points; borrowed. */
+struct solid_line {
+    int points, order;
+    const double *value;  /* [points][2][order] values and slopes                      */
+    const double *weight; /* [points]                                                  */
+};
+
 /* Columns of nodes whose mid-surface a support holds: solid_hinge.h. */
 struct solid_hinge {
     int layers, at; /* nodes of a column; which of them stands for the mid-surface  */
@@ -74,6 +81,10 @@ struct solid_space {
     void (*functions)(const struct solid_space *space, int element,
                       struct solid_functions *out);
     void *tables; /* data of the owner of `functions`                                  */
+
+    /* The lines along u, v, w (i = 0, 1, 2) whose products the functions, points and
+     * weights are, w fastest, then v, as many in all elements; NULL: they are none. */
+    struct solid_line (*line)(const struct solid_space *space, int element, int i);
 
     /* Remedy for locking: the stiffness by fewer points than the mass (NULL: the same
      * points). Fills `out` as `functions` does, returns the points used, at most

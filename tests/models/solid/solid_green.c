@@ -1,7 +1,8 @@
 /* The large-displacement solid: forces are the derivative of its energy and the tangent
  * that of its forces, by central differences at swept steps; rigid motions cost nothing; at
  * rest the tangent is the linear stiffness. B-splines of every degree, hexahedra with and
- * without internal modes, distorted, in both bases through the thickness.
+ * without internal modes, distorted, in both bases through the thickness. Elements that are
+ * computed side by side get the numbers that they get alone.
  */
 #include "models/solid/solid_green.h"
 #include "tests/derivative_fixture.h"
@@ -74,6 +75,25 @@ static void check_foresight(const struct solid_green *g)
     free(K);
 }
 
+/* Elements side by side give the matrices that they give one by one, bit for bit. */
+static void check_lanes(struct solid *s, const double *x)
+{
+    struct solid_space plain = s->space;
+    struct solid_assembly one = {0};
+    const size_t pairs = (size_t)s->assembly.graph.start[s->space.nodes];
+
+    plain.line = NULL;
+    REQUIRE(solid_assembly_init(&one, &plain, &s->assembly.material) == STATUS_OK);
+    CHECK(solid_assembly_compute(&one, x) == STATUS_OK);
+    CHECK(solid_assembly_compute(&s->assembly, x) == STATUS_OK);
+    CHECK((s->assembly.batch[0] != NULL) == (s->kind == SOLID_IGA));
+    CHECK(!memcmp(one.K, s->assembly.K, pairs * sizeof *one.K));
+    CHECK(!memcmp(one.M, s->assembly.M, pairs * sizeof *one.M));
+    CHECK(!memcmp(one.volume, s->assembly.volume,
+                  (size_t)s->space.nodes * sizeof *one.volume));
+    solid_assembly_clear(&one);
+}
+
 static void check_solid(enum solid_kind kind, int p, int q, int r, bool thickness)
 {
     const struct solid_case box = {kind, {p, q, r}, {p + 2, q + 3, r + 1}, {1.0, 0.8, 0.3}};
@@ -98,6 +118,7 @@ static void check_solid(enum solid_kind kind, int p, int q, int r, bool thicknes
     check_rest(&g);
     derivative_check(&g.body, &s.assembly.graph, x, d, DIFFERENCE);
     check_foresight(&g);
+    check_lanes(&s, x);
     /* without a shift: it would move the first coefficient of a column alone in the
      * thickness basis; rotations are the same in both */
     derivative_rigid(&g.body, s.space.rest, 0, derivative_energy(&g.body, x), RIGID_ENERGY,
@@ -127,8 +148,10 @@ static void check_deaths(void)
     x[2] += 1; /* one corner of the lower face far above the upper one */
     CHECK(large_body_strain(&g.body, x, strain) == STATUS_INVERTED);
     CHECK(solid_green_energy(&g, x, &energy) == STATUS_INVERTED);
+    CHECK(solid_assembly_compute(&s.assembly, x) == STATUS_INVERTED);
     x[2] = NAN;
     CHECK(large_body_strain(&g.body, x, strain) == STATUS_NAN);
+    CHECK(solid_assembly_compute(&s.assembly, x) == STATUS_NAN);
     free(strain);
     solid_green_clear(&g);
     solid_clear(&s);

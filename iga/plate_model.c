@@ -271,15 +271,18 @@ static void sample(const void *state, double *xyz)
                          xyz);
 }
 
-static void clear(void *state)
+static void destroy(void *state)
 {
     struct plate *p = state;
 
+    if (!p)
+        return;
     solid_motion_clear(&p->sheet.motion);
     plate_space_clear(&p->sheet.space, &p->tables);
     patch_clear(&p->patch);
     free(p->scene.supports);
     free(p->uvw);
+    free(p);
 }
 
 /* Fabrics are for layers alone. */
@@ -416,13 +419,13 @@ static enum status meet(struct plate *p, const struct discretization *d)
     return st == STATUS_OK ? solid_motion_meet(&p->sheet.motion, &surface) : st;
 }
 
-static enum status init(void *state, const struct scene *scene,
-                        const struct discretization *d, struct message *why)
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
 {
     enum status st;
     bool thickness, one_element;
     double middle[BSPLINE_MAX_ORDER];
-    struct plate *p = state;
+    struct plate *p = NULL;
 
     TRY(model_refuse(scene, PLATE_SERVES, why));
     TRY(contact_rest_refuse(scene, why));
@@ -439,6 +442,9 @@ static enum status init(void *state, const struct scene *scene,
     if (d->remedy == REMEDY_CLAMPED && (scene->shape != SCENE_FLAT || scene->sheets > 1))
         TRY(status_fail(why, STATUS_UNSUPPORTED,
                         "remedy=clamped is for one flat sheet; use selective"));
+    p = calloc(1, sizeof *p);
+    if (!p)
+        TRY(STATUS_MEMORY);
     TRY(make_patch(scene, d, &p->patch, why));
     p->scene = *scene;
     TRY(support_knots_hold(scene, p->patch.basis, &p->scene.supports));
@@ -461,8 +467,10 @@ static enum status init(void *state, const struct scene *scene,
     TRY(add_loads(p, why));
     if (contact_wanted(scene))
         TRY(meet(p, d));
-    TRY(solid_model_misfit(&p->sheet, &plate_model));
+    TRY(solid_model_misfit(&p->sheet, sample));
+    *state = p, p = NULL;
 out:
+    destroy(p);
     return st;
 }
 
@@ -493,8 +501,7 @@ const struct model plate_model = {
                  .remedy = REMEDY_SELECTIVE},
     .adapt = adapt,
     .extra_points = extra_points,
-    .state = sizeof(struct plate),
-    .init = init,
+    .create = create,
     .advance = solid_motion_step,
     .sample = sample,
     .probe = probe,
@@ -506,5 +513,5 @@ const struct model plate_model = {
     .equilibrium = solid_model_equilibrium,
     .modes = solid_model_modes,
     .matrices = solid_model_matrices,
-    .clear = clear,
+    .destroy = destroy,
 };

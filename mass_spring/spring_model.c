@@ -28,6 +28,12 @@ static const struct schema_key options[] = {
     {NULL}};
 /* clang-format on */
 
+static void destroy(void *state)
+{
+    spring_motion_clear(state);
+    free(state);
+}
+
 static enum status refuse(const struct scene *scene, const struct discretization *d,
                           struct message *why)
 {
@@ -69,17 +75,22 @@ static enum status refuse(const struct scene *scene, const struct discretization
     return STATUS_OK;
 }
 
-static enum status init(void *state, const struct scene *scene,
-                        const struct discretization *d, struct message *why)
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
 {
     enum status st;
-    struct spring_motion *m = state;
+    struct spring_motion *m = NULL;
 
     TRY(model_refuse_net(scene, d, why));
     TRY(contact_rest_refuse(scene, why));
     TRY(refuse(scene, d, why));
+    m = calloc(1, sizeof *m);
+    if (!m)
+        TRY(STATUS_MEMORY);
     TRY(spring_motion_init(m, scene, d, why));
+    *state = m, m = NULL;
 out:
+    destroy(m);
     return st;
 }
 
@@ -89,6 +100,11 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     const struct net_surface net = {m->net.rows, m->net.points[1], m->x, 3, 1, m->degree};
 
     net_surface_points(&net, m->scene, n, uvw, xyz);
+}
+
+static void sample(const void *state, double *xyz)
+{
+    grid_sample(probe, state, xyz);
 }
 
 static void size(const void *state, struct model_size *size)
@@ -130,14 +146,14 @@ const struct model spring_model = {
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},
                  .kinematics = KINEMATICS_NONLINEAR},
-    .state = sizeof(struct spring_motion),
-    .init = init,
+    .create = create,
     .advance = spring_motion_step,
+    .sample = sample,
     .probe = probe,
     .size = size,
     .describe = describe,
     .energy = spring_motion_energy,
     .contact = spring_motion_contact,
     .equilibrium = spring_rest_equilibrium,
-    .clear = spring_motion_clear,
+    .destroy = destroy,
 };

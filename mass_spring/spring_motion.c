@@ -110,10 +110,8 @@ out:
     return st;
 }
 
-void spring_motion_clear(void *motion)
+void spring_motion_clear(struct spring_motion *m)
 {
-    struct spring_motion *m = motion;
-
     if (!m)
         return;
     spring_large_clear(&m->large);

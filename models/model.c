@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/grid.h"
-
 void matrix_clear(struct matrix *m)
 {
     free(m->row);
@@ -193,37 +191,4 @@ void model_complete(const struct model *model, const struct scene *scene,
     if (add_points(model, scene, open, d) && d->remedy == all.remedy)
         status_fail(told, STATUS_OK, "knots repeat at the ends of supports");
     tell(&all, d, told);
-}
-
-enum status model_create(const struct model *model, const struct scene *scene,
-                         const struct discretization *d, void **state, struct message *why)
-{
-    enum { ALIGNED = 64 }; /* bytes: a vector of tables in a state is loaded at once */
-    const size_t bytes = (model->state + ALIGNED - 1) / ALIGNED * ALIGNED;
-    void *new = aligned_alloc(ALIGNED, bytes);
-
-    if (!new)
-        return STATUS_MEMORY;
-    memset(new, 0, bytes);
-    const enum status st = model->init(new, scene, d, why);
-    if (st == STATUS_OK)
-        *state = new;
-    else
-        model_destroy(model, new);
-    return st;
-}
-
-void model_destroy(const struct model *model, void *state)
-{
-    if (state && model->clear)
-        model->clear(state);
-    free(state);
-}
-
-void model_sample(const struct model *model, const void *state, double *xyz)
-{
-    if (model->sample)
-        model->sample(state, xyz);
-    else
-        grid_sample(model->probe, state, xyz);
 }

@@ -96,28 +96,23 @@ struct model {
      * at the degree of *d. */
     int (*extra_points)(const struct scene *scene, const struct discretization *d, int i);
 
-    size_t state; /* bytes of its state */
-
-    /* Builds, in a state that is zero and aligned to 64 bytes, everything that does not
-     * depend on time. STATUS_UNSUPPORTED with a sentence ("no contact") if the scene has
-     * physics the model leaves out; STATUS_INPUT if the discretization is impossible. Scene
-     * and discretization are borrowed until `clear`. */
-    enum status (*init)(void *state, const struct scene *scene,
-                        const struct discretization *d, struct message *why);
-
-    /* optional: frees what `init` made, also where that failed halfway. */
-    void (*clear)(void *state);
+    /* Builds everything that does not depend on time. STATUS_UNSUPPORTED with a sentence
+     * ("no contact") if the scene has physics the model leaves out; STATUS_INPUT if the
+     * discretization is impossible. Scene and discretization are borrowed until destroy.
+     * On failure *state is untouched. */
+    enum status (*create)(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why);
 
     /* Takes one time step (scene->step) and adds to *counters. After a death the state may
      * still be sampled and destroyed. */
     enum status (*advance)(void *state, struct counters *counters);
 
-    /* Fills xyz[n][3] with positions of material points uvw[n][3] [m]. */
-    void (*probe)(const void *state, int n, const double *uvw, double *xyz);
-
-    /* optional: fills xyz[GRID_W][GRID_V][GRID_U][3] with positions of the material grid
-     * [m], faster than `probe` does and with the same bits. */
+    /* Fills xyz[GRID_W][GRID_V][GRID_U][3] with positions of the material grid [m]. */
     void (*sample)(const void *state, double *xyz);
+
+    /* Fills xyz[n][3] with positions of material points uvw[n][3] [m]; at grid points the
+     * same values as sample, bit for bit. */
+    void (*probe)(const void *state, int n, const double *uvw, double *xyz);
 
     void (*size)(const void *state, struct model_size *size);
 
@@ -154,15 +149,8 @@ struct model {
     /* optional: makes K and M of the rest shape, all 3*nodes rows, control-point unknowns,
      * row = 3 node + component, node = (i m + j) l + k (w fastest, then v, then u). */
     enum status (*matrices)(const void *state, struct matrix *K, struct matrix *M);
+
+    void (*destroy)(void *state); /* NULL is allowed                                   */
 };
-
-/* Creates a model's state by its `init`, whose statuses it returns, or STATUS_MEMORY. Owned
- * by the caller, freed with model_destroy; *state is untouched on failure. */
-enum status model_create(const struct model *model, const struct scene *scene,
-                         const struct discretization *d, void **state, struct message *why);
-void model_destroy(const struct model *model, void *state); /* NULL is allowed         */
-
-/* Fills xyz[GRID_W][GRID_V][GRID_U][3] with positions of the material grid [m]. */
-void model_sample(const struct model *model, const void *state, double *xyz);
 
 #endif

@@ -259,10 +259,8 @@ static enum status allocate(struct pb_motion *m)
                     ROOM(m->shift, m->supports.held_count), ROOM(m->odd, m->forms.count));
 }
 
-void pb_motion_clear(void *motion)
+void pb_motion_clear(struct pb_motion *m)
 {
-    struct pb_motion *m = motion;
-
     if (!m)
         return;
     pb_sweep_free(m->sweep);

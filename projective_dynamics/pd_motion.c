@@ -164,10 +164,8 @@ out:
     return st;
 }
 
-void pd_motion_clear(void *motion)
+void pd_motion_clear(struct pd_motion *m)
 {
-    struct pd_motion *m = motion;
-
     if (!m)
         return;
     const struct pd_net *net = &m->energy.net;

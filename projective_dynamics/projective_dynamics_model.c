@@ -78,11 +78,17 @@ static struct pd_options options_of(const struct scene *scene,
     return o;
 }
 
-static enum status init(void *state, const struct scene *scene,
-                        const struct discretization *d, struct message *why)
+static void destroy(void *state)
+{
+    pd_motion_clear(state);
+    free(state);
+}
+
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
 {
     enum status st;
-    struct pd_motion *m = state;
+    struct pd_motion *m = NULL;
     const struct pd_options chosen = options_of(scene, d);
 
     TRY(model_refuse_net(scene, d, why));
@@ -102,8 +108,13 @@ static enum status init(void *state, const struct scene *scene,
         return status_fail(why, STATUS_UNSUPPORTED,
                            "a fabric: with constraint=edges only, the projection of "
                            "triangles is isotropic");
+    m = calloc(1, sizeof *m);
+    if (!m)
+        TRY(STATUS_MEMORY);
     TRY(pd_motion_init(m, scene, &chosen, why));
+    *state = m, m = NULL;
 out:
+    destroy(m);
     return st;
 }
 
@@ -114,6 +125,11 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     const struct net_surface surface = {net->rows, net->m, m->x, 1, pd_net_stride(net)};
 
     net_surface_points(&surface, m->scene, n, uvw, xyz);
+}
+
+static void sample(const void *state, double *xyz)
+{
+    grid_sample(probe, state, xyz);
 }
 
 static void doubt(const void *state, struct message *line)
@@ -158,14 +174,14 @@ const struct model projective_dynamics_model = {
                  .kinematics = KINEMATICS_NONLINEAR,
                  .iterations = DEFAULT_ITERATIONS},
     .adapt = adapt,
-    .state = sizeof(struct pd_motion),
-    .init = init,
+    .create = create,
     .advance = pd_motion_frame,
+    .sample = sample,
     .probe = probe,
     .size = pd_motion_size,
     .describe = describe,
     .doubt = doubt,
     .energy = pd_motion_energy,
     .contact = pd_motion_contact,
-    .clear = pd_motion_clear,
+    .destroy = destroy,
 };

@@ -64,15 +64,27 @@ out:
     return st;
 }
 
-static enum status init(void *state, const struct scene *scene,
-                        const struct discretization *d, struct message *why)
+static void destroy(void *state)
+{
+    if (state)
+        tri_motion_clear(state);
+    free(state);
+}
+
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
 {
     enum status st;
-    struct tri_motion *m = state;
+    struct tri_motion *m = NULL;
 
     TRY(refuse(scene, d, why));
+    m = calloc(1, sizeof *m);
+    if (!m)
+        TRY(STATUS_MEMORY);
     TRY(tri_motion_init(m, scene, d, why));
+    *state = m, m = NULL;
 out:
+    destroy(m);
     return st;
 }
 
@@ -83,6 +95,11 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
                                     1};
 
     net_surface_points(&net, m->scene, n, uvw, xyz);
+}
+
+static void sample(const void *state, double *xyz)
+{
+    grid_sample(probe, state, xyz);
 }
 
 static void size(const void *state, struct model_size *size)
@@ -138,9 +155,9 @@ const struct model tri_model = {
                  .degree = {1, 1, 1},
                  .kinematics = KINEMATICS_NONLINEAR,
                  .integrator = INTEGRATOR_MOMENTUM},
-    .state = sizeof(struct tri_motion),
-    .init = init,
+    .create = create,
     .advance = tri_motion_step,
+    .sample = sample,
     .probe = probe,
     .size = size,
     .describe = describe,
@@ -149,5 +166,5 @@ const struct model tri_model = {
     .equilibrium = tri_motion_rest,
     .modes = tri_motion_modes,
     .matrices = tri_motion_matrices,
-    .clear = tri_motion_clear,
+    .destroy = destroy,
 };

@@ -112,10 +112,8 @@ out:
     return st;
 }
 
-void tri_motion_clear(void *motion)
+void tri_motion_clear(struct tri_motion *m)
 {
-    struct tri_motion *m = motion;
-
     spring_leapfrog_free(m->leapfrog);
     spring_stencil_clear(&m->stencil);
     spring_large_clear(&m->large);

@@ -80,10 +80,8 @@ static enum status make_contact(struct vb_motion *m)
     return st;
 }
 
-void vb_motion_clear(void *motion)
+void vb_motion_clear(struct vb_motion *m)
 {
-    struct vb_motion *m = motion;
-
     if (!m)
         return;
     net_contact_free(m->contact);

@@ -57,15 +57,26 @@ out:
     return st;
 }
 
-static enum status init(void *state, const struct scene *scene,
-                        const struct discretization *d, struct message *why)
+static void destroy(void *state)
+{
+    vb_motion_clear(state);
+    free(state);
+}
+
+static enum status create(const struct scene *scene, const struct discretization *d,
+                          void **state, struct message *why)
 {
     enum status st;
-    struct vb_motion *m = state;
+    struct vb_motion *m = NULL;
 
     TRY(refuse(scene, d, why));
+    m = calloc(1, sizeof *m);
+    if (!m)
+        TRY(STATUS_MEMORY);
     TRY(vb_motion_init(m, scene, d, why));
+    *state = m, m = NULL;
 out:
+    destroy(m);
     return st;
 }
 
@@ -76,6 +87,11 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
                                     1};
 
     net_surface_points(&net, m->scene, n, uvw, xyz);
+}
+
+static void sample(const void *state, double *xyz)
+{
+    grid_sample(probe, state, xyz);
 }
 
 static void size(const void *state, struct model_size *size)
@@ -129,14 +145,14 @@ const struct model vertex_block_model = {
                  .kinematics = KINEMATICS_NONLINEAR,
                  .substeps = 10,
                  .iterations = 5},
-    .state = sizeof(struct vb_motion),
-    .init = init,
+    .create = create,
     .advance = vb_motion_frame,
+    .sample = sample,
     .probe = probe,
     .size = size,
     .describe = describe,
     .doubt = doubt,
     .energy = vb_motion_energy,
     .contact = vb_motion_contact,
-    .clear = vb_motion_clear,
+    .destroy = destroy,
 };

@@ -33,8 +33,7 @@ out:
 enum status run_build(struct run *r, struct message *why)
 {
     const double start = clock_now();
-    const enum status st =
-        model_create(r->model, &r->scene, &r->discretization, &r->state, why);
+    const enum status st = r->model->create(&r->scene, &r->discretization, &r->state, why);
 
     r->create_seconds = clock_now() - start;
     return st;
@@ -66,7 +65,7 @@ enum status run_modes(struct run *r, int count, double *omega, struct message *w
 void run_close(struct run *r)
 {
     if (r->model)
-        model_destroy(r->model, r->state);
+        r->model->destroy(r->state);
     scene_clear(&r->scene);
     discretization_clear(&r->discretization);
     memset(r, 0, sizeof *r);

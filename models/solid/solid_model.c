@@ -215,7 +215,8 @@ out:
     return st;
 }
 
-enum status solid_model_misfit(struct solid_sheet *s, const struct model *model)
+enum status solid_model_misfit(struct solid_sheet *s,
+                               void (*sample)(const void *state, double *xyz))
 {
     const struct scene *scene = s->motion.scene;
     double *xyz = NULL;
@@ -225,7 +226,7 @@ enum status solid_model_misfit(struct solid_sheet *s, const struct model *model)
     xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
     if (!xyz)
         return STATUS_MEMORY;
-    model_sample(model, s, xyz);
+    sample(s, xyz);
     for (int n = 0; n < GRID_POINTS; n++) {
         double uvw[3], rest[3], *x = xyz + 3 * (size_t)n;
 

@@ -69,15 +69,12 @@ static double *rest_points(const struct scene *scene, int sheets, const int poin
     return x;
 }
 
-static void destroy(void *state)
+static void clear(void *state)
 {
     struct hex *h = state;
 
-    if (!h)
-        return;
     solid_motion_clear(&h->sheet.motion);
     solid_space_clear(&h->sheet.space);
-    free(h);
 }
 
 static void layer_values(const void *context, double w, double *N)
@@ -135,11 +132,6 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     }
 }
 
-static void sample(const void *state, double *xyz)
-{
-    grid_sample(probe, state, xyz);
-}
-
 /* Finds the mid-surface's point in the coefficients: contact_row. */
 static int row(const void *self, double u, double v, int *node, double *shape)
 {
@@ -174,15 +166,15 @@ out:
     return st;
 }
 
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
+static enum status init(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why)
 {
     enum status st;
     bool thickness;
     const double middle[2] = {0.5, 0.5};
     const int sheets = scene_sheets(scene);
     double *x = NULL;
-    struct hex *h = NULL;
+    struct hex *h = state;
 
     TRY(solid_model_refuse_fabric(scene, why));
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
@@ -190,10 +182,6 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(large_leapfrog_refuse(d, why));
     TRY(refuse(d, why));
     TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));
-    h = aligned_alloc(64, (sizeof *h + 63) / 64 * 64);
-    if (!h)
-        TRY(STATUS_MEMORY);
-    memset(h, 0, sizeof *h);
     x = rest_points(scene, sheets, d->points);
     if (!x)
         TRY(STATUS_MEMORY);
@@ -207,10 +195,8 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(add_loads(h));
     if (contact_wanted(scene))
         TRY(meet(h, scene));
-    TRY(solid_model_misfit(&h->sheet, sample));
-    *state = h, h = NULL;
+    TRY(solid_model_misfit(&h->sheet, probe));
 out:
-    destroy(h);
     free(x);
     return st;
 }
@@ -227,9 +213,9 @@ const struct model hex_model = {
                  .kinematics = KINEMATICS_NONLINEAR,
                  .remedy = REMEDY_INCOMPATIBLE},
     .adapt = adapt,
-    .create = create,
+    .bytes = sizeof(struct hex),
+    .init = init,
     .advance = solid_motion_step,
-    .sample = sample,
     .probe = probe,
     .size = solid_model_size,
     .describe = solid_model_describe,
@@ -238,5 +224,5 @@ const struct model hex_model = {
     .equilibrium = solid_model_equilibrium,
     .modes = solid_model_modes,
     .matrices = solid_model_matrices,
-    .destroy = destroy,
+    .clear = clear,
 };

@@ -271,18 +271,28 @@ static void sample(const void *state, double *xyz)
                          xyz);
 }
 
-static void destroy(void *state)
+static void clear(void *state)
 {
     struct plate *p = state;
 
-    if (!p)
-        return;
     solid_motion_clear(&p->sheet.motion);
     plate_space_clear(&p->sheet.space, &p->tables);
     patch_clear(&p->patch);
     free(p->scene.supports);
     free(p->uvw);
-    free(p);
+}
+
+static void probe(const void *state, int n, const double *uvw, double *xyz)
+{
+    const struct plate *p = state;
+    const double *x = points_of(p);
+
+    for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
+        double at[1][3] = {{uvw[0], uvw[1], uvw[2]}};
+        if (p->uvw && find_parameters(p, 1, at))
+            at[0][0] = NAN; /* cannot be: the rest shape was inverted at create */
+        evaluate_at(p, x, at[0], xyz);
+    }
 }
 
 /* Fabrics are for layers alone. */
@@ -419,13 +429,13 @@ static enum status meet(struct plate *p, const struct discretization *d)
     return st == STATUS_OK ? solid_motion_meet(&p->sheet.motion, &surface) : st;
 }
 
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
+static enum status init(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why)
 {
     enum status st;
     bool thickness, one_element;
     double middle[BSPLINE_MAX_ORDER];
-    struct plate *p = NULL;
+    struct plate *p = state;
 
     TRY(model_refuse(scene, PLATE_SERVES, why));
     TRY(contact_rest_refuse(scene, why));
@@ -442,9 +452,6 @@ static enum status create(const struct scene *scene, const struct discretization
     if (d->remedy == REMEDY_CLAMPED && (scene->shape != SCENE_FLAT || scene->sheets > 1))
         TRY(status_fail(why, STATUS_UNSUPPORTED,
                         "remedy=clamped is for one flat sheet; use selective"));
-    p = calloc(1, sizeof *p);
-    if (!p)
-        TRY(STATUS_MEMORY);
     TRY(make_patch(scene, d, &p->patch, why));
     p->scene = *scene;
     TRY(support_knots_hold(scene, p->patch.basis, &p->scene.supports));
@@ -467,24 +474,9 @@ static enum status create(const struct scene *scene, const struct discretization
     TRY(add_loads(p, why));
     if (contact_wanted(scene))
         TRY(meet(p, d));
-    TRY(solid_model_misfit(&p->sheet, sample));
-    *state = p, p = NULL;
+    TRY(solid_model_misfit(&p->sheet, probe));
 out:
-    destroy(p);
     return st;
-}
-
-static void probe(const void *state, int n, const double *uvw, double *xyz)
-{
-    const struct plate *p = state;
-    const double *x = points_of(p);
-
-    for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
-        double at[1][3] = {{uvw[0], uvw[1], uvw[2]}};
-        if (p->uvw && find_parameters(p, 1, at))
-            at[0][0] = NAN; /* cannot be: the rest shape was inverted at create */
-        evaluate_at(p, x, at[0], xyz);
-    }
 }
 
 const struct model plate_model = {
@@ -501,7 +493,8 @@ const struct model plate_model = {
                  .remedy = REMEDY_SELECTIVE},
     .adapt = adapt,
     .extra_points = extra_points,
-    .create = create,
+    .bytes = sizeof(struct plate),
+    .init = init,
     .advance = solid_motion_step,
     .sample = sample,
     .probe = probe,
@@ -513,5 +506,5 @@ const struct model plate_model = {
     .equilibrium = solid_model_equilibrium,
     .modes = solid_model_modes,
     .matrices = solid_model_matrices,
-    .destroy = destroy,
+    .clear = clear,
 };

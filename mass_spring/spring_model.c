@@ -6,7 +6,6 @@
 
 #include "mass_spring/spring_rest.h"
 #include "models/contact/contact_rest.h"
-#include "models/grid.h"
 #include "models/net/net_surface.h"
 
 /* clang-format off */
@@ -27,12 +26,6 @@ static const struct schema_key options[] = {
      OPTION_OWN(spring_own, surface)},
     {NULL}};
 /* clang-format on */
-
-static void destroy(void *state)
-{
-    spring_motion_clear(state);
-    free(state);
-}
 
 static enum status refuse(const struct scene *scene, const struct discretization *d,
                           struct message *why)
@@ -75,22 +68,16 @@ static enum status refuse(const struct scene *scene, const struct discretization
     return STATUS_OK;
 }
 
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
+static enum status init(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why)
 {
     enum status st;
-    struct spring_motion *m = NULL;
 
     TRY(model_refuse_net(scene, d, why));
     TRY(contact_rest_refuse(scene, why));
     TRY(refuse(scene, d, why));
-    m = calloc(1, sizeof *m);
-    if (!m)
-        TRY(STATUS_MEMORY);
-    TRY(spring_motion_init(m, scene, d, why));
-    *state = m, m = NULL;
+    TRY(spring_motion_init(state, scene, d, why));
 out:
-    destroy(m);
     return st;
 }
 
@@ -100,11 +87,6 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     const struct net_surface net = {m->net.rows, m->net.points[1], m->x, 3, 1, m->degree};
 
     net_surface_points(&net, m->scene, n, uvw, xyz);
-}
-
-static void sample(const void *state, double *xyz)
-{
-    grid_sample(probe, state, xyz);
 }
 
 static void size(const void *state, struct model_size *size)
@@ -146,14 +128,14 @@ const struct model spring_model = {
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},
                  .kinematics = KINEMATICS_NONLINEAR},
-    .create = create,
+    .bytes = sizeof(struct spring_motion),
+    .init = init,
     .advance = spring_motion_step,
-    .sample = sample,
     .probe = probe,
     .size = size,
     .describe = describe,
     .energy = spring_motion_energy,
     .contact = spring_motion_contact,
     .equilibrium = spring_rest_equilibrium,
-    .destroy = destroy,
+    .clear = spring_motion_clear,
 };

@@ -110,10 +110,10 @@ out:
     return st;
 }
 
-void spring_motion_clear(struct spring_motion *m)
+void spring_motion_clear(void *motion)
 {
-    if (!m)
-        return;
+    struct spring_motion *m = motion;
+
     spring_large_clear(&m->large);
     spring_strips_clear(&m->strips);
     spring_stencil_clear(&m->stencil);

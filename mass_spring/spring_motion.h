@@ -77,7 +77,7 @@ struct spring_motion {
 /* Initialises; *m must stay where it is: it holds pointers into itself. */
 enum status spring_motion_init(struct spring_motion *m, const struct scene *scene,
                                const struct discretization *d, struct message *why);
-void spring_motion_clear(struct spring_motion *m);
+void spring_motion_clear(void *motion);
 
 /* Implement model.h's entries for a struct spring_motion: step that of advance. */
 enum status spring_motion_step(void *motion, struct counters *counters);

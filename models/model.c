@@ -1,9 +1,10 @@
 #include "models/model.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "models/grid.h"
 
 void matrix_clear(struct matrix *m)
 {
@@ -191,4 +192,35 @@ void model_complete(const struct model *model, const struct scene *scene,
     if (add_points(model, scene, open, d) && d->remedy == all.remedy)
         status_fail(told, STATUS_OK, "knots repeat at the ends of supports");
     tell(&all, d, told);
+}
+
+enum status model_create(const struct model *model, const struct scene *scene,
+                         const struct discretization *d, void **state, struct message *why)
+{
+    const size_t bytes = (model->bytes + 63) / 64 * 64;
+    void *made = aligned_alloc(64, bytes);
+
+    if (!made)
+        return STATUS_MEMORY;
+    const enum status st = model->init(memset(made, 0, bytes), scene, d, why);
+    if (st == STATUS_OK)
+        *state = made;
+    else
+        model_destroy(model, made);
+    return st;
+}
+
+void model_destroy(const struct model *model, void *state)
+{
+    if (state && model->clear)
+        model->clear(state);
+    free(state);
+}
+
+void model_sample(const struct model *model, const void *state, double *xyz)
+{
+    if (model->sample)
+        model->sample(state, xyz);
+    else
+        grid_sample(model->probe, state, xyz);
 }

@@ -96,22 +96,24 @@ struct model {
      * at the degree of *d. */
     int (*extra_points)(const struct scene *scene, const struct discretization *d, int i);
 
-    /* Builds everything that does not depend on time. STATUS_UNSUPPORTED with a sentence
-     * ("no contact") if the scene has physics the model leaves out; STATUS_INPUT if the
-     * discretization is impossible. Scene and discretization are borrowed until destroy.
-     * On failure *state is untouched. */
-    enum status (*create)(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why);
+    size_t bytes; /* of its state                                                      */
+
+    /* Builds everything that does not depend on time in a state of zeros.
+     * STATUS_UNSUPPORTED with a sentence ("no contact") if the scene has physics the model
+     * leaves out; STATUS_INPUT if the discretization is impossible. Scene and
+     * discretization are borrowed until clear, which follows a failure, too. */
+    enum status (*init)(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why);
 
     /* Takes one time step (scene->step) and adds to *counters. After a death the state may
-     * still be sampled and destroyed. */
+     * still be sampled and cleared. */
     enum status (*advance)(void *state, struct counters *counters);
 
-    /* Fills xyz[GRID_W][GRID_V][GRID_U][3] with positions of the material grid [m]. */
+    /* optional: fills xyz[GRID_W][GRID_V][GRID_U][3] with positions of the material grid
+     * [m], the bits of `probe`, where that is slower. */
     void (*sample)(const void *state, double *xyz);
 
-    /* Fills xyz[n][3] with positions of material points uvw[n][3] [m]; at grid points the
-     * same values as sample, bit for bit. */
+    /* Fills xyz[n][3] with positions of material points uvw[n][3] [m]. */
     void (*probe)(const void *state, int n, const double *uvw, double *xyz);
 
     void (*size)(const void *state, struct model_size *size);
@@ -150,7 +152,17 @@ struct model {
      * row = 3 node + component, node = (i m + j) l + k (w fastest, then v, then u). */
     enum status (*matrices)(const void *state, struct matrix *K, struct matrix *M);
 
-    void (*destroy)(void *state); /* NULL is allowed                                   */
+    /* optional: frees what the state owns, after a failure of init what there is of it. */
+    void (*clear)(void *state);
 };
+
+/* Creates the state of a model as its `init` says, aligned for vectors; destroys it, NULL
+ * is allowed. On failure *state is untouched. */
+enum status model_create(const struct model *model, const struct scene *scene,
+                         const struct discretization *d, void **state, struct message *why);
+void model_destroy(const struct model *model, void *state);
+
+/* Fills xyz with positions of the material grid, as `sample` says. */
+void model_sample(const struct model *model, const void *state, double *xyz);
 
 #endif

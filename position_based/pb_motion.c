@@ -259,10 +259,10 @@ static enum status allocate(struct pb_motion *m)
                     ROOM(m->shift, m->supports.held_count), ROOM(m->odd, m->forms.count));
 }
 
-void pb_motion_clear(struct pb_motion *m)
+void pb_motion_clear(void *motion)
 {
-    if (!m)
-        return;
+    struct pb_motion *m = motion;
+
     pb_sweep_free(m->sweep);
     net_contact_free(m->contact);
     spring_load_clear(&m->points);

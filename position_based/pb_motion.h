@@ -99,7 +99,7 @@ struct pb_motion {
 /* Initialises; *m must stay where it is: it holds pointers into itself. */
 enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
                            const struct discretization *d, struct message *why);
-void pb_motion_clear(struct pb_motion *m);
+void pb_motion_clear(void *motion);
 
 /* Implement model.h's entries for a struct pb_motion: frame that of advance. STATUS_NAN. */
 enum status pb_motion_frame(void *motion, struct counters *counters);

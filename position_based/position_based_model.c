@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "models/contact/contact_rest.h"
-#include "models/grid.h"
 #include "models/net/net_surface.h"
 #include "position_based/pb_motion.h"
 
@@ -19,17 +18,10 @@ static const struct schema_key options[] = {
     {NULL}};
 /* clang-format on */
 
-static void destroy(void *state)
-{
-    pb_motion_clear(state);
-    free(state);
-}
-
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
+static enum status init(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why)
 {
     enum status st;
-    struct pb_motion *m = NULL;
 
     TRY(model_refuse_net(scene, d, why));
     TRY(contact_rest_refuse(scene, why));
@@ -42,13 +34,8 @@ static enum status create(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "unsupported: no damping by stiffness (rayleigh beta) with "
                            "projection=pbd, which knows no stiffness");
-    m = calloc(1, sizeof *m);
-    if (!m)
-        TRY(STATUS_MEMORY);
-    TRY(pb_motion_init(m, scene, d, why));
-    *state = m, m = NULL;
+    TRY(pb_motion_init(state, scene, d, why));
 out:
-    destroy(m);
     return st;
 }
 
@@ -58,11 +45,6 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     const struct net_surface net = {m->net.rows, m->net.points[1], m->x, 3, 1};
 
     net_surface_points(&net, m->scene, n, uvw, xyz);
-}
-
-static void sample(const void *state, double *xyz)
-{
-    grid_sample(probe, state, xyz);
 }
 
 static void size(const void *state, struct model_size *size)
@@ -116,14 +98,14 @@ const struct model position_based_model = {
                  .degree = {1, 1, 1},
                  .kinematics = KINEMATICS_NONLINEAR,
                  .iterations = 1},
-    .create = create,
+    .bytes = sizeof(struct pb_motion),
+    .init = init,
     .advance = pb_motion_frame,
-    .sample = sample,
     .probe = probe,
     .size = size,
     .describe = describe,
     .doubt = doubt,
     .energy = pb_motion_energy,
     .contact = pb_motion_contact,
-    .destroy = destroy,
+    .clear = pb_motion_clear,
 };

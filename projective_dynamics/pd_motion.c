@@ -164,10 +164,10 @@ out:
     return st;
 }
 
-void pd_motion_clear(struct pd_motion *m)
+void pd_motion_clear(void *motion)
 {
-    if (!m)
-        return;
+    struct pd_motion *m = motion;
+
     const struct pd_net *net = &m->energy.net;
     double *fields[] = {m->x,    m->v,      m->base,  m->start,
                         m->next, m->before, m->saved, m->dead};

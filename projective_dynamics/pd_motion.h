@@ -64,7 +64,7 @@ struct pd_motion {
 /* Initialises; *m must stay where it is until pd_motion_clear. */
 enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                            const struct pd_options *options, struct message *why);
-void pd_motion_clear(struct pd_motion *m);
+void pd_motion_clear(void *motion);
 
 /* Implement model.h's entries for a struct pd_motion: frame that of advance. STATUS_NAN. */
 enum status pd_motion_frame(void *motion, struct counters *counters);

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 
 #include "models/contact/contact_rest.h"
-#include "models/grid.h"
 #include "models/net/net_surface.h"
 #include "models/net/spring_law.h"
 #include "projective_dynamics/pd_motion.h"
@@ -78,17 +77,10 @@ static struct pd_options options_of(const struct scene *scene,
     return o;
 }
 
-static void destroy(void *state)
-{
-    pd_motion_clear(state);
-    free(state);
-}
-
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
+static enum status init(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why)
 {
     enum status st;
-    struct pd_motion *m = NULL;
     const struct pd_options chosen = options_of(scene, d);
 
     TRY(model_refuse_net(scene, d, why));
@@ -108,13 +100,8 @@ static enum status create(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "a fabric: with constraint=edges only, the projection of "
                            "triangles is isotropic");
-    m = calloc(1, sizeof *m);
-    if (!m)
-        TRY(STATUS_MEMORY);
-    TRY(pd_motion_init(m, scene, &chosen, why));
-    *state = m, m = NULL;
+    TRY(pd_motion_init(state, scene, &chosen, why));
 out:
-    destroy(m);
     return st;
 }
 
@@ -125,11 +112,6 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     const struct net_surface surface = {net->rows, net->m, m->x, 1, pd_net_stride(net)};
 
     net_surface_points(&surface, m->scene, n, uvw, xyz);
-}
-
-static void sample(const void *state, double *xyz)
-{
-    grid_sample(probe, state, xyz);
 }
 
 static void doubt(const void *state, struct message *line)
@@ -174,14 +156,14 @@ const struct model projective_dynamics_model = {
                  .kinematics = KINEMATICS_NONLINEAR,
                  .iterations = DEFAULT_ITERATIONS},
     .adapt = adapt,
-    .create = create,
+    .bytes = sizeof(struct pd_motion),
+    .init = init,
     .advance = pd_motion_frame,
-    .sample = sample,
     .probe = probe,
     .size = pd_motion_size,
     .describe = describe,
     .doubt = doubt,
     .energy = pd_motion_energy,
     .contact = pd_motion_contact,
-    .destroy = destroy,
+    .clear = pd_motion_clear,
 };

@@ -203,32 +203,24 @@ static int alive(const struct shell *s, int i, double at, double *value)
     return bspline_alive(&s->space.basis[i], sheet, at, 1, value);
 }
 
-static void destroy(void *state)
+static void clear(void *state)
 {
     struct shell *s = state;
 
-    if (!s)
-        return;
     shell_motion_clear(&s->motion);
     shell_space_clear(&s->space);
-    free(s);
 }
 
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
+static enum status init(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why)
 {
     enum status st;
-    struct shell *s = NULL;
+    struct shell *s = state;
 
     TRY(refuse(scene, d, why));
-    s = calloc(1, sizeof *s);
-    if (!s)
-        TRY(STATUS_MEMORY);
     TRY(make_space(scene, d, &s->space, why));
     TRY(shell_motion_init(&s->motion, scene, &s->space, d, why));
-    *state = s, s = NULL;
 out:
-    destroy(s);
     return st;
 }
 
@@ -368,7 +360,8 @@ const struct model shell_model = {
                  .remedy = REMEDY_SELECTIVE},
     .adapt = adapt,
     .extra_points = extra_points,
-    .create = create,
+    .bytes = sizeof(struct shell),
+    .init = init,
     .advance = shell_motion_step,
     .sample = sample,
     .probe = probe,
@@ -379,5 +372,5 @@ const struct model shell_model = {
     .equilibrium = shell_motion_equilibrium,
     .modes = shell_motion_modes,
     .matrices = shell_motion_matrices,
-    .destroy = destroy,
+    .clear = clear,
 };

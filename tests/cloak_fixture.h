@@ -40,7 +40,7 @@ static inline void *create(const struct model *model, const struct scene *s,
     struct message why = {{0}};
     void *state = NULL;
 
-    if (!CHECK(model->create(s, d, &state, &why) == STATUS_OK))
+    if (!CHECK(model_create(model, s, d, &state, &why) == STATUS_OK))
         printf("%s: %s\n", model->name, why.text);
     REQUIRE(state);
     return state;

@@ -51,7 +51,7 @@ static inline void *create(const struct model *model, const struct scene *scene,
     struct message why = {{0}};
     void *state = NULL;
 
-    if (!CHECK(model->create(scene, d, &state, &why) == STATUS_OK))
+    if (!CHECK(model_create(model, scene, d, &state, &why) == STATUS_OK))
         printf("%s: %s\n", model->name, why.text);
     REQUIRE(state);
     return state;

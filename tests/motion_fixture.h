@@ -19,7 +19,7 @@ typedef double run_field[GRID_POINTS][3];
 
 static inline void run_sample(const struct run *run, run_field field)
 {
-    run->model->sample(run->state, field[0]);
+    model_sample(run->model, run->state, field[0]);
 }
 
 static inline size_t run_unknowns(const struct run *run)

@@ -24,8 +24,8 @@ enum odd {
     ODD_INPUT,       /* likewise: impossible                                           */
 };
 
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
+static enum status init(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why)
 {
     const enum odd what = (enum odd)scene->density;
 
@@ -36,7 +36,7 @@ static enum status create(const struct scene *scene, const struct discretization
     script.create = what == ODD_UNSUPPORTED ? STATUS_UNSUPPORTED
                     : what == ODD_INPUT     ? STATUS_INPUT
                                             : STATUS_OK;
-    return scripted_create(scene, d, state, why);
+    return scripted_init(state, scene, d, why);
 }
 
 static enum status advance(void *state, struct counters *counters)
@@ -72,11 +72,10 @@ const struct model odd_model = {
     .title = "ends as it is told",
     .source = "a test",
     .defaults = {.points = {2, 2, 1}, .degree = {1, 1, 1}},
-    .create = create,
+    .bytes = sizeof(struct scripted),
+    .init = init,
     .advance = advance,
-    .sample = scripted_sample,
     .probe = scripted_probe,
     .size = scripted_size,
     .energy = scripted_energy,
-    .destroy = free,
 };

@@ -101,7 +101,7 @@ static inline double opened_off(const struct run *run, const double *by)
 {
     static double xyz[3 * GRID_POINTS], want[3 * GRID_POINTS];
 
-    run->model->sample(run->state, xyz);
+    model_sample(run->model, run->state, xyz);
     for (int n = 0; n < GRID_POINTS; n++) {
         double uvw[3];
         grid_point(n, uvw);

@@ -50,22 +50,18 @@ static void script_wait(double seconds)
     nanosleep(&(struct timespec){0, (long)(seconds * 1e9)}, NULL);
 }
 
-static enum status scripted_create(const struct scene *scene,
-                                   const struct discretization *d, void **state,
-                                   struct message *why)
+static enum status scripted_init(void *state, const struct scene *scene,
+                                 const struct discretization *d, struct message *why)
 {
-    struct scripted *s;
+    struct scripted *s = state;
 
     if (script.create && script_creates >= script.refuse_after)
         return status_fail(why, script.create, "scripted: would not");
     script_creates++;
-    s = calloc(1, sizeof *s);
-    REQUIRE(s);
     script_wait(script.create_seconds);
     s->scene = scene;
     s->letter = d->points[0] - 2;
     script_note('A' + s->letter);
-    *state = s;
     return STATUS_OK;
 }
 
@@ -90,15 +86,6 @@ static void scripted_probe(const void *state, int n, const double *uvw, double *
     for (int p = 0; p < n; p++) {
         scene_rest_point(s->scene, uvw + 3 * p, xyz + 3 * p);
         xyz[3 * p + 2] += s->frame == script.escapes && s->frame ? 1e3 : 1e-3 * s->frame;
-    }
-}
-
-static void scripted_sample(const void *state, double *xyz)
-{
-    for (int n = 0; n < GRID_POINTS; n++) {
-        double uvw[3];
-        grid_point(n, uvw);
-        scripted_probe(state, 1, uvw, xyz + 3 * n);
     }
 }
 
@@ -132,14 +119,13 @@ static const struct model scripted_model = {
     .title = "does as it is told",
     .source = "a test",
     .defaults = {.points = {2, 2, 1}, .degree = {1, 1, 1}},
-    .create = scripted_create,
+    .bytes = sizeof(struct scripted),
+    .init = scripted_init,
     .advance = scripted_advance,
-    .sample = scripted_sample,
     .probe = scripted_probe,
     .size = scripted_size,
     .energy = scripted_energy,
     .equilibrium = scripted_equilibrium,
-    .destroy = free,
 };
 
 static const struct contestant scripted = {.name = "scripted",

@@ -9,10 +9,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "models/grid.h"
 #include "models/mechanics/supports.h"
 
-/* What is served here is not refused by create; every other bit is, with its name. */
+/* What is served here is not refused by init; every other bit is, with its name. */
 #define SERVES (SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG)
 
 struct toy {
@@ -45,19 +44,16 @@ static enum status refuse(const struct discretization *d, struct message *why)
     return model_refuse_options(d, why);
 }
 
-/* NULL and what a failed create leaves are allowed. */
-static void destroy(void *state)
+/* Frees what the state owns; what a failed init leaves is allowed. */
+static void clear(void *state)
 {
     struct toy *t = state;
 
-    if (!t)
-        return;
     free(t->d);
     free(t->v);
     free(t->diagonal);
     free(t->right);
     supports_clear(&t->supports);
-    free(t);
 }
 
 static enum status allocate(struct toy *t)
@@ -88,18 +84,15 @@ static enum status hold(struct toy *t, struct message *why)
     return st;
 }
 
-/* All that does not depend on time. *state is set last, when nothing can fail any more. */
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
+/* Builds all that does not depend on time; the state is all zero. */
+static enum status init(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why)
 {
     enum status st;
-    struct toy *t = NULL;
+    struct toy *t = state;
 
     TRY(model_refuse(scene, SERVES, why)); /* never ignored in silence */
     TRY(refuse(d, why));
-    t = calloc(1, sizeof *t);
-    if (!t)
-        TRY(STATUS_MEMORY);
     double element = scene->length / (d->points[0] - 1);
     double shear = scene->young / (2 * (1 + scene->poisson));
     t->scene = scene;
@@ -110,9 +103,7 @@ static enum status create(const struct scene *scene, const struct discretization
     t->stiffness = shear * scene->thickness / element;
     TRY(allocate(t));
     TRY(hold(t, why));
-    *state = t, t = NULL;
 out:
-    destroy(t);
     return st;
 }
 
@@ -229,16 +220,6 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     }
 }
 
-/* By way of probe: the two must agree to the bit. */
-static void sample(const void *state, double *xyz)
-{
-    for (int n = 0; n < GRID_POINTS; n++) {
-        double uvw[3];
-        grid_point(n, uvw);
-        probe(state, 1, uvw, xyz + 3 * (size_t)n);
-    }
-}
-
 static void size(const void *state, struct model_size *size)
 {
     const struct toy *t = state;
@@ -269,7 +250,8 @@ static void energy(const void *state, struct energy *energy)
         }
 }
 
-/* Entries left out are NULL: describe, equilibrium, modes, matrices are optional. */
+/* Entries left out are NULL: sample, describe, equilibrium, modes, matrices are optional.
+ */
 const struct model toy_model = {
     .name = "toy",
     .title = "strands in shear",
@@ -280,11 +262,11 @@ const struct model toy_model = {
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},
                  .kinematics = KINEMATICS_LINEAR},
-    .create = create,
+    .bytes = sizeof(struct toy),
+    .init = init,
     .advance = advance,
-    .sample = sample,
     .probe = probe,
     .size = size,
     .energy = energy,
-    .destroy = destroy,
+    .clear = clear,
 };

@@ -28,13 +28,13 @@ int main(void)
     scene.gravity[2] = -9.81;
     scene.damping = (struct scene_damping){.kind = DAMPING_MASS, .value = 60};
     model_defaults(&toy_model, &d);
-    REQUIRE(toy_model.create(&scene, &d, &state, NULL) == STATUS_OK);
+    REQUIRE(model_create(&toy_model, &scene, &d, &state, NULL) == STATUS_OK);
     for (int n = 0; n < STEPS; n++)
         CHECK(toy_model.advance(state, &counters) == STATUS_OK);
     toy_model.probe(state, 1, tip, xyz);
     double shear = scene.young / (2 * (1 + scene.poisson));
     CHECK_RELATIVE(xyz[2], -0.5 * 9.81 * 0.25 / (2 * shear), rounding);
-    toy_model.destroy(state);
+    model_destroy(&toy_model, state);
     scene_clear(&scene);
     return check_result();
 }

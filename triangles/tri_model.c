@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "models/contact/contact_rest.h"
-#include "models/grid.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/net/net_surface.h"
 #include "triangles/tri_motion.h"
@@ -64,28 +63,12 @@ out:
     return st;
 }
 
-static void destroy(void *state)
+static enum status init(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why)
 {
-    if (state)
-        tri_motion_clear(state);
-    free(state);
-}
+    const enum status st = refuse(scene, d, why);
 
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
-{
-    enum status st;
-    struct tri_motion *m = NULL;
-
-    TRY(refuse(scene, d, why));
-    m = calloc(1, sizeof *m);
-    if (!m)
-        TRY(STATUS_MEMORY);
-    TRY(tri_motion_init(m, scene, d, why));
-    *state = m, m = NULL;
-out:
-    destroy(m);
-    return st;
+    return st == STATUS_OK ? tri_motion_init(state, scene, d, why) : st;
 }
 
 static void probe(const void *state, int n, const double *uvw, double *xyz)
@@ -95,11 +78,6 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
                                     1};
 
     net_surface_points(&net, m->scene, n, uvw, xyz);
-}
-
-static void sample(const void *state, double *xyz)
-{
-    grid_sample(probe, state, xyz);
 }
 
 static void size(const void *state, struct model_size *size)
@@ -155,9 +133,9 @@ const struct model tri_model = {
                  .degree = {1, 1, 1},
                  .kinematics = KINEMATICS_NONLINEAR,
                  .integrator = INTEGRATOR_MOMENTUM},
-    .create = create,
+    .bytes = sizeof(struct tri_motion),
+    .init = init,
     .advance = tri_motion_step,
-    .sample = sample,
     .probe = probe,
     .size = size,
     .describe = describe,
@@ -166,5 +144,5 @@ const struct model tri_model = {
     .equilibrium = tri_motion_rest,
     .modes = tri_motion_modes,
     .matrices = tri_motion_matrices,
-    .destroy = destroy,
+    .clear = tri_motion_clear,
 };

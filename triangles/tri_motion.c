@@ -112,8 +112,10 @@ out:
     return st;
 }
 
-void tri_motion_clear(struct tri_motion *m)
+void tri_motion_clear(void *motion)
 {
+    struct tri_motion *m = motion;
+
     spring_leapfrog_free(m->leapfrog);
     spring_stencil_clear(&m->stencil);
     spring_large_clear(&m->large);

@@ -43,7 +43,7 @@ struct tri_motion {
 /* Initialises; *m must stay where it is: it holds pointers into itself. */
 enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
                             const struct discretization *d, struct message *why);
-void tri_motion_clear(struct tri_motion *m);
+void tri_motion_clear(void *motion);
 
 /* Implement model.h's entries advance, equilibrium, modes, matrices, contact and energy;
  * the state is a struct tri_motion. */

@@ -80,10 +80,10 @@ static enum status make_contact(struct vb_motion *m)
     return st;
 }
 
-void vb_motion_clear(struct vb_motion *m)
+void vb_motion_clear(void *motion)
 {
-    if (!m)
-        return;
+    struct vb_motion *m = motion;
+
     net_contact_free(m->contact);
     vb_body_clear(&m->body);
     supports_clear(&m->supports);

@@ -70,7 +70,7 @@ struct vb_motion {
 /* Initialises; *m must stay where it is: it holds pointers into itself. */
 enum status vb_motion_init(struct vb_motion *m, const struct scene *scene,
                            const struct discretization *d, struct message *why);
-void vb_motion_clear(struct vb_motion *m);
+void vb_motion_clear(void *motion);
 
 /* Implement model.h's entries for a struct vb_motion: frame that of advance. STATUS_NAN. */
 enum status vb_motion_frame(void *motion, struct counters *counters);

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "models/contact/contact_rest.h"
-#include "models/grid.h"
 #include "models/net/net_surface.h"
 #include "vertex_block/vb_motion.h"
 
@@ -57,27 +56,12 @@ out:
     return st;
 }
 
-static void destroy(void *state)
+static enum status init(void *state, const struct scene *scene,
+                        const struct discretization *d, struct message *why)
 {
-    vb_motion_clear(state);
-    free(state);
-}
+    const enum status st = refuse(scene, d, why);
 
-static enum status create(const struct scene *scene, const struct discretization *d,
-                          void **state, struct message *why)
-{
-    enum status st;
-    struct vb_motion *m = NULL;
-
-    TRY(refuse(scene, d, why));
-    m = calloc(1, sizeof *m);
-    if (!m)
-        TRY(STATUS_MEMORY);
-    TRY(vb_motion_init(m, scene, d, why));
-    *state = m, m = NULL;
-out:
-    destroy(m);
-    return st;
+    return st == STATUS_OK ? vb_motion_init(state, scene, d, why) : st;
 }
 
 static void probe(const void *state, int n, const double *uvw, double *xyz)
@@ -87,11 +71,6 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
                                     1};
 
     net_surface_points(&net, m->scene, n, uvw, xyz);
-}
-
-static void sample(const void *state, double *xyz)
-{
-    grid_sample(probe, state, xyz);
 }
 
 static void size(const void *state, struct model_size *size)
@@ -145,14 +124,14 @@ const struct model vertex_block_model = {
                  .kinematics = KINEMATICS_NONLINEAR,
                  .substeps = 10,
                  .iterations = 5},
-    .create = create,
+    .bytes = sizeof(struct vb_motion),
+    .init = init,
     .advance = vb_motion_frame,
-    .sample = sample,
     .probe = probe,
     .size = size,
     .describe = describe,
     .doubt = doubt,
     .energy = vb_motion_energy,
     .contact = vb_motion_contact,
-    .destroy = destroy,
+    .clear = vb_motion_clear,
 };

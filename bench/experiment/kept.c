@@ -61,7 +61,7 @@ enum status kept_close(struct kept **kept, struct message *why)
         st = table_print(k->sentences, TABLE_CSV, output_stream(file));
     end(kept);
     if (st == STATUS_OK)
-        return output_close(file, why);
+        return output_close(&file, why);
     output_discard(file);
     return st;
 }

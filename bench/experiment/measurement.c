@@ -40,7 +40,7 @@ static enum status put_away(struct job *j, struct message *why)
 {
     const enum status st = run_file_end(j->file, why);
 
-    j->run.model->destroy(j->run.state);
+    model_destroy(j->run.model, j->run.state);
     j->run.state = j->motion.state = NULL;
     return st;
 }
@@ -93,7 +93,7 @@ static enum status store_phases(const struct measurement_options *options, struc
             st = run_file_seconds(j->file, name[p], seconds, repeats, 0, why);
     }
 out:
-    fresh.model->destroy(fresh.state);
+    model_destroy(fresh.model, fresh.state);
     return status_is_death(st) ? STATUS_OK : st;
 }
 

@@ -526,7 +526,6 @@ static enum status load(const char *path, char **text, struct yaml_tree **root,
 
     TRY(named_file_read(&plan_kind, path, text, &size, why));
     TRY(yaml_tree_parse(path, false, *text, size, root, why));
-    (*text)[size] = '\0'; /* there is room: it was not too long to parse */
 out:
     return st;
 }

@@ -546,7 +546,7 @@ typedef enum status write_one(struct export_job *j, struct output *out);
 static enum status write_file(struct export_job *j, const char *name, write_one *write,
                               const char *folder, struct message *why)
 {
-    struct output *out = NULL, *done;
+    struct output *out = NULL;
     char path[4096];
     enum status st;
 
@@ -554,8 +554,7 @@ static enum status write_file(struct export_job *j, const char *name, write_one 
         return status_fail(why, STATUS_FILE, "%.60s...: the path is too long", folder);
     TRY(output_create(path, &out, why));
     TRY(write(j, out));
-    done = out, out = NULL;
-    TRY(output_close(done, why));
+    TRY(output_close(&out, why));
 out:
     output_discard(out);
     return st;

@@ -211,3 +211,13 @@ double csv_number(const struct csv_table *t, int row, int column)
 
     return end == words || *end ? NAN : number;
 }
+
+const char *csv_words_of(const struct csv_table *t, int row, const char *key)
+{
+    return csv_words(t, row, csv_column(t, key));
+}
+
+double csv_number_of(const struct csv_table *t, int row, const char *key)
+{
+    return csv_number(t, row, csv_column(t, key));
+}

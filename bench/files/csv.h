@@ -29,8 +29,11 @@ void csv_clear(struct csv *csv); /* all-zero is allowed */
 /* Returns the index of a key, -1: there is none. */
 int csv_column(const struct csv_table *t, const char *key);
 
-/* Return a cell: as words ("" if there is none), as a number (NaN if it is none). */
+/* Return a cell: as words ("" if there is none), as a number (NaN if it is none); _of: of a
+ * column by its key. */
 const char *csv_words(const struct csv_table *t, int row, int column);
 double csv_number(const struct csv_table *t, int row, int column);
+const char *csv_words_of(const struct csv_table *t, int row, const char *key);
+double csv_number_of(const struct csv_table *t, int row, const char *key);
 
 #endif

@@ -59,7 +59,7 @@ enum status matrix_market_write(const char *path, const struct matrix *m,
     output_print(out, "%%%%MatrixMarket matrix coordinate real symmetric\n");
     print_comment(out, comment);
     print_columns(out, matrix);
-    st = output_close(out, why);
+    st = output_close(&out, why);
 out:
     cholmod_free_sparse(&matrix, &common);
     cholmod_finish(&common);

@@ -78,12 +78,14 @@ static bool close_checked(FILE *file, int *reason)
     return !failed;
 }
 
-enum status output_close(struct output *out, struct message *why)
+enum status output_close(struct output **created, struct message *why)
 {
     enum status st = STATUS_OK;
+    struct output *out = *created;
     FILE *file = out->file;
     int reason;
 
+    *created = NULL;
     out->file = NULL;
     if (!close_checked(file, &reason))
         TRY(status_fail(why, STATUS_FILE, "%s: cannot be written: %s", out->target.path,

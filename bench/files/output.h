@@ -24,9 +24,10 @@ int output_digits(double value);
  * it. */
 FILE *output_stream(struct output *out);
 
-/* Writes what is left, checks every write since the start, syncs, renames, frees. On
- * failure (a full disk) STATUS_FILE with a sentence, and nothing of the file is left. */
-enum status output_close(struct output *out, struct message *why);
+/* Writes what is left, checks every write since the start, syncs, renames, frees and
+ * sets *out to NULL. On failure (a full disk) STATUS_FILE with a sentence, and nothing of
+ * the file is left. */
+enum status output_close(struct output **out, struct message *why);
 
 /* Gives the file up: nothing of it is left. NULL is allowed. */
 void output_discard(struct output *out);

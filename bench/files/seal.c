@@ -141,7 +141,7 @@ enum status seal_text_write(const char *path, const char *text, struct message *
         return st;
     seal_of(text, strlen(text), seal);
     output_print(out, "%s%s", text, seal);
-    return output_close(out, why);
+    return output_close(&out, why);
 }
 
 /* Returns whether text[size] ends in its seal, which is then cut off. */

@@ -96,7 +96,7 @@ enum status xdmf_write(const char *result_path, int sheets, const double *time, 
     for (int frame = 0; frame < frames; frame++)
         print_frame(out, result_path, sheets, frame, time[frame]);
     output_print(out, "</Grid>\n</Domain>\n</Xdmf>\n");
-    st = output_close(out, why);
+    st = output_close(&out, why);
 out:
     free(path);
     return st;

@@ -61,7 +61,7 @@ static enum status look(const struct motion *m)
     double *xyz = malloc(GRID_POINTS * 3 * sizeof *xyz);
     if (!xyz)
         return STATUS_MEMORY;
-    m->model->sample(m->state, xyz);
+    model_sample(m->model, m->state, xyz);
     enum status st = metric_blowup(m->scene, m->steps * m->scene->step, xyz);
     free(xyz);
     return st;

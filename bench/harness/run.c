@@ -33,7 +33,8 @@ out:
 enum status run_build(struct run *r, struct message *why)
 {
     const double start = clock_now();
-    const enum status st = r->model->create(&r->scene, &r->discretization, &r->state, why);
+    const enum status st =
+        model_create(r->model, &r->scene, &r->discretization, &r->state, why);
 
     r->create_seconds = clock_now() - start;
     return st;
@@ -65,7 +66,7 @@ enum status run_modes(struct run *r, int count, double *omega, struct message *w
 void run_close(struct run *r)
 {
     if (r->model)
-        r->model->destroy(r->state);
+        model_destroy(r->model, r->state);
     scene_clear(&r->scene);
     discretization_clear(&r->discretization);
     memset(r, 0, sizeof *r);

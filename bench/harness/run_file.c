@@ -130,7 +130,7 @@ static void sample(struct run_file *f, double time, const struct counters *work)
 {
     const struct run *run = f->run;
 
-    run->model->sample(run->state, f->xyz);
+    model_sample(run->model, run->state, f->xyz);
     f->energy = (struct energy){NAN, NAN, NAN};
     if (run->model->energy)
         run->model->energy(run->state, &f->energy);

@@ -95,7 +95,7 @@ static enum status run_once(struct timing_case *c, int repeat, struct message *w
     if (repeat == 0) /* later the libraries keep memory */
         c->bytes = clock_allocated() - before;
 out:
-    fresh.model->destroy(fresh.state);
+    model_destroy(fresh.model, fresh.state);
     return st;
 }
 

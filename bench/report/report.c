@@ -11,14 +11,13 @@ static enum status make_page(const char *folder, const struct report_found *foun
                              const char *path, struct message *why)
 {
     char said[REPORT_SENTENCES][REPORT_SENTENCE];
-    struct output *out = NULL, *done;
+    struct output *out = NULL;
     enum status st;
 
     TRY(output_create(path, &out, why));
     TRY(report_page_write(output_stream(out), folder, found, said, why));
     const long size = ftell(output_stream(out));
-    done = out, out = NULL;
-    TRY(output_close(done, why));
+    TRY(output_close(&out, why));
     printf("%s: one page, %ld kB\n", path, size / 1000);
 out:
     output_discard(out);

@@ -181,16 +181,6 @@ static enum status write_file(struct player *p, const char *path, const char *na
     return st == STATUS_MEMORY ? st : STATUS_OK;
 }
 
-static double number(const struct csv_table *t, int row, const char *key)
-{
-    return csv_number(t, row, csv_column(t, key));
-}
-
-static const char *contestant(const struct csv_table *t, int row)
-{
-    return csv_words(t, row, csv_column(t, "contestant"));
-}
-
 static const char worst[] = "worst_rmse_over_length";
 
 /* Returns the row of row's contestant that is nearest to the truth; -1: none lived. */
@@ -200,8 +190,9 @@ static int nearest(const struct csv_table *t, int row)
     int best = -1;
 
     for (int n = 0; n < t->rows; n++)
-        if (!strcmp(contestant(t, n), contestant(t, row)) && number(t, n, worst) < least) {
-            least = number(t, n, worst);
+        if (!strcmp(csv_words_of(t, n, "contestant"), csv_words_of(t, row, "contestant")) &&
+            csv_number_of(t, n, worst) < least) {
+            least = csv_number_of(t, n, worst);
             best = n;
         }
     return best;
@@ -217,10 +208,11 @@ static bool is_plain(const char *name)
 static enum status write_run(struct player *p, const char *folder,
                              const struct csv_table *t, int row, double frame)
 {
-    const char *who = contestant(t, row);
-    const double iterations = number(t, row, "iterations"), side = number(t, row, "side"),
-                 across = number(t, row, "across"),
-                 steps = frame / number(t, row, "step_s");
+    const char *who = csv_words_of(t, row, "contestant");
+    const double iterations = csv_number_of(t, row, "iterations"),
+                 side = csv_number_of(t, row, "side"),
+                 across = csv_number_of(t, row, "across"),
+                 steps = frame / csv_number_of(t, row, "step_s");
     char path[PATH], name[128], net[32];
 
     /* A table written before nets could differ across has no such column; then the sheet is
@@ -232,8 +224,8 @@ static enum status write_run(struct player *p, const char *folder,
                  net, steps, iterations > 0 ? iterations : 0) >= (int)sizeof path)
         return STATUS_OK;
     snprintf(name, sizeof name, "%.60s, %.0fx%.0f points, %.3g %% off",
-             csv_words(t, row, csv_column(t, "title")), side, isnan(across) ? side : across,
-             100 * number(t, row, worst));
+             csv_words_of(t, row, "title"), side, isnan(across) ? side : across,
+             100 * csv_number_of(t, row, worst));
     return write_file(p, path, name);
 }
 
@@ -244,7 +236,7 @@ static enum status write_runs(struct player *p, const char *folder,
     enum status st = STATUS_OK;
 
     for (int n = 0; n < t->rows; n++) {
-        frame = fmax(frame, number(t, n, "step_s"));
+        frame = fmax(frame, csv_number_of(t, n, "step_s"));
         p->runs += nearest(t, n) == n;
     }
     for (int n = 0; n < t->rows; n++)

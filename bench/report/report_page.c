@@ -7,21 +7,10 @@
 #include "bench/report/report_json.h"
 #include "bench/report/report_motion.h"
 #include "bench/report/site_parts.h"
-#include "models/reader/named_file.h"
+#include "bench/ui/html.h"
 
 /* The page is smaller than this [bytes]. */
 #define MOST 10000000
-
-static const struct named_file_kind page_kind = {
-    .what = "page",
-    .ending = ".html",
-    .environment = "CLOTHBENCH_REPORT",
-    .from_program = REPORT_FROM_PROGRAM,
-    .in_source = REPORT_IN_SOURCE,
-};
-
-/* The place in the page that the data replace. */
-static const char mark[] = "@DATA@";
 
 static void write_provenance(FILE *file)
 {
@@ -78,29 +67,6 @@ out:
     return st;
 }
 
-static enum status read_page(char **page, char **rest, struct message *why)
-{
-    char *path = NULL;
-    size_t size;
-    enum status st;
-
-    TRY(named_file_find(&page_kind, "page", &path, why));
-    TRY(named_file_read(&page_kind, path, page, &size, why));
-    char *text = realloc(*page, size + 1);
-    if (!text)
-        TRY(STATUS_MEMORY);
-    *page = text;
-    text[size] = '\0';
-    *rest = strstr(text, mark);
-    if (!*rest)
-        TRY(status_fail(why, STATUS_INPUT, "%s: the page has no %s", path, mark));
-    **rest = '\0';
-    *rest += strlen(mark);
-out:
-    free(path);
-    return st;
-}
-
 enum status report_page_write(FILE *file, const char *folder,
                               const struct report_found *found,
                               char said[REPORT_SENTENCES][REPORT_SENTENCE],
@@ -109,7 +75,7 @@ enum status report_page_write(FILE *file, const char *folder,
     char *page = NULL, *rest;
     enum status st;
 
-    TRY(read_page(&page, &rest, why));
+    TRY(html_page_read(&page, &rest, why));
     fputs(page, file);
     TRY(write_data(file, folder, found, said));
     const long room = MOST - ftell(file) - (long)strlen(rest) - 64 * 1024;
@@ -120,23 +86,6 @@ enum status report_page_write(FILE *file, const char *folder,
     TRY(report_part_pictures(file, folder, room));
     fputs("]}", file);
     fputs(rest, file);
-out:
-    free(page);
-    return st;
-}
-
-enum status report_page_style(FILE *file, struct message *why)
-{
-    static const char begin[] = "<style>\n", end[] = "</style>";
-    char *page = NULL, *rest;
-    enum status st;
-
-    TRY(read_page(&page, &rest, why));
-    const char *style = strstr(page, begin), *last = style ? strstr(style, end) : NULL;
-    if (!last)
-        TRY(status_fail(why, STATUS_INPUT, "page.html: the page has no %s", end));
-    style += strlen(begin);
-    fwrite(style, 1, (size_t)(last - style), file);
 out:
     free(page);
     return st;

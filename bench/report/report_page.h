@@ -13,7 +13,4 @@ enum status report_page_write(FILE *file, const char *folder,
                               char said[REPORT_SENTENCES][REPORT_SENTENCE],
                               struct message *why);
 
-/* Writes the page's CSS. Statuses as above. */
-enum status report_page_style(FILE *file, struct message *why);
-
 #endif

@@ -38,9 +38,9 @@ static int write_kept(FILE *file, struct tally *tally, const struct report_part 
     const struct csv_table *t = report_part_table(found, KEPT_SENTENCES);
 
     for (int n = 0; t && n < t->rows; n++)
-        write_claim(file, tally, part, csv_words(t, n, csv_column(t, "claim")),
-                    csv_words(t, n, csv_column(t, "verdict")),
-                    csv_words(t, n, csv_column(t, "sentence")), found->quick);
+        write_claim(file, tally, part, csv_words_of(t, n, "claim"),
+                    csv_words_of(t, n, "verdict"), csv_words_of(t, n, "sentence"),
+                    found->quick);
     return t ? t->rows : 0;
 }
 
@@ -101,11 +101,9 @@ int report_summary_best(const struct csv_table *t, struct report_run *best)
 
     for (int row = 0; row < t->rows; row++) {
         const struct report_run p = {
-            csv_words(t, row, csv_column(t, "title")),
-            csv_words(t, row, csv_column(t, "contestant")),
-            csv_words(t, row, csv_column(t, "model")),
-            csv_number(t, row, csv_column(t, "seconds")),
-            csv_number(t, row, csv_column(t, "worst_rmse_over_length"))};
+            csv_words_of(t, row, "title"), csv_words_of(t, row, "contestant"),
+            csv_words_of(t, row, "model"), csv_number_of(t, row, "seconds"),
+            csv_number_of(t, row, "worst_rmse_over_length")};
         if (p.seconds > 0 && p.error > 0)
             best[count++] = p;
     }
@@ -164,7 +162,7 @@ static void tell_checks(const struct report_found *verify, char text[TEXT])
     for (int n = 0; n < verify->tables; n++) {
         const struct csv_table *t = verify->table[n];
         for (int row = 0; row < t->rows; row++) {
-            const char *verdict = csv_words(t, row, csv_column(t, "verdict"));
+            const char *verdict = csv_words_of(t, row, "verdict");
             met += !strcmp(verdict, "met");
             missed += !strcmp(verdict, "MISSED") || !strcmp(verdict, "died");
         }
@@ -185,18 +183,17 @@ static void tell_contact(const struct report_found *touching, char text[TEXT])
     double deepest = 0;
 
     for (int row = 0, last = -1; row < t->rows; row++) {
-        const double crossings = csv_number(t, row, csv_column(t, "crossings"));
+        const double crossings = csv_number_of(t, row, "crossings");
         bool same = last >= 0;
         for (int k = 0; k < 2 && same; k++)
-            same = !strcmp(csv_words(t, row, csv_column(t, keys[k])),
-                           csv_words(t, last, csv_column(t, keys[k])));
+            same = !strcmp(csv_words_of(t, row, keys[k]), csv_words_of(t, last, keys[k]));
         if (isnan(crossings)) /* dead, or refused */
             continue;
         crossed = same && crossed;
         through += crossings > 0 && !crossed;
         crossed |= crossings > 0;
         runs += !same;
-        deepest = fmax(deepest, csv_number(t, row, csv_column(t, "penetration")));
+        deepest = fmax(deepest, csv_number_of(t, row, "penetration"));
         last = row;
     }
     snprintf(text, TEXT,

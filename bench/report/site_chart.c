@@ -8,22 +8,17 @@
 
 static const char error_key[] = "worst_rmse_over_length";
 
-static double number(const struct csv_table *t, int row, const char *key)
-{
-    return csv_number(t, row, csv_column(t, key));
-}
-
 /* Returns the next run of a contestant's front behind `row`, by seconds; -1: none. */
 static int next_run(const struct csv_table *t, const char *contestant, int row)
 {
-    const double from = row < 0 ? 0 : number(t, row, "seconds");
+    const double from = row < 0 ? 0 : csv_number_of(t, row, "seconds");
     int next = -1;
 
     for (int n = 0; n < t->rows; n++) {
-        const double seconds = number(t, n, "seconds");
-        if (!strcmp(csv_words(t, n, csv_column(t, "contestant")), contestant) &&
-            number(t, n, "front") == 1 && number(t, n, error_key) > 0 && seconds > from &&
-            (next < 0 || seconds < number(t, next, "seconds")))
+        const double seconds = csv_number_of(t, n, "seconds");
+        if (!strcmp(csv_words_of(t, n, "contestant"), contestant) &&
+            csv_number_of(t, n, "front") == 1 && csv_number_of(t, n, error_key) > 0 &&
+            seconds > from && (next < 0 || seconds < csv_number_of(t, next, "seconds")))
             next = n;
     }
     return next;
@@ -41,11 +36,12 @@ static void make_line(struct svg_chart_line *line, const struct csv_table *t,
         snprintf(line->link, sizeof line->link, "contestant_%s.html", who->name);
     for (int n = next_run(t, best->contestant, -1);
          n >= 0 && line->count < SVG_CHART_POINTS; n = next_run(t, best->contestant, n)) {
-        const double side = number(t, n, "side"), across = number(t, n, "across");
+        const double side = csv_number_of(t, n, "side"),
+                     across = csv_number_of(t, n, "across");
         snprintf(line->note[line->count], SVG_CHART_WORDS, "%gx%g points, step %g s", side,
-                 isnan(across) ? side : across, number(t, n, "step_s"));
-        line->xy[line->count][0] = number(t, n, "seconds");
-        line->xy[line->count++][1] = 100 * number(t, n, error_key);
+                 isnan(across) ? side : across, csv_number_of(t, n, "step_s"));
+        line->xy[line->count][0] = csv_number_of(t, n, "seconds");
+        line->xy[line->count++][1] = 100 * csv_number_of(t, n, error_key);
     }
 }
 

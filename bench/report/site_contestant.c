@@ -4,21 +4,11 @@
 #include <string.h>
 
 #include "bench/files/output.h"
-#include "bench/report/html.h"
+#include "bench/ui/html.h"
 #include "models/reader/scene_file.h"
 #include "models/reader/schema.h"
 
 enum { WORDS = 16 }; /* of an option, at most */
-
-static const char *words(const struct csv_table *t, int row, const char *key)
-{
-    return csv_words(t, row, csv_column(t, key));
-}
-
-static double number(const struct csv_table *t, int row, const char *key)
-{
-    return csv_number(t, row, csv_column(t, key));
-}
 
 static void write_numbers(FILE *file, const char *what, const int value[CONTESTANT_STEPS])
 {
@@ -106,22 +96,22 @@ static void write_scenes(FILE *file, const struct csv_table *t, const char *name
 
     fputs("<h2 id=\"scenes\">On the scenes</h2>\n", file);
     for (int row = 0; t && row < t->rows; row++) {
-        if (strcmp(words(t, row, "contestant"), name) != 0)
+        if (strcmp(csv_words_of(t, row, "contestant"), name) != 0)
             continue;
         if (!all++)
             html_table(file,
                        "<scene|error asked [%]|seconds to it|lowest error [%]|points");
         fputs("<tr>", file);
-        write_scene(file, words(t, row, "scene"));
+        write_scene(file, csv_words_of(t, row, "scene"));
         html_print(file, "<td>%g</td><td>%g</td><td>%g</td><td>",
-                   100 * number(t, row, "target_rmse_over_length"),
-                   number(t, row, "seconds"),
-                   100 * number(t, row, "lowest_rmse_over_length"));
-        if (number(t, row, "refused") == 1)
+                   100 * csv_number_of(t, row, "target_rmse_over_length"),
+                   csv_number_of(t, row, "seconds"),
+                   100 * csv_number_of(t, row, "lowest_rmse_over_length"));
+        if (csv_number_of(t, row, "refused") == 1)
             fputs("refused</td></tr>\n", file);
         else
-            html_print(file, "%gx%g</td></tr>\n", number(t, row, "side"),
-                       number(t, row, "across"));
+            html_print(file, "%gx%g</td></tr>\n", csv_number_of(t, row, "side"),
+                       csv_number_of(t, row, "across"));
     }
     end_table(file, all, "compare", name);
 }
@@ -132,15 +122,15 @@ static void write_cases(FILE *file, const struct csv_table *t, const char *name)
 
     fputs("<h2 id=\"cases\">Hard cases</h2>\n", file);
     for (int row = 0; t && row < t->rows; row++) {
-        if (strcmp(words(t, row, "model"), name) != 0)
+        if (strcmp(csv_words_of(t, row, "model"), name) != 0)
             continue;
         if (!all++)
             html_table(file, "<case|<end|error|<in words");
         html_print(file,
                    "<tr><td class=\"word\">%s</td><td class=\"word\">%s</td><td>%g</td>"
                    "<td class=\"word\">%s</td></tr>\n",
-                   words(t, row, "case"), words(t, row, "end"), number(t, row, "error"),
-                   words(t, row, "in_words"));
+                   csv_words_of(t, row, "case"), csv_words_of(t, row, "end"),
+                   csv_number_of(t, row, "error"), csv_words_of(t, row, "in_words"));
     }
     end_table(file, all, "stress", name);
 }

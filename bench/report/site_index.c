@@ -6,7 +6,7 @@
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
-#include "bench/report/html.h"
+#include "bench/ui/html.h"
 #include "bench/report/report_page.h"
 #include "bench/report/site_parts.h"
 #include "models/reader/scene_file.h"
@@ -82,7 +82,7 @@ out:
 static enum status write_files(struct site *s, struct message *why)
 {
     static const char *const name[] = {"report.html", "style.css", MARK};
-    struct output *out = NULL, *done;
+    struct output *out = NULL;
     char path[PATH];
     enum status st;
 
@@ -94,11 +94,10 @@ static enum status write_files(struct site *s, struct message *why)
         if (n == 0)
             TRY(report_page_write(file, s->folder, s->found, s->said, why));
         else if (n == 1)
-            TRY(report_page_style(file, why));
+            TRY(html_style(file, why));
         else
             fputs("clothbench report --site writes this folder, and replaces it.\n", file);
-        done = out, out = NULL;
-        TRY(output_close(done, why));
+        TRY(output_close(&out, why));
     }
 out:
     output_discard(out);

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "bench/files/output.h"
-#include "bench/report/html.h"
+#include "bench/ui/html.h"
 
 enum { PATH = 4096, WORDS = 200 };
 
@@ -32,22 +32,13 @@ struct page {
     enum status status;
 };
 
-static enum status read_text(const char *path, char **text, struct message *why)
-{
-    size_t size = 0;
-    const enum status st = named_file_read(&site_manual_kind, path, text, &size, why);
-
-    if (st == STATUS_OK)
-        (*text)[size] = '\0'; /* named_file_read leaves room for it */
-    return st;
-}
-
 /* Returns the words of the page's first line, without the marks of a heading. */
 static char *describe(const char *path)
 {
     struct message why;
     char *text = NULL;
-    const enum status st = read_text(path, &text, &why);
+    size_t size;
+    const enum status st = named_file_read(&site_manual_kind, path, &text, &size, &why);
 
     if (st != STATUS_OK)
         return st == STATUS_MEMORY ? NULL : strdup(path);
@@ -94,7 +85,7 @@ static void write_anchor(FILE *file, const char *words, const char *end)
 /* Copies a picture that lies beside the page. */
 static enum status copy_picture(struct page *p, const char *name)
 {
-    struct output *out = NULL, *done;
+    struct output *out = NULL;
     char from[PATH], to[PATH], *bytes = NULL;
     size_t size = 0;
     enum status st;
@@ -107,8 +98,7 @@ static enum status copy_picture(struct page *p, const char *name)
     TRY(named_file_read(&site_manual_kind, from, &bytes, &size, p->why));
     TRY(output_create(to, &out, p->why));
     fwrite(bytes, 1, size, output_stream(out));
-    done = out, out = NULL;
-    TRY(output_close(done, p->why));
+    TRY(output_close(&out, p->why));
 out:
     output_discard(out);
     free(bytes);
@@ -204,10 +194,11 @@ static enum status write_page(struct page *p, const struct named_file_entry *ent
 {
     struct output *out = NULL;
     char *path = NULL, *text = NULL;
+    size_t size;
     enum status st;
 
     TRY(named_file_find(&site_manual_kind, entry->name, &path, p->why));
-    TRY(read_text(path, &text, p->why));
+    TRY(named_file_read(&site_manual_kind, path, &text, &size, p->why));
     TRY(html_open(p->folder, "manual", entry->name, entry->text, &out, p->why));
     p->file = output_stream(out);
     p->source = path;

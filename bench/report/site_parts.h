@@ -44,7 +44,7 @@ enum status site_chart_write(FILE *file, const struct csv_table *runs, double ba
                              bool links);
 
 /* Writes a drawing for each of `count` fields (grid.h) [m] at time[count] [s], all from one
- * side and in one scale, with the balls and capsules of the scene where they are then. */
+ * side and in one scale. */
 enum status site_sheet_write(FILE *file, const struct scene *scene, int count,
                              const double *const *xyz, const double *time);
 

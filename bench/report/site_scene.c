@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "bench/files/output.h"
-#include "bench/report/html.h"
+#include "bench/ui/html.h"
 #include "bench/report/report_summary.h"
 #include "bench/truth/truth.h"
 #include "models/grid.h"
@@ -175,8 +175,8 @@ static void write_truth(FILE *file, const struct subject *s)
 
 static void write_contestant(FILE *file, const struct csv_table *t, int row)
 {
-    const char *name = csv_words(t, row, csv_column(t, "contestant")),
-               *title = csv_words(t, row, csv_column(t, "title"));
+    const char *name = csv_words_of(t, row, "contestant"),
+               *title = csv_words_of(t, row, "title");
     const struct contestant *who;
     struct message why;
 
@@ -191,7 +191,7 @@ static void write_contestant(FILE *file, const struct csv_table *t, int row)
 static int row_of(const struct csv_table *t, const char *contestant)
 {
     for (int n = 0; t && n < t->rows; n++)
-        if (!strcmp(csv_words(t, n, csv_column(t, "contestant")), contestant))
+        if (!strcmp(csv_words_of(t, n, "contestant"), contestant))
             return n;
     return -1;
 }
@@ -207,16 +207,15 @@ static void write_speeds(FILE *file, const struct csv_table *t,
           file);
     html_table(file, "<contestant|3 %|2 %|1 %|0.5 %|0.2 %|lowest [%]|<limited by");
     for (int row = 0; row < t->rows; row++) {
-        const int at = row_of(limits, csv_words(t, row, csv_column(t, "contestant")));
+        const int at = row_of(limits, csv_words_of(t, row, "contestant"));
         fputs("<tr>", file);
         write_contestant(file, t, row);
         for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
-            html_print(file, "<td>%g</td>", csv_number(t, row, csv_column(t, keys[k])));
+            html_print(file, "<td>%g</td>", csv_number_of(t, row, keys[k]));
         if (at >= 0)
-            html_print(
-                file, "<td>%g</td><td class=\"word\">%s</td>",
-                100 * csv_number(limits, at, csv_column(limits, "lowest_rmse_over_length")),
-                csv_words(limits, at, csv_column(limits, "sentence")));
+            html_print(file, "<td>%g</td><td class=\"word\">%s</td>",
+                       100 * csv_number_of(limits, at, "lowest_rmse_over_length"),
+                       csv_words_of(limits, at, "sentence"));
         fputs("</tr>\n", file);
     }
     html_table_end(file);
@@ -264,7 +263,6 @@ static enum status write_file(FILE *file, const struct subject *s, struct messag
     enum status st;
 
     TRY(named_file_read(&scene_file_kind, s->path, &text, &size, why));
-    text[size] = '\0';
     html_print(file,
                "<h2 id=\"scene\">The scene</h2>\n<p>This is its file, in SI units; "
                "<code>clothbench run %s</code> runs it.</p>\n<pre><code>%s</code></pre>\n",

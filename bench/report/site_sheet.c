@@ -1,10 +1,10 @@
 #include "bench/report/site_parts.h"
 
-#include <math.h>
 #include <stdlib.h>
 
-#include "bench/report/html.h"
+#include "bench/ui/html.h"
 #include "models/grid.h"
+#include "models/vector.h"
 
 /* Quadrilaterals along a side of a drawn sheet, at most, and the side of a drawing. */
 enum { CELLS = 18, SIZE = 200 };
@@ -42,12 +42,10 @@ static struct seen see(const double x[3])
                          x[2] * sin(TILT) - away * cos(TILT)};
 }
 
-static void widen(struct view *view, struct seen p, double more)
+static void widen(struct view *view, struct seen p)
 {
-    view->low[0] = fmin(view->low[0], p.x - more);
-    view->high[0] = fmax(view->high[0], p.x + more);
-    view->low[1] = fmin(view->low[1], p.y - more);
-    view->high[1] = fmax(view->high[1], p.y + more);
+    view->low[0] = fmin(view->low[0], p.x), view->high[0] = fmax(view->high[0], p.x);
+    view->low[1] = fmin(view->low[1], p.y), view->high[1] = fmax(view->high[1], p.y);
 }
 
 static void middle(const double *xyz, int i, int j, double x[3])
@@ -63,11 +61,10 @@ static double light_of(double x[4][3])
 {
     double a[3], b[3], n[3];
 
-    for (int c = 0; c < 3; c++)
-        a[c] = x[2][c] - x[0][c], b[c] = x[3][c] - x[1][c];
-    for (int c = 0; c < 3; c++)
-        n[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
-    const double size = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    vector_between(x[0], x[2], a);
+    vector_between(x[1], x[3], b);
+    vector_cross(a, b, n);
+    const double size = vector_length(n);
     return size > 0 ? fabs(0.5 * n[0] - 0.3 * n[1] + 0.8 * n[2]) / size : 0;
 }
 
@@ -108,37 +105,6 @@ static void write_place(FILE *file, const struct view *view, struct seen p)
     fprintf(file, "%.1f %.1f", (p.x - view->low[0]) / unit, (view->high[1] - p.y) / unit);
 }
 
-/* Computes the ends of a body's axis where it is at time t; returns its radius, 0 for one
- * that is not drawn. */
-static double place_body(const struct scene_obstacle *o, double t, struct seen end[2])
-{
-    struct scene_placement place;
-    double x[2][3];
-
-    scene_motion_at(&o->motion, t, &place);
-    scene_placement_point(&place, o->point, x[0]);
-    scene_placement_point(&place, o->kind == OBSTACLE_CAPSULE ? o->end : o->point, x[1]);
-    end[0] = see(x[0]), end[1] = see(x[1]);
-    return o->kind == OBSTACLE_SPHERE || o->kind == OBSTACLE_CAPSULE ? o->radius : 0;
-}
-
-/* Writes balls and capsules, which are thick lines with round ends from everywhere. */
-static void write_bodies(FILE *file, const struct scene *scene, const struct view *view,
-                         double t)
-{
-    for (int n = 0; n < scene->obstacle_count; n++) {
-        struct seen end[2];
-        const double radius = place_body(&scene->obstacles[n], t, end);
-        if (!(radius > 0))
-            continue;
-        fputs("<path class=\"body\" d=\"M", file);
-        write_place(file, view, end[0]);
-        fputs("L", file);
-        write_place(file, view, end[1]);
-        fprintf(file, "\" style=\"stroke-width:%.1f\"/>", 2 * radius / unit_of(view));
-    }
-}
-
 static void write_drawing(FILE *file, const struct scene *scene, const struct view *view,
                           const struct quad *quad, int count, double t)
 {
@@ -146,7 +112,6 @@ static void write_drawing(FILE *file, const struct scene *scene, const struct vi
             (view->high[0] - view->low[0]) / unit_of(view) + 4,
             (view->high[1] - view->low[1]) / unit_of(view) + 4);
     html_print(file, "aria-label=\"%s at %g s\">", scene->name, t);
-    write_bodies(file, scene, view, t);
     for (int n = 0; n < count; n++) {
         fprintf(file, "<path fill=\"hsl(210 48%% %.0f%%)\" d=\"M", 40 + 40 * quad[n].light);
         for (int k = 0; k < 4; k++) {
@@ -164,7 +129,6 @@ enum status site_sheet_write(FILE *file, const struct scene *scene, int count,
     const int sheets = scene_sheets(scene), each = sheets * CELLS * CELLS;
     struct quad *quad = calloc((size_t)(count * each) + 1, sizeof *quad);
     struct view view = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    struct seen end[2];
 
     if (!quad)
         return STATUS_MEMORY;
@@ -175,12 +139,7 @@ enum status site_sheet_write(FILE *file, const struct scene *scene, int count,
             cut_sheet(xyz[n], column, mine + k * CELLS * CELLS);
         }
         for (int q = 0; q < 4 * each; q++)
-            widen(&view, mine[q / 4].corner[q % 4], 0);
-        for (int b = 0; b < scene->obstacle_count; b++) {
-            const double radius = place_body(&scene->obstacles[b], time[n], end);
-            for (int k = 0; k < 2 && radius > 0; k++)
-                widen(&view, end[k], radius);
-        }
+            widen(&view, mine[q / 4].corner[q % 4]);
         qsort(mine, (size_t)each, sizeof *mine, compare_depths);
     }
     fputs("<div class=\"sheets\">\n", file);

@@ -218,7 +218,7 @@ enum status describe_state(const struct run *run, double t, FILE *file)
 
     if (!xyz)
         return STATUS_MEMORY;
-    run->model->sample(run->state, xyz);
+    model_sample(run->model, run->state, xyz);
     if (run->model->energy)
         run->model->energy(run->state, &energy);
     const bool obstacles = scene->obstacle_count > 0;

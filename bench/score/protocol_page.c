@@ -1,5 +1,5 @@
 /* protocol_page.c - the page on a simulator: sentences, then charts, then tables. It has no
- * script, and all words that come from files go through table_html_text. */
+ * script, and all words that come from files go through html_print. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,50 +7,24 @@
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
 #include "bench/score/protocol.h"
+#include "bench/ui/html.h"
 #include "bench/ui/svg_chart.h"
 
+/* The rules that a page of its own has besides those of all pages. */
 static const char style[] =
-    ":root { color-scheme: light dark; --back: #fff; --text: #1b1f24; --soft: #5c6670;\n"
-    "  --line: #d5dae0; --good: #14743a; --bad: #b3261e }\n"
-    "@media (prefers-color-scheme: dark) { :root { --back: #14171a; --text: #e3e6e9;\n"
-    "  --soft: #9aa4ae; --line: #363d44; --good: #62c98a; --bad: #ff8a80 } }\n"
-    "* { box-sizing: border-box }\n"
-    "body { margin: 0 auto; padding: 1rem; max-width: 62rem; background: var(--back);\n"
-    "  color: var(--text); font: 16px/1.5 system-ui, sans-serif; overflow-wrap: anywhere "
-    "}\n"
-    "h1 { font-size: 1.6rem; margin: .3em 0 }\n"
-    "h2 { font-size: 1.25rem; margin: 1.8em 0 .4em }\n"
-    ".soft, caption { color: var(--soft); font-size: .875rem; text-align: left }\n"
     "dl { display: grid; grid-template-columns: 10rem 1fr; gap: 0 1rem }\n"
     "dt { color: var(--soft) } dt, dt + dd { border-top: 1px solid var(--line) }\n"
     "dt, dd { margin: 0; padding: .3rem 0 } dd { grid-column: 2 }\n"
-    ".good { color: var(--good) } .bad { color: var(--bad) }\n"
-    ".unknown { color: var(--soft) }\n"
+    ".good { color: var(--yes) } .bad { color: var(--no) } .unknown { color: var(--soft) "
+    "}\n"
     ".charts { display: flex; flex-wrap: wrap; gap: 1rem }\n"
-    "figure { margin: 0; flex: 1 1 20rem; max-width: 29rem } figure p { margin: 0 }\n"
-    "figcaption { font-weight: 600 } svg { width: 100%; display: block }\n"
-    "svg text { fill: var(--soft); font-size: 12px } svg line { stroke: var(--line) }\n"
-    ".c0 { color: #2a78d6 } .c1 { color: #d06010 } .c2 { color: #2e8f4e }\n"
-    ".c3 { color: #9a50d8 } .c4 { color: #9c8000 } .c5 { color: #cc4488 }\n"
-    ".c6 { color: #555 } .c7 { color: #0a9396 } .area { color: var(--line); opacity: .6 }\n"
-    "path { stroke: currentColor; fill: none } circle, .area { fill: currentColor }\n"
-    ".scroll { overflow-x: auto; margin: .6em 0 } table { border-collapse: collapse;\n"
-    "  font-size: .8125rem; font-variant-numeric: tabular-nums }\n"
-    "th, td { padding: .2rem .5rem; text-align: right; white-space: nowrap;\n"
-    "  border-bottom: 1px solid var(--line) } .word { text-align: left }\n"
+    ".charts figure { display: block; margin: 0; flex: 1 1 20rem; max-width: 29rem }\n"
     "@media (max-width: 40rem) { dl { display: block } dt + dd { border: 0 } }\n";
 
 struct page {
     FILE *file;
     int last; /* subject; -1: none                                                       */
 };
-
-static void write_text(FILE *file, const char *before, const char *text, const char *behind)
-{
-    fputs(before, file);
-    table_html_text(text, file);
-    fputs(behind, file);
-}
 
 /* --- sentences --- */
 
@@ -60,40 +34,39 @@ static void write_verdict(void *context, const struct protocol_verdict *v)
     struct page *page = context;
 
     if (page->last != (int)v->subject)
-        write_text(page->file, "<dt>", protocol_subject_name(v->subject), "</dt>\n");
+        html_print(page->file, "<dt>%s</dt>\n", protocol_subject_name(v->subject));
     page->last = (int)v->subject;
-    fprintf(page->file, "<dd><b class=\"%s\">", tone[v->tone]);
-    write_text(page->file, "", v->word, ".</b> ");
-    write_text(page->file, "", v->text, "</dd>\n");
+    html_print(page->file, "<dd><b class=\"%s\">%s.</b> %s</dd>\n", tone[v->tone], v->word,
+               v->text);
 }
 
-static void write_head(FILE *file, const struct protocol *p)
+static enum status write_head(FILE *file, const struct protocol *p, struct message *why)
 {
     static struct provenance made;
     const char *name = p->name ? p->name : p->folder;
     int files = 0;
+    enum status st;
 
     provenance_collect(&made);
     for (int k = 0; k < p->scenes; k++)
         files += p->scene[k].runs;
-    fputs("<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
-          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
-          file);
-    write_text(file, "<title>", name, ": its cloth beside known motions</title>\n");
-    fprintf(file, "<style>\n%s</style>\n<body>\n", style);
-    write_text(file, "<h1>", name, "");
-    write_text(file, p->version ? " " : "", p->version ? p->version : "", "</h1>\n<p>");
+    html_head(file, name, ": its cloth beside known motions");
+    fputs("<style>\n", file);
+    TRY(html_style(file, why));
+    html_print(file, "%s</style>\n<body>\n<h1>%s%s%s</h1>\n<p>", style, name,
+               p->version ? " " : "", p->version ? p->version : "");
     if (p->step > 0)
         fprintf(file, "Its step is said to be %.3g ms. ", 1e3 * p->step);
-    fprintf(file,
-            "%d file%s of frames on %d scene%s were compared with motions that are "
-            "known, with error bars. Errors are rms distances over the sheet, in per cent "
-            "of its length.</p>\n",
-            files, files == 1 ? "" : "s", p->scenes, p->scenes == 1 ? "" : "s");
-    write_text(file, "<p class=\"soft\">Made by clothbench score --protocol ", p->folder,
-               "");
-    write_text(file, " at commit ", provenance_value(&made, "commit"), "");
-    write_text(file, ", ", provenance_value(&made, "date"), ".</p>\n");
+    html_print(file,
+               "%d file%s of frames on %d scene%s were compared with motions that are "
+               "known, with error bars. Errors are rms distances over the sheet, in per "
+               "cent of its length.</p>\n<p class=\"soft\">Made by clothbench score "
+               "--protocol %s at commit %s, %s.</p>\n",
+               files, files == 1 ? "" : "s", p->scenes, p->scenes == 1 ? "" : "s",
+               p->folder, provenance_value(&made, "commit"),
+               provenance_value(&made, "date"));
+out:
+    return st;
 }
 
 /* --- charts --- */
@@ -214,7 +187,7 @@ static enum status table_place(FILE *file, const struct protocol *p,
         table_line(t, "%d|%s%s|%dx%d|%.2g", n + 1, rival[n].own ? "\u2192 " : "",
                    rival[n].title, rival[n].net[0], rival[n].net[1], rival[n].error);
     }
-    write_text(file, "<details><summary>Contestants on ", scene->name, "</summary>\n");
+    html_print(file, "<details><summary>Contestants on %s</summary>\n", scene->name);
     st = table_print(t, TABLE_HTML, file);
     fputs("</details>\n", file);
     table_destroy(t);
@@ -228,19 +201,19 @@ static void write_said(FILE *file, const struct protocol *p)
     for (int k = 0; k < p->scenes; k++)
         for (int m = 0; m < p->scene[k].runs; m++) {
             const struct protocol_run *run = &p->scene[k].run[m];
-            write_text(file, "<p><b>", run->file, "</b>");
+            html_print(file, "<p><b>%s</b>", run->file);
             for (int n = 0; n < run->said.count; n++)
-                write_text(file, " ", run->said.text[n], "");
+                html_print(file, " %s", run->said.text[n]);
             fputs("</p>\n", file);
         }
 }
 
-static enum status write_page(FILE *file, const struct protocol *p)
+static enum status write_page(FILE *file, const struct protocol *p, struct message *why)
 {
     struct page page = {file, -1};
     enum status st;
 
-    write_head(file, p);
+    TRY(write_head(file, p, why));
     fputs("<dl>\n", file);
     TRY(protocol_judge(p, write_verdict, &page));
     fputs("</dl>\n", file);
@@ -259,13 +232,12 @@ out:
 enum status protocol_page_write(const char *path, const struct protocol *p,
                                 struct message *why)
 {
-    struct output *out = NULL, *done;
+    struct output *out = NULL;
     enum status st;
 
     TRY(output_create(path, &out, why));
-    TRY(write_page(output_stream(out), p));
-    done = out, out = NULL;
-    st = output_close(done, why);
+    TRY(write_page(output_stream(out), p, why));
+    st = output_close(&out, why);
 out:
     output_discard(out);
     return st;

@@ -115,13 +115,13 @@ enum status protocol_place(const struct protocol *p, const struct protocol_scene
     (*rivals)[(*count)++] = r;
     r.own = false;
     for (int row = 0; row < t->rows; row++) {
-        const double side = csv_number(t, row, csv_column(t, "side")),
-                     across = csv_number(t, row, csv_column(t, "across"));
+        const double side = csv_number_of(t, row, "side"),
+                     across = csv_number_of(t, row, "across");
         r.error = error_of(t, row, run);
         if (!(side * across <= (double)run->net[0] * run->net[1]) || isnan(r.error))
             continue;
         r.net[0] = (int)side, r.net[1] = (int)across;
-        snprintf(r.title, sizeof r.title, "%s", csv_words(t, row, csv_column(t, "title")));
+        snprintf(r.title, sizeof r.title, "%s", csv_words_of(t, row, "title"));
         enter(*rivals, count, &r);
     }
     qsort(*rivals, (size_t)*count, sizeof **rivals, compare_rivals);

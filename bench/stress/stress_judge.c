@@ -290,12 +290,12 @@ static enum status end_similar(struct judged *r)
     enum status st;
 
     other.run = (struct run){0};
-    r->run.model->sample(r->run.state, r->xyz);
+    model_sample(r->run.model, r->run.state, r->xyz);
     TRY(read_run(r->job, &other.run, r->why));
     change_units(&other.run.scene, c->length, c->mass, c->time);
     TRY(run_build(&other.run, r->why));
     TRY(move(&other));
-    other.run.model->sample(other.run.state, r->first);
+    model_sample(other.run.model, other.run.state, r->first);
     for (size_t n = 0; n < 3 * GRID_POINTS; n++)
         r->first[n] *= c->length;
     r->result->error = metric_rmse(r->xyz, r->first) / r->run.scene.length;
@@ -357,7 +357,7 @@ static double measure_buckled(struct judged *r)
 
 static double measure_still(struct judged *r)
 {
-    r->run.model->sample(r->run.state, r->frames ? r->xyz : r->first);
+    model_sample(r->run.model, r->run.state, r->frames ? r->xyz : r->first);
     return r->frames ? metric_rmse(r->xyz, r->first) / r->run.scene.length : 0;
 }
 
@@ -382,7 +382,7 @@ static double measure_shifted(struct judged *r)
         for (int i = 0; i < 3; i++)
             rest[3 * n + i] += end.shift[i];
     }
-    r->run.model->sample(r->run.state, r->xyz);
+    model_sample(r->run.model, r->run.state, r->xyz);
     return metric_rmse(r->xyz, rest) / s->length;
 }
 
@@ -408,7 +408,7 @@ static double measure_shell(struct judged *r)
 
     if (n < 0)
         return 0; /* between the times of the truth */
-    r->run.model->sample(r->run.state, r->xyz);
+    model_sample(r->run.model, r->run.state, r->xyz);
     return metric_rmse(r->xyz, r->truth->xyz[n]) / s->length;
 }
 
@@ -452,7 +452,7 @@ static double measure_contact(struct judged *r)
     struct touched *t = &r->touched;
     struct crossing with = {0};
 
-    r->run.model->sample(r->run.state, r->xyz);
+    model_sample(r->run.model, r->run.state, r->xyz);
     grid_middle(r->xyz, STEP, r->first);
     const double gap = least_gap(r, r->first);
     if (!(gap >= t->gap))

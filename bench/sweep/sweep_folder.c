@@ -121,7 +121,7 @@ static enum status settle_manifest(const struct sweep_folder *folder, bool resum
     if (!file) {
         TRY(output_create(path, &out, why));
         output_print(out, "%s", folder->manifest);
-        return output_close(out, why);
+        return output_close(&out, why);
     }
     st = resume ? compare_manifest(path, file, folder->manifest, why)
                 : status_fail(why, STATUS_INPUT,

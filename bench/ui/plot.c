@@ -107,13 +107,11 @@ static enum status run_script(const char *folder, const char *script, struct mes
 enum status plot_end(const char *folder, const char *name, struct output **out,
                      struct message *why)
 {
-    struct output *whole = *out;
     char script[PATH];
     enum status st;
 
-    *out = NULL;
-    fputs("unset multiplot\nunset output\n", output_stream(whole));
-    TRY(output_close(whole, why));
+    fputs("unset multiplot\nunset output\n", output_stream(*out));
+    TRY(output_close(out, why));
     snprintf(script, sizeof script, "%s.gp", name);
     TRY(run_script(folder, script, why));
 out:

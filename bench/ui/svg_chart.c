@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "bench/ui/table.h"
+#include "bench/ui/html.h"
 
 /* Size of the drawing, and where its axes are [px]. */
 enum { WIDTH = 420, HEIGHT = 276, LEFT = 66, RIGHT = 410, TOP = 8, BOTTOM = 238 };
@@ -112,12 +112,11 @@ static void draw_line(const struct frame *f, int n, const struct svg_chart_line 
     for (int k = 0; k < line->count && !line->bar; k++) {
         fputs("<circle ", file);
         put_class(n, line, file);
-        fprintf(file, " cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\"><title>", x_of(f, xy[k][0]),
+        fprintf(file, " cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\">", x_of(f, xy[k][0]),
                 y_of(f, xy[k][1]));
-        table_html_text(line->label, file);
-        fputs(*line->note[k] ? ", " : "", file);
-        table_html_text(line->note[k], file);
-        fprintf(file, ", %.3g: %.3g %%</title></circle>\n", xy[k][0], xy[k][1]);
+        html_print(file, "<title>%s%s%s, ", line->label, *line->note[k] ? ", " : "",
+                   line->note[k]);
+        fprintf(file, "%.3g: %.3g %%</title></circle>\n", xy[k][0], xy[k][1]);
     }
 }
 
@@ -126,13 +125,10 @@ static void put_legend(int n, const struct svg_chart_line *line, FILE *file)
     fputs("<span style=\"display:inline-block;margin-right:1em\"><b ", file);
     put_class(n, line, file);
     fputs(line->bar ? ">&#9632;</b> " : ">&#9679;</b> ", file);
-    if (*line->link) {
-        fputs("<a href=\"", file);
-        table_html_text(line->link, file);
-        fputs("\">", file);
-    }
-    table_html_text(line->label, file);
-    fputs(*line->link ? "</a></span>\n" : "</span>\n", file);
+    if (*line->link)
+        html_print(file, "<a href=\"%s\">%s</a></span>\n", line->link, line->label);
+    else
+        html_print(file, "%s</span>\n", line->label);
 }
 
 void svg_chart_write(const char *title, const char *x_name, bool log_x, int lines,
@@ -141,11 +137,8 @@ void svg_chart_write(const char *title, const char *x_name, bool log_x, int line
     const struct frame f = frame_of(log_x, lines, line);
 
     fputs("<figure>", file);
-    if (title) {
-        fputs("<figcaption>", file);
-        table_html_text(title, file);
-        fputs("</figcaption>\n", file);
-    }
+    if (title)
+        html_print(file, "<figcaption>%s</figcaption>\n", title);
     fprintf(file, "<svg class=\"chart\" viewBox=\"0 0 %d %d\" role=\"img\">\n", WIDTH,
             HEIGHT);
     draw_axes(&f, x_name, file);

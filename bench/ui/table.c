@@ -969,7 +969,7 @@ enum status table_save(const struct table *t, const char *folder, const char *na
     snprintf(path, sizeof path, "%s/%s.csv", folder, name);
     TRY(output_create(path, &out, why));
     print_lines(t, true, output_stream(out));
-    st = output_close(out, why);
+    st = output_close(&out, why);
 out:
     return st;
 }

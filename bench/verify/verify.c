@@ -87,7 +87,7 @@ enum status verify_file_write(const struct verify_check *check,
     for (int n = 0; n < sheet->count; n++)
         add_row(t, check, &sheet->rows[n]);
     table_flush(t, output_stream(file));
-    st = output_close(file, why);
+    st = output_close(&file, why);
 out:
     table_destroy(t);
     return st;

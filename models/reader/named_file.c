@@ -48,6 +48,7 @@ enum status named_file_read(const struct named_file_kind *kind, const char *path
     *size = fread(*bytes, 1, most + 1, file);
     if (ferror(file))
         TRY(refuse_file(kind, path, strerror(errno), why));
+    (*bytes)[*size] = '\0';
 out:
     fclose(file);
     if (st != STATUS_OK)

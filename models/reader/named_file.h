@@ -47,8 +47,8 @@ enum status named_file_names(const struct named_file_kind *kind,
 void named_file_list_free(struct named_file_entry *entries, int count);
 
 /* Reads the bytes of a file, at most one more than its kind may have (YAML_TREE_MAX_TEXT
- * by default), so that its reader sees when it is too long; behind them is room for one
- * more. *bytes is freed by the receiver. STATUS_FILE with a sentence. */
+ * by default), so that its reader sees when it is too long; behind them is a zero. *bytes
+ * is freed by the receiver. STATUS_FILE with a sentence. */
 enum status named_file_read(const struct named_file_kind *kind, const char *path,
                             char **bytes, size_t *size, struct message *why);
 

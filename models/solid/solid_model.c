@@ -216,7 +216,8 @@ out:
 }
 
 enum status solid_model_misfit(struct solid_sheet *s,
-                               void (*sample)(const void *state, double *xyz))
+                               void (*probe)(const void *state, int n, const double *uvw,
+                                             double *xyz))
 {
     const struct scene *scene = s->motion.scene;
     double *xyz = NULL;
@@ -226,7 +227,7 @@ enum status solid_model_misfit(struct solid_sheet *s,
     xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
     if (!xyz)
         return STATUS_MEMORY;
-    sample(s, xyz);
+    grid_sample(probe, s, xyz);
     for (int n = 0; n < GRID_POINTS; n++) {
         double uvw[3], rest[3], *x = xyz + 3 * (size_t)n;
 

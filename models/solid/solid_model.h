@@ -57,9 +57,10 @@ enum status solid_model_init(struct solid_sheet *s, const struct scene *scene,
                              const struct discretization *d, const int points[3],
                              const double *middle, struct message *why);
 
-/* Measures how far a curved rest shape (`sample` of the state) lies from the scene's, at
+/* Measures how far a curved rest shape (`probe` of the state) lies from the scene's, at
  * most over the grid; 0 for flat ones, unmeasured. */
 enum status solid_model_misfit(struct solid_sheet *s,
-                               void (*sample)(const void *state, double *xyz));
+                               void (*probe)(const void *state, int n, const double *uvw,
+                                             double *xyz));
 
 #endif

@@ -25,7 +25,7 @@ static enum status look_at(const struct model *model, void *state, const struct 
     struct message line;
 
     model->size(state, &size);
-    model->sample(state, field);
+    model_sample(model, state, field);
     model->probe(state, 1, (const double[3]){0.5, 0.5, 0.5}, field);
     if (model->describe)
         model->describe(state, &line);
@@ -64,7 +64,7 @@ static enum status live_through(const void *what, struct message *why)
     const struct model *model = s->contestant->model;
     struct counters work = {0};
     void *state = NULL;
-    enum status st = model->create(&s->scene, &s->d, &state, why);
+    enum status st = model_create(model, &s->scene, &s->d, &state, why);
 
     if (st != STATUS_OK)
         return st;
@@ -74,7 +74,7 @@ static enum status live_through(const void *what, struct message *why)
         TRY(model->advance(state, &work));
 out:
     look_at(model, state, s);
-    model->destroy(state);
+    model_destroy(model, state);
     return st;
 }
 

@@ -66,8 +66,8 @@ static void check_carried(const struct row *row, const struct force *force)
                row->own);
     opened_steps(&still, STEPS);
     opened_steps(&moving, STEPS);
-    still.model->sample(still.state, field[0][0]);
-    moving.model->sample(moving.state, field[1][0]);
+    model_sample(still.model, still.state, field[0][0]);
+    model_sample(moving.model, moving.state, field[1][0]);
     for (int n = 0; n < GRID_POINTS; n++) {
         most = fmax(most, fabs(field[0][n][2]));
         for (int i = 0; i < 3; i++)
@@ -90,7 +90,7 @@ static void check_work(const char *name, const char *points, double tolerance)
     OPENED_RUN(&run, "cantilever", name, SHEET, points, "damping={kind: none}",
                "gravity=[0,0,0]", "loads=[{at: {u: 1}, force: [0, 0, 0.05]}]");
     CHECK(opened_steps(&run, STEPS).viscous == 0);
-    run.model->sample(run.state, field[0][0]);
+    model_sample(run.model, run.state, field[0][0]);
     for (int j = 0; j < GRID_V; j++) /* of the end u = 1, by the trapezoidal rule */
         for (int k = 0; k < 2; k++) {
             const int point = (k * GRID_V + j) * GRID_U + GRID_U - 1;

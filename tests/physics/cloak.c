@@ -76,7 +76,7 @@ static double off(const struct model *model, const struct scene *s,
     void *state = create(model, s, d);
 
     REQUIRE(xyz);
-    model->sample(state, xyz);
+    model_sample(model, state, xyz);
     for (int n = 0; n < GRID_POINTS; n++) {
         double uvw[3], x[3], again[3];
         grid_point(n, uvw);
@@ -93,7 +93,7 @@ static double off(const struct model *model, const struct scene *s,
     scene_rest_point(s, at, there);
     for (int c = 0; c < 3; c++)
         most = fmax(most, fabs(x[c] - there[c]));
-    model->destroy(state);
+    model_destroy(model, state);
     free(xyz);
     return most;
 }
@@ -144,7 +144,7 @@ static void test_misfit(const char *name, int degree)
     CHECK(sscanf(line.text, "the curved rest shape is met to %lg m", &said) == 1);
     /* At equal parameters: the sagitta, and up to a tenth more along the arc. */
     CHECK_RELATIVE(said, r * (1 - cos(middle / 2)), 0.1);
-    model->destroy(state);
+    model_destroy(model, state);
     scene_clear(&s);
 }
 
@@ -186,7 +186,7 @@ static void test_integrals(double opening, double flare)
                    TOL_INTEGRAL);
     matrix_clear(&K);
     matrix_clear(&M);
-    iga->destroy(state);
+    model_destroy(iga, state);
     scene_clear(&s);
 }
 
@@ -292,11 +292,11 @@ static void test_closed_contact(struct scene *s, const struct discretization *d,
     s->contact.self = true, s->gravity[2] = 0;
     void *state = create(find("shell"), s, d);
     CHECK(find("shell")->advance(state, &counters) == STATUS_OK);
-    find("shell")->sample(state, xyz);
+    model_sample(find("shell"), state, xyz);
     for (int n = 0; n < 3 * GRID_POINTS; n++)
         most = fmax(most, fabs(xyz[n] - rest[n]));
     CHECK(most < tol_rest);
-    find("shell")->destroy(state);
+    model_destroy(find("shell"), state);
     free(xyz);
 }
 
@@ -323,9 +323,9 @@ static void test_closed(double flare)
         }
     const struct discretization d = net(find("shell"), 6, 16, 3, 3);
     void *state = create(find("shell"), &s, &d);
-    find("shell")->sample(state, rest);
+    model_sample(find("shell"), state, rest);
     CHECK(metric_intersections(&s, rest) == 0);
-    find("shell")->destroy(state);
+    model_destroy(find("shell"), state);
     test_closed_contact(&s, &d, rest);
     free(rest);
     scene_clear(&s);
@@ -405,7 +405,7 @@ static void test_roof(const char *name, int n, int p, int l, enum remedy remedy)
     model->probe(state, 1, corner, x);
     printf("roof: %s %d x %d, p = %d: %.6f\n", name, n, n, p, rest[2] - x[2]);
     CHECK_RELATIVE(rest[2] - x[2], 0.3006, 0.01);
-    model->destroy(state);
+    model_destroy(model, state);
     scene_clear(&s);
 }
 

@@ -160,7 +160,7 @@ static void advance(struct fixture *f)
     const struct counters work = opened_steps(&f->run, 1);
 
     CHECK(f->pieces == 1 || work.substeps == f->pieces);
-    f->run.model->sample(f->run.state, f->xyz);
+    model_sample(f->run.model, f->run.state, f->xyz);
 }
 
 static struct model_contact contact_of(const struct fixture *f)
@@ -360,7 +360,7 @@ static void check_incline(const char *name, double slope, double friction)
         f.settling + (f.run.discretization.integrator == INTEGRATOR_BDF2 ? 30 : 12);
     turn_scene(&f.run.scene, (const double[3]){0, 1, 0}, slope, false);
     start(&f);
-    f.run.model->sample(f.run.state, f.xyz);
+    model_sample(f.run.model, f.run.state, f.xyz);
     for (int n = 0; n < frames; n++) {
         advance(&f);
         along[n % 3] = centre_along(&f, down);
@@ -425,7 +425,7 @@ static void check_far(const char *name)
             add_ball(g, 4, 0.5);
         start(g);
         const struct counters work = opened_steps(&g->run, STEPS);
-        g->run.model->sample(g->run.state, g->xyz);
+        model_sample(g->run.model, g->run.state, g->xyz);
         if (g->run.discretization.kinematics == KINEMATICS_LINEAR)
             CHECK(work.factorisations == 2);
     }

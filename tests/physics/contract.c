@@ -29,8 +29,8 @@ static void run(const struct model *model, const struct scene *scene,
 {
     void *state = create(model, scene, d);
     advance(model, state, frames);
-    model->sample(state, xyz);
-    model->destroy(state);
+    model_sample(model, state, xyz);
+    model_destroy(model, state);
 }
 
 static bool all_finite(const double *value, long count)
@@ -47,14 +47,14 @@ static void check_fields(const struct model *model)
     struct message why = {{0}};
 
     CHECK(model->name && model->title && model->source);
-    CHECK(model->options && model->create && model->advance && model->sample);
-    CHECK(model->probe && model->size && model->destroy);
+    CHECK(model->options && model->bytes && model->init && model->advance);
+    CHECK(model->probe && model->size);
     CHECK(!(model->serves & SCENE_NEED_CONTACT) || model->contact);
     CHECK(strspn(model->name, "abcdefghijklmnopqrstuvwxyz_") == strlen(model->name));
     if (model != &toy_model)
         CHECK(contestant_find(model->name, &found, &why) == STATUS_OK &&
               found->model == model);
-    model->destroy(NULL);
+    model_destroy(model, NULL);
 }
 
 static void check_size(const struct model *model, const struct scene *scene,
@@ -66,7 +66,7 @@ static void check_size(const struct model *model, const struct scene *scene,
     model->size(state, &size);
     CHECK(size.nodes > 0 && size.unknowns > 0 && size.unknowns <= 3 * size.nodes);
     CHECK(size.solver && size.unknown_basis && size.factor_entries >= 0);
-    model->destroy(state);
+    model_destroy(model, state);
 }
 
 /* sample() gives the rest shape at first, the same bits twice, and changes nothing; probe()
@@ -79,7 +79,7 @@ static void check_sampling(const struct model *model, const struct scene *scene,
 
     for (int n = 0; n < GRID_POINTS; n++)
         grid_point(n, grid + 3 * n);
-    model->sample(watched, first);
+    model_sample(model, watched, first);
     double off = 0;
     for (int n = 0; n < GRID_POINTS; n++) {
         double rest[3];
@@ -91,8 +91,8 @@ static void check_sampling(const struct model *model, const struct scene *scene,
     CHECK_NEAR(off, 0, rest_rounding);
     for (int n = 0; n < FRAMES; n++) {
         advance(model, watched, 1);
-        model->sample(watched, first);
-        model->sample(watched, second);
+        model_sample(model, watched, first);
+        model_sample(model, watched, second);
         CHECK(!memcmp(first, second, field_size));
     }
     CHECK(all_finite(first, FIELD));
@@ -101,7 +101,7 @@ static void check_sampling(const struct model *model, const struct scene *scene,
     run(model, scene, d, FRAMES, second); /* nobody looks on the way */
     CHECK(!memcmp(first, second, field_size));
     CHECK(metric_drop(scene, first) > 0);
-    model->destroy(watched);
+    model_destroy(model, watched);
     free(first);
     free(second);
     free(grid);
@@ -122,12 +122,12 @@ static void check_independence(const struct model *model, const struct scene *sc
         advance(model, a, 1);
         advance(model, b, 1);
     }
-    model->sample(a, beside);
-    model->sample(b, other);
+    model_sample(model, a, beside);
+    model_sample(model, b, other);
     CHECK(!memcmp(alone, beside, field_size));
     CHECK(memcmp(alone, other, field_size)); /* stiffness matters at all */
-    model->destroy(a);
-    model->destroy(b);
+    model_destroy(model, a);
+    model_destroy(model, b);
     scene_clear(&stiff);
     free(alone);
     free(beside);
@@ -145,7 +145,7 @@ static void check_counters(const struct model *model, const struct scene *scene,
     CHECK(c.assemblies >= 0 && c.factorisations >= 0);
     CHECK(model->advance(state, &more) == STATUS_OK);
     CHECK(more.steps == 101 && more.solves >= 100); /* added to, not set */
-    model->destroy(state);
+    model_destroy(model, state);
 }
 
 static void check_energy(const struct model *model, const struct scene *scene,
@@ -169,7 +169,7 @@ static void check_energy(const struct model *model, const struct scene *scene,
                   energy_gain * (now.kinetic + fabs(now.potential)));
     }
     CHECK(now.potential < 0);
-    model->destroy(state);
+    model_destroy(model, state);
 }
 
 static void check_equilibrium(const struct model *model, const struct scene *scene,
@@ -185,9 +185,9 @@ static void check_equilibrium(const struct model *model, const struct scene *sce
     xyz = new_field();
     if (!CHECK(model->equilibrium(state, &counters, &why) == STATUS_OK))
         printf("%s: %s\n", model->name, why.text);
-    model->sample(state, xyz);
+    model_sample(model, state, xyz);
     CHECK(all_finite(xyz, FIELD) && metric_drop(scene, xyz) > 0 && counters.solves > 0);
-    model->destroy(state);
+    model_destroy(model, state);
     free(xyz);
 }
 
@@ -207,7 +207,7 @@ static void check_modes(const struct model *model, const struct scene *scene,
         CHECK(omega[n] >= omega[n - 1]);
     *why.text = '\0';
     CHECK(model->modes(state, 1000000, omega, &why) == STATUS_INPUT && *why.text);
-    model->destroy(state);
+    model_destroy(model, state);
 }
 
 static void check_matrices(const struct model *model, const struct scene *scene,
@@ -235,7 +235,7 @@ static void check_matrices(const struct model *model, const struct scene *scene,
     CHECK_RELATIVE(mass,
                    3 * scene->density * scene->length * scene->width * scene->thickness,
                    mass_rounding);
-    model->destroy(state);
+    model_destroy(model, state);
     matrix_clear(&K);
     matrix_clear(&M);
 }
@@ -250,13 +250,13 @@ static void check_kinematics(const struct model *model, const struct scene *scen
         struct message why = {{0}};
         void *state = NULL;
         d.kinematics = (enum kinematics)k;
-        enum status st = model->create(scene, &d, &state, &why);
+        enum status st = model_create(model, scene, &d, &state, &why);
         if (st == STATUS_UNSUPPORTED) {
             CHECK(*why.text && !state);
             continue;
         }
         REQUIRE(st == STATUS_OK);
-        model->destroy(state);
+        model_destroy(model, state);
         served++;
         check_sampling(model, scene, &d);
         check_independence(model, scene, &d);

@@ -9,9 +9,9 @@ static void model_starts(const struct model *model, const struct scene *scene,
     struct message why = {{0}};
     void *state = NULL;
 
-    if (!CHECK(model->create(scene, d, &state, &why) == STATUS_OK))
+    if (!CHECK(model_create(model, scene, d, &state, &why) == STATUS_OK))
         printf("%s: %s\n", name, why.text);
-    model->destroy(state);
+    model_destroy(model, state);
 }
 
 /* Rows can be told apart, and say what the program believes of them: settings that the
@@ -89,12 +89,12 @@ static void check_refused(const struct model *model, const struct scene *scene,
     struct message why = {{0}};
     int mark;
     void *state = &mark;
-    enum status st = model->create(scene, d, &state, &why);
+    enum status st = model_create(model, scene, d, &state, &why);
 
     if (!CHECK(st == want && state == &mark && *why.text))
         printf("%s, %s: status %d, '%s'\n", model->name, what, st, why.text);
     if (st == STATUS_OK)
-        model->destroy(state);
+        model_destroy(model, state);
 }
 
 static void check_bad_discretizations(const struct model *model, const struct scene *scene)
@@ -130,10 +130,10 @@ static void check_nets(const struct model *model, const struct scene *scene)
         d.points[2] = 2 + n / 5 % 3;
         for (int i = 0; i < 3; i++)
             d.degree[i] = i < 2 ? 1 + n / 15 % 3 : 1 + n / 45;
-        enum status st = model->create(scene, &d, &state, &why);
+        enum status st = model_create(model, scene, &d, &state, &why);
         if (st == STATUS_OK) {
             CHECK(model->advance(state, &counters) == STATUS_OK);
-            model->destroy(state);
+            model_destroy(model, state);
         } else {
             CHECK((st == STATUS_INPUT || st == STATUS_UNSUPPORTED) && *why.text && !state);
         }
@@ -236,9 +236,9 @@ static double part_of_thickness(const struct model *model, const struct discreti
 
     fill_scene(&scene);
     add_need(&scene, SCENE_NEED_THICKNESS_SUPPORTS, 0);
-    enum status st = model->create(&scene, d, &state, &why);
+    enum status st = model_create(model, &scene, d, &state, &why);
     CHECK(st == STATUS_OK || (st == STATUS_UNSUPPORTED && *why.text && !state));
-    model->destroy(state);
+    model_destroy(model, state);
     scene_clear(&scene);
     return st == STATUS_OK ? 0 : 0.5;
 }
@@ -263,7 +263,7 @@ static void check_needs(const struct model *model)
         if (model->serves & needs[n]) {
             void *state = create(model, &scene, &d);
             advance(model, state, 2);
-            model->destroy(state);
+            model_destroy(model, state);
         } else {
             char text[256];
             scene_needs_text(needs[n], text, sizeof text);

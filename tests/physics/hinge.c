@@ -125,8 +125,8 @@ static double apart(const struct row *row, const char *scene, const char *const 
     open_row(&other, scene, row, b);
     opened_steps(&one, STEPS);
     opened_steps(&other, STEPS);
-    one.model->sample(one.state, x);
-    other.model->sample(other.state, y);
+    model_sample(one.model, one.state, x);
+    model_sample(other.model, other.state, y);
     run_close(&one);
     run_close(&other);
     return opened_apart(x, y);

@@ -50,15 +50,15 @@ static struct counters move(const struct subject *s, const struct scene *scene,
     void *state = NULL;
 
     REQUIRE(contestant_find(s->model, &c, NULL) == STATUS_OK);
-    if (!CHECK(c->model->create(scene, d, &state, &why) == STATUS_OK))
+    if (!CHECK(model_create(c->model, scene, d, &state, &why) == STATUS_OK))
         printf("%s: %s\n", s->model, why.text);
     REQUIRE(state);
     for (int n = 0; n < FRAMES; n++)
         CHECK(c->model->advance(state, &work) == STATUS_OK);
-    c->model->sample(state, xyz);
+    model_sample(c->model, state, xyz);
     c->model->size(state, &size);
     CHECK(!solver_iterates(d->solver) || !strcmp(size.solver, option_solver[d->solver]));
-    c->model->destroy(state);
+    model_destroy(c->model, state);
     return work;
 }
 
@@ -135,12 +135,12 @@ static void check_death(enum solver solver, enum preconditioner preconditioner)
     fill_scene(&scene);
     d.solver = solver, d.preconditioner = preconditioner;
     REQUIRE(contestant_find("iga", &c, NULL) == STATUS_OK);
-    REQUIRE(c->model->create(&scene, &d, &state, NULL) == STATUS_OK);
+    REQUIRE(model_create(c->model, &scene, &d, &state, NULL) == STATUS_OK);
     struct solid_motion *m = state; /* solid_model.h: a state begins with it */
     iterative_tolerate(m->system.iterative, 1e-30, 0);
     CHECK(c->model->advance(state, &work) == STATUS_UNSOLVED);
     CHECK(status_is_death(STATUS_UNSOLVED) && work.solves > 1);
-    c->model->destroy(state);
+    model_destroy(c->model, state);
     scene_clear(&scene);
 }
 

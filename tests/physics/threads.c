@@ -55,7 +55,7 @@ static void check_threads(const struct row *row)
                    "material.young=1000", "time.step=1e-4", row->settings[0],
                    row->settings[1], row->settings[2]);
         opened_steps(&run, FRAMES);
-        run.model->sample(run.state, threads == 1 ? one : many);
+        model_sample(run.model, run.state, threads == 1 ? one : many);
         if (threads > 1 && !CHECK(!memcmp(one, many, sizeof one)))
             printf("  %s, %s, %d threads\n", row->name, row->settings[0], threads);
         run_close(&run);

@@ -78,7 +78,7 @@ static void swing(const struct row *row, int steps, double *xyz)
     if (!strcmp(run.model->name, "triangles"))
         ((struct tri_motion *)run.state)->large.motion.lag = 0;
     opened_steps(&run, FRAMES * steps);
-    run.model->sample(run.state, xyz);
+    model_sample(run.model, run.state, xyz);
     run_close(&run);
 }
 

@@ -75,7 +75,7 @@ static void check_row(const struct row *row)
     REQUIRE(motion_init(&m, run.model, &run.scene, run.state) == STATUS_OK);
     if (!CHECK(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK))
         printf("%s %s: %s\n", row->scene, row->contestant, why.text);
-    run.model->sample(run.state, xyz);
+    model_sample(run.model, run.state, xyz);
     if (!CHECK(metric_intersections(&run.scene, xyz) == 0))
         printf("%s %s goes through itself\n", row->scene, row->contestant);
     if (row->whole)

@@ -23,7 +23,7 @@ static void sample_after(const char *name, int count, const char *const *text, d
 
     opened_run(&run, "edge_drop", name, count, text);
     opened_steps(&run, FRAMES);
-    run.model->sample(run.state, xyz);
+    model_sample(run.model, run.state, xyz);
     run_close(&run);
 }
 

@@ -37,10 +37,11 @@ enum status __wrap_named_file_read(const struct named_file_kind *kind, const cha
     if (!from)
         return status_fail(why, STATUS_FILE, "%s: no such %s", path, kind->what);
     *size = !strcmp(path, "fuzz") ? plan_size : strlen(from);
-    *bytes = malloc(*size + 1); /* as the true one: room for one byte more */
+    *bytes = malloc(*size + 1);
     MUST(*bytes);
     if (*size)
         memcpy(*bytes, from, *size);
+    (*bytes)[*size] = '\0';
     return STATUS_OK;
 }
 

@@ -93,7 +93,7 @@ static void test_signal(int number)
         atomic_file_catch_signals();
         /* one that is whole by then stays, and its name aside is forgotten */
         if (output_create(scratch_path("whole.txt"), &out, &why) != STATUS_OK ||
-            output_close(out, &why) != STATUS_OK)
+            output_close(&out, &why) != STATUS_OK)
             _exit(1);
         for (int n = 0; n < 3; n++)
             if (output_create(scratch_path("child.txt"), &out, &why) != STATUS_OK ||
@@ -123,7 +123,7 @@ static void test_link(void)
     REQUIRE(output_create(scratch_path("link.txt"), &out, &why) == STATUS_OK);
     CHECK(scratch_files(scratch) == 3); /* aside, until it is whole */
     output_print(out, "%d\n", 12345);
-    CHECK(output_close(out, &why) == STATUS_OK);
+    CHECK(output_close(&out, &why) == STATUS_OK);
     CHECK(lstat(scratch_path("link.txt"), &info) == 0 && S_ISLNK(info.st_mode));
     CHECK(stat(scratch_path("real.txt"), &info) == 0 && info.st_size == 6);
     unlink(scratch_path("link.txt"));
@@ -144,7 +144,7 @@ static void test_given_up(void)
     struct message why;
     REQUIRE(output_create(scratch_path("none.txt"), &out, NULL) == STATUS_OK);
     CHECK(fgetc(output_stream(out)) == EOF); /* it is not for reading */
-    CHECK(output_close(out, &why) == STATUS_FILE && strstr(why.text, "Input/output"));
+    CHECK(output_close(&out, &why) == STATUS_FILE && strstr(why.text, "Input/output"));
     CHECK(scratch_files(scratch) == 0);
     /* what is written in place stays: it was there before */
     const char *pipe = scratch_path("pipe");

@@ -399,7 +399,7 @@ static void refused(const struct fixture *f, const char *path, const char *part)
     /* a file's name may be refused at once, a full disk shows only at the end */
     if (output_create(path, &out, &why[2]) == STATUS_OK) {
         output_print(out, "1,2,3\n");
-        CHECK(output_close(out, &why[2]) == STATUS_FILE);
+        CHECK(output_close(&out, &why[2]) == STATUS_FILE);
     }
     for (int n = 0; n < 3; n++)
         if (!CHECK(is_sentence(&why[n], part)))

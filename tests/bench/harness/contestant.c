@@ -78,7 +78,7 @@ static void two_frames(const struct contestant *c, const char *setting, double *
     open_row(c, setting, &run);
     for (int n = 0; n < 2; n++)
         CHECK(run.model->advance(run.state, &work) == STATUS_OK);
-    run.model->sample(run.state, xyz);
+    model_sample(run.model, run.state, xyz);
     run_close(&run);
 }
 

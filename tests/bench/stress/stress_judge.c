@@ -383,14 +383,14 @@ static void check_ends(void)
 
 static int weights, rows_right;
 
-static enum status count_weights(const struct scene *scene, const struct discretization *d,
-                                 void **state, struct message *why)
+static enum status count_weights(void *state, const struct scene *scene,
+                                 const struct discretization *d, struct message *why)
 {
     weights = d->weight_count;
     rows_right = 0;
     for (int n = 0; n < weights; n++)
         rows_right += d->weights[n] == (n / d->points[1] % 2 ? 10 : 1);
-    return scripted_create(scene, d, state, why);
+    return scripted_init(state, scene, d, why);
 }
 
 /* Checks nets and weights: ten points a side, one element, as many as the case says. */
@@ -408,7 +408,7 @@ static void check_nets(void)
     for (size_t n = 0; n < sizeof known / sizeof *known; n++)
         for (int weighted = 0; weighted < 2; weighted++) {
             begin();
-            other.create = count_weights;
+            other.init = count_weights;
             contestant.degree = known[n].degree;
             c.side = known[n].side;
             c.weight_ratio = weighted ? 10 : 0;

@@ -176,7 +176,7 @@ static void shell_agrees(const char *name, double net)
     REQUIRE(found);
     opened_run(&run, name, "shell_selective_3", 1, fine);
     REQUIRE(run_settle(&run, &work, &why) == STATUS_OK);
-    run.model->sample(run.state, found);
+    model_sample(run.model, run.state, found);
     double *xyz = field_at(&run.scene, run.scene.end, &error);
     if (!CHECK(metric_rmse(found, xyz) <= error + net))
         printf("%s: %g m apart, bar %g m\n", name, metric_rmse(found, xyz), error);
@@ -184,9 +184,9 @@ static void shell_agrees(const char *name, double net)
     opened_run(&run, name, "shell_selective_3", 1, coarse);
     for (double t = 0; t < run.scene.end - run.scene.step / 2; t += run.scene.step)
         REQUIRE(run.model->advance(run.state, &work) == STATUS_OK);
-    run.model->sample(run.state, moved);
+    model_sample(run.model, run.state, moved);
     REQUIRE(run_settle(&run, &work, &why) == STATUS_OK);
-    run.model->sample(run.state, found);
+    model_sample(run.model, run.state, found);
     if (!CHECK(metric_rmse(found, moved) <= error / 2))
         printf("%s: %g m from rest, bar %g m\n", name, metric_rmse(found, moved), error);
     run_close(&run);

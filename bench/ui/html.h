@@ -1,4 +1,4 @@
-/* html.h - writes the pages of a site: markup is the program's own, and every text that is
+/* html.h - writes pages: markup is the program's own, and every text that is
  * put into it is escaped, wherever it comes from. */
 #ifndef HTML_H
 #define HTML_H
@@ -15,6 +15,9 @@ struct output;
  * character. */
 void html_print(FILE *file, const char *markup, ...) __attribute__((format(printf, 2, 3)));
 
+/* Writes the begin of a page: its title, in two parts. */
+void html_head(FILE *file, const char *title, const char *more);
+
 /* Starts the page FOLDER/KIND_NAME.html, or FOLDER/NAME.html without a kind: its title as a
  * heading, and the links that all pages have. Finishes it; *out is NULL then. STATUS_INPUT
  * with a sentence: the path is too long; STATUS_FILE. */
@@ -27,5 +30,11 @@ enum status html_close(struct output **out, struct message *why);
  * follow. */
 void html_table(FILE *file, const char *heads);
 void html_table_end(FILE *file);
+
+/* Reads page.html, which comes with the program, up to the mark of its data and behind it,
+ * *rest; *page is freed by the receiver. Writes the CSS of all pages, which is there.
+ * STATUS_INPUT with a sentence: there is no such page of ours; STATUS_MEMORY. */
+enum status html_page_read(char **page, char **rest, struct message *why);
+enum status html_style(FILE *file, struct message *why);
 
 #endif

@@ -126,7 +126,7 @@ static double iterate(const struct operator* o, double *room)
         for (size_t t = 0; t < count; t++)
             q[t] *= over;
     }
-    return sqrt(ritz(n, alpha, beta, square));
+    return sqrt(n % LANCZOS_LOOK == 0 ? square : ritz(n, alpha, beta, square));
 }
 
 enum status frequency_of_body(const struct frequency_body *body, double *omega)

@@ -1,6 +1,5 @@
 #include "models/net/spring_leapfrog.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -231,11 +230,8 @@ static void multiply(const void *self, const double *x, double *y)
 {
     const struct spring_leapfrog *l = self;
     const double shorter = fmin(l->net->cell[0], l->net->cell[1]);
-    double square = 0;
+    const double scale = SMALL * shorter * sqrt((double)count(l) * l->body.load->mass[0]);
 
-    for (size_t n = 0; n < count(l); n++)
-        square += x[n] * x[n];
-    const double scale = SMALL * shorter * sqrt((double)count(l) / fmax(square, DBL_MIN));
     for (size_t n = 0; n < count(l); n++)
         l->ahead[n] = l->net->rest[n] + scale * x[n];
     spring_sweep_put(l->sweep, l->ahead, l->before);

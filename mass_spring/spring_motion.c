@@ -30,10 +30,7 @@ static enum status allocate(struct spring_motion *m)
 /* Finds the largest angular frequency about rest; newton.K is work. */
 static enum status rest_frequency(struct spring_motion *m, double *omega)
 {
-    if (spring_motion_stencil(m))
-        spring_stencil_jacobian(&m->stencil, m->net.rest, true, m->newton.K);
-    else
-        spring_force_jacobian(&m->net, m->net.rest, m->newton.K);
+    spring_force_jacobian(&m->net, m->net.rest, m->newton.K);
     return frequency_largest(&m->net.graph, &m->newton.supports, m->points.mass,
                              (const double(*)[9])m->newton.K, omega);
 }
@@ -82,7 +79,11 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
 
     TRY(spring_stencil_init(&m->stencil, m->scene, &m->net, OWN(spring_own, d)->springs,
                             d->bending));
-    TRY(rest_frequency(m, &body.omega));
+    if (OWN(spring_own, d)->gauge > 1) {
+        TRY(spring_gauge_init(&m->gauge, &m->newton.supports, OWN(spring_own, d)->gauge,
+                              &m->stencil));
+        body.gauge = &m->gauge;
+    }
     TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,
                              why));
     m->limit = spring_leapfrog_limit(m->leapfrog);
@@ -117,6 +118,7 @@ void spring_motion_clear(void *motion)
     spring_large_clear(&m->large);
     spring_strips_clear(&m->strips);
     spring_stencil_clear(&m->stencil);
+    spring_gauge_clear(&m->gauge);
     spring_leapfrog_free(m->leapfrog);
     net_contact_free(m->contact);
     spring_newton_clear(&m->newton);
@@ -370,8 +372,10 @@ double spring_motion_elastic(const struct spring_motion *m)
 {
     const struct spring_stencil *stencil = spring_motion_stencil(m);
 
-    return stencil ? spring_stencil_energy(stencil, m->x)
-                   : spring_force_energy(&m->net, m->x);
+    if (!stencil)
+        return spring_force_energy(&m->net, m->x);
+    return spring_stencil_energy(stencil, m->x) +
+           (m->gauge.room ? spring_gauge_energy(&m->gauge, &m->net, m->x) : 0);
 }
 
 void spring_motion_place(struct spring_motion *m, double t)

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/mechanics/frequency.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/mechanics/large_rest.h"
 #include "models/mechanics/pencil.h"
@@ -46,21 +45,6 @@ static enum status rest_stiffness(const struct tri_motion *m, double (*K)[9])
                               (struct large_foresight){0}, K);
 }
 
-static enum status rest_frequency(const struct tri_motion *m, double *omega)
-{
-    enum status st;
-    double(*K)[9] = calloc((size_t)m->body.body.pairs, sizeof *K);
-
-    if (!K)
-        return STATUS_MEMORY;
-    TRY(rest_stiffness(m, K));
-    st = frequency_largest(&m->net.graph, &m->supports, m->load.mass, (const double(*)[9])K,
-                           omega);
-out:
-    free(K);
-    return st;
-}
-
 static enum status make_leapfrog(struct tri_motion *m, const struct discretization *d,
                                  struct message *why)
 {
@@ -80,7 +64,6 @@ static enum status make_leapfrog(struct tri_motion *m, const struct discretizati
     TRY(spring_stencil_init(&m->stencil, m->scene, points, SPRINGS_SQUARES,
                             BENDING_QUADRATIC));
     spring_stencil_replace(&m->stencil, &m->net.forms);
-    TRY(rest_frequency(m, &body.omega));
     supports_initial_velocity(&m->supports, m->scene, points->rest, NULL, m->v);
     TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,
                              why));

@@ -14,6 +14,16 @@ enum { FREQUENCY_MOST_STEPS = 1000000 };
 enum status frequency_largest(const struct blocks *graph, const struct supports *supports,
                               const double *mass, const double (*K)[9], double *omega);
 
+/* A stiffness as the forces that it makes: computes y = K x, [nodes][3], in the free
+ * unknowns at least. x is zero in the others, and x' M x = 1 kg m^2. */
+struct frequency_body {
+    const struct supports *supports;
+    const double *mass; /* [nodes] */
+    void (*multiply)(const void *self, const double *x, double *y);
+    const void *self;
+};
+enum status frequency_of_body(const struct frequency_body *body, double *omega);
+
 /* Returns the greatest stable step of explicit steps (leapfrog, symplectic Euler) with this
  * frequency [rad/s] and stiffness damping beta [s]: INFINITY if nothing can move. */
 double frequency_limit(double omega, double beta);

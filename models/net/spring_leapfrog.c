@@ -164,19 +164,35 @@ double spring_leapfrog_limit(const struct spring_leapfrog *l)
 /* Returns how much stiffer a net is at most with springs sqrt(stretch2) times as long as at
  * rest: in squares of lengths each along itself, in lengths each across, by 1 - r/l of its
  * stiffness along. */
-static double stiffer(const struct spring_leapfrog *l, double stretch2)
+static double stiffer(const struct spring_leapfrog *l, const double *x)
 {
+    if (l->body.gauge)
+        return spring_gauge_stiffer(l->body.gauge, l->net, x);
+    const double stretch2 = spring_stencil_stretch2(l->body.stencil, x);
+
     return l->body.stencil->springs == SPRINGS_LENGTHS ? 2 - 1 / sqrt(stretch2)
                                                        : (3 * stretch2 - 1) / 2;
 }
 
 /* Returns the substeps that keep a share of the limit where springs are so long. */
-static double needed(const struct spring_leapfrog *l, double share, double stretch2)
+static double needed(const struct spring_leapfrog *l, double share, double more)
 {
-    return fmax(1, ceil(l->scene->step * sqrt(stiffer(l, stretch2)) / (share * l->limit)));
+    return fmax(1, ceil(l->scene->step * sqrt(more) / (share * l->limit)));
 }
 
-static enum status make_sweep(struct spring_leapfrog *l, enum precision precision)
+static enum spring_sweep_law law_of(const struct spring_body *body)
+{
+    const struct spring_stencil *s = body->stencil;
+
+    return body->cells   ? SWEEP_CELLS
+           : body->gauge ? (body->gauge->all ? SWEEP_GAUGE : SWEEP_GAUGE_U)
+           : s->strut    ? SWEEP_STRUTS
+           : s->springs == SPRINGS_LENGTHS ? SWEEP_LENGTHS
+                                           : SWEEP_SQUARES;
+}
+
+static enum status make_sweep(const struct spring_leapfrog *l, enum precision precision,
+                              struct spring_sweep **sweep)
 {
     enum status st;
     const struct spring_net *net = l->net;
@@ -186,11 +202,9 @@ static enum status make_sweep(struct spring_leapfrog *l, enum precision precisio
                                      .sheet = net->rows,
                                      .precision = precision,
                                      .lag = l->body.load->beta,
-                                     .law = l->body.cells                   ? SWEEP_CELLS
-                                            : s->strut                      ? SWEEP_STRUTS
-                                            : s->springs == SPRINGS_LENGTHS ? SWEEP_LENGTHS
-                                                                            : SWEEP_SQUARES,
+                                     .law = law_of(&l->body),
                                      .cells = l->body.cells,
+                                     .gauge = l->body.gauge,
                                      .clamps = s->strut ? net->clamp_count : 0};
     struct spring_sweep_clamp *clamp = malloc(((size_t)plan.clamps + 1) * sizeof *clamp);
 
@@ -202,8 +216,50 @@ static enum status make_sweep(struct spring_leapfrog *l, enum precision precisio
             from->b, from->a, {from->edge[0], from->edge[1], from->edge[2]}, from->strut};
     }
     plan.clamp = clamp;
-    st = spring_sweep_make(&plan, &l->sweep);
+    st = spring_sweep_make(&plan, sweep);
     free(clamp);
+    return st;
+}
+
+/* The ways from rest by whose forces a stiffness is found, in cells, root mean square: far
+ * above round-off, far below what turns a line. */
+static const double SMALL = 1e-7;
+
+/* Computes K x from the kick at small displacements; implements frequency_body. */
+static void multiply(const void *self, const double *x, double *y)
+{
+    const struct spring_leapfrog *l = self;
+    const double shorter = fmin(l->net->cell[0], l->net->cell[1]);
+    const double scale = SMALL * shorter * sqrt((double)count(l) * l->body.load->mass[0]);
+
+    for (size_t n = 0; n < count(l); n++)
+        l->ahead[n] = l->net->rest[n] + scale * x[n];
+    spring_sweep_put(l->sweep, l->ahead, l->before);
+    spring_sweep_run(l->sweep, 0, 1);
+    spring_sweep_get(l->sweep, NULL, l->v);
+    for (int a = 0; a < l->net->nodes; a++) {
+        const double over = 1 / (scale * l->c[a][SWEEP_PUSH]);
+        for (int i = 3 * a; i < 3 * a + 3; i++)
+            y[i] = (l->now[i] - l->v[i]) * over;
+    }
+}
+
+/* Finds the largest frequency about rest by a sweep in double precision. */
+static enum status find_frequency(struct spring_leapfrog *l, double *omega)
+{
+    enum status st;
+    const struct frequency_body body = {l->body.supports, l->body.load->mass, multiply, l};
+
+    TRY(make_sweep(l, PRECISION_DOUBLE, &l->sweep));
+    set_step(l, 1);
+    spring_sweep_put(l->sweep, l->net->rest, l->now);
+    spring_sweep_run(l->sweep, 0, 1);
+    spring_sweep_get(l->sweep, NULL, l->now);
+    TRY(frequency_of_body(&body, omega));
+out:
+    memset(l->now, 0, count(l) * sizeof *l->now);
+    spring_sweep_free(l->sweep);
+    l->sweep = NULL;
     return st;
 }
 
@@ -213,6 +269,7 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
 {
     enum status st;
     size_t nodes = (size_t)body->load->net->nodes;
+    double omega;
     struct spring_leapfrog *l = calloc(1, sizeof *l);
 
     if (!l)
@@ -225,9 +282,10 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
                  ROOM(l->shift, body->supports->held_count),
                  ROOM(l->next, body->supports->held_count)));
     supports_shift(body->supports, l->scene, 0, l->shift);
-    TRY(make_sweep(l, precision));
+    TRY(find_frequency(l, &omega));
+    TRY(make_sweep(l, precision, &l->sweep));
     TRY(net_contact_make(l->scene, l->net, body->supports, &l->contact));
-    l->limit = frequency_limit(body->omega, body->load->beta);
+    l->limit = frequency_limit(omega, body->load->beta);
     TRY(frequency_steps(l->scene->step, l->limit, CHOSEN, substeps, &substeps, why));
     set_step(l, substeps);
     start(l, x, v);
@@ -312,10 +370,10 @@ out:
  * longer is. */
 static void watch(struct spring_leapfrog *l, const double *x)
 {
-    double stretch2 = spring_stencil_stretch2(l->body.stencil, x);
-    double borne = needed(l, BORNE, stretch2), chosen = needed(l, CHOSEN, stretch2);
+    double more = stiffer(l, x);
+    double borne = needed(l, BORNE, more), chosen = needed(l, CHOSEN, more);
 
-    if (l->asked || !isfinite(stretch2) || chosen > FREQUENCY_MOST_STEPS)
+    if (l->asked || !isfinite(more) || chosen > FREQUENCY_MOST_STEPS)
         return;
     if (borne <= l->substeps && chosen >= FEWER * l->substeps)
         return;
@@ -337,6 +395,16 @@ struct model_contact spring_leapfrog_contact(const struct spring_leapfrog *l)
     return net_contact_report(l->contact);
 }
 
+static bool all_finite(const double *x, size_t n)
+{
+    double none = 0; /* a sum of what is 0 for numbers, NaN else */
+
+#pragma omp simd reduction(+ : none)
+    for (size_t k = 0; k < n; k++)
+        none += x[k] - x[k];
+    return none == 0;
+}
+
 enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x,
                                   struct counters *counters)
 {
@@ -351,9 +419,8 @@ enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x,
     counters->substeps += l->substeps;
     counters->assemblies += l->substeps;
     get(l, x, l->v);
-    for (size_t n = 0; n < count(l); n++)
-        if (!isfinite(x[n]))
-            return STATUS_NAN;
+    if (!all_finite(x, count(l)))
+        return STATUS_NAN;
     if (l->body.load->keep != 1)
         scale(l, l->body.load->keep, x);
     watch(l, x);

@@ -24,7 +24,8 @@ struct spring_body {
     const struct supports *supports;
     const struct spring_stencil *stencil;
     const struct spring_cells *cells; /* NULL: the stencil's springs; else in their place */
-    double omega; /* largest angular frequency about rest                     [rad/s] */
+    const struct spring_gauge *gauge; /* NULL, or springs taken from the stencil, which are
+                                         in squares of lengths                         */
 };
 
 struct spring_leapfrog; /* opaque */

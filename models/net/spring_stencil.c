@@ -21,8 +21,8 @@ int spring_stencil_node(const struct spring_net *net, int node, int neighbour)
                              step[1]);
 }
 
-/* Returns which neighbour of a is b. */
-static int place_of(const struct spring_net *net, int a, int b)
+/* Returns which neighbour lies di rows and dj places away. */
+static int place_at(int di, int dj)
 {
     enum { NONE = -1 };
     static const signed char place[5][5] = {{12, NONE, 8, NONE, 13},
@@ -30,10 +30,17 @@ static int place_of(const struct spring_net *net, int a, int b)
                                             {9, 3, NONE, 4, 10},
                                             {NONE, 5, 6, 7, NONE},
                                             {14, NONE, 11, NONE, 15}};
-    const int m = net->points[1], i = b / m - a / m + 2, j = b % m - a % m + 2;
 
-    assert(i >= 0 && i < 5 && j >= 0 && j < 5 && place[i][j] != NONE);
-    return place[i][j];
+    assert(abs(di) <= 2 && abs(dj) <= 2 && place[di + 2][dj + 2] != NONE);
+    return place[di + 2][dj + 2];
+}
+
+/* Returns which neighbour of a is b. */
+static int place_of(const struct spring_net *net, int a, int b)
+{
+    const int m = net->points[1];
+
+    return place_at(b / m - a / m, b % m - a % m);
 }
 
 static void set_springs(struct spring_stencil *s)
@@ -74,12 +81,17 @@ static void add_forms(struct spring_stencil *s, const struct spring_forms *forms
 {
     for (int k = 0; k < forms->count; k++) {
         const struct spring_form *form = spring_form_of(forms, k);
+        int node[SPRING_FORM_POINTS], row[SPRING_FORM_POINTS], column[SPRING_FORM_POINTS];
         for (int m = 0; m < form->count; m++) {
-            const int a = forms->place[k].at + form->step[m];
+            node[m] = forms->place[k].at + form->step[m];
+            row[m] = node[m] / s->net->points[1], column[m] = node[m] % s->net->points[1];
+        }
+        for (int m = 0; m < form->count; m++) {
+            const int a = node[m];
             const double b = form->stiffness * form->weight[m];
             for (int n = 0; n < form->count; n++)
                 if (n != m)
-                    s->bend[a][place_of(s->net, a, forms->place[k].at + form->step[n])] -=
+                    s->bend[a][place_at(row[n] - row[m], column[n] - column[m])] -=
                         b * form->weight[n];
             for (int c = 0; c < 3; c++)
                 s->clamp[a][c] -= b * form->shift[c];

@@ -38,6 +38,12 @@ static enum status look_at(const struct model *model, void *state, const struct 
     return STATUS_OK;
 }
 
+/* Matrices of another basis than points, an equilibrium of explicit steps alone. */
+static enum status served(enum status st)
+{
+    return st == STATUS_UNSUPPORTED ? STATUS_OK : st;
+}
+
 static enum status rest(const struct model *model, void *state, struct message *why)
 {
     struct counters work = {0};
@@ -45,11 +51,10 @@ static enum status rest(const struct model *model, void *state, struct message *
     double omega[2];
     enum status st = STATUS_OK;
 
-    st = model->matrices ? model->matrices(state, &K, &M) : STATUS_OK;
-    if (st != STATUS_UNSUPPORTED) /* of another basis than points */
-        TRY(st);
+    if (model->matrices)
+        TRY(served(model->matrices(state, &K, &M)));
     if (model->equilibrium)
-        TRY(model->equilibrium(state, &work, why));
+        TRY(served(model->equilibrium(state, &work, why)));
     if (model->modes)
         TRY(model->modes(state, 2, omega, why));
 out:

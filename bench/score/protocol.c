@@ -246,7 +246,7 @@ void protocol_clear(struct protocol *p)
         free(p->scene[k].run);
         free(p->scene[k].name);
     }
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < PROTOCOL_TABLES; k++)
         csv_clear(&p->contestants[k]);
     free(p->scene);
     free(p->folder);

@@ -37,14 +37,15 @@ struct protocol_scene {
     struct protocol_run *run; /* [runs] from coarse to fine, then by repeat        owned */
 };
 
+enum { PROTOCOL_TABLES = 3 };
+
 struct protocol {
     char *folder;         /*                                                       owned */
     char *name, *version; /* of the engine; NULL: not said                         owned */
     double step;          /* that was asked for [s]; 0: not said                         */
     int scenes;
     struct protocol_scene *scene; /* [scenes] those to begin with first            owned */
-    struct csv contestants[2];    /* stored runs of our own, the scenes to begin with first;
-                                     count is 0: none is there                           */
+    struct csv contestants[PROTOCOL_TABLES]; /* stored runs of our own; count 0: none */
 };
 
 /* Reads and scores all files of a folder. STATUS_INPUT with a sentence: one of them is
@@ -110,7 +111,8 @@ struct protocol_rival {
 
 /* Reads the stored runs of our own contestants, if there are any. STATUS_MEMORY, or
  * STATUS_INPUT with a sentence: their table is damaged. */
-enum status protocol_place_read(struct csv contestants[2], struct message *why);
+enum status protocol_place_read(struct csv contestants[PROTOCOL_TABLES],
+                                struct message *why);
 
 /* Lists, best first, the engine's finest run and the best of each contestant with no more
  * points, the engine first where its error is below what six digits show; *count is 0 where

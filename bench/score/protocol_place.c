@@ -16,8 +16,9 @@
 /* Error over the length below which the engine has none: frames may have six digits. */
 static const double NONE = 1e-5;
 
-/* The tables, without their ending; a scene's is the first that has it. */
-static const char *const tables[2] = {"compare_protocol", "compare_scenes"};
+/* The files, without their ending; all of them may have runs on a scene. */
+static const char *const tables[PROTOCOL_TABLES] = {"compare_protocol", "compare_rest",
+                                                    "compare_scenes"};
 
 static const struct named_file_kind kind = {
     .what = "table of contestants",
@@ -27,15 +28,22 @@ static const struct named_file_kind kind = {
     .in_source = CONTESTANTS_IN_SOURCE,
 };
 
-static const struct csv_table *table_of(const struct protocol *p, const char *scene)
+/* Returns the next table of a scene's runs, after `last`, NULL for the first; NULL: none.
+ */
+static const struct csv_table *next_table(const struct protocol *p, const char *scene,
+                                          const struct csv_table *last)
 {
     char caption[160];
+    bool begun = !last;
 
     snprintf(caption, sizeof caption, "Every run on %.100s (", scene);
-    for (const struct csv *csv = p->contestants; csv < p->contestants + 2; csv++)
-        for (int n = 0; n < csv->count; n++)
-            if (strstr(csv->table[n].caption, caption))
+    for (const struct csv *csv = p->contestants; csv < p->contestants + PROTOCOL_TABLES;
+         csv++)
+        for (int n = 0; n < csv->count; n++) {
+            if (begun && strstr(csv->table[n].caption, caption))
                 return &csv->table[n];
+            begun = begun || last == &csv->table[n];
+        }
     return NULL;
 }
 
@@ -80,11 +88,12 @@ static int compare_rivals(const void *a, const void *b)
     return (left > right) - (left < right);
 }
 
-enum status protocol_place_read(struct csv contestants[2], struct message *why)
+enum status protocol_place_read(struct csv contestants[PROTOCOL_TABLES],
+                                struct message *why)
 {
     enum status st = STATUS_OK;
 
-    for (int k = 0; k < 2 && st == STATUS_OK; k++) {
+    for (int k = 0; k < PROTOCOL_TABLES && st == STATUS_OK; k++) {
         char *path = NULL;
         st = named_file_find(&kind, tables[k], &path, NULL);
         contestants[k] = (struct csv){0};
@@ -97,23 +106,13 @@ enum status protocol_place_read(struct csv contestants[2], struct message *why)
     return st;
 }
 
-enum status protocol_place(const struct protocol *p, const struct protocol_scene *scene,
-                           int *count, struct protocol_rival **rivals)
+/* Enters the runs of a table that have no more points than the engine's; the room is for
+ * all. */
+static void enter_table(const struct csv_table *t, const struct protocol_run *run,
+                        struct protocol_rival *rivals, int *count)
 {
-    const struct protocol_run *run = protocol_finest(scene);
-    const struct csv_table *t = scene->own ? NULL : table_of(p, scene->name);
-    struct protocol_rival r = {.own = true, .net = {run->net[0], run->net[1]}};
+    struct protocol_rival r = {0};
 
-    *count = 0;
-    *rivals = NULL;
-    if (!t || isnan(r.error = error_of(t, -1, run)))
-        return STATUS_OK;
-    *rivals = malloc(((size_t)t->rows + 1) * sizeof **rivals);
-    if (!*rivals)
-        return STATUS_MEMORY;
-    snprintf(r.title, sizeof r.title, "%s", p->name ? p->name : p->folder);
-    (*rivals)[(*count)++] = r;
-    r.own = false;
     for (int row = 0; row < t->rows; row++) {
         const double side = csv_number_of(t, row, "side"),
                      across = csv_number_of(t, row, "across");
@@ -122,8 +121,31 @@ enum status protocol_place(const struct protocol *p, const struct protocol_scene
             continue;
         r.net[0] = (int)side, r.net[1] = (int)across;
         snprintf(r.title, sizeof r.title, "%s", csv_words_of(t, row, "title"));
-        enter(*rivals, count, &r);
+        enter(rivals, count, &r);
     }
+}
+
+enum status protocol_place(const struct protocol *p, const struct protocol_scene *scene,
+                           int *count, struct protocol_rival **rivals)
+{
+    const struct protocol_run *run = protocol_finest(scene);
+    const struct csv_table *first = scene->own ? NULL : next_table(p, scene->name, NULL);
+    struct protocol_rival own = {.own = true, .net = {run->net[0], run->net[1]}};
+    size_t rows = 1;
+
+    *count = 0;
+    *rivals = NULL;
+    if (!first || isnan(own.error = error_of(first, -1, run)))
+        return STATUS_OK;
+    for (const struct csv_table *t = first; t; t = next_table(p, scene->name, t))
+        rows += (size_t)t->rows;
+    *rivals = malloc(rows * sizeof **rivals);
+    if (!*rivals)
+        return STATUS_MEMORY;
+    snprintf(own.title, sizeof own.title, "%s", p->name ? p->name : p->folder);
+    (*rivals)[(*count)++] = own;
+    for (const struct csv_table *t = first; t; t = next_table(p, scene->name, t))
+        enter_table(t, run, *rivals, count);
     qsort(*rivals, (size_t)*count, sizeof **rivals, compare_rivals);
     return STATUS_OK;
 }

@@ -241,7 +241,8 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
         bool cut;
         if (!isfinite(size))
             TRY(STATUS_NAN);
-        if (once && !(p->contact && (touches || contact_limit(p->contact, x, d) < 1))) {
+        if (once ? !(p->contact && (touches || contact_limit(p->contact, x, d) < 1))
+                 : !p->contact && size <= limits->tolerance) { /* whole, unsearched */
             for (size_t t = 0; t < count; t++)
                 x[t] += d[t];
             goto out;

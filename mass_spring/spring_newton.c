@@ -47,7 +47,7 @@ static enum status make_hinges(struct spring_newton *s)
     return STATUS_OK;
 }
 
-enum status spring_newton_system(struct spring_newton *s)
+enum status spring_newton_system(struct spring_newton *s, const struct scene *scene)
 {
     enum status st = make_hinges(s);
     const int *points = s->net->points;
@@ -60,7 +60,7 @@ enum status spring_newton_system(struct spring_newton *s)
         return STATUS_MEMORY;
     order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
     TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
-    system_single(&s->system);
+    system_precision(&s->system, contact_wanted(scene) ? FACTOR_SINGLE : FACTOR_HALF);
     st = iterative_follow(s->system.iterative, frames, s, false);
 out:
     free(order);
@@ -241,7 +241,8 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
         bool cut;
         if (!isfinite(size))
             TRY(STATUS_NAN);
-        if (once && !(p->contact && (touches || contact_limit(p->contact, x, d) < 1))) {
+        if (once ? !(p->contact && (touches || contact_limit(p->contact, x, d) < 1))
+                 : !p->contact && size <= limits->tolerance) { /* whole, unsearched */
             for (size_t t = 0; t < count; t++)
                 x[t] += d[t];
             goto out;

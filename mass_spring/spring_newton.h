@@ -60,7 +60,7 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
                                struct message *why);
 
 /* Makes the system and hinges, once, to solve with: leapfrog only needs the supports. */
-enum status spring_newton_system(struct spring_newton *s);
+enum status spring_newton_system(struct spring_newton *s, const struct scene *scene);
 
 void spring_newton_clear(struct spring_newton *s);
 

@@ -196,7 +196,7 @@ enum status spring_rest_equilibrium(void *motion, struct counters *counters,
         return status_fail(why, STATUS_UNSUPPORTED,
                            "no equilibrium with gauge, which explicit steps alone know");
     TRY(supports_allow_rest(&m->newton.supports, m->scene, false, why));
-    TRY(spring_newton_system(&m->newton));
+    TRY(spring_newton_system(&m->newton, m->scene));
     s.r = m->start, s.d = m->target;
     s.from = malloc(count * sizeof *s.from);
     if (!s.from)

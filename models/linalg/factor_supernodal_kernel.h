@@ -1,5 +1,7 @@
 /* factor_supernodal_kernel.h - factor_supernodal.c's arithmetic for one kind of REAL:
- * included once for each, with NAME(x) giving its names. */
+ * included once for each, with STORED, NAME(x) and SWEEPS_ONLY as in tile_kernel.h. */
+
+#ifndef SWEEPS_ONLY
 
 static void NAME(open_front)(const struct supernodal *s, int k, REAL *value,
                              struct front *front)
@@ -36,7 +38,9 @@ static enum status NAME(refactor)(struct factor_part *part, REAL *value)
     return STATUS_OK;
 }
 
-static enum status NAME(solve)(struct factor_part *part, const REAL *value, REAL *b)
+#endif
+
+static enum status NAME(solve)(struct factor_part *part, const STORED *value, REAL *b)
 {
     const struct supernodal *s = part->state;
     REAL *x = (REAL *)s->x;

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 enum { TILE = 8, TILE_SIZE = TILE * TILE };
 
@@ -30,7 +31,10 @@ enum { TILE_LANES = 2, TILE_LANES_single = 4, TILE_PASS = 1 };
 #define TILE_INLINE static inline __attribute__((always_inline))
 #define TILE_UNROLL _Pragma("GCC unroll 8")
 
+enum { TILE_LANES_half = TILE_LANES_single };
+
 #define REAL       double
+#define STORED     REAL
 #define NAME(name) name
 #include "models/linalg/tile_kernel.h"
 #undef REAL
@@ -38,7 +42,15 @@ enum { TILE_LANES = 2, TILE_LANES_single = 4, TILE_PASS = 1 };
 #define REAL       float
 #define NAME(name) name##_single
 #include "models/linalg/tile_kernel.h"
+#undef NAME
+#undef STORED
+#define STORED     uint16_t
+#define NAME(name) name##_half
+#define SWEEPS_ONLY
+#include "models/linalg/tile_kernel.h"
+#undef SWEEPS_ONLY
 #undef REAL
+#undef STORED
 #undef NAME
 
 #endif

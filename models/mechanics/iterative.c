@@ -36,7 +36,8 @@ struct iterative {
     double *packed;     /* [free] of ichol                                             */
     struct ichol *ichol;
     long *entry; /* [pairs][9] of ichol's values, -1: none                             */
-    bool factored, fresh, single;
+    bool factored, fresh;
+    enum factor_precision precision;
     double tolerance, near; /* tolerances of systems of a sequence                     */
 
     void (*frames)(const void *body, double (*Q)[9]);
@@ -166,11 +167,11 @@ static enum status make_ichol(struct iterative *it)
     return ichol_refactor(it->ichol);
 }
 
-static void set_single(struct iterative *it, bool single)
+void iterative_precision(struct iterative *it, enum factor_precision precision)
 {
-    it->single = single;
+    it->precision = precision;
     it->factored = it->fresh = false;
-    it->owner.single(it->owner.self, single);
+    it->owner.precise(it->owner.self, precision);
 }
 
 static enum status make_factor(struct iterative *it)
@@ -180,8 +181,8 @@ static enum status make_factor(struct iterative *it)
     it->factored = it->fresh = false;
     it->factorisations++;
     st = it->owner.factor(it->owner.self, (const double(*)[9])it->A);
-    if (st == STATUS_INDEFINITE && it->single) {
-        set_single(it, false);
+    if (st == STATUS_INDEFINITE && it->precision != FACTOR_DOUBLE) {
+        iterative_precision(it, it->precision - 1);
         return make_factor(it);
     }
     TRY(st);
@@ -268,11 +269,6 @@ void iterative_tolerate(struct iterative *it, double tolerance, double near)
         return;
     it->tolerance = it->krylov.tolerance = tolerance;
     it->near = it->krylov.near = near;
-}
-
-void iterative_single(struct iterative *it)
-{
-    set_single(it, true);
 }
 
 void iterative_forget(struct iterative *it)
@@ -382,14 +378,14 @@ static enum status iterate_fresh(struct iterative *it, double *x, bool *done)
 {
     enum status st = STATUS_OK;
 
-    if (it->single) {
+    while (it->precision != FACTOR_DOUBLE) {
         double tolerance = it->krylov.tolerance, near = it->krylov.near;
         it->krylov.tolerance = fmin(tolerance, SINGLE_TOLERANCE), it->krylov.near = 0;
         st = iterate(it, MOST_SINGLE, x, done);
         it->krylov.tolerance = tolerance, it->krylov.near = near;
         if (*done || (st != STATUS_OK && st != STATUS_INDEFINITE))
             return st;
-        set_single(it, false);
+        iterative_precision(it, it->precision - 1);
         TRY(make_factor(it));
     }
     st = iterate(it, MOST_FRESH, x, done);

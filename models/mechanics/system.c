@@ -122,9 +122,9 @@ static enum status solve_factored(void *self, double *x)
     return st;
 }
 
-static void set_single(void *self, bool single)
+static void set_precision(void *self, enum factor_precision precision)
 {
-    factor_single(((struct system *)self)->factor, single);
+    factor_precision(((struct system *)self)->factor, precision);
 }
 
 /* Returns the cost of a factorisation in iterations: its arithmetic is this much faster, as
@@ -147,7 +147,7 @@ static enum status make_iterative(struct system *s, const struct factor_pattern 
                                           .parity = s->parity,
                                           .factor = factor_blocks,
                                           .solve = solve_factored,
-                                          .single = set_single,
+                                          .precise = set_precision,
                                           .patience = s->factor ? patience(s->factor) : 0};
 
     return iterative_create(&owner, pattern, entry, d->solver, d->preconditioner,
@@ -224,7 +224,7 @@ enum status system_update(struct system *s, double k, const double (*K)[9], doub
     return system_factor(s, k, K, m, M);
 }
 
-void system_single(struct system *s)
+void system_precision(struct system *s, enum factor_precision precision)
 {
     const long small = 1L << 17; /* in L: 1 MB, which a second cache holds; nets of springs
                                     16 x 16 (72000) gain 2 %, 32 x 32 a third             */
@@ -234,7 +234,7 @@ void system_single(struct system *s)
         return;
     factor_describe(s->factor, &info);
     if (info.entries > small)
-        iterative_single(s->iterative);
+        iterative_precision(s->iterative, precision);
 }
 
 void system_work(struct system *s, struct counters *counters)

@@ -32,7 +32,8 @@ enum unknowns {
 };
 
 enum solver {
-    SOLVER_AUTO,       /* the cheaper of the next two                                  */
+    SOLVER_AUTO,       /* the cheaper of the next two; where every frame is rebuilt and
+                          a factorisation takes long, conjugate gradients on one of them */
     SOLVER_BANDED,     /* a band of tiles                                              */
     SOLVER_SUPERNODAL, /* multifrontal, in CHOLMOD's order                             */
     SOLVER_CHOLMOD,    /* CHOLMOD's own factorisation                                  */

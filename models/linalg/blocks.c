@@ -166,6 +166,7 @@ double blocks_longest(int nodes, const double *x)
 /* Three numbers of a node, the fourth idle; in memory they may lie anywhere. */
 typedef double four __attribute__((vector_size(4 * sizeof(double))));
 typedef double two_there __attribute__((vector_size(2 * sizeof(double)), aligned(8)));
+typedef double four_there __attribute__((vector_size(4 * sizeof(double)), aligned(8)));
 typedef double eight_there __attribute__((vector_size(8 * sizeof(double)), aligned(8)));
 
 static inline four load(const double *x)
@@ -177,7 +178,8 @@ static inline four load(const double *x)
 
 static inline void store(four x, double *to)
 {
-    to[0] = x[0], to[1] = x[1], to[2] = x[2];
+    *(two_there *)to = __builtin_shufflevector(x, x, 0, 1);
+    to[2] = x[2];
 }
 
 void blocks_multiply(const struct blocks *g, const double (*K)[9], const double *x,
@@ -194,12 +196,14 @@ void blocks_multiply(const struct blocks *g, const double (*K)[9], const double 
             double *yb = y + 3 * (size_t)g->node[n];
             const eight_there k = *(const eight_there *)K[n],
                               l = *(const eight_there *)(K[n] + 1);
+            const four_there first = *(const four_there *)K[n],
+                             second = *(const four_there *)(K[n] + 3);
 #define PICK(from, i, j, k) __builtin_shufflevector(from, from, i, j, k, k)
             s += PICK(k, 0, 3, 6) * xb[0] + PICK(k, 1, 4, 7) * xb[1] +
                  PICK(l, 1, 4, 7) * xb[2];
             if (n > g->start[a])
-                store(load(yb) + (PICK(k, 0, 1, 2) * xa[0] + PICK(k, 3, 4, 5) * xa[1] +
-                                  PICK(l, 5, 6, 7) * xa[2]),
+                store(load(yb) +
+                          (first * xa[0] + second * xa[1] + PICK(l, 5, 6, 7) * xa[2]),
                       yb);
 #undef PICK
         }

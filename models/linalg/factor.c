@@ -24,6 +24,8 @@ struct factor {
     bool ready;               /* the last refactor succeeded                           */
     enum factor_precision precision; /* of value from the next refactor on; work: floats
                                         but for double                                 */
+    int shift;          /* floats are those of 2^shift A; even, so that L has the same
+                           digits                                                      */
     double *value;      /* [first_slot[part_count] + 1]                          */
     double *work;       /* [first_row[part_count]] permuted, padding kept zero    */
     bool ready_three;   /* prepared for three sides since the last refactor       */
@@ -228,13 +230,28 @@ void factor_clear_values(struct factor *f)
 /* --- numbers ----------------------------------------------------------------------------
  */
 
+/* Chooses the shift that makes floats of A large: products of what is only round-off, as
+ * the couplings of a flat sheet's bending are, would take three times as long as denormals.
+ */
+static void choose_shift(struct factor *f)
+{
+    const int large = 60; /* exponent of the first pivot; floats reach 127 */
+    int exponent = 0;
+
+    frexp(isfinite(f->value[0]) ? f->value[0] : 0, &exponent);
+    f->shift = (large - exponent) / 2 * 2;
+}
+
 enum status factor_refactor(struct factor *f)
 {
     enum status st = STATUS_OK;
     float *narrow = NULL;
     f->ready = f->ready_three = false;
-    if (f->precision != FACTOR_DOUBLE)
-        narrow = factor_numbers_narrow(f->first_slot[f->part_count], f->value);
+    if (f->precision != FACTOR_DOUBLE) {
+        choose_shift(f);
+        narrow = factor_numbers_narrow(f->first_slot[f->part_count], ldexp(1, f->shift),
+                                       f->value);
+    }
     for (int p = 0; p < f->part_count; p++)
         TRY(narrow
                 ? f->part[p].method->refactor_single(&f->part[p], narrow + f->first_slot[p])
@@ -256,8 +273,8 @@ void factor_precision(struct factor *f, enum factor_precision precision)
     memset(f->work, 0, f->first_row[f->part_count] * sizeof *f->work);
 }
 
-/* Solves in single precision. A power of two scales the right-hand side below 1, so that
- * floats represent it whatever its scale. */
+/* Solves in single precision. A power of two scales the right-hand side to the root of that
+ * of A, so that floats represent it and the solution whatever their scales. */
 static enum status solve_single(struct factor *f, double *b)
 {
     enum status st = STATUS_OK;
@@ -268,7 +285,8 @@ static enum status solve_single(struct factor *f, double *b)
     for (int i = 0; i < f->n; i++)
         most = fabs(b[i]) > most ? fabs(b[i]) : most;
     frexp(isfinite(most) ? most : 0, &scale);
-    const double down = ldexp(1, -scale), up = ldexp(1, scale);
+    const double down = ldexp(1, f->shift / 2 - scale);
+    const double up = ldexp(1, f->shift / 2 + scale);
     for (int i = 0; i < f->n; i++)
         x[f->straight ? i : f->place[i]] = (float)(b[i] * down);
     for (int p = 0; p < f->part_count; p++) {

@@ -19,7 +19,7 @@ double *factor_numbers(ptrdiff_t count)
     return x;
 }
 
-float *factor_numbers_narrow(ptrdiff_t count, double *x)
+float *factor_numbers_narrow(ptrdiff_t count, double scale, double *x)
 {
     enum { AT_ONCE = 64 };
     double wide[AT_ONCE];
@@ -28,7 +28,7 @@ float *factor_numbers_narrow(ptrdiff_t count, double *x)
         ptrdiff_t n = count - from < AT_ONCE ? count - from : AT_ONCE;
         memcpy(wide, x + from, n * sizeof *wide);
         for (ptrdiff_t i = 0; i < n; i++)
-            narrow[i] = (float)wide[i];
+            narrow[i] = (float)(scale * wide[i]);
         memcpy((float *)x + from, narrow, n * sizeof *narrow);
     }
     return (float *)x;

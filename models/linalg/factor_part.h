@@ -59,8 +59,8 @@ struct factor_part {
  * Owned by the caller, freed with free; NULL if there is no memory. */
 double *factor_numbers(ptrdiff_t count);
 
-/* Rounds the numbers to floats, in place: in the first half of their room. */
-float *factor_numbers_narrow(ptrdiff_t count, double *x);
+/* Rounds scale times the numbers to floats, in place: in the first half of their room. */
+float *factor_numbers_narrow(ptrdiff_t count, double scale, double *x);
 
 /* Rounds tiles of floats, in place, to the upper halves of their bits, 8 digits: bfloat16.
  * Two columns share each row's 32 bits, the even one below. */

@@ -31,10 +31,12 @@ static void add(int n, double part, const double *x, double *y)
         y[t] += part * x[t];
 }
 
-/* Computes r = b - A x; r does not overlap the others. */
-static void residual(const struct krylov *k, const double *b, const double *x, double *r)
+/* Computes r = b - A x; r does not overlap the others. known: r is A x on entry. */
+static void residual(const struct krylov *k, bool known, const double *b, const double *x,
+                     double *r)
 {
-    k->multiply(k->self, x, r);
+    if (!known)
+        k->multiply(k->self, x, r);
     for (int t = 0; t < k->n; t++)
         r[t] = b[t] - r[t];
 }
@@ -69,7 +71,8 @@ enum status krylov_cg(struct krylov *k, const double *b, double *x, bool *done)
     int n = k->n;
     double *r = k->work, *z = r + n, *q = z + n, *Aq = q + n, size = 0, first = 0;
 
-    residual(k, b, x, r);
+    residual(k, k->multiplied, b, x, r);
+    k->multiplied = false;
     for (k->iterations = 0; k->iterations <= k->most;) {
         TRY(k->precondition(k->self, r, z));
         double before = size;
@@ -172,7 +175,7 @@ enum status krylov_gmres(struct krylov *k, const double *b, double *x, bool *don
     *done = false;
     for (k->iterations = 1; !*done && k->iterations < k->most;) {
         int count = 0;
-        residual(k, b, x, y.product);
+        residual(k, false, b, x, y.product);
         TRY(k->precondition(k->self, y.product, y.v));
         double size = sqrt(product(n, y.v, y.v));
         if (!isfinite(size))

@@ -16,6 +16,7 @@ struct krylov {
     double near;      /* conjugate gradients: see there; 0: not asked                  */
     int most;         /* iterations                                                    */
     double *work;     /* [krylov_work(n)]                                     borrowed */
+    bool multiplied;  /* conjugate gradients: work[n] is A x already; cleared          */
     int iterations;   /* products of P that the last call took, written                */
 };
 

@@ -22,7 +22,7 @@ enum { MOST_SINGLE = 8 };
 static const double SINGLE_TOLERANCE = 1e-4;
 
 /* The solutions that are extrapolated. */
-enum { PAST = 3 };
+enum { PAST = 5 };
 
 struct iterative {
     struct iterative_owner owner;
@@ -256,7 +256,8 @@ enum status iterative_follow(struct iterative *it,
     size_t nodes = (size_t)it->owner.graph->nodes, count = guess ? 3 * nodes : 0;
     TRY(room_cut(&it->follow, ROOM(it->now, nodes), ROOM(it->then, nodes),
                  ROOM(it->turned, 3 * nodes), ROOM(it->past[0], count),
-                 ROOM(it->past[1], count), ROOM(it->past[2], count)));
+                 ROOM(it->past[1], count), ROOM(it->past[2], count),
+                 ROOM(it->past[3], count), ROOM(it->past[4], count)));
     it->frames = frames;
     it->body = body;
 out:
@@ -336,10 +337,12 @@ static double product(size_t count, const double *a, const double *b)
  * of A; zero without them. */
 static void guess(struct iterative *it, double *x)
 {
-    static const double weight[PAST + 1][PAST] = {{0}, {1}, {2, -1}, {3, -3, 1}};
+    static const double weight[PAST + 1][PAST] = {
+        {0}, {1}, {2, -1}, {3, -3, 1}, {4, -6, 4, -1}, {5, -10, 10, -5, 1}};
     const double *w = weight[it->known];
     size_t count = count_of(it);
     double *Ax = it->krylov.work;
+    const bool cg = it->solver == SOLVER_CG;
 
     memset(x, 0, count * sizeof *x);
     if (!it->known)
@@ -349,8 +352,11 @@ static void guess(struct iterative *it, double *x)
             x[t] += w[n] * it->past[n][t];
     multiply(it, x, Ax);
     double size = product(count, x, Ax), part = product(count, x, it->b) / size;
+    if (!(size > 0 && isfinite(part)))
+        part = 0;
     for (size_t t = 0; t < count; t++)
-        x[t] = size > 0 && isfinite(part) ? part * x[t] : 0;
+        x[t] = part ? part * x[t] : 0, Ax[t] = part ? part * Ax[t] : 0;
+    it->krylov.multiplied = cg;
 }
 
 static void remember(struct iterative *it, const double *x)

@@ -185,6 +185,22 @@ out:
     return st;
 }
 
+enum status system_iterate(struct system *s)
+{
+    const double enough = 2e7; /* flops, as of 12x12x2 control points of degree 2 */
+    const struct discretization d = {.solver = SOLVER_CG};
+    struct factor_info info;
+    enum status st;
+
+    factor_describe(s->factor, &info);
+    if (info.flops < enough)
+        return STATUS_OK;
+    TRY(make_iterative(s, NULL, NULL, &d));
+    system_single(s);
+out:
+    return st;
+}
+
 struct model_size system_size(const struct system *s, const char *unknown_basis)
 {
     struct factor_info info = {.method = "none"};

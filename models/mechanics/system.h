@@ -32,6 +32,11 @@ enum status system_init(struct system *s, const struct blocks *graph,
                         const int *order, const struct discretization *d);
 void system_clear(struct system *s);
 
+/* Has a factored system, one of a row that differ little (system_update), solved by
+ * conjugate gradients on an earlier factor, where a factorisation takes so long that this
+ * pays. STATUS_MEMORY. */
+enum status system_iterate(struct system *s);
+
 /* Returns the size as a model reports it (model.h); unknown_basis is static. */
 struct model_size system_size(const struct system *s, const char *unknown_basis);
 

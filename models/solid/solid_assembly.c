@@ -35,6 +35,19 @@ void solid_assembly_clear(struct solid_assembly *s)
     memset(s, 0, sizeof *s);
 }
 
+static void order_elements(struct solid_assembly *s)
+{
+    const struct solid_space *space = s->space;
+    int slot = 0, n = 0;
+
+    for (int phase = 0; phase < 2; phase++)
+        for (int slab = phase; slab < space->slabs; slab += 2) {
+            for (int e = space->slab[slab]; e < space->slab[slab + 1]; e++)
+                s->element[n++] = e;
+            s->begin[++slot] = n;
+        }
+}
+
 enum status solid_assembly_init(struct solid_assembly *s, const struct solid_space *space,
                                 const struct solid_material *material)
 {
@@ -48,7 +61,9 @@ enum status solid_assembly_init(struct solid_assembly *s, const struct solid_spa
     size_t pairs = (size_t) new.graph.start[space->nodes];
     TRY(room_cut(&new.room, ROOM(new.K, pairs), ROOM(new.M, pairs),
                  ROOM(new.volume, space->nodes), ROOM(new.work, omp_get_max_threads()),
-                 ROOM(new.batch, omp_get_max_threads())));
+                 ROOM(new.batch, omp_get_max_threads()), ROOM(new.element, space->elements),
+                 ROOM(new.begin, space->slabs + 1)));
+    order_elements(&new);
     for (int t = 0; t < omp_get_max_threads(); t++) {
         new.threads = t + 1;
         TRY(solid_element_init(&new.work[t], space));
@@ -81,20 +96,22 @@ static void scatter(struct solid_assembly *s, const struct solid_element *e, int
     }
 }
 
-static enum status assemble_slab(struct solid_assembly *s, int thread, int slab,
-                                 const double *x)
+/* Adds the elements of the slabs first .. end - 1, as they are ordered. */
+static enum status assemble(struct solid_assembly *s, int thread, int first, int end,
+                            const double *x)
 {
-    struct solid_element *work = &s->work[thread];
-    const int first = s->space->slab[slab], end = s->space->slab[slab + 1];
+    const int *element = s->element + s->begin[first];
+    const int count = s->begin[end] - s->begin[first];
     const struct solid_batch_sums to = {s->K, s->M, s->volume, s->place, s->run};
 
     if (s->batch[thread])
-        return solid_batch_add(s->batch[thread], first, end, &s->material, x, &to);
-    for (int e = first; e < end; e++) {
-        enum status st = solid_element_compute(work, s->space, e, &s->material, x);
+        return solid_batch_add(s->batch[thread], count, element, &s->material, x, &to);
+    for (int n = 0; n < count; n++) {
+        struct solid_element *work = &s->work[thread];
+        enum status st = solid_element_compute(work, s->space, element[n], &s->material, x);
         if (st != STATUS_OK)
             return st;
-        scatter(s, work, e);
+        scatter(s, work, element[n]);
     }
     return STATUS_OK;
 }
@@ -108,11 +125,15 @@ enum status solid_assembly_compute(struct solid_assembly *s, const double *x)
     memset(s->M, 0, pairs * sizeof *s->M);
     memset(s->volume, 0, (size_t)s->space->nodes * sizeof *s->volume);
     for (int phase = 0; phase < 2; phase++) {
-#pragma omp parallel for schedule(static)                                                  \
-    num_threads(s->threads) if (s->threads > 1 && slabs > 2) reduction(|                   \
-                                                                       : inverted, nan)
-        for (int slab = phase; slab < slabs; slab += 2) {
-            enum status st = assemble_slab(s, omp_get_thread_num(), slab, x);
+        const int before = phase ? (slabs + 1) / 2 : 0;
+        const int count = phase ? slabs / 2 : (slabs + 1) / 2;
+#pragma omp parallel num_threads(s->threads) if (s->threads > 1 && slabs > 2)              \
+    reduction(|                                                                            \
+              : inverted, nan)
+        {
+            const int t = omp_get_thread_num(), threads = omp_get_num_threads();
+            enum status st = assemble(s, t, before + count * t / threads,
+                                      before + count * (t + 1) / threads, x);
             inverted |= st == STATUS_INVERTED;
             nan |= st == STATUS_NAN;
         }

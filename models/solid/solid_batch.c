@@ -71,12 +71,12 @@ out:
 }
 
 /* Gathers lines and geometry; lanes beyond `count` repeat the last element. */
-static void gather(struct solid_batch *b, int first, int count, const double *x)
+static void gather(struct solid_batch *b, int count, const int *element, const double *x)
 {
     const struct solid_space *space = b->space;
 
     for (int l = 0; l < LANES; l++) {
-        const int e = first + (l < count ? l : count - 1);
+        const int e = element[l < count ? l : count - 1];
         const int *node = space->ien + (size_t)e * (size_t)space->local;
         for (int i = 0; i < 3; i++) {
             const struct solid_line line = space->line(space, e, i);
@@ -168,7 +168,7 @@ static enum status gradients(struct solid_batch *b, int count)
 }
 
 /* Weights the gradients and values of function a, the row-th of a pass; adds its volume. */
-static void weigh(struct solid_batch *b, int a, int row, int first, int count,
+static void weigh(struct solid_batch *b, int a, int row, int count, const int *element,
                   double density, const struct solid_batch_sums *to)
 {
     const int gauss = b->space->gauss, local = b->space->local;
@@ -182,7 +182,7 @@ static void weigh(struct solid_batch *b, int a, int row, int first, int count,
         volume += b->dV[q] * N[q];
     }
     for (int l = 0; l < count; l++)
-        to->volume[b->space->ien[(first + l) * local + a]] += volume[l];
+        to->volume[b->space->ien[element[l] * local + a]] += volume[l];
 }
 
 /* Computes int N_a,i N_c,j and the mass of the weighted functions a and function c. */
@@ -249,46 +249,46 @@ static inline void turn(const lanes k[9], eight row[LANES])
 }
 
 /* Adds the blocks of functions a and c. */
-static void scatter(const struct solid_batch *b, int first, int count, int a, int c,
-                    const lanes k[9], lanes mass, const struct solid_batch_sums *to)
+static void scatter(const struct solid_batch *b, int count, const int *element, int a,
+                    int c, const lanes k[9], lanes mass, const struct solid_batch_sums *to)
 {
     const int local = b->space->local, runs = local / to->run, r = c / to->run;
     const int start = r * to->run > a ? r * to->run : a;
-    const int *place = to->place + (first * local + a) * runs + r;
     eight row[LANES];
 
     turn(k, row);
-    for (int l = 0; l < count; l++, place += local * runs) {
-        const int n = *place + c - start;
+    for (int l = 0; l < count; l++) {
+        const int n = to->place[(element[l] * local + a) * runs + r] + c - start;
         *(eight *)to->K[n] += row[l];
         to->K[n][8] += k[8][l];
         to->M[n] += mass[l];
     }
 }
 
-enum status solid_batch_add(struct solid_batch *b, int first, int end,
+enum status solid_batch_add(struct solid_batch *b, int elements, const int *element,
                             const struct solid_material *material, const double *x,
                             const struct solid_batch_sums *to)
 {
     const int local = b->space->local;
 
-    for (; first < end; first += LANES) {
-        const int count = end - first < LANES ? end - first : LANES;
-        gather(b, first, count, x);
+    for (; elements > 0; elements -= LANES, element += LANES) {
+        const int count = elements < LANES ? elements : LANES;
+        gather(b, count, element, x);
         const enum status st = gradients(b, count);
         if (st != STATUS_OK)
             return st;
-        /* Backwards: a pair of nodes gets its sums from the first element on. */
+        /* Backwards: a pair of nodes gets its sums from the first element on, where
+         * elements ascend. */
         for (int a = local - 1; a >= 0; a -= ROWS) {
             const int rows = a > 0 ? ROWS : 1;
             for (int i = 0; i < rows; i++)
-                weigh(b, a - i, i, first, count, material->density, to);
+                weigh(b, a - i, i, count, element, material->density, to);
             for (int c = local - 1; c > a - rows; c--) {
                 lanes sum[ROWS][10], k[9];
                 integrate(b, c, sum);
                 for (int i = c < a; i < rows; i++) {
                     stiffness(material, sum[i], k);
-                    scatter(b, first, count, a - i, c, k, sum[i][9], to);
+                    scatter(b, count, element, a - i, c, k, sum[i][9], to);
                 }
             }
         }

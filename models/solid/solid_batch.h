@@ -23,9 +23,10 @@ struct solid_batch_sums {
 enum status solid_batch_create(const struct solid_space *space, struct solid_batch **out);
 void solid_batch_destroy(struct solid_batch *b); /* NULL is allowed */
 
-/* Adds K, M and volume of the elements first .. end - 1 on the coefficients x[nodes][3].
- * STATUS_INVERTED and STATUS_NAN as of solid_element_compute. */
-enum status solid_batch_add(struct solid_batch *b, int first, int end,
+/* Adds K, M and volume of element[elements] on the coefficients x[nodes][3]; those that
+ * share nodes come ascending. STATUS_INVERTED and STATUS_NAN as of solid_element_compute.
+ */
+enum status solid_batch_add(struct solid_batch *b, int elements, const int *element,
                             const struct solid_material *material, const double *x,
                             const struct solid_batch_sums *to);
 

@@ -95,13 +95,19 @@ static void frames(const void *body, double (*Q)[9])
 /* Sets up an iterated system; its solutions are increments of d, or steps of Newton. */
 static enum status follow(struct solid_motion *m)
 {
-    static const double SOLVE_TOLERANCE = 1e-8, STEP_TOLERANCE = 1e-3;
+    /* In the energy norm, and in GMRES's, where stiff motion hides the soft one. */
+    static const double CG_TOLERANCE = 1e-6, GMRES_TOLERANCE = 1e-8, STEP_TOLERANCE = 1e-3;
     const bool rebuilt = kinematics_rebuilds(m->kinematics);
+    struct iterative *it = m->system.iterative;
 
-    if (m->kinematics == KINEMATICS_LINEAR)
+    if (m->kinematics == KINEMATICS_LINEAR || !it)
         return STATUS_OK;
-    iterative_tolerate(m->system.iterative, rebuilt ? SOLVE_TOLERANCE : STEP_TOLERANCE, 0);
-    return iterative_follow(m->system.iterative, frames, m, rebuilt);
+    iterative_tolerate(it,
+                       !rebuilt                            ? STEP_TOLERANCE
+                       : iterative_method(it) == SOLVER_CG ? CG_TOLERANCE
+                                                           : GMRES_TOLERANCE,
+                       0);
+    return iterative_follow(it, frames, m, rebuilt);
 }
 
 /* Makes what nonlinear kinematics need, when the rest of *m is complete and in its place.
@@ -175,6 +181,9 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     st = system_init(&m->system, &m->assembly.graph, &m->supports,
                      d->kinematics == KINEMATICS_LINEAR && !meets ? space->parity : NULL,
                      order, d);
+    if (st == STATUS_OK && d->solver == SOLVER_AUTO && !meets &&
+        kinematics_rebuilds(d->kinematics))
+        st = system_iterate(&m->system);
     if (st == STATUS_OK)
         st = follow(m);
     if (st == STATUS_OK && nonlinear)

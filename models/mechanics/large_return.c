@@ -30,23 +30,11 @@ static void multiply(const struct large_motion *m, const double *x, double *y,
         mean[t % 3] += y[t] / mass;
 }
 
-/* Returns a . M b; y: work. */
-static double product(const struct large_motion *m, const double *a, const double *b,
-                      double *y)
-{
-    double sum = 0;
-
-    blocks_multiply_mass(m->graph, m->M, b, y);
-    for (size_t t = 0; t < count_of(m); t++)
-        sum += a[t] * y[t];
-    return sum;
-}
-
 /* Takes the translation from w that supports have on the mean, and along axes that none
- * holds that of the same momentum; y: work. */
-static void take_drift(const struct large_motion *m, double *w, double *y)
+ * holds that of the same momentum: mean; y: work. */
+static void take_drift(const struct large_motion *m, double *w, double *y, double mean[3])
 {
-    double mean[3], held[3] = {0};
+    double held[3] = {0};
     int count[3] = {0};
 
     multiply(m, w, y, mean);
@@ -126,18 +114,23 @@ enum status large_return_give(struct large_motion *m, double dt, const double *x
 {
     const size_t count = count_of(m);
     double *w = work, *r = work + count, *y = work + 2 * count, *v = m->newmark->v;
+    double drift[3], square = 0, along = 0;
     enum status st = add_loss(m, x_old, w);
 
     if (st != STATUS_OK)
         return st;
     for (size_t t = 0; t < count; t++)
         w[t] = (m->x[t] - x_old[t]) / dt;
-    take_drift(m, w, y);
+    take_drift(m, w, y, drift);
     if (m->supports->held_count == 0)
         take_turn(m, w, r, y);
     for (int h = 0; h < m->supports->held_count; h++)
         w[m->supports->held[h]] = 0;
-    const double square = product(m, w, w, y), along = product(m, w, v, y);
+    blocks_multiply_mass(m->graph, m->M, w, y);
+    for (size_t t = 0; t < count; t++) {
+        square += w[t] * y[t];
+        along += y[t] * (v[t] - drift[t % 3]);
+    }
     const double gift = fmax(-SHARE * square, fmin(SHARE * square, m->owed));
     const double root = along * along + 2 * square * gift;
     if (!(square > 0 && root > 0))

@@ -196,7 +196,7 @@ enum status system_iterate(struct system *s)
     if (info.flops < enough)
         return STATUS_OK;
     TRY(make_iterative(s, NULL, NULL, &d));
-    system_single(s);
+    system_precision(s, FACTOR_SINGLE);
 out:
     return st;
 }

@@ -80,8 +80,8 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
     TRY(spring_stencil_init(&m->stencil, m->scene, &m->net, OWN(spring_own, d)->springs,
                             d->bending));
     if (OWN(spring_own, d)->gauge > 1) {
-        TRY(spring_gauge_init(&m->gauge, &m->newton.supports, OWN(spring_own, d)->gauge,
-                              &m->stencil));
+        TRY(spring_gauge_init(&m->gauge, &m->newton.supports, &m->net,
+                              OWN(spring_own, d)->gauge));
         body.gauge = &m->gauge;
     }
     TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,
@@ -372,10 +372,8 @@ double spring_motion_elastic(const struct spring_motion *m)
 {
     const struct spring_stencil *stencil = spring_motion_stencil(m);
 
-    if (!stencil)
-        return spring_force_energy(&m->net, m->x);
-    return spring_stencil_energy(stencil, m->x) +
-           (m->gauge.room ? spring_gauge_energy(&m->gauge, &m->net, m->x) : 0);
+    return stencil ? spring_stencil_energy(stencil, m->x)
+                   : spring_force_energy(&m->net, m->x);
 }
 
 void spring_motion_place(struct spring_motion *m, double t)
@@ -397,4 +395,6 @@ void spring_motion_energy(const void *motion, struct energy *energy)
         spring_leapfrog_velocity(m->leapfrog, m->v);
     spring_load_energy(&m->points, m->x, v, energy);
     energy->elastic = spring_motion_elastic(m) - m->rest_energy;
+    if (m->gauge.room)
+        energy->elastic += spring_gauge_energy(&m->gauge, &m->stencil, m->x);
 }

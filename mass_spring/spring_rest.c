@@ -192,9 +192,6 @@ enum status spring_rest_equilibrium(void *motion, struct counters *counters,
     double end = supports_rest_time(&m->newton.supports, m->scene);
     struct search s = {.m = m};
 
-    if (m->gauge.room)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "no equilibrium with gauge, which explicit steps alone know");
     TRY(supports_allow_rest(&m->newton.supports, m->scene, false, why));
     TRY(spring_newton_system(&m->newton, m->scene));
     s.r = m->start, s.d = m->target;

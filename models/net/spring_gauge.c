@@ -159,19 +159,14 @@ static void weigh(struct spring_gauge *g, const struct spring_net *net,
 }
 
 enum status spring_gauge_init(struct spring_gauge *g, const struct supports *supports,
-                              int cells, struct spring_stencil *stencil)
+                              const struct spring_net *net, int cells)
 {
     enum status st;
 
     *g = (struct spring_gauge){0};
-    TRY(allocate(g, stencil->net));
-    choose(g, stencil->net, cells);
-    weigh(g, stencil->net, supports);
-    for (int n = 0; n < SPRING_STENCIL_NEAR; n++) {
-        const int *step = spring_stencil_step[n];
-        for (int a = 0; a < stencil->net->nodes && g->taken[line_of(step[0], step[1])]; a++)
-            stencil->spring[a][n] = 0;
-    }
+    TRY(allocate(g, net));
+    choose(g, net, cells);
+    weigh(g, net, supports);
 out:
     return st;
 }
@@ -189,20 +184,22 @@ static double stretch(const struct spring_gauge *g, const struct spring_net *net
     return vector_dot(e, e) - g->square[k];
 }
 
-double spring_gauge_energy(const struct spring_gauge *g, const struct spring_net *net,
+double spring_gauge_energy(const struct spring_gauge *g, const struct spring_stencil *s,
                            const double *x)
 {
+    const struct spring_net *net = s->net;
     double energy = 0;
 
     for (int k = 0; k < SPRING_GAUGE_LINES; k++)
         for (int a = 0; a < net->nodes && g->taken[k]; a++) {
-            double mean = 0;
+            const double own = stretch(g, net, k, a, x);
+            double mean = -s->spring[a][SPRING_STENCIL_NEAR / 2 + k] * own;
             for (int t = 0; t < SPRING_GAUGE_TAPS; t++) {
                 const double w = g->weight[k][a][t];
                 const int at = w ? beside(net, a, k, t + 1 - SPRING_GAUGE_MOST) : -1;
                 mean += at < 0 ? 0 : w * stretch(g, net, k, at, x);
             }
-            energy += mean * stretch(g, net, k, a, x) / 4;
+            energy += mean * own / 4;
         }
     return energy;
 }

@@ -10,7 +10,7 @@
  * A line ends at a point that is held, where it goes on as its mirror image, and at the
  * rim, beyond which there is none: the last springs there are softer. Lines from rim to rim
  * that are shorter than a run are one run. A small share of its stiffness stays with each
- * spring (ALONE in spring_gauge.c).
+ * spring (ALONE in spring_gauge.c). Explicit steps alone know the means.
  */
 #ifndef SPRING_GAUGE_H
 #define SPRING_GAUGE_H
@@ -35,7 +35,7 @@ extern const int spring_gauge_step[SPRING_GAUGE_LINES][2];
 struct spring_gauge {
     int springs[SPRING_GAUGE_LINES];   /* g of each line                                 */
     bool all;                          /* lines are taken, else those along u alone      */
-    bool taken[SPRING_GAUGE_LINES];    /* has springs, which are not the stencil's       */
+    bool taken[SPRING_GAUGE_LINES];    /* has springs, which are taken over runs       */
     double square[SPRING_GAUGE_LINES]; /* r^2                                  [m^2]   */
     void *room; /* memory of the arrays                      owned   */
     double (*weight[SPRING_GAUGE_LINES])[SPRING_GAUGE_TAPS]; /* [nodes] k / 2 r^2 times the
@@ -45,15 +45,16 @@ struct spring_gauge {
     double *x[3], *turn; /* [nodes] work, with zeros on either side                     */
 };
 
-/* Takes springs from a stencil for a gauge length of `cells` of the shorter side, up to
- * SPRING_GAUGE_MOST: lines of longer springs have as many in a run as cover it. If none but
- * those along u have more than one, the others stay the stencil's. */
+/* Initialises for a gauge length of `cells` of the shorter side, up to SPRING_GAUGE_MOST:
+ * lines of longer springs have as many in a run as cover it. If none but those along u have
+ * more than one, the others keep their own stretch. */
 enum status spring_gauge_init(struct spring_gauge *g, const struct supports *supports,
-                              int cells, struct spring_stencil *stencil);
+                              const struct spring_net *net, int cells);
 void spring_gauge_clear(struct spring_gauge *g);
 
-/* Returns the elastic energy of the springs at x[nodes][3] [J]. */
-double spring_gauge_energy(const struct spring_gauge *g, const struct spring_net *net,
+/* Returns by how much the energy of a stencil's springs at x[nodes][3] differs from what it
+ * would be by their own stretches [J]. */
+double spring_gauge_energy(const struct spring_gauge *g, const struct spring_stencil *s,
                            const double *x);
 
 /* Returns by how much the largest eigenvalue of all springs' stiffness is larger at

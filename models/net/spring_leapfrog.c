@@ -54,10 +54,21 @@ static double kept(const struct spring_leapfrog *l, int node)
     return (1 - half) / (1 + half);
 }
 
-static void set_neighbour(const struct spring_stencil *s, int a, int n, double push,
+/* Tells whether the spring to a neighbour that shares a cell is a matter of tensions. */
+static bool is_gauged(const struct spring_body *body, int n)
+{
+    const int lines = SPRING_GAUGE_LINES;
+
+    return body->gauge && n < 2 * lines &&
+           body->gauge->taken[n < lines ? lines - 1 - n : n - lines];
+}
+
+static void set_neighbour(const struct spring_body *body, int a, int n, double push,
                           double *c)
 {
-    double k = s->spring[a][n], r2 = s->square[n], strut = s->strut ? s->strut[a][n] : 0;
+    const struct spring_stencil *s = body->stencil;
+    double k = is_gauged(body, n) ? 0 : s->spring[a][n], r2 = s->square[n],
+           strut = s->strut ? s->strut[a][n] : 0;
 
     if (n >= SPRING_STENCIL_NEAR) {
         c[SWEEP_FAR + n - SPRING_STENCIL_NEAR] = push * (s->strut ? strut : s->bend[a][n]);
@@ -77,7 +88,7 @@ static void set_point(struct spring_leapfrog *l, int a)
     double push = l->dt / (load->mass[a] + load->drag[a] * l->dt / 2), *c = l->c[a];
 
     for (int n = 0; n < SPRING_STENCIL_ALL; n++)
-        set_neighbour(s, a, n, push, c);
+        set_neighbour(&l->body, a, n, push, c);
     for (int n = SPRING_STENCIL_ALL; s->strut && n < SPRING_STENCIL_STRUTS; n++)
         c[SWEEP_CORNER + n - SPRING_STENCIL_ALL] = push * s->strut[a][n];
     c[SWEEP_KEEP] = kept(l, a);

@@ -21,25 +21,32 @@ enum { TILE = 8, TILE_SIZE = TILE * TILE };
  * without. */
 enum { TILE_PASS_MAX = 3 };
 #if defined(__AVX512VL__)
-enum { TILE_LANES = 8, TILE_LANES_single = 8, TILE_PASS = TILE_PASS_MAX };
+#define DOUBLES 8
+#define FLOATS  8
+enum { TILE_PASS = TILE_PASS_MAX };
 #elif defined(__AVX__)
-enum { TILE_LANES = 4, TILE_LANES_single = 8, TILE_PASS = 1 };
+#define DOUBLES 4
+#define FLOATS  8
+enum { TILE_PASS = 1 };
 #else
-enum { TILE_LANES = 2, TILE_LANES_single = 4, TILE_PASS = 1 };
+#define DOUBLES 2
+#define FLOATS  4
+enum { TILE_PASS = 1 };
 #endif
 
 #define TILE_INLINE static inline __attribute__((always_inline))
 #define TILE_UNROLL _Pragma("GCC unroll 8")
 
-enum { TILE_LANES_half = TILE_LANES_single };
-
 #define REAL       double
 #define STORED     REAL
+#define LANES      DOUBLES
 #define NAME(name) name
 #include "models/linalg/tile_kernel.h"
 #undef REAL
 #undef NAME
-#define REAL       float
+#define REAL float
+#undef LANES
+#define LANES      FLOATS
 #define NAME(name) name##_single
 #include "models/linalg/tile_kernel.h"
 #undef NAME
@@ -49,6 +56,7 @@ enum { TILE_LANES_half = TILE_LANES_single };
 #define SWEEPS_ONLY
 #include "models/linalg/tile_kernel.h"
 #undef SWEEPS_ONLY
+#undef LANES
 #undef REAL
 #undef STORED
 #undef NAME

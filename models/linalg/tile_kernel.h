@@ -1,11 +1,10 @@
 /* tile_kernel.h - tile.h's arithmetic for one kind of REAL: included once for each, with
- * NAME(x) giving its names, NAME(TILE_LANES) numbers in a register, and STORED the kind of
+ * NAME(x) giving its names, LANES numbers in a register, and STORED the kind of
  * L's numbers in memory. SWEEPS_ONLY: solves only. */
 
-enum { NAME(TILE_WORDS) = TILE / NAME(TILE_LANES) };
+enum { NAME(TILE_WORDS) = TILE / LANES };
 
-typedef REAL NAME(tile_word)
-    __attribute__((vector_size(NAME(TILE_LANES) * sizeof(REAL)), may_alias));
+typedef REAL NAME(tile_word) __attribute__((vector_size(LANES * sizeof(REAL)), may_alias));
 
 #ifndef SWEEPS_ONLY
 /* Tiles in registers: word w of column j of tile r. */
@@ -19,7 +18,7 @@ TILE_INLINE void NAME(tile_update)(int first, int count, NAME(tile_registers) c,
                                    int from, int to)
 {
     TILE_UNROLL
-    for (int strip = 0; strip < TILE; strip += NAME(TILE_LANES))
+    for (int strip = 0; strip < TILE; strip += LANES)
         for (int k = from; k < to; k++) {
             const REAL *a = column[k] + row * TILE_SIZE;
             const REAL *b = column[k] + other * TILE_SIZE;
@@ -32,7 +31,7 @@ TILE_INLINE void NAME(tile_update)(int first, int count, NAME(tile_registers) c,
                 const NAME(tile_word) left =
                     ((const NAME(tile_word) *)(a + r * TILE_SIZE + l * TILE))[w];
                 TILE_UNROLL
-                for (int j = strip; j < strip + NAME(TILE_LANES); j++)
+                for (int j = strip; j < strip + LANES; j++)
                     c[r][j][w] -= left * b[l * TILE + j];
             }
         }
@@ -121,7 +120,7 @@ TILE_INLINE const REAL *NAME(tile_open)(const STORED *l, REAL room[TILE_SIZE])
 }
 #else
 typedef uint32_t NAME(tile_bits)
-    __attribute__((vector_size(NAME(TILE_LANES) * sizeof(REAL)), may_alias));
+    __attribute__((vector_size(LANES * sizeof(REAL)), may_alias));
 
 TILE_INLINE void NAME(tile_pair)(const STORED *l, int w, NAME(tile_word) pair[2])
 {
@@ -208,6 +207,39 @@ TILE_INLINE void NAME(tile_subtract)(ptrdiff_t count, const STORED *a, const REA
     }
 }
 
+/* Subtracts from x[j] the sum of the lanes of sum[j], pairwise: those half a register
+ * apart, then a quarter, then neighbours; where a register holds a tile's column, of eight
+ * at once. */
+TILE_INLINE void NAME(tile_take_lanes)(const NAME(tile_word) sum[TILE], REAL *x)
+{
+#if LANES == 8
+    NAME(tile_word) half[4], quarter[2];
+    TILE_UNROLL
+    for (int j = 0; j < 4; j++)
+        half[j] = __builtin_shufflevector(sum[j], sum[j + 4], 0, 1, 2, 3, 8, 9, 10, 11) +
+                  __builtin_shufflevector(sum[j], sum[j + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    TILE_UNROLL
+    for (int j = 0; j < 2; j++)
+        quarter[j] =
+            __builtin_shufflevector(half[j], half[j + 2], 0, 1, 8, 9, 4, 5, 12, 13) +
+            __builtin_shufflevector(half[j], half[j + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+    *(NAME(tile_word) *)x -=
+        __builtin_shufflevector(quarter[0], quarter[1], 0, 8, 2, 10, 4, 12, 6, 14) +
+        __builtin_shufflevector(quarter[0], quarter[1], 1, 9, 3, 11, 5, 13, 7, 15);
+#else
+    for (int j = 0; j < TILE; j++) { /* lanes pairwise */
+        union {
+            NAME(tile_word) word;
+            REAL lane[LANES];
+        } total = {.word = sum[j]};
+        for (int half = LANES / 2; half > 0; half /= 2)
+            for (int i = 0; i < half; i++)
+                total.lane[i] += total.lane[i + half];
+        x[j] -= total.lane[0];
+    }
+#endif
+}
+
 /* Subtracts a^T y from x for `count` tiles one under the other. */
 TILE_INLINE void NAME(tile_subtract_transposed)(ptrdiff_t count, const STORED *a,
                                                 const REAL *y, REAL *x)
@@ -225,14 +257,5 @@ TILE_INLINE void NAME(tile_subtract_transposed)(ptrdiff_t count, const STORED *a
             sum[j + 1] += pair[1] * right;
         }
     }
-    for (int j = 0; j < TILE; j++) { /* lanes pairwise */
-        union {
-            NAME(tile_word) word;
-            REAL lane[NAME(TILE_LANES)];
-        } total = {.word = sum[j]};
-        for (int half = NAME(TILE_LANES) / 2; half > 0; half /= 2)
-            for (int i = 0; i < half; i++)
-                total.lane[i] += total.lane[i + half];
-        x[j] -= total.lane[0];
-    }
+    NAME(tile_take_lanes)(sum, x);
 }

@@ -342,9 +342,10 @@ static void guess(struct iterative *it, double *x)
     const double *w = weight[it->known];
     size_t count = count_of(it);
     double *Ax = it->krylov.work;
-    const bool cg = it->solver == SOLVER_CG;
 
     memset(x, 0, count * sizeof *x);
+    memset(Ax, 0, count * sizeof *Ax);
+    it->krylov.multiplied = it->solver == SOLVER_CG;
     if (!it->known)
         return;
     for (size_t t = 0; t < count; t++)
@@ -356,7 +357,6 @@ static void guess(struct iterative *it, double *x)
         part = 0;
     for (size_t t = 0; t < count; t++)
         x[t] = part ? part * x[t] : 0, Ax[t] = part ? part * Ax[t] : 0;
-    it->krylov.multiplied = cg;
 }
 
 static void remember(struct iterative *it, const double *x)

@@ -10,9 +10,9 @@
  *
  * The linear systems are solved by conjugate gradients that an earlier factor, turned with
  * the net, preconditions (iterative.h), unless the discretization has another solver; that
- * of a large net in single precision, which takes as many iterations of half the time. To
- * 1e-2 of the step, or a tenth of the tolerance, if others follow; 1e-4 if it is the only
- * one.
+ * of a large net in single precision and, where nothing is met, with half the digits in
+ * memory: a tenth more iterations that read half as much. To 1e-2 of the step, or a tenth
+ * of the tolerance, if others follow; 1e-4 if it is the only one.
  *
  * Contact adds its forces and their stiffness, and a step leaves a tenth of each distance
  * to a wall (contact_limit).

@@ -50,9 +50,10 @@ static enum judge keeping_pays(const struct study_results *d, FILE *because)
 }
 
 /* Growth up to 20x20x2: beyond, a factor runs near the processor's peak. Elements, and with
- * them K and M, grow faster than unknowns, so little of the aim is left for the rest:
- * solving with an earlier factor reads unknowns^1.5 numbers, and takes more iterations on
- * larger nets; a new factor costs unknowns^1.9. */
+ * them K and M, grow faster than unknowns (less so in lanes, which small nets leave empty),
+ * so little of the aim is left for the rest: solving with an earlier factor reads
+ * unknowns^1.5 numbers, and takes more iterations on larger nets; a new factor costs
+ * unknowns^1.9. */
 static enum judge growth_is_small(const struct study_results *d, FILE *because)
 {
     static const double AIM = 1.25;

@@ -35,19 +35,6 @@ void solid_assembly_clear(struct solid_assembly *s)
     memset(s, 0, sizeof *s);
 }
 
-static void order_elements(struct solid_assembly *s)
-{
-    const struct solid_space *space = s->space;
-    int slot = 0, n = 0;
-
-    for (int phase = 0; phase < 2; phase++)
-        for (int slab = phase; slab < space->slabs; slab += 2) {
-            for (int e = space->slab[slab]; e < space->slab[slab + 1]; e++)
-                s->element[n++] = e;
-            s->begin[++slot] = n;
-        }
-}
-
 enum status solid_assembly_init(struct solid_assembly *s, const struct solid_space *space,
                                 const struct solid_material *material)
 {
@@ -61,9 +48,7 @@ enum status solid_assembly_init(struct solid_assembly *s, const struct solid_spa
     size_t pairs = (size_t) new.graph.start[space->nodes];
     TRY(room_cut(&new.room, ROOM(new.K, pairs), ROOM(new.M, pairs),
                  ROOM(new.volume, space->nodes), ROOM(new.work, omp_get_max_threads()),
-                 ROOM(new.batch, omp_get_max_threads()), ROOM(new.element, space->elements),
-                 ROOM(new.begin, space->slabs + 1)));
-    order_elements(&new);
+                 ROOM(new.batch, omp_get_max_threads())));
     for (int t = 0; t < omp_get_max_threads(); t++) {
         new.threads = t + 1;
         TRY(solid_element_init(&new.work[t], space));
@@ -96,23 +81,24 @@ static void scatter(struct solid_assembly *s, const struct solid_element *e, int
     }
 }
 
-/* Adds the elements of the slabs first .. end - 1, as they are ordered. */
-static enum status assemble(struct solid_assembly *s, int thread, int first, int end,
+/* Adds the elements of every second slab. */
+static enum status assemble(struct solid_assembly *s, int thread, int slab, int end,
                             const double *x)
 {
-    const int *element = s->element + s->begin[first];
-    const int count = s->begin[end] - s->begin[first];
-    const struct solid_batch_sums to = {s->K, s->M, s->volume, s->place, s->run};
+    struct solid_element *work = &s->work[thread];
 
     if (s->batch[thread])
-        return solid_batch_add(s->batch[thread], count, element, &s->material, x, &to);
-    for (int n = 0; n < count; n++) {
-        struct solid_element *work = &s->work[thread];
-        enum status st = solid_element_compute(work, s->space, element[n], &s->material, x);
-        if (st != STATUS_OK)
-            return st;
-        scatter(s, work, element[n]);
-    }
+        return solid_batch_add(s->batch[thread],
+                               &(struct solid_batch_sums){s->K, s->M, s->volume, s->place,
+                                                          s->run, s->material},
+                               slab, end, x);
+    for (; slab < end; slab += 2)
+        for (int e = s->space->slab[slab]; e < s->space->slab[slab + 1]; e++) {
+            enum status st = solid_element_compute(work, s->space, e, &s->material, x);
+            if (st != STATUS_OK)
+                return st;
+            scatter(s, work, e);
+        }
     return STATUS_OK;
 }
 
@@ -120,20 +106,17 @@ enum status solid_assembly_compute(struct solid_assembly *s, const double *x)
 {
     size_t pairs = (size_t)s->graph.start[s->space->nodes];
     int slabs = s->space->slabs, inverted = 0, nan = 0;
+    const int threads = slabs > 2 ? s->threads : 1;
 
     memset(s->K, 0, pairs * sizeof *s->K);
     memset(s->M, 0, pairs * sizeof *s->M);
     memset(s->volume, 0, (size_t)s->space->nodes * sizeof *s->volume);
     for (int phase = 0; phase < 2; phase++) {
-        const int before = phase ? (slabs + 1) / 2 : 0;
-        const int count = phase ? slabs / 2 : (slabs + 1) / 2;
-#pragma omp parallel num_threads(s->threads) if (s->threads > 1 && slabs > 2)              \
-    reduction(|                                                                            \
-              : inverted, nan)
-        {
-            const int t = omp_get_thread_num(), threads = omp_get_num_threads();
-            enum status st = assemble(s, t, before + count * t / threads,
-                                      before + count * (t + 1) / threads, x);
+        const int count = (slabs + 1 - phase) / 2;
+#pragma omp parallel for num_threads(threads) if (threads > 1) reduction(| : inverted, nan)
+        for (int t = 0; t < threads; t++) {
+            enum status st = assemble(s, t, phase + 2 * (count * t / threads),
+                                      phase + 2 * (count * (t + 1) / threads), x);
             inverted |= st == STATUS_INVERTED;
             nan |= st == STATUS_NAN;
         }

@@ -24,8 +24,6 @@ struct solid_assembly {
     int threads;
     struct solid_element *work; /* [threads]                                           */
     struct solid_batch **batch; /* [threads] NULL: element by element                  */
-    int *element; /* [elements] those of even slabs, then those of odd ones            */
-    int *begin;   /* [slabs + 1] where each slab begins there                          */
 };
 
 /* Prepares the assembly, with as many threads as OpenMP would give at this moment. */

@@ -111,13 +111,6 @@ static void functions(struct solid_batch *b, const int q[3], int point)
             }
 }
 
-static void cross(const lanes a[3], const lanes b[3], lanes c[3])
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /* Pushes the gradients at a point forward to g; returns det J. */
 static lanes push_forward(struct solid_batch *b, int point)
 {
@@ -129,8 +122,9 @@ static lanes push_forward(struct solid_batch *b, int point)
         for (int j = 0; j < 3; j++)
             for (int i = 0; i < 3; i++)
                 J[j][i] += G[j * local + a] * b->X[3 * a + i];
-    for (int j = 0; j < 3; j++)
-        cross(J[(j + 1) % 3], J[(j + 2) % 3], cofactor[j]);
+    for (int j = 0, k = 1, l = 2; j < 3; j++, k = l, l = (l + 1) % 3)
+        for (int i = 0, m = 1, n = 2; i < 3; i++, m = n, n = (n + 1) % 3)
+            cofactor[j][i] = J[k][m] * J[l][n] - J[k][n] * J[l][m];
     det = J[0][0] * cofactor[0][0] + J[0][1] * cofactor[0][1] + J[0][2] * cofactor[0][2];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -143,14 +137,6 @@ static lanes push_forward(struct solid_batch *b, int point)
     return det;
 }
 
-static enum status judge(lanes det, int count)
-{
-    for (int l = 0; l < count; l++)
-        if (!(det[l] > 0))
-            return isnan(det[l]) ? STATUS_NAN : STATUS_INVERTED;
-    return STATUS_OK;
-}
-
 static enum status gradients(struct solid_batch *b, int count)
 {
     const int *n = b->points;
@@ -159,17 +145,17 @@ static enum status gradients(struct solid_batch *b, int count)
         const int q[3] = {point / (n[1] * n[2]), point / n[2] % n[1], point % n[2]};
         functions(b, q, point);
         const lanes det = push_forward(b, point);
-        const enum status st = judge(det, count);
-        if (st != STATUS_OK)
-            return st;
+        for (int l = 0; l < count; l++)
+            if (!(det[l] > 0))
+                return isnan(det[l]) ? STATUS_NAN : STATUS_INVERTED;
         b->dV[point] = b->weight[0][q[0]] * (b->weight[1][q[1]] * b->weight[2][q[2]]) * det;
     }
     return STATUS_OK;
 }
 
 /* Weights the gradients and values of function a, the row-th of a pass; adds its volume. */
-static void weigh(struct solid_batch *b, int a, int row, int count, const int *element,
-                  double density, const struct solid_batch_sums *to)
+static void weigh(struct solid_batch *b, const struct solid_batch_sums *s, int a, int row,
+                  int count, const int *element)
 {
     const int gauss = b->space->gauss, local = b->space->local;
     const lanes *g = b->g + 3 * a * gauss, *N = b->N + a * gauss;
@@ -178,11 +164,11 @@ static void weigh(struct solid_batch *b, int a, int row, int count, const int *e
     for (int q = 0; q < gauss; q++, g += 3, w += 4 * ROWS) {
         for (int i = 0; i < 3; i++)
             w[i] = b->dV[q] * g[i];
-        w[3] = density * b->dV[q] * N[q];
+        w[3] = s->material.density * b->dV[q] * N[q];
         volume += b->dV[q] * N[q];
     }
     for (int l = 0; l < count; l++)
-        to->volume[b->space->ien[element[l] * local + a]] += volume[l];
+        s->volume[b->space->ien[element[l] * local + a]] += volume[l];
 }
 
 /* Computes int N_a,i N_c,j and the mass of the weighted functions a and function c. */
@@ -220,27 +206,26 @@ static void stiffness(const struct solid_material *material, const lanes h[9], l
 /* Eight numbers that may lie anywhere. */
 typedef double eight __attribute__((vector_size(8 * sizeof(double)), aligned(8)));
 
-/* Turns lanes into rows: row[l] has lane l of k[0 .. 7]. */
+/* Turns lanes into rows: row[l] gets lane l of k[0 .. 7]. */
 static inline void turn(const lanes k[9], eight row[LANES])
 {
 #if defined(__AVX512VL__)
-#define LOW(a, b)   __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14)
-#define HIGH(a, b)  __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15)
-#define LOW2(a, b)  __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13)
-#define HIGH2(a, b) __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15)
-#define LOW4(a, b)  __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11)
-#define HIGH4(a, b) __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15)
-    lanes one[8], two[8];
+    typedef long long places __attribute__((vector_size(8 * sizeof(long long))));
+    static const places low[] = {{0, 8, 2, 10, 4, 12, 6, 14},
+                                 {0, 1, 8, 9, 4, 5, 12, 13},
+                                 {0, 1, 2, 3, 8, 9, 10, 11}};
 
-    for (int t = 0; t < 8; t += 2)
-        one[t] = LOW(k[t], k[t + 1]), one[t + 1] = HIGH(k[t], k[t + 1]);
-    for (int t = 0; t < 8; t += 4)
-        for (int s = t; s < t + 2; s++)
-            two[s] = LOW2(one[s], one[s + 2]), two[s + 2] = HIGH2(one[s], one[s + 2]);
-    for (int t = 0; t < 4; t++) {
-        row[t] = LOW4(two[t], two[t + 4]);
-        row[t + 4] = HIGH4(two[t], two[t + 4]);
-    }
+    for (int t = 0; t < 8; t++)
+        row[t] = k[t];
+#pragma GCC unroll 3
+    for (int s = 0, d = 1; s < 3; s++, d *= 2)
+#pragma GCC unroll 8
+        for (int t = 0; t < 8; t++)
+            if (!(t & d)) {
+                const lanes a = row[t], b = row[t + d];
+                row[t] = __builtin_shuffle(a, b, low[s]);
+                row[t + d] = __builtin_shuffle(a, b, low[s] + d);
+            }
 #else
     for (int l = 0; l < LANES; l++)
         for (int t = 0; t < 8; t++)
@@ -249,49 +234,64 @@ static inline void turn(const lanes k[9], eight row[LANES])
 }
 
 /* Adds the blocks of functions a and c. */
-static void scatter(const struct solid_batch *b, int count, const int *element, int a,
-                    int c, const lanes k[9], lanes mass, const struct solid_batch_sums *to)
+static void scatter(const struct solid_batch *b, const struct solid_batch_sums *s,
+                    int count, const int *element, int a, int c, const lanes k[9],
+                    lanes mass)
 {
-    const int local = b->space->local, runs = local / to->run, r = c / to->run;
-    const int start = r * to->run > a ? r * to->run : a;
+    const int local = b->space->local, runs = local / s->run, r = c / s->run;
+    const int start = r * s->run > a ? r * s->run : a;
     eight row[LANES];
 
     turn(k, row);
     for (int l = 0; l < count; l++) {
-        const int n = to->place[(element[l] * local + a) * runs + r] + c - start;
-        *(eight *)to->K[n] += row[l];
-        to->K[n][8] += k[8][l];
-        to->M[n] += mass[l];
+        const int n = s->place[(element[l] * local + a) * runs + r] + c - start;
+        *(eight *)s->K[n] += row[l];
+        s->K[n][8] += k[8][l];
+        s->M[n] += mass[l];
     }
 }
 
-enum status solid_batch_add(struct solid_batch *b, int elements, const int *element,
-                            const struct solid_material *material, const double *x,
-                            const struct solid_batch_sums *to)
+static enum status add(struct solid_batch *b, const struct solid_batch_sums *s, int count,
+                       const int *element, const double *x)
 {
     const int local = b->space->local;
+    enum status st;
 
-    for (; elements > 0; elements -= LANES, element += LANES) {
-        const int count = elements < LANES ? elements : LANES;
-        gather(b, count, element, x);
-        const enum status st = gradients(b, count);
-        if (st != STATUS_OK)
-            return st;
-        /* Backwards: a pair of nodes gets its sums from the first element on, where
-         * elements ascend. */
-        for (int a = local - 1; a >= 0; a -= ROWS) {
-            const int rows = a > 0 ? ROWS : 1;
-            for (int i = 0; i < rows; i++)
-                weigh(b, a - i, i, count, element, material->density, to);
-            for (int c = local - 1; c > a - rows; c--) {
-                lanes sum[ROWS][10], k[9];
-                integrate(b, c, sum);
-                for (int i = c < a; i < rows; i++) {
-                    stiffness(material, sum[i], k);
-                    scatter(b, count, element, a - i, c, k, sum[i][9], to);
-                }
+    gather(b, count, element, x);
+    TRY(gradients(b, count));
+    /* Backwards: a pair of nodes gets its sums from the first element on. */
+    for (int a = local - 1; a >= 0; a -= ROWS) {
+        const int rows = a > 0 ? ROWS : 1;
+        for (int i = 0; i < rows; i++)
+            weigh(b, s, a - i, i, count, element);
+        for (int c = local - 1; c > a - rows; c--) {
+            lanes sum[ROWS][10], k[9];
+            integrate(b, c, sum);
+            for (int i = c < a; i < rows; i++) {
+                stiffness(&s->material, sum[i], k);
+                scatter(b, s, count, element, a - i, c, k, sum[i][9]);
             }
         }
     }
-    return STATUS_OK;
+out:
+    return st;
+}
+
+enum status solid_batch_add(struct solid_batch *b, const struct solid_batch_sums *s,
+                            int slab, int end, const double *x)
+{
+    int element[LANES], count = 0;
+    enum status st = STATUS_OK;
+
+    for (; slab < end; slab += 2)
+        for (int e = b->space->slab[slab]; e < b->space->slab[slab + 1]; e++) {
+            element[count++] = e;
+            if (count == LANES)
+                TRY(add(b, s, count, element, x));
+            count %= LANES;
+        }
+    if (count)
+        st = add(b, s, count, element, x);
+out:
+    return st;
 }

@@ -1,7 +1,6 @@
 /* solid_batch.h - inside solid_assembly.h: elements side by side, one in each lane of a
- * vector, for spaces whose functions are products along three lines (solid_space.h), by
- * their full rule. Each element's numbers, and the order of their sums, are those of
- * solid_element.h.
+ * vector, of a space whose functions are products along lines (solid_space.h), by its full
+ * rule. Their numbers, and the order of all sums, are those of solid_element.h.
  */
 #ifndef SOLID_BATCH_H
 #define SOLID_BATCH_H
@@ -11,23 +10,21 @@
 
 struct solid_batch; /* working storage of one thread */
 
-/* Where an element's matrices are added: solid_assembly.h's arrays of the same names. */
+/* The matrices to add to: solid_assembly.h's members of these names, borrowed. */
 struct solid_batch_sums {
-    double (*K)[9];
-    double *M, *volume;
+    double (*K)[9], *M, *volume;
     const int *place;
     int run;
+    struct solid_material material;
 };
 
 /* Creates; *out stays NULL for a space that is not of this kind. STATUS_MEMORY. */
 enum status solid_batch_create(const struct solid_space *space, struct solid_batch **out);
 void solid_batch_destroy(struct solid_batch *b); /* NULL is allowed */
 
-/* Adds K, M and volume of element[elements] on the coefficients x[nodes][3]; those that
- * share nodes come ascending. STATUS_INVERTED and STATUS_NAN as of solid_element_compute.
- */
-enum status solid_batch_add(struct solid_batch *b, int elements, const int *element,
-                            const struct solid_material *material, const double *x,
-                            const struct solid_batch_sums *to);
+/* Adds to s the elements of every second slab from `slab` to before `end`, on the
+ * coefficients x[nodes][3]. STATUS_INVERTED and STATUS_NAN as of solid_element_compute. */
+enum status solid_batch_add(struct solid_batch *b, const struct solid_batch_sums *s,
+                            int slab, int end, const double *x);
 
 #endif

@@ -64,6 +64,11 @@ static void add_stability(struct table *t, const struct scene *scene, int count,
         table_note(t, "The equilibrium is neutral: it can move without force.");
     else
         table_note(t, "The equilibrium is stable: no mode grows.");
+    if (scene->contact.self)
+        table_note(t,
+                   "Where the sheet touches itself its samples meet in turn, and nets of "
+                   "points leave the turning of the contact's normals out: a slow mode "
+                   "that slides one side along the other may be none.");
 }
 
 /* Adds the same to a table of displacements. */

@@ -26,6 +26,7 @@ struct contact_touch {
     int sample, obstacle; /* obstacle -1: the sheet itself; sample -1: a rim's point   */
     int first, count;     /* its nodes and weights in contact's lists                  */
     double D, normal[3];  /* distance [m]; the gradient of D by the sample's place     */
+    double at[2];         /* u and v of the sheet's own place, where a sample meets it */
     double D_old, D_flat; /* when the step began; D less its way along the normal  [m]   */
     double area;          /* [m^2]                                                     */
     double push, stiffness; /* area times pressure [N] and its slope [N/m]             */

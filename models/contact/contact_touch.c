@@ -112,6 +112,7 @@ enum status contact_touch_own(struct contact *c, const double *x)
             .obstacle = -1,
             .D = f->distance,
             .normal = {f->normal[0], f->normal[1], f->normal[2]},
+            .at = {f->u, f->v},
             .area = f->strength * c->surface.area[f->sample] / 2};
         TRY(add(c, touch, f->count, s->node + f->first, s->weight + f->first));
     }

@@ -130,30 +130,58 @@ out:
     return st;
 }
 
-/* Fills K; false if the pattern lacks a touch's places. */
+/* Fills K, with the turning of normals unless x is NULL; false if the pattern lacks a
+ * touch's places. */
 static bool fill(struct contact_coupled *w, const struct contact *c,
-                 const struct blocks *body, const double (*K)[9])
+                 const struct blocks *body, const double *x, const double (*K)[9])
 {
     memset(w->K, 0, (size_t)w->graph.start[w->graph.nodes] * sizeof *w->K);
     for (long n = 0; n < body->start[body->nodes]; n++)
         memcpy(w->K[w->place[n]], K[n], sizeof K[n]);
-    return contact_system_tangent(c, &w->graph, w->K);
+    return contact_system_tangent(c, x, &w->graph, w->K);
 }
 
-enum status contact_coupled_add(struct contact_coupled *w, const struct contact *c,
-                                const struct system *system, double (*K)[9])
+/* Fills M with the body's, NULL: zeros. */
+static void fill_mass(struct contact_coupled *w, const struct blocks *body, const double *M)
+{
+    memset(w->M, 0, (size_t)w->graph.start[w->graph.nodes] * sizeof *w->M);
+    for (long n = 0; M && n < body->start[body->nodes]; n++)
+        w->M[w->place[n]] = M[n];
+}
+
+static enum status add(struct contact_coupled *w, const struct contact *c,
+                       const struct system *system, const double *x, double (*K)[9])
 {
     enum status st = STATUS_OK;
     const struct blocks *graph = system->graph;
 
     w->used = couples(c);
     if (!w->used)
-        contact_system_tangent(c, graph, K);
-    else if (!w->room || !fill(w, c, graph, (const double(*)[9])K)) {
+        contact_system_tangent(c, x, graph, K);
+    else if (!w->room || !fill(w, c, graph, x, (const double(*)[9])K)) {
         TRY(make(w, c, graph, system->held));
-        fill(w, c, graph, (const double(*)[9])K);
+        fill(w, c, graph, x, (const double(*)[9])K);
     }
 out:
+    return st;
+}
+
+enum status contact_coupled_add(struct contact_coupled *w, const struct contact *c,
+                                const struct system *system, double (*K)[9])
+{
+    return add(w, c, system, NULL, K);
+}
+
+enum status contact_coupled_pencil(struct contact_coupled *w, const struct contact *c,
+                                   const struct system *system, const double *x,
+                                   double (*K)[9], const double *M, struct pencil *p)
+{
+    const enum status st = add(w, c, system, x, K);
+
+    if (st == STATUS_OK && w->used) {
+        fill_mass(w, system->graph, M);
+        p->graph = &w->graph, p->K = (const double(*)[9])w->K, p->M = w->M;
+    }
     return st;
 }
 
@@ -163,11 +191,8 @@ enum status contact_coupled_update(struct contact_coupled *w, struct system *sys
 {
     if (!w->used)
         return system_update(system, k, K, m, M);
-    const struct blocks *body = system->graph;
     system->factorisations++;
-    memset(w->M, 0, (size_t)w->graph.start[w->graph.nodes] * sizeof *w->M);
-    for (long n = 0; M && n < body->start[body->nodes]; n++)
-        w->M[w->place[n]] = M[n];
+    fill_mass(w, system->graph, M);
     return system_update(&w->system, k, (const double(*)[9])w->K, m, w->M);
 }
 

@@ -5,6 +5,7 @@
 #define CONTACT_COUPLED_H
 
 #include "models/contact/contact.h"
+#include "models/mechanics/pencil.h"
 #include "models/mechanics/system.h"
 
 /* All zero before the first use, and after contact_coupled_clear. */
@@ -23,6 +24,12 @@ struct contact_coupled {
  * a pattern that is made anew where the touches' places are not in it. */
 enum status contact_coupled_add(struct contact_coupled *w, const struct contact *c,
                                 const struct system *system, double (*K)[9]);
+
+/* Does so with the turning of the normals at x[nodes][3]; where touches couple places, `p`
+ * gets that sum and the mass M [pairs] in w's pattern. */
+enum status contact_coupled_pencil(struct contact_coupled *w, const struct contact *c,
+                                   const struct system *system, const double *x,
+                                   double (*K)[9], const double *M, struct pencil *p);
 
 /* Factorises k K + m M after contact_coupled_add, as system_update does, and counts it in
  * `system`; M [pairs] of the body, NULL if m == 0. */

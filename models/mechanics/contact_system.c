@@ -5,6 +5,16 @@
 
 #include "models/vector.h"
 
+/* The most nodes of a row; the step of differences along u and v, as contact_foot.c's. */
+enum { MOST_NODES = 64 };
+static const double SPREAD = 0x1p-13;
+
+static bool meets_smooth(const struct contact *c, const struct contact_touch *t)
+{
+    return t->obstacle < 0 && t->sample >= 0 && c->surface.row &&
+           c->surface.width <= MOST_NODES && t->D > 0;
+}
+
 /* Adds the turning of the normal of a body where a touch moves at x. */
 static void add_turning(const struct contact *c, const struct contact_touch *t,
                         const double *x, double B[9])
@@ -12,6 +22,8 @@ static void add_turning(const struct contact *c, const struct contact_touch *t,
     const double reach = 1e-4 * c->body.start; /* for the normal's derivatives */
     double y[3], n[2][3];
 
+    for (int k = 0; k < 9 && meets_smooth(c, t); k++)
+        B[k] -= t->push / t->D * ((k % 4 == 0) - t->normal[k / 3] * t->normal[k % 3]);
     if (t->obstacle < 0)
         return;
     contact_surface_at(&c->surface, t->sample, x, y);
@@ -25,6 +37,112 @@ static void add_turning(const struct contact *c, const struct contact_touch *t,
         for (int i = 0; i < 3; i++)
             B[3 * i + j] -= t->push * (n[1][i] - n[0][i]) / (2 * reach);
     }
+}
+
+/* A sheet around one of its places: slopes and curvatures (by uu, uv, vv), and the slopes
+ * of the weights of its nodes. */
+struct around {
+    double d[2][3], dd[3][3], slope[2][MOST_NODES];
+    bool free[2]; /* the place is not at the end along u, or v                            */
+};
+
+/* Adds a row of the surface, `sign` times, to the slopes of the weights along d that are
+ * among node[count]; returns its point. */
+static void add_row(const struct contact_surface *s, const double uv[2], const double *x,
+                    int count, const int *node, const double sign[2], struct around *a,
+                    double point[3])
+{
+    double shape[MOST_NODES];
+    int own[MOST_NODES];
+    const int used = s->row(s->self, uv[0], uv[1], own, shape);
+
+    point[0] = point[1] = point[2] = 0;
+    for (int k = 0; k < used; k++) {
+        for (int i = 0; i < 3; i++)
+            point[i] += shape[k] * x[3 * (long)own[k] + i];
+        for (int n = 0; n < count; n++)
+            for (int d = 0; d < 2 && node[n] == own[k]; d++)
+                a->slope[d][n] += sign[d] * shape[k];
+    }
+}
+
+static void look_around(const struct contact_surface *s, const double at[2],
+                        const double *x, int count, const int *node, struct around *a)
+{
+    const double *end = s->line[0];
+    double p[3][3][3], low[2] = {0}, high[2] = {1, 1}, step[2], middle[2];
+
+    while (at[0] > end[s->rows - 1] && end + s->rows < s->line[0] + s->points[0])
+        end += s->rows;
+    low[0] = end[0], high[0] = end[s->rows - 1];
+    memset(a, 0, sizeof *a);
+    for (int d = 0; d < 2; d++) {
+        step[d] = SPREAD * (high[d] - low[d]);
+        middle[d] = fmin(fmax(at[d], low[d] + step[d]), high[d] - step[d]);
+        a->free[d] = at[d] > low[d] && at[d] < high[d];
+    }
+    for (int k = 0; k < 9; k++) {
+        const int i = k / 3 - 1, j = k % 3 - 1;
+        const double uv[2] = {middle[0] + i * step[0], middle[1] + j * step[1]};
+        const double sign[2] = {j ? 0 : i / (2 * step[0]), i ? 0 : j / (2 * step[1])};
+        add_row(s, uv, x, count, node, sign, a, p[k / 3][k % 3]);
+    }
+    for (int i = 0; i < 3; i++) {
+        a->d[0][i] = (p[2][1][i] - p[0][1][i]) / (2 * step[0]);
+        a->d[1][i] = (p[1][2][i] - p[1][0][i]) / (2 * step[1]);
+        a->dd[0][i] = (p[2][1][i] - 2 * p[1][1][i] + p[0][1][i]) / (step[0] * step[0]);
+        a->dd[1][i] =
+            (p[2][2][i] - p[2][0][i] - p[0][2][i] + p[0][0][i]) / (4 * step[0] * step[1]);
+        a->dd[2][i] = (p[1][2][i] - 2 * p[1][1][i] + p[1][0][i]) / (step[1] * step[1]);
+    }
+}
+
+/* Inverts F_a F_b - w F_ab, w the way from the foot; of what is not free nothing. */
+static void invert_slip(const struct around *a, const double w[3], double inverse[2][2])
+{
+    double A[3];
+
+    for (int k = 0; k < 3; k++)
+        A[k] = vector_dot(a->d[k / 2], a->d[(k + 1) / 2]) - vector_dot(w, a->dd[k]);
+    if (!a->free[0] || !a->free[1])
+        A[1] = 0;
+    const double det = A[0] * A[2] - A[1] * A[1];
+    inverse[0][0] = a->free[0] ? A[2] / det : 0;
+    inverse[1][1] = a->free[1] ? A[0] / det : 0;
+    inverse[0][1] = inverse[1][0] = -A[1] / det;
+}
+
+/* Adds to K what the slip of the foot takes from the second derivative of D, that of a
+ * distance to a place that stays being in B. With the way w = D n between sample and foot,
+ * the weights W of its nodes and the surface's slopes F_a, the foot is where w F_a = 0; its
+ * change by A^-1 h, h_a = F_a W + w dF_a, A_ab = F_a F_b - w F_ab, takes h A^-1 h / D.
+ * Returns false if the graph lacks a pair. */
+static bool add_slip(const struct contact *c, const struct contact_touch *t,
+                     const double *x, const struct blocks *graph, double (*K)[9])
+{
+    const int *node = c->node + t->first, used = c->surface.used[t->sample];
+    const double *weight = c->weight + t->first;
+    double w[3], inverse[2][2], h[2][2 * MOST_NODES][3];
+    struct around around;
+
+    look_around(&c->surface, t->at, x, t->count - used, node + used, &around);
+    for (int i = 0; i < 3; i++)
+        w[i] = t->D * t->normal[i];
+    invert_slip(&around, w, inverse);
+    for (int d = 0; d < 2; d++)
+        for (int k = 0; k < t->count; k++)
+            for (int i = 0; i < 3; i++)
+                h[d][k][i] = weight[k] * around.d[d][i] +
+                             (k < used ? 0 : w[i] * around.slope[d][k - used]);
+    for (int k = 0; k < 4 * t->count * t->count; k++) {
+        const int d = k % 2, e = k / 2 % 2, a = k / 4 / t->count, b = k / 4 % t->count;
+        const long pair = node[b] < node[a] ? -1 : blocks_find(graph, node[a], node[b]);
+        if (pair < 0 && node[b] >= node[a])
+            return false;
+        for (int i = 0; i < 9 && pair >= 0; i++)
+            K[pair][i] += t->push / t->D * inverse[d][e] * h[d][a][i / 3] * h[e][b][i % 3];
+    }
+    return true;
 }
 
 /* The error below which friction has its tangent: in the slip, or that from which friction
@@ -97,8 +215,8 @@ static bool add_together(const struct contact *c, const struct contact_touch *to
     return true;
 }
 
-static bool add(const struct contact *c, const double *x, const struct blocks *graph,
-                double (*K)[9])
+bool contact_system_tangent(const struct contact *c, const double *x,
+                            const struct blocks *graph, double (*K)[9])
 {
     const struct contact_touch *end = c->touch + c->count;
 
@@ -107,20 +225,11 @@ static bool add(const struct contact *c, const double *x, const struct blocks *g
             next++;
         if (!add_together(c, t, (int)(next - t), x, graph, K))
             return false;
+        for (; x && t < next; t++)
+            if (meets_smooth(c, t) && !add_slip(c, t, x, graph, K))
+                return false;
     }
     return true;
-}
-
-bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
-                            double (*K)[9])
-{
-    return add(c, NULL, graph, K);
-}
-
-bool contact_system_turned(const struct contact *c, const double *x,
-                           const struct blocks *graph, double (*K)[9])
-{
-    return add(c, x, graph, K);
 }
 
 void contact_system_land(struct contact *c, const struct blocks *graph, const double *M,

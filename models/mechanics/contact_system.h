@@ -6,17 +6,18 @@
 #include "models/linalg/blocks.h"
 
 /* Adds the stiffness of the touches of the last contact_find to K[pairs]: of the pressure
- * along the normals, without its turning, and of friction across them. Positive
- * semidefinite. Far from the solution (c->error) friction has the stiffness that would end
- * the slip, with which Newton's method can't go back and forth between two ways of it.
+ * along the normals and of friction across them; with x NULL without the normals' turning,
+ * so that it is positive semidefinite. Far from the solution (c->error) friction has the
+ * stiffness that would end the slip, with which Newton's method can't go back and forth
+ * between two ways of it.
+ *
+ * With the turning at x[nodes][3], where contact_find looked, what leans on a round body
+ * may slide off, and one side of a sheet along the other. Left out is that of a net of
+ * points with itself, which is not the gradient of an energy (contact_foot.h), and of rims.
+ *
  * Returns false, with K spoilt, if the graph lacks a pair of a touch. */
-bool contact_system_tangent(const struct contact *c, const struct blocks *graph,
-                            double (*K)[9]);
-
-/* Adds the same with the turning of the normals of bodies at x[nodes][3], where
- * contact_find looked: what leans on a round body may slide off. */
-bool contact_system_turned(const struct contact *c, const double *x,
-                           const struct blocks *graph, double (*K)[9]);
+bool contact_system_tangent(const struct contact *c, const double *x,
+                            const struct blocks *graph, double (*K)[9]);
 
 /* Changes v[nodes][3] by contact_landing, and the contact's force with it, as far as that
  * takes kinetic energy from the mass M. work[6 nodes]. */

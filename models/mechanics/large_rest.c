@@ -214,7 +214,7 @@ enum status large_rest_modes(struct large_motion *m, int count, double *omega,
                              struct message *why)
 {
     enum status st;
-    const struct pencil p = {m->graph, (const double(*)[9])m->K, m->M, .stressed = true};
+    struct pencil p = {m->graph, (const double(*)[9])m->K, m->M, .stressed = true};
 
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &large_path_statics, m->x, (struct large_foresight){0},
@@ -225,7 +225,8 @@ enum status large_rest_modes(struct large_motion *m, int count, double *omega,
         contact_begin_rest(m->contact, supports_rest_time(m->supports, m->scene),
                            m->scene->step, m->x);
         TRY(contact_find(m->contact, m->x));
-        contact_system_turned(m->contact, m->x, m->graph, m->K);
+        TRY(contact_coupled_pencil(&m->coupled, m->contact, m->system, m->x, m->K, m->M,
+                                   &p));
     }
     TRY(pencil_modes(&p, m->supports, NULL, count, omega, why));
 out:

@@ -4,8 +4,7 @@
 
 #include "bench/truth/truth.h"
 #include "bench/score/score_command.h"
-#include "bench/experiment/plan.h"
-#include "bench/experiment/dataset.h"
+#include "bench/experiment/study.h"
 #include "bench/harness/contestant.h"
 #include "bench/ui/table.h"
 #include "models/law/law_fabrics.h"

@@ -1,18 +1,14 @@
 #include "fem_ref/kirchhoff_field.h"
 #include "models/grid.h"
+#include "models/vector.h"
 
 #include <math.h>
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_plate *plate,
                                   struct message *why)
 {
     /* The rounding of axes given with 16 digits. */
-    const double in_plane = 1e-14 * sqrt(dot(scene->gravity, scene->gravity));
+    const double in_plane = 1e-14 * sqrt(vector_dot(scene->gravity, scene->gravity));
 
     if (scene->shape != SCENE_FLAT)
         return status_fail(why, STATUS_UNSUPPORTED,
@@ -22,8 +18,8 @@ enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_pl
             why, STATUS_UNSUPPORTED,
             "the Kirchhoff truth knows one sheet with one support, the whole "
             "edge u = 0");
-    if (fabs(dot(scene->gravity, scene->axis_u)) > in_plane ||
-        fabs(dot(scene->gravity, scene->axis_v)) > in_plane)
+    if (fabs(vector_dot(scene->gravity, scene->axis_u)) > in_plane ||
+        fabs(vector_dot(scene->gravity, scene->axis_v)) > in_plane)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth needs gravity normal to the sheet");
     if (scene->obstacle_count || scene->load_count || scene->drag != 0)
@@ -58,7 +54,7 @@ static enum status sample(const struct kirchhoff *k, const struct scene *scene, 
     double x[GRID_U], y[GRID_V], n[3];
 
     scene_normal(scene, n);
-    const double q = scene->density * scene->thickness * dot(scene->gravity, n);
+    const double q = scene->density * scene->thickness * vector_dot(scene->gravity, n);
     const double alpha = scene->damping.kind == DAMPING_MASS ? scene->damping.value : 0;
     for (int i = 0; i < GRID_U; i++)
         x[i] = scene->length * i / (GRID_U - 1);

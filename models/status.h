@@ -39,6 +39,9 @@ struct message {
     char text[1024];
 };
 
+/* Of a list of codes and words, an X macro: the words alone. */
+#define LIST_WORD(code, word) word,
+
 #define TRY(call)                                                                          \
     do {                                                                                   \
         if ((st = (call)) != STATUS_OK)                                                    \

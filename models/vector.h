@@ -30,4 +30,11 @@ static inline void vector_between(const double *a, const double *b, double *d)
         d[i] = b[i] - a[i];
 }
 
+static inline double vector_distance(const double *a, const double *b)
+{
+    const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+
+    return vector_length(d);
+}
+
 #endif

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/room.h"
 #include "triangles/tri_hinge.h"
+#include "models/vector.h"
 
 /* The rows of points that a strip reaches. */
 enum { ROWS = 3 };
@@ -21,11 +21,6 @@ struct tri_body_room {
 struct tangents {
     double at[2][3];
 };
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static struct tangents tangents_of(const struct tri_body *b, const struct tri_triangle *t,
                                    const double *x, int first)
@@ -44,9 +39,9 @@ static struct tangents tangents_of(const struct tri_body *b, const struct tri_tr
 
 static void metric(const struct tangents *X, double C[3])
 {
-    C[0] = dot(X->at[0], X->at[0]);
-    C[1] = dot(X->at[1], X->at[1]);
-    C[2] = dot(X->at[0], X->at[1]);
+    C[0] = vector_dot(X->at[0], X->at[0]);
+    C[1] = vector_dot(X->at[1], X->at[1]);
+    C[2] = vector_dot(X->at[0], X->at[1]);
 }
 
 /* Computes e, or the present strain as its linearisation at x - change foresaw it. */
@@ -403,10 +398,11 @@ double tri_body_energy(const struct tri_body *b, const double *x)
         form = e + b->forms_from, hinge = e + b->hinges_from;
         for (int k = net->triangle_at[strip]; k < net->triangle_at[strip + 1]; k++) {
             law_stress(stiffness_of(b, &net->triangles[k]), e, stress);
-            energy += b->area * dot(stress, e) / 2, e += 3;
+            energy += b->area * vector_dot(stress, e) / 2, e += 3;
         }
         for (int k = form_at[strip]; k < form_at[strip + 1]; k++, form += 3)
-            energy += spring_form_of(&net->forms, k)->stiffness * dot(form, form) / 2;
+            energy +=
+                spring_form_of(&net->forms, k)->stiffness * vector_dot(form, form) / 2;
         for (int k = soft_at[strip]; k < soft_at[strip + 1]; k++, form += 3)
             energy += spring_soft_energy(&net->soft, k, form);
         for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++, hinge++)

@@ -1,4 +1,5 @@
 #include "triangles/tri_hinge.h"
+#include "models/vector.h"
 
 #include <math.h>
 #include <string.h>
@@ -10,19 +11,6 @@ struct frame {
     double turn[2][3]; /* derivatives of the angle by the sides                        */
 };
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double c[3])
-{
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        c[i] = a[j] * b[k] - a[k] * b[j];
-    }
-}
-
 static struct frame frame_of(const double x[4][3])
 {
     struct frame f;
@@ -32,12 +20,12 @@ static struct frame frame_of(const double x[4][3])
         f.side[0][i] = x[2][i] - x[0][i];
         f.side[1][i] = x[3][i] - x[0][i];
     }
-    cross(f.e, f.side[0], f.normal[0]);
-    cross(f.side[1], f.e, f.normal[1]);
-    f.edge = sqrt(dot(f.e, f.e));
+    vector_cross(f.e, f.side[0], f.normal[0]);
+    vector_cross(f.side[1], f.e, f.normal[1]);
+    f.edge = sqrt(vector_dot(f.e, f.e));
     for (int s = 0; s < 2; s++) {
-        f.square[s] = dot(f.normal[s], f.normal[s]);
-        f.foot[s] = dot(f.side[s], f.e) / (f.edge * f.edge);
+        f.square[s] = vector_dot(f.normal[s], f.normal[s]);
+        f.foot[s] = vector_dot(f.side[s], f.e) / (f.edge * f.edge);
         for (int i = 0; i < 3; i++)
             f.turn[s][i] = -f.edge / f.square[s] * f.normal[s][i];
     }
@@ -49,9 +37,9 @@ double tri_hinge_angle(const double x[4][3])
     struct frame f = frame_of(x);
     double c[3];
 
-    cross(f.normal[0], f.normal[1], c);
+    vector_cross(f.normal[0], f.normal[1], c);
     return f.square[0] > 0 && f.square[1] > 0
-               ? atan2(dot(c, f.e) / f.edge, dot(f.normal[0], f.normal[1]))
+               ? atan2(vector_dot(c, f.e) / f.edge, vector_dot(f.normal[0], f.normal[1]))
                : NAN;
 }
 

@@ -1,5 +1,4 @@
 /* Claims on the number of iterations (plan iterations). */
-#include <math.h>
 
 #include "bench/claims/claim.h"
 

@@ -420,9 +420,8 @@ static void add_best(struct table *t, const struct contest *c, const struct cont
     table_line(t, "%s|%s", r->at.contestant->title, r->at.contestant->name);
     add_net(t, c, r->at.size);
     table_add(t, "%.2g|%.3g", r->worst, r->seconds);
-    for (int n = 0; n < c->teams; n++) {
+    for (int n = 0; n < c->teams; n++)
         table_add(t, "%.3g|%.2g", r->team_seconds[n], r->team_seconds[n] / r->seconds);
-    }
     table_add(t, "%s", r->parted ? "no" : "yes");
 }
 

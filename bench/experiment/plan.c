@@ -571,13 +571,12 @@ static enum status read_measure(const struct schema_key *key, const struct yaml_
                                 void *target, struct message *why)
 {
     int *measure = (void *)((char *)target + key->offset);
+    const int found = node->kind == YAML_TREE_SCALAR ? measure_find(node->text) : -1;
 
-    for (int n = 0; n < MEASURES && node->kind == YAML_TREE_SCALAR; n++)
-        if (!strcmp(node->text, measure_name(n))) {
-            *measure = n;
-            return STATUS_OK;
-        }
-    return schema_refuse(key, node, why);
+    if (found < 0)
+        return schema_refuse(key, node, why);
+    *measure = found;
+    return STATUS_OK;
 }
 
 /* clang-format off */
@@ -1103,14 +1102,6 @@ static enum status check_twice(const struct plan *plan, struct message *why)
     return STATUS_OK;
 }
 
-static bool is_measure(const char *name)
-{
-    for (int n = 0; n < MEASURES; n++)
-        if (!strcmp(measure_name(n), name))
-            return true;
-    return false;
-}
-
 static enum status check_map(const struct plan *plan, struct message *why)
 {
     const char *const names[] = {plan->map.x, plan->map.y, plan->map.panel};
@@ -1119,7 +1110,7 @@ static enum status check_map(const struct plan *plan, struct message *why)
         if (n == 2 && names[n] && !strcmp(names[n], "name"))
             continue; /* of the listed cases */
         else if (names[n] && !given_in(plan, names[n], plan->axis_count) &&
-                 !is_measure(names[n]))
+                 measure_find(names[n]) < 0)
             return plan_case_refuse(
                 plan, plan->map.line, why,
                 "the map shows %s, which is neither a key of the plan nor a measure",

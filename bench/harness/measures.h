@@ -54,4 +54,7 @@ const char *measure_name(int measure);
 const char *measure_unit(int measure);
 const char *measure_sentence(int measure);
 
+/* Returns the measure of this name; -1: there is none. */
+int measure_find(const char *name);
+
 #endif

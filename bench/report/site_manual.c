@@ -7,12 +7,14 @@
 
 #include "bench/files/output.h"
 #include "bench/ui/html.h"
+#include "models/reader/named_file.h"
 
 enum { PATH = 4096, WORDS = 200 };
 
 static char *describe(const char *path);
 
-const struct named_file_kind site_manual_kind = {
+/* The places of the manual's pages, doc/NAME.md. */
+static const struct named_file_kind kind = {
     .what = "page of the manual",
     .ending = ".md",
     .environment = "CLOTHBENCH_MANUAL",
@@ -38,7 +40,7 @@ static char *describe(const char *path)
     struct message why;
     char *text = NULL;
     size_t size;
-    const enum status st = named_file_read(&site_manual_kind, path, &text, &size, &why);
+    const enum status st = named_file_read(&kind, path, &text, &size, &why);
 
     if (st != STATUS_OK)
         return st == STATUS_MEMORY ? NULL : strdup(path);
@@ -95,7 +97,7 @@ static enum status copy_picture(struct page *p, const char *name)
                  name) >= (int)sizeof from ||
         snprintf(to, sizeof to, "%s/%s", p->folder, name) >= (int)sizeof to)
         return status_fail(p->why, STATUS_INPUT, "%.60s: its path is too long", name);
-    TRY(named_file_read(&site_manual_kind, from, &bytes, &size, p->why));
+    TRY(named_file_read(&kind, from, &bytes, &size, p->why));
     TRY(output_create(to, &out, p->why));
     fwrite(bytes, 1, size, output_stream(out));
     TRY(output_close(&out, p->why));
@@ -197,8 +199,8 @@ static enum status write_page(struct page *p, const struct named_file_entry *ent
     size_t size;
     enum status st;
 
-    TRY(named_file_find(&site_manual_kind, entry->name, &path, p->why));
-    TRY(named_file_read(&site_manual_kind, path, &text, &size, p->why));
+    TRY(named_file_find(&kind, entry->name, &path, p->why));
+    TRY(named_file_read(&kind, path, &text, &size, p->why));
     TRY(html_open(p->folder, "manual", entry->name, entry->text, &out, p->why));
     p->file = output_stream(out);
     p->source = path;
@@ -217,7 +219,7 @@ enum status site_manual_write(const char *folder, FILE *list, struct message *wh
     int count = 0;
     enum status st;
 
-    TRY(named_file_list(&site_manual_kind, &entries, &count, why));
+    TRY(named_file_list(&kind, &entries, &count, why));
     for (int n = 0; n < count; n++) {
         struct page p = {.folder = folder, .entries = entries, .count = count, .why = why};
         TRY(write_page(&p, &entries[n]));

@@ -10,7 +10,6 @@
 
 #include "bench/harness/contestant.h"
 #include "bench/report/report_part.h"
-#include "models/reader/named_file.h"
 
 /* Writes the page scene_NAME.html - pictures of its truth, speed against error, the truth's
  * error bars, its file -, and a row of the index's table of scenes into `rows`. `folder`
@@ -28,9 +27,6 @@ enum status site_scene_chart(FILE *file, const char *folder,
 enum status site_contestant_write(const char *out, const struct report_found *found,
                                   const struct contestant *c, FILE *rows,
                                   struct message *why);
-
-/* The places of the manual's pages, doc/NAME.md: $CLOTHBENCH_MANUAL first. */
-extern const struct named_file_kind site_manual_kind;
 
 /* Writes manual_NAME.html for each page of the manual, the pictures that they show beside
  * them, and an item of a list with a link to each into `list`. Links between pages stay

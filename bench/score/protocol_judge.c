@@ -30,11 +30,7 @@ struct judge {
 
 const char *protocol_subject_name(enum protocol_subject subject)
 {
-    static const char *const name[] = {
-#define SUBJECT_NAME(code, text) text,
-        PROTOCOL_SUBJECT_LIST(SUBJECT_NAME)
-#undef SUBJECT_NAME
-    };
+    static const char *const name[] = {PROTOCOL_SUBJECT_LIST(LIST_WORD)};
 
     return name[subject];
 }

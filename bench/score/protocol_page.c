@@ -183,10 +183,9 @@ static enum status table_place(FILE *file, const struct protocol *p,
     struct table *t = table_create(sizeof columns / sizeof *columns, columns,
                                    "The best run of each with no more points: error at the "
                                    "worst of the same times");
-    for (int n = 0; n < count; n++) {
+    for (int n = 0; n < count; n++)
         table_line(t, "%d|%s%s|%dx%d|%.2g", n + 1, rival[n].own ? "\u2192 " : "",
                    rival[n].title, rival[n].net[0], rival[n].net[1], rival[n].error);
-    }
     html_print(file, "<details><summary>Contestants on %s</summary>\n", scene->name);
     st = table_print(t, TABLE_HTML, file);
     fputs("</details>\n", file);

@@ -136,11 +136,7 @@ void score_contact_end(struct score_contact *c, double time, double seconds,
 
 const char *score_contact_name(enum score_contact_kind kind)
 {
-    static const char *const name[] = {
-#define SCORE_CONTACT_NAME(code, text) text,
-        SCORE_CONTACT_KIND_LIST(SCORE_CONTACT_NAME)
-#undef SCORE_CONTACT_NAME
-    };
+    static const char *const name[] = {SCORE_CONTACT_KIND_LIST(LIST_WORD)};
 
     return name[kind];
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bench/score/score_fit.h"
+#include "models/vector.h"
 
 /* Frames that move by less than this share of what the truth does are still. */
 #define STILL_MOST 0.01
@@ -41,18 +42,6 @@
 #define TIMES_FLOOR 2
 #define SOUND_MOST  0.005
 #define SOUND_SHARE 0.05
-
-static double distance(const double a[3], const double b[3])
-{
-    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
-
-    return sqrt(x * x + y * y + z * z);
-}
-
-static double length_of(const double v[3])
-{
-    return distance((double[3]){0}, v);
-}
 
 /* --- other axes, units or orders --- */
 
@@ -148,7 +137,7 @@ static double nearest(const struct score_time *row, double length)
         const double *a = row->got + 3 * score_truth_few(k);
         double least = INFINITY;
         for (int p = 0; p < SCORE_POINTS; p++)
-            least = fmin(least, distance(a, row->truth + 3 * p));
+            least = fmin(least, vector_distance(a, row->truth + 3 * p));
         sum += least * least;
     }
     return sqrt(sum / SCORE_FEW) / length;
@@ -307,7 +296,7 @@ struct lines {
 
 static double piece(const double *field, int point, int to)
 {
-    return distance(field + 3L * point, field + 3L * to);
+    return vector_distance(field + 3L * point, field + 3L * to);
 }
 
 /* Returns the share by which lines are longer than the truth's. */
@@ -432,13 +421,13 @@ static double mean(const struct sums *sums, double by[3])
 {
     for (int c = 0; c < 3; c++)
         by[c] = sums->points ? sums->off[c] / sums->points : 0;
-    return length_of(by);
+    return vector_length(by);
 }
 
 /* Reports, for a sheet that nothing holds, a shift that it begins with. */
 static void begins_off(const struct score *s, struct held_off *support)
 {
-    const double *by = s->begin, length = s->truth.scene.length, far = length_of(by);
+    const double *by = s->begin, length = s->truth.scene.length, far = vector_length(by);
 
     support->steady = far > HELD_MOST * length && s->start - far < SAME * far;
     support->most = support->steady ? far / length : 0;
@@ -483,11 +472,7 @@ static struct held_off find_support(const struct score *s)
 
 /* --- sentences --- */
 
-static const char *const names[SCORE_KINDS] = {
-#define SCORE_NAME(code, name) name,
-    SCORE_KIND_LIST(SCORE_NAME)
-#undef SCORE_NAME
-};
+static const char *const names[SCORE_KINDS] = {SCORE_KIND_LIST(LIST_WORD)};
 
 const char *score_diagnosis_name(enum score_kind kind)
 {
@@ -639,9 +624,9 @@ static bool say_scattered(const struct score *s, struct score_diagnosis *d)
 static void say_lead(const struct score *s, double lead, const double shift[3],
                      struct score_diagnosis *d)
 {
-    const double fall = .5 * lead * lead * length_of(s->truth.scene.gravity);
-    const bool ahead =
-        fabs(s->start - length_of(shift)) > .5 * fall; /* NaN, no frame at 0: not known */
+    const double fall = .5 * lead * lead * vector_length(s->truth.scene.gravity);
+    const bool ahead = fabs(s->start - vector_length(shift)) >
+                       .5 * fall; /* NaN, no frame at 0: not known */
 
     if (lead > 0 && !ahead && lead < HALF_STEP * s->interval)
         say(d, SCORE_FIRST_ORDER_STEP, 2 * lead,

@@ -199,10 +199,9 @@ void score_print_add(struct score_print *p, const struct score *s,
         return;
     }
     struct table *t = begin_rows(p);
-    for (int n = 0; n < s->times; n++) {
+    for (int n = 0; n < s->times; n++)
         table_line(t, "%s|%.3g|%.2g|%.2g|%.2g", s->truth.scene.name, s->row[n].time,
                    s->row[n].error, s->row[n].bar, s->row[n].floor);
-    }
     add_notes(p, s, d, range);
 }
 

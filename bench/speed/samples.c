@@ -98,9 +98,8 @@ enum status samples_save(const struct samples *s, const char *folder, struct mes
         {"case", NULL, TABLE_LEFT}, {"quantity", NULL, TABLE_LEFT}, {"value"}};
     struct table *t = table_create(3, columns, NULL);
 
-    for (int n = 0; n < s->count; n++) {
+    for (int n = 0; n < s->count; n++)
         table_line(t, "%s|%s|%.17g", s->all[n].name, s->all[n].what, s->all[n].value);
-    }
     const enum status st = s->status ? s->status : table_save(t, folder, "samples", why);
     table_destroy(t);
     return st;

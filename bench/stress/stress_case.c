@@ -234,8 +234,4 @@ const struct stress_case *stress_case_at(int n)
     return (const struct stress_case *)stress_case_items[n];
 }
 
-const char *const stress_truth_text[STRESS_TRUTHS] = {
-#define STRESS_TRUTH_TEXT(code, text) text,
-    STRESS_TRUTH_LIST(STRESS_TRUTH_TEXT)
-#undef STRESS_TRUTH_TEXT
-};
+const char *const stress_truth_text[STRESS_TRUTHS] = {STRESS_TRUTH_LIST(LIST_WORD)};

@@ -1,6 +1,5 @@
 #include "bench/studies/studies.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

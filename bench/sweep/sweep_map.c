@@ -60,14 +60,12 @@ static int add_name(struct names *names, const char *name)
 
 static struct dimension find_dimension(const struct plan *plan, const char *name)
 {
-    struct dimension d = {.name = name, .key = -1, .measure = -1};
+    struct dimension d = {
+        .name = name, .key = -1, .measure = name ? measure_find(name) : -1};
 
     for (int k = 0; name && k < plan->key_count; k++)
         if (!strcmp(plan->keys[k], name))
             d.key = k;
-    for (int n = 0; name && n < MEASURES; n++)
-        if (!strcmp(measure_name(n), name))
-            d.measure = n;
     for (int n = 0; name && n < plan->axis_count; n++)
         if (!strcmp(plan->axes[n].key, name))
             d.axis = &plan->axes[n];

@@ -11,6 +11,7 @@
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
+#include "models/vector.h"
 
 /* The rounding of a sum of a few terms, over the terms. */
 static const double ROUND_OFF = 16 * DBL_EPSILON;
@@ -19,16 +20,6 @@ static const double ROUND_OFF = 16 * DBL_EPSILON;
  * motion left than a thousandth is no rest. */
 static const double LEFT = 10, MOST_LEFT = 1e-3;
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static double size(const double a[3])
-{
-    return sqrt(dot(a, a));
-}
-
 /* --- fall --- */
 
 static bool falls(const struct scene *s)
@@ -36,7 +27,7 @@ static bool falls(const struct scene *s)
     const bool rate = s->damping.kind == DAMPING_NONE || s->damping.kind == DAMPING_MASS;
 
     return rate && s->sheets < 2 && !s->support_count && !s->load_count &&
-           !s->obstacle_count && size(s->spin) == 0 && !scene_ripples(s);
+           !s->obstacle_count && vector_length(s->spin) == 0 && !scene_ripples(s);
 }
 
 /* Returns (exp(-x) - 1 + x) / x^2, x >= 0. */
@@ -73,7 +64,8 @@ static void fall_field(const struct scene *s, const double *rest, double t, doub
     fall_shift(s, t, shift);
     for (int n = 0; n < 3 * GRID_POINTS; n++)
         xyz[n] = rest[n] + shift[n % 3];
-    *error = ROUND_OFF * (size(s->origin) + s->length + s->width + size(shift));
+    *error = ROUND_OFF *
+             (vector_length(s->origin) + s->length + s->width + vector_length(shift));
 }
 
 /* --- at rest --- */
@@ -82,7 +74,7 @@ static void fall_field(const struct scene *s, const double *rest, double t, doub
  * alone. */
 static double pull(const struct scene *s, const double axis[3])
 {
-    const double along = dot(s->gravity, axis), all = size(s->gravity);
+    const double along = vector_dot(s->gravity, axis), all = vector_length(s->gravity);
 
     return all > 0 && fabs(along) >= (1 - 1e-12) * all ? copysign(1, along) : 0;
 }
@@ -122,7 +114,7 @@ static double young(const struct scene *s)
 /* Returns weight against stiffness, rho g L / E. */
 static double strain(const struct scene *s)
 {
-    return s->density * size(s->gravity) * s->length / young(s);
+    return s->density * vector_length(s->gravity) * s->length / young(s);
 }
 
 /* Returns the stretch l under the nominal stress q E: l (l^2 - 1) / 2 = q. */
@@ -206,7 +198,7 @@ struct rest_shape {
 
 static struct rest_shape rest_shape(const struct scene *s, const double *rest, double *xyz)
 {
-    const double g = size(s->gravity), L = s->length;
+    const double g = vector_length(s->gravity), L = s->length;
     double e_w[3];
 
     scene_normal(s, e_w);

@@ -6,7 +6,6 @@
 #include "bench/harness/deadline.h"
 #include "bench/truth/truth_parts.h"
 #include "iga/support_knots.h"
-#include "models/grid.h"
 #include "models/metric/metric.h"
 
 /* --- Times, nets and steps --- */

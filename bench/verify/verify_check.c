@@ -13,8 +13,7 @@
 
 const char *verify_verdict_name(int verdict)
 {
-#define VERIFY_WORD(code, word) word,
-    static const char *const words[] = {VERIFY_VERDICT_LIST(VERIFY_WORD)};
+    static const char *const words[] = {VERIFY_VERDICT_LIST(LIST_WORD)};
 
     return verdict >= 0 && verdict < VERIFY_VERDICTS ? words[verdict] : "unknown";
 }

@@ -1,6 +1,5 @@
 #include "models/contact/contact_surface.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
 #include "models/mechanics/large_motion.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

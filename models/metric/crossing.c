@@ -62,10 +62,9 @@ static void find_rim(struct work *w)
 {
     int c[3];
 
-    for (int n = 0; n < 3 * w->s->triangles; n++) {
+    for (int n = 0; n < 3 * w->s->triangles; n++)
         if (intersection_triangle(w->s, n / 3, c))
             w->rim[c[n % 3]] ^= c[(n + 1) % 3] ^ c[(n + 2) % 3];
-    }
 }
 
 /* Returns the cosine of the angle between the way from x to a triangle's nearest point and
@@ -141,11 +140,10 @@ static void find_parts(struct work *w)
 
     for (int n = 0; n < s->points; n++)
         w->part[n] = n;
-    for (int n = 0; n < 3 * s->triangles; n++) {
+    for (int n = 0; n < 3 * s->triangles; n++)
         if (intersection_triangle(s, n / 3, c) &&
             w->side[c[n % 3]] == w->side[c[(n + 1) % 3]])
             join(w->part, c[n % 3], c[(n + 1) % 3]);
-    }
     for (int n = 0; n < s->points; n++) {
         w->part[n] = root_of(w->part, n);
         w->deep[w->part[n]] = fmax(w->deep[w->part[n]], w->far[n]);

@@ -147,8 +147,8 @@ static enum status check_axes(const struct yaml_tree *section, const char *owner
                               double axis_u[3], double axis_v[3], struct message *why)
 {
     enum status st = STATUS_OK;
-    const struct yaml_tree *u = section ? yaml_tree_find(section, "u") : NULL;
-    const struct yaml_tree *v = section ? yaml_tree_find(section, "v") : NULL;
+    const struct yaml_tree *u = yaml_tree_find(section, "u");
+    const struct yaml_tree *v = yaml_tree_find(section, "v");
 
     TRY(check_axis(u, owner, axis_u, why));
     TRY(check_axis(v, owner, axis_v, why));
@@ -172,7 +172,7 @@ static enum status check_sheets(const struct yaml_tree *root, struct scene *scen
     enum status st = STATUS_OK;
     const struct yaml_tree *list = yaml_tree_find(root, "sheets");
     const struct yaml_tree *pose = yaml_tree_find(root, "pose");
-    const struct yaml_tree *row = list ? list->first : NULL;
+    const struct yaml_tree *row = yaml_tree_first(root, "sheets");
 
     if (list && pose)
         return yaml_tree_refuse(is_setting(list) ? list : pose, why,
@@ -220,27 +220,13 @@ static enum status check_places(const struct yaml_tree *root, struct scene *scen
                                 struct message *why)
 {
     enum status st = STATUS_OK;
-    const struct yaml_tree *supports = yaml_tree_find(root, "supports");
-    const struct yaml_tree *loads = yaml_tree_find(root, "loads"), *node;
+    const struct yaml_tree *node = yaml_tree_first(root, "supports");
 
-    node = supports ? supports->first : NULL;
     for (struct scene_support *s = scene->supports; node; s++, node = node->next)
         TRY(check_place(scene, node, s->sheet, &s->lo[0], &s->hi[0], why));
-    node = loads ? loads->first : NULL;
+    node = yaml_tree_first(root, "loads");
     for (struct scene_load *l = scene->loads; node; l++, node = node->next)
         TRY(check_place(scene, node, l->sheet, &l->lo[0], &l->hi[0], why));
-out:
-    return st;
-}
-
-static enum status check_pose(const struct yaml_tree *root, struct scene *scene,
-                              struct message *why)
-{
-    enum status st = STATUS_OK;
-
-    TRY(check_axes(yaml_tree_find(root, "pose"), "pose", scene->axis_u, scene->axis_v,
-                   why));
-    TRY(check_shape(root, scene, why));
 out:
     return st;
 }
@@ -375,8 +361,7 @@ static bool agrees_at_rows(const struct scene_motion *a, const struct scene_moti
 static enum status check_supports(const struct yaml_tree *root, const struct scene *scene,
                                   struct message *why)
 {
-    const struct yaml_tree *list = yaml_tree_find(root, "supports");
-    const struct yaml_tree *node = list ? list->first : NULL;
+    const struct yaml_tree *node = yaml_tree_first(root, "supports");
 
     for (int j = 0; node; j++, node = node->next)
         for (int i = 0; i < j; i++) {
@@ -400,7 +385,7 @@ static enum status check_contact(const struct yaml_tree *root, const struct scen
                                  struct message *why)
 {
     const struct yaml_tree *section = yaml_tree_find(root, "contact");
-    const struct yaml_tree *range = section ? yaml_tree_find(section, "range") : NULL;
+    const struct yaml_tree *range = yaml_tree_find(section, "range");
     const struct contact_law law = contact_law_self(scene);
 
     if (section && (law.range >= law.start || law.range < LEAST_RANGE))
@@ -439,8 +424,7 @@ static enum status check_obstacles(const struct yaml_tree *root, bool files,
                                    struct scene *scene, struct message *why)
 {
     enum status st = STATUS_OK;
-    const struct yaml_tree *list = yaml_tree_find(root, "obstacles");
-    const struct yaml_tree *node = list ? list->first : NULL;
+    const struct yaml_tree *node = yaml_tree_first(root, "obstacles");
 
     for (int n = 0; node; n++, node = node->next) {
         struct scene_obstacle *o = &scene->obstacles[n];
@@ -461,8 +445,7 @@ out:
 static enum status check_stack(const struct yaml_tree *root, const struct scene *scene,
                                struct message *why)
 {
-    const struct yaml_tree *list = yaml_tree_find(root, "sheets");
-    const struct yaml_tree *row = list ? list->first : NULL;
+    const struct yaml_tree *row = yaml_tree_first(root, "sheets");
 
     for (int k = 0, before; row; k++, row = row->next) {
         const double overlap = contact_rest_overlap(scene, k, &before);
@@ -480,7 +463,9 @@ enum status scene_check(const struct yaml_tree *root, bool files, struct scene *
 
     TRY(scene_material_thickness(root, scene, why));
     TRY(check_sheets(root, scene, why));
-    TRY(check_pose(root, scene, why));
+    TRY(check_axes(yaml_tree_find(root, "pose"), "pose", scene->axis_u, scene->axis_v,
+                   why));
+    TRY(check_shape(root, scene, why));
     TRY(check_places(root, scene, why));
     TRY(check_time(root, scene, why));
     TRY(check_damping(root, scene, why));

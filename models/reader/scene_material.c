@@ -1,6 +1,5 @@
 #include "models/reader/scene_material.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "models/law/law_fabrics.h"

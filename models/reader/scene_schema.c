@@ -606,7 +606,7 @@ enum status scene_schema_read_numerics(const struct yaml_tree *root,
     gather(d, all);
     TRY(schema_read(numerics, root, "the command line", d, why));
     section = yaml_tree_find(root, "discretization");
-    points = section ? yaml_tree_find(section, "points") : NULL;
+    points = yaml_tree_find(section, "points");
     if (points && (double)d->points[0] * d->points[1] * d->points[2] > SCENE_MAX_POINTS)
         return yaml_tree_refuse(points, why, "%d x %d x %d points, but must be %d at most",
                                 d->points[0], d->points[1], d->points[2], SCENE_MAX_POINTS);

@@ -94,11 +94,18 @@ void yaml_tree_free(struct yaml_tree *tree)
 
 struct yaml_tree *yaml_tree_find(const struct yaml_tree *map, const char *key)
 {
-    struct yaml_tree *child = map->kind == YAML_TREE_MAP ? map->first : NULL;
+    struct yaml_tree *child = map && map->kind == YAML_TREE_MAP ? map->first : NULL;
 
     while (child && strcmp(child->key, key))
         child = child->next;
     return child;
+}
+
+struct yaml_tree *yaml_tree_first(const struct yaml_tree *map, const char *key)
+{
+    struct yaml_tree *list = yaml_tree_find(map, key);
+
+    return list ? list->first : NULL;
 }
 
 /* The state of one parse. */

@@ -46,8 +46,10 @@ enum status yaml_tree_set(struct yaml_tree *root, const char *setting, struct me
 /* Frees a node, its children and its later siblings; NULL is allowed. */
 void yaml_tree_free(struct yaml_tree *tree);
 
-/* Returns the child of a map by key; NULL if there is none. */
+/* Return the child of a map by key; the first in the list that it is; NULL if there is
+ * none. The map may be NULL. */
 struct yaml_tree *yaml_tree_find(const struct yaml_tree *map, const char *key);
+struct yaml_tree *yaml_tree_first(const struct yaml_tree *map, const char *key);
 
 /* Writes one sentence `origin:line: ...` or `--set SETTING: ...` without control
  * characters; returns STATUS_INPUT. */

@@ -1,4 +1,3 @@
-#include <math.h>
 
 #include "bench/verify/verify_check.h"
 

@@ -54,8 +54,8 @@ static enum status rest_frequency(const struct tri_motion *m, double *omega)
     if (!K)
         return STATUS_MEMORY;
     TRY(rest_stiffness(m, K));
-    st = frequency_largest(&m->net.graph, &m->supports, m->load.mass, (const double(*)[9])K,
-                           omega);
+    st = frequency_largest(&m->net.graph, &m->supports, m->load.mass, NULL,
+                           (const double(*)[9])K, omega);
 out:
     free(K);
     return st;

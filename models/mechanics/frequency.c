@@ -9,12 +9,14 @@ enum { LANCZOS_STEPS = 200, LANCZOS_LOOK = 8 };
 /* omega^2 has converged when it gains less than this share in LANCZOS_LOOK steps. */
 static const double LANCZOS_GAIN = 1e-3;
 
-/* The operator y = m^-1/2 K m^-1/2 x among the free unknowns. */
+/* The operator y = S m^-1/2 K m^-1/2 x among the free unknowns, S = 1 + m^-1/2 beyond
+ * m^-1/2. It is symmetric in the product x . m^-1/2 K m^-1/2 y, without S in x . y. */
 struct operator
 {
     const struct blocks *graph;
     const struct supports *supports;
     const double(*K)[9];
+    const double *beyond; /* NULL: S = 1                                                */
     double *scale; /* [nodes][3] m^-1/2 of the free unknowns, 0 of the others           */
     double *work;  /* [nodes][3]                                                        */
 };
@@ -31,6 +33,16 @@ static void multiply(const struct operator* o, const double *x, double *y)
     blocks_multiply(o->graph, o->K, o->work, y);
     for (size_t t = 0; t < count_of(o); t++)
         y[t] *= o->scale[t];
+}
+
+/* Computes y = S z. */
+static void spread(const struct operator* o, const double *z, double *y)
+{
+    for (size_t t = 0; t < count_of(o); t++)
+        o->work[t] = o->scale[t] * z[t];
+    blocks_multiply_mass(o->graph, o->beyond, o->work, y);
+    for (size_t t = 0; t < count_of(o); t++)
+        y[t] = z[t] + o->scale[t] * y[t];
 }
 
 static double product(const struct operator* o, const double *x, const double *y)
@@ -87,21 +99,37 @@ static double ritz(int n, const double *alpha, const double *beta)
     }
 }
 
-/* Iterates; returns the largest eigenvalue. room: 3 [nodes][3], zero. */
+/* Computes z, with which y's products are made; returns y's length. */
+static double measure(const struct operator* o, const double *y, double *z)
+{
+    if (o->beyond)
+        multiply(o, y, z);
+    else
+        memcpy(z, y, count_of(o) * sizeof *z);
+    return sqrt(fmax(0, product(o, y, z)));
+}
+
+/* Iterates; returns the largest eigenvalue. room: 4 [nodes][3], zero. */
 static double iterate(const struct operator* o, double *room)
 {
     size_t count = count_of(o);
     double alpha[LANCZOS_STEPS], beta[LANCZOS_STEPS], square = 0, last = 0;
-    double *q = room, *before = room + count, *y = room + 2 * count;
+    double *q = room, *before = room + count, *y = room + 2 * count, *z = room + 3 * count;
     int n = 0;
 
     start_vector(o, q);
+    double first = measure(o, q, z);
+    for (size_t t = 0; o->beyond && t < count; t++)
+        q[t] /= first, z[t] /= first;
     while (n < LANCZOS_STEPS && n < o->supports->free_count) {
-        multiply(o, q, y);
-        alpha[n] = product(o, q, y);
+        if (o->beyond)
+            spread(o, z, y);
+        else
+            multiply(o, q, y);
+        alpha[n] = product(o, z, y);
         for (size_t t = 0; t < count; t++)
             y[t] -= alpha[n] * q[t] + last * before[t];
-        last = beta[n] = sqrt(product(o, y, y));
+        last = beta[n] = measure(o, y, z);
         double scale = fabs(alpha[n++]), known = square;
         if (n % LANCZOS_LOOK == 0)
             square = ritz(n, alpha, beta);
@@ -111,22 +139,23 @@ static double iterate(const struct operator* o, double *room)
         double *old = before;
         before = q, q = y, y = old;
         for (size_t t = 0; t < count; t++)
-            q[t] /= last;
+            q[t] /= last, z[t] /= last;
     }
     return sqrt(fmax(0, ritz(n, alpha, beta)));
 }
 
 enum status frequency_largest(const struct blocks *graph, const struct supports *supports,
-                              const double *mass, const double (*K)[9], double *omega)
+                              const double *mass, const double *beyond,
+                              const double (*K)[9], double *omega)
 {
-    struct operator o = {.graph = graph, .supports = supports, .K = K};
+    struct operator o = {.graph = graph, .supports = supports, .K = K, .beyond = beyond};
     const size_t count = count_of(&o);
-    double *room = calloc(5 * count, sizeof *room);
+    double *room = calloc(6 * count, sizeof *room);
 
     *omega = 0;
     if (!room)
         return STATUS_MEMORY;
-    o.work = room + 3 * count, o.scale = room + 4 * count;
+    o.work = room + 4 * count, o.scale = room + 5 * count;
     for (size_t t = 0; t < count; t++)
         o.scale[t] = supports->free_index[t] < 0 ? 0 : 1 / sqrt(mass[t / 3]);
     if (supports->free_count)

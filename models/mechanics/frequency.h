@@ -10,9 +10,11 @@
 /* The most explicit steps of a frame. */
 enum { FREQUENCY_MOST_STEPS = 1000000 };
 
-/* Finds it with lumped mass[nodes]; K[pairs of graph][9]. 0 if nothing can move. */
+/* Finds it with lumped mass[nodes]; K[pairs of graph][9]. 0 if nothing can move. `beyond`
+ * [pairs] as large_body.h's, NULL: none. STATUS_MEMORY. */
 enum status frequency_largest(const struct blocks *graph, const struct supports *supports,
-                              const double *mass, const double (*K)[9], double *omega);
+                              const double *mass, const double *beyond,
+                              const double (*K)[9], double *omega);
 
 /* Returns the greatest stable step of explicit steps (leapfrog, symplectic Euler) with this
  * frequency [rad/s] and stiffness damping beta [s]: INFINITY if nothing can move. */

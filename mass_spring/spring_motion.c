@@ -31,7 +31,7 @@ static enum status allocate(struct spring_motion *m)
 static enum status rest_frequency(struct spring_motion *m, double *omega)
 {
     spring_force_jacobian(&m->net, m->net.rest, m->newton.K);
-    return frequency_largest(&m->net.graph, &m->newton.supports, m->points.mass,
+    return frequency_largest(&m->net.graph, &m->newton.supports, m->points.mass, NULL,
                              (const double(*)[9])m->newton.K, omega);
 }
 

@@ -15,6 +15,7 @@
 #include "models/mechanics/lumped_mass.h"
 #include "models/mechanics/pencil.h"
 #include "models/room.h"
+#include "shell_ref/shell_mass.h"
 
 /* Returns the density at a node [kg/m^3]. */
 static double density_at(const struct shell_motion *m, int node)
@@ -154,15 +155,17 @@ static enum status find_parity(struct shell_motion *m)
     return m->parity ? STATUS_OK : STATUS_MEMORY;
 }
 
-static enum status make_room(struct shell_motion *m)
+static enum status make_room(struct shell_motion *m, bool lumped)
 {
     size_t nodes = (size_t)m->space->nodes;
     const size_t pairs = (size_t)m->assembly.graph.start[nodes];
     const bool linear = m->kinematics == KINEMATICS_LINEAR && contact_wanted(m->scene);
-    enum status st = room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->load, 3 * nodes),
-                              ROOM(m->held, 4 * (size_t)m->supports.held_count),
-                              ROOM(m->K, pairs), ROOM(m->meets.tangent, linear ? pairs : 0),
-                              ROOM(m->meets.room, linear ? 18 * nodes : 0));
+    enum status st =
+        room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->load, 3 * nodes),
+                 ROOM(m->held, 4 * (size_t)m->supports.held_count),
+                 ROOM(m->beyond, lumped ? pairs : 0), ROOM(m->lumped, lumped ? pairs : 0),
+                 ROOM(m->K, pairs), ROOM(m->meets.tangent, linear ? pairs : 0),
+                 ROOM(m->meets.room, linear ? 18 * nodes : 0));
 
     if (st == STATUS_OK)
         memcpy(m->x, m->space->rest, 3 * nodes * sizeof *m->x);
@@ -178,7 +181,8 @@ static enum status make_large(struct shell_motion *m, const struct discretizatio
         .body = m->assembly.body,
         .scene = m->scene,
         .graph = &m->assembly.graph,
-        .M = m->assembly.M,
+        .M = m->lumped ? m->lumped : m->assembly.M,
+        .beyond = m->beyond,
         .rest = m->space->rest,
         .load = m->load,
         .supports = &m->supports,
@@ -277,11 +281,16 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
         material[k] = material_of(&sheet);
     }
     TRY(shell_assembly_init(&m->assembly, m->space, scene_sheets(scene), material, why));
-    TRY(lumped_mass_make(d, &m->assembly.graph, m->assembly.M, why));
     TRY(hold(m, why));
     TRY(newmark_init(&m->newmark, m->space->nodes, scene->step,
                      damping_mass(scene) + damping_drag(scene), damping_stiffness(scene)));
-    TRY(make_room(m));
+    TRY(make_room(m,
+                  lumped_mass_wanted(d) && !m->supports.moving && !contact_wanted(scene)));
+    if (m->beyond)
+        TRY(shell_mass_beyond(m->space, &m->assembly.graph, &m->supports, m->assembly.M,
+                              m->lumped, m->beyond));
+    else
+        TRY(lumped_mass_make(d, &m->assembly.graph, m->assembly.M, why));
     compute_load(m);
     TRY(add_loads(m));
     TRY(press(m));

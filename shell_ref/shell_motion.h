@@ -38,10 +38,12 @@ struct shell_motion {
     double *x;      /* [nodes][3] present control points               [m]             */
     double *load;   /* [nodes][3] gravity, wind and loads              [N]             */
     double *dead;   /* [nodes][3] of which the scene's loads; NULL: none       owned   */
-    double *held;   /* [4][held_count] target d, v, a; work                            */
-    double time;    /* [s]                                                             */
-    bool started;   /* linear: the constant system is factored; nonlinear: strain_old
-                       belongs to x                                                    */
+    double *lumped, *beyond; /* [pairs] masses of explicit steps, by shell_mass.h where
+                                nothing moves or meets the sheet, NULL elsewhere [kg]  */
+    double *held; /* [4][held_count] target d, v, a; work                            */
+    double time;  /* [s]                                                             */
+    bool started; /* linear: the constant system is factored; nonlinear: strain_old
+                     belongs to x                                                    */
 
     struct large_motion large; /* nonlinear only                                       */
     struct pressure pressure;

@@ -12,7 +12,8 @@ static const double LANCZOS_GAIN = 1e-3;
 /* The share to which an eigenvalue of the tridiagonal matrix is found. */
 static const double RITZ_ROUNDING = 1e-9;
 
-/* The operator y = m^-1/2 K m^-1/2 x among the free unknowns. */
+/* The operator y = S m^-1/2 K m^-1/2 x among the free unknowns, S = 1 + m^-1/2 beyond
+ * m^-1/2. It is symmetric in the product x . m^-1/2 K m^-1/2 y, without S in x . y. */
 struct operator
 {
     const struct frequency_body *body;
@@ -33,6 +34,16 @@ static void multiply(const struct operator* o, const double *x, double *y)
     o->body->multiply(o->body->self, o->work, y);
     for (size_t t = 0; t < count_of(o); t++)
         y[t] *= o->scale[t];
+}
+
+/* Computes y = S z. */
+static void spread(const struct operator* o, const double *z, double *y)
+{
+    for (size_t t = 0; t < count_of(o); t++)
+        o->work[t] = o->scale[t] * z[t];
+    o->body->beyond(o->body->self, o->work, y);
+    for (size_t t = 0; t < count_of(o); t++)
+        y[t] = z[t] + o->scale[t] * y[t];
 }
 
 /* Adds in lanes: vectors, and the same bits on every CPU. */
@@ -99,21 +110,37 @@ static double ritz(int n, const double *alpha, const double *beta, double low)
     return high;
 }
 
-/* Iterates; returns the largest eigenvalue. room: 3 [nodes][3], zero. */
+/* Computes z, with which y's products are made; returns y's length. */
+static double measure(const struct operator* o, const double *y, double *z)
+{
+    if (o->body->beyond)
+        multiply(o, y, z);
+    else
+        memcpy(z, y, count_of(o) * sizeof *z);
+    return sqrt(fmax(0, product(o, y, z)));
+}
+
+/* Iterates; returns the largest eigenvalue. room: 4 [nodes][3], zero. */
 static double iterate(const struct operator* o, double *room)
 {
     size_t count = count_of(o);
     double alpha[LANCZOS_STEPS], beta[LANCZOS_STEPS], square = 0, last = 0;
-    double *q = room, *before = room + count, *y = room + 2 * count;
+    double *q = room, *before = room + count, *y = room + 2 * count, *z = room + 3 * count;
     int n = 0;
 
     start_vector(o, q);
+    double first = measure(o, q, z);
+    for (size_t t = 0; o->body->beyond && t < count; t++)
+        q[t] /= first, z[t] /= first;
     while (n < LANCZOS_STEPS && n < o->supports->free_count) {
-        multiply(o, q, y);
-        alpha[n] = product(o, q, y);
+        if (o->body->beyond)
+            spread(o, z, y);
+        else
+            multiply(o, q, y);
+        alpha[n] = product(o, z, y);
         for (size_t t = 0; t < count; t++)
             y[t] -= alpha[n] * q[t] + last * before[t];
-        last = beta[n] = sqrt(product(o, y, y));
+        last = beta[n] = measure(o, y, z);
         double scale = fabs(alpha[n++]), known = square;
         if (n % LANCZOS_LOOK == 0)
             square = ritz(n, alpha, beta, known);
@@ -124,7 +151,7 @@ static double iterate(const struct operator* o, double *room)
         before = q, q = y, y = old;
         const double over = 1 / last;
         for (size_t t = 0; t < count; t++)
-            q[t] *= over;
+            q[t] *= over, z[t] *= over;
     }
     return sqrt(n % LANCZOS_LOOK == 0 ? square : ritz(n, alpha, beta, square));
 }
@@ -133,12 +160,12 @@ enum status frequency_of_body(const struct frequency_body *body, double *omega)
 {
     struct operator o = {.body = body, .supports = body->supports};
     const size_t count = count_of(&o);
-    double *room = calloc(5 * count, sizeof *room);
+    double *room = calloc(6 * count, sizeof *room);
 
     *omega = 0;
     if (!room)
         return STATUS_MEMORY;
-    o.work = room + 3 * count, o.scale = room + 4 * count;
+    o.work = room + 4 * count, o.scale = room + 5 * count;
     for (size_t t = 0; t < count; t++)
         o.scale[t] = o.supports->free_index[t] < 0 ? 0 : 1 / sqrt(body->mass[t / 3]);
     if (o.supports->free_count)
@@ -151,6 +178,7 @@ enum status frequency_of_body(const struct frequency_body *body, double *omega)
 struct matrix_of {
     const struct blocks *graph;
     const double (*K)[9];
+    const double *beyond;
 };
 
 static void multiply_blocks(const void *self, const double *x, double *y)
@@ -160,13 +188,25 @@ static void multiply_blocks(const void *self, const double *x, double *y)
     blocks_multiply(m->graph, m->K, x, y);
 }
 
-enum status frequency_largest(const struct blocks *graph, const struct supports *supports,
-                              const double *mass, const double (*K)[9], double *omega)
+static void multiply_beyond(const void *self, const double *x, double *y)
 {
-    const struct matrix_of matrix = {graph, K};
+    const struct matrix_of *m = self;
 
-    return frequency_of_body(
-        &(struct frequency_body){supports, mass, multiply_blocks, &matrix}, omega);
+    blocks_multiply_mass(m->graph, m->beyond, x, y);
+}
+
+enum status frequency_largest(const struct blocks *graph, const struct supports *supports,
+                              const double *mass, const double *beyond,
+                              const double (*K)[9], double *omega)
+{
+    const struct matrix_of matrix = {graph, K, beyond};
+    const struct frequency_body body = {.supports = supports,
+                                        .mass = mass,
+                                        .multiply = multiply_blocks,
+                                        .beyond = beyond ? multiply_beyond : NULL,
+                                        .self = &matrix};
+
+    return frequency_of_body(&body, omega);
 }
 
 double frequency_limit(double omega, double beta)

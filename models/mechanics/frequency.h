@@ -10,9 +10,11 @@
 /* The most explicit steps of a frame. */
 enum { FREQUENCY_MOST_STEPS = 1000000 };
 
-/* Finds it with lumped mass[nodes]; K[pairs of graph][9]. 0 if nothing can move. */
+/* Finds it with lumped mass[nodes]; K[pairs of graph][9]. 0 if nothing can move. `beyond`
+ * [pairs] as large_body.h's, NULL: none. STATUS_MEMORY. */
 enum status frequency_largest(const struct blocks *graph, const struct supports *supports,
-                              const double *mass, const double (*K)[9], double *omega);
+                              const double *mass, const double *beyond,
+                              const double (*K)[9], double *omega);
 
 /* A stiffness as the forces that it makes: computes y = K x, [nodes][3], in the free
  * unknowns at least. x is zero in the others, and x' M x = 1 kg m^2. */
@@ -20,6 +22,8 @@ struct frequency_body {
     const struct supports *supports;
     const double *mass; /* [nodes] */
     void (*multiply)(const void *self, const double *x, double *y);
+    /* optional: y = `beyond` x, as large_body.h's; by frequency_largest from a matrix */
+    void (*beyond)(const void *self, const double *x, double *y);
     const void *self;
 };
 enum status frequency_of_body(const struct frequency_body *body, double *omega);

@@ -85,9 +85,11 @@ struct large_motion {
     struct large_body body;
     const struct scene *scene;
     const struct blocks *graph;
-    const double *M;    /* [pairs] consistent mass                             [kg]    */
-    const double *rest; /* [nodes][3]                                          [m]     */
-    const double *load; /* [nodes][3]                                          [N]     */
+    const double *M;      /* [pairs] consistent mass                             [kg]    */
+    const double *beyond; /* [pairs] of explicit steps, whose M is diagonal: the mass is M
+                             less this, below 2 M; NULL: M itself               [kg]    */
+    const double *rest;   /* [nodes][3]                                          [m]     */
+    const double *load;   /* [nodes][3]                                          [N]     */
     const struct supports *supports;
     struct system *system;
     struct newmark *newmark; /* v and the mean acceleration a of the last step         */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/linalg/krylov.h"
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
 
@@ -18,6 +19,9 @@ enum { DOUBLINGS = 8 };
  * Stable steps exchange the energy of what they hardly resolve; unstable ones gain this
  * much in a few frames from nothing. */
 static const double GAIN = 0.05;
+
+/* The error of a frame's momentum, relative; the kinetic energy has its square. */
+static const double MOMENTUM = 1e-2;
 
 /* Strains below this are round-off. */
 static const double ROUND_OFF = 1e-10;
@@ -37,6 +41,9 @@ struct large_leapfrog {
     double *compliance;        /* [nodes] with contact: dt^2 / mass               [m/N]   */
     double *pull, *shift;      /* [held_count] with supports that move: force less load,
                                   and the step's way                                      */
+    double *momentum, *image;  /* [nodes][3] with m->beyond: of the free unknowns at the
+                                  last frame's end [kg m/s]; work                         */
+    double *krylov;            /* with m->beyond: work                                    */
 };
 
 static size_t count_of(const struct large_leapfrog *l)
@@ -87,7 +94,8 @@ static enum status choose_step(struct large_leapfrog *l, struct message *why)
 
     for (int a = 0; a < m->graph->nodes; a++)
         l->a[a] = m->M[m->graph->start[a]];
-    TRY(frequency_largest(m->graph, m->supports, l->a, (const double(*)[9])m->K, &omega));
+    TRY(frequency_largest(m->graph, m->supports, l->a, m->beyond, (const double(*)[9])m->K,
+                          &omega));
     l->limit = frequency_limit(omega, m->newmark->beta);
     TRY(frequency_steps(m->newmark->dt, l->limit, CHOSEN, l->asked, &l->substeps, why));
 out:
@@ -109,11 +117,13 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
     if (!l)
         return STATUS_MEMORY;
     l->m = m, l->asked = d->substeps;
-    TRY(room_cut(&l->room, ROOM(l->a, count), ROOM(l->x_start, count),
-                 ROOM(l->v_start, count), ROOM(l->inverse, count),
-                 ROOM(l->before, meets ? count : 0),
-                 ROOM(l->compliance, meets ? count / 3 : 0), ROOM(l->pull, held),
-                 ROOM(l->shift, held)));
+    TRY(room_cut(
+        &l->room, ROOM(l->a, count), ROOM(l->x_start, count), ROOM(l->v_start, count),
+        ROOM(l->inverse, count), ROOM(l->momentum, m->beyond ? count : 0),
+        ROOM(l->image, m->beyond ? count : 0),
+        ROOM(l->krylov, m->beyond ? krylov_cg_work((int)count) : 0),
+        ROOM(l->before, meets ? count : 0), ROOM(l->compliance, meets ? count / 3 : 0),
+        ROOM(l->pull, held), ROOM(l->shift, held)));
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
                            (struct large_foresight){0}, m->K));
@@ -123,6 +133,60 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
 out:
     large_leapfrog_free(l);
     return st;
+}
+
+/* Adds to a = D^-1 F, D the row sums, what the mass lacks of them: D^-1 beyond a. */
+static void add_beyond(const struct large_leapfrog *l, double *a)
+{
+    blocks_multiply_mass(l->m->graph, l->m->beyond, a, l->image);
+    for (size_t t = 0; t < count_of(l); t++)
+        a[t] += l->inverse[t] * l->image[t];
+}
+
+/* Computes the velocity v of a momentum. */
+static void velocity_of(void *self, const double *momentum, double *v)
+{
+    const struct large_leapfrog *l = self;
+
+    for (size_t t = 0; t < count_of(l); t++)
+        v[t] = l->inverse[t] * momentum[t];
+    add_beyond(l, v);
+}
+
+/* Computes the momentum of a velocity by row sums. */
+static enum status heavy(void *self, const double *v, double *momentum)
+{
+    const struct large_leapfrog *l = self;
+
+    for (size_t t = 0; t < count_of(l); t++)
+        momentum[t] = l->inverse[t] > 0 ? v[t] / l->inverse[t] : 0;
+    return STATUS_OK;
+}
+
+/* Returns the free unknowns' kinetic energy; NaN: it cannot be had. */
+static double kinetic(const struct large_leapfrog *l)
+{
+    const struct large_motion *m = l->m;
+    double *y = m->newmark->work, *v = m->newmark->v, sum = 0;
+    bool done = true;
+
+    if (m->beyond) {
+        struct krylov k = {.n = (int)count_of(l),
+                           .self = (void *)l,
+                           .multiply = velocity_of,
+                           .precondition = heavy,
+                           .tolerance = MOMENTUM,
+                           .most = (int)count_of(l),
+                           .work = l->krylov};
+        if (krylov_cg(&k, v, l->momentum, &done) != STATUS_OK)
+            return NAN;
+        y = l->momentum;
+    } else {
+        blocks_multiply_mass(m->graph, m->M, v, y);
+    }
+    for (size_t t = 0; t < count_of(l); t++)
+        sum += m->supports->free_index[t] < 0 ? 0 : v[t] * y[t] / 2;
+    return sum;
 }
 
 /* Computes a at x; features that the scene lacks cost nothing. */
@@ -144,6 +208,8 @@ static enum status accelerate(struct large_leapfrog *l, struct counters *counter
     counters->assemblies++;
     for (size_t t = 0; t < count_of(l); t++)
         a[t] = l->inverse[t] * (m->load[t] - a[t]);
+    if (m->beyond)
+        add_beyond(l, a);
 out:
     return st;
 }
@@ -151,13 +217,7 @@ out:
 /* Returns the free unknowns' kinetic and all stored energy, less the supports' work. */
 static double energy_now(const struct large_leapfrog *l)
 {
-    const struct large_motion *m = l->m;
-    double *y = m->newmark->work, *v = m->newmark->v, sum = l->stored - l->work;
-
-    blocks_multiply_mass(m->graph, m->M, v, y);
-    for (size_t t = 0; t < count_of(l); t++)
-        sum += m->supports->free_index[t] < 0 ? 0 : v[t] * y[t] / 2;
-    return sum;
+    return l->stored - l->work + kinetic(l);
 }
 
 static enum status store(struct large_leapfrog *l, double *elastic)
@@ -317,8 +377,9 @@ void large_leapfrog_describe(const struct large_motion *m, struct message *line)
     if (l)
         snprintf(line->text, sizeof line->text,
                  "explicit steps of %.3g s, %d a frame; about rest %.3g s are stable; row "
-                 "sums of the mass",
-                 step_of(l), l->substeps, l->limit);
+                 "sums of the mass%s",
+                 step_of(l), l->substeps, l->limit,
+                 m->beyond ? ", and once more of what they leave out" : "");
 }
 
 enum status large_leapfrog_step(struct large_motion *m, double t, struct counters *counters)

@@ -7,7 +7,9 @@
  * Stiffness damping takes the rate of strain of half a step ago: first order in beta. No
  * tangent is made in a step.
  *
- * Mass. Row sums (lumped_mass.h): M is diagonal, and a step costs its forces.
+ * Mass. Row sums (lumped_mass.h): M is diagonal, and a step costs its forces. Of a body
+ * that says what is beyond them (large_body.h) M^-1 is D^-1 + D^-1 beyond D^-1, D the row
+ * sums: symmetric, and positive where the mass D - beyond is below 2 D.
  *
  * Steps. A frame has as many as keep 0.95 of the greatest stable step about rest,
  * sqrt(beta^2 + 4 / omega^2) - beta, omega the largest frequency by Lanczos' method. A

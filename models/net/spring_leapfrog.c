@@ -259,7 +259,10 @@ static void multiply(const void *self, const double *x, double *y)
 static enum status find_frequency(struct spring_leapfrog *l, double *omega)
 {
     enum status st;
-    const struct frequency_body body = {l->body.supports, l->body.load->mass, multiply, l};
+    const struct frequency_body body = {.supports = l->body.supports,
+                                        .mass = l->body.load->mass,
+                                        .multiply = multiply,
+                                        .self = l};
 
     TRY(make_sweep(l, PRECISION_DOUBLE, &l->sweep));
     set_step(l, 1);

@@ -1,5 +1,5 @@
 /* Explicit steps of shell and solids (large_leapfrog.h): the motion that implicit steps
- * give, the stable step and what watches it, what row sums take from frequencies. (Falls:
+ * give, the stable step and what watches it, the shell's mass. (Falls:
  * fall.c; order: time_order.c; rest: settle.c.) */
 #include "models/mechanics/lumped_mass.h"
 #include "models/solid/solid_motion.h"
@@ -10,12 +10,12 @@
 #define SOFT "sheet.thickness=0.05", "material.young=1000", "damping.kind=none"
 
 static const struct kind {
-    const char *name, *points;
+    const char *name, *points, *fine; /* where nothing moves: nets of n and 2n spans */
 } kinds[] = {
-    {"shell_explicit_2", "discretization.points=[7,6]"},
-    {"shell_explicit_3", "discretization.points=[7,6]"},
-    {"iga_explicit_3", "discretization.points=[6,5,2]"},
-    {"hex_explicit", "discretization.points=[7,4,2]"},
+    {"shell_explicit_2", "discretization.points=[7,6]", "discretization.points=[12,6]"},
+    {"shell_explicit_3", "discretization.points=[8,8]", "discretization.points=[13,8]"},
+    {"iga_explicit_3", "discretization.points=[6,5,2]", NULL},
+    {"hex_explicit", "discretization.points=[7,4,2]", NULL},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -46,18 +46,20 @@ static void lump(struct run *run, const struct discretization *d)
                              NULL) == STATUS_OK);
 }
 
-/* The same body by implicit steps goes the same way, whatever damps and moves it. */
-static void check_implicit(const struct kind *k, const char *more, double off)
+/* Returns the share of its way by which the same body is elsewhere after implicit steps. */
+static double off_implicit(const struct kind *k, const char *points, const char *more,
+                           bool lumped)
 {
     enum { FRAMES = 25, PIECES = 10 };
     struct run run[2];
     double at[2][3], start[3];
 
-    OPENED_RUN(&run[0], "edge_drop", k->name, SOFT, k->points, more,
+    OPENED_RUN(&run[0], "edge_drop", k->name, SOFT, points, more,
                "discretization.substeps=50");
-    OPENED_RUN(&run[1], "edge_drop", k->name, SOFT, k->points, more, "time.step=5e-4",
+    OPENED_RUN(&run[1], "edge_drop", k->name, SOFT, points, more, "time.step=5e-4",
                "discretization.integrator=implicit", "discretization.unknowns=points");
-    lump(&run[1], &run[0].discretization);
+    if (lumped)
+        lump(&run[1], &run[0].discretization);
     tip(&run[1], start);
     for (int n = 0; n < 2; n++) {
         opened_steps(&run[n], n ? PIECES * FRAMES : FRAMES);
@@ -66,8 +68,28 @@ static void check_implicit(const struct kind *k, const char *more, double off)
     }
     double way = distance(start, at[1]);
     CHECK(way > 0.05);
-    if (!CHECK_NEAR(distance(at[0], at[1]) / way, 0, off))
+    return distance(at[0], at[1]) / way;
+}
+
+/* It goes the same way, whatever damps and moves it. */
+static void check_implicit(const struct kind *k, const char *more, double off)
+{
+    if (!CHECK_NEAR(off_implicit(k, k->points, more, true), 0, off))
         printf("  %s, %s\n", k->name, more);
+}
+
+/* With what row sums leave out the mass is of fourth order: on these few spans 2.8 and 3.3
+ * were measured for p = 2 and 3, and of row sums alone 1.6 and 1.7. */
+static const double MASS_ORDER = 2.5;
+
+/* Shells that nothing moves have a mass between row sums and the implicit one's. */
+static void check_mass(const struct kind *k, const char *more)
+{
+    const double coarse = off_implicit(k, k->points, more, false),
+                 fine = off_implicit(k, k->fine, more, false);
+
+    printf("%s, %s: %.2g and %.2g off\n", k->name, more, coarse, fine);
+    CHECK(log2(coarse / fine) > MASS_ORDER);
 }
 
 static enum status advance(struct run *run, int frames)
@@ -87,8 +109,8 @@ static enum status at_part(const struct kind *k, double part)
     char step[64];
     struct run run;
 
-    OPENED_RUN(&run, "edge_drop", k->name, SOFT, k->points, "time.step=0.05");
-    const double chosen = 0.05 / (double)opened_steps(&run, 1).substeps;
+    OPENED_RUN(&run, "edge_drop", k->name, SOFT, k->points, "time.step=0.1");
+    const double chosen = 0.1 / (double)opened_steps(&run, 1).substeps;
     run_close(&run);
     snprintf(step, sizeof step, "time.step=%.17g", chosen / 0.95 * part);
     OPENED_RUN(&run, "edge_drop", k->name, SOFT, k->points, step,
@@ -134,55 +156,24 @@ static void check_watched(const struct kind *k)
     still = opened_steps(&run, 1).substeps;
     run_close(&run);
     printf("%s, pulled: %ld steps a frame for %ld\n", k->name, count, still);
-    CHECK(count == 2 * still);
+    CHECK(count == 2 * still || count == 4 * still);
     snprintf(asked, sizeof asked, "discretization.substeps=%ld", still);
     OPENED_RUN(&run, "edge_drop", k->name, SOFT, k->points, STRETCHED, PULLED, asked);
     CHECK(status_is_death(advance(&run, 10)));
     run_close(&run);
 }
 
-/* Shares that row sums take from the second frequency on 10x10 points, at most: 2.7 and 4.2
- * of a hundred were measured for p = 2 and 3. The part falls with the square of the spans,
- * as that of a chain of lumped masses does. */
-static const double LOW[] = {[2] = 0.03, [3] = 0.05}, SECOND_ORDER = 0.5;
-
-/* Returns the share that lumping takes from edge_drop's second mode. */
-static double lost(const char *name, const char *points)
-{
-    enum { MODES = 2 };
-    double omega[2][MODES];
-    struct message why;
-
-    for (int n = 0; n < 2; n++) {
-        struct run run;
-        OPENED_RUN(&run, "edge_drop", name, points, "sheet.thickness=0.001",
-                   "discretization.remedy=none",
-                   n ? "discretization.integrator=implicit" : NULL);
-        REQUIRE(run_modes(&run, MODES, omega[n], &why) == STATUS_OK);
-        run_close(&run);
-    }
-    return 1 - omega[0][1] / omega[1][1];
-}
-
-static void check_frequencies(const char *name, int p)
-{
-    const double coarse = lost(name, "discretization.points=[10,10]"),
-                 fine = lost(name, "discretization.points=[20,20]");
-
-    printf("%s: row sums take %.2f and %.2f %% of a frequency\n", name, 100 * coarse,
-           100 * fine);
-    CHECK(coarse > 0 && coarse < LOW[p]);
-    CHECK_NEAR(log(coarse / fine) / log((20.0 - p) / (10.0 - p)), 2, SECOND_ORDER);
-}
-
 int main(void)
 {
-    check_frequencies("shell_explicit_2", 2);
-    check_frequencies("shell_explicit_3", 3);
+    static const char damped[] = "damping={kind: rayleigh, alpha: 2, beta: 1e-4}";
+
     for (int n = 0; n < KINDS; n++) {
-        check_implicit(&kinds[n], "damping={kind: none}", IMPLICIT);
-        check_implicit(&kinds[n], "damping={kind: rayleigh, alpha: 2, beta: 1e-4}",
-                       IMPLICIT);
+        if (kinds[n].fine) {
+            check_mass(&kinds[n], damped);
+        } else {
+            check_implicit(&kinds[n], "damping={kind: none}", IMPLICIT);
+            check_implicit(&kinds[n], damped, IMPLICIT);
+        }
         check_implicit(&kinds[n],
                        "supports=[{at: {u: 0}, fix: xyz, path: [[0,0,0,0],"
                        "[0.1,0,0,0.2],[0.2,0,0.1,0.2]]}]",

@@ -37,8 +37,7 @@ static enum status refuse_word(const struct schema_key *option, unsigned only, i
 
     for (int n = 0; option->words[n]; n++)
         if (only & OPTION(n))
-            snprintf(known + strlen(known), sizeof known - strlen(known), "%s%s",
-                     *known ? ", " : "", option->words[n]);
+            TEXT_JOIN(known, ", ", "%s", option->words[n]);
     return status_fail(why, STATUS_UNSUPPORTED, "%s=%s: %s has %s", option->key,
                        option->words[value], model->name, known);
 }
@@ -135,16 +134,13 @@ static void tell(const struct discretization *usual, const struct discretization
                remedy = d->remedy != usual->remedy;
     const struct message reason = *why;
     char text[128] = "";
-    size_t used = 0;
 
     if (points)
-        used = (size_t)snprintf(text, sizeof text, "points=[%d,%d,%d], ", d->points[0],
-                                d->points[1], d->points[2]);
+        TEXT_ADD(text, "points=[%d,%d,%d], ", d->points[0], d->points[1], d->points[2]);
     if (degree)
-        used += (size_t)snprintf(text + used, sizeof text - used, "degree=[%d,%d,%d], ",
-                                 d->degree[0], d->degree[1], d->degree[2]);
+        TEXT_ADD(text, "degree=[%d,%d,%d], ", d->degree[0], d->degree[1], d->degree[2]);
     if (remedy)
-        snprintf(text + used, sizeof text - used, "remedy=%s, ", option_remedy[d->remedy]);
+        TEXT_ADD(text, "remedy=%s, ", option_remedy[d->remedy]);
     if (points || degree || remedy)
         status_fail(why, STATUS_OK, "%snot the defaults: %s", text, reason.text);
     else

@@ -19,13 +19,16 @@ bool status_is_death(enum status st)
     return st >= STATUS_NAN;
 }
 
-void message_add(struct message *m, const char *format, ...)
+void status_join(char *text, size_t size, const char *between, const char *format, ...)
 {
-    const size_t used = strlen(m->text);
+    size_t used = strlen(text);
     va_list args;
 
+    if (used)
+        used += (size_t)snprintf(text + used, size - used, "%s", between);
     va_start(args, format);
-    vsnprintf(m->text + used, sizeof m->text - used, format, args);
+    if (used < size)
+        vsnprintf(text + used, size - used, format, args);
     va_end(args);
 }
 

@@ -51,9 +51,14 @@ struct message {
 /* Moves from to *to and leaves it all-zero: what `out:` clears it no longer owns. */
 #define HAND_OVER(to, from) (*(to) = (from), memset(&(from), 0, sizeof(from)))
 
-/* Appends printf's words to a message; what does not fit is cut off. */
-void message_add(struct message *m, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+/* Appends printf's words to a text of so many bytes, with `between` before them where it is
+ * not empty; what does not fit is cut off. To an array; to a message. */
+void status_join(char *text, size_t size, const char *between, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+#define TEXT_JOIN(array, between, ...)                                                     \
+    status_join(array, sizeof(array), between, __VA_ARGS__)
+#define TEXT_ADD(array, ...) TEXT_JOIN(array, "", __VA_ARGS__)
+#define message_add(m, ...)  TEXT_ADD((m)->text, __VA_ARGS__)
 
 /* Returns the sentence of a code. Static storage. */
 const char *status_text(enum status st);

@@ -222,7 +222,7 @@ static struct table *create(const struct advise_search *s, char caption[TEXT])
     else
         snprintf(caption, TEXT, "Contestants on %s within %.3g %% of its length, to %.3g s",
                  scene_of(s)->name, 100 * s->wish.error, s->job->time[s->job->times - 1]);
-    return table_create(sizeof columns / sizeof *columns, columns, caption);
+    return TABLE_OF(columns, caption);
 }
 
 /* Adds those that serve from cheap to dear, then the others in the order of the

@@ -165,9 +165,9 @@ static struct table *words_table(const struct study_results *d)
                                                   {"ours, flag", NULL, TABLE_LEFT},
                                                   {"ours, edge_drop", NULL, TABLE_LEFT},
                                                   {"paper", NULL, TABLE_LEFT}};
-    struct table *t = table_create(COUNT(columns), columns,
-                                   "Feasible, and if not, why: the paper's scheme by the "
-                                   "rules, and the paper");
+    struct table *t =
+        TABLE_OF(columns, "Feasible, and if not, why: the paper's scheme by the "
+                          "rules, and the paper");
 
     for (int row = 0; row < ROWS; row++) {
         const struct paper_table4_row *p = &paper_table4[row];
@@ -189,9 +189,9 @@ static struct table *counts_table(const struct study_results *d)
 
     for (int n = 0; n < ANSWERS; n++)
         columns[BEFORE + n].header = name_of(n);
-    struct table *t = table_create(COUNT(columns), columns,
-                                   "Physics, or the scheme's? Rows of 18 that are called "
-                                   "so, and that are judged as the paper judges them");
+    struct table *t =
+        TABLE_OF(columns, "Physics, or the scheme's? Rows of 18 that are called "
+                          "so, and that are judged as the paper judges them");
     for (int r = 0; r < SCENES * readings; r++) {
         table_line(t, "%s|%s", reading[r / SCENES], scene_name[r % SCENES]);
         for (int n = 0; n < ANSWERS; n++) {
@@ -216,10 +216,9 @@ static struct table *lessons_table(const struct study_results *d)
                                                   {"mu: learnt", .key = "mu_learnt"},
                                                   {"left out", .key = "mu_left_out"}};
     struct learnt lesson[TEACHERS][ANSWERS];
-    struct table *t =
-        table_create(COUNT(columns), columns,
-                     "A second verdict: bounds learnt from the paper's own words, printed "
-                     "scheme; rows of 18 that they get right");
+    struct table *t = TABLE_OF(
+        columns, "A second verdict: bounds learnt from the paper's own words, printed "
+                 "scheme; rows of 18 that they get right");
 
     for (int k = 0; k < TEACHERS; k++)
         learn_from(d, k, lesson[k]);

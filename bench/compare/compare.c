@@ -81,13 +81,12 @@ static void leave_vague_times(struct compare_job *j)
 {
     struct truth *t = j->found;
     const double most = contest_target[0] * j->scene.length;
-    const size_t used = strlen(t->source);
     const int all = t->times;
 
     while (t->times > 1 && t->error[t->times - 1] > most)
         t->times--;
     if (t->times < all)
-        snprintf(t->source + used, sizeof t->source - used,
+        TEXT_ADD(t->source,
                  "; compared up to %.3g s, as its error bar at %.3g s is %.2g %% of L",
                  t->time[t->times - 1], t->time[t->times],
                  100 * t->error[t->times] / j->scene.length);

@@ -363,8 +363,7 @@ static enum status print_limits(const struct contest *c, const char *folder,
     set_columns(&columns[REAL], &real, "% L", "rmse_over_length", "real_time_", "");
     set_columns(&columns[LOWEST], &lowest, "% L", "rmse_over_length", "lowest_", "");
     memcpy(&columns[LIMIT], limit, sizeof limit);
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
-                                   "Lowest RMSE/L at the worst of the times, and why");
+    struct table *t = TABLE_OF(columns, "Lowest RMSE/L at the worst of the times, and why");
     for (int k = 0; (who = contest_entrant(c, k)); k++)
         add_limit(t, c, who);
     table_note(

@@ -797,7 +797,6 @@ enum status contest_tell_unsearched(struct contest *c)
     const struct contest_wish wish = {CONTEST_TARGETS, contest_target, c->longest};
     const struct contestant *who;
     struct tries t;
-    size_t used = 0;
     const enum status st = find_tries(c, &wish, INFINITY, &t);
 
     c->unsearched[0] = '\0';
@@ -805,9 +804,8 @@ enum status contest_tell_unsearched(struct contest *c)
         int count = 0;
         for (int n = 0; n < t.count; n++)
             count += t.list[n].at.contestant == who;
-        if (count && used < sizeof c->unsearched)
-            used += (size_t)snprintf(c->unsearched + used, sizeof c->unsearched - used,
-                                     "%s%s %d", used ? ", " : "", who->name, count);
+        if (count)
+            TEXT_JOIN(c->unsearched, ", ", "%s %d", who->name, count);
     }
     free(t.list);
     return st;

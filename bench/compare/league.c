@@ -182,8 +182,7 @@ static struct table *list_all(int count, const struct contest *const *contests)
         {"iterations", NULL},
         {"memory", "B", .key = "model_bytes"},
         {"refused", NULL}};
-    struct table *t =
-        table_create(sizeof columns / sizeof *columns, columns, "Contestants over scenes");
+    struct table *t = TABLE_OF(columns, "Contestants over scenes");
 
     for (int s = 0; s < count; s++)
         for (const struct contestant *who = contestant_table; who->name; who++)

@@ -482,10 +482,8 @@ static void add_notes(struct table *t, const struct view *v)
 
     for (int n = 0; n < v->columns; n++) {
         const struct quantity_row *q = &quantity_table[v->column[n]];
-        const size_t used = strlen(text);
         if (is_seen(v, v->column[n]))
-            snprintf(text + used, sizeof text - used, "%s%s: %s", n ? "; " : "", q->head,
-                     q->help);
+            TEXT_JOIN(text, "; ", "%s: %s", q->head, q->help);
     }
     table_note(t, "%s.", text);
     if (v->d->plan->table.note)
@@ -516,10 +514,9 @@ static void write_labels(const struct study *s, int level, const struct plan_set
     for (int n = 0; n < axes->count; n++) {
         const char *axis = axes->list[n].key, *label = dataset_label(s, level, axis);
         const bool bare = axes->count == 1 || !strcmp(axis, "study");
-        const size_t used = strlen(text);
         if (label)
-            snprintf(text + used, 128 - used, "%s%s%s%s", used ? ", " : "",
-                     bare ? "" : axis, bare ? "" : " ", label);
+            status_join(text, 128, ", ", "%s%s%s", bare ? "" : axis, bare ? "" : " ",
+                        label);
     }
 }
 

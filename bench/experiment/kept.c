@@ -42,7 +42,7 @@ void kept_open(const char *folder, const char *command, const char *word,
     output_print(k->file, "# clothbench %s%s%s | commit %s | %s | %s\n", command,
                  *word ? " " : "", word, provenance_value(&p, "commit"),
                  provenance_value(&p, "cpu"), provenance_value(&p, "date"));
-    k->sentences = table_create(sizeof columns / sizeof *columns, columns, KEPT_SENTENCES);
+    k->sentences = TABLE_OF(columns, KEPT_SENTENCES);
     table_keep(output_stream(k->file));
     judge_keep(k->sentences);
     *kept = k;

@@ -203,8 +203,8 @@ enum status export_numbers_table(const struct export_sheet *s, struct table **ta
     struct message misfit = {""};
     enum status st;
 
-    *table = table_create(sizeof columns / sizeof *columns, columns,
-                          "Parameters of this net of points, for an engine of your own");
+    *table =
+        TABLE_OF(columns, "Parameters of this net of points, for an engine of your own");
     TRY(each(s, &(struct taker){take_kind, &kinds}, &misfit));
     for (int n = 0; n < kinds.count; n++) {
         const struct number *k = &kinds.kind[n];

@@ -17,12 +17,10 @@ const struct model *contestant_model(int n)
 static void list_models(char *text, size_t size)
 {
     const struct model *model;
-    size_t used = 0;
 
     *text = '\0';
-    for (int n = 0; (model = contestant_model(n)) && used < size; n++)
-        used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "",
-                                 model->name);
+    for (int n = 0; (model = contestant_model(n)); n++)
+        status_join(text, size, ", ", "%s", model->name);
 }
 
 static bool is(const char *word, size_t length, const char *name)

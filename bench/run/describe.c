@@ -256,8 +256,7 @@ enum status describe_state(const struct run *run, double t, FILE *file)
         table_add(table, "%s", row[n].unit);
     }
     fputc('\n', file);
-    const enum status st = table_print(table, TABLE_TEXT, file);
-    table_destroy(table);
+    const enum status st = table_end(table, TABLE_TEXT, file);
     /* standard error that takes nothing is no reason to fail */
     return st == STATUS_FILE ? STATUS_OK : st;
 }

@@ -117,8 +117,7 @@ enum status statics_print(struct run *run, const struct message *told,
 
     if (run->model->energy)
         run->model->energy(run->state, &energy);
-    t = table_create(sizeof columns / sizeof *columns, columns,
-                     "Displacements in static equilibrium");
+    t = TABLE_OF(columns, "Displacements in static equilibrium");
     for (int n = 0; n < 9; n++) {
         double uvw[3] = {at[n / 3], at[n % 3], 0.5}, xyz[3];
         run->model->probe(run->state, 1, uvw, xyz);

@@ -49,14 +49,6 @@ tell(const struct judge *j, enum protocol_subject subject, enum protocol_tone to
     j->say(j->context, &v);
 }
 
-/* Adds a word to a list with commas. */
-static void append(size_t size, char *list, const char *word)
-{
-    const size_t used = strlen(list);
-
-    snprintf(list + used, size - used, "%s%s", used ? ", " : "", word);
-}
-
 static const struct score_finding *find(const struct protocol_run *run,
                                         enum score_kind kind)
 {
@@ -113,7 +105,7 @@ static void tell_missing(const struct judge *j)
 
     for (const char *const *name = protocol_first; *name; name++)
         if (!protocol_find(j->p, *name))
-            append(sizeof names, names, *name);
+            TEXT_JOIN(names, ", ", "%s", *name);
     if (*names)
         tell(j, PROTOCOL_ERROR, PROTOCOL_UNKNOWN, "not run",
              "There are no frames of %s; clothbench export writes these scenes.", names);
@@ -225,7 +217,7 @@ static void tell_stiffness(const struct judge *j)
              bends->text);
     for (int n = 0; n < 4; n++)
         if (!known[n / 2][n % 2])
-            append(sizeof missing, missing, part[n]);
+            TEXT_JOIN(missing, ", ", "%s", part[n]);
     if (*missing)
         tell(j, PROTOCOL_STIFFNESS, PROTOCOL_UNKNOWN, "not known",
              "These stiffnesses were not measured: %s. woven_hang and woven_level show "
@@ -365,7 +357,7 @@ static void tell_nets(const struct judge *j)
         if (count > 1)
             tell_refined(j, scene, count, net);
         else
-            append(sizeof single, single, scene->name);
+            TEXT_JOIN(single, ", ", "%s", scene->name);
     }
     if (*single)
         tell(j, PROTOCOL_NETS, PROTOCOL_UNKNOWN, "not known",

@@ -150,8 +150,8 @@ static enum status table_errors(FILE *file, const struct protocol *p)
                                                   {"error", "% L", .scale = 100},
                                                   {"bar", "% L", .scale = 100},
                                                   {"floor", "% L", .scale = 100}};
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
-                                   "Errors, error bars of the truth, floors of the nets");
+    struct table *t =
+        TABLE_OF(columns, "Errors, error bars of the truth, floors of the nets");
 
     for (int k = 0; k < p->scenes; k++)
         for (int m = 0; m < p->scene[k].runs; m++)
@@ -161,9 +161,7 @@ static enum status table_errors(FILE *file, const struct protocol *p)
                            run->vertices, run->row[n].time, run->row[n].error,
                            run->row[n].bar, run->row[n].floor);
             }
-    const enum status st = table_print(t, TABLE_HTML, file);
-    table_destroy(t);
-    return st;
+    return table_end(t, TABLE_HTML, file);
 }
 
 /* Lists contestants on a scene and the engine among them. */
@@ -180,9 +178,9 @@ static enum status table_place(FILE *file, const struct protocol *p,
 
     if (count < 2)
         goto out;
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
-                                   "The best run of each with no more points: error at the "
-                                   "worst of the same times");
+    struct table *t =
+        TABLE_OF(columns, "The best run of each with no more points: error at the "
+                          "worst of the same times");
     for (int n = 0; n < count; n++)
         table_line(t, "%d|%s%s|%dx%d|%.2g", n + 1, rival[n].own ? "\u2192 " : "",
                    rival[n].title, rival[n].net[0], rival[n].net[1], rival[n].error);

@@ -134,7 +134,7 @@ static enum status print_protocol(const struct protocol *p, enum table_format fo
 
     if (format == TABLE_TEXT)
         return protocol_judge(p, print_verdict, &last);
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns, NULL);
+    struct table *t = TABLE_OF(columns, NULL);
     const enum status st = protocol_judge(p, add_verdict, t);
     if (st == STATUS_OK)
         return table_finish(t, format, stdout);

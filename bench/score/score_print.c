@@ -19,10 +19,9 @@ static struct table *begin_rows(struct score_print *p)
     if (p->table)
         table_rule(p->table);
     else
-        p->table = table_create(sizeof columns / sizeof *columns, columns,
-                                !table_format_is_data(p->format)
-                                    ? "Frames against the truth: rms over the sheet"
-                                    : NULL);
+        p->table = TABLE_OF(columns, !table_format_is_data(p->format)
+                                         ? "Frames against the truth: rms over the sheet"
+                                         : NULL);
     return p->table;
 }
 

@@ -130,10 +130,9 @@ static enum status check_word(const char *word, struct message *why)
     char names[256] = "";
 
     for (int p = 0; items[p]; p++) {
-        const size_t used = strlen(names);
         if (!strcmp(word, items[p]->name))
             return STATUS_OK;
-        snprintf(names + used, sizeof names - used, "%s%s", p ? ", " : "", items[p]->name);
+        TEXT_JOIN(names, ", ", "%s", items[p]->name);
     }
     return status_fail(why, STATUS_INPUT, "there is no benchmark '%s'; there are %s", word,
                        names);

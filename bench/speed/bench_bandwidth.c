@@ -200,8 +200,7 @@ static enum status print(const struct bench *b, struct message *why)
                                                   {"of memory's", "%"},
                                                   {"repeats"}};
     struct table *t =
-        table_create(sizeof columns / sizeof *columns, columns,
-                     "Explicit springs beside the rate of memory, one thread");
+        TABLE_OF(columns, "Explicit springs beside the rate of memory, one thread");
 
     (void)why;
     for (int k = 0; k < CASES; k++)

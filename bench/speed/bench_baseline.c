@@ -204,8 +204,7 @@ static enum status print(const struct bench *b, struct message *why)
                                                   {"repeats"}};
     static const char *const library[] = {"CHOLMOD", "LAPACK"};
     struct table *t =
-        table_create(sizeof columns / sizeof *columns, columns,
-                     "The same matrices by libraries as they come, in this run");
+        TABLE_OF(columns, "The same matrices by libraries as they come, in this run");
 
     for (int n = 0; n < NETS; n++)
         for (int k = 0; k < 2; k++) {

@@ -261,8 +261,7 @@ static enum status print(const struct bench *b, struct message *why)
                                                   {"every pair", "us"},
                                                   {"gain"},
                                                   {"repeats"}};
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
-                                   "Searching a sheet for contact with itself");
+    struct table *t = TABLE_OF(columns, "Searching a sheet for contact with itself");
     const int count = is_quick(b) ? QUICK_SIDES : SIDES;
 
     (void)why;

@@ -147,8 +147,7 @@ static enum status print(const struct bench *b, struct message *why)
         {"its depth", "ms", .key = "depth_of_10000"}};
     const double side = samples_number(&b->samples, shapes[0].name, "side"),
                  triangles = 2 * (side - 1) * (side - 1);
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
-                                   "Counting a sheet's self-intersections");
+    struct table *t = TABLE_OF(columns, "Counting a sheet's self-intersections");
 
     (void)why;
     for (int n = 0; n < SHAPES; n++) {

@@ -63,15 +63,14 @@ static void add_peer(const struct reference *r, int row, int before, char text[W
     const char *version = reference_text(r, row, "version");
     const char *solver = reference_text(r, row, "solver");
     const bool next = before < 0 || strcmp(what, reference_text(r, before, "what")) != 0;
-    size_t used = strlen(text);
 
     if (next)
-        snprintf(text + used, WORDS - used, "%s%s, ours %s ms:", used ? "; " : "", what,
-                 reference_text(r, row, "ours_ms"));
-    used = strlen(text);
-    snprintf(text + used, WORDS - used, "%s %s%s%s%s%s%s %s ms", next ? "" : ",",
-             reference_text(r, row, "peer"), *version ? " " : "", version,
-             *solver ? " (" : "", solver, *solver ? ")" : "", reference_text(r, row, "ms"));
+        status_join(text, WORDS, "; ", "%s, ours %s ms:", what,
+                    reference_text(r, row, "ours_ms"));
+    status_join(text, WORDS, next ? "" : ",", " %s%s%s%s%s%s %s ms",
+                reference_text(r, row, "peer"), *version ? " " : "", version,
+                *solver ? " (" : "", solver, *solver ? ")" : "",
+                reference_text(r, row, "ms"));
 }
 
 /* Adds a note on the programs of other people that did the work `name`: their times in
@@ -132,7 +131,7 @@ static enum status print_runs(const struct bench *b, struct message *why)
                                                   {"repeats"},
                                                   {"aim", "ms"},
                                                   {"reached", NULL, TABLE_LEFT}};
-    struct table *t = table_create(LEN(columns), columns, b->part->caption);
+    struct table *t = TABLE_OF(columns, b->part->caption);
     enum status st;
 
     for (int n = 0; n < b->batch.count; n++)
@@ -221,9 +220,9 @@ static enum status print_fabrics(const struct bench *b, struct message *why)
                                                   {"ratio"},
                                                   {"repeats"},
                                                   {"reached", NULL, TABLE_LEFT}};
-    struct table *t = table_create(LEN(columns), columns,
-                                   "A frame of the same sheet by both laws, edge_drop to "
-                                   "0.2 s, one thread");
+    struct table *t =
+        TABLE_OF(columns, "A frame of the same sheet by both laws, edge_drop to "
+                          "0.2 s, one thread");
 
     (void)why;
     for (int n = 0; n < b->batch.count; n += 2) {
@@ -307,8 +306,7 @@ static enum status print_contestants(const struct bench *b, struct message *why)
         {"iterations", "a frame", .key = "iterations_a_frame"},
         {"outcome", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
     struct table *t =
-        table_create(LEN(columns), columns,
-                     "A frame of each contestant, edge_drop to 0.2 s, one thread");
+        TABLE_OF(columns, "A frame of each contestant, edge_drop to 0.2 s, one thread");
 
     for (int n = 0; n < b->batch.count; n++)
         add_contestant(t, b->batch.cases[n].plan.contestant, &b->result[n]);

@@ -50,12 +50,9 @@ static struct tables create_tables(int contestants, const struct row *rows)
         overview = table_create(contestants + 1, columns, "Hard cases");
     }
     free(columns);
-    return (struct tables){
-        {overview,
-         table_create(sizeof truths / sizeof *truths, truths,
-                      "What each case is held against"),
-         table_create(sizeof details / sizeof *details, details, "How each run ended")},
-        {0}};
+    return (struct tables){{overview, TABLE_OF(truths, "What each case is held against"),
+                            TABLE_OF(details, "How each run ended")},
+                           {0}};
 }
 
 /* Fills the next cell of the overview. */

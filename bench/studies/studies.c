@@ -64,14 +64,12 @@ static enum status refuse(const struct command *command, const char *name, bool 
     int count = 0;
 
     for (int n = 0; command->items[n]; n++)
-        snprintf(known + strlen(known), sizeof known - strlen(known), "%s%s", n ? ", " : "",
-                 command->items[n]->name);
+        TEXT_JOIN(known, ", ", "%s", command->items[n]->name);
     if (plans)
         named_file_list(&plan_study_kind, &entries, &count, NULL);
     for (int n = 0; n < count; n++)
         if (*entries[n].text && !find_item(command, entries[n].name))
-            snprintf(known + strlen(known), sizeof known - strlen(known), ", %s",
-                     entries[n].name);
+            TEXT_ADD(known, ", %s", entries[n].name);
     named_file_list_free(entries, count);
     return status_fail(why, STATUS_INPUT, "%s: there is no '%s'; there are %s%s",
                        command->name, name, known,

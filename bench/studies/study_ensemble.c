@@ -456,8 +456,7 @@ static struct table *fill_growth(const struct study_ensemble *e)
         {"time", "s"},
         {"growth"},
         {"points", "L"}};
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns,
-                                   "Growth of the change, points against the truth");
+    struct table *t = TABLE_OF(columns, "Growth of the change, points against the truth");
 
     for (int n = 0; n < e->count * e->fields; n++) {
         const struct study_ensemble_one *one = &e->one[n / e->fields];
@@ -521,7 +520,7 @@ static enum status tell_drape(const struct study_ensemble *e, const char *folder
     snprintf(name, sizeof name, "%s_drape", e->scene);
     snprintf(caption, sizeof caption, "%s: the shadow at %.3g s", e->scene,
              e->time[e->looks - 1]);
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    struct table *t = TABLE_OF(columns, caption);
     for (int k = 0; k < e->count; k++) {
         table_line(t, "%s|%s|%s|%d", e->scene, e->one[k].title, e->one[k].net,
                    e->one[k].lived);
@@ -581,7 +580,7 @@ enum status study_ensemble_tell(const struct study_ensemble *e, const char *fold
     else
         snprintf(caption, sizeof caption, "%s: ensembles of %d runs, gravity changed by %g",
                  e->scene, e->runs, TRUTH_PERTURBATION);
-    struct table *t = table_create(sizeof columns / sizeof *columns, columns, caption);
+    struct table *t = TABLE_OF(columns, caption);
     if (prose)
         tell_case(e, &w, file);
     for (int k = 0; k < e->count; k++)

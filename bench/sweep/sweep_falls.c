@@ -84,10 +84,8 @@ static void judge(struct sweep_falls *f, const struct sweep_rows *rows,
         const double by = falls->by >= 0 ? row->value[falls->by] : 0;
         const char *lack = lack_of(row, value, by);
         const bool died = status_is_death(row->outcome) && isfinite(least);
-        const size_t used = strlen(grows_at);
         if (died || (!lack && value > least + by))
-            snprintf(grows_at + used, sizeof grows_at - used, "%s%s", used ? " " : "",
-                     values->list[n].value);
+            TEXT_JOIN(grows_at, " ", "%s", values->list[n].value);
         judged += !lack || died;
         if (lack) {
             table_missing(f->table, "%s", lack);

@@ -265,7 +265,7 @@ enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
                                                   {"steps", "s", .key = "steps"},
                                                   {"looks", "s", .key = "looks"}};
     struct table *t = create_table(rows->plan);
-    struct table *seconds = table_create(sizeof columns / sizeof *columns, columns, NULL);
+    struct table *seconds = TABLE_OF(columns, NULL);
     struct plan_case c;
     enum status st;
 

@@ -255,10 +255,8 @@ enum status truth_doubt(const struct scene *scene, struct truth *t)
                  percent * t->value[n][TRUTH_SOLID_BAR],
                  percent * t->value[n][TRUTH_SHELL_BAR]);
     TRY(distrust_fields(scene, n, t->time, t->xyz, &said));
-    const size_t used = strlen(t->unresolved);
     if (*said.text)
-        snprintf(t->unresolved + used, sizeof t->unresolved - used,
-                 "%sOf the truth itself: %s", used ? " " : "", said.text);
+        TEXT_JOIN(t->unresolved, " ", "Of the truth itself: %s", said.text);
 out:
     return st;
 }

@@ -166,9 +166,7 @@ static enum status print(const struct truth *made, const struct scene *scene,
             truth_plan_judges(scene, made->time[n]))
             add_row(t, made, n, scene->length);
     add_notes(t, made, scene);
-    const enum status st = table_print(t, format, file);
-    table_destroy(t);
-    return st;
+    return table_end(t, format, file);
 }
 
 /* --- Positions --- */
@@ -255,8 +253,7 @@ enum status truth_print_all(enum table_format format, FILE *file, struct message
                                                 {"error bar there", "% L",
                                                  .key = "error_bar_over_length",
                                                  .scale = 100, .key_unit = "L"}};
-    struct table *t =
-        table_create(sizeof heads / sizeof *heads, heads, "What is known of each scene");
+    struct table *t = TABLE_OF(heads, "What is known of each scene");
     struct named_file_entry *scenes = NULL;
     int count = 0;
     enum status st;

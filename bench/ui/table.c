@@ -926,11 +926,18 @@ enum status table_print(const struct table *t, enum table_format format, FILE *f
     return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
 
-enum status table_finish(struct table *t, enum table_format format, FILE *file)
+enum status table_end(struct table *t, enum table_format format, FILE *file)
 {
-    enum status st = table_print(t, format, file);
+    const enum status st = table_print(t, format, file);
 
     table_destroy(t);
+    return st;
+}
+
+enum status table_finish(struct table *t, enum table_format format, FILE *file)
+{
+    const enum status st = table_end(t, format, file);
+
     if (st == STATUS_OK && format != TABLE_JSON)
         fputc('\n', file);
     return st;

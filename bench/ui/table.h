@@ -8,7 +8,7 @@
  *         {"model", NULL, TABLE_LEFT},
  *         {"a frame", "ms", .key = "frame_s", .key_unit = "s", .scale = 1e3},
  *         {"unknowns", .readers = TABLE_MACHINES}};
- *     struct table *t = table_create(COUNT(columns), columns, "Cost of a frame");
+ *     struct table *t = TABLE_OF(columns, "Cost of a frame");
  *     table_line(t, "%s|%.3g|%d", model->title, 0.0123456, 540);
  *     table_note(t, "Median of %d repeats.", repeats);
  *     TRY(table_save(t, folder, "cost", why));
@@ -76,6 +76,10 @@ struct table *table_create(int column_count, const struct table_column *columns,
                            const char *caption);
 void table_destroy(struct table *t); /* NULL is allowed */
 
+/* Creates one of an array of columns. */
+#define TABLE_OF(columns, caption)                                                         \
+    table_create((int)(sizeof(columns) / sizeof *(columns)), columns, caption)
+
 /* Starts a row; cells left out at its end are empty. At most column_count cells fit. */
 void table_row(struct table *t);
 
@@ -111,9 +115,10 @@ enum status table_print(const struct table *t, enum table_format format, FILE *f
  * an empty line below it, to be read back by csv.h; NULL: no more. */
 void table_keep(FILE *copy);
 
-/* Prints a table and an empty line after it, and destroys it: for one of several tables. In
+/* Print a table and destroy it; _finish: with an empty line after it, as one of several. In
  * JSON a table is an object {"caption", "units": {KEY: UNIT}, "rows": [{KEY: VALUE}],
  * "notes"}. */
+enum status table_end(struct table *t, enum table_format format, FILE *file);
 enum status table_finish(struct table *t, enum table_format format, FILE *file);
 
 /* Returns the stream for the next object of JSON that goes to `file`. Those of standard

@@ -164,8 +164,7 @@ static enum status choose(struct job *job, const struct command_line *line,
     char known[768] = "";
 
     for (int n = 0; job->known[n]; n++) {
-        snprintf(known + strlen(known), sizeof known - strlen(known), "%s%s", n ? ", " : "",
-                 job->known[n]->item.name);
+        TEXT_JOIN(known, ", ", "%s", job->known[n]->item.name);
         if (!line->word_count && !(job->quick && job->known[n]->slow))
             job->check[job->count++] = job->known[n];
     }
@@ -284,9 +283,7 @@ static enum status print_summary(const struct job *job)
                   "dies.");
     table_note(t, "Changed after a first result: %ld of %ld claims%s.", changed, claims,
                changed ? "; the notes say what was claimed before" : "");
-    enum status st = table_print(t, job->format, job->out);
-    table_destroy(t);
-    return st;
+    return table_end(t, job->format, job->out);
 }
 
 /* Prints a table for each check, and below them a count of the verdicts; for machines, all
@@ -334,8 +331,7 @@ static enum status tell_failures(const struct job *job, struct message *why)
         for (int i = 0; i < job->sheet[n].count; i++)
             rows += verify_row_failed(&job->sheet[n].rows[i]);
         if (rows > before)
-            snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s",
-                     before ? ", " : "", job->check[n]->item.name);
+            TEXT_JOIN(names, ", ", "%s", job->check[n]->item.name);
     }
     return rows ? status_fail(why, STATUS_FAILED, "%d %s not met, in: %s", rows,
                               rows == 1 ? "claim is" : "claims are", names)

@@ -215,13 +215,11 @@ static enum status refuse_name(const struct named_file_kind *kind, const char *a
     struct named_file_entry *entries = NULL;
     struct message names = {""};
     int count = 0;
-    size_t used = 0;
 
     TRY(named_file_names(kind, &entries, &count, why));
-    for (int i = 0; i < count && used < sizeof names.text; i++)
-        used += (size_t)snprintf(names.text + used, sizeof names.text - used, "%s %s",
-                                 i ? "," : "", entries[i].name);
-    st = status_fail(why, STATUS_INPUT, "no %s %s; give the path of a file, or one of%s",
+    for (int i = 0; i < count; i++)
+        TEXT_JOIN(names.text, ", ", "%s", entries[i].name);
+    st = status_fail(why, STATUS_INPUT, "no %s %s; give the path of a file, or one of %s",
                      kind->what, yaml_tree_quote(argument).text, names.text);
 out:
     named_file_list_free(entries, count);

@@ -418,6 +418,8 @@ void shell_motion_energy(const void *state, struct energy *energy)
                         (m->dead ? m->dead[t] : 0);
         energy->potential -= weight * (m->x[t] - m->space->rest[t]);
     }
+    if (m->beyond)
+        energy->kinetic = large_leapfrog_kinetic(&m->large);
     if (m->pressure.value != 0)
         energy->potential += pressure_energy(&m->pressure, m->space->rest, m->x);
     if (m->kinematics == KINEMATICS_NONLINEAR) {

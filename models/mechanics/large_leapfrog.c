@@ -20,8 +20,9 @@ enum { DOUBLINGS = 8 };
  * much in a few frames from nothing. */
 static const double GAIN = 0.05;
 
-/* The error of a frame's momentum, relative; the kinetic energy has its square. */
-static const double MOMENTUM = 1e-2;
+/* The error of a momentum, relative, in watching frames and in what is told; the kinetic
+ * energy has its square. */
+static const double WATCHED = 1e-2, TOLD = 1e-7;
 
 /* Strains below this are round-off. */
 static const double ROUND_OFF = 1e-10;
@@ -164,7 +165,7 @@ static enum status heavy(void *self, const double *v, double *momentum)
 }
 
 /* Returns the free unknowns' kinetic energy; NaN: it cannot be had. */
-static double kinetic(const struct large_leapfrog *l)
+static double kinetic(const struct large_leapfrog *l, double tolerance)
 {
     const struct large_motion *m = l->m;
     double *y = m->newmark->work, *v = m->newmark->v, sum = 0;
@@ -175,7 +176,7 @@ static double kinetic(const struct large_leapfrog *l)
                            .self = (void *)l,
                            .multiply = velocity_of,
                            .precondition = heavy,
-                           .tolerance = MOMENTUM,
+                           .tolerance = tolerance,
                            .most = (int)count_of(l),
                            .work = l->krylov};
         if (krylov_cg(&k, v, l->momentum, &done) != STATUS_OK)
@@ -217,7 +218,7 @@ out:
 /* Returns the free unknowns' kinetic and all stored energy, less the supports' work. */
 static double energy_now(const struct large_leapfrog *l)
 {
-    return l->stored - l->work + kinetic(l);
+    return l->stored - l->work + kinetic(l, WATCHED);
 }
 
 static enum status store(struct large_leapfrog *l, double *elastic)
@@ -367,6 +368,11 @@ static void restore(struct large_leapfrog *l, double work)
     memcpy(l->m->newmark->v, l->v_start, bytes);
     l->work = work;
     l->m->started = false;
+}
+
+double large_leapfrog_kinetic(const struct large_motion *m)
+{
+    return kinetic(m->leapfrog, TOLD);
 }
 
 void large_leapfrog_describe(const struct large_motion *m, struct message *line)

@@ -36,6 +36,9 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
                                 struct message *why);
 void large_leapfrog_free(struct large_leapfrog *l);
 
+/* Returns the kinetic energy of the free unknowns, by the mass of the steps [J]. */
+double large_leapfrog_kinetic(const struct large_motion *m);
+
 /* Describes its steps and mass in a line; none if steps are implicit. */
 void large_leapfrog_describe(const struct large_motion *m, struct message *line);
 

@@ -209,7 +209,7 @@ typedef double eight __attribute__((vector_size(8 * sizeof(double)), aligned(8))
 /* Turns lanes into rows: row[l] gets lane l of k[0 .. 7]. */
 static inline void turn(const lanes k[9], eight row[LANES])
 {
-#if defined(__AVX512VL__)
+#if defined(__AVX512VL__) && !defined(__clang__)
     typedef long long places __attribute__((vector_size(8 * sizeof(long long))));
     static const places low[] = {{0, 8, 2, 10, 4, 12, 6, 14},
                                  {0, 1, 8, 9, 4, 5, 12, 13},

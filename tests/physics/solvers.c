@@ -173,7 +173,7 @@ int main(void)
     for (size_t n = 0; n < sizeof subjects / sizeof *subjects; n++)
         check_subject(&subjects[n], true);
     check_auto(10, false);
-    check_auto(15, true);
+    check_auto(14, true);
     check_death(SOLVER_GMRES, PRECONDITIONER_FACTOR);
     check_death(SOLVER_GMRES, PRECONDITIONER_JACOBI);
     return check_result();

@@ -19,7 +19,8 @@ struct hex {
 /* clang-format off */
 static const struct schema_key options[] = {
     {"points"}, {"degree"}, {"gauss"}, {"kinematics"}, {"unknowns"}, {"solver"},
-    {"preconditioner"}, {"newton"}, {"viscosity", .only = OPTION(VISCOSITY_MEMBRANE) | OPTION(VISCOSITY_NONE)}, {"substeps"},
+    {"preconditioner"}, {"newton"}, {"substeps"},
+    {"viscosity", .only = OPTION(VISCOSITY_MEMBRANE) | OPTION(VISCOSITY_NONE)},
     {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_INCOMPATIBLE)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
     {NULL}};

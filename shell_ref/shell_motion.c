@@ -191,7 +191,9 @@ static enum status make_large(struct shell_motion *m, const struct discretizatio
         .K = m->K,
         .x = m->x,
         .held = m->held,
-        .lag = rings ? 0 : returns ? large_return_lag : large_motion_lag,
+        .lag = rings     ? 0
+               : returns ? large_return_lag
+                         : large_motion_lag,
         .returns = returns,
         .rings = rings,
         .full = d->newton == NEWTON_FULL,

@@ -120,7 +120,7 @@ struct large_motion {
     int halvings;        /* the present substep is step / 2^halvings                    */
     struct large_leapfrog *leapfrog; /* explicit steps; NULL: implicit         owned   */
     double elastic, owed; /* energy at x and energy not yet given back; if `returns` [J]  */
-    double push[3]; /* force of bodies, mean over the last step              [N]   */
+    double push[3];       /* force of bodies, mean over the last step              [N]   */
 };
 
 #endif

@@ -85,7 +85,6 @@ struct ledger {
     double turned;       /* largest -potential                                     [J] */
     double low;          /* lowest total so far                                    [J] */
     double gained, lost; /* largest rise above `low`, largest fall below zero      [J] */
-    double kinetic;      /* mean over the last half                                [J] */
     struct counters work;
 };
 
@@ -102,8 +101,6 @@ static enum status note_energy(void *context, const struct motion *m, struct mes
     l->low = fmin(l->low, total);
     l->lost = isnan(total) ? NAN : fmax(l->lost, -total);
     l->gained = isnan(total) ? NAN : fmax(l->gained, total - l->low);
-    if (2 * m->frames > m->frame_count)
-        l->kinetic += 2 * e.kinetic / m->frame_count;
     l->work = m->counters;
     return STATUS_OK;
 }
@@ -172,8 +169,6 @@ static void add_rows(struct verify_subject *s)
         verify_row_end(t.row, VERIFY_NOT_APPLICABLE, "it has no elastic energy");
     else if (t.lived) {
         verify_row_judge_error(t.row, l.gained / l.turned, 0);
-        verify_row_note(t.row, "kinetic energy in the last half: %.2g of that turned over",
-                        l.kinetic / l.turned);
         s->tolerance = s->second;
         s->reason = NULL;
         t.row = verify_sheet_add(s, "energy lost, %g s by %g ms", end, 1e3 * dt);

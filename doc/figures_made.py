@@ -488,8 +488,12 @@ def protocol():
     subjects = ["order of the step", "damping", "clamp", "finer nets", "repeated runs", "contact",
                 "place"]
 
+    def word(r):
+        where = r["subject"] == "place" and re.match(r"On (\w+) ", r["sentence"])
+        return f"`{where[1]}` {r['verdict'][6:]}" if where else r["verdict"]
+
     def cell(name, subject):
-        words = list(dict.fromkeys(r["verdict"] for r in rows
+        words = list(dict.fromkeys(word(r) for r in rows
                                    if (r["simulator"], r["subject"]) == (name, subject)))
         return ", ".join([w for w in words if w != "not known"] or words)
 

@@ -393,6 +393,7 @@ static enum status iterate_fresh(struct iterative *it, double *x, bool *done)
             return st;
         iterative_precision(it, it->precision - 1);
         TRY(make_factor(it));
+        guess(it, x); /* anew: a factor that is too coarse may have led astray */
     }
     st = iterate(it, MOST_FRESH, x, done);
 out:

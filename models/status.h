@@ -39,7 +39,7 @@ struct message {
     char text[1024];
 };
 
-/* Of a list of codes and words, an X macro: the words alone. */
+/* Takes the words alone from a list of codes and words, an X macro. */
 #define LIST_WORD(code, word) word,
 
 #define TRY(call)                                                                          \

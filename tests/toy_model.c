@@ -11,7 +11,7 @@
 
 #include "models/mechanics/supports.h"
 
-/* What is served here is not refused by init; every other bit is, with its name. */
+/* The bits that init serves; it refuses every other one, by its name. */
 #define SERVES (SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG)
 
 struct toy {

@@ -11,9 +11,9 @@
  * stiffness that would end the slip, with which Newton's method can't go back and forth
  * between two ways of it.
  *
- * With the turning at x[nodes][3], where contact_find looked, what leans on a round body
- * may slide off, and one side of a sheet along the other. Left out is that of a net of
- * points with itself, which is not the gradient of an energy (contact_foot.h), and of rims.
+ * The turning at x[nodes][3], where contact_find looked, lets what leans on a round body
+ * slide off, and one side of a sheet slide along the other. It leaves out a net of points
+ * with itself, which has no gradient of an energy (contact_foot.h), and rims.
  *
  * Returns false, with K spoilt, if the graph lacks a pair of a touch. */
 bool contact_system_tangent(const struct contact *c, const double *x,

@@ -95,7 +95,8 @@ static void frames(const void *body, double (*Q)[9])
 /* Sets up an iterated system; its solutions are increments of d, or steps of Newton. */
 static enum status follow(struct solid_motion *m)
 {
-    /* In the energy norm, and in GMRES's, where stiff motion hides the soft one. */
+    /* Conjugate gradients measure energy; in the norm of GMRES stiff motion hides the soft
+     * one. */
     static const double CG_TOLERANCE = 1e-6, GMRES_TOLERANCE = 1e-8, STEP_TOLERANCE = 1e-3;
     const bool rebuilt = kinematics_rebuilds(m->kinematics);
     struct iterative *it = m->system.iterative;

@@ -78,8 +78,8 @@ static void check_implicit(const struct kind *k, const char *more, double off)
         printf("  %s, %s\n", k->name, more);
 }
 
-/* With what row sums leave out the mass is of fourth order: on these few spans 2.8 and 3.3
- * were measured for p = 2 and 3, and of row sums alone 1.6 and 1.7. */
+/* The order of the mass that has what row sums leave out is four in the limit: these few
+ * spans have 2.8 and 3.3 for p = 2 and 3, and 1.6 and 1.7 with row sums alone. */
 static const double MASS_ORDER = 2.5;
 
 /* Shells that nothing moves have a mass between row sums and the implicit one's. */

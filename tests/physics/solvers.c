@@ -124,8 +124,8 @@ static void check_subject(const struct subject *s, bool obstacle)
     scene_clear(&scene);
 }
 
-/* By itself a solid that is rebuilt keeps factors on large nets alone, without an obstacle.
- */
+/* Checks that a solid that is rebuilt keeps factors on large nets alone, without an
+ * obstacle. */
 static void check_auto(int side, bool keeps)
 {
     static double direct[3 * GRID_POINTS], xyz[3 * GRID_POINTS];

@@ -9,8 +9,8 @@
  * its ends grows by a hundredth of the law's range. */
 #define ASKED 1e-3, NULL
 static const double LENGTH = 0.02;
-/* Of a mode without force: as it slides its samples meet in turn, and forces ripple. Seen
- * on 48 to 192 points .15 to .02, and 1.2 without the tangent of what touches. */
+/* The claim on a mode without force: as it slides, its samples meet in turn, and forces
+ * ripple. Nets of 48 to 192 points had .15 to .02, and 1.2 without contact's tangent. */
 #define IN_TURN 0.25, "set after a first look: samples that meet in turn make forces ripple"
 /* Compression under p shrinks the ring by p (h / R)^2 / 12 of its radius. */
 static const double THICK = 0.01, CONTACT = 0.02, KAPPA = 1000;

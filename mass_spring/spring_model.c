@@ -20,8 +20,6 @@ static const struct schema_key options[] = {
     {"springs", "changes that springs resist in leapfrog steps",
      OPTION_WORDS([SPRINGS_SQUARES] = "squares", [SPRINGS_LENGTHS] = "lengths"),
      OPTION_OWN(spring_own, springs)},
-    {"gauge", "cells over which springs measure their stretch in leapfrog steps",
-     SCHEMA_COUNT, .low = 0, .high = SPRING_GAUGE_MOST, OPTION_OWN(spring_own, gauge)},
     {"surface", "surface of the sheet: the net, or a B-spline of which it is the control net",
      OPTION_WORDS([SURFACE_NET] = "net", [SURFACE_QUADRATIC] = "quadratic",
                   [SURFACE_CUBIC] = "cubic"),
@@ -42,10 +40,6 @@ static enum status refuse(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "springs, bending: with integrator=leapfrog only; implicit and "
                            "explicit have lengths and struts, momentum has squares");
-    if (own->gauge > 1 &&
-        (d->integrator != INTEGRATOR_LEAPFROG || own->springs != SPRINGS_SQUARES))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "gauge: with integrator=leapfrog and springs=squares only");
     if (d->bending == BENDING_STRUT && own->springs == SPRINGS_SQUARES)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "bending=strut: with springs=lengths only");

@@ -74,16 +74,11 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
                                  struct message *why)
 {
     enum status st;
-    struct spring_body body = {
+    const struct spring_body body = {
         .load = &m->points, .supports = &m->newton.supports, .stencil = &m->stencil};
 
     TRY(spring_stencil_init(&m->stencil, m->scene, &m->net, OWN(spring_own, d)->springs,
                             d->bending));
-    if (OWN(spring_own, d)->gauge > 1) {
-        TRY(spring_gauge_init(&m->gauge, &m->newton.supports, &m->net,
-                              OWN(spring_own, d)->gauge));
-        body.gauge = &m->gauge;
-    }
     TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,
                              why));
     m->limit = spring_leapfrog_limit(m->leapfrog);
@@ -118,7 +113,6 @@ void spring_motion_clear(void *motion)
     spring_large_clear(&m->large);
     spring_strips_clear(&m->strips);
     spring_stencil_clear(&m->stencil);
-    spring_gauge_clear(&m->gauge);
     spring_leapfrog_free(m->leapfrog);
     net_contact_free(m->contact);
     spring_newton_clear(&m->newton);
@@ -395,6 +389,4 @@ void spring_motion_energy(const void *motion, struct energy *energy)
         spring_leapfrog_velocity(m->leapfrog, m->v);
     spring_load_energy(&m->points, m->x, v, energy);
     energy->elastic = spring_motion_elastic(m) - m->rest_energy;
-    if (m->gauge.room)
-        energy->elastic += spring_gauge_energy(&m->gauge, &m->stencil, m->x);
 }

@@ -40,7 +40,6 @@ struct spring_own {       /* choices of its own (models/option.h) */
     double strain_limit;  /* Provot 1995: greatest elongation of a spring [1]; 0: none  */
     enum springs springs; /* in leapfrog steps */
     enum spring_surface surface;
-    int gauge; /* cells over which springs in squares of lengths measure; 0, 1: their own */
 };
 
 enum { SPRING_GAINS = 5 };
@@ -69,7 +68,6 @@ struct spring_motion {
     double *shift;  /* [held_count] work                                       */
     double (*V)[9]; /* [pairs] with beta, else NULL                            */
     struct spring_stencil stencil;    /* leapfrog and momentum                         */
-    struct spring_gauge gauge;        /* leapfrog with a gauge length                  */
     struct spring_leapfrog *leapfrog; /* steps of that integrator, else NULL   owned   */
     struct spring_strips strips;      /* momentum only, as what follows                */
     struct spring_large large;

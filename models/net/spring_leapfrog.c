@@ -54,21 +54,10 @@ static double kept(const struct spring_leapfrog *l, int node)
     return (1 - half) / (1 + half);
 }
 
-/* Tells whether the spring to a neighbour that shares a cell is a matter of tensions. */
-static bool is_gauged(const struct spring_body *body, int n)
-{
-    const int lines = SPRING_GAUGE_LINES;
-
-    return body->gauge && n < 2 * lines &&
-           body->gauge->taken[n < lines ? lines - 1 - n : n - lines];
-}
-
-static void set_neighbour(const struct spring_body *body, int a, int n, double push,
+static void set_neighbour(const struct spring_stencil *s, int a, int n, double push,
                           double *c)
 {
-    const struct spring_stencil *s = body->stencil;
-    double k = is_gauged(body, n) ? 0 : s->spring[a][n], r2 = s->square[n],
-           strut = s->strut ? s->strut[a][n] : 0;
+    double k = s->spring[a][n], r2 = s->square[n], strut = s->strut ? s->strut[a][n] : 0;
 
     if (n >= SPRING_STENCIL_NEAR) {
         c[SWEEP_FAR + n - SPRING_STENCIL_NEAR] = push * (s->strut ? strut : s->bend[a][n]);
@@ -88,7 +77,7 @@ static void set_point(struct spring_leapfrog *l, int a)
     double push = l->dt / (load->mass[a] + load->drag[a] * l->dt / 2), *c = l->c[a];
 
     for (int n = 0; n < SPRING_STENCIL_ALL; n++)
-        set_neighbour(&l->body, a, n, push, c);
+        set_neighbour(s, a, n, push, c);
     for (int n = SPRING_STENCIL_ALL; s->strut && n < SPRING_STENCIL_STRUTS; n++)
         c[SWEEP_CORNER + n - SPRING_STENCIL_ALL] = push * s->strut[a][n];
     c[SWEEP_KEEP] = kept(l, a);
@@ -177,8 +166,6 @@ double spring_leapfrog_limit(const struct spring_leapfrog *l)
  * stiffness along. */
 static double stiffer(const struct spring_leapfrog *l, const double *x)
 {
-    if (l->body.gauge)
-        return spring_gauge_stiffer(l->body.gauge, l->net, x);
     const double stretch2 = spring_stencil_stretch2(l->body.stencil, x);
 
     return l->body.stencil->springs == SPRINGS_LENGTHS ? 2 - 1 / sqrt(stretch2)
@@ -195,9 +182,8 @@ static enum spring_sweep_law law_of(const struct spring_body *body)
 {
     const struct spring_stencil *s = body->stencil;
 
-    return body->cells   ? SWEEP_CELLS
-           : body->gauge ? (body->gauge->all ? SWEEP_GAUGE : SWEEP_GAUGE_U)
-           : s->strut    ? SWEEP_STRUTS
+    return body->cells                     ? SWEEP_CELLS
+           : s->strut                      ? SWEEP_STRUTS
            : s->springs == SPRINGS_LENGTHS ? SWEEP_LENGTHS
                                            : SWEEP_SQUARES;
 }
@@ -215,7 +201,6 @@ static enum status make_sweep(const struct spring_leapfrog *l, enum precision pr
                                      .lag = l->body.load->beta,
                                      .law = law_of(&l->body),
                                      .cells = l->body.cells,
-                                     .gauge = l->body.gauge,
                                      .clamps = s->strut ? net->clamp_count : 0};
     struct spring_sweep_clamp *clamp = malloc(((size_t)plan.clamps + 1) * sizeof *clamp);
 

@@ -24,8 +24,6 @@ struct spring_body {
     const struct supports *supports;
     const struct spring_stencil *stencil;
     const struct spring_cells *cells; /* NULL: the stencil's springs; else in their place */
-    const struct spring_gauge *gauge; /* NULL, or how the stencil's springs, in squares of
-                                         lengths, measure                              */
 };
 
 struct spring_leapfrog; /* opaque */

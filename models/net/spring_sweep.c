@@ -59,14 +59,11 @@ struct spring_sweep {
     struct spring_sweep_clamp *clamp; /* clamps by their points                        */
     int *clamps;                      /* [strips + 1] where those of a strip begin     */
     struct spring_cells cells; /* with cells only, as what follows                     */
-    ptrdiff_t stride; /* of cells, and of gauged springs                                */
+    ptrdiff_t stride;
     char *cell_room;  /* [CELL_SIDES][stride]; NULL: springs                            */
     void **mask;      /* [strips] of [CELL_MASKS][count]                               */
     char *mask_table; /* [strips] of them, as `table`                                   */
     size_t mask_bytes;
-    const struct spring_gauge *gauge; /* NULL, or gauged springs, as what follows      */
-    char *gauge_room; /* [2][SPRING_GAUGE_LINES][stride] stretches, tensions           */
-    char *weight;     /* [SPRING_GAUGE_LINES][SPRING_GAUGE_TAPS][points of the strips] */
 };
 
 static ptrdiff_t whole_vectors(ptrdiff_t points)
@@ -93,16 +90,6 @@ static ptrdiff_t place_of(const struct spring_sweep *s, int node)
     return s->first + node / s->m * s->pitch + node % s->m;
 }
 
-/* Returns how far lines of gauged springs reach beyond the net, in points. */
-static ptrdiff_t gauge_pad(const struct spring_sweep *s)
-{
-    return whole_vectors(SPRING_GAUGE_MOST * (s->pitch + 1));
-}
-
-/* Tells whether springs along a line have tensions of their own. */
-#define GAUGED(law, line)                                                                  \
-    ((law) == SWEEP_GAUGE || ((law) == SWEEP_GAUGE_U && (line) == SPRING_GAUGE_U))
-
 /* Returns the first of the table's entries that equals entry *kinds, which counts as one of
  * them if it is the first of its kind. */
 static void *shared(char *table, size_t bytes, int *kinds)
@@ -119,7 +106,6 @@ static void *shared(char *table, size_t bytes, int *kinds)
 #define ROOT    sqrtf
 #define NAME(x) single_##x
 #include "models/net/spring_sweep_cell.h"
-#include "models/net/spring_sweep_gauge.h"
 #include "models/net/spring_sweep_row.h"
 #undef REAL
 #undef ROOT
@@ -128,7 +114,6 @@ static void *shared(char *table, size_t bytes, int *kinds)
 #define ROOT    sqrt
 #define NAME(x) double_##x
 #include "models/net/spring_sweep_cell.h"
-#include "models/net/spring_sweep_gauge.h"
 #include "models/net/spring_sweep_row.h"
 
 /* Calls the function of the sweep's precision. */
@@ -172,10 +157,8 @@ static enum status allocate(struct spring_sweep *s, int clamps)
     size_t size = s->precision == PRECISION_SINGLE ? sizeof(float) : sizeof(double);
     size_t bytes = size * (size_t)(2 * s->first + s->count * s->strips);
     char *field[SWEEP_SETS][3];
-    const size_t lines = s->gauge ? SPRING_GAUGE_LINES : 0;
 
-    s->stride = s->gauge ? 2 * gauge_pad(s) + s->count * s->strips
-                         : 2 * SWEEP_PAD + whole_vectors(s->pitch) + s->count;
+    s->stride = 2 * SWEEP_PAD + whole_vectors(s->pitch) + s->count;
     s->strip_bytes = size * (size_t)(places(s) * s->count);
     s->mask_bytes = s->law == SWEEP_CELLS ? size * (size_t)(CELL_MASKS * s->count) : 0;
     enum status st = room_cut(
@@ -187,9 +170,7 @@ static enum status allocate(struct spring_sweep *s, int clamps)
         ROOM(s->clamps, (size_t)s->strips + 1), ROOM(s->mask, (size_t)s->strips),
         ROOM(s->mask_table, (size_t)s->strips * s->mask_bytes),
         ROOM(s->cell_room,
-             s->law == SWEEP_CELLS ? size * CELL_SIDES * (size_t)s->stride : 0),
-        ROOM(s->gauge_room, size * 2 * lines * (size_t)s->stride),
-        ROOM(s->weight, size * lines * SPRING_GAUGE_TAPS * (size_t)(s->count * s->strips)));
+             s->law == SWEEP_CELLS ? size * CELL_SIDES * (size_t)s->stride : 0));
     for (int n = 0; st == STATUS_OK && n < 3 * SWEEP_SETS; n++)
         s->field[n / 3][n % 3] = field[n / 3][n % 3];
     return st;
@@ -223,7 +204,7 @@ enum status spring_sweep_make(const struct spring_sweep_plan *plan,
     if (!s)
         return STATUS_MEMORY;
     s->n = plan->n, s->m = plan->m, s->precision = plan->precision, s->lag = plan->lag;
-    s->law = plan->law, s->sheet = plan->sheet, s->gauge = plan->gauge;
+    s->law = plan->law, s->sheet = plan->sheet;
     lay_out(s);
     TRY(allocate(s, plan->clamps));
     set_clamps(s, plan);
@@ -231,8 +212,6 @@ enum status spring_sweep_make(const struct spring_sweep_plan *plan,
         s->cells = *plan->cells;
         BY_PRECISION(s, cells_set, s);
     }
-    if (s->gauge)
-        BY_PRECISION(s, gauge_set, s);
     *sweep = s, s = NULL;
 out:
     spring_sweep_free(s);
@@ -289,10 +268,10 @@ static void run_share(struct spring_sweep *s, double dt, int count, int share, i
     }
 }
 
-/* Strips of cells and of gauged springs depend on others, and run in one thread. */
+/* Strips of cells depend on the one before, and run in one thread. */
 void spring_sweep_run(struct spring_sweep *s, double dt, int count)
 {
-    if (s->n * s->m < SWEEP_SHARED || s->law < SWEEP_SQUARES || omp_get_max_threads() == 1)
+    if (s->n * s->m < SWEEP_SHARED || s->law == SWEEP_CELLS || omp_get_max_threads() == 1)
         run_share(s, dt, count, 0, 1);
     else
 #pragma omp parallel

@@ -16,7 +16,6 @@
 #define SPRING_SWEEP_H
 
 #include "models/discretization.h"
-#include "models/net/spring_gauge.h"
 #include "models/status.h"
 
 /* The coefficients of a point, in the order of spring_stencil_step. */
@@ -28,21 +27,14 @@ enum spring_sweep_place {
     SWEEP_KEEP = 20,
     SWEEP_FREE = 21, /* [3] 1, or 0 for held components                                 */
     SWEEP_KICK = 24, /* [3] of constant forces, zero where held          [m/s]           */
-    SWEEP_PUSH = 27, /* velocity per force of cells, of gauged springs [m/s/N]         */
+    SWEEP_PUSH = 27, /* velocity per force of cells                   [m/s/N]          */
     SWEEP_CORNER = 28, /* [4] over lengths, two away along both, of struts [m/s]          */
     SWEEP_COUNT = 32
 };
 
-/* The kinds of pull: cells; springs in squares of lengths, those along u or all over a
- * gauge length; in squares of lengths; in lengths; in lengths with struts. */
-enum spring_sweep_law {
-    SWEEP_CELLS,
-    SWEEP_GAUGE_U,
-    SWEEP_GAUGE,
-    SWEEP_SQUARES,
-    SWEEP_LENGTHS,
-    SWEEP_STRUTS
-};
+/* The kinds of pull: cells; springs in squares of lengths; in lengths; in lengths with
+ * struts. */
+enum spring_sweep_law { SWEEP_CELLS, SWEEP_SQUARES, SWEEP_LENGTHS, SWEEP_STRUTS };
 
 /* A strut between a point and the mirror image of the point before it, by a clamp's held
  * edge: a push along x_point - x_held + edge. */
@@ -73,7 +65,6 @@ struct spring_sweep_plan {
     double lag; /* beta [s]                                                            */
     enum spring_sweep_law law;
     const struct spring_cells *cells; /* SWEEP_CELLS                                   */
-    const struct spring_gauge *gauge; /* SWEEP_GAUGE, _U; must outlive it              */
     int clamps;                       /* SWEEP_STRUTS                                  */
     const struct spring_sweep_clamp *clamp;
 };

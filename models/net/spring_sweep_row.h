@@ -3,7 +3,7 @@
  * rounding): see CMakeLists.txt. */
 
 /* Pulls at a neighbour `offset` behind: A e, (A + B |e|^2) e, (A + B / |e|) e, or of cells
- * and gauged springs (A + tension) e. */
+ * (A + tension) e. */
 #define EDGE(offset)                                                                       \
     const REAL e0 = x0[j + (offset)] - x0[j], e1 = x1[j + (offset)] - x1[j],               \
                e2 = x2[j + (offset)] - x2[j]
@@ -12,15 +12,13 @@
 #define ADD(pull)       f0 += (pull)*e0, f1 += (pull)*e1, f2 += (pull)*e2
 #define C(part, n)      c[((part) + (n)) * wide + j]
 #define T(side, offset) t[(side)*stride + j + (offset)]
-#define NEAR(n, offset, line, at, cells)                                                   \
+#define NEAR(n, offset, tension)                                                           \
     {                                                                                      \
         EDGE(offset);                                                                      \
         REAL pull = C(SWEEP_A, n);                                                         \
         if (law == SWEEP_CELLS)                                                            \
-            pull += push * (cells);                                                        \
-        else if (GAUGED(law, line))                                                        \
-            pull += push * T(line, at);                                                    \
-        else if (law <= SWEEP_SQUARES)                                                     \
+            pull += push * (tension);                                                      \
+        if (law == SWEEP_SQUARES)                                                          \
             pull += C(SWEEP_B, n) * SQUARE;                                                \
         if (law >= SWEEP_LENGTHS)                                                          \
             pull += C(SWEEP_B, n) * OVER;                                                  \
@@ -48,16 +46,16 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
 
     count -= count % SWEEP_PAD; /* tells the compiler that no rest is left */
     for (ptrdiff_t j = 0; j < count; j++) {
-        const REAL push = law < SWEEP_SQUARES ? c[SWEEP_PUSH * wide + j] : 0;
+        const REAL push = law == SWEEP_CELLS ? c[SWEEP_PUSH * wide + j] : 0;
         REAL f0 = 0, f1 = 0, f2 = 0;
-        NEAR(0, -pitch - 1, 3, -pitch - 1, T(CELL_RISING, -pitch - 1))
-        NEAR(1, -pitch, 2, -pitch, T(CELL_BOTTOM, -pitch) + T(CELL_TOP, -pitch - 1))
-        NEAR(2, -pitch + 1, 1, -pitch + 1, T(CELL_FALLING, -pitch))
-        NEAR(3, -1, 0, -1, T(CELL_LEFT, -1) + T(CELL_RIGHT, -pitch - 1))
-        NEAR(4, 1, 0, 0, T(CELL_LEFT, 0) + T(CELL_RIGHT, -pitch))
-        NEAR(5, pitch - 1, 1, 0, T(CELL_FALLING, -1))
-        NEAR(6, pitch, 2, 0, T(CELL_BOTTOM, 0) + T(CELL_TOP, -1))
-        NEAR(7, pitch + 1, 3, 0, T(CELL_RISING, 0))
+        NEAR(0, -pitch - 1, T(CELL_RISING, -pitch - 1))
+        NEAR(1, -pitch, T(CELL_BOTTOM, -pitch) + T(CELL_TOP, -pitch - 1))
+        NEAR(2, -pitch + 1, T(CELL_FALLING, -pitch))
+        NEAR(3, -1, T(CELL_LEFT, -1) + T(CELL_RIGHT, -pitch - 1))
+        NEAR(4, 1, T(CELL_LEFT, 0) + T(CELL_RIGHT, -pitch))
+        NEAR(5, pitch - 1, T(CELL_FALLING, -1))
+        NEAR(6, pitch, T(CELL_BOTTOM, 0) + T(CELL_TOP, -1))
+        NEAR(7, pitch + 1, T(CELL_RISING, 0))
         FAR(SWEEP_FAR, 0, -2 * pitch)
         FAR(SWEEP_FAR, 1, -2)
         FAR(SWEEP_FAR, 2, 2)
@@ -106,8 +104,6 @@ STRIP(square_strip, SWEEP_SQUARES, false)
 STRIP(length_strip, SWEEP_LENGTHS, false)
 STRIP(strut_strip, SWEEP_STRUTS, false)
 STRIP(lagging_cell_strip, SWEEP_CELLS, true)
-STRIP(gauge_u_strip, SWEEP_GAUGE_U, true)
-STRIP(gauge_strip, SWEEP_GAUGE, true)
 STRIP(lagging_square_strip, SWEEP_SQUARES, true)
 STRIP(lagging_length_strip, SWEEP_LENGTHS, true)
 STRIP(lagging_strut_strip, SWEEP_STRUTS, true)
@@ -149,8 +145,6 @@ static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, i
                                    const REAL *, const REAL *, REAL *, REAL *, REAL *,
                                    REAL *, REAL *, REAL *) = {
         [SWEEP_CELLS] = {NAME(cell_strip), NAME(lagging_cell_strip)},
-        [SWEEP_GAUGE_U] = {NAME(gauge_u_strip), NAME(gauge_u_strip)},
-        [SWEEP_GAUGE] = {NAME(gauge_strip), NAME(gauge_strip)},
         [SWEEP_SQUARES] = {NAME(square_strip), NAME(lagging_square_strip)},
         [SWEEP_LENGTHS] = {NAME(length_strip), NAME(lagging_length_strip)},
         [SWEEP_STRUTS] = {NAME(strut_strip), NAME(lagging_strut_strip)},
@@ -160,13 +154,9 @@ static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, i
 
     if (cells)
         law = NAME(law_of)(&s->cells);
-    if (s->gauge)
-        NAME(gauge_tensions)(s, now);
     for (int i = from; i < to; i++) {
         ptrdiff_t at = s->first + i * s->count;
-        const REAL *x[3], *t = cells      ? NAME(cells_tension)(s, law, now, i)
-                               : s->gauge ? NAME(gauge_room)(s, true, 0) + i * s->count
-                                          : NULL;
+        const REAL *x[3], *t = cells ? NAME(cells_tension)(s, law, now, i) : NULL;
         REAL *v[3], *y[3];
         for (int k = 0; k < 3; k++) {
             x[k] = (const REAL *)s->field[now][k] + at;

@@ -84,8 +84,6 @@ static const struct row {
      {"discretization.strain_limit=0.1",
       "obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1]}}]"}},
     {"mass_spring_leapfrog", "with springs=lengths only", {BENDING "strut"}},
-    {"mass_spring", "with integrator=leapfrog", {"discretization.gauge=2"}},
-    {"mass_spring_gauge", "springs=squares only", {"discretization.springs=lengths"}},
     {"mass_spring_leapfrog", "bending=hinge", {BENDING "hinge"}},
     {"mass_spring_leapfrog",
      "integrator=implicit",

@@ -33,7 +33,6 @@ static const struct row {
     {"mass_spring_momentum", "edge_drop", {"discretization.points=[31,22]"}},
     {"position_based", "edge_drop", {NET, "discretization.substeps=9"}},
     {"mass_spring_single", "edge_drop", {NET, "discretization.substeps=9"}},
-    {"mass_spring_gauge", "edge_drop", {NET, "discretization.substeps=9"}},
     {"mass_spring_leapfrog", "edge_drop", {NET, "discretization.substeps=8"}},
     {"mass_spring_leapfrog", "edge_drop", {NET, "discretization.springs=lengths"}},
     {"mass_spring_leapfrog",

@@ -20,7 +20,7 @@ struct hex {
 static const struct schema_key options[] = {
     {"points"}, {"degree"}, {"gauss"}, {"kinematics"}, {"unknowns"}, {"solver"},
     {"preconditioner"}, {"newton"}, {"substeps"},
-    {"viscosity", .only = OPTION(VISCOSITY_MEMBRANE) | OPTION(VISCOSITY_NONE)},
+    {"viscosity"},
     {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_INCOMPATIBLE)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
     {NULL}};

@@ -26,7 +26,7 @@ struct plate {
 static const struct schema_key options[] = {
     {"points"}, {"degree"}, {"gauss"}, {"knots_u"}, {"knots_v"}, {"knots_w"}, {"weights"},
     {"kinematics"}, {"unknowns"}, {"solver"}, {"preconditioner"}, {"newton"},
-    {"viscosity", .only = OPTION(VISCOSITY_MEMBRANE) | OPTION(VISCOSITY_NONE)}, {"substeps"},
+    {"viscosity"}, {"substeps"},
     {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_REDUCED) |
                        OPTION(REMEDY_SELECTIVE) | OPTION(REMEDY_CLAMPED)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},

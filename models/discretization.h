@@ -77,9 +77,8 @@ enum contact_samples { CONTACT_SURFACE, CONTACT_NET, CONTACT_SAMPLES };
 /* Tangents of Newton's method: kept while they serve, or new in each iteration. */
 enum newton_tangents { NEWTON_CHORD, NEWTON_FULL };
 
-/* The viscosity that damps a membrane's ringing: the scheme's own, none, or one whose
- * energy goes back to the motion (models/mechanics/large_return.h). */
-enum viscosity { VISCOSITY_MEMBRANE, VISCOSITY_NONE, VISCOSITY_RETURNED };
+/* The viscosity that damps a membrane's ringing: the scheme's own, or none. */
+enum viscosity { VISCOSITY_MEMBRANE, VISCOSITY_NONE };
 
 enum { DISCRETIZATION_ROOM = 32 }; /* for a model's own choices [bytes] */
 struct model;

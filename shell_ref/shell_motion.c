@@ -11,7 +11,6 @@
 #include "models/mechanics/dead_load.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/mechanics/large_rest.h"
-#include "models/mechanics/large_return.h"
 #include "models/mechanics/lumped_mass.h"
 #include "models/mechanics/pencil.h"
 #include "models/room.h"
@@ -174,8 +173,7 @@ static enum status make_room(struct shell_motion *m, bool lumped)
 
 static enum status make_large(struct shell_motion *m, const struct discretization *d)
 {
-    const bool rings = d->viscosity == VISCOSITY_NONE,
-               returns = d->viscosity == VISCOSITY_RETURNED;
+    const bool rings = d->viscosity == VISCOSITY_NONE;
 
     m->large = (struct large_motion){
         .body = m->assembly.body,
@@ -191,10 +189,7 @@ static enum status make_large(struct shell_motion *m, const struct discretizatio
         .K = m->K,
         .x = m->x,
         .held = m->held,
-        .lag = rings     ? 0
-               : returns ? large_return_lag
-                         : large_motion_lag,
-        .returns = returns,
+        .lag = rings ? 0 : large_motion_lag,
         .rings = rings,
         .full = d->newton == NEWTON_FULL,
         .pressure = m->pressure.value != 0 ? &m->pressure : NULL,

@@ -99,7 +99,6 @@ struct large_motion {
     double lag;              /* algorithmic viscosity, in steps                        */
     bool relief;             /* lag is large_motion_lag from the first step on that Newton's
                                 method cannot take without                             */
-    bool returns;            /* the viscosity's loss goes back (large_return.h)        */
     bool euler;              /* steps are Euler's implicit ones                        */
     int enough;              /* iterations after which a step is taken; 0: converged   */
     const struct pressure *pressure; /* NULL: none                                    */
@@ -119,8 +118,7 @@ struct large_motion {
     bool rested;         /* x is an equilibrium (large_rest.h)                          */
     int halvings;        /* the present substep is step / 2^halvings                    */
     struct large_leapfrog *leapfrog; /* explicit steps; NULL: implicit         owned   */
-    double elastic, owed; /* energy at x and energy not yet given back; if `returns` [J]  */
-    double push[3];       /* force of bodies, mean over the last step              [N]   */
+    double push[3]; /* force of bodies, mean over the last step              [N]   */
 };
 
 #endif

@@ -6,7 +6,6 @@
 #include "models/mechanics/contact_system.h"
 #include "models/mechanics/large_leapfrog.h"
 #include "models/mechanics/large_newton.h"
-#include "models/mechanics/large_return.h"
 
 /* A step of Newton's method with an old tangent is good enough if it is this much shorter
  * than the last: an assembly and a factorisation cost as much as three or four of them. */
@@ -154,8 +153,6 @@ static enum status substep(struct large_motion *m, double t, double dt,
     move_supports(m, t, dt, mass, x_old, hat);
     TRY(large_newton_solve(m, &equation, m->x, counters));
     finish(m, dt, x_old);
-    if (m->returns)
-        TRY(large_return_give(m, dt, x_old, hat));
     if (m->contact)
         TRY(end_contact(m, dt));
     TRY(keep_strains(m));
@@ -182,8 +179,6 @@ static enum status all_substeps(struct large_motion *m, double time,
                 m->newmark->v[m->supports->held[h]] = held.v[h];
         }
         st = large_body_strain(&m->body, m->x, m->strain_old);
-        if (st == STATUS_OK && m->returns)
-            st = large_return_begin(m);
         if (st != STATUS_OK)
             return st;
         if (m->strain_mean)

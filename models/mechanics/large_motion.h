@@ -12,9 +12,8 @@
  * small wherever a thin sheet can bend, so that positions do not notice (pendulums A5 and
  * C0 at 2.5 ms: worst distance the same to 1 % with lag 0, 0.1 and 1/2), but undamped
  * swings of coarse nets need far fewer assemblies (shipped cantilever, shell, p = 3: 1259
- * for 8857). large_return.h gives that energy back. A shell's bending keeps energy to third
- * order in the step. Stiffness damping is beta times the rate of stress, which knows no
- * rigid motion.
+ * for 8857). A shell's bending keeps energy to third order in the step. Stiffness damping
+ * is beta times the rate of stress, which knows no rigid motion.
  *
  * euler: implicit Euler instead, first order, which damps what is fast:
  *   M (v_1 - v_0)/dt + alpha M v_1 + f(x_1) + beta rate = load,   v_1 = (x_1 - x_0)/dt;

@@ -7,9 +7,6 @@
 
 /* Steps below this part of the length end the iteration. */
 static const double STEP_TOLERANCE = 1e-7;
-/* The same in time where the scheme balances its energy: what is left at 1e-5 takes a
- * tenth of it in ten seconds, at 1e-6 less than a thousandth. */
-static const double BALANCED_TOLERANCE = 1e-6;
 /* The tangent at the predictor is kept after the first step, the longest by far, only if
  * the second is this much shorter: it looks shorter than it is to a tangent whose membrane
  * has not turned with the sheet, and goes astray. (edge_drop, undamped, to 0.4 s, with no
@@ -331,8 +328,7 @@ static double leeway(const struct large_motion *m, const struct large_equation *
 
 static double tolerance(const struct large_motion *m, const struct large_equation *q)
 {
-    const bool balanced = m->returns && q->mass > 0;
-    const double most = (balanced ? BALANCED_TOLERANCE : STEP_TOLERANCE) * m->scene->length;
+    const double most = STEP_TOLERANCE * m->scene->length;
 
     return q->tolerance > 0 ? fmin(most, q->tolerance) : most;
 }

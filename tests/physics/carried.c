@@ -1,11 +1,8 @@
 /* A sheet that is carried along is the still one under another force or wind, by every
  * kinematics but `printed`, whose held points start at rest; and the work of dead loads is
- * energy that a sheet then has. What viscosity takes of that, a sheet has back. */
+ * energy that a sheet then has. */
 #include <float.h>
-#include <string.h>
 
-#include "models/vector.h"
-#include "shell_ref/shell_motion.h"
 #include "tests/opened_run.h"
 
 #define SHEET                                                                              \
@@ -29,8 +26,7 @@ static const struct row {
     {"iga_nonlinear", SOLID, NULL, SOLVED, 1e-3},
     {"iga_selective_3", SOLID, NULL, SOLVED, 1e-3},
     {"hex_incompatible", SOLID, NULL, SOLVED, 1e-3},
-    {"shell_3", NET, NULL, SOLVED, 0.1}, /* algorithmic viscosity */
-    {"shell_3", NET, "discretization.viscosity=returned", SOLVED, 0},
+    {"shell_3", NET, NULL, SOLVED, 0.1},     /* algorithmic viscosity */
     {"triangles", NET, NULL, SOLVED, 0.1},   /* likewise */
     {"mass_spring", NET, NULL, SOLVED, 0.5}, /* implicit Euler damps */
     {"mass_spring_leapfrog", NET, NULL, SOLVED, 1e-3},
@@ -137,56 +133,6 @@ static void check_ringing(void)
     }
 }
 
-/* Sums momentum and angular momentum about the origin [kg m/s, kg m^2/s]. */
-static void momenta(const struct shell_motion *m, double sum[6])
-{
-    double *y = m->newmark.work, one[3];
-
-    memset(sum, 0, 6 * sizeof *sum);
-    blocks_multiply_mass(&m->assembly.graph, m->assembly.M, m->newmark.v, y);
-    for (size_t t = 0; t < 3 * (size_t)m->space->nodes; t += 3) {
-        vector_cross(m->x + t, y + t, one);
-        for (size_t i = 0; i < 3; i++)
-            sum[i] += y[t + i], sum[3 + i] += one[i];
-    }
-}
-
-/* A free sheet that turns, and crumples in waves, keeps its momenta, and its energy only if
- * it has back what viscosity takes. Equations are solved to 1e-6 of the length. */
-static void check_returned(void)
-{
-    static const struct {
-        const char *viscosity;
-        double least, most; /* lost, of the energy at the start */
-    } row[] = {{"discretization.viscosity=membrane", 0.02, 1},
-               {"discretization.viscosity=returned", -1e-4, 1e-4}};
-    const double TOL_MOMENTUM = 1e-6;
-
-    for (int n = 0; n < 2; n++) {
-        struct run run;
-        struct energy e[2];
-        double p[2][6];
-        OPENED_RUN(&run, "cantilever", "shell_3", SHEET, "discretization.points=[8,7]",
-                   "damping={kind: none}", "gravity=[0,0,0]", "supports=[]",
-                   "motion={velocity: [0.3,-0.2,0.5], spin: [1,2,3], ripple: [0,0,2], "
-                   "wave: 0.4}",
-                   row[n].viscosity);
-        for (int k = 0; k < 2; k++) {
-            opened_steps(&run, k * 4 * STEPS);
-            run.model->energy(run.state, &e[k]);
-            momenta(run.state, p[k]);
-        }
-        const double lost =
-            1 - (e[1].kinetic + e[1].elastic) / (e[0].kinetic + e[0].elastic);
-        if (!CHECK(lost > row[n].least && lost < row[n].most))
-            printf("  %s: lost %g\n", row[n].viscosity, lost);
-        for (int i = 0; i < 6; i++)
-            if (!CHECK_NEAR(p[1][i], p[0][i], TOL_MOMENTUM * fabs(p[0][i])))
-                printf("  %s: momentum %d\n", row[n].viscosity, i);
-        run_close(&run);
-    }
-}
-
 /* Two held edges that approach each other: Newton's method fails in a solid whose membrane
  * rings, and the viscosity that it takes on then spares tangents. */
 static void check_relief(void)
@@ -217,7 +163,6 @@ static void check_relief(void)
 int main(void)
 {
     check_ringing();
-    check_returned();
     check_relief();
     for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
         for (int k = 0; k < 2; k++)

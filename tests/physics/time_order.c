@@ -29,7 +29,6 @@ static const struct row {
 } rows[] = {
     {"iga_nonlinear", SOLID, 40, 2, false, {0}},
     {"shell_3", NET, 10, 2, false, {"discretization.viscosity=none"}},
-    {"shell_3", NET, 10, 1, false, {"discretization.viscosity=returned"}},
     {"iga_explicit_3", SOLID, 40, 2, false, {0}},
     {"hex_explicit", SOLID, 40, 2, false, {0}},
     {"shell_explicit_3", NET, 40, 2, false, {0}},

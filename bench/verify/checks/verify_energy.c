@@ -1,5 +1,4 @@
 #include <math.h>
-#include <time.h>
 
 #include "bench/verify/verify_check.h"
 
@@ -7,16 +6,12 @@
  * what Newton's method leaves (a solid) or third order in the step (a shell's bending);
  * they may lose a twentieth by the viscosity that damps waves shorter than a step, and
  * explicit ones, which have none, as little as they gain. Linear models with average
- * acceleration keep their quadratic energy to round-off. What viscosity took and the motion
- * has back is to cost no more than DEARER of the viscous step's time. */
+ * acceleration keep their quadratic energy to round-off. */
 #define GAIN   1e-3
-#define KEEPS  0.02
-#define DEARER 0.3
 #define LINEAR 1e-9
 #define LOSS   0.05
 
-/* Tolerances are of the gain, second ones of the loss. Dear ones have no row of 10 s,
- * unless marked. */
+/* Tolerances are of the gain, second ones of the loss. Dear ones have no row of 10 s. */
 #define AVERAGE LINEAR, "average acceleration keeps a linear model's energy"
 #define VISCOUS GAIN, "kept but for the membrane's viscosity, 0.1 dt"
 #define KEPT    GAIN, "energy-momentum scheme"
@@ -30,15 +25,8 @@
     .second = claim
 #define SPRING     1e-2 /* claim for springs */
 #define NOT_STABLE .changed = "the same of steps just stable, which do not keep it for 10 s"
-/* Their cost is measured beside the scheme's own viscosity. */
-#define WITHOUT                                                                            \
-    .more = "no viscosity", .settings = {"discretization.viscosity=none"}, .mark = true
-#define RETURNED                                                                           \
-    .more = "returned", .settings = {"discretization.viscosity=returned"}, .mark = true,   \
-    .second = KEEPS,                                                                       \
-    .changed = "0.001 gained; 12x12 points gained 0.0012 of what they had lost before"
-#define BALANCED KEEPS, "viscosity that is given back, late where a step took much"
-#define RINGS    "a coarse net's membrane rings, which its viscosity takes"
+#define WITHOUT    .more = "no viscosity", .settings = {"discretization.viscosity=none"}
+#define RINGS      "a coarse net's membrane rings, which its viscosity takes"
 /* clang-format off */
 static const struct verify_subject entries[] = {
     {"iga_linear", AVERAGE, {10}, .settings = {"gravity=[0,0,-0.01]"}, .second = LINEAR},
@@ -52,11 +40,7 @@ static const struct verify_subject entries[] = {
      .changed = "as now; taken back for a while after the loss was missed"},
     {"shell_3", VISCOUS, {16}, .dear = true, .second = LOSS, INSTEAD},
     {"shell_selective_3", KEPT, {10}, .second = LOSS},
-    {"shell_3", 0, NULL, {10}, .dear = true, WITHOUT},
-    {"shell_3", BALANCED, {10}, RETURNED},
-    {"shell_3", BALANCED, {12}, .dear = true, RETURNED},
-    {"shell_selective_3", BALANCED, {10}, RETURNED},
-    {"shell_selective_3", BALANCED, {12}, .dear = true, RETURNED},
+    {"shell_3", 0, NULL, {10}, WITHOUT},
     {"shell_explicit_3", 0, STABLE, {10}},
     {"shell_explicit_3", GAIN, ALIKE, {10}, SHORTER(GAIN, 100)},
     {"shell_explicit_3", 0, STABLE, {16}},
@@ -105,54 +89,13 @@ static enum status note_energy(void *context, const struct motion *m, struct mes
     return STATUS_OK;
 }
 
-static enum status pass(void *context, const struct motion *m, struct message *why)
-{
-    (void)context, (void)m, (void)why;
-    return STATUS_OK;
-}
-
-/* Returns the processor time of a run [s]; NAN where it did not live. */
-static double cost(const struct verify_subject *s, double end, double dt)
-{
-    struct verify_row unused = {.seconds = 0};
-    struct verify_trial t = {&unused, s, "edge_drop", .end = end};
-    const clock_t start = clock();
-
-    verify_trial_set(&t, "damping={kind: none}; time.step=%.17g", dt);
-    return verify_trial_watch(&t, pass, NULL) ? (double)(clock() - start) / CLOCKS_PER_SEC
-                                              : NAN;
-}
-
-/* Adds the cost beside the scheme's own viscosity: the least of turns. */
-static void add_cost(struct verify_subject *s, double end, double dt)
-{
-    enum { TURNS = 2 };
-    const bool claimed = s->second > 0;
-    struct verify_subject viscous = *s;
-    double least[2] = {INFINITY, INFINITY};
-
-    viscous.settings[0] = "discretization.viscosity=membrane";
-    for (int n = 0; n < TURNS; n++) {
-        least[0] = fmin(least[0], cost(&viscous, end, dt));
-        least[1] = fmin(least[1], cost(s, end, dt));
-    }
-    verify_subject_claim(s, claimed ? DEARER : NAN, NULL);
-    struct verify_row *row =
-        verify_sheet_add(s, "time above the viscous, %g s by %g ms", end, 1e3 * dt);
-    row->value = least[1] / least[0], row->truth = 1;
-    verify_row_judge_error(row, fmax(0, row->value - 1), 0);
-    row->seconds = least[0] + least[1];
-    verify_row_note(row, "%.3g s for %.3g s, processor time, the least of %d by turns",
-                    least[1], least[0], TURNS);
-}
-
 static void add_rows(struct verify_subject *s)
 {
     static const double dts[] = {0.005, 0.0025, 0.005}, ends[] = {2, 2, 10};
     const double dt = dts[s->at], end = s->sheet->quick ? 0.6 : ends[s->at];
     struct ledger l = {0};
 
-    if (s->dear && end > 2 && !s->mark)
+    if (s->dear && end > 2)
         return;
     struct verify_trial t =
         verify_trial_of(s, "edge_drop", "energy gained, %g s by %g ms", end, 1e3 * dt);
@@ -173,8 +116,6 @@ static void add_rows(struct verify_subject *s)
         s->reason = NULL;
         t.row = verify_sheet_add(s, "energy lost, %g s by %g ms", end, 1e3 * dt);
         verify_row_judge_error(t.row, l.lost / l.turned, 0);
-        if (s->mark && end > 2)
-            add_cost(s, end, dt);
     }
 }
 

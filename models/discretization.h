@@ -60,7 +60,6 @@ enum integrator {
     INTEGRATOR_LEAPFROG, /* explicit, second order                                     */
     INTEGRATOR_MOMENTUM, /* implicit, second order, keeps energy and momenta           */
     INTEGRATOR_BDF2,     /* implicit, second order, backward differences               */
-    INTEGRATOR_MIDPOINT, /* implicit, second order, damps nothing                      */
 };
 
 /* The precision of positions in leapfrog steps and in position_based. */

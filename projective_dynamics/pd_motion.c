@@ -192,9 +192,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
 
     *m = (struct pd_motion){.scene = scene, .options = *options};
     m->dt = scene->step / options->substeps;
-    m->span = options->second     ? backward_span(m->dt)
-              : options->midpoint ? m->dt / 2
-                                  : m->dt;
+    m->span = options->second ? backward_span(m->dt) : m->dt;
     TRY(hold_nodes(m, why));
     if (!(clamped = malloc((size_t)m->supports.nodes * sizeof *clamped)))
         TRY(STATUS_MEMORY);
@@ -259,8 +257,7 @@ void pd_motion_begin(struct pd_motion *m)
             m->x[at] = flight / inert;
         }
     }
-    supports_shift(&m->supports, m->scene,
-                   m->time + (m->options.midpoint ? m->span : m->dt), m->shift);
+    supports_shift(&m->supports, m->scene, m->time + m->dt, m->shift);
     for (int h = 0; h < m->supports.held_count; h++) {
         ptrdiff_t at = place(m, m->supports.held[h]);
         m->x[at] = m->base[at] = m->energy.rest[at] + m->shift[h];
@@ -353,28 +350,6 @@ static void arrive(struct pd_motion *m)
     }
 }
 
-/* Ends a step of the midpoint rule: the span ends in its middle; positions and velocities
- * go on as far again, and held ones to where their support is. */
-static void pass_middle(struct pd_motion *m)
-{
-    const struct pd_net *net = &m->energy.net;
-
-    for (int c = 0; c < 3; c++) {
-        ptrdiff_t first = c * pd_net_stride(net);
-        for (ptrdiff_t at = first; at < first + net->nodes; at++) {
-            const double v = (m->x[at] - m->start[at]) / m->span;
-            m->v[at] = v + (v - m->v[at]);
-            m->x[at] += m->x[at] - m->start[at];
-        }
-    }
-    supports_shift(&m->supports, m->scene, m->time + m->dt, m->shift);
-    for (int h = 0; h < m->supports.held_count; h++) {
-        ptrdiff_t at = place(m, m->supports.held[h]);
-        m->x[at] = m->energy.rest[at] + m->shift[h];
-        m->v[at] = (m->x[at] - m->start[at]) / m->dt;
-    }
-}
-
 /* Corrects BDF2's history after a step: a node on which contact pushes, which comes without
  * notice, has Euler's velocity along the normal, and had it a step ago. */
 static void touch(struct pd_motion *m)
@@ -424,10 +399,7 @@ static enum status step(struct pd_motion *m, struct counters *counters)
     counters->solves += m->contact.solves - pushes;
     if (m->contact.system)
         TRY(add_push(m));
-    if (m->options.midpoint)
-        pass_middle(m);
-    else
-        arrive(m);
+    arrive(m);
     if (m->options.second)
         touch(m);
     m->time += m->dt;

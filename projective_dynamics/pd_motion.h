@@ -1,6 +1,5 @@
-/* pd_motion.h - the sheet in time: implicit Euler, BDF2 (backward.h) or the midpoint rule
- * (half a step of Euler, and as far again: Dinev, Liu, Kavan 2018), by local
- * and global steps in turn (Bouaziz et al. 2014, algorithm 1).
+/* pd_motion.h - the sheet in time: implicit Euler or BDF2 (backward.h), by local and global
+ * steps in turn (Bouaziz et al. 2014, algorithm 1).
  *
  * A step solves M (x - x_old - dt v) / dt^2 + alpha M (x - x_old) / dt = f - dE/dx: the
  * free flight is the first guess, then b = M (...) + dt^2 sum w G^T p(G x), A x = b, over
@@ -31,7 +30,6 @@ struct pd_options {
     bool chebyshev;   /* Wang 2015, and taken back where it does not descend           */
     bool split;       /* ADMM; of triangles                                            */
     bool second;      /* BDF2 for implicit Euler                                       */
-    bool midpoint;    /* implicit midpoint rule for implicit Euler; no obstacles       */
     enum solver solver;
 };
 
@@ -45,7 +43,7 @@ struct pd_motion {
     struct pd_contact contact; /* all zero without obstacles                           */
     double push[3];            /* force of obstacles, mean over the last frame   [N]   */
     double dt, alpha; /* [s], [1/s]                                                    */
-    double span;      /* Euler's step [s]: dt, less with BDF2 and the midpoint rule    */
+    double span;      /* Euler's step [s]: dt, less with BDF2                          */
     struct backward backward;     /* all zero without BDF2                             */
     const double *origin, *speed; /* where and how fast the span begins, three fields  */
     double radius; /* Chebyshev: of the iteration about the rest shape              */

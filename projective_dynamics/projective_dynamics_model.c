@@ -16,8 +16,7 @@ static const struct schema_key options[] = {
     OPTIONS_NET, {"parameters"}, {"tolerance"},
     {"solver", .only = OPTION(SOLVER_AUTO) | OPTION(SOLVER_BANDED) |
                        OPTION(SOLVER_SUPERNODAL) | OPTION(SOLVER_CHOLMOD)},
-    {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_BDF2) |
-                           OPTION(INTEGRATOR_MIDPOINT)},
+    {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_BDF2)},
     {"constraint", "constraints that resist stretching", SCHEMA_WORD,
      .words = pd_energy_constraints,
      OPTION_OWN(pd_own, constraint)},
@@ -68,7 +67,6 @@ static struct pd_options options_of(const struct scene *scene,
         .chebyshev = own->acceleration == ACCELERATION_CHEBYSHEV,
         .split = own->acceleration == ACCELERATION_ADMM,
         .second = d->integrator == INTEGRATOR_BDF2,
-        .midpoint = d->integrator == INTEGRATOR_MIDPOINT,
         .solver = d->solver,
     };
 
@@ -87,11 +85,6 @@ static enum status init(void *state, const struct scene *scene,
     TRY(contact_rest_refuse(scene, why));
     if (d->parameters == PARAMETERS_MATCHED)
         TRY(refuse_damping(scene, why));
-    if (d->integrator == INTEGRATOR_MIDPOINT && contact_wanted(scene))
-        return status_fail(
-            why, STATUS_UNSUPPORTED,
-            "integrator=midpoint: without contact only, as a sheet that is outside of "
-            "obstacles in the middle of a step may be inside at its end");
     if (chosen.split && chosen.constraint != CONSTRAINT_TRIANGLES)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "acceleration=admm: with constraint=triangles only");

@@ -49,10 +49,6 @@ static const struct row {
      {"discretization.substeps=2", "discretization.constraint=edges"},
      EULER,
      SUMS},
-    {"projective_dynamics",
-     {"discretization.integrator=midpoint", "discretization.substeps=2"},
-     AVERAGE,
-     SOLVED},
     {"projective_dynamics_bdf2", {"discretization.substeps=2"}, BDF2, SUMS},
 };
 

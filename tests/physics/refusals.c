@@ -13,7 +13,6 @@ enum { MOST = 4 };
 #define IMPLICIT  "discretization.integrator=implicit"
 #define MOMENTUM  "discretization.integrator=momentum"
 #define BDF2      "discretization.integrator=bdf2"
-#define MIDPOINT  "discretization.integrator=midpoint"
 #define SINGLE    "discretization.precision=single"
 #define THICKNESS "discretization.unknowns=thickness"
 #define BENDING   "discretization.bending="
@@ -89,10 +88,8 @@ static const struct row {
      "integrator=implicit",
      {STIFF, LIGHT}}, /* steps too small to take */
     {"mass_spring", "integrator=bdf2", {BDF2}},
-    {"mass_spring", "integrator=midpoint", {MIDPOINT}},
     {"triangles", "triangles has implicit, leapfrog", {EXPLICIT}},
     {"triangles", "integrator=bdf2", {BDF2}},
-    {"triangles", "integrator=midpoint", {MIDPOINT}},
     {"triangles", "bending=strut: triangles has quadratic, hinge", {BENDING "strut"}},
     {"triangles", "bending=quadratic", {LEAPFROG, SINGLE, BENDING "hinge"}},
     {"triangles", "iterations", {"discretization.iterations=1"}},

@@ -54,7 +54,6 @@ static const struct row {
      {"discretization.substeps=1", "discretization.iterations=300"}},
     {"projective_dynamics", NET, 40, 1, false, {TO_THE_END}},
     {"projective_dynamics", NET, 40, 2, false, {TO_THE_END, "discretization.integrator=bdf2"}},
-    {"projective_dynamics", NET, 40, 2, true, {TO_THE_END, "discretization.integrator=midpoint"}},
 };
 /* clang-format on */
 /* Explicit steps know the same forces as implicit ones, each law: of 0.5 m, 0.1 mm is what

@@ -55,10 +55,6 @@ static const struct verify_subject entries[] = {
     {"position_based,projective_dynamics", 0, EULER, {21}},
     {"projective_dynamics_bdf2", 0, "backward differences: damps what the step does not resolve",
      {21}},
-    {"projective_dynamics_bdf2", SPRING, ALIKE, {11}, .more = "midpoint",
-     .settings = {"discretization.integrator=midpoint", "discretization.substeps=20",
-                  "discretization.iterations=30"}, .second = SPRING,
-     .changed = "in ten steps a frame of fifty iterations, which do not keep it for 10 s"},
     {NULL}};
 /* clang-format on */
 static const struct verify_field field = {

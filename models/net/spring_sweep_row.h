@@ -36,11 +36,10 @@
  * row; t: tensions of cells, [CELL_SIDES][stride] and the row before; NULL without. */
 static inline __attribute__((always_inline)) void
 NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
-             ptrdiff_t pitch, REAL dt, REAL lag, const bool lags, const REAL *restrict t,
-             ptrdiff_t stride, const REAL *restrict c, const REAL *restrict x0,
-             const REAL *restrict x1, const REAL *restrict x2, REAL *restrict v0,
-             REAL *restrict v1, REAL *restrict v2, REAL *restrict y0, REAL *restrict y1,
-             REAL *restrict y2)
+             ptrdiff_t pitch, REAL dt, REAL lag, const REAL *restrict t, ptrdiff_t stride,
+             const REAL *restrict c, const REAL *restrict x0, const REAL *restrict x1,
+             const REAL *restrict x2, REAL *restrict v0, REAL *restrict v1,
+             REAL *restrict v2, REAL *restrict y0, REAL *restrict y1, REAL *restrict y2)
 {
     const REAL NOT_ZERO = (REAL)1e-30; /* m^2: where points meet, in padding, as 0 / 0 */
 
@@ -71,9 +70,9 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
         REAL new0 = keep * v0[j] + (free[0] * f0 + kick[0]);
         REAL new1 = keep * v1[j] + (free[wide] * f1 + kick[wide]);
         REAL new2 = keep * v2[j] + (free[2 * wide] * f2 + kick[2 * wide]);
-        y0[j] = x0[j] + dt * new0 + (lags ? lag * (new0 - v0[j]) : 0);
-        y1[j] = x1[j] + dt * new1 + (lags ? lag * (new1 - v1[j]) : 0);
-        y2[j] = x2[j] + dt * new2 + (lags ? lag * (new2 - v2[j]) : 0);
+        y0[j] = x0[j] + dt * new0 + lag * (new0 - v0[j]);
+        y1[j] = x1[j] + dt * new1 + lag * (new1 - v1[j]);
+        y2[j] = x2[j] + dt * new2 + lag * (new2 - v2[j]);
         v0[j] = new0, v1[j] = new1, v2[j] = new2;
     }
 }
@@ -87,7 +86,7 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
 #undef T
 #undef FAR
 
-#define STRIP(name, law, lags)                                                             \
+#define STRIP(name, law)                                                                   \
     CLONES static void NAME(name)(                                                         \
         ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt, REAL lag,               \
         const REAL *restrict t, ptrdiff_t stride, const REAL *restrict c,                  \
@@ -96,17 +95,13 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
         REAL *restrict y1, REAL *restrict y2)                                              \
     {                                                                                      \
         NAME(gather)                                                                       \
-        (law, count, wide, pitch, dt, lag, lags, t, stride, c, x0, x1, x2, v0, v1, v2, y0, \
-         y1, y2);                                                                          \
+        (law, count, wide, pitch, dt, lag, t, stride, c, x0, x1, x2, v0, v1, v2, y0, y1,   \
+         y2);                                                                              \
     }
-STRIP(cell_strip, SWEEP_CELLS, false)
-STRIP(square_strip, SWEEP_SQUARES, false)
-STRIP(length_strip, SWEEP_LENGTHS, false)
-STRIP(strut_strip, SWEEP_STRUTS, false)
-STRIP(lagging_cell_strip, SWEEP_CELLS, true)
-STRIP(lagging_square_strip, SWEEP_SQUARES, true)
-STRIP(lagging_length_strip, SWEEP_LENGTHS, true)
-STRIP(lagging_strut_strip, SWEEP_STRUTS, true)
+STRIP(cell_strip, SWEEP_CELLS)
+STRIP(square_strip, SWEEP_SQUARES)
+STRIP(length_strip, SWEEP_LENGTHS)
+STRIP(strut_strip, SWEEP_STRUTS)
 #undef STRIP
 
 /* Adds the struts of clamps at points of strip i, after all else: they are few. */
@@ -140,14 +135,14 @@ static void NAME(clamps)(const struct spring_sweep *s, REAL dt, int now, int i)
 /* Takes one step of strips [from, to), from set `now` of the positions into the other. */
 static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, int to)
 {
-    static void (*const step[][2])(ptrdiff_t, ptrdiff_t, ptrdiff_t, REAL, REAL,
-                                   const REAL *, ptrdiff_t, const REAL *, const REAL *,
-                                   const REAL *, const REAL *, REAL *, REAL *, REAL *,
-                                   REAL *, REAL *, REAL *) = {
-        [SWEEP_CELLS] = {NAME(cell_strip), NAME(lagging_cell_strip)},
-        [SWEEP_SQUARES] = {NAME(square_strip), NAME(lagging_square_strip)},
-        [SWEEP_LENGTHS] = {NAME(length_strip), NAME(lagging_length_strip)},
-        [SWEEP_STRUTS] = {NAME(strut_strip), NAME(lagging_strut_strip)},
+    static void (*const step[])(ptrdiff_t, ptrdiff_t, ptrdiff_t, REAL, REAL, const REAL *,
+                                ptrdiff_t, const REAL *, const REAL *, const REAL *,
+                                const REAL *, REAL *, REAL *, REAL *, REAL *, REAL *,
+                                REAL *) = {
+        [SWEEP_CELLS] = NAME(cell_strip),
+        [SWEEP_SQUARES] = NAME(square_strip),
+        [SWEEP_LENGTHS] = NAME(length_strip),
+        [SWEEP_STRUTS] = NAME(strut_strip),
     };
     const bool cells = s->law == SWEEP_CELLS;
     struct NAME(law) law = {0};
@@ -163,9 +158,9 @@ static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, i
             y[k] = (REAL *)s->field[!now][k] + at;
             v[k] = (REAL *)s->field[SWEEP_V][k] + at;
         }
-        step[s->law][s->lag > 0](points_of(s, i), s->count, s->pitch, (REAL)dt,
-                                 (REAL)s->lag, t, s->stride, s->strip[i], x[0], x[1], x[2],
-                                 v[0], v[1], v[2], y[0], y[1], y[2]);
+        step[s->law](points_of(s, i), s->count, s->pitch, (REAL)dt, (REAL)s->lag, t,
+                     s->stride, s->strip[i], x[0], x[1], x[2], v[0], v[1], v[2], y[0], y[1],
+                     y[2]);
         NAME(clamps)(s, (REAL)dt, now, i);
     }
 }

@@ -137,7 +137,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
     TRY(spring_newton_init(&m->newton, scene, &m->net, d, why));
     if (!squares)
-        TRY(spring_newton_system(&m->newton, scene));
+        TRY(spring_newton_system(&m->newton));
     TRY(allocate(m));
     memcpy(m->x, m->net.rest, 3 * (size_t)m->net.nodes * sizeof *m->x);
     supports_initial_velocity(&m->newton.supports, scene, m->net.rest, NULL, m->v);

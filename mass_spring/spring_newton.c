@@ -47,7 +47,7 @@ static enum status make_hinges(struct spring_newton *s)
     return STATUS_OK;
 }
 
-enum status spring_newton_system(struct spring_newton *s, const struct scene *scene)
+enum status spring_newton_system(struct spring_newton *s)
 {
     enum status st = make_hinges(s);
     const int *points = s->net->points;
@@ -60,7 +60,7 @@ enum status spring_newton_system(struct spring_newton *s, const struct scene *sc
         return STATUS_MEMORY;
     order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
     TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
-    system_precision(&s->system, contact_wanted(scene) ? FACTOR_SINGLE : FACTOR_HALF);
+    system_single(&s->system);
     st = iterative_follow(s->system.iterative, frames, s, false);
 out:
     free(order);

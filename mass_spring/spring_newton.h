@@ -10,9 +10,8 @@
  *
  * The linear systems are solved by conjugate gradients that an earlier factor, turned with
  * the net, preconditions (iterative.h), unless the discretization has another solver; that
- * of a large net in single precision and, where nothing is met, with half the digits in
- * memory: a tenth more iterations that read half as much. To 1e-2 of the step, or a tenth
- * of the tolerance, if others follow; 1e-4 if it is the only one.
+ * of a large net in single precision. To 1e-2 of the step, or a tenth of the tolerance, if
+ * others follow; 1e-4 if it is the only one.
  *
  * Contact adds its forces and their stiffness, and a step leaves a tenth of each distance
  * to a wall (contact_limit).
@@ -60,7 +59,7 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
                                struct message *why);
 
 /* Makes the system and hinges, once, to solve with: leapfrog only needs the supports. */
-enum status spring_newton_system(struct spring_newton *s, const struct scene *scene);
+enum status spring_newton_system(struct spring_newton *s);
 
 void spring_newton_clear(struct spring_newton *s);
 

@@ -193,7 +193,7 @@ enum status spring_rest_equilibrium(void *motion, struct counters *counters,
     struct search s = {.m = m};
 
     TRY(supports_allow_rest(&m->newton.supports, m->scene, false, why));
-    TRY(spring_newton_system(&m->newton, m->scene));
+    TRY(spring_newton_system(&m->newton));
     s.r = m->start, s.d = m->target;
     s.from = malloc(count * sizeof *s.from);
     if (!s.from)

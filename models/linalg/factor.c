@@ -22,8 +22,7 @@ struct factor {
     int *place;               /* [n] row in the permuted right-hand side               */
     bool straight;            /* place[i] == i for all i                               */
     bool ready;               /* the last refactor succeeded                           */
-    enum factor_precision precision; /* of value from the next refactor on; work: floats
-                                        but for double                                 */
+    bool single;        /* value and work hold floats from the next refactor on        */
     int shift;          /* floats are those of 2^shift A; even, so that L has the same
                            digits                                                      */
     double *value;      /* [first_slot[part_count] + 1]                          */
@@ -247,7 +246,7 @@ enum status factor_refactor(struct factor *f)
     enum status st = STATUS_OK;
     float *narrow = NULL;
     f->ready = f->ready_three = false;
-    if (f->precision != FACTOR_DOUBLE) {
+    if (f->single) {
         choose_shift(f);
         narrow = factor_numbers_narrow(f->first_slot[f->part_count], ldexp(1, f->shift),
                                        f->value);
@@ -256,19 +255,16 @@ enum status factor_refactor(struct factor *f)
         TRY(narrow
                 ? f->part[p].method->refactor_single(&f->part[p], narrow + f->first_slot[p])
                 : f->part[p].method->refactor(&f->part[p], f->value + f->first_slot[p]));
-    if (f->precision == FACTOR_HALF)
-        factor_numbers_halve(f->first_slot[f->part_count], narrow);
     f->ready = true;
 out:
     return st;
 }
 
-void factor_precision(struct factor *f, enum factor_precision precision)
+void factor_single(struct factor *f, bool single)
 {
-    f->precision = precision;
+    f->single = single;
     for (int p = 0; p < f->part_count; p++)
-        if (!f->part[p].method->solve_single)
-            f->precision = FACTOR_DOUBLE;
+        f->single = f->single && f->part[p].method->solve_single;
     f->ready = f->ready_three = false;
     memset(f->work, 0, f->first_row[f->part_count] * sizeof *f->work);
 }
@@ -292,11 +288,8 @@ static enum status solve_single(struct factor *f, double *b)
     for (int p = 0; p < f->part_count; p++) {
         const struct factor_part *part = &f->part[p];
         float *own = x + f->first_row[p];
-        TRY(f->precision == FACTOR_HALF
-                ? part->method->solve_half(&f->part[p],
-                                           (uint16_t *)f->value + f->first_slot[p], own)
-                : part->method->solve_single(&f->part[p],
-                                             (float *)f->value + f->first_slot[p], own));
+        TRY(part->method->solve_single(&f->part[p], (float *)f->value + f->first_slot[p],
+                                       own));
         for (int i = part->n; i < f->first_row[p + 1] - f->first_row[p]; i++)
             own[i] = 0;
     }
@@ -311,7 +304,7 @@ enum status factor_solve(struct factor *f, double *b)
     enum status st = STATUS_OK;
     double *x = f->work;
     assert(f->ready);
-    if (f->precision != FACTOR_DOUBLE)
+    if (f->single)
         return solve_single(f, b);
     if (f->straight && f->n)
         memcpy(x, b, f->n * sizeof *x);
@@ -398,8 +391,7 @@ enum status factor_solve_many(struct factor *f, int count, double *b, ptrdiff_t 
 {
     enum status st = STATUS_OK;
     assert(f->ready && count >= 0);
-    for (; count >= SIDES && f->precision == FACTOR_DOUBLE;
-         count -= SIDES, b += SIDES * stride)
+    for (; count >= SIDES && !f->single; count -= SIDES, b += SIDES * stride)
         TRY(solve_three(f, b, stride));
     for (; count > 0; count--, b += stride)
         TRY(factor_solve(f, b));

@@ -44,11 +44,9 @@ void factor_clear_values(struct factor *f);
 /* Factors. STATUS_INDEFINITE if not positive definite (or not finite). */
 enum status factor_refactor(struct factor *f);
 
-/* Chooses the precision of L from the next factor_refactor on, for callers that iterate on
- * the residual: single, about half the time, of which half keeps 8 digits, so that a solve
- * reads half as much. CHOLMOD stays in double. */
-enum factor_precision { FACTOR_DOUBLE, FACTOR_SINGLE, FACTOR_HALF };
-void factor_precision(struct factor *f, enum factor_precision precision);
+/* Chooses the precision of L from the next factor_refactor on: single takes about half the
+ * time, for callers that iterate on the residual. CHOLMOD stays in double. */
+void factor_single(struct factor *f, bool single);
 
 /* Solves A x = b in place, b[n]. Only after a successful refactor. */
 enum status factor_solve(struct factor *f, double *b);

@@ -1,7 +1,6 @@
 /* factor_banded_kernel.h - factor_banded.c's arithmetic for one kind of REAL: included once
- * for each, with STORED, NAME(x) and SWEEPS_ONLY as in tile_kernel.h. */
+ * for each, with NAME(x) as in tile_kernel.h. */
 
-#ifndef SWEEPS_ONLY
 /* Finishes tiles (row .. row + count - 1, column) of L; `count` is a constant where this is
  * inlined. Tiles left of a row's first one do not exist; later rows begin later. */
 TILE_INLINE void NAME(finish_tiles)(const struct banded *band, REAL *const *tile, int count,
@@ -51,24 +50,21 @@ static enum status NAME(refactor)(struct factor_part *part, REAL *value)
     return STATUS_OK;
 }
 
-#endif
-
-static enum status NAME(solve)(struct factor_part *part, const STORED *value, REAL *b)
+static enum status NAME(solve)(struct factor_part *part, const REAL *value, REAL *b)
 {
-    _Alignas(64) REAL room[TILE_SIZE];
     const struct banded *band = part->state;
     const REAL *inverse = (const REAL *)band->inverse;
     for (int k = 0; k < band->tiles; k++) {
-        const STORED *tile = value + band->start[k];
+        const REAL *tile = value + band->start[k];
         REAL *x = b + k * TILE;
-        NAME(tile_forward)(NAME(tile_open)(tile, room), inverse + k * TILE, x);
+        NAME(tile_forward)(tile, inverse + k * TILE, x);
         NAME(tile_subtract)(band->last[k] - k, tile + TILE_SIZE, x, x + TILE);
     }
     for (int k = band->tiles - 1; k >= 0; k--) {
-        const STORED *tile = value + band->start[k];
+        const REAL *tile = value + band->start[k];
         REAL *x = b + k * TILE;
         NAME(tile_subtract_transposed)(band->last[k] - k, tile + TILE_SIZE, x + TILE, x);
-        NAME(tile_backward)(NAME(tile_open)(tile, room), inverse + k * TILE, x);
+        NAME(tile_backward)(tile, inverse + k * TILE, x);
     }
     return STATUS_OK;
 }

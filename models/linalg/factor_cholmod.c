@@ -175,5 +175,5 @@ static void destroy(struct factor_part *part)
 }
 
 const struct factor_method factor_cholmod = {
-    "cholmod",   create, slot, refactor, solve,    prepare_three,
-    solve_three, NULL,   NULL, NULL,     describe, destroy};
+    "cholmod",   create, slot, refactor, solve,  prepare_three,
+    solve_three, NULL,   NULL, describe, destroy};

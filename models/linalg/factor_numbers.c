@@ -4,7 +4,6 @@
 #include <sys/mman.h>
 
 #include "models/linalg/factor_part.h"
-#include "models/linalg/tile.h"
 
 double *factor_numbers(ptrdiff_t count)
 {
@@ -32,23 +31,4 @@ float *factor_numbers_narrow(ptrdiff_t count, double scale, double *x)
         memcpy((float *)x + from, narrow, n * sizeof *narrow);
     }
     return (float *)x;
-}
-
-/* Rounds a float's bits to the upper half, ties to even. */
-static uint32_t upper(uint32_t bits)
-{
-    return (bits + 0x7fff + (bits >> 16 & 1)) & 0xffff0000u;
-}
-
-void factor_numbers_halve(ptrdiff_t count, float *x)
-{
-    uint32_t whole[TILE_SIZE], both[TILE_SIZE / 2];
-    for (ptrdiff_t from = 0; from + TILE_SIZE <= count; from += TILE_SIZE) {
-        memcpy(whole, x + from, sizeof whole);
-        for (int j = 0; j < TILE; j += 2)
-            for (int i = 0; i < TILE; i++)
-                both[j / 2 * TILE + i] =
-                    upper(whole[j * TILE + i]) >> 16 | upper(whole[(j + 1) * TILE + i]);
-        memcpy((uint16_t *)x + from, both, sizeof both);
-    }
 }

@@ -8,7 +8,6 @@
 #define FACTOR_PART_H
 
 #include <stddef.h>
-#include <stdint.h>
 #include "models/status.h"
 
 struct factor_info;
@@ -35,11 +34,9 @@ struct factor_method {
     enum status (*prepare_three)(struct factor_part *part, const double *value);
     enum status (*solve_three)(struct factor_part *part, const double *value, double *b);
 
-    /* Factor and solve in single precision, the latter also with what factor_numbers_halve
-     * leaves of the values; NULL: the method cannot. */
+    /* Factor and solve in single precision; NULL: the method cannot. */
     enum status (*refactor_single)(struct factor_part *part, float *value);
     enum status (*solve_single)(struct factor_part *part, const float *value, float *b);
-    enum status (*solve_half)(struct factor_part *part, const uint16_t *value, float *b);
 
     /* Adds to *info. */
     void (*describe)(const struct factor_part *part, struct factor_info *info);
@@ -61,10 +58,6 @@ double *factor_numbers(ptrdiff_t count);
 
 /* Rounds scale times the numbers to floats, in place: in the first half of their room. */
 float *factor_numbers_narrow(ptrdiff_t count, double scale, double *x);
-
-/* Rounds tiles of floats, in place, to the upper halves of their bits, 8 digits: bfloat16.
- * Two columns share each row's 32 bits, the even one below. */
-void factor_numbers_halve(ptrdiff_t count, float *x);
 
 extern const struct factor_method factor_banded;
 extern const struct factor_method factor_supernodal;

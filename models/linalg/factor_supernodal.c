@@ -281,7 +281,6 @@ static ptrdiff_t slot(const struct factor_part *part, int i, int j)
 }
 
 #define REAL       double
-#define STORED     REAL
 #define NAME(name) name
 #include "models/linalg/factor_supernodal_kernel.h"
 #undef REAL
@@ -289,15 +288,7 @@ static ptrdiff_t slot(const struct factor_part *part, int i, int j)
 #define REAL       float
 #define NAME(name) name##_single
 #include "models/linalg/factor_supernodal_kernel.h"
-#undef NAME
-#undef STORED
-#define STORED     uint16_t
-#define NAME(name) name##_half
-#define SWEEPS_ONLY
-#include "models/linalg/factor_supernodal_kernel.h"
-#undef SWEEPS_ONLY
 #undef REAL
-#undef STORED
 #undef NAME
 
 static enum status prepare_three(struct factor_part *part, const double *value)
@@ -385,5 +376,5 @@ static void destroy(struct factor_part *part)
 }
 
 const struct factor_method factor_supernodal = {
-    "supernodal", create,          slot,         refactor,   solve,    prepare_three,
-    solve_three,  refactor_single, solve_single, solve_half, describe, destroy};
+    "supernodal", create,          slot,         refactor, solve,  prepare_three,
+    solve_three,  refactor_single, solve_single, describe, destroy};

@@ -1,7 +1,5 @@
 /* factor_supernodal_kernel.h - factor_supernodal.c's arithmetic for one kind of REAL:
- * included once for each, with STORED, NAME(x) and SWEEPS_ONLY as in tile_kernel.h. */
-
-#ifndef SWEEPS_ONLY
+ * included once for each, with NAME(x) as in tile_kernel.h. */
 
 static void NAME(open_front)(const struct supernodal *s, int k, REAL *value,
                              struct front *front)
@@ -38,9 +36,7 @@ static enum status NAME(refactor)(struct factor_part *part, REAL *value)
     return STATUS_OK;
 }
 
-#endif
-
-static enum status NAME(solve)(struct factor_part *part, const STORED *value, REAL *b)
+static enum status NAME(solve)(struct factor_part *part, const REAL *value, REAL *b)
 {
     const struct supernodal *s = part->state;
     REAL *x = (REAL *)s->x;

@@ -7,7 +7,6 @@
 enum { PANEL = 12 };
 
 #define REAL       double
-#define STORED     REAL
 #define NAME(name) name
 #include "models/linalg/front_kernel.h"
 #undef REAL
@@ -15,15 +14,7 @@ enum { PANEL = 12 };
 #define REAL       float
 #define NAME(name) name##_single
 #include "models/linalg/front_kernel.h"
-#undef NAME
-#undef STORED
-#define STORED     uint16_t
-#define NAME(name) name##_half
-#define SWEEPS_ONLY
-#include "models/linalg/front_kernel.h"
-#undef SWEEPS_ONLY
 #undef REAL
-#undef STORED
 #undef NAME
 
 void front_forward_three(int pivots, int tiles, const double *l, const double *pair,

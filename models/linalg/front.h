@@ -9,7 +9,6 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
 
 struct front {
     int pivots, tiles;
@@ -41,12 +40,6 @@ void front_forward_single(int pivots, int tiles, const float *l, const float *in
                           float *x);
 void front_backward_single(int pivots, int tiles, const float *l, const float *inverse,
                            float *x);
-
-/* Sweep in single precision with L in half (factor_numbers_halve). */
-void front_forward_half(int pivots, int tiles, const uint16_t *l, const float *inverse,
-                        float *x);
-void front_backward_half(int pivots, int tiles, const uint16_t *l, const float *inverse,
-                         float *x);
 
 /* Sweep for three sides: x in blocks (tile_three.h), pair: inverse diagonal tiles of the
  * pivots, TILE_PAIR each. */

@@ -1,7 +1,6 @@
 /* front_kernel.h - front.c's arithmetic for one kind of REAL: included once for each, with
- * STORED, NAME(x) and SWEEPS_ONLY as in tile_kernel.h. */
+ * NAME(x) as in tile_kernel.h. */
 
-#ifndef SWEEPS_ONLY
 #define COLUMN  ((REAL *const *)f->column)
 #define INVERSE ((REAL *)f->inverse)
 
@@ -107,30 +106,25 @@ void NAME(front_add)(const struct front *f, const REAL *from, int rows, const in
 
 #undef COLUMN
 #undef INVERSE
-#endif
 
-void NAME(front_forward)(int pivots, int tiles, const STORED *l, const REAL *inverse,
-                         REAL *x)
+void NAME(front_forward)(int pivots, int tiles, const REAL *l, const REAL *inverse, REAL *x)
 {
-    _Alignas(64) REAL room[TILE_SIZE];
-
     for (int k = 0; k < pivots; k++) {
-        NAME(tile_forward)(NAME(tile_open)(l, room), inverse + k * TILE, x + k * TILE);
+        NAME(tile_forward)(l, inverse + k * TILE, x + k * TILE);
         NAME(tile_subtract)(tiles - k - 1, l + TILE_SIZE, x + k * TILE, x + (k + 1) * TILE);
         l += (ptrdiff_t)(tiles - k) * TILE_SIZE;
     }
 }
 
-void NAME(front_backward)(int pivots, int tiles, const STORED *l, const REAL *inverse,
+void NAME(front_backward)(int pivots, int tiles, const REAL *l, const REAL *inverse,
                           REAL *x)
 {
-    _Alignas(64) REAL room[TILE_SIZE];
     ptrdiff_t all = (ptrdiff_t)pivots * tiles - (ptrdiff_t)pivots * (pivots - 1) / 2;
     l += all * TILE_SIZE;
     for (int k = pivots - 1; k >= 0; k--) {
         l -= (ptrdiff_t)(tiles - k) * TILE_SIZE;
         NAME(tile_subtract_transposed)
         (tiles - k - 1, l + TILE_SIZE, x + (k + 1) * TILE, x + k * TILE);
-        NAME(tile_backward)(NAME(tile_open)(l, room), inverse + k * TILE, x + k * TILE);
+        NAME(tile_backward)(l, inverse + k * TILE, x + k * TILE);
     }
 }

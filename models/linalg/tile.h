@@ -12,7 +12,6 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
 
 enum { TILE = 8, TILE_SIZE = TILE * TILE };
 
@@ -38,7 +37,6 @@ enum { TILE_PASS = 1 };
 #define TILE_UNROLL _Pragma("GCC unroll 8")
 
 #define REAL       double
-#define STORED     REAL
 #define LANES      DOUBLES
 #define NAME(name) name
 #include "models/linalg/tile_kernel.h"
@@ -49,16 +47,8 @@ enum { TILE_PASS = 1 };
 #define LANES      FLOATS
 #define NAME(name) name##_single
 #include "models/linalg/tile_kernel.h"
-#undef NAME
-#undef STORED
-#define STORED     uint16_t
-#define NAME(name) name##_half
-#define SWEEPS_ONLY
-#include "models/linalg/tile_kernel.h"
-#undef SWEEPS_ONLY
 #undef LANES
 #undef REAL
-#undef STORED
 #undef NAME
 
 #endif

@@ -1,12 +1,10 @@
 /* tile_kernel.h - tile.h's arithmetic for one kind of REAL: included once for each, with
- * NAME(x) giving its names, LANES numbers in a register, and STORED the kind of
- * L's numbers in memory. SWEEPS_ONLY: solves only. */
+ * NAME(x) giving its names and LANES numbers in a register. */
 
 enum { NAME(TILE_WORDS) = TILE / LANES };
 
 typedef REAL NAME(tile_word) __attribute__((vector_size(LANES * sizeof(REAL)), may_alias));
 
-#ifndef SWEEPS_ONLY
 /* Tiles in registers: word w of column j of tile r. */
 typedef NAME(tile_word) NAME(tile_registers)[TILE_PASS_MAX][TILE][NAME(TILE_WORDS)];
 
@@ -105,46 +103,6 @@ TILE_INLINE bool NAME(tile_cholesky)(REAL *a, REAL *inverse)
     return true;
 }
 
-/* Reads word w of two columns of L. */
-TILE_INLINE void NAME(tile_pair)(const STORED *l, int w, NAME(tile_word) pair[2])
-{
-    pair[0] = ((const NAME(tile_word) *)l)[w];
-    pair[1] = ((const NAME(tile_word) *)(l + TILE))[w];
-}
-
-/* Returns one tile of L, of which `room` may become a copy. */
-TILE_INLINE const REAL *NAME(tile_open)(const STORED *l, REAL room[TILE_SIZE])
-{
-    (void)room;
-    return l;
-}
-#else
-typedef uint32_t NAME(tile_bits)
-    __attribute__((vector_size(LANES * sizeof(REAL)), may_alias));
-
-TILE_INLINE void NAME(tile_pair)(const STORED *l, int w, NAME(tile_word) pair[2])
-{
-    const NAME(tile_bits) both = ((const NAME(tile_bits) *)l)[w];
-
-    pair[0] = (NAME(tile_word))(both << 16);
-    pair[1] = (NAME(tile_word))(both & 0xffff0000u);
-}
-
-TILE_INLINE const REAL *NAME(tile_open)(const STORED *l, REAL room[TILE_SIZE])
-{
-    TILE_UNROLL
-    for (int j = 0; j < TILE; j += 2)
-        TILE_UNROLL
-    for (int w = 0; w < NAME(TILE_WORDS); w++) {
-        NAME(tile_word) pair[2];
-        NAME(tile_pair)(l + j * TILE, w, pair);
-        ((NAME(tile_word) *)(room + j * TILE))[w] = pair[0];
-        ((NAME(tile_word) *)(room + (j + 1) * TILE))[w] = pair[1];
-    }
-    return room;
-}
-#endif
-
 /* Computes x <- l^-1 x on one tile: number by number, where the chain of operations is
  * shortest. */
 TILE_INLINE void NAME(tile_forward)(const REAL *l, const REAL *inverse, REAL *x)
@@ -185,8 +143,7 @@ TILE_INLINE void NAME(tile_backward)(const REAL *l, const REAL *inverse, REAL *x
 }
 
 /* Subtracts a x from y for `count` tiles one under the other; y[count * TILE]. */
-TILE_INLINE void NAME(tile_subtract)(ptrdiff_t count, const STORED *a, const REAL *x,
-                                     REAL *y)
+TILE_INLINE void NAME(tile_subtract)(ptrdiff_t count, const REAL *a, const REAL *x, REAL *y)
 {
     NAME(tile_word) by[TILE]; /* x, which y might overlap as far as a compiler knows */
     TILE_UNROLL
@@ -196,12 +153,12 @@ TILE_INLINE void NAME(tile_subtract)(ptrdiff_t count, const STORED *a, const REA
         TILE_UNROLL
     for (int w = 0; w < NAME(TILE_WORDS); w++) {
         NAME(tile_word) *sum = (NAME(tile_word) *)(y + t * TILE) + w;
-        NAME(tile_word) even = *sum, odd = {0}, pair[2];
+        NAME(tile_word) even = *sum, odd = {0};
         TILE_UNROLL
         for (int j = 0; j < TILE; j += 2) {
-            NAME(tile_pair)(a + t * TILE_SIZE + j * TILE, w, pair);
-            even -= pair[0] * by[j];
-            odd -= pair[1] * by[j + 1];
+            const REAL *column = a + t * TILE_SIZE + j * TILE;
+            even -= ((const NAME(tile_word) *)column)[w] * by[j];
+            odd -= ((const NAME(tile_word) *)(column + TILE))[w] * by[j + 1];
         }
         *sum = even + odd;
     }
@@ -241,7 +198,7 @@ TILE_INLINE void NAME(tile_take_lanes)(const NAME(tile_word) sum[TILE], REAL *x)
 }
 
 /* Subtracts a^T y from x for `count` tiles one under the other. */
-TILE_INLINE void NAME(tile_subtract_transposed)(ptrdiff_t count, const STORED *a,
+TILE_INLINE void NAME(tile_subtract_transposed)(ptrdiff_t count, const REAL *a,
                                                 const REAL *y, REAL *x)
 {
     NAME(tile_word) sum[TILE] = {{0}};
@@ -249,13 +206,9 @@ TILE_INLINE void NAME(tile_subtract_transposed)(ptrdiff_t count, const STORED *a
         TILE_UNROLL
     for (int w = 0; w < NAME(TILE_WORDS); w++) {
         const NAME(tile_word) right = ((const NAME(tile_word) *)(y + t * TILE))[w];
-        NAME(tile_word) pair[2];
         TILE_UNROLL
-        for (int j = 0; j < TILE; j += 2) {
-            NAME(tile_pair)(a + t * TILE_SIZE + j * TILE, w, pair);
-            sum[j] += pair[0] * right;
-            sum[j + 1] += pair[1] * right;
-        }
+        for (int j = 0; j < TILE; j++)
+            sum[j] += ((const NAME(tile_word) *)(a + t * TILE_SIZE + j * TILE))[w] * right;
     }
     NAME(tile_take_lanes)(sum, x);
 }

@@ -36,8 +36,7 @@ struct iterative {
     double *packed;     /* [free] of ichol                                             */
     struct ichol *ichol;
     long *entry; /* [pairs][9] of ichol's values, -1: none                             */
-    bool factored, fresh;
-    enum factor_precision precision;
+    bool factored, fresh, single; /* single: factors are made in single precision      */
     double tolerance, near; /* tolerances of systems of a sequence                     */
 
     void (*frames)(const void *body, double (*Q)[9]);
@@ -167,11 +166,16 @@ static enum status make_ichol(struct iterative *it)
     return ichol_refactor(it->ichol);
 }
 
-void iterative_precision(struct iterative *it, enum factor_precision precision)
+static void set_precision(struct iterative *it, bool single)
 {
-    it->precision = precision;
+    it->single = single;
     it->factored = it->fresh = false;
-    it->owner.precise(it->owner.self, precision);
+    it->owner.precise(it->owner.self, single);
+}
+
+void iterative_single(struct iterative *it)
+{
+    set_precision(it, true);
 }
 
 static enum status make_factor(struct iterative *it)
@@ -181,8 +185,8 @@ static enum status make_factor(struct iterative *it)
     it->factored = it->fresh = false;
     it->factorisations++;
     st = it->owner.factor(it->owner.self, (const double(*)[9])it->A);
-    if (st == STATUS_INDEFINITE && it->precision != FACTOR_DOUBLE) {
-        iterative_precision(it, it->precision - 1);
+    if (st == STATUS_INDEFINITE && it->single) {
+        set_precision(it, false);
         return make_factor(it);
     }
     TRY(st);
@@ -384,14 +388,14 @@ static enum status iterate_fresh(struct iterative *it, double *x, bool *done)
 {
     enum status st = STATUS_OK;
 
-    while (it->precision != FACTOR_DOUBLE) {
+    if (it->single) {
         double tolerance = it->krylov.tolerance, near = it->krylov.near;
         it->krylov.tolerance = fmin(tolerance, SINGLE_TOLERANCE), it->krylov.near = 0;
         st = iterate(it, MOST_SINGLE, x, done);
         it->krylov.tolerance = tolerance, it->krylov.near = near;
         if (*done || (st != STATUS_OK && st != STATUS_INDEFINITE))
             return st;
-        iterative_precision(it, it->precision - 1);
+        set_precision(it, false);
         TRY(make_factor(it));
         guess(it, x); /* anew: a factor that is too coarse may have led astray */
     }

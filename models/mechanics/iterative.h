@@ -25,7 +25,7 @@ struct iterative_owner {
     /* Factor A (in iterative_matrix's form), and solve with that factor in place. */
     enum status (*factor)(void *self, const double (*A)[9]);
     enum status (*solve)(void *self, double *x);
-    void (*precise)(void *self, enum factor_precision); /* factor_precision           */
+    void (*precise)(void *self, bool single); /* factor_single                         */
     int patience; /* iterations that cost as much as a factorisation                   */
 };
 
@@ -60,9 +60,9 @@ void iterative_tolerate(struct iterative *it, double tolerance, double near);
 /* Notes that the factor is of another matrix: iterative_update makes a new one. */
 void iterative_forget(struct iterative *it);
 
-/* Makes factors in half or single precision as long as that works: until one cannot be made
- * so, or takes more than a few iterations on its own A; then in the next better one. */
-void iterative_precision(struct iterative *it, enum factor_precision precision);
+/* Makes factors in single precision as long as that works: until one cannot be made so, or
+ * takes more than a few iterations on its own A. */
+void iterative_single(struct iterative *it);
 
 /* Solves in place, x[nodes][3], zero at held unknowns. STATUS_UNSOLVED if that takes too
  * many iterations, STATUS_INDEFINITE, STATUS_NAN. */

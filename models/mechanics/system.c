@@ -122,9 +122,9 @@ static enum status solve_factored(void *self, double *x)
     return st;
 }
 
-static void set_precision(void *self, enum factor_precision precision)
+static void set_precision(void *self, bool single)
 {
-    factor_precision(((struct system *)self)->factor, precision);
+    factor_single(((struct system *)self)->factor, single);
 }
 
 /* Returns the cost of a factorisation in iterations: its arithmetic is this much faster, as
@@ -196,7 +196,7 @@ enum status system_iterate(struct system *s)
     if (info.flops < enough)
         return STATUS_OK;
     TRY(make_iterative(s, NULL, NULL, &d));
-    system_precision(s, FACTOR_SINGLE);
+    system_single(s);
 out:
     return st;
 }
@@ -240,7 +240,7 @@ enum status system_update(struct system *s, double k, const double (*K)[9], doub
     return system_factor(s, k, K, m, M);
 }
 
-void system_precision(struct system *s, enum factor_precision precision)
+void system_single(struct system *s)
 {
     const long small = 1L << 17; /* in L: 1 MB, which a second cache holds; nets of springs
                                     16 x 16 (72000) gain 2 %, 32 x 32 a third             */
@@ -250,7 +250,7 @@ void system_precision(struct system *s, enum factor_precision precision)
         return;
     factor_describe(s->factor, &info);
     if (info.entries > small)
-        iterative_precision(s->iterative, precision);
+        iterative_single(s->iterative);
 }
 
 void system_work(struct system *s, struct counters *counters)

@@ -50,9 +50,9 @@ enum status system_factor(struct system *s, double k, const double (*K)[9], doub
 enum status system_update(struct system *s, double k, const double (*K)[9], double m,
                           const double *M);
 
-/* Makes factors of a system that is iterated in this precision (iterative_precision),
- * unless they are small. */
-void system_precision(struct system *s, enum factor_precision precision);
+/* Makes factors of a system that is iterated in single precision (iterative_single), unless
+ * they are small. */
+void system_single(struct system *s);
 
 /* Adds to *counters the factorisations of system_update and system_solve since the last
  * call, and a solve for each product with the preconditioner but the first of each

@@ -325,6 +325,14 @@ out:
     return st;
 }
 
+static bool solves_three(const struct factor *f)
+{
+    bool can = !f->single;
+    for (int p = 0; p < f->part_count; p++)
+        can = can && f->part[p].method->solve_three;
+    return can;
+}
+
 static enum status prepare_three(struct factor *f)
 {
     enum status st = STATUS_OK;
@@ -391,7 +399,7 @@ enum status factor_solve_many(struct factor *f, int count, double *b, ptrdiff_t 
 {
     enum status st = STATUS_OK;
     assert(f->ready && count >= 0);
-    for (; count >= SIDES && !f->single; count -= SIDES, b += SIDES * stride)
+    for (; count >= SIDES && solves_three(f); count -= SIDES, b += SIDES * stride)
         TRY(solve_three(f, b, stride));
     for (; count > 0; count--, b += stride)
         TRY(factor_solve(f, b));

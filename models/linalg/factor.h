@@ -52,8 +52,9 @@ void factor_single(struct factor *f, bool single);
 enum status factor_solve(struct factor *f, double *b);
 
 /* Solves A x = b in place for `count` right-hand sides b + c stride, c = 0 .. count - 1.
- * Three are solved together, reading L once; the first time after a refactor prepares for
- * it (and may return STATUS_MEMORY). Three sides agree with factor_solve to round-off only.
+ * A band solves three together, reading L once; the first time after a refactor prepares
+ * for it (and may return STATUS_MEMORY). Three sides agree with factor_solve to round-off
+ * only.
  */
 enum status factor_solve_many(struct factor *f, int count, double *b, ptrdiff_t stride);
 

@@ -10,14 +10,12 @@
 #include "models/linalg/cholmod_status.h"
 #include "models/linalg/factor.h"
 #include "models/linalg/factor_part.h"
-#include "models/linalg/tile_three.h"
 
 struct state {
     cholmod_common common;
     cholmod_sparse *matrix; /* the lower triangle; its numbers are copied from values     */
     cholmod_factor *factor;
     cholmod_dense *x, *y, *e; /* CHOLMOD's work of a solve, NULL until needed */
-    double *sides; /* [3 n], NULL until three sides are asked for               */
 };
 
 /* Limits CHOLMOD's loops, which ask for four threads whatever the machine has, to one: no
@@ -96,57 +94,26 @@ static enum status refactor(struct factor_part *part, double *value)
     return cholmod_rcond(s->factor, &s->common) > 0.0 ? STATUS_OK : STATUS_INDEFINITE;
 }
 
-/* Solves for b[count][n] in place. */
-static enum status solve_columns(struct factor_part *part, int count, double *b)
-{
-    struct state *s = part->state;
-    size_t n = (size_t)part->n, size = n * (size_t)count;
-    cholmod_dense sides = {.nrow = n,
-                           .ncol = (size_t)count,
-                           .nzmax = size,
-                           .d = n,
-                           .x = b,
-                           .xtype = CHOLMOD_REAL,
-                           .dtype = CHOLMOD_DOUBLE};
-    int levels = threads_one();
-    bool done = cholmod_solve2(CHOLMOD_A, s->factor, &sides, NULL, &s->x, NULL, &s->y,
-                               &s->e, &s->common);
-    threads_restore(levels);
-    if (!done)
-        return cholmod_status(&s->common);
-    memcpy(b, s->x->x, size * sizeof *b);
-    return STATUS_OK;
-}
-
 static enum status solve(struct factor_part *part, const double *value, double *b)
 {
-    (void)value;
-    return solve_columns(part, 1, b);
-}
-
-static enum status prepare_three(struct factor_part *part, const double *value)
-{
     struct state *s = part->state;
+    const size_t n = (size_t)part->n;
+    cholmod_dense side = {.nrow = n,
+                          .ncol = 1,
+                          .nzmax = n,
+                          .d = n,
+                          .x = b,
+                          .xtype = CHOLMOD_REAL,
+                          .dtype = CHOLMOD_DOUBLE};
+    int levels = threads_one();
+    bool done = cholmod_solve2(CHOLMOD_A, s->factor, &side, NULL, &s->x, NULL, &s->y, &s->e,
+                               &s->common);
+    threads_restore(levels);
     (void)value;
-    if (!s->sides)
-        s->sides = malloc(SIDES * (size_t)part->n * sizeof *s->sides);
-    return s->sides ? STATUS_OK : STATUS_MEMORY;
-}
-
-static enum status solve_three(struct factor_part *part, const double *value, double *b)
-{
-    enum status st = STATUS_OK;
-    double *sides = ((struct state *)part->state)->sides;
-    (void)value;
-    for (int i = 0; i < part->n; i++)
-        for (int c = 0; c < SIDES; c++)
-            sides[(ptrdiff_t)c * part->n + i] = b[block_place(i) + c * TILE];
-    TRY(solve_columns(part, SIDES, sides));
-    for (int i = 0; i < part->n; i++)
-        for (int c = 0; c < SIDES; c++)
-            b[block_place(i) + c * TILE] = sides[(ptrdiff_t)c * part->n + i];
-out:
-    return st;
+    if (!done)
+        return cholmod_status(&s->common);
+    memcpy(b, s->x->x, n * sizeof *b);
+    return STATUS_OK;
 }
 
 static void describe(const struct factor_part *part, struct factor_info *info)
@@ -169,11 +136,9 @@ static void destroy(struct factor_part *part)
     cholmod_free_dense(&s->y, &s->common);
     cholmod_free_dense(&s->e, &s->common);
     cholmod_finish(&s->common);
-    free(s->sides);
     free(s);
     part->state = NULL;
 }
 
 const struct factor_method factor_cholmod = {
-    "cholmod",   create, slot, refactor, solve,  prepare_three,
-    solve_three, NULL,   NULL, describe, destroy};
+    "cholmod", create, slot, refactor, solve, NULL, NULL, NULL, NULL, describe, destroy};

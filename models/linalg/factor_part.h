@@ -30,7 +30,7 @@ struct factor_method {
     enum status (*solve)(struct factor_part *part, const double *value, double *b);
 
     /* Solves A x = b in place for three sides: b in blocks (tile_three.h), by position,
-     * zeros behind n. `prepare_three` comes once after a refactor. */
+     * zeros behind n. `prepare_three` comes once after a refactor. NULL: it cannot. */
     enum status (*prepare_three)(struct factor_part *part, const double *value);
     enum status (*solve_three)(struct factor_part *part, const double *value, double *b);
 

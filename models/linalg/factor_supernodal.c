@@ -2,10 +2,10 @@
  * its kernels are made for columns longer than a cloth's, and its OpenMP loops ask for four
  * threads whatever the machine has.
  *
- * L lies supernode by supernode in tiles (front.h), in the values themselves: the caller
- * fills A in, the factorisation overwrites it. Pivots and rows are padded to whole tiles,
- * with ones on the diagonal. Updates on their way to the parent lie in one arena, planned
- * at set-up.
+ * L lies supernode by supernode in tiles (struct front), in the values themselves: the
+ * caller fills A in, the factorisation overwrites it. Pivots and rows are padded to whole
+ * tiles, with ones on the diagonal. Updates on their way to the parent lie in one arena,
+ * planned at set-up.
  */
 #include <assert.h>
 #include <cholmod.h>
@@ -15,9 +15,7 @@
 #include "models/linalg/cholmod_status.h"
 #include "models/linalg/factor.h"
 #include "models/linalg/factor_part.h"
-#include "models/linalg/front.h"
 #include "models/linalg/tile.h"
-#include "models/linalg/tile_three.h"
 #include "models/room.h"
 
 struct supernode {
@@ -44,9 +42,7 @@ struct supernodal {
     double *inverse; /* [rows padded, node by node at inverse_start]                   */
     ptrdiff_t *inverse_start; /* [count]                                               */
     void **column; /* [most tiles of a front]                                        */
-    double *x;     /* [most tiles * BLOCK]                                           */
-    double *pair;  /* inverse diagonal tiles, TILE_PAIR each; NULL until needed      */
-    ptrdiff_t inverse_end; /* numbers in inverse                                       */
+    double *x;     /* [most tiles * TILE]                                            */
     double flops;
     int most_tiles;
 };
@@ -231,13 +227,12 @@ static enum status lay_out(struct supernodal *s, ptrdiff_t *slots)
         inverse_end += p * TILE;
     }
     *slots = end;
-    s->inverse_end = inverse_end;
     place_in_parents(s);
     plan_arena(s, live);
     free(live);
     s->arena = factor_numbers(s->arena_size);
     s->inverse = factor_numbers(inverse_end);
-    s->x = factor_numbers((ptrdiff_t)s->most_tiles * BLOCK);
+    s->x = factor_numbers((ptrdiff_t)s->most_tiles * TILE);
     s->column = malloc(s->most_tiles * sizeof *s->column);
     return s->arena && s->inverse && s->x && s->column ? STATUS_OK : STATUS_MEMORY;
 }
@@ -280,76 +275,31 @@ static ptrdiff_t slot(const struct factor_part *part, int i, int j)
     return tile_start(node, row / TILE, column / TILE) + column % TILE * TILE + row % TILE;
 }
 
+/* A dense front: a lower triangle of tiles x tiles tiles, of which the first `pivots`
+ * columns of tiles are factored and the rest (the update, for the parent) gets minus their
+ * product. Tile (i,j), i >= j, lies at column[j] + i * TILE_SIZE. Tiles on the diagonal
+ * hold anything above it. */
+struct front {
+    int pivots, tiles;
+    void **column; /* [tiles] to doubles, or floats                                    */
+    void *inverse; /* [pivots * 8] reciprocals of the diagonal of L, written           */
+};
+
+/* Pivot tiles a panel: three of its tile rows (18 kB) and one more fit the first cache. */
+enum { PANEL = 12 };
+
 #define REAL       double
 #define NAME(name) name
+#include "models/linalg/front_kernel.h"
 #include "models/linalg/factor_supernodal_kernel.h"
 #undef REAL
 #undef NAME
 #define REAL       float
 #define NAME(name) name##_single
+#include "models/linalg/front_kernel.h"
 #include "models/linalg/factor_supernodal_kernel.h"
 #undef REAL
 #undef NAME
-
-static enum status prepare_three(struct factor_part *part, const double *value)
-{
-    struct supernodal *s = part->state;
-    if (!s->pair)
-        s->pair = factor_numbers(s->inverse_end / TILE * TILE_PAIR);
-    if (!s->pair)
-        return STATUS_MEMORY;
-    for (int k = 0; k < s->count; k++)
-        for (int t = 0; t < s->node[k].pivots; t++) {
-            ptrdiff_t at = s->inverse_start[k] + t * TILE;
-            tile_invert(value + tile_start(&s->node[k], t, t), s->inverse + at,
-                        s->pair + at / TILE * TILE_PAIR);
-        }
-    return STATUS_OK;
-}
-
-/* Moves pivot rows of three sides between the right-hand side and a front. */
-TILE_INLINE void move_pivots(const struct supernode *node, double *x, double *b, bool into)
-{
-    for (int i = 0; i < node->count; i++) {
-        double *here = x + block_place(i), *there = b + block_place(node->first + i);
-        for (int c = 0; c < SIDES; c++)
-            if (into)
-                here[c * TILE] = there[c * TILE];
-            else
-                there[c * TILE] = here[c * TILE];
-    }
-}
-
-static enum status solve_three(struct factor_part *part, const double *value, double *b)
-{
-    const struct supernodal *s = part->state;
-    double *x = s->x;
-    for (int k = 0; k < s->count; k++) {
-        const struct supernode *node = &s->node[k];
-        double *rest = x + node->pivots * BLOCK;
-        memset(x, 0, (size_t)node->tiles * BLOCK * sizeof *x);
-        move_pivots(node, x, b, true);
-        front_forward_three(node->pivots, node->tiles, value + node->lower,
-                            s->pair + s->inverse_start[k] / TILE * TILE_PAIR, x);
-        move_pivots(node, x, b, false);
-        for (int i = 0; i < node->below; i++)
-            for (int c = 0; c < SIDES; c++)
-                b[block_place(node->row[i]) + c * TILE] += rest[block_place(i) + c * TILE];
-    }
-    for (int k = s->count - 1; k >= 0; k--) {
-        const struct supernode *node = &s->node[k];
-        double *rest = x + node->pivots * BLOCK;
-        memset(x, 0, (size_t)node->tiles * BLOCK * sizeof *x);
-        move_pivots(node, x, b, true);
-        for (int i = 0; i < node->below; i++)
-            for (int c = 0; c < SIDES; c++)
-                rest[block_place(i) + c * TILE] = b[block_place(node->row[i]) + c * TILE];
-        front_backward_three(node->pivots, node->tiles, value + node->lower,
-                             s->pair + s->inverse_start[k] / TILE * TILE_PAIR, x);
-        move_pivots(node, x, b, false);
-    }
-    return STATUS_OK;
-}
 
 static void describe(const struct factor_part *part, struct factor_info *info)
 {
@@ -370,11 +320,10 @@ static void destroy(struct factor_part *part)
     free(s->inverse);
     free(s->column);
     free(s->x);
-    free(s->pair);
     free(s);
     part->state = NULL;
 }
 
 const struct factor_method factor_supernodal = {
-    "supernodal", create,          slot,         refactor, solve,  prepare_three,
-    solve_three,  refactor_single, solve_single, describe, destroy};
+    "supernodal", create,          slot,         refactor, solve,  NULL,
+    NULL,         refactor_single, solve_single, describe, destroy};

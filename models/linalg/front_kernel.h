@@ -1,5 +1,5 @@
-/* front_kernel.h - front.c's arithmetic for one kind of REAL: included once for each, with
- * NAME(x) as in tile_kernel.h. */
+/* front_kernel.h - factor_supernodal.c's arithmetic on one dense front, for one kind of
+ * REAL: included once for each, with NAME(x) as in tile_kernel.h. */
 
 #define COLUMN  ((REAL *const *)f->column)
 #define INVERSE ((REAL *)f->inverse)
@@ -54,7 +54,8 @@ TILE_INLINE void NAME(sweep_rows)(const struct front *f, int count, int row, int
             NAME(update)(f, 1, r, column, from, to);
 }
 
-bool NAME(front_factor)(const struct front *f)
+/* Factors a front; false if it is not positive definite or not finite. */
+static bool NAME(front_factor)(const struct front *f)
 {
     for (int from = 0; from < f->pivots; from += PANEL) {
         int to = from + PANEL < f->pivots ? from + PANEL : f->pivots, row = to;
@@ -78,7 +79,11 @@ TILE_INLINE void NAME(add_rows)(REAL *target, const REAL *source, const int *pla
         target[place[r]] += source[r];
 }
 
-void NAME(front_add)(const struct front *f, const REAL *from, int rows, const int *place)
+/* Adds the update of a child, rows x rows: its row r goes to row i of the front, where
+ * place[r] = i / 8 * 64 + i % 8, ascending. from: tile column after tile column, each from
+ * its diagonal tile down. */
+static void NAME(front_add)(const struct front *f, const REAL *from, int rows,
+                            const int *place)
 {
     int tiles = (rows + TILE - 1) / TILE, whole = rows / TILE;
     for (int c = 0; c < rows; c++) {
@@ -107,7 +112,11 @@ void NAME(front_add)(const struct front *f, const REAL *from, int rows, const in
 #undef COLUMN
 #undef INVERSE
 
-void NAME(front_forward)(int pivots, int tiles, const REAL *l, const REAL *inverse, REAL *x)
+/* Sweep with L, stored as tile column after tile column, each from its diagonal. x[tiles *
+ * 8], aligned as tiles: pivots first. Forward: pivots x1 = L11^-1 x1, then rest x2 -= L21
+ * x1. Backward: x1 = L11^-T (x1 - L21^T x2). */
+static void NAME(front_forward)(int pivots, int tiles, const REAL *l, const REAL *inverse,
+                                REAL *x)
 {
     for (int k = 0; k < pivots; k++) {
         NAME(tile_forward)(l, inverse + k * TILE, x + k * TILE);
@@ -116,8 +125,8 @@ void NAME(front_forward)(int pivots, int tiles, const REAL *l, const REAL *inver
     }
 }
 
-void NAME(front_backward)(int pivots, int tiles, const REAL *l, const REAL *inverse,
-                          REAL *x)
+static void NAME(front_backward)(int pivots, int tiles, const REAL *l, const REAL *inverse,
+                                 REAL *x)
 {
     ptrdiff_t all = (ptrdiff_t)pivots * tiles - (ptrdiff_t)pivots * (pivots - 1) / 2;
     l += all * TILE_SIZE;

@@ -121,7 +121,6 @@ static void cut(struct change *c, const struct meeting *m, double distance)
 
 static void cut_samples(struct change *c, int samples, int cell)
 {
-    struct contact_lanes lanes = {.y = c->y};
     int sample[4];
     const int count = contact_tree_samples(c->tree, samples, sample);
 
@@ -129,20 +128,15 @@ static void cut_samples(struct change *c, int samples, int cell)
         int corner[3];
         contact_foot_corners(c->tree->surface, contact_tree_triangle(c->tree, cell) + k,
                              corner);
-        for (int n = 0; n < count; n++)
-            contact_lanes_set(&lanes, lanes.count++, sample[n], corner);
-    }
-    contact_lanes_nearest(&lanes);
-    for (int l = 0; l < lanes.count; l++) {
-        struct meeting m = {.edges = false};
-        double share[3];
-        for (int k = 0; k < 4; k++)
-            m.sample[k] = lanes.point[k][l];
-        for (int k = 0; k < 3; k++)
-            share[k] = lanes.share[k + 1][l];
-        if (!joined(&m) &&
-            !contact_tree_near(c->tree, c->apart, m.sample[0], m.sample + 1, share))
-            cut(c, &m, sqrt(lanes.square[l]));
+        for (int n = 0; n < count; n++) {
+            const struct meeting m = {
+                .sample = {sample[n], corner[0], corner[1], corner[2]}};
+            struct contact_face face = contact_foot_face(c->y, sample[n], corner);
+            contact_face_nearest(&face);
+            if (!joined(&m) &&
+                !contact_tree_near(c->tree, c->apart, sample[n], corner, face.share))
+                cut(c, &m, sqrt(face.square));
+        }
     }
 }
 

@@ -24,17 +24,11 @@ static double clamp(double t, double low, double high)
 
 double contact_foot_nearest(const double y[3], const double *const p[3], double share[3])
 {
-    double place[4][3];
-    struct contact_lanes one = {.y = place[0]};
+    struct contact_face face = {.p = {y, p[0], p[1], p[2]}};
 
-    memcpy(place[0], y, sizeof place[0]);
-    for (int k = 0; k < 3; k++)
-        memcpy(place[k + 1], p[k], sizeof place[k + 1]);
-    contact_lanes_set(&one, 0, 0, (const int[]){1, 2, 3});
-    contact_lanes_nearest(&one);
-    for (int k = 0; k < 3; k++)
-        share[k] = one.share[k + 1][0];
-    return one.square[0];
+    contact_face_nearest(&face);
+    memcpy(share, face.share, sizeof face.share);
+    return face.square;
 }
 
 double contact_foot_between(const double *const p[4], double at[2])
@@ -146,39 +140,27 @@ static double square_cos_of(const struct contact_sheet *sheet, const int corner[
     return sizes > 0 ? along * along / sizes : 1;
 }
 
-/* Takes the place of a lane for the closest on its side of the sample, if it is. */
-static void judge(const struct contact_sheet *sheet, const struct contact_pairs *pairs,
-                  int l)
+void contact_foot_consider(const struct contact_sheet *sheet, int sample, int triangle,
+                           struct contact_place best[2])
 {
-    const struct contact_lanes *lanes = &pairs->lanes;
-    const double way[3] = {lanes->way[0][l], lanes->way[1][l], lanes->way[2][l]};
-    const double share[3] = {lanes->share[1][l], lanes->share[2][l], lanes->share[3][l]};
-    const int sample = lanes->point[0][l], triangle = pairs->triangle[l];
-    const int corner[3] = {lanes->point[1][l], lanes->point[2][l], lanes->point[3][l]};
-    const bool below = vector_dot(way, sheet->normal + 3 * (long)sample) > 0;
-    struct contact_place *side = &pairs->best[l][below];
+    int corner[3];
 
-    if (lanes->square[l] > side->square ||
-        (lanes->square[l] == side->square && triangle > side->triangle))
+    contact_foot_corners(sheet->surface, triangle, corner);
+    struct contact_face face = contact_foot_face(sheet->y, sample, corner);
+    contact_face_nearest(&face);
+    const bool below = vector_dot(face.way, sheet->normal + 3 * (long)sample) > 0;
+    struct contact_place *side = &best[below];
+    if (face.square > side->square ||
+        (face.square == side->square && triangle > side->triangle))
         return;
-    if (contact_tree_near(sheet->tree, sheet->tree->apart, sample, corner, share))
+    if (contact_tree_near(sheet->tree, sheet->tree->apart, sample, corner, face.share))
         return;
-    const double cosine = square_cos_of(sheet, corner, share, way);
+    const double cosine = square_cos_of(sheet, corner, face.share, face.way);
     if (!(cosine > square_cos))
         return;
     side->sample = sample, side->side = below, side->triangle = triangle;
-    for (int k = 0; k < 3; k++)
-        side->share[k] = share[k];
-    side->square = lanes->square[l], side->square_cos = cosine;
-}
-
-void contact_foot_consider(const struct contact_sheet *sheet, struct contact_pairs *pairs)
-{
-    if (pairs->lanes.count)
-        contact_lanes_nearest(&pairs->lanes);
-    for (int l = 0; l < pairs->lanes.count; l++)
-        judge(sheet, pairs, l);
-    pairs->lanes.count = 0;
+    memcpy(side->share, face.share, sizeof face.share);
+    side->square = face.square, side->square_cos = cosine;
 }
 
 int contact_foot_width(const struct contact_surface *s)
@@ -201,58 +183,31 @@ static int neighbour(const struct contact_surface *s, int triangle, int corner)
 }
 
 /* A triangle at whose corners normals may be missing. */
-struct face {
-    struct contact_lanes lanes; /* the first, of the arrays                        */
-    double y[4][3], normal[4][3];
+struct open_face {
+    struct contact_face at;
+    double normal[3][3];
 };
 
 /* Sets a face to a sample and a triangle. */
 static void open_face(const struct contact_sheet *sheet, int sample, int triangle,
-                      struct face *face)
-{
-    int corner[3];
-
-    face->lanes.y = face->y[0], face->lanes.normal = face->normal[0];
-    contact_lanes_set(&face->lanes, 0, 0, (const int[]){1, 2, 3});
-    contact_foot_corners(sheet->surface, triangle, corner);
-    memcpy(face->y[0], sheet->y + 3 * (long)sample, sizeof face->y[0]);
-    for (int k = 0; k < 3; k++) {
-        memcpy(face->y[k + 1], sheet->y + 3 * (long)corner[k], sizeof face->y[0]);
-        contact_foot_normal(sheet, corner[k], face->normal[k + 1]);
-    }
-}
-
-/* Sets a lane to a sample and a triangle. */
-static void set_triangle(const struct contact_sheet *sheet, struct contact_lanes *lanes,
-                         int l, int sample, int triangle)
+                      struct open_face *face)
 {
     int corner[3];
 
     contact_foot_corners(sheet->surface, triangle, corner);
-    contact_lanes_set(lanes, l, sample, corner);
-}
-
-static void set_share(struct contact_lanes *lanes, int l, const double share[3])
-{
+    face->at = contact_foot_face(sheet->y, sample, corner);
     for (int k = 0; k < 3; k++)
-        lanes->share[k + 1][l] = share[k];
-}
-
-/* Takes a vector of a lane. */
-static void get(const double v[3][CONTACT_LANES], int l, double to[3])
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = v[i][l];
+        contact_foot_normal(sheet, corner[k], face->normal[k]);
 }
 
 /* Finds the foot on the border edge opposite to a corner of a face: the way to it is normal
  * to the edge's part across n, as it is where a foot within the face reaches the edge.
  * Returns the corner beyond which it lies, -1 if it is on the edge. */
-static int meet_edge(const struct face *face, int corner, double share[3])
+static int meet_edge(const struct open_face *face, int corner, double share[3])
 {
     const int a = (corner + 1) % 3, b = (corner + 2) % 3;
-    const double *y = face->y[0], *p[2] = {face->y[a + 1], face->y[b + 1]};
-    const double *m[2] = {face->normal[a + 1], face->normal[b + 1]};
+    const double *y = face->at.p[0], *p[2] = {face->at.p[a + 1], face->at.p[b + 1]};
+    const double *m[2] = {face->normal[a], face->normal[b]};
     double t = clamp(share[b] / (share[a] + share[b]), 0, 1), wanted = t, e[3];
 
     vector_between(p[0], p[1], e);
@@ -295,12 +250,12 @@ static int along_border(const struct contact_surface *s, int triangle, int inner
     return triangle + 2 * step;
 }
 
-/* Walks from a triangle, where contact_lanes_meet ended with `share`, to the one that has
+/* Walks from a triangle, where contact_face_meet ended with `share`, to the one that has
  * the foot along the interpolated normal; -1: there is none near. */
 static int walk(const struct contact_sheet *sheet, int sample, int triangle, bool met,
                 double share[3])
 {
-    struct face one = {{0}};
+    struct open_face one;
 
     for (int turn = 0; met && turn < 8; turn++) {
         const int low = share[0] < share[1] ? (share[0] < share[2] ? 0 : 2)
@@ -317,10 +272,10 @@ static int walk(const struct contact_sheet *sheet, int sample, int triangle, boo
         }
         triangle = next;
         open_face(sheet, sample, triangle, &one);
-        contact_lanes_nearest(&one.lanes);
-        contact_lanes_meet(&one.lanes);
-        get(one.lanes.share + 1, 0, share);
-        met = one.lanes.met[0];
+        contact_face_nearest(&one.at);
+        met = contact_face_meet(
+            &one.at, (const double *const[]){one.normal[0], one.normal[1], one.normal[2]});
+        memcpy(share, one.at.share, sizeof one.at.share);
     }
     return -1;
 }
@@ -404,96 +359,77 @@ static double strength(const struct contact_sheet *sheet, const struct contact_p
     return seen * contact_foot_far(sheet, uv, (const double[2]){foot->u, foot->v});
 }
 
-/* A sheet's feet in the lanes, from places that are kept until they are filled. */
-struct feet {
-    struct contact_lanes lanes;
-    const struct contact_place *place[CONTACT_LANES];
-    int triangle[CONTACT_LANES];
-};
-
-static void fill(const struct contact_sheet *sheet, const struct feet *f, int l,
-                 struct contact_foot *foot, int *node, double *weight)
+/* Computes a net's foot from its triangle, the shares in the face and their distance. */
+static void fill(const struct contact_sheet *sheet, const struct contact_place *place,
+                 const struct contact_face *face, int triangle, struct contact_foot *foot,
+                 int *node, double *weight)
 {
     const struct contact_surface *s = sheet->surface;
-    const struct contact_lanes *lanes = &f->lanes;
+    double n[3] = {0};
+    int corner[3];
 
-    const int corner[3] = {lanes->point[1][l], lanes->point[2][l], lanes->point[3][l]};
-    double share[3], n[3] = {0};
-
-    get(lanes->share + 1, l, share);
-    place_at(s, f->triangle[l], share, &foot->u, &foot->v);
+    contact_foot_corners(s, triangle, corner);
+    place_at(s, triangle, face->share, &foot->u, &foot->v);
     foot->strength =
-        strength(sheet, f->place[l], foot,
+        strength(sheet, place, foot,
                  contact_tree_near(sheet->tree, surely_apart * sheet->tree->apart,
-                                   foot->sample, corner, share));
+                                   foot->sample, corner, face->share));
     foot->count = 3;
     for (int k = 0; k < 3; k++) {
         node[k] = s->node[corner[k]];
-        weight[k] = share[k] * s->shape[corner[k]];
+        weight[k] = face->share[k] * s->shape[corner[k]];
     }
-    foot->distance = lanes->distance[l];
-    get(lanes->way, l, foot->normal);
+    memcpy(foot->normal, face->way, sizeof face->way);
     if (foot->distance > 0)
         return;
     for (int k = 0; k < 3; k++) {
         double own[3];
         contact_foot_normal(sheet, corner[k], own);
         for (int i = 0; i < 3; i++)
-            n[i] += share[k] * own[i];
+            n[i] += face->share[k] * own[i];
     }
     point_along(n, foot);
 }
 
-/* Finds the feet of a net in the lanes. */
-static void refine_lanes(const struct contact_sheet *sheet, struct feet *f)
+/* Sets a face to a sample and a triangle, and to shares. */
+static void set_face(const struct contact_sheet *sheet, int sample, int triangle,
+                     const double share[3], struct contact_face *face)
 {
-    struct contact_lanes *lanes = &f->lanes;
-    bool changed = false;
+    int corner[3];
 
-    contact_lanes_meet(lanes);
-    for (int l = 0; l < lanes->count; l++) {
-        const int sample = f->place[l]->sample;
-        double share[3];
-        get(lanes->share + 1, l, share);
-        if (lanes->met[l] && share[0] >= 0 && share[1] >= 0 && share[2] >= 0)
-            continue;
-        const int to = walk(sheet, sample, f->triangle[l], lanes->met[l], share);
-        if (to >= 0 && to != f->triangle[l])
-            set_triangle(sheet, lanes, l, sample, f->triangle[l] = to);
-        set_share(lanes, l, to < 0 ? f->place[l]->share : share);
-        changed = true;
-    }
-    if (changed)
-        contact_lanes_measure(lanes);
-    for (int l = 0; l < lanes->count; l++) {
-        const double square = f->place[l]->square, found = lanes->square[l];
-        if (found >= as_near * square && found <= far * far * square)
-            continue;
-        f->triangle[l] = f->place[l]->triangle;
-        set_triangle(sheet, lanes, l, f->place[l]->sample, f->triangle[l]);
-        set_share(lanes, l, f->place[l]->share);
-        contact_lanes_measure(lanes);
-    }
+    contact_foot_corners(sheet->surface, triangle, corner);
+    *face = contact_foot_face(sheet->y, sample, corner);
+    memcpy(face->share, share, sizeof face->share);
 }
 
-static void refine_net(const struct contact_sheet *sheet, int count,
-                       const struct contact_place *const *place, struct contact_foot *foot,
-                       int *node, double *weight)
+/* Finds the foot of a net. */
+static void refine_net(const struct contact_sheet *sheet, const struct contact_place *place,
+                       struct contact_foot *foot, int *node, double *weight)
 {
-    struct feet f = {.lanes = {.y = sheet->y, .normal = sheet->normal}};
+    const int sample = place->sample;
+    int triangle = place->triangle, corner[3];
+    struct contact_face face;
+    const double *normal[3];
 
-    for (int from = 0; from < count; from += f.lanes.count) {
-        f.lanes.count = count - from < CONTACT_LANES ? count - from : CONTACT_LANES;
-        for (int l = 0; l < f.lanes.count; l++) {
-            f.place[l] = place[from + l], f.triangle[l] = f.place[l]->triangle;
-            set_triangle(sheet, &f.lanes, l, f.place[l]->sample, f.triangle[l]);
-            set_share(&f.lanes, l, f.place[l]->share);
-        }
-        refine_lanes(sheet, &f);
-        for (int l = 0; l < f.lanes.count; l++)
-            fill(sheet, &f, l, &foot[from + l], node + 3 * (from + l),
-                 weight + 3 * (from + l));
+    set_face(sheet, sample, triangle, place->share, &face);
+    contact_foot_corners(sheet->surface, triangle, corner);
+    for (int k = 0; k < 3; k++)
+        normal[k] = sheet->normal + 3 * (long)corner[k];
+    const bool met = contact_face_meet(&face, normal);
+    if (!met || !(face.share[0] >= 0 && face.share[1] >= 0 && face.share[2] >= 0)) {
+        double share[3] = {face.share[0], face.share[1], face.share[2]};
+        const int to = walk(sheet, sample, triangle, met, share);
+        triangle = to < 0 ? triangle : to;
+        set_face(sheet, sample, triangle, to < 0 ? place->share : share, &face);
     }
+    foot->distance = contact_face_measure(&face);
+    if (!(face.square >= as_near * place->square &&
+          face.square <= far * far * place->square)) {
+        triangle = place->triangle;
+        set_face(sheet, sample, triangle, place->share, &face);
+        foot->distance = contact_face_measure(&face);
+    }
+    fill(sheet, place, &face, triangle, foot, node, weight);
 }
 
 static int surface_at(const struct contact_surface *s, const double *x, double u, double v,
@@ -615,10 +551,11 @@ void contact_foot_refine(const struct contact_sheet *sheet, int count,
 {
     const int width = contact_foot_width(sheet->surface);
 
-    for (int k = 0; k < count; k++)
+    for (int k = 0; k < count; k++) {
         foot[k].sample = place[k]->sample, foot[k].side = place[k]->side;
-    if (sheet->surface->width == 1)
-        refine_net(sheet, count, place, foot, node, weight);
-    for (int k = 0; k < count && sheet->surface->width > 1; k++)
-        refine_smooth(sheet, place[k], &foot[k], node + k * width, weight + k * width);
+        if (sheet->surface->width == 1)
+            refine_net(sheet, place[k], &foot[k], node + k * width, weight + k * width);
+        else
+            refine_smooth(sheet, place[k], &foot[k], node + k * width, weight + k * width);
+    }
 }

@@ -22,7 +22,7 @@
 #ifndef CONTACT_FOOT_H
 #define CONTACT_FOOT_H
 
-#include "models/contact/contact_lanes.h"
+#include "models/contact/contact_face.h"
 #include "models/contact/contact_tree.h"
 
 struct contact_foot {
@@ -52,13 +52,6 @@ struct contact_place {
     double square_cos; /* of the way's angle to the sheet's normal                     */
 };
 
-/* Samples and triangles whose distances are computed together. */
-struct contact_pairs {
-    struct contact_lanes lanes;
-    int triangle[CONTACT_LANES];
-    struct contact_place *best[CONTACT_LANES]; /* of the sample's two sides   borrowed  */
-};
-
 /* Computes the samples at the corners of a triangle. */
 static inline void contact_foot_corners(const struct contact_surface *s, int triangle,
                                         int corner[3])
@@ -70,8 +63,16 @@ static inline void contact_foot_corners(const struct contact_surface *s, int tri
     corner[2] = triangle % 2 ? first + 1 : first + m + 1;
 }
 
+/* Returns a sample of places y[samples][3] and the triangle of three others. */
+static inline struct contact_face contact_foot_face(const double *y, int sample,
+                                                    const int corner[3])
+{
+    return (struct contact_face){.p = {y + 3 * (long)sample, y + 3 * (long)corner[0],
+                                       y + 3 * (long)corner[1], y + 3 * (long)corner[2]}};
+}
+
 /* Returns the squared distance of y from the triangle p, and the shares of the corners in
- * the closest point, as contact_lanes_nearest does. */
+ * the closest point, as contact_face_nearest does. */
 double contact_foot_nearest(const double y[3], const double *const p[3], double share[3]);
 
 /* Returns the distance of the segments p[0] p[1] and p[2] p[3], and the parameters of the
@@ -94,25 +95,11 @@ static inline void contact_foot_begin(double start, struct contact_place best[2]
     best[0].square = best[1].square = start * start;
 }
 
-/* Adds a triangle that may be the closest to a sample; returns whether the lanes, of the
- * sheet's places, are full. */
-static inline bool contact_foot_add(const struct contact_sheet *sheet,
-                                    struct contact_pairs *pairs, int sample, int triangle,
-                                    struct contact_place *best)
-{
-    const int l = pairs->lanes.count++;
-    int corner[3];
-
-    contact_foot_corners(sheet->surface, triangle, corner);
-    contact_lanes_set(&pairs->lanes, l, sample, corner);
-    pairs->triangle[l] = triangle, pairs->best[l] = best;
-    return l + 1 == CONTACT_LANES;
-}
-
-/* Takes each triangle that was added for the closest on its side of its sample, if it is,
- * and is not too near along the sheet, or seen from beside. The normals of all must be
- * ready. Empties the lanes. */
-void contact_foot_consider(const struct contact_sheet *sheet, struct contact_pairs *pairs);
+/* Takes a triangle for the closest on its side of a sample, of whose two sides best[2] are
+ * the closest, if it is, and is not too near along the sheet, or seen from beside. The
+ * sheet's normals there must be ready. */
+void contact_foot_consider(const struct contact_sheet *sheet, int sample, int triangle,
+                           struct contact_place best[2]);
 
 /* Returns how many nodes a foot has at most. */
 int contact_foot_width(const struct contact_surface *s);

@@ -169,26 +169,22 @@ static bool useless(const struct contact_search *s, int sample, const int corner
     return true;
 }
 
-/* Triangles that may be near samples, in the lanes, and what was found of them. */
+/* Triangles that are near samples. */
 struct sieve {
-    struct contact_lanes lanes;
-    int triangle[CONTACT_LANES];
     int count;
     struct contact_near near[16 * PIECE]; /* of pairs of cells */
 };
 
-/* Keeps those in the lanes that are near. */
-static void sift(const struct contact_search *s, struct sieve *v)
+/* Keeps a triangle if it is near a sample. */
+static void sift(const struct contact_search *s, int sample, int triangle,
+                 const int corner[3], struct sieve *v)
 {
-    if (v->lanes.count)
-        contact_lanes_nearest(&v->lanes);
-    for (int l = 0; l < v->lanes.count; l++) {
-        const double distance = sqrt(v->lanes.square[l]);
-        v->near[v->count] = (struct contact_near){v->lanes.point[0][l], v->triangle[l],
-                                                  (float)(less * distance)};
-        v->count += distance < s->start + s->margin;
-    }
-    v->lanes.count = 0;
+    struct contact_face face = contact_foot_face(s->sheet.y, sample, corner);
+
+    contact_face_nearest(&face);
+    const double distance = sqrt(face.square);
+    v->near[v->count] = (struct contact_near){sample, triangle, (float)(less * distance)};
+    v->count += distance < s->start + s->margin;
 }
 
 /* Tells whether a sample is outside the box of a cell, from its first sample on, by so
@@ -218,12 +214,8 @@ static void look_at(const struct contact_search *s, int samples, int cell, struc
              k++) {
             int corner[3];
             contact_foot_corners(s->sheet.surface, first + k, corner);
-            if (useless(s, sample[n], corner))
-                continue;
-            v->triangle[v->lanes.count] = first + k;
-            contact_lanes_set(&v->lanes, v->lanes.count++, sample[n], corner);
-            if (v->lanes.count == CONTACT_LANES)
-                sift(s, v);
+            if (!useless(s, sample[n], corner))
+                sift(s, sample[n], first + k, corner, v);
         }
 }
 
@@ -248,14 +240,13 @@ static enum status test_pairs(struct contact_search *s)
 #pragma omp parallel for schedule(dynamic, 4) if (s->pair_count >= PARALLEL)
     for (long piece = 0; piece < pieces; piece++) {
         struct sieve v;
-        v.lanes = (struct contact_lanes){.y = s->sheet.y}, v.count = 0;
+        v.count = 0;
         for (long n = piece * PIECE; n < (piece + 1) * PIECE && n < s->pair_count; n++) {
             const struct contact_pair *p = &s->pair[n];
             look_at(s, p->cell, p->other, &v);
             if (p->cell != p->other)
                 look_at(s, p->other, p->cell, &v);
         }
-        sift(s, &v);
         if (v.count)
 #pragma omp critical
         {
@@ -417,7 +408,7 @@ static int finish(const struct contact_search *s, int first, int count,
 
 /* Considers all cells for a sample. */
 static void consider_all(const struct contact_search *s, int sample,
-                         struct contact_pairs *pairs, struct contact_place best[2])
+                         struct contact_place best[2])
 {
     const struct contact_surface *f = s->sheet.surface;
     const int m = f->points[1], cells = (f->points[0] - 1) * (m - 1);
@@ -428,27 +419,24 @@ static void consider_all(const struct contact_search *s, int sample,
             contact_surface_cut(f, cell / (m - 1)))
             continue;
         for (int k = triangle; k < triangle + 2; k++)
-            if (!has_corner(s, k, sample) &&
-                contact_foot_add(&s->sheet, pairs, sample, k, best))
-                contact_foot_consider(&s->sheet, pairs);
+            if (!has_corner(s, k, sample))
+                contact_foot_consider(&s->sheet, sample, k, best);
     }
 }
 
-/* Considers the first of the near triangles of a sample, or those of the others, the
- * nearest first, that may be closer; samples have moved by `way` at most. */
-static void consider_near(const struct contact_search *s, int sample, bool others,
-                          double way, struct contact_pairs *pairs,
+/* Considers the near triangles of a sample that may be the closest, the nearest first;
+ * samples have moved by `way` at most. */
+static void consider_near(const struct contact_search *s, int sample, double way,
                           struct contact_place best[2])
 {
-    const struct contact_near *near = s->near + s->first[sample] + others;
-    const struct contact_near *end = others ? s->near + s->first[sample + 1] : near + 1;
+    const struct contact_near *near = s->near + s->first[sample];
+    const struct contact_near *end = s->near + s->first[sample + 1];
 
     for (; near < end; near++) {
         const double least = larger(near->distance - 2 * way, 0);
         if (least * least > larger(best[0].square, best[1].square))
             break;
-        if (contact_foot_add(&s->sheet, pairs, sample, near->triangle, best))
-            contact_foot_consider(&s->sheet, pairs);
+        contact_foot_consider(&s->sheet, sample, near->triangle, best);
     }
 }
 
@@ -460,7 +448,6 @@ static int find_piece(const struct contact_search *s, int first, double way, boo
     const int count = s->actives - first < PIECE ? s->actives - first : PIECE;
     const int *active = s->active + first;
     struct contact_place best[PIECE][2];
-    struct contact_pairs pairs = {.lanes = {.y = s->sheet.y}};
 
     for (int n = 0; n < count; n++) {
         const double side = all ? 0 : s->side[first + n];
@@ -469,13 +456,9 @@ static int find_piece(const struct contact_search *s, int first, double way, boo
             best[n][side < 0].square = -1; /* nothing is there */
     }
     for (int n = 0; all && n < count; n++)
-        consider_all(s, active[n], &pairs, best[n]);
-    for (int others = 0; !all && others < 2; others++) {
-        for (int n = 0; n < count; n++)
-            consider_near(s, active[n], others, way, &pairs, best[n]);
-        contact_foot_consider(&s->sheet, &pairs);
-    }
-    contact_foot_consider(&s->sheet, &pairs);
+        consider_all(s, active[n], best[n]);
+    for (int n = 0; !all && n < count; n++)
+        consider_near(s, active[n], way, best[n]);
     return finish(s, first, count, (const struct contact_place(*)[2])best, foot);
 }
 

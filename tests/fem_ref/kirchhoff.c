@@ -1,5 +1,5 @@
 /* Kirchhoff plate, one edge clamped: closed forms at nu = 0, lowest frequencies computed
- * elsewhere, convergence of the series. (freefem.c: the motion of a solid at nu = 0.3.) */
+ * elsewhere, convergence of the series. */
 #include "fem_ref/kirchhoff.h"
 #include "fem_ref/reference.h"
 #include "fem_ref/ritz.h"

@@ -69,7 +69,7 @@ static void add_row(struct verify_subject *s)
     const double h = verify_number(s, "h_over_a"), nu = verify_number(s, "nu");
     const bool uniform = is(s, "unif");
 
-    if (is(s, "sin11") || /* no scene has that load: tests/physics/navier.c */
+    if (is(s, "sin11") || /* no scene has that load */
         (s->sheet->quick && (nu != 0.3 || h != (uniform ? 0.001 : 0.1))))
         return;
     if ((s->layers == 2 && h > ONE_LAYER) || (s->layers == SOLID_LAYERS && h < SOLID_LOCKS))

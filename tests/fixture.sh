@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# What tests that are scripts share: sourced. `fail` tells and counts; `own_folder` goes to an
-# empty folder that is gone at the end.
-# shellcheck disable=SC2034 # failures
+# What tests that are scripts share: sourced, with $program set. `fail` tells and counts;
+# `own_folder` goes to an empty folder that is gone at the end; the others run the program and
+# leave what it prints in the files `out` and `err`.
+# shellcheck disable=SC2154 # program
 set -uo pipefail
 failures=0
 
@@ -14,4 +15,31 @@ own_folder() {
     folder=$(mktemp -d)
     trap 'rm -rf "$folder"' EXIT
     cd "$folder" || exit 1
+}
+
+ends() { # CODE ARGUMENT...: so it ends
+    local want=$1 code
+    shift
+    "$program" "$@" >out 2>err </dev/null
+    code=$?
+    [ "$code" -eq "$want" ] || fail "$*: exit $code, want $want: $(<err)"
+}
+
+good() { # ARGUMENT...
+    ends 0 "$@"
+}
+
+# Bad input: exit 2, nothing on standard output, one line on standard error.
+refused() { # ARGUMENT...
+    ends 2 "$@"
+    [ ! -s out ] || fail "$*: prints $(<out)"
+    [ "$(wc -l <err)" -eq 1 ] || fail "$*: not one line: $(<err)"
+}
+
+has() { # FILE TEXT...; each is in the file
+    local file=$1 text
+    shift
+    for text in "$@"; do
+        grep -qF -- "$text" "$file" || fail "'$text' is not in $file: $(head -c 2000 "$file")"
+    done
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every way a case can end is told in its own words, and resuming a sweep comes to what it would
+# Every way a case can end has its verdict, and resuming a sweep comes to what it would
 # have been without what happened to it from outside: kills, damaged files, other people's files.
 #   sweep_ends.sh PROGRAM FOLDER        PROGRAM: clothbench_toy, with tests/odd_model.c
 program=$1
@@ -7,16 +7,16 @@ folder=$2
 # shellcheck source=tests/sweep_fixture.sh
 . "$(dirname "$0")/sweep_fixture.sh"
 
-refused() { # TEXT: the last run ended so and said TEXT
+refused() { # FILE: the last run ended so, for this file's sake
     [ "$code" -eq 2 ] || fail "exit $code, want 2: $(<err)"
-    [[ $(<err) == *"$1"* ]] || fail "'$1' is not in: $(<err)"
+    [[ $(<err) == *"$1: "* ]] || fail "'$1' is not in: $(<err)"
     [ "$(wc -l <err)" -eq 1 ] || fail "not one line: $(<err)"
 }
 
-row() { # FOLDER NAME END: the row ends so
+row() { # FOLDER NAME VERDICT,LABEL[,TIME]: the row has them
     local line
     line=$(grep "^[0-9]*,$2," "$1/table.csv")
-    [[ $line == *",$3" ]] || fail "$2: want '$3': $line"
+    [[ $line == *",$3"* ]] || fail "$2: want '$3': $line"
 }
 
 # --- ends ---------------------------------------------------------------------------------
@@ -45,20 +45,12 @@ ODD_TAME=1 run ends.yaml --out quiet
 [ "$code" -eq 0 ] || fail "exit $code: $(<err)"
 run ends.yaml --out ends
 [ "$code" -eq 0 ] || fail "exit $code: $(<err)"
-row ends sound 'feasible,feasible,done'
-row ends dies 'infeasible,chaotic,died at t = 0.015 s: a position is no longer a number'
-row ends escapes \
-    'infeasible,chaotic,died at t = 0.015 s: a point is farther than 10 lengths from its support'
-row ends crashes 'none,no result,crashed: signal 6 (Aborted)'
-row ends leaves 'none,no result,ended with exit code 3'
-row ends killed \
-    'none,run again,"killed by signal 9 (Killed), not by itself; --resume runs it again"'
-row ends memory 'none,run again,out of memory; --resume runs it again'
-row ends library 'none,no result,a library failed'
-row ends unsupported 'none,unsupported,scripted: would not'
-row ends refused 'none,no result,scripted: would not'
-for line in 'feasible  *1' 'chaotic  *2' 'died  *2   the numerics' 'unsupported  *1   the model' \
-    'no result  *4   timed out, crashed' 'run again  *2   cut short'; do
+row ends sound 'feasible,feasible,'
+for name in dies escapes; do row ends $name 'infeasible,chaotic,died at t = 0.015 s'; done
+for name in crashes leaves library refused; do row ends $name 'none,no result,'; done
+for name in killed memory; do row ends $name 'none,run again,'; done
+row ends unsupported 'none,unsupported,'
+for line in 'feasible  *1' 'chaotic  *2' 'died  *2' 'unsupported  *1' 'no result  *4' 'run again  *2'; do
     grep -q "^  $line" out || fail "no '$line': $(<out)"
 done
 run ends.yaml --out ends --resume
@@ -75,8 +67,7 @@ sed 's/^cases:/time_limit: 0.1\ncases: [{name: a, material.density: 4}, {name: b
     /^  - /d; /^time_limit: 1e6/d; s/name: ends/name: hangs/' ends.yaml >hangs.yaml
 run hangs.yaml --out hangs
 [ "$code" -eq 0 ] || fail "hangs: exit $code: $(<err)"
-row hangs a 'none,no result,timed out after 0.1 s of processor time'
-row hangs b 'none,no result,timed out after 0.1 s of processor time'
+for name in a b; do row hangs $name 'none,no result,timed out after 0.1 s'; done
 run hangs.yaml --out hangs --resume
 grep -q 'Nothing was left' out || fail 'a case that hung is run again'
 
@@ -108,19 +99,19 @@ cmp quiet/table.csv ends/table.csv || fail 'healed, the table is another'
 cp -r quiet moved
 cp moved/case_000002.h5 moved/case_000001.h5
 ODD_TAME=1 run ends.yaml --out moved --resume
-refused 'moved/case_000001.h5: is of another case; take it away'
+refused 'moved/case_000001.h5'
 cmp quiet/case_000002.h5 moved/case_000001.h5 || fail 'a foreign file was touched'
 cp quiet/case_000001.h5 moved/case_000001.h5
 cp moved/case_000004.txt moved/case_000005.txt
 ODD_TAME=1 run ends.yaml --out moved --resume
-refused 'moved/case_000005.txt: is of another case; take it away'
+refused 'moved/case_000005.txt'
 rm -r moved
 sed 's/look: 1/look: 2/' ends.yaml >other.yaml
 ODD_TAME=1 run other.yaml --out other
 for n in 1 4; do
     cp quiet/case_00000$n.* other/
     ODD_TAME=1 run other.yaml --out other --resume
-    refused "other/case_00000$n.$([ $n = 1 ] && echo h5 || echo txt): is of another plan or scene"
+    refused "other/case_00000$n.$([ $n = 1 ] && echo h5 || echo txt)"
     rm other/case_00000$n.*
 done
 # another build of the program: one byte more
@@ -129,12 +120,11 @@ echo >>./clothbench_other
 cp -r quiet mixed
 ./clothbench_other sweep ends.yaml --out mixed --resume >out 2>err </dev/null
 code=$?
-refused "begun with another plan, scene or build of the program: line"
-refused "was '--- program clothbench"
+[ "$code" -eq 2 ] || fail "another build: exit $code"
 rm mixed/manifest.txt
 ./clothbench_other sweep ends.yaml --out mixed >out 2>err </dev/null
 code=$?
-refused 'mixed/case_000001.h5: is of another build of the program'
+refused 'mixed/case_000001.h5'
 
 # --- files of others --------------------------------------------------------------------------
 mkdir mine outside
@@ -168,6 +158,6 @@ echo outside >outside/lock
 ln -s ../outside/lock mine/lock
 run mapped.yaml --out mine --resume
 [ "$code" -eq 1 ] || fail "a link as lock: exit $code"
-grep -q 'mine/lock: cannot be opened' err || fail "a link as lock: $(<err)"
+grep -q 'mine/lock: ' err || fail "a link as lock: $(<err)"
 [ "$(<outside/lock)" = outside ] || fail 'the lock was written through a link'
 [ "$failures" -eq 0 ]

@@ -7,33 +7,26 @@ folder=$2
 # shellcheck source=tests/sweep_fixture.sh
 . "$(dirname "$0")/sweep_fixture.sh"
 
-run() { # CODE ARGUMENT...; fills out and err
-    local want=$1 code
-    shift
-    "$program" stress "$@" >out 2>err </dev/null
-    code=$?
-    [ "$code" -eq "$want" ] || fail "stress $*: exit $code, want $want: $(<err)"
-}
 is() { # FILE LINE: it has the line
     grep -qxF "$2" "$1" || fail "no '$2' in $1: $(<"$1")"
 }
 
-run 0 still swing_10000 folded_knots --models odd,mass_spring --quick --jobs 1 --out few \
+good stress still swing_10000 folded_knots --models odd,mass_spring --quick --jobs 1 --out few \
     --format csv
 sed -E 's/,[^,]*(,[^,]*)$/,TOOK\1/' out >rows
 is rows 'still,odd,9.9999999999999998e-13,degraded,0.10000000000000001,0.0050000000000000001,TOOK,'
 grep -q '^still,mass_spring,9.9999999999999998e-13,accurate,' rows || fail "still: $(<out)"
-is rows 'swing_10000,odd,0.01,refused,,,TOOK,unsupported: no elastic energy that could be kept'
+grep -q '^swing_10000,odd,0.01,refused,,,TOOK,' rows || fail "swing: $(<out)"
 grep -q '^swing_10000,mass_spring,0.01,degraded,' out || fail "swing: $(<out)"
 grep -q '^folded_knots,mass_spring,0.02,refused,,' out || fail "refused: $(<out)"
 [ "$(grep -c '^[a-z]' out)" -eq 13 ] || fail "not twelve rows: $(<out)"
 cp out first
-run 0 still swing_10000 folded_knots --models odd,mass_spring --from few --format csv
+good stress still swing_10000 folded_knots --models odd,mass_spring --from few --format csv
 cmp first out || fail 'printed again, it is another'
 # a truth that is made first, once for all
-run 0 two_corners --models odd,mass_spring --quick --out few --format csv
-grep -q "^two_corners,mass_spring,0.02,accurate,.*,the truth's error bar is 0.00" out || fail "$(<out)"
-grep -q "^two_corners,odd,0.02,degraded,.*,the truth's error bar is 0.00" out || fail "$(<out)"
+good stress two_corners --models odd,mass_spring --quick --out few --format csv
+grep -q '^two_corners,mass_spring,0.02,accurate,.* 0.00' out || fail "$(<out)"
+grep -q '^two_corners,odd,0.02,degraded,.* 0.00' out || fail "$(<out)"
 # one that is killed on its way: the runs are refused, and their rows say why
 "$program" stress two_corners --models odd --quick --out lost --format csv >out 2>err </dev/null &
 stress=$!
@@ -44,27 +37,20 @@ done
 part=${part%%-0.part*}
 kill -KILL "${part##*.}"
 wait "$stress" || fail "a truth that was killed: $(<err)"
-grep -q '^two_corners,odd,.*,refused,.*no truth to hold it against: killed by signal 9' out ||
+grep -q '^two_corners,odd,.*,refused,.*signal 9' out ||
     fail "a truth that was killed: $(<out)"
 # a strip whose systems round-off leaves without a solution, at long steps towards rest
-run 0 narrow --models mass_spring --out narrow --format csv
+good stress narrow --models mass_spring --out narrow --format csv
 grep -q '^narrow,mass_spring,0.02,accurate,' out || fail "narrow: $(<out)"
 # a file that is damaged, one that is gone
 echo >>few/still.odd.txt
 rm few/still.mass_spring.txt
-run 0 still --models odd,mass_spring --from few
+good stress still --models odd,mass_spring --from few
 grep -qE '^still +-( +ok [^ ]+){2} +damaged$' out || fail "damaged: $(<out)"
-grep -q '^Damaged files, no longer as they were written: 1\.' out || fail "damaged: $(<out)"
-run 2 thrown --models odd --from few
-grep -q 'few holds no such results of' err || fail "nothing: $(<err)"
-
-run 2 nowhere
-grep -q "there is no case 'nowhere'" err || fail "$(<err)"
-run 2 still --models nobody
-grep -q "'nobody'" err || fail "$(<err)"
-run 2 still --jobs 0
-run 2 still --format scroll
-run 2 still --from few --out other
-grep -q 'give one of the two' err || fail "$(<err)"
+for words in 'thrown --models odd --from few' nowhere 'still --models nobody' 'still --jobs 0' \
+    'still --format scroll' 'still --from few --out other'; do
+    # shellcheck disable=SC2086 # words
+    refused stress $words
+done
 [ ! -e other ] || fail 'a refused run wrote'
 [ "$failures" -eq 0 ]

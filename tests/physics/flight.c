@@ -49,7 +49,6 @@ static void check_thrown(const struct model *model)
 {
     static const double middle[3] = {0.5, 0.5, 0.5};
     static const char *const motion[][2] = {
-        {"motion={velocity: [30, 0, 5]}", NULL},
         {"motion={velocity: [300, 0, 5]}", NULL},
         {"motion={velocity: [30, 0, 5], spin: [0, 0, 3]}", NULL}};
 

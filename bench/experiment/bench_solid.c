@@ -5,7 +5,9 @@
 #include "models/clock.h"
 #include "models/solid/solid_motion.h"
 
-enum status bench_solid_run(void *state, enum bench_solid_phase phase)
+/* Runs one phase on a solid's state. Assembly comes first; the matrices are afterwards
+ * those of the rest shape. */
+static enum status run_phase(void *state, enum bench_solid_phase phase)
 {
     struct solid_motion *motion = state; /* solid_model.h */
     const double(*K)[9] = (const double(*)[9])motion->assembly.K;
@@ -26,25 +28,14 @@ enum status bench_solid_time(void *state, enum bench_solid_phase phase, int repe
                              double *seconds)
 {
     double start = clock_now();
-    enum status st = bench_solid_run(state, phase);
+    enum status st = run_phase(state, phase);
     int calls = (int)fmin(100, ceil(SAMPLE / fmax(clock_now() - start, 1e-7)));
 
     for (int r = 0; r < repeats && st == STATUS_OK; r++) {
         start = clock_now();
         for (int n = 0; n < calls && st == STATUS_OK; n++)
-            st = bench_solid_run(state, phase);
+            st = run_phase(state, phase);
         seconds[r] = (clock_now() - start) / calls;
     }
     return st;
-}
-
-enum status bench_solid_matrix(void *state, int *n, long **start, int **row, double **value)
-{
-    struct solid_motion *motion = state;
-
-    *n = motion->supports.free_count;
-    return system_columns(
-        &motion->assembly.graph, &motion->supports, NULL, newmark_k(&motion->newmark),
-        (const double(*)[9])motion->assembly.K, newmark_m(&motion->newmark),
-        motion->assembly.M, start, row, value);
 }

@@ -10,17 +10,10 @@
 #include "models/reader/scene_file.h"
 
 static const struct command_item *const items[] = {
-    &bench_part_solids.item,
-    &bench_part_baselines.item,
-    &bench_part_projective.item,
-    &bench_part_nonlinear.item,
-    &bench_part_swings.item,
-    &bench_part_bandwidth.item,
-    &bench_part_intersection.item,
-    &bench_part_contact.item,
-    &bench_part_fabrics.item,
-    &bench_part_contestants.item,
-    NULL,
+    &bench_part_solids.item,      &bench_part_projective.item,
+    &bench_part_nonlinear.item,   &bench_part_swings.item,
+    &bench_part_contact.item,     &bench_part_fabrics.item,
+    &bench_part_contestants.item, NULL,
 };
 
 /* The end of a short run [s]: twenty frames after two of warm-up (measurement.h). */
@@ -66,13 +59,7 @@ static enum status measure(const struct bench_part *part, struct bench *b,
     enum status st;
 
     TRY(folder_make(b->folder, why));
-    if (b->batch.count)
-        TRY(batch_run(&b->batch, &options, why));
-    if (part->sample) {
-        TRY(part->sample(b, why));
-        TRY(samples_save(&b->samples, b->folder, why));
-        samples_clear(&b->samples);
-    }
+    TRY(batch_run(&b->batch, &options, why));
 out:
     progress_end(&bar);
     return st;
@@ -85,6 +72,8 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
     const char *all = b->folder;
     enum status st;
 
+    if (part->measure)
+        return part->measure(b, why);
     snprintf(folder, sizeof folder, "%s/%s", all, part->item.name);
     b->folder = folder;
     TRY(batch_init(&b->batch, folder, BENCH_PART_RUNS));
@@ -95,14 +84,12 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
         TRY(part->plan(b, why));
     if (!read_only)
         TRY(measure(part, b, why));
-    if (part->sample)
-        TRY(samples_read(&b->samples, folder, why));
     b->result = calloc((size_t)b->batch.count + 1, sizeof *b->result);
     TRY(b->result ? STATUS_OK : STATUS_MEMORY);
-    for (int n = 0; n < b->batch.count && !part->sample; n++)
+    for (int n = 0; n < b->batch.count; n++)
         TRY(batch_read(&b->batch, n, false, &b->result[n], why));
     TRY(part->print(b, why));
-    if (!part->sample && table_format_is_prose(b->format)) {
+    if (table_format_is_prose(b->format)) {
         measurement_machine(b->batch.files[0], b->file);
         fprintf(b->file, "\n");
     }
@@ -112,26 +99,31 @@ out:
     free(b->result);
     b->result = NULL;
     batch_clear(&b->batch);
-    samples_clear(&b->samples);
     b->folder = all;
     return st;
 }
 
-static bool wanted(const struct command_line *line, const char *name)
+/* Says if a part is asked for: by name, or with no name every part that can be printed. */
+static bool wanted(const struct command_line *line, const struct bench_part *part,
+                   bool read_only)
 {
     for (int n = 0; n < line->word_count; n++)
-        if (!strcmp(line->words[n], name))
+        if (!strcmp(line->words[n], part->item.name))
             return true;
-    return line->word_count == 0;
+    return line->word_count == 0 && !(read_only && part->measure);
 }
 
-static enum status check_word(const char *word, struct message *why)
+static enum status check_word(const char *word, bool read_only, struct message *why)
 {
     char names[256] = "";
 
     for (int p = 0; items[p]; p++) {
+        const struct bench_part *part = (const struct bench_part *)items[p];
         if (!strcmp(word, items[p]->name))
-            return STATUS_OK;
+            return read_only && part->measure
+                       ? status_fail(why, STATUS_INPUT,
+                                     "%s keeps no files: leave --from out", word)
+                       : STATUS_OK;
         TEXT_JOIN(names, ", ", "%s", items[p]->name);
     }
     return status_fail(why, STATUS_INPUT, "there is no benchmark '%s'; there are %s", word,
@@ -148,17 +140,19 @@ static enum status run(const struct command_line *line, struct message *why)
     char *path = NULL;
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < line->word_count; n++)
-        TRY(check_word(line->words[n], why));
     TRY(command_format(line, &b.format, why));
     TRY(command_folder(line, &b.folder, &from, why));
+    for (int n = 0; n < line->word_count; n++)
+        TRY(check_word(line->words[n], from != NULL, why));
     TRY(contestant_check(b.models, why));
     TRY(scene_file_find("edge_drop", &path, why));
     b.path = path;
     timing_alone();
-    for (int n = 0; items[n]; n++)
-        if (wanted(line, items[n]->name))
-            TRY(run_part((const struct bench_part *)items[n], &b, from != NULL, why));
+    for (int n = 0; items[n]; n++) {
+        const struct bench_part *part = (const struct bench_part *)items[n];
+        if (wanted(line, part, from != NULL))
+            TRY(run_part(part, &b, from != NULL, why));
+    }
     if (!from && table_format_is_prose(b.format))
         printf("Peak memory %.0f MB; BLAS kernel %s, %d thread.\n",
                (double)clock_peak_memory() / 1e6, blas_kernel_name(),
@@ -175,24 +169,22 @@ static const struct command_option options[] = {
     {"--format", TABLE_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false, "folder of all repeats (results/bench)"},
     {"--from", "DIR", false, "print again from the files of an earlier run"},
-    {"--quick", NULL, false,
-     "three repeats of everything, and the smaller matrices,\n"
-     "surfaces and nets"},
+    {"--quick", NULL, false, "three repeats of everything, and the smaller nets"},
     {NULL, NULL, false, NULL},
 };
 
 const struct command bench_command = {
     .name = "bench",
-    .summary = "time the models and compare them with aims and other libraries",
+    .summary = "time the models and compare them with aims",
     .arguments = "[NAME]... [OPTION]...",
     .text =
         "Times set-up and frames of all contestants, the phases of a frame, which are\n"
-        "compared with aims, and libraries on the same matrices. All of a part take\n"
-        "turns on one thread, with nine repeats of what takes up to 0.2 s and three of\n"
-        "the rest; the number stands beside the medians. Other work on the machine\n"
-        "spoils the times: look at the quartiles.\n",
-    .examples = "bench contestants\nbench solids baselines --out times\n"
-                "bench solids baselines --from times --format csv\n",
+        "compared with aims, and the search for contact. All of a part take turns on one\n"
+        "thread, with nine repeats of what takes up to 0.2 s and three of the rest; the\n"
+        "number stands beside the medians. Other work on the machine spoils the times:\n"
+        "look at the quartiles.\n",
+    .examples = "bench contestants\nbench solids contestants --out times\n"
+                "bench solids contestants --from times --format csv\n",
     .least = 0,
     .most = 16,
     .options = options,

@@ -1,12 +1,11 @@
 /* bench.h - the command `bench`: speed, as times and as ratios to named baselines. It is
- * made of parts, each with a table: a part is measured, its runs and samples are kept in a
- * folder, and the table is printed from there.
+ * made of parts, each with a table: a part is measured, its runs are kept in a folder, and
+ * the table is printed from there.
  */
 #ifndef BENCH_H
 #define BENCH_H
 
 #include "bench/experiment/batch.h"
-#include "bench/speed/samples.h"
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
 
@@ -28,7 +27,6 @@ struct bench {
     bool quick;
     struct batch batch;        /* the part's runs                                       */
     struct run_result *result; /* [batch.count], when it is printed              owned  */
-    struct samples samples;    /* its other numbers                                     */
 };
 
 enum { BENCH_PART_RUNS = 64 };
@@ -40,13 +38,13 @@ struct bench_part {
     int count;
     const struct bench_row *rows; /* [count] its runs                                   */
     enum status (*plan)(struct bench *b, struct message *why); /* adds runs; NULL: none  */
-    enum status (*sample)(struct bench *b, struct message *why); /* takes samples, which
-                                          its table is of; NULL: its table is of runs   */
     enum status (*print)(const struct bench *b, struct message *why);
+    enum status (*measure)(struct bench *b, struct message *why); /* measures and prints
+                               what is no run, of which nothing is kept; NULL: runs     */
 };
-extern const struct bench_part bench_part_solids, bench_part_baselines,
-    bench_part_projective, bench_part_nonlinear, bench_part_swings, bench_part_bandwidth,
-    bench_part_intersection, bench_part_contact, bench_part_fabrics, bench_part_contestants;
+extern const struct bench_part bench_part_solids, bench_part_projective,
+    bench_part_nonlinear, bench_part_swings, bench_part_contact, bench_part_fabrics,
+    bench_part_contestants;
 
 /* Adds a run. STATUS_INPUT: there is no such contestant. */
 enum status bench_part_add(struct bench *b, const struct bench_row *row,

@@ -41,25 +41,31 @@ static const struct shape {
     void (*point)(double u, double v, double t, double x[3]);
 } shapes[] = {{"flat", flat}, {"folded", folded}};
 static const int sides[] = {32, 64, 100, 256}, quick_sides[] = {12, 24};
-enum { SHAPES = 2, SIDES = 4, QUICK_SIDES = 2, CASES = SHAPES * SIDES, TASKS = 4 };
+enum { SHAPES = 2, SIDES = 4, QUICK_SIDES = 2, CASES = SHAPES * SIDES };
 enum { PAIRS_SIDE = 100 }; /* the largest that every pair is looked at of             */
 
+/* What is timed of a net, each repeat: calls of the first four, and a search in motion. */
+enum what { STEP, KEPT, AGAIN, EVERY_PAIR, MOVING, WHATS };
+
 struct net {
-    char name[SAMPLES_NAME];
+    const struct shape *shape;
     int side;
     double *x, *line;
     struct contact_surface surface;
     struct contact_search search, plain; /* by the tree; of every pair                   */
     struct spring_sweep *sweep;
-    int by_tree, by_pairs; /* feet                                                     */
+    int by_tree, by_pairs, feet; /* that a search found last; of the net at rest         */
+    double seconds[WHATS][TIMING_REPEATS], steps_kept;
+    int repeats[WHATS];
 };
 
-static void place(struct net *net, const struct shape *shape, double t)
+static void place(struct net *net, double t)
 {
     const int side = net->side;
 
     for (int n = 0; n < side * side; n++)
-        shape->point(net->line[n / side], net->line[n % side], t, net->x + 3 * (long)n);
+        net->shape->point(net->line[n / side], net->line[n % side], t,
+                          net->x + 3 * (long)n);
 }
 
 static int row(const void *self, double u, double v, int *node, double *shape)
@@ -130,15 +136,15 @@ static enum status make(const struct scene *scene, const struct shape *shape, in
 {
     enum status st = STATUS_OK;
 
+    net->shape = shape;
     net->side = side;
-    snprintf(net->name, sizeof net->name, "%s %dx%d", shape->name, side, side);
     net->line = malloc(side * sizeof *net->line);
     net->x = malloc((size_t)(side * side) * 3 * sizeof *net->x);
     if (!net->line || !net->x)
         return STATUS_MEMORY;
     for (int n = 0; n < side; n++)
         net->line[n] = n / (side - 1.);
-    place(net, shape, 0);
+    place(net, 0);
     TRY(contact_surface_init(&net->surface, scene, net, row, 1, side * side,
                              (const double *const[]){net->line, net->line},
                              (const int[]){side, side}));
@@ -159,8 +165,66 @@ static void clear(struct net *net)
     free(net->line);
 }
 
+static enum status (*const call[MOVING])(void *net) = {step, find, find_again, find_all};
+
+static void add(struct net *net, enum what what, double seconds)
+{
+    net->seconds[what][net->repeats[what]++] = seconds;
+}
+
+/* Returns the median; NaN: it was not timed. */
+static double median(const struct net *net, enum what what)
+{
+    return net->repeats[what]
+               ? clock_summarise(net->seconds[what], net->repeats[what]).median
+               : NAN;
+}
+
+static const double SAMPLE = 1e-3; /* [s] a sample lasts at least */
+
+/* Times as many calls as make up a sample by their mean. The first fetches again what
+ * other nets have driven out of the caches: it isn't counted if there is time for more. */
+static enum status time_calls(struct net *net, enum what what, double *seconds)
+{
+    const double begin = clock_now();
+    double sum = 0;
+    enum status st = STATUS_OK;
+
+    for (int calls = 0; st == STATUS_OK && (!calls || clock_now() - begin < SAMPLE);
+         calls++) {
+        const double before = clock_now();
+        st = call[what](net);
+        sum = (calls > 1 ? sum : 0) + clock_now() - before;
+        *seconds = sum / (calls > 1 ? calls : 1);
+    }
+    return st;
+}
+
+/* Times everything at rest in turn, short calls after an untimed round, repeated as
+ * timing.h says. */
+static enum status time_nets(int count, struct net *nets, bool quick)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = -count * MOVING; n < TIMING_REPEATS * count * MOVING; n++) {
+        const int at = (n + count * MOVING) % (count * MOVING);
+        struct net *net = &nets[at / MOVING];
+        const enum what what = at % MOVING;
+        double seconds;
+        if ((what == EVERY_PAIR && net->side > PAIRS_SIDE) ||
+            (net->repeats[what] &&
+             net->repeats[what] >= timing_repeats(net->seconds[what][0], quick)))
+            continue;
+        TRY(time_calls(net, what, &seconds));
+        if (n >= 0 || seconds > TIMING_SHORT)
+            add(net, what, seconds);
+    }
+out:
+    return st;
+}
+
 /* Times the search in steps of a motion, between them those of the springs. */
-static enum status time_motion(struct bench *b, const struct shape *shape, struct net *n)
+static enum status time_motion(struct net *n, bool quick)
 {
     const double dt = 1 / waves / (n->side - 1);
     enum status st = STATUS_OK;
@@ -168,86 +232,35 @@ static enum status time_motion(struct bench *b, const struct shape *shape, struc
 
     for (int r = 0; r < count; r++) {
         double seconds = 0;
-        place(n, shape, 0);
+        place(n, 0);
         TRY(find_again(n));
         const long sought = n->search.sought;
         for (int k = 1; k <= STEPS; k++) {
-            place(n, shape, k * dt);
+            place(n, k * dt);
             TRY(step(n));
             const double begin = clock_now();
             TRY(find(n));
             seconds += clock_now() - begin;
         }
-        samples_add(&b->samples, n->name, "moving", seconds / STEPS);
-        samples_add(&b->samples, n->name, "steps kept",
-                    (double)STEPS / fmax(1, n->search.sought - sought));
-        count = timing_repeats(seconds, b->quick);
+        add(n, MOVING, seconds / STEPS);
+        n->steps_kept = (double)STEPS / fmax(1, n->search.sought - sought);
+        count = timing_repeats(seconds, quick);
     }
 out:
     return st;
-}
-
-static enum status sample(struct bench *b, struct message *why)
-{
-    const int count = b->quick ? QUICK_SIDES : SIDES;
-    struct net all[CASES] = {{{0}}};
-    struct samples_task tasks[TASKS * CASES];
-    struct scene scene = {0};
-    enum status st = STATUS_OK;
-    int used = 0;
-
-    TRY(scene_init(&scene));
-    scene.length = scene.width = 1;
-    for (int k = 0; k < SHAPES * count; k++) {
-        struct net *n = &all[k];
-        TRY(make(&scene, &shapes[k / count], (b->quick ? quick_sides : sides)[k % count],
-                 n));
-        tasks[used++] = (struct samples_task){n->name, "step", step, NULL, n};
-        tasks[used++] = (struct samples_task){n->name, "kept", find, NULL, n};
-        tasks[used++] = (struct samples_task){n->name, "again", find_again, NULL, n};
-        if (n->side <= PAIRS_SIDE)
-            tasks[used++] = (struct samples_task){n->name, "every pair", find_all, NULL, n};
-    }
-    TRY(samples_time(&b->samples, b->quick, used, tasks));
-    for (int k = 0; k < SHAPES * count; k++) {
-        struct net *n = &all[k];
-        if (n->side <= PAIRS_SIDE && n->by_tree != n->by_pairs)
-            TRY(status_fail(why, STATUS_LIBRARY, "%s: the tree finds %d feet of %d",
-                            n->name, n->by_tree, n->by_pairs));
-        samples_add(&b->samples, n->name, "feet", n->by_tree);
-        TRY(time_motion(b, &shapes[k / count], n));
-    }
-out:
-    for (int k = 0; k < CASES; k++)
-        clear(&all[k]);
-    scene_clear(&scene);
-    return st;
-}
-
-/* Tells whether the samples are of a quick run. */
-static bool is_quick(const struct bench *b)
-{
-    return samples_of(&b->samples, "flat 12x12", "step").count > 0;
 }
 
 /* Returns the exponent by which a time grows with the number of points, from the fewest to
- * the most. */
-static double growth(const struct bench *b, const struct shape *shape, const char *what)
+ * the most of `count` nets of a shape. */
+static double growth(const struct net *nets, int count, enum what what)
 {
-    const int *side = is_quick(b) ? quick_sides : sides;
-    const int last = (is_quick(b) ? QUICK_SIDES : SIDES) - 1;
-    double seconds[2];
+    const struct net *first = &nets[0], *last = &nets[count - 1];
 
-    for (int k = 0; k < 2; k++) {
-        char name[SAMPLES_NAME];
-        const int n = side[k * last];
-        snprintf(name, sizeof name, "%s %dx%d", shape->name, n, n);
-        seconds[k] = samples_number(&b->samples, name, what);
-    }
-    return log(seconds[1] / seconds[0]) / log((double)side[last] / side[0]) / 2;
+    return log(median(last, what) / median(first, what)) /
+           log((double)last->side / first->side) / 2;
 }
 
-static enum status print(const struct bench *b, struct message *why)
+static enum status print(const struct bench *b, int count, const struct net *nets)
 {
     static const struct table_column columns[] = {{"net", NULL, TABLE_LEFT},
                                                   {"feet"},
@@ -262,24 +275,14 @@ static enum status print(const struct bench *b, struct message *why)
                                                   {"gain"},
                                                   {"repeats"}};
     struct table *t = TABLE_OF(columns, "Searching a sheet for contact with itself");
-    const int count = is_quick(b) ? QUICK_SIDES : SIDES;
 
-    (void)why;
-    for (int k = 0; k < SHAPES * count; k++) {
-        char name[SAMPLES_NAME];
-        const int side = (is_quick(b) ? quick_sides : sides)[k % count];
-        snprintf(name, sizeof name, "%s %dx%d", shapes[k / count].name, side, side);
-        const double seconds = samples_number(&b->samples, name, "step");
-        const struct clock_summary kept = samples_of(&b->samples, name, "kept");
-        const double again = samples_number(&b->samples, name, "again");
-        const double moving = samples_number(&b->samples, name, "moving");
-        const double all = samples_number(&b->samples, name, "every pair");
-        table_line(t, "%s|%.0f|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%d", name,
-                   samples_number(&b->samples, name, "feet"), 1e6 * seconds,
-                   1e6 * kept.median, kept.median / seconds, 1e6 * again,
-                   samples_number(&b->samples, name, "steps kept"), 1e6 * moving,
-                   moving / seconds, 1e6 * all, all / again, kept.count);
-    }
+    for (const struct net *n = nets; n < nets + SHAPES * count; n++)
+        table_line(t, "%s %dx%d|%d|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%d",
+                   n->shape->name, n->side, n->side, n->feet, 1e6 * median(n, STEP),
+                   1e6 * median(n, KEPT), median(n, KEPT) / median(n, STEP),
+                   1e6 * median(n, AGAIN), n->steps_kept, 1e6 * median(n, MOVING),
+                   median(n, MOVING) / median(n, STEP), 1e6 * median(n, EVERY_PAIR),
+                   median(n, EVERY_PAIR) / median(n, AGAIN), n->repeats[KEPT]);
     table_note(
         t, "A sheet of 1 m, contact from 2 mm on. The column `step` is an explicit step of "
            "the net's springs, `kept` a search whose near triangles still hold, `again` "
@@ -297,12 +300,41 @@ static enum status print(const struct bench *b, struct message *why)
         t,
         "With the number of points the time grows by the power %.2f (flat) and %.2f "
         "(folded) where triangles are kept, %.2f and %.2f where they are found again.",
-        growth(b, &shapes[0], "kept"), growth(b, &shapes[1], "kept"),
-        growth(b, &shapes[0], "again"), growth(b, &shapes[1], "again"));
+        growth(nets, count, KEPT), growth(nets + count, count, KEPT),
+        growth(nets, count, AGAIN), growth(nets + count, count, AGAIN));
     return table_finish(t, b->format, b->file);
+}
+
+static enum status measure(struct bench *b, struct message *why)
+{
+    const int count = b->quick ? QUICK_SIDES : SIDES;
+    struct net *nets = calloc(CASES, sizeof *nets);
+    struct scene scene = {0};
+    enum status st = nets ? STATUS_OK : STATUS_MEMORY;
+
+    TRY(st);
+    TRY(scene_init(&scene));
+    scene.length = scene.width = 1;
+    for (int k = 0; k < SHAPES * count; k++)
+        TRY(make(&scene, &shapes[k / count], (b->quick ? quick_sides : sides)[k % count],
+                 &nets[k]));
+    TRY(time_nets(SHAPES * count, nets, b->quick));
+    for (struct net *n = nets; n < nets + SHAPES * count; n++) {
+        if (n->side <= PAIRS_SIDE && n->by_tree != n->by_pairs)
+            TRY(status_fail(why, STATUS_LIBRARY, "%s %dx%d: the tree finds %d feet of %d",
+                            n->shape->name, n->side, n->side, n->by_tree, n->by_pairs));
+        n->feet = n->by_tree;
+        TRY(time_motion(n, b->quick));
+    }
+    st = print(b, count, nets);
+out:
+    for (int k = 0; nets && k < CASES; k++)
+        clear(&nets[k]);
+    free(nets);
+    scene_clear(&scene);
+    return st;
 }
 
 const struct bench_part bench_part_contact = {
     .item = {"contact", "searching a sheet for contact with itself, flat and folded"},
-    .sample = sample,
-    .print = print};
+    .measure = measure};

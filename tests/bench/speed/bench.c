@@ -2,7 +2,6 @@
  * milliseconds are those of tests/reference/peers.csv. */
 #include "bench/speed/bench.h"
 
-#include "bench/files/folder.h"
 #include "fem_ref/reference.h"
 #include "tests/run_fixture.h"
 #include "tests/said.h"
@@ -25,36 +24,6 @@ static struct run_result result(int n)
     r.work.iterations = 30;
     r.work.steps = 8;
     return r;
-}
-
-/* Adds the seconds of nine repeats around a median. */
-static void add(struct samples *s, const char *name, const char *what, double median)
-{
-    for (int k = -4; k <= 4; k++)
-        samples_add(s, name, what, median * (1 + k / 8.0));
-}
-
-static void add_samples(struct samples *s)
-{
-    for (int n = 0; n < 2; n++) {
-        const char *title = bench_part_solids.rows[n].title;
-        add(s, title, "factor ours", 1e-3);
-        add(s, title, "solve ours", 2e-3);
-        add(s, title, "factor CHOLMOD", 8e-3);
-        add(s, title, "solve CHOLMOD", 4e-3);
-        if (n == 0) {
-            add(s, title, "factor LAPACK", 5e-4);
-            add(s, title, "solve LAPACK", 1e-3);
-        }
-    }
-    /* 90,000 points, 1000 steps and 4 ns: 12 GB/s; triads of 16 and of 8 GB/s */
-    add(s, "300x300 single", "frame", 0.36);
-    samples_add(s, "300x300 single", "steps", 1000);
-    add(s, "300x300 single", "triad", 1.5e-3);
-    samples_add(s, "300x300 single", "elements", 1e6);
-    add(s, "memory", "triad", 3e-3);
-    samples_add(s, "memory", "elements", 1e6);
-    samples_add(s, "memory", "cache", 32e6);
 }
 
 static void print_part(const struct bench_part *part, enum table_format format,
@@ -80,19 +49,16 @@ static void print_part(const struct bench_part *part, enum table_format format,
         b.result[1].outcome = STATUS_UNSUPPORTED;
         b.result[1].sentence = (struct message){"will not"};
     }
-    add_samples(&b.samples);
     b.file = s->file;
     if (!CHECK(part->print(&b, &why) == STATUS_OK))
         printf("%s\n", why.text);
     free(b.result);
     batch_clear(&b.batch);
-    samples_clear(&b.samples);
 }
 
 static const struct cells {
     const struct bench_part *part;
     const char *has[6], *lacks;
-    enum table_format format; /* otherwise CSV                                           */
 } cells[] = {
     /* clang-format off */
     {&bench_part_solids, {"\niga 10x10x2 "
@@ -110,15 +76,9 @@ static const struct cells {
     {&bench_part_contestants,
      {"\n\"IGA, printed (paper)\",iga_paper,iga,10x10,100,10,1,9,3.75,\n",
      ",iga,10x10,,,,,,will not\n", ",shell,10x10,", ": will not.\n"}},
-    {&bench_part_baselines, {"\niga 10x10x2 rebuilt,CHOLMOD,8,1,8,4,2,2,9\n",
-     "\niga 10x10x2 rebuilt,LAPACK band,0.5,1,0.5,1,2,0.5,9\n",
-     "\niga 10x10x2 prefactored,CHOLMOD,8,1,8,4,2,2,9\n"}, "prefactored,LAPACK"},
     {&bench_part_projective, {"\nprojective 10x10 edges,frame,2,1,1.6000000000000001,2.5,9,"
      "0.029999999999999999,no\n", "\nprojective 100x100 edges,frame,6,3,",
      ",7,yes\n"}},
-    {&bench_part_bandwidth,
-     {"| 300x300 | single | 1000 | 3.24 | 4.00 | 48 | 12.0 | 16.0 | 75 | 1.5e+02 | 9 |",
-     "a triad on 24 MB, 8 GB/s; the last cache has 32 MB."}, NULL, TABLE_MARKDOWN},
     /* clang-format on */
 };
 
@@ -128,7 +88,7 @@ static void test_cells(void)
         const struct cells *c = &cells[n];
         struct said s;
         said_open(&s);
-        print_part(c->part, c->format ? c->format : TABLE_CSV, &s);
+        print_part(c->part, TABLE_CSV, &s);
         said_close(&s, true);
         for (int k = 0; k < 6 && c->has[k]; k++)
             said_has(&s, c->part->item.name, c->has[k]);
@@ -208,71 +168,10 @@ static void test_peers(void)
     reference_close(r);
 }
 
-/* Checks that samples are stored and read again, and what is no file of samples. */
-static void test_samples(const char *folder)
+int main(void)
 {
-    struct samples s = {0}, again = {0};
-    struct message why = {""};
-
-    add_samples(&s);
-    REQUIRE(folder_make(folder, &why) == STATUS_OK);
-    CHECK(samples_save(&s, folder, &why) == STATUS_OK);
-    CHECK(samples_read(&again, folder, &why) == STATUS_OK && again.count == s.count);
-    for (int n = 0; n < s.count; n++)
-        CHECK(!memcmp(&again.all[n].value, &s.all[n].value, sizeof(double)) &&
-              !strcmp(again.all[n].name, s.all[n].name) &&
-              !strcmp(again.all[n].what, s.all[n].what));
-    const struct clock_summary triad = samples_of(&s, "memory", "triad");
-    CHECK(triad.count == 9 && triad.median == 3e-3 && triad.min == 1.5e-3);
-    CHECK(samples_of(&s, "memory", "nothing").count == 0);
-    CHECK(isnan(samples_number(&s, "nobody", "frame")));
-    samples_clear(&again);
-    CHECK(samples_read(&again, "/proc/nowhere", &why) == STATUS_FILE);
-    samples_clear(&s);
-    CHECK(samples_save(&s, folder, &why) == STATUS_OK);
-    CHECK(samples_read(&again, folder, &why) == STATUS_INPUT &&
-          strstr(why.text, "no samp"));
-    samples_clear(&again);
-}
-
-static enum status called(void *context)
-{
-    ++*(int *)context;
-    return STATUS_OK;
-}
-
-static enum status fails(void *context)
-{
-    (void)context;
-    return STATUS_MEMORY;
-}
-
-/* Checks short calls: three repeats after a warm-up if quick, each of as many calls as fill
- * its time. */
-static void test_time(void)
-{
-    struct samples s = {0};
-    int calls[2] = {0};
-    struct samples_task tasks[] = {{"a", "call", called, NULL, &calls[0]},
-                                   {"b", "call", called, NULL, &calls[1]}};
-
-    CHECK(samples_time(&s, true, 2, tasks) == STATUS_OK);
-    CHECK(samples_of(&s, "a", "call").count == 3 && samples_of(&s, "b", "call").count == 3);
-    CHECK(calls[0] > 4 && calls[1] > 4 && s.count == 6);
-    tasks[1].call = fails;
-    CHECK(samples_time(&s, true, 2, tasks) == STATUS_OK); /* there are enough already */
-    tasks[1].name = "c";
-    CHECK(samples_time(&s, true, 2, tasks) == STATUS_MEMORY);
-    samples_clear(&s);
-}
-
-int main(int argc, char **argv)
-{
-    REQUIRE(argc == 2);
     test_cells();
     test_plans();
     test_peers();
-    test_samples(argv[1]);
-    test_time();
     return check_result();
 }

@@ -76,76 +76,18 @@ static void twice(struct said *first, const char *part, const char *folder)
     said_clear(&s);
 }
 
-/* Checks that rates follow from a node's bytes and times, and that steps grow with the
- * points, as waves along the sheet require. */
-static void test_bandwidth(const char *folder)
-{
-    struct said s;
-
-    twice(&s, "bandwidth", folder);
-    said_lacks(&s, "bandwidth", "\n300x300,");
-    for (int n = 0; n < 2; n++) {
-        const char *large = n ? "100x100,double" : "100x100,single";
-        const char *small = n ? "16x16,double" : "16x16,single";
-        const double bytes = n ? 96 : 48;
-        CHECK_NEAR(cell(&s, large, 1), 1e-6 * 10000 * 9 / 12 * bytes, 1e-9);
-        CHECK(cell(&s, large, 3) == bytes && cell(&s, large, 8) == TIMING_REPEATS_QUICK);
-        CHECK_NEAR(cell(&s, large, 2) * cell(&s, large, 4), bytes, 1e-9);
-        CHECK_NEAR(cell(&s, large, 4) / cell(&s, large, 5) * 100, cell(&s, large, 6), 1e-9);
-        CHECK_NEAR(cell(&s, large, 0) / cell(&s, small, 0), 99. / 15, 0.5);
-    }
-    said_clear(&s);
-}
-
-/* Checks that three nets have a row for both libraries, each with its repeats. */
-static void test_libraries(const char *folder)
-{
-    static const char *const library[] = {"CHOLMOD", "LAPACK band"};
-    char name[128];
-    struct said s;
-
-    twice(&s, "baselines", folder);
-    for (int n = 0; n < 6; n++) {
-        snprintf(name, sizeof name, "%s,%s", bench_part_solids.rows[n / 2].title,
-                 library[n % 2]);
-        for (int k = 0; k < 6; k++)
-            CHECK(cell(&s, name, k) > 0);
-        CHECK(cell(&s, name, 6) == TIMING_REPEATS_QUICK);
-    }
-    said_lacks(&s, "baselines", bench_part_solids.rows[3].title);
-    said_clear(&s);
-}
-
-/* Checks the pairs that made surfaces have, the gain and the repeats. */
-static void test_intersection(const char *folder)
-{
-    static const struct {
-        const char *surface;
-        double pairs;
-    } rows[] = {{"flat", 0}, {"rolled up", 0}, {"folded", 515}, {"doubled", 8112}};
-    struct said s;
-
-    twice(&s, "intersection", folder);
-    for (int n = 0; n < LENGTH(rows); n++) {
-        const char *name = rows[n].surface;
-        CHECK(cell(&s, name, 0) == rows[n].pairs);
-        CHECK_NEAR(cell(&s, name, 1) * cell(&s, name, 3) / cell(&s, name, 2), 1, 1e-9);
-        CHECK(cell(&s, name, 4) == TIMING_REPEATS_QUICK && cell(&s, name, 5) > 0);
-    }
-    said_clear(&s);
-}
-
 /* Checks the feet that made sheets have, the ratios and the repeats. */
-static void test_contact(const char *folder)
+static void test_contact(void)
 {
     static const struct {
         const char *net;
         double feet;
     } rows[] = {
         {"flat 12x12", 0}, {"flat 24x24", 0}, {"folded 12x12", 66}, {"folded 24x24", 276}};
+    struct message why = {""};
     struct said s;
 
-    twice(&s, "contact", folder);
+    CHECK(bench(&s, "contact --quick --format csv", &why) == STATUS_OK);
     for (int n = 0; n < LENGTH(rows); n++) {
         const char *name = rows[n].net;
         CHECK(cell(&s, name, 0) == rows[n].feet);
@@ -155,6 +97,9 @@ static void test_contact(const char *folder)
         CHECK_NEAR(cell(&s, name, 4) * cell(&s, name, 9) / cell(&s, name, 8), 1, 1e-9);
         CHECK(cell(&s, name, 10) == TIMING_REPEATS_QUICK);
     }
+    said_clear(&s);
+    CHECK(bench(&s, "contact --from nowhere", &why) == STATUS_INPUT);
+    CHECK(strstr(why.text, "contact keeps no files"));
     said_clear(&s);
 }
 
@@ -202,10 +147,7 @@ int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     remove_earlier(argv[1]);
-    test_bandwidth(argv[1]);
-    test_intersection(argv[1]);
-    test_contact(argv[1]);
-    test_libraries(argv[1]);
+    test_contact();
     test_runs(argv[1]);
     return check_result();
 }

@@ -1,11 +1,10 @@
-/* The paper's Table 4 (plan table4-readings): its words beside the rules', a second opinion
- * that is learnt from its words, and what is claimed of both. */
+/* The paper's Table 4 (plan table4-readings): its words beside the rules', and what is
+ * claimed of them. */
 #include <math.h>
 #include <string.h>
 
 #include "bench/claims/claim.h"
 #include "bench/claims/paper.h"
-#include "bench/experiment/learn.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
@@ -13,10 +12,7 @@
  * row are bits. */
 enum { ROWS = PAPER_TABLE4_ROWS, ANSWERS = PAPER_LABELS + 1 };
 
-/* Sources that answers are learnt from: on a scene, each label from the measure that its
- * rule judges by (feasible is who has no label); or each answer from one parameter alone.
- */
-enum { FLAG, DROP, SCENES, RATIO = SCENES, MU, TEACHERS };
+enum { FLAG, DROP, SCENES };
 static const char *const scene_name[SCENES] = {"flag", "edge_drop"};
 
 static const char PRINTED[] = "printed", SOLID[] = "nonlinear solid",
@@ -77,65 +73,26 @@ static struct count count(const struct study_results *d, const char *reading, in
     return c;
 }
 
-/* --- The second opinion. */
-
-static const struct verdict_rule *rule_of(const struct verdict_rules *rules, int answer)
+/* Returns the most rows that two bounds on E/rho alone, inside of which the answer is yes,
+ * get right if they are chosen in hindsight; or none, inside of which is no row. */
+static int two_bounds(int answer)
 {
-    for (int n = 0; n < rules->count && answer; n++)
-        if (!strcmp(rules->rule[n].label, name_of(answer)))
-            return &rules->rule[n];
-    return NULL;
-}
+    double ratio[ROWS];
+    int most = 0;
 
-/* Returns the number by which a rule judges a printed row; a time that did not come is
- * infinite. */
-static double measured(const struct study_results *d, int scene, int row,
-                       const struct verdict_rule *rule)
-{
-    const enum quantity q = (enum quantity)(QUANTITIES - MEASURES + rule->measure);
-    const double v = dataset_at(d, q, AT(PRINTED, scene, row));
-
-    return isnan(v) && !strcmp(measure_unit(rule->measure), "s") ? INFINITY : v;
-}
-
-static void learn_from(const struct study_results *d, int teacher,
-                       struct learnt answer[ANSWERS])
-{
-    const bool scene = teacher < SCENES;
-    double value[ROWS];
-    bool yes[ROWS];
-
-    for (int n = ANSWERS - 1; n >= scene; n--) {
-        const struct verdict_rule *rule = rule_of(&d->plan->verdicts, n);
-        for (int row = 0; row < ROWS; row++) {
-            const struct paper_table4_row *p = &paper_table4[row];
-            yes[row] = papers(row) >> n & 1;
-            value[row] = teacher == RATIO ? p->young / p->density
-                         : teacher == MU  ? p->damping
-                         : rule           ? measured(d, teacher, row, rule)
-                                          : NAN;
-        }
-        answer[n] = learn(ROWS, value, yes,
-                          !scene                ? LEARN_ANY
-                          : rule && rule->above ? LEARN_ABOVE
-                                                : LEARN_BELOW);
+    for (int row = 0; row < ROWS; row++) {
+        ratio[row] = paper_table4[row].young / paper_table4[row].density;
+        most += !(papers(row) >> answer & 1);
     }
-    for (int row = 0; scene && row < ROWS; row++) {
-        answer->fitted[row] = answer->left_out[row] = true;
-        for (int n = 1; n < ANSWERS; n++) {
-            answer->fitted[row] &= !answer[n].fitted[row];
-            answer->left_out[row] &= !answer[n].left_out[row];
+    for (int low = 0; low < ROWS; low++)
+        for (int high = 0; high < ROWS; high++) {
+            int agree = 0;
+            for (int row = 0; row < ROWS; row++)
+                agree += (ratio[row] >= ratio[low] && ratio[row] <= ratio[high]) ==
+                         (papers(row) >> answer & 1);
+            most = agree > most ? agree : most;
         }
-    }
-}
-
-static int right(int answer, const bool said[ROWS])
-{
-    int agree = 0;
-
-    for (int row = 0; row < ROWS; row++)
-        agree += said[row] == (papers(row) >> answer & 1);
-    return agree;
+    return most;
 }
 
 /* --- The tables. */
@@ -202,47 +159,21 @@ static struct table *counts_table(const struct study_results *d)
     return t;
 }
 
-static struct table *lessons_table(const struct study_results *d)
+static struct table *hindsight_table(const struct study_results *d)
 {
-    static const struct table_column columns[] = {{"answer", NULL, TABLE_LEFT},
-                                                  {"paper's rows"},
-                                                  {"always no"},
-                                                  {"flag: learnt"},
-                                                  {"left out", .key = "flag_left_out"},
-                                                  {"edge_drop: learnt"},
-                                                  {"left out", .key = "edge_drop_left_out"},
-                                                  {"E/rho: learnt", .key = "ratio_learnt"},
-                                                  {"left out", .key = "ratio_left_out"},
-                                                  {"mu: learnt", .key = "mu_learnt"},
-                                                  {"left out", .key = "mu_left_out"}};
-    struct learnt lesson[TEACHERS][ANSWERS];
-    struct table *t = TABLE_OF(
-        columns, "A second verdict: bounds learnt from the paper's own words, printed "
-                 "scheme; rows of 18 that they get right");
+    static const struct table_column columns[] = {
+        {"answer", NULL, TABLE_LEFT},
+        {"paper's rows"},
+        {"always no"},
+        {"two bounds on E/rho", .key = "ratio_bounds"}};
+    struct table *t =
+        TABLE_OF(columns, "In hindsight: rows of 18 that `no` to all and that "
+                          "two bounds on E/rho alone get right");
 
-    for (int k = 0; k < TEACHERS; k++)
-        learn_from(d, k, lesson[k]);
     for (int n = 0; n < ANSWERS; n++) {
-        const struct verdict_rule *rule = rule_of(&d->plan->verdicts, n);
         const int paper = count(d, PRINTED, FLAG, n).paper;
-        table_line(t, "%s|%d|%d", name_of(n), paper, ROWS - paper);
-        for (int k = 0; k < TEACHERS; k++) {
-            table_add(t, "%d|%d", right(n, lesson[k][n].fitted),
-                      right(n, lesson[k][n].left_out));
-        }
-        for (int s = 0; rule && s < SCENES; s++) {
-            const struct learnt *l = &lesson[s][n];
-            if (l->low > l->high)
-                table_note(t, "%s, %s: never.", rule->label, scene_name[s]);
-            else
-                table_note(t, "%s, %s: %s %s %.3g.", rule->label, scene_name[s],
-                           measure_name(rule->measure), rule->above ? "above" : "below",
-                           rule->above ? l->low : l->high);
-        }
+        table_line(t, "%s|%d|%d|%d", name_of(n), paper, ROWS - paper, two_bounds(n));
     }
-    table_note(t,
-               "Left out: each row judged by bounds learnt from the 17 others. Feasible: "
-               "no label; of E/rho and mu, two bounds of its own.");
     return t;
 }
 
@@ -255,7 +186,7 @@ enum status claim_table4_print(const struct study_results *d, enum table_format 
         return STATUS_OK;
     TRY(table_finish(words_table(d), format, file));
     TRY(table_finish(counts_table(d), format, file));
-    TRY(table_finish(lessons_table(d), format, file));
+    TRY(table_finish(hindsight_table(d), format, file));
 out:
     return st;
 }
@@ -278,16 +209,14 @@ static enum judge of_all(int agree, int judged)
 static enum judge two_are_feasible(const struct study_results *d, FILE *because)
 {
     const struct count flag = count(d, PRINTED, FLAG, 0), drop = count(d, PRINTED, DROP, 0);
-    struct learnt ratio[ANSWERS];
 
     if (!has_verdicts(d, because))
         return JUDGE_OPEN;
-    learn_from(d, RATIO, ratio);
     fprintf(because,
             "%d of 18 rows are yes or no as in the paper on flag, %d on edge_drop; `no` to "
             "every row is right in %d, two bounds on E/rho alone, chosen in hindsight, in "
             "%d.",
-            flag.agree, drop.agree, ROWS - flag.paper, right(0, ratio->fitted));
+            flag.agree, drop.agree, ROWS - flag.paper, two_bounds(0));
     return of_all(flag.agree, flag.judged);
 }
 
@@ -433,47 +362,6 @@ static enum judge it_flows(const struct study_results *d, FILE *because)
                       judge_below(shell, printed));
 }
 
-static enum judge words_teach(const struct study_results *d, FILE *because)
-{
-    struct learnt answer[ANSWERS];
-    int agree[TEACHERS], no = ROWS - count(d, PRINTED, FLAG, 0).paper;
-
-    for (int n = 0; n < TEACHERS; n++) {
-        learn_from(d, n, answer);
-        agree[n] = right(0, answer->left_out);
-    }
-    fprintf(
-        because,
-        "For rows that the bounds were not learnt from, the answer is right for %d of 18 "
-        "rows by what the runs on flag show, for %d on edge_drop, for %d by E/rho "
-        "alone, and for %d by `no` to all.",
-        agree[FLAG], agree[DROP], agree[RATIO], no);
-    return agree[FLAG] > no || agree[DROP] > no ? JUDGE_HOLDS : JUDGE_FAILS;
-}
-
-static enum judge maps_draw_it(const struct study_results *d, FILE *because)
-{
-    struct learnt answer[ANSWERS];
-    int same = 0;
-
-    learn_from(d, FLAG, answer);
-    for (int row = 0; row < ROWS; row++) {
-        bool is = true;
-        for (int n = 1; n < ANSWERS; n++) {
-            const struct verdict_rule *rule = rule_of(&d->plan->learnt, n);
-            const double v = rule ? measured(d, FLAG, row, rule) : NAN;
-            is &= answer[n].fitted[row] ==
-                  (rule && (rule->above ? v > rule->bound : v < rule->bound));
-        }
-        same += is;
-    }
-    fprintf(because,
-            "The bounds under `learnt` in the plan table4 judge %d of 18 rows as those "
-            "learnt on flag do.",
-            same);
-    return of_all(same, ROWS);
-}
-
 #define PAPER "Ren et al. 2024, Table 4", true
 const struct claim claim_table4[] = {
     {"Rows 14 and 15 alone are feasible", PAPER, two_are_feasible},
@@ -488,6 +376,4 @@ const struct claim claim_table4[] = {
     {"Self-intersections distinguish the paper's rows from the others", "", true,
      crossings_tell},
     {"The printed scheme has no elastic memory, and flows", "", true, it_flows},
-    {"The paper's judgements can be learnt from what the runs show", "", true, words_teach},
-    {"The maps draw the bounds that the paper's words teach", "", true, maps_draw_it},
     {0}};

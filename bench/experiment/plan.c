@@ -646,9 +646,6 @@ static const struct schema_key CHART[] = {
      IN(plan, chart.line)},
     {NULL}};
 
-#define WITH_RULES SCHEMA_SPECIAL, .read = read_verdicts, \
-    .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan " \
-            "that has them"
 static const struct schema_key PLAN[] = {
     {"name", "name in lists, and of the results' folder", SCHEMA_TEXT, .required = true,
      IN(plan, name)},
@@ -672,9 +669,10 @@ static const struct schema_key PLAN[] = {
     {"time_limit", "processor time that a case may take [s]", SCHEMA_NUMBER,
      .low = 0.001, .high = 1e9,
      IN(plan, time_limit)},
-    {"verdicts", "rules that label a case", WITH_RULES, IN(plan, verdicts)},
-    {"learnt", "second opinion: bounds learnt from the paper's words", WITH_RULES,
-     IN(plan, learnt)},
+    {"verdicts", "rules that label a case", SCHEMA_SPECIAL, .read = read_verdicts,
+     .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan "
+             "that has them",
+     IN(plan, verdicts)},
     {"falls", "what is to fall along an axis; exit 1 where it grows", SCHEMA_SECTION,
      .keys = FALLS},
     {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
@@ -1008,7 +1006,6 @@ void plan_clear(struct plan *plan)
     for (size_t n = 0; n < sizeof owned / sizeof *owned; n++)
         free(owned[n]);
     verdict_clear(&plan->verdicts);
-    verdict_clear(&plan->learnt);
     *plan = (struct plan){0};
 }
 

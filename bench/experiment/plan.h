@@ -198,8 +198,6 @@ struct plan {
     enum plan_keep keep;
     double time_limit; /* of a case [s]                                                */
     struct verdict_rules verdicts;
-    struct verdict_rules learnt; /* a second opinion: bounds learnt from the paper's
-                                    words; the map hatches what they pass              */
     struct plan_falls falls;
     struct plan_map map;
     int study_count; /* 0: it is for sweeps                                     */

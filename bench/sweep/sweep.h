@@ -108,7 +108,7 @@ struct sweep_row {
     enum status outcome;    /* of a run                                                */
     double value[MEASURES]; /* NaN unless it ran                                       */
     double create_seconds, step_seconds, look_seconds; /* NaN unless it ran            */
-    struct verdict verdict, learnt; /* by the plan's rules, by its second opinion      */
+    struct verdict verdict; /* by the plan's rules                                    */
     char *label; /* "feasible", "died", ..., "no result", "run again"           owned */
     char *why;   /* how it ended, or why there is nothing                       owned */
 };
@@ -165,8 +165,7 @@ void sweep_falls_clear(struct sweep_falls *f); /* all-zero is allowed */
 enum status sweep_falls_print(const struct sweep_falls *f, FILE *file);
 
 /* --- The map (sweep_map.c): labels in colours over two keys or measures, a panel for each
- * value of a third, with the plan's marks on it; hatched where the plan's second opinion,
- * if it has one, finds nothing against a case.
+ * value of a third, with the plan's marks on it.
  *
  * *chart is NULL for a plan that asks for none. STATUS_INPUT: a mark; STATUS_MEMORY. */
 enum status sweep_map(const struct sweep_rows *rows, struct chart **chart,

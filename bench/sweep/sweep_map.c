@@ -27,7 +27,6 @@ struct names {
 /* The place of a case on the map. */
 struct spot {
     int panel, label;
-    bool learnt;
     double x, y;
 };
 
@@ -150,9 +149,7 @@ static enum status add_spot(struct map *m, const struct sweep_row *row, long num
     enum status st;
 
     TRY(plan_case_given(m->plan, number, &c));
-    struct spot spot = {.x = find_place(&m->x, &c, row),
-                        .y = find_place(&m->y, &c, row),
-                        .learnt = row->learnt.kind == VERDICT_FEASIBLE};
+    struct spot spot = {.x = find_place(&m->x, &c, row), .y = find_place(&m->y, &c, row)};
     if (!isfinite(spot.x) || !isfinite(spot.y))
         goto out;
     spot.panel = find_panel(m, &c, row);
@@ -253,13 +250,13 @@ static struct chart_axis axis_of(const struct dimension *d, struct chart_tic *ti
     return axis;
 }
 
-/* Draws the spots of a panel with this label, or, for -1, those that are hatched. */
+/* Draws the spots of a panel with this label. */
 static void draw_spots(const struct map *m, struct chart *c, int panel, int label)
 {
     double x[2], y[2];
 
     for (const struct spot *s = m->spot; s < m->spot + m->count; s++) {
-        if (s->panel != panel || (label < 0 ? !s->learnt : s->label != label))
+        if (s->panel != panel || s->label != label)
             continue;
         if (!has_cells(m)) {
             chart_point(c, s->x, s->y);
@@ -271,12 +268,10 @@ static void draw_spots(const struct map *m, struct chart *c, int panel, int labe
     }
 }
 
-/* Draws the labels of a panel in colours, and over them where the second opinion has
- * nothing against a sheet. */
+/* Draws the labels of a panel in colours. */
 static void draw_cases(const struct map *m, struct chart *c, int panel)
 {
     const bool cells = has_cells(m);
-    long learnt = 0;
     char text[256];
 
     for (int n = 0; n < m->labels.count; n++) {
@@ -286,18 +281,6 @@ static void draw_cases(const struct map *m, struct chart *c, int panel)
                                                .rgb = colour_of(m->labels.name[n], n)});
         draw_spots(m, c, panel, n);
     }
-    if (!m->plan->learnt.count)
-        return;
-    for (long n = 0; n < m->count; n++)
-        learnt += m->spot[n].learnt;
-    snprintf(text, sizeof text, "feasible by bounds learnt from the paper's words: %ld",
-             learnt);
-    chart_series(c,
-                 &(struct chart_series){.label = text,
-                                        .style = cells ? CHART_HATCHED_CELLS : CHART_POINTS,
-                                        .second = true,
-                                        .rgb = "#000000"});
-    draw_spots(m, c, panel, -1);
 }
 
 /* Returns where a mark lies in a direction. */

@@ -42,8 +42,7 @@ enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_stat
                               .create_seconds = ran ? result->create_seconds : NAN,
                               .step_seconds = ran ? result->step_seconds : NAN,
                               .look_seconds = ran ? result->look_seconds : NAN,
-                              .verdict = {.kind = VERDICT_NONE},
-                              .learnt = {.kind = VERDICT_NONE}};
+                              .verdict = {.kind = VERDICT_NONE}};
     for (int n = 0; n < MEASURES; n++)
         row->value[n] = ran ? result->value[n] : NAN;
     snprintf(label, sizeof label, "%s", state == SWEEP_OPEN ? "run again" : "no result");
@@ -51,8 +50,6 @@ enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_stat
         row->verdict = verdict_of(&plan->verdicts, result);
         verdict_text(&plan->verdicts, row->verdict, label, sizeof label);
     }
-    if (ran && plan->learnt.count)
-        row->learnt = verdict_of(&plan->learnt, result);
     row->label = strdup(label);
     row->why = strdup(why);
     return row->label && row->why ? STATUS_OK : STATUS_MEMORY;
@@ -203,7 +200,7 @@ out:
  * of its own. */
 static struct table *create_table(const struct plan *plan)
 {
-    const int count = 2 + plan->key_count + MEASURES + 3 + (plan->learnt.count > 0);
+    const int count = 2 + plan->key_count + MEASURES + 3;
     struct table_column *columns = calloc((size_t)count, sizeof *columns), *c = columns;
 
     if (!columns)
@@ -224,8 +221,6 @@ static struct table *create_table(const struct plan *plan)
     *c++ = (struct table_column){"verdict"};
     *c++ = (struct table_column){"labels"};
     *c++ = (struct table_column){"outcome"};
-    if (plan->learnt.count)
-        *c++ = (struct table_column){"learnt"};
     struct table *t = table_create(count, columns, NULL);
     free(columns);
     return t;
@@ -234,19 +229,12 @@ static struct table *create_table(const struct plan *plan)
 static void add_case(struct table *t, const struct plan *plan, const struct plan_case *c,
                      const struct sweep_row *row)
 {
-    char learnt[1024] = "";
-
     table_line(t, "%ld|%s", c->number + 1, c->name ? c->name : "");
     for (int k = 0; k < plan->key_count; k++)
         table_add(t, "%s", c->given[k] ? c->given[k]->value : "");
     for (int n = 0; n < MEASURES; n++)
         table_add(t, "%.6g", row->value[n]);
     table_add(t, "%s|%s|%s", verdict_kind_word[row->verdict.kind], row->label, row->why);
-    if (!plan->learnt.count)
-        return;
-    if (row->state == SWEEP_RAN)
-        verdict_text(&plan->learnt, row->learnt, learnt, sizeof learnt);
-    table_add(t, "%s", learnt);
 }
 
 static void add_seconds(struct table *t, long number, const struct sweep_row *row)
@@ -323,19 +311,6 @@ static void print_label(const struct sweep_rows *rows, int n, FILE *file)
         fprintf(file, "  %-24s%6ld\n", label, have);
 }
 
-/* Prints the count and the bounds of the second opinion. */
-static void print_learnt(const struct verdict_rules *rules, long feasible, FILE *file)
-{
-    fprintf(file, "  %-24s%6ld   by bounds learnt from the paper's words:", "feasible",
-            feasible);
-    for (int n = 0; n < rules->count; n++) {
-        const struct verdict_rule *r = &rules->rule[n];
-        fprintf(file, "%s\n  %30s   no %s: %s %s %g", n ? "," : "", "", r->label,
-                measure_name(r->measure), r->above ? "above" : "below", r->bound);
-    }
-    fprintf(file, "\n");
-}
-
 static bool is_new_label(const struct verdict_rules *rules, int n)
 {
     for (int m = 0; m < n; m++)
@@ -347,7 +322,7 @@ static bool is_new_label(const struct verdict_rules *rules, int n)
 void sweep_rows_print(const struct sweep_rows *rows, FILE *file)
 {
     const struct plan *plan = rows->plan;
-    long feasible = 0, learnt = 0;
+    long feasible = 0;
     struct {
         const char *end, *why;
         long count;
@@ -361,7 +336,6 @@ void sweep_rows_print(const struct sweep_rows *rows, FILE *file)
 
     for (const struct sweep_row *row = rows->row; row < rows->row + rows->count; row++) {
         feasible += row->verdict.kind == VERDICT_FEASIBLE;
-        learnt += row->learnt.kind == VERDICT_FEASIBLE;
         ends[0].count += row->verdict.kind == VERDICT_UNJUDGED;
         ends[1].count += row->verdict.died;
         ends[2].count += row->outcome == STATUS_UNSUPPORTED;
@@ -377,7 +351,5 @@ void sweep_rows_print(const struct sweep_rows *rows, FILE *file)
     for (size_t n = 0; n < sizeof ends / sizeof *ends; n++) /* labels alone may be none */
         if (ends[n].count)
             fprintf(file, "  %-24s%6ld   %s\n", ends[n].end, ends[n].count, ends[n].why);
-    if (plan->learnt.count)
-        print_learnt(&plan->learnt, learnt, file);
     fprintf(file, "\n");
 }

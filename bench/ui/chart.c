@@ -254,9 +254,7 @@ static void write_look(FILE *file, const struct item *item, bool legend)
     } forms[] = {[CHART_LINESPOINTS] = {"linespoints lw 1.6 ps scale*1.1", NULL},
                  [CHART_POINTS] = {"points ps scale*1.2", NULL},
                  [CHART_SQUARES] = {"points pt 5 ps scale*1.6", NULL},
-                 [CHART_CELLS] = {"boxxyerror fs solid 1", "points pt 5 ps scale*2"},
-                 [CHART_HATCHED_CELLS] = {"boxxyerror fs transparent pattern 5 noborder",
-                                          "boxes fs transparent pattern 5"}};
+                 [CHART_CELLS] = {"boxxyerror fs solid 1", "points pt 5 ps scale*2"}};
     const enum chart_style style = item->as.style;
     const struct look *look = &looks[item->look % LOOKS];
     const char *rgb = item->as.rgb ? item->as.rgb : look->rgb;
@@ -337,7 +335,7 @@ static void write_legend(FILE *file, const struct chart *c, int columns)
 
 static bool has_cells(const struct item *item)
 {
-    return item->as.style == CHART_CELLS || item->as.style == CHART_HATCHED_CELLS;
+    return item->as.style == CHART_CELLS;
 }
 
 static int by_x(const void *a, const void *b)

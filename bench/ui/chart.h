@@ -55,8 +55,7 @@ enum chart_style {
     CHART_LINESPOINTS,
     CHART_POINTS,
     CHART_SQUARES, /* for classes                                                      */
-    CHART_CELLS,   /* boxes of chart_cell, for classes                                 */
-    CHART_HATCHED_CELLS /* the same with lines across: what lies below is seen         */
+    CHART_CELLS    /* boxes of chart_cell, for classes                                 */
 };
 
 struct chart_series {

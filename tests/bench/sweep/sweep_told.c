@@ -164,46 +164,6 @@ static void check_table(void)
     end(&rows, &plan);
 }
 
-/* Checks the column of a second opinion, its count and its bounds in the summary. */
-static void check_learnt(void)
-{
-    static const struct {
-        enum sweep_state state;
-        double value;
-        const char *ends; /* its line of table.csv                                     */
-    } cases[] = {{SWEEP_RAN, 0.4, ",feasible,feasible,done,feasible\n"},
-                 {SWEEP_RAN, 0.6, ",infeasible,big,done,feasible\n"},
-                 {SWEEP_RAN, 0.8, ",infeasible,big,done,long\n"},
-                 {SWEEP_FAILED, 0.4, ",none,no result,done,\n"}};
-    struct plan plan;
-    char text[1024];
-
-    snprintf(text, sizeof text, "%s%s", plan_text,
-             "learnt: [{label: long, measure: drop_max, above: 0.7, why: a test}]\n");
-    struct sweep_rows rows = begin(text, &plan);
-    for (int n = 0; n < TOLD; n++)
-        set(&rows, n, cases[n % 4].state, STATUS_OK, cases[n % 4].value, "done");
-    char *said = print(&rows, NULL);
-    holds("learnt", said, "\n  feasible                     2\n");
-    holds(
-        "learnt", said,
-        "\n  feasible                     4   by bounds learnt from the paper's words:\n");
-    holds("learnt", said, " no long: drop_max above 0.7\n");
-    free(said);
-    REQUIRE(sweep_rows_save(&rows, ".", NULL) == STATUS_OK);
-    char *is = fresh_text(".", "table.csv");
-    holds("learnt", is, ",outcome,learnt\n");
-    for (int n = 0; n < 4; n++)
-        CHECK(fresh_count(is, cases[n].ends) == 2);
-    free(is);
-    for (int n = 0; n < TOLD; n++)
-        set(&rows, n, SWEEP_RAN, STATUS_OK, NAN, "done");
-    said = print(&rows, NULL);
-    holds("nothing measured", said, "\n  odd                      not judged: it was not");
-    free(said);
-    end(&rows, &plan);
-}
-
 /* Checks files that are sealed but hold no sentence of a sweep. (sweep_ends.sh: files of
  * other cases, plans and builds, damaged and missing ones.) */
 static void check_sentences(void)
@@ -235,10 +195,8 @@ static void check_sentences(void)
 #define GAMMA   "  - {key: gamma, values: [10, 1000], scale: log}\n"
 #define TWO     "axes:\n" DAMPING GAMMA
 
-#define LEARNT "learnt: [{label: c, measure: drop_max, above: 9, why: a test}]\n"
-
 /* Plans with maps, and what is in their scripts. The measures of case n are n + 1; the
- * labels are, in turn, feasible, a and b; the second opinion passes those that have b. */
+ * labels are, in turn, feasible, a and b. */
 static const struct {
     const char *plan;
     const char *holds[8], *lacks[3];
@@ -253,17 +211,11 @@ static const struct {
      "0.5 1000 0.3 0.7 100 10000\n", "set xlabel 'damping'\n",
      "set ylabel 'Gamma, weight against bending'\n", "set logscale y\n",
      "set xtics ('0.1' 0.1,'0.5' 0.5)\n", "set ytics ('10' 10,'1000' 1000)\n",
-     "boxxyerror"}, {"\nset logscale x", "set title 'd", "learnt"}},
+     "boxxyerror"}, {"\nset logscale x", "set title 'd"}},
     {PLAN TWO "map: {x: gamma, y: damping.value}\n", {"10 0.1 1 100 -0.1 0.3\n",
      "1000 0.5 100 10000 0.3 0.7\n", "set xlabel 'Gamma, weight against bending'\n",
      "set ylabel 'damping'\n", "set logscale x\n", "set ytics ('0.1' 0.1,'0.5' 0.5)\n"},
      {"\nset logscale y"}},
-    /* a second opinion: hatched cells over the colours, dots where there are no cells */
-    {PLAN TWO LEARNT "map: {x: damping.value, y: gamma}\n",
-     {"$p0_3 << EOD\n0.5 10 0.3 0.7 1 100\nEOD", "transparent pattern 5 noborder",
-     "title 'feasible by bounds learnt from the paper'.\"'\".'s words: 1'"}},
-    {PLAN TWO LEARNT "map: {x: damping.value, y: speed_max}\n", {"$p0_3 << EOD\n0.5 3\nEOD",
-     "words: 1'"}, {"boxxyerror"}},
     /* a value alone, linear and logarithmic */
     {PLAN
      "axes: [{key: damping.value, values: [0.5]}, {key: gamma, values: [10], scale: log}]\n"
@@ -330,7 +282,6 @@ static char *draw_labels(struct sweep_rows *rows, const char *const *labels, int
 {
     for (long n = 0; n < rows->count; n++) {
         set(rows, n, SWEEP_RAN, STATUS_OK, (double)n + 1, "done");
-        rows->row[n].learnt.kind = n % 3 == 2 ? VERDICT_FEASIBLE : VERDICT_INFEASIBLE;
         free(rows->row[n].label);
         rows->row[n].label = strdup(labels[n % count]);
     }
@@ -525,7 +476,6 @@ int main(int argc, char **argv)
     REQUIRE(chdir(argv[1]) == 0);
     setenv("PATH", "/proc/nowhere", 1); /* the script is what counts: no gnuplot */
     check_table();
-    check_learnt();
     check_sentences();
     check_maps();
     check_labels();

@@ -376,29 +376,6 @@ def truths():
                      "a third's distance (its bar)", "a change of 1e-6"], rows)
 
 
-ENSEMBLES = {"corners_patch": "study_ensemble", "flag": "study_ensemble_flag"}
-NUMBERS = ["drop", "angle", "stretch", "rough", "kinetic", "waves_long", "waves_half",
-           "waves_quarter", "waves_eighth"]
-
-
-def measured(text, count):
-    return "-" if not text else digits(text, count)
-
-
-def ensembles():
-    rows = []
-    for scene, name in ENSEMBLES.items():
-        end = max(float(r["time_s"]) for r in part(name, "Growth of", "growth"))
-        for r in part(name, "ensembles of", "verdict"):
-            means = [abs(float(r[n])) for n in NUMBERS if r[n]]
-            rows.append([f"`{scene}`, {end:g} s", r["model"], r["net"], r["lived"],
-                         percent(100 * float(r["points"])) if r["points"] else "-",
-                         measured(r["growth"], 2), digits(max(means), 2) if means else "-",
-                         measured(r["spread"], 2), r["verdict"]])
-    return markdown(["scene, its end", "model", "net", "runs that lived", "points off", "growth",
-                     "means off", "spreads off", "verdict"], rows)
-
-
 # --- other people's simulators ---------------------------------------------------------------
 
 
@@ -947,7 +924,7 @@ BLOCKS = {"fabrics": fabrics, "denim": denim, "fabrics_apart": fabrics_apart, "t
           "table4_verdicts": table4_verdicts, "verify": verify,
           "compare": compare, "compare_models": compare_models, "compare_plate": compare_plate,
           "compare_threads": compare_threads, "compare_scenes": compare_scenes,
-          "known": known, "ensembles": ensembles, "truths": truths, "stress": stress,
+          "known": known, "truths": truths, "stress": stress,
           "stability": stability,
           "iterations_soft": iterations_soft, "iterations_split": iterations_split,
           "iterations_enough": iterations_enough, "vertex_block": vertex_block,

@@ -115,12 +115,6 @@ verify elastica --from a --quick
 verify elastica --format html
 table 1 --runs 2
 study locking flag
-study ensemble flag --from nowhere
-study ensemble --runs 0
-study ensemble --until 0
-study ensemble --models ibm
-study ensemble edge_drop --models shell_3,shell_3
-study ensemble edge_drop --models shell_3 --until 0.05
 truth mine.yaml --stored
 truth corners_drop --stored
 truth corners_drop --error 1%

@@ -2,12 +2,10 @@
 #include "bench/experiment/batch.h"
 
 #include <assert.h>
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/files/folder.h"
-#include "bench/harness/pool.h"
 
 enum status batch_init(struct batch *b, const char *folder, int most)
 {
@@ -78,53 +76,6 @@ enum status batch_run(struct batch *b, const struct measurement_options *options
     TRY(prepare(b, b->count, why));
     st = measurement_run(&how, b->count, b->cases, why);
     measurement_tell(options->what, &here, b->folder);
-out:
-    return st;
-}
-
-struct apart {
-    struct batch *b;
-    const struct measurement_options *options;
-};
-
-static enum status run_one(void *context, long n, struct message *why)
-{
-    const struct apart *all = context;
-
-    return measurement_run(all->options, 1, &all->b->cases[n], why);
-}
-
-/* The end of a case is in its file; a case without a file ends all. */
-static enum status settle(void *context, long n, const struct child_end *end,
-                          struct message *why)
-{
-    const struct apart *all = context;
-
-    return end->outcome == CHILD_DONE
-               ? STATUS_OK
-               : status_fail(why, STATUS_FAILED, "%s: %s", all->b->files[n], end->why.text);
-}
-
-enum status batch_run_apart(struct batch *b, int count,
-                            const struct measurement_options *options, struct message *why)
-{
-    struct apart all = {b, options};
-    struct pool pool = {.count = count,
-                        .slots = omp_get_num_procs(),
-                        .time_limit = 3600,
-                        .context = &all,
-                        .work = run_one,
-                        .settle = settle};
-    enum status st;
-
-    TRY(prepare(b, count, why));
-    TRY(pool_run(&pool, why));
-    if (pool.stopped_by) {
-        fprintf(stderr,
-                "clothbench: stopped; the same command goes on with what is in %s\n",
-                b->folder);
-        pool_raise(&pool);
-    }
 out:
     return st;
 }

@@ -40,12 +40,6 @@ struct settings *batch_settings(struct batch *b);
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why);
 
-/* Runs the first `count` cases untimed, each in a process of its own for an hour at most,
- * as many at a time as there are processors. A signal that asks to stop ends the program
- * after a sentence. STATUS_FAILED: one came to no result. */
-enum status batch_run_apart(struct batch *b, int count,
-                            const struct measurement_options *options, struct message *why);
-
 /* Reads the result of the n-th case (run_result_read). STATUS_MEMORY: its file had no name.
  */
 enum status batch_read(const struct batch *b, int n, bool fields, struct run_result *r,

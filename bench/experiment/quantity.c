@@ -8,6 +8,7 @@
 #include "bench/experiment/judge.h"
 #include "bench/truth/truth.h"
 #include "models/grid.h"
+#include "models/metric/drape.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
@@ -137,6 +138,8 @@ static double error(const struct place *p)
 }
 
 OF_SHEET(crossings, metric_intersections)
+OF_SHEET(drape, drape_coefficient)
+OF_SHEET(folds, drape_folds)
 
 /* At rest bodies are where their paths end. */
 static double penetration(const struct place *p)

@@ -100,7 +100,10 @@ struct place;
     X(PENETRATION, penetration, "penetration", "depth in body", "m", 3, true,              \
       "how deep a body is in the sheet, as far as its faces")                              \
     X(CROSSINGS, crossings, "crossings", "crossings", "pairs", 0, true,                    \
-      "pairs of the mid-surface's triangles that cross")
+      "pairs of the mid-surface's triangles that cross")                                   \
+    X(DRAPE, drape, "drape", "drape", NULL, 3, true,                                       \
+      "drape coefficient of a disc (ISO 9073-9)")                                          \
+    X(FOLDS, folds, "folds", "folds", NULL, 0, true, "folds of its shadow")
 /* clang-format on */
 
 enum quantity {

@@ -72,7 +72,7 @@ const struct report_part report_part_list[] = {
     {"study_locking", "Locking", "study locking", .picture = {{"locking.png"}}},
     {"study_cures", "Cures of locking", "study cures", .picture = {{"cures.png"}}},
     {"study_timestep", "Ever shorter steps", "study timestep", .picture = {{"timestep.png"}}},
-    {"study_ensemble", "Beyond the horizon", "study ensemble"},
+    {"study_ensemble", "The drape test from eight starts", "study ensemble"},
     {"compare", "Speed against error: edge_drop", "compare edge_drop", .show = "speed",
      .file = {"compare_edge_drop/compare.csv", "compare.csv"},
      .keys = "|title|model|side|across|step_s|iterations|seconds|worst_rmse_over_length|front|"

@@ -33,7 +33,7 @@ struct truth_level {
     enum truth_model model;
     int degree, side; /* along u and v                                                 */
     double step;      /* [s]                                                           */
-    bool perturbed;   /* by truth_level_push, number 0                                 */
+    bool perturbed;   /* by TRUTH_PERTURBATION                                         */
     int repeats;      /* of the points, for knots that repeat at supports' ends        */
 };
 
@@ -50,18 +50,6 @@ struct truth_runs {
 
 /* A fraction of gravity, or of 9.81 m/s^2 where there is none: its sixth digit. */
 #define TRUTH_PERTURBATION 1e-6
-
-/* Computes the direction of a push: a unit vector times sqrt(3). Number 0 is (1,1,1):
- * whatever symmetry a scene has is gone. Others come from a hash of the number (Steele,
- * Lea, Flood 2014, SplitMix64) and are uniform on the sphere (von Neumann 1951, rejection);
- * only sums, products and square roots: the same bits on every machine. */
-void truth_level_direction(int number, double direction[3]);
-
-/* Sets, in `settings`, the gravity of the scene at `path` with settings `given`, changed by
- * TRUTH_PERTURBATION of its size: how fast such a change grows says how long a motion can
- * be predicted. Statuses of reading the scene: STATUS_INPUT, STATUS_MEMORY. */
-enum status truth_level_push(const char *path, const struct settings *given, int number,
-                             struct settings *settings, struct message *why);
 
 struct truth_wish {
     double error;   /* the largest error bar over the length that is requested         */

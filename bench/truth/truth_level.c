@@ -1,6 +1,5 @@
 #include <assert.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,56 +24,21 @@ const struct contestant *truth_level_contestant(enum truth_model model)
     return c;
 }
 
-/* Returns SplitMix64's output for a counter. */
-static uint64_t hash(uint64_t counter)
-{
-    uint64_t z = counter * UINT64_C(0x9e3779b97f4a7c15);
-
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return z ^ (z >> 31);
-}
-
-/* Returns a number from -1 to 1, exactly. */
-static double uniform(uint64_t counter)
-{
-    return (double)(hash(counter) >> 11) * 0x1p-52 - 1;
-}
-
-void truth_level_direction(int number, double direction[3])
-{
-    /* A point of the cube lies in the ball with pi/6: of 64 tries one does. */
-    enum { TRIES = 64 };
-    static const double LEAST = 0.01; /* nearer to the middle, digits are lost         */
-    double *d = direction, size = 3;
-
-    d[0] = d[1] = d[2] = 1;
-    for (uint64_t t = 0; number && t < TRIES; t++) {
-        for (uint64_t i = 0; i < 3; i++)
-            d[i] = uniform(((uint64_t)number * TRIES + t) * 3 + i);
-        size = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-        if (size <= 1 && size > LEAST)
-            break;
-    }
-    const double scale = sqrt(3 / size);
-    for (int i = 0; i < 3; i++)
-        d[i] *= scale;
-}
-
-enum status truth_level_push(const char *path, const struct settings *given, int number,
-                             struct settings *settings, struct message *why)
+/* Sets, in `settings`, the gravity of the scene at `path` with settings `given`, changed by
+ * TRUTH_PERTURBATION of its size along (1,1,1): whatever symmetry a scene has is gone, and
+ * how fast such a change grows says how long a motion can be predicted. */
+static enum status push(const char *path, const struct settings *given,
+                        struct settings *settings, struct message *why)
 {
     struct scene scene = {0};
-    double direction[3];
     enum status st;
 
     TRY(contestant_read_scene(given, path, &scene, why));
     double *g = scene.gravity;
     const double mean = (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / 3;
     const double by = TRUTH_PERTURBATION * sqrt(mean > 0 ? mean : EARTH * EARTH / 3);
-    truth_level_direction(number, direction);
     for (int i = 0; i < 3; i++)
-        g[i] += by * direction[i];
+        g[i] += by;
     settings_numbers(settings, "gravity", 3, g);
     scene_clear(&scene);
 out:
@@ -94,8 +58,7 @@ enum status truth_level_settings(const struct truth_runs *runs,
     contestant_points(c, level->side, level->side, settings);
     settings_integers(settings, "discretization.degree", c->layers ? 3 : 2, degree);
     settings_number(settings, "time.step", level->step);
-    return level->perturbed ? truth_level_push(runs->path, runs->settings, 0, settings, why)
-                            : STATUS_OK;
+    return level->perturbed ? push(runs->path, runs->settings, settings, why) : STATUS_OK;
 }
 
 /* Returns whether a run has these times, and perhaps later ones. */

@@ -113,24 +113,6 @@ double metric_drop(const struct scene *scene, const double *xyz)
     return (top - bottom) / scene->length;
 }
 
-double metric_mean_drop(const struct scene *scene, const double *xyz)
-{
-    double *rest = metric_rest_field(scene);
-    double direction[3], sum = 0;
-
-    if (!rest)
-        return NAN;
-    down(scene, direction);
-    for (int row = 0; row < GRID_V * GRID_W; row++) {
-        double part = 0;
-        for (int n = row * ROW; n < (row + 1) * ROW; n += 3)
-            part += vector_dot(xyz + n, direction) - vector_dot(rest + n, direction);
-        sum += part;
-    }
-    free(rest);
-    return sum / GRID_POINTS / scene->length;
-}
-
 /* Gathers mid-surface points around the interior grid point (i,j). */
 static void around(const double *xyz, int i, int j, double x[3][3][3])
 {

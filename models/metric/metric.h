@@ -25,10 +25,6 @@ double metric_stretch(const struct scene *scene, const double *xyz);
  * rest. */
 double metric_drop(const struct scene *scene, const double *xyz);
 
-/* Returns how far the mid-surface has gone down since it was at rest, the mean over the
- * grid's points, over L. */
-double metric_mean_drop(const struct scene *scene, const double *xyz);
-
 /* Returns L times the root mean square, over the mid-surface's interior points, of
  *     sqrt( |x_aa|^2 + 2 |x_ab|^2 + |x_bb|^2 )                                [1],
  * second derivatives by central differences in the arc lengths a = u L, b = v W of the rest

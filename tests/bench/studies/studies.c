@@ -5,7 +5,6 @@
  */
 #define _GNU_SOURCE /* CPU_COUNT */
 #include "bench/commands.h"
-#include "bench/studies/studies.h"
 
 #include <sched.h>
 #include <unistd.h>
@@ -17,8 +16,7 @@
 #include "tests/fresh.h"
 #include "tests/scratch.h"
 
-/* A study, which also lies at the end of a path, a sweep, and one that has another's name.
- */
+/* A study, which also lies at the end of a path, a sweep. */
 static void write_plans(void)
 {
     static const struct {
@@ -27,10 +25,9 @@ static void write_plans(void)
         {"tiny.yaml", "name: tiny\nsource: a test\nlevels: [{label: a, settings: "
                       "{discretization.points: [3,3,2]}}]\ntimes: [0.015]\ntimed: 7\n"},
         {"plans/sweeps.yaml", "name: sweeps\nsource: a test\n"},
-        {"plans/ensemble.yaml", "name: ensemble\nsource: a test\nlevels: [{label: a}]\n"},
     };
 
-    for (int n = 0; n < 3; n++) {
+    for (int n = 0; n < 2; n++) {
         FILE *file = fopen(all[n].file, "w");
         REQUIRE(file);
         fprintf(file, "%sscene: edge_drop\nmodel: iga\n", all[n].text);
@@ -136,17 +133,6 @@ static const struct {
     {"study tiny --from nowhere",
      "nowhere/tiny_a.h5: cannot be read: No such file or directory", STATUS_FILE},
     {"study tiny --out tiny.yaml/o", "tiny.yaml", STATUS_FILE},
-    {"study tiny flag",
-     "tiny takes no scenes, --models, --runs and --until; study ensemble does",
-     STATUS_INPUT},
-    {"study ensemble --runs 3 --from a",
-     "scenes, --models, --runs and --until are for a new run, not for --from",
-     STATUS_INPUT},
-    {"study ensemble --models nobody --out c", "no model or contestant 'nobody'",
-     STATUS_INPUT},
-    {"study ensemble --models shell_3,shell_3 --out c", "shell_3 is given twice",
-     STATUS_INPUT},
-    {"study ensemble --from nowhere", "nowhere/ensemble.txt", STATUS_FILE},
 };
 
 static void check_refused(void)
@@ -163,7 +149,7 @@ static void check_refused(void)
 /* A wrong name is answered with the studies, each once, and no plans that are none. */
 static void check_known(void)
 {
-    static const char begins[] = "study: there is no '2'; there are ensemble, artefacts, ";
+    static const char begins[] = "study: there is no '2'; there are artefacts, ";
     static const char ends[] = ", or give the path of a plan with levels";
     struct message why;
 
@@ -172,7 +158,6 @@ static void check_known(void)
     CHECK(!strcmp(why.text + strlen(why.text) + 1 - sizeof ends, ends));
     CHECK(strstr(why.text, ", mesh, ") && strstr(why.text, ", tiny, ") &&
           !strstr(why.text, "sweeps"));
-    CHECK(fresh_count(why.text, "ensemble") == 1);
 }
 
 int main(int argc, char **argv)

@@ -2,7 +2,6 @@
  */
 #include "models/metric/metric.h"
 
-#include "models/metric/waves.h"
 #include "tests/metric_fixture.h"
 
 enum { SHEETS = 3 };
@@ -44,14 +43,13 @@ static void roll(const struct scene *scene, double R, double *xyz)
     }
 }
 
-enum { NUMBERS = 4 + WAVES_BANDS };
+enum { NUMBERS = 4 };
 static void measure(const struct scene *scene, const double *xyz, double number[NUMBERS])
 {
     number[0] = metric_stretch(scene, xyz);
     number[1] = metric_roughness(scene, xyz);
     number[2] = metric_inner_roughness(scene, xyz);
     number[3] = metric_unevenness(scene, xyz);
-    waves_spectrum(scene, xyz, number + 4);
 }
 
 /* What bends and stretches doesn't depend on where sheets are; cylinders have L / R. */

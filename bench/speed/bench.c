@@ -10,10 +10,8 @@
 #include "models/reader/scene_file.h"
 
 static const struct command_item *const items[] = {
-    &bench_part_solids.item,      &bench_part_projective.item,
-    &bench_part_nonlinear.item,   &bench_part_swings.item,
-    &bench_part_contact.item,     &bench_part_fabrics.item,
-    &bench_part_contestants.item, NULL,
+    &bench_part_solids.item,  &bench_part_projective.item,  &bench_part_nonlinear.item,
+    &bench_part_contact.item, &bench_part_contestants.item, NULL,
 };
 
 /* The end of a short run [s]: twenty frames after two of warm-up (measurement.h). */

@@ -43,8 +43,7 @@ struct bench_part {
                                what is no run, of which nothing is kept; NULL: runs     */
 };
 extern const struct bench_part bench_part_solids, bench_part_projective,
-    bench_part_nonlinear, bench_part_swings, bench_part_contact, bench_part_fabrics,
-    bench_part_contestants;
+    bench_part_nonlinear, bench_part_contact, bench_part_contestants;
 
 /* Adds a run. STATUS_INPUT: there is no such contestant. */
 enum status bench_part_add(struct bench *b, const struct bench_row *row,

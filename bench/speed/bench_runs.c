@@ -36,11 +36,6 @@ static const struct bench_row motions[] = {
     {"shell 10x10, p = 3, selective", "shell_selective_3", {UNDAMPED}, 0.4, 2, {0}},
 };
 
-static const struct bench_row swings[] = {
-    {"iga 20x20x2, p = 3, none", "iga_nonlinear_3", {UNDAMPED, NET(20)}, 1, 300, {0}},
-    {"iga 20x20x2, p = 3, selective", "iga_selective_3", {UNDAMPED, NET(20)}, 1, 300, {0}},
-};
-
 /* Ten iterations a frame, whatever they come to. */
 #define PROJECTIVE(n, constraint, aim)                                                     \
     {"projective " #n "x" #n " " constraint, "projective_dynamics",                        \
@@ -170,77 +165,6 @@ const struct bench_part bench_part_projective = {
     .count = LEN(projective),
     .rows = projective,
     .print = print_runs};
-
-const struct bench_part bench_part_swings = {
-    .item = {"swings", "a second of nonlinear solids on 20x20x2 points of degree 3"},
-    .caption = "A swing of 1 s, 200 frames, edge_drop, undamped",
-    .note = "The aim is 60 s for the swing. The first row is the baseline.",
-    .count = LEN(swings),
-    .rows = swings,
-    .print = print_runs};
-
-/* --- fabrics: the same sheet by E and nu, and as a fabric of the same stiffness, in turn
- * --
- */
-
-static const char *const of_fabrics[] = {
-    "shell_3",   "shell_selective_3", "iga_selective_3",
-    "triangles", "mass_spring",       "position_based",
-    "vbd"};
-enum { FABRICS = LEN(of_fabrics) };
-static const double ASKED = 1.15; /* ratio of the times */
-
-static enum status plan_fabrics(struct bench *b, struct message *why)
-{
-    const double young = 1e5, poisson = 0.3, density = 0.5, thickness = 0.001177;
-    const double Y = young * thickness / (1 - poisson * poisson);
-    const double B = Y * thickness * thickness / 12, shear = (1 - poisson) / 2;
-    char fabric[512];
-    enum status st = STATUS_OK;
-
-    snprintf(fabric, sizeof fabric,
-             "material={membrane: [%.17g, %.17g, %.17g, %.17g], bending: [%.17g, %.17g, "
-             "%.17g, %.17g], areal_density: %.17g}",
-             Y, Y, poisson * Y, shear * Y, B, B, poisson * B, shear * B,
-             density * thickness);
-    for (int n = 0; n < 2 * FABRICS && st == STATUS_OK; n++)
-        st = bench_part_add(
-            b,
-            &(struct bench_row){
-                NULL, of_fabrics[n / 2], {UNDAMPED, n % 2 ? fabric : NULL}, 0.2, 0, {0}},
-            why);
-    return st;
-}
-
-static enum status print_fabrics(const struct bench *b, struct message *why)
-{
-    static const struct table_column columns[] = {{"model", NULL, TABLE_LEFT},
-                                                  {"isotropic", "ms"},
-                                                  {"fabric", "ms"},
-                                                  {"ratio"},
-                                                  {"repeats"},
-                                                  {"reached", NULL, TABLE_LEFT}};
-    struct table *t =
-        TABLE_OF(columns, "A frame of the same sheet by both laws, edge_drop to "
-                          "0.2 s, one thread");
-
-    (void)why;
-    for (int n = 0; n < b->batch.count; n += 2) {
-        const struct clock_summary *plain = &b->result[n].step,
-                                   *cloth = &b->result[n + 1].step;
-        table_line(t, "%s|%.3g|%.3g|%.3g|%d|%s", b->batch.cases[n].plan.contestant->title,
-                   1e3 * plain->min, 1e3 * cloth->min, cloth->min / plain->min,
-                   cloth->count, cloth->min <= ASKED * plain->min ? "yes" : "no");
-    }
-    table_note(t, "The least of the repeats counts. Asked is a ratio of %g at most.",
-               ASKED);
-    return table_finish(t, b->format, b->file);
-}
-
-const struct bench_part bench_part_fabrics = {
-    .item = {"fabrics", "the same sheet as isotropic and as a fabric"},
-    .plan = plan_fabrics,
-    .print = print_fabrics};
 
 /* --- contestants: the timing table of all that enter it, on edge_drop --------------------
  */

@@ -71,8 +71,6 @@ static const struct cells {
      "# mass-spring 32x32, to its tolerance: died of it.\n",
      "# shell 10x10 elsewhere, measured side by side on one pinned core, best of four",
      "gsKLShell 7ddfe49 78.5 ms, BS-Cloth (without contact) 4.7 ms."}, "130 ms"},
-    {&bench_part_swings, {"\n\"iga 20x20x2, p = 3, none\",frame,1,",
-     "# The aim is 60 s for the swing."}, "elsewhere"},
     {&bench_part_contestants,
      {"\n\"IGA, printed (paper)\",iga_paper,iga,10x10,100,10,1,9,3.75,\n",
      ",iga,10x10,,,,,,will not\n", ",shell,10x10,", ": will not.\n"}},
@@ -108,7 +106,6 @@ static void test_plans(void)
         bool whole;
     } want[] = {{&bench_part_solids, 0.11, false},
                 {&bench_part_nonlinear, 0.4, true},
-                {&bench_part_swings, 1, true},
                 {&bench_part_projective, 0.1, true},
                 {&bench_part_contestants, 0.2, true}};
 

@@ -318,7 +318,8 @@ static bool tell(struct verify_trial *t, enum status st, const struct message *s
     return t->lived;
 }
 
-bool verify_trial_open(struct verify_trial *t)
+/* Opens the model; false: the row says why not. */
+static bool open_trial(struct verify_trial *t)
 {
     struct verify_sheet *sheet = t->subject->sheet;
     const struct run_plan plan = {t->scene, t->subject->contestant, &t->settings, t->end};
@@ -344,7 +345,7 @@ bool verify_trial_settle(struct verify_trial *t)
     struct counters work = {0};
     struct message sentence = {""};
 
-    if (!verify_trial_open(t))
+    if (!open_trial(t))
         return false;
     const double start = clock_now();
     const enum status st = run_settle(&t->run, &work, &sentence);
@@ -369,7 +370,7 @@ bool verify_trial_modes(struct verify_trial *t, bool settled, int count, double 
 {
     struct message sentence = {""};
 
-    if (settled ? verify_trial_settle(t) : verify_trial_open(t)) {
+    if (settled ? verify_trial_settle(t) : open_trial(t)) {
         const double start = clock_now();
         const enum status st = run_modes(&t->run, count, omega, &sentence);
         t->row->seconds += clock_now() - start;
@@ -384,7 +385,7 @@ bool verify_trial_watch(struct verify_trial *t, motion_watcher *watch, void *con
     struct verify_sheet *sheet = t->subject->sheet;
     struct motion m = {0};
 
-    if (verify_trial_open(t)) {
+    if (open_trial(t)) {
         t->lived =
             verify_sheet_holds(
                 sheet, motion_init(&m, t->run.model, &t->run.scene, t->run.state)) &&
@@ -410,7 +411,7 @@ double *verify_trial_matrix(struct verify_trial *t, bool mass, int *rows)
     *rows = 0;
     if (t->subject->layers) /* otherwise solids may have other unknowns */
         settings_set(&t->settings, "discretization.unknowns=points");
-    if (!verify_trial_open(t))
+    if (!open_trial(t))
         return NULL;
     const struct model *model = t->run.model;
     const enum status st = model->matrices

@@ -210,7 +210,7 @@ struct verify_trial {
     struct settings settings; /* applied before the subject's; every run uses them up     */
     double end;               /* replaces the scene's; 0: the scene's [s]                 */
     bool lived;               /* the run got to its end                                   */
-    struct run run;           /* open from verify_trial_open and _settle to run_close     */
+    struct run run;           /* open from what opens it to run_close                     */
 };
 
 /* Makes a trial with a row of its own, whose quantity printf writes. */
@@ -221,10 +221,9 @@ struct verify_trial {
 void verify_trial_set(struct verify_trial *t, const char *settings, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Open the model; move it to static equilibrium, too; return its full K, or M,
+/* Open the model and move it to static equilibrium; open it and return its full K, or M,
  * [rows][rows], freed by the caller, NULL where the row says why not. The caller closes the
  * run in any case. */
-bool verify_trial_open(struct verify_trial *t);
 bool verify_trial_settle(struct verify_trial *t);
 double *verify_trial_matrix(struct verify_trial *t, bool mass, int *rows);
 

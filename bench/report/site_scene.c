@@ -1,4 +1,4 @@
-#include "bench/report/site_parts.h"
+#include "bench/report/site_scene.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -6,11 +6,246 @@
 #include <unistd.h>
 
 #include "bench/files/output.h"
-#include "bench/ui/html.h"
-#include "bench/report/report_summary.h"
+#include "bench/report/report_part.h"
 #include "bench/truth/truth.h"
+#include "bench/ui/html.h"
+#include "bench/ui/svg_chart.h"
 #include "models/grid.h"
 #include "models/reader/scene_file.h"
+#include "models/vector.h"
+
+/* Quadrilaterals along a side of a drawn sheet, at most, and the side of a drawing. */
+enum { CELLS = 18, SIZE = 200 };
+
+/* The direction from which it is seen: turned about z, then tilted towards it [rad]. */
+static const double TURN = 0.6, TILT = 0.4;
+
+/* A point in the plane of the drawing, and its depth: large is near [m]. */
+struct seen {
+    double x, y, depth;
+};
+
+struct quad {
+    struct seen corner[4];
+    double light; /* of its face, 0 to 1                                                */
+};
+
+/* The part of the plane that all drawings of a scene show [m]. */
+struct view {
+    double low[2], high[2];
+};
+
+/* Returns the metres of a unit of the drawings, whose longer side has SIZE units. */
+static double unit_of(const struct view *view)
+{
+    return fmax(view->high[0] - view->low[0], view->high[1] - view->low[1]) / SIZE;
+}
+
+static struct seen see(const double x[3])
+{
+    const double along = x[0] * cos(TURN) - x[1] * sin(TURN),
+                 away = x[0] * sin(TURN) + x[1] * cos(TURN);
+
+    return (struct seen){along, x[2] * cos(TILT) + away * sin(TILT),
+                         x[2] * sin(TILT) - away * cos(TILT)};
+}
+
+static void widen(struct view *view, struct seen p)
+{
+    view->low[0] = fmin(view->low[0], p.x), view->high[0] = fmax(view->high[0], p.x);
+    view->low[1] = fmin(view->low[1], p.y), view->high[1] = fmax(view->high[1], p.y);
+}
+
+static void middle(const double *xyz, int i, int j, double x[3])
+{
+    const double *bottom = xyz + 3 * (j * GRID_U + i), *top = bottom + 3 * GRID_U * GRID_V;
+
+    for (int c = 0; c < 3; c++)
+        x[c] = (bottom[c] + top[c]) / 2;
+}
+
+/* Returns how much light falls on the face between two diagonals, from above. */
+static double light_of(double x[4][3])
+{
+    double a[3], b[3], n[3];
+
+    vector_between(x[0], x[2], a);
+    vector_between(x[1], x[3], b);
+    vector_cross(a, b, n);
+    const double size = vector_length(n);
+    return size > 0 ? fabs(0.5 * n[0] - 0.3 * n[1] + 0.8 * n[2]) / size : 0;
+}
+
+/* Fills the quadrilaterals of a sheet of the field; returns how many. */
+static int cut_sheet(const double *xyz, const int column[2], struct quad *quad)
+{
+    int count = 0;
+
+    for (int j = 0; j < CELLS; j++)
+        for (int i = 0; i < CELLS; i++) {
+            double x[4][3];
+            for (int k = 0; k < 4; k++) {
+                const int u = i + (k == 1 || k == 2), v = j + (k >= 2);
+                middle(xyz, column[0] + u * (column[1] - column[0]) / CELLS,
+                       v * (GRID_V - 1) / CELLS, x[k]);
+                quad[count].corner[k] = see(x[k]);
+            }
+            quad[count++].light = light_of(x);
+        }
+    return count;
+}
+
+static int compare_depths(const void *a, const void *b)
+{
+    double depth[2] = {0};
+
+    for (int k = 0; k < 4; k++) {
+        depth[0] += ((const struct quad *)a)->corner[k].depth;
+        depth[1] += ((const struct quad *)b)->corner[k].depth;
+    }
+    return (depth[0] > depth[1]) - (depth[0] < depth[1]);
+}
+
+static void write_place(FILE *file, const struct view *view, struct seen p)
+{
+    const double unit = unit_of(view);
+
+    fprintf(file, "%.1f %.1f", (p.x - view->low[0]) / unit, (view->high[1] - p.y) / unit);
+}
+
+static void write_drawing(FILE *file, const struct scene *scene, const struct view *view,
+                          const struct quad *quad, int count, double t)
+{
+    fprintf(file, "<figure><svg viewBox=\"-2 -2 %.1f %.1f\" role=\"img\" ",
+            (view->high[0] - view->low[0]) / unit_of(view) + 4,
+            (view->high[1] - view->low[1]) / unit_of(view) + 4);
+    html_print(file, "aria-label=\"%s at %g s\">", scene->name, t);
+    for (int n = 0; n < count; n++) {
+        fprintf(file, "<path fill=\"hsl(210 48%% %.0f%%)\" d=\"M", 40 + 40 * quad[n].light);
+        for (int k = 0; k < 4; k++) {
+            fputs(k ? "L" : "", file);
+            write_place(file, view, quad[n].corner[k]);
+        }
+        fputs("Z\"/>", file);
+    }
+    html_print(file, "</svg><figcaption>%g s</figcaption></figure>\n", t);
+}
+
+/* Writes a drawing for each of `count` fields (grid.h) [m] at time[count] [s], all from one
+ * side and in one scale. */
+static enum status site_sheet_write(FILE *file, const struct scene *scene, int count,
+                                    const double *const *xyz, const double *time)
+{
+    const int sheets = scene_sheets(scene), each = sheets * CELLS * CELLS;
+    struct quad *quad = calloc((size_t)(count * each) + 1, sizeof *quad);
+    struct view view = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+
+    if (!quad)
+        return STATUS_MEMORY;
+    for (int n = 0; n < count; n++) {
+        struct quad *mine = quad + n * each;
+        for (int k = 0, column[2]; k < sheets; k++) {
+            grid_columns(sheets, k, column);
+            cut_sheet(xyz[n], column, mine + k * CELLS * CELLS);
+        }
+        for (int q = 0; q < 4 * each; q++)
+            widen(&view, mine[q / 4].corner[q % 4]);
+        qsort(mine, (size_t)each, sizeof *mine, compare_depths);
+    }
+    fputs("<div class=\"sheets\">\n", file);
+    for (int n = 0; n < count; n++)
+        write_drawing(file, scene, &view, quad + n * each, each, time[n]);
+    fputs("</div>\n", file);
+    free(quad);
+    return STATUS_OK;
+}
+
+static const char error_key[] = "worst_rmse_over_length";
+
+/* Returns the next run of a contestant's front behind `row`, by seconds; -1: none. */
+static int next_run(const struct csv_table *t, const char *contestant, int row)
+{
+    const double from = row < 0 ? 0 : csv_number_of(t, row, "seconds");
+    int next = -1;
+
+    for (int n = 0; n < t->rows; n++) {
+        const double seconds = csv_number_of(t, n, "seconds");
+        if (!strcmp(csv_words_of(t, n, "contestant"), contestant) &&
+            csv_number_of(t, n, "front") == 1 && csv_number_of(t, n, error_key) > 0 &&
+            seconds > from && (next < 0 || seconds < csv_number_of(t, next, "seconds")))
+            next = n;
+    }
+    return next;
+}
+
+/* Makes the line of a contestant through the runs of its front. */
+static void make_line(struct svg_chart_line *line, const struct csv_table *t,
+                      const struct report_run *best, bool links)
+{
+    const struct contestant *who;
+    struct message why;
+
+    *line = (struct svg_chart_line){.label = best->title};
+    if (links && contestant_find(best->contestant, &who, &why) == STATUS_OK)
+        snprintf(line->link, sizeof line->link, "contestant_%s.html", who->name);
+    for (int n = next_run(t, best->contestant, -1);
+         n >= 0 && line->count < SVG_CHART_POINTS; n = next_run(t, best->contestant, n)) {
+        const double side = csv_number_of(t, n, "side"),
+                     across = csv_number_of(t, n, "across");
+        snprintf(line->note[line->count], SVG_CHART_WORDS, "%gx%g points, step %g s", side,
+                 isnan(across) ? side : across, csv_number_of(t, n, "step_s"));
+        line->xy[line->count][0] = csv_number_of(t, n, "seconds");
+        line->xy[line->count++][1] = 100 * csv_number_of(t, n, error_key);
+    }
+}
+
+/* Returns the count of lines, the truth's error bar from end to end first. */
+static int make_lines(struct svg_chart_line *line, const struct csv_table *t,
+                      const struct report_run *best, int models, double bar, bool links)
+{
+    struct svg_chart_line *truth = line;
+    int lines = bar > 0;
+
+    *truth = (struct svg_chart_line){.label = "the truth's error bar", .bar = true};
+    truth->xy[0][0] = INFINITY, truth->xy[0][1] = truth->xy[1][1] = 100 * bar;
+    truth->count = 2;
+    for (int n = 0; n < models; n++) {
+        struct svg_chart_line *mine = &line[lines];
+        make_line(mine, t, &best[n], links);
+        lines += mine->count > 0;
+        if (bar > 0 && mine->count) {
+            truth->xy[0][0] = fmin(truth->xy[0][0], mine->xy[0][0]);
+            truth->xy[1][0] = fmax(truth->xy[1][0], mine->xy[mine->count - 1][0]);
+        }
+    }
+    return lines > (bar > 0) ? lines : 0;
+}
+
+/* Writes the chart of a table of runs, error against seconds: the best contestant of each
+ * model, and a legend in which contestants have `links` to their pages. Nothing is written
+ * where no run has both numbers > 0. `bar` is the truth's error bar over the length. */
+static enum status site_chart_write(FILE *file, const struct csv_table *runs, double bar,
+                                    bool links)
+{
+    struct report_run *best = malloc(((size_t)runs->rows + 1) * sizeof *best);
+    const int models = best ? report_part_best(runs, best) : 0;
+    struct svg_chart_line *line = malloc(((size_t)models + 2) * sizeof *line);
+
+    if (best && line) {
+        const int lines = make_lines(line, runs, best, models, bar, links);
+        if (lines) {
+            fputs("<p>Error (RMSE over the length at the worst time) against seconds: the "
+                  "best contestant of each model. Lower is more accurate, further left is "
+                  "faster.</p>\n",
+                  file);
+            svg_chart_write(NULL, "seconds", true, lines, line, file);
+        }
+    }
+    const enum status st = best && line ? STATUS_OK : STATUS_MEMORY;
+    free(best);
+    free(line);
+    return st;
+}
 
 enum { PATH = 4096, PICTURES = 4, BARS = 8 };
 
@@ -89,7 +324,7 @@ static enum status find_compared(struct compared *c, const char *folder,
     find_printed(c, compare, scene);
     find_printed(c, report_part_found(found, "scenes"), scene);
     if (!c->table[RUNS] && !strcmp(scene, "edge_drop")) /* a table without its caption */
-        c->table[RUNS] = report_summary_runs(compare);
+        c->table[RUNS] = report_part_runs(compare);
 out:
     return st;
 }

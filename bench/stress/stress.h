@@ -20,7 +20,7 @@
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
 
-/* --- Cases (stress_case.c). */
+/* --- Cases. */
 
 /* The truths against which errors are measured, and how. */
 #define STRESS_TRUTH_LIST(X)                                                               \
@@ -76,7 +76,7 @@ extern const struct command_item *const stress_case_items[];
 /* Returns case n = 0, 1, ...; NULL past the last. */
 const struct stress_case *stress_case_at(int n);
 
-/* --- Results (stress_result.c). */
+/* --- Results. */
 
 enum stress_end {
     STRESS_ACCURATE,
@@ -119,15 +119,10 @@ struct stress_job {
                                  tried                                 borrowed           */
 };
 
-/* Runs one job in this process (stress_judge.c): refusals and deaths are results. Anything
+/* Runs one job in this process: refusals and deaths are results. Anything
  * but STATUS_OK is the harness's own failure. */
 enum status stress_judge(const struct stress_job *job, struct stress_result *r,
                          struct message *why);
-
-/* Finds the truth of a case of STRESS_SHELL at some times, which the shell makes if it is
- * not in the folder yet and `made`. Errors as truth_find. */
-enum status stress_find_truth(const struct stress_job *job, bool made, struct truth **truth,
-                              struct message *why);
 
 /* --- The choice of the user. */
 
@@ -149,7 +144,7 @@ enum status stress_choice_check(const struct stress_choice *choice, struct messa
 
 /* --- Output. */
 
-/* Prints the tables of the chosen results in the folder (stress_print.c). */
+/* Prints the tables of the chosen results in the folder. */
 enum status stress_print(const char *folder, const struct stress_choice *choice,
                          enum table_format format, FILE *file, struct message *why);
 

@@ -48,11 +48,6 @@ enum status compare_job_truth(struct compare_job *j, const struct truth_wish *wi
  * and some are absent. */
 enum status compare_job_rows(void *job, int first, struct message *why);
 
-/* Runs and times the ladder, the rows that it makes worth a try (contest_search_all), then,
- * untimed, those that tell the limits of each, and the best again with more threads; or as
- * much of that as the budget has time for. */
-enum status compare_job_measure(struct compare_job *j, struct message *why);
-
 /* --- what is printed --- */
 
 /* Prints the table of all runs, what each contestant needs for given errors, what limits

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bench/export/export_numbers.h"
+#include "bench/export/export.h"
 #include "bench/files/folder.h"
 #include "bench/harness/deadline.h"
 #include "bench/harness/distrust.h"

@@ -1,14 +1,1182 @@
-#include "bench/ui/command.h"
+#include "bench/export/export.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/export/export_parts.h"
 #include "bench/files/folder.h"
+#include "bench/files/output.h"
+#include "bench/truth/truth.h"
+#include "bench/ui/command.h"
+#include "models/contact/contact_mesh.h"
 #include "models/damping.h"
+#include "models/mechanics/dead_load.h"
+#include "models/mechanics/supports.h"
+#include "models/net/spring_net.h"
 #include "models/reader/scene_file.h"
 #include "models/reader/scene_schema.h"
+#include "models/vector.h"
+
+/* Vertices outside the sheet make a clamp of an edge: where bending is an angle between
+ * elements, a held row alone is a hinge. A support through the whole thickness that holds
+ * the direction from an edge into the sheet keeps the edge from turning. A vertex whose
+ * neighbour inside is free and that has none on the other side gets one there, where the
+ * mid-surface would go on, held as it is. A patch of several rows needs none.
+ */
+
+struct export_held_vertex {
+    int vertex, i, j; /* its number, from n m on for those outside; its place           */
+    unsigned fix;     /* FIX_X...                                                       */
+    int support;      /* that it moves with; -1: it does not move                       */
+    int beside;       /* outside: the held vertex that it stands beside; else -1        */
+};
+
+struct export_held {
+    int count, outside;
+    struct export_held_vertex *vertex; /* [count], those of the sheet first      owned */
+    struct message doubt; /* where the net holds too little; empty: nowhere            */
+};
+
+struct export_job {
+    struct scene scene; /* as its truth moves                                            */
+    struct settings settings;
+    struct export_sheet sheet;
+    struct export_held held;
+    struct truth known;    /* no times: no truth is known                                */
+    struct message misfit; /* what matched springs cannot represent; empty: nothing      */
+    int body;              /* the obstacle of export_mesh_body                            */
+    bool undamped;         /* the scene is damped by a factor a step, its truth is not   */
+};
+
+/* Returns the vertices in a row, K n. */
+static int export_sheet_columns(const struct export_sheet *s)
+{
+    return scene_sheets(s->scene) * s->points[0];
+}
+
+static int export_sheet_vertices(const struct export_sheet *s)
+{
+    return export_sheet_columns(s) * s->points[1];
+}
+
+/* Returns the place i of column n of the row. Places have room for one more before and
+ * behind each sheet: from -1 on, n + 2 a sheet. */
+static int export_sheet_place(const struct export_sheet *s, int column)
+{
+    return column + column / s->points[0] * 2;
+}
+
+/* Returns the sheet of place i, and finds which of its points that is. */
+static int sheet_of(const struct export_sheet *s, int i, int *point)
+{
+    const int sheet = (i + 1) / (s->points[0] + 2);
+
+    *point = i - sheet * (s->points[0] + 2);
+    return sheet;
+}
+
+/* Tells whether the place i, j is in a net, and not outside of its edges. */
+static bool export_sheet_has(const struct export_sheet *s, int i, int j)
+{
+    int point;
+
+    sheet_of(s, i, &point);
+    return point >= 0 && point < s->points[0] && j >= 0 && j < s->points[1];
+}
+
+/* Returns parameters (u,v,1/2) of the place i, j, and its rest position [m]. */
+static void export_sheet_point(const struct export_sheet *s, int i, int j, double uvw[3],
+                               double xyz[3])
+{
+    int point;
+    const int sheet = sheet_of(s, i, &point);
+    const struct scene one = scene_sheet(s->scene, sheet);
+
+    uvw[0] = point / (s->points[0] - 1.0);
+    uvw[1] = j / (s->points[1] - 1.0);
+    uvw[2] = 0.5;
+    scene_rest_point(&one, uvw, xyz);
+    uvw[0] = scene_sheet_u(s->scene, sheet, uvw[0]);
+}
+
+/* Returns the same of a vertex of the net. */
+static void export_sheet_vertex(const struct export_sheet *s, int vertex, double uvw[3],
+                                double xyz[3])
+{
+    const int columns = export_sheet_columns(s);
+
+    export_sheet_point(s, export_sheet_place(s, vertex % columns), vertex / columns, uvw,
+                       xyz);
+}
+
+/* Returns the part within half a cell of point k of n, within [0, 1]. */
+static void own_part(int k, int n, double part[2])
+{
+    part[0] = fmax(0, (k - 0.5) / (n - 1));
+    part[1] = fmin(1, (k + 0.5) / (n - 1));
+}
+
+/* Returns the part of the sheet that belongs to a vertex: half a cell to each side [m^2].
+ * It is exact on flat sheets and cones; all add up to the sheet. */
+static double export_sheet_area(const struct export_sheet *s, int vertex)
+{
+    const struct scene *scene = s->scene;
+    double u[2], v[2], r, z;
+
+    own_part(vertex % s->points[0], s->points[0], u);
+    own_part(vertex / export_sheet_columns(s), s->points[1], v);
+    const double along = (u[1] - u[0]) * scene->length;
+    if (scene->shape == SCENE_FLAT)
+        return along * (v[1] - v[0]) * scene->width;
+    scene_cloak_meridian(scene, (u[0] + u[1]) / 2, 0.5, &r, &z); /* linear in u */
+    return along * r * (scene_cloak_angle(scene, v[1]) - scene_cloak_angle(scene, v[0]));
+}
+
+/* Returns the words x, y, z of FIX_X... bits, in this order, for printing. */
+static const char *export_sheet_axes(unsigned fix)
+{
+    static const char *const words[] = {"", "x", "y", "xy", "z", "xz", "yz", "xyz"};
+
+    return words[fix & FIX_XYZ];
+}
+
+/* Allowances for round-off: of a vertex's parameter, and of a direction. */
+static const double ROUNDING = 1e-12;
+
+/* Steps to the neighbours inside of an edge, before and after along u and v. */
+static const int STEP[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+
+static bool is_whole(const struct scene_support *s)
+{
+    return s->lo[2] <= 0 && s->hi[2] >= 1;
+}
+
+static bool reaches(const struct export_sheet *s, const struct scene_support *support,
+                    int i, int j)
+{
+    double uvw[3], x[3];
+
+    export_sheet_point(s, i, j, uvw, x);
+    for (int d = 0; d < 2; d++)
+        if (uvw[d] < support->lo[d] - ROUNDING || uvw[d] > support->hi[d] + ROUNDING)
+            return false;
+    return true;
+}
+
+/* Returns the components that supports through the whole thickness fix at the vertex. */
+static unsigned held_whole(const struct export_sheet *s, int i, int j)
+{
+    unsigned fix = 0;
+
+    for (int n = 0; export_sheet_has(s, i, j) && n < s->scene->support_count; n++)
+        if (is_whole(&s->scene->supports[n]) && reaches(s, &s->scene->supports[n], i, j))
+            fix |= s->scene->supports[n].fix;
+    return fix;
+}
+
+/* Returns whether all components of a direction are fixed. */
+static bool has_direction(unsigned fix, const double from[3], const double to[3])
+{
+    double length = 0;
+    bool all = true;
+
+    for (int c = 0; c < 3; c++)
+        length = hypot(length, to[c] - from[c]);
+    for (int c = 0; c < 3; c++)
+        all &= (fix >> c & 1) || fabs(to[c] - from[c]) <= ROUNDING * length;
+    return all;
+}
+
+/* Returns whether the vertex's fixed components keep the sheet from turning towards `step`.
+ */
+static bool is_stiff(const struct export_sheet *s, int i, int j, const int step[2])
+{
+    double uvw[3], here[3], there[3];
+
+    export_sheet_point(s, i, j, uvw, here);
+    export_sheet_point(s, i + step[0], j + step[1], uvw, there);
+    return has_direction(held_whole(s, i, j), here, there);
+}
+
+/* Returns whether the vertex is in the sheet and not fixed along its normal. */
+static bool may_leave(const struct export_sheet *s, int i, int j)
+{
+    double uvw[3], low[3], high[3];
+
+    if (!export_sheet_has(s, i, j))
+        return false;
+    export_sheet_point(s, i, j, uvw, low);
+    uvw[2] = 0, scene_rest_point(s->scene, uvw, low);
+    uvw[2] = 1, scene_rest_point(s->scene, uvw, high);
+    return !has_direction(held_whole(s, i, j), low, high);
+}
+
+static enum status check_thickness(const struct scene *scene, struct message *why)
+{
+    for (int n = 0; n < scene->support_count; n++) {
+        const struct scene_support *s = &scene->supports[n];
+        if (!is_whole(s) && !(s->lo[2] == 0.5 && s->hi[2] == 0.5))
+            return status_fail(
+                why, STATUS_UNSUPPORTED,
+                "supports[%d] holds w from %g to %g: vertices of a "
+                "mid-surface say the whole thickness (a clamp) or w = 0.5 (a "
+                "hinge)",
+                n, s->lo[2], s->hi[2]);
+    }
+    return STATUS_OK;
+}
+
+/* Says which support (the first) ends between vertices, as a doubt for the user. */
+static void doubt_ends(const struct export_sheet *s, struct export_held *held)
+{
+    for (int n = s->scene->support_count - 1; n >= 0; n--)
+        for (int k = 3; k >= 0; k--) {
+            const struct scene_support *support = &s->scene->supports[n];
+            const double at = k % 2 ? support->hi[k / 2] : support->lo[k / 2];
+            double along = at;
+            if (k / 2 == 0)
+                scene_sheet_at(s->scene, at, &along);
+            const double cells = along * (s->points[k / 2] - 1);
+            if (fabs(cells - round(cells)) > 1e-9)
+                status_fail(&held->doubt, STATUS_OK,
+                            "supports[%d] ends at %c = %g, between vertices: the net holds "
+                            "up to the last one within",
+                            n, "uv"[k / 2], along);
+        }
+}
+
+static void add_outside(const struct export_sheet *s, struct export_held *held, int i,
+                        int j, const struct export_held_vertex *beside)
+{
+    struct export_held_vertex *v = &held->vertex[held->count++];
+
+    *v = *beside;
+    v->vertex = export_sheet_vertices(s) + held->outside++;
+    v->i = i, v->j = j;
+    v->beside = beside->vertex;
+}
+
+/* Adds the clamps of one held vertex of the sheet: vertices outside of it, or says why
+ * there can be none. */
+static enum status add_clamps(const struct export_sheet *s, struct export_held *held,
+                              const struct export_held_vertex *v, struct message *why)
+{
+    for (int k = 0; k < 4; k++) {
+        const int *step = STEP[k], i = v->i - step[0], j = v->j - step[1];
+        if (!may_leave(s, v->i + step[0], v->j + step[1]) || !is_stiff(s, v->i, v->j, step))
+            continue;
+        if (held_whole(s, v->i, v->j) != FIX_XYZ)
+            return status_fail(why, STATUS_UNSUPPORTED,
+                               "vertex %d is held in %s through the thickness, which keeps "
+                               "the sheet from turning there; vertices can say that of xyz "
+                               "alone",
+                               v->vertex, export_sheet_axes(v->fix));
+        if (may_leave(s, i, j))
+            return status_fail(why, STATUS_UNSUPPORTED,
+                               "vertex %d is clamped with the sheet free on both sides of "
+                               "it: held vertices cannot say that; a patch of two rows or "
+                               "more can, on a net so fine",
+                               v->vertex);
+        if (!export_sheet_has(s, i, j))
+            add_outside(s, held, i, j, v);
+    }
+    return STATUS_OK;
+}
+
+static void add_held(const struct export_sheet *s, const struct supports *supports, int n,
+                     struct export_held *held)
+{
+    const int columns = export_sheet_columns(s);
+    struct export_held_vertex v = {
+        n, export_sheet_place(s, n % columns), n / columns, 0, -1, -1};
+
+    for (int c = 0; c < 3; c++)
+        if (supports->free_index[3 * n + c] < 0)
+            v.fix |= 1u << c;
+    if (v.fix)
+        held->vertex[held->count++] = v;
+}
+
+static void add_paths(const struct scene *scene, const struct supports *supports,
+                      struct export_held *held)
+{
+    int at = 0;
+
+    for (int n = 0; n < supports->held_count; n++) {
+        while (held->vertex[at].vertex < supports->held[n] / 3)
+            at++;
+        const int owner = supports->owner[n];
+        if (SCENE_MOVES(scene->supports[owner].motion))
+            held->vertex[at].support = owner;
+    }
+}
+
+/* Finds the supports' vertices by the rule that all models share. */
+static enum status find_supports(const struct export_sheet *s, struct supports *supports,
+                                 struct message *why)
+{
+    const int vertices = export_sheet_vertices(s);
+    double(*uvw)[3] = malloc(2 * (size_t)vertices * sizeof *uvw);
+    double(*rest)[3] = uvw ? uvw + vertices : NULL;
+    enum status st = STATUS_MEMORY;
+
+    if (!uvw)
+        return st;
+    for (int n = 0; n < vertices; n++)
+        export_sheet_vertex(s, n, uvw[n], rest[n]);
+    st = supports_init(supports, s->scene, vertices, uvw, *rest, why);
+    free(uvw);
+    return st;
+}
+
+static void export_held_clear(struct export_held *held)
+{
+    free(held->vertex);
+    *held = (struct export_held){0};
+}
+
+/* Finds the held vertices. STATUS_UNSUPPORTED with a sentence: vertices cannot express how
+ * the scene holds the sheet, STATUS_INPUT: a support holds none of them. Free with
+ * export_held_clear. */
+static enum status export_held_find(const struct export_sheet *s, struct export_held *held,
+                                    struct message *why)
+{
+    const int vertices = export_sheet_vertices(s);
+    struct supports supports = {0};
+    enum status st;
+
+    *held = (struct export_held){0};
+    TRY(check_thickness(s->scene, why));
+    TRY(find_supports(s, &supports, why));
+    /* a vertex may have one outside along u and one along v */
+    held->vertex = malloc(3 * ((size_t)vertices + 1) * sizeof *held->vertex);
+    TRY(held->vertex ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < vertices; n++)
+        add_held(s, &supports, n, held);
+    add_paths(s->scene, &supports, held);
+    for (int n = 0, count = held->count; n < count; n++)
+        TRY(add_clamps(s, held, &held->vertex[n], why));
+    doubt_ends(s, held);
+out:
+    supports_clear(&supports);
+    if (st != STATUS_OK)
+        export_held_clear(held);
+    return st;
+}
+
+/* Returns the path in paths.csv of the nth held vertex: its support's number, or, as a turn
+ * moves each vertex another way, one of its own after those; -1: it does not move. */
+static int export_held_path(const struct export_job *j, int n)
+{
+    const int support = j->held.vertex[n].support;
+
+    return support < 0 || !j->scene.supports[support].motion.turn_count
+               ? support
+               : j->scene.support_count + n;
+}
+
+static enum status export_held_csv(struct export_job *j, struct output *out)
+{
+    output_print(out, "vertex,u,v,x,y,z,fix,path,beside\n");
+    for (int n = 0; n < j->held.count; n++) {
+        const struct export_held_vertex *v = &j->held.vertex[n];
+        double uvw[3], x[3];
+        export_sheet_point(&j->sheet, v->i, v->j, uvw, x);
+        output_print(out, "%d,%.17g,%.17g,%.17g,%.17g,%.17g,%s,", v->vertex, uvw[0], uvw[1],
+                     x[0], x[1], x[2], export_sheet_axes(v->fix));
+        const int path = export_held_path(j, n);
+        output_print(out, path < 0 ? "," : "%d,", path);
+        output_print(out, v->beside < 0 ? "\n" : "%d\n", v->beside);
+    }
+    return STATUS_OK;
+}
+
+/* Writes the mesh at rest. */
+
+/* Finds the corners of the n-th triangle, counted from 0: counter-clockwise seen from where
+ * u x v points. A cell's diagonals alternate, so that the mesh has no bias. */
+static void export_mesh_triangle(const struct export_sheet *s, int n, int corner[3])
+{
+    const int columns = export_sheet_columns(s), cells = s->points[0] - 1,
+              row = columns - columns / s->points[0], /* cells in a row */
+        i = n / 2 % row, j = n / 2 / row;
+    const int a = j * columns + i + i / cells, b = a + 1, d = a + columns, c = d + 1;
+    const int cell[2][2][3] = {{{a, b, c}, {a, c, d}}, {{a, b, d}, {b, c, d}}};
+
+    memcpy(corner, cell[(i % cells + j) % 2][n % 2], 3 * sizeof *corner);
+}
+
+static int export_mesh_triangles(const struct export_sheet *s)
+{
+    return 2 * scene_sheets(s->scene) * (s->points[0] - 1) * (s->points[1] - 1);
+}
+
+/* Write one file each. STATUS_MEMORY; output.h says what cannot be written. */
+static enum status export_mesh_obj(struct export_job *j, struct output *out)
+{
+    const struct export_sheet *s = &j->sheet;
+    double uvw[3], x[3];
+    int c[3];
+
+    output_print(out, "# %s at rest [m]; vt = u v; %d x %d vertices, u fastest\no sheet\n",
+                 s->scene->name, export_sheet_columns(s), s->points[1]);
+    for (int n = 0; n < export_sheet_vertices(s); n++) {
+        export_sheet_vertex(s, n, uvw, x);
+        output_print(out, "v %.17g %.17g %.17g\n", x[0], x[1], x[2]);
+    }
+    for (int n = 0; n < export_sheet_vertices(s); n++) {
+        export_sheet_vertex(s, n, uvw, x);
+        output_print(out, "vt %.17g %.17g\n", uvw[0], uvw[1]);
+    }
+    for (int n = 0; n < export_mesh_triangles(s); n++) {
+        export_mesh_triangle(s, n, c);
+        output_print(out, "f %d/%d %d/%d %d/%d\n", c[0] + 1, c[0] + 1, c[1] + 1, c[1] + 1,
+                     c[2] + 1, c[2] + 1);
+    }
+    return STATUS_OK;
+}
+
+/* Writes a body as it lies in the scene, in metres. */
+static enum status export_mesh_body(struct export_job *j, struct output *out)
+{
+    const struct contact_mesh_view m = contact_mesh_view(j->scene.obstacles[j->body].mesh);
+
+    output_print(out, "# obstacle %d of %s [m]\no obstacle\n", j->body, j->scene.name);
+    for (int n = 0; n < m.vertices; n++)
+        output_print(out, "v %.17g %.17g %.17g\n", m.vertex[n][0], m.vertex[n][1],
+                     m.vertex[n][2]);
+    for (int n = 0; n < m.triangles; n++)
+        output_print(out, "f %d %d %d\n", m.triangle[n][0] + 1, m.triangle[n][1] + 1,
+                     m.triangle[n][2] + 1);
+    return STATUS_OK;
+}
+
+/* Writes rest.ply; s, t are what Blender and others call u, v. */
+static enum status export_mesh_ply(struct export_job *j, struct output *out)
+{
+    const struct export_sheet *s = &j->sheet;
+    double uvw[3], x[3];
+    int c[3];
+
+    output_print(out,
+                 "ply\nformat ascii 1.0\ncomment %s at rest [m]; s t = u v; u fastest\n"
+                 "element vertex %d\nproperty double x\nproperty double y\n"
+                 "property double z\nproperty double s\nproperty double t\n"
+                 "element face %d\nproperty list uchar int vertex_indices\nend_header\n",
+                 s->scene->name, export_sheet_vertices(s), export_mesh_triangles(s));
+    for (int n = 0; n < export_sheet_vertices(s); n++) {
+        export_sheet_vertex(s, n, uvw, x);
+        output_print(out, "%.17g %.17g %.17g %.17g %.17g\n", x[0], x[1], x[2], uvw[0],
+                     uvw[1]);
+    }
+    for (int n = 0; n < export_mesh_triangles(s); n++) {
+        export_mesh_triangle(s, n, c);
+        output_print(out, "3 %d %d %d\n", c[0], c[1], c[2]);
+    }
+    return STATUS_OK;
+}
+
+static enum status export_mesh_csv(struct export_job *j, struct output *out)
+{
+    const struct export_sheet *s = &j->sheet;
+    double uvw[3], x[3];
+
+    output_print(out, "vertex,u,v,x,y,z\n");
+    for (int n = 0; n < export_sheet_vertices(s); n++) {
+        export_sheet_vertex(s, n, uvw, x);
+        output_print(out, "%d,%.17g,%.17g,%.17g,%.17g,%.17g\n", n, uvw[0], uvw[1], x[0],
+                     x[1], x[2]);
+    }
+    return STATUS_OK;
+}
+
+/* The numbers that a simulator needs besides the mesh: materials.csv, times.csv, and where
+ * the scene has them obstacles.csv, paths.csv, loads.csv, velocities.csv. */
+
+/* A stiffness over E h below this is round-off: long cells do not need that spring. */
+static const double NOTHING = 1e-12;
+
+/* Numbers that differ by less than this share are the same but for rounding: the mass of a
+ * vertex, a spring's length. */
+static const double SAME = 1e-9;
+
+struct number {
+    const char *quantity;
+    int a, b; /* vertices; -1: none                                                    */
+    double value;
+    const char *unit;
+    double length, compliance; /* at rest [m], 1/value; NaN: none                      */
+};
+/* The receiver of the numbers. */
+struct taker {
+    void (*take)(void *context, const struct number *number);
+    void *context;
+};
+
+static void put(const struct taker *t, const char *quantity, double value, const char *unit)
+{
+    t->take(t->context, &(struct number){quantity, -1, -1, value, unit, NAN, NAN});
+}
+
+/* Passes on a fabric's moduli along warp and weft, and those of an orthotropic solid as
+ * thick as its h. */
+static void put_fabric(const struct scene *scene, const struct taker *t)
+{
+    static const char *const name[LAW_PARTS][LAW_MODULI] = {{"Y11", "Y22", "Y12", "G"},
+                                                            {"B1", "B2", "B12", "B66"}};
+    const struct law_fabric *f = &scene->fabric;
+    const double *Y = f->membrane, h = scene->thickness;
+
+    for (int n = 0; n < LAW_MODULI; n++)
+        put(t, name[LAW_MEMBRANE][n], Y[n], "N/m");
+    for (int n = 0; n < LAW_MODULI; n++)
+        put(t, name[LAW_BENDING][n], f->bending[n], "N m");
+    for (int n = 0; n < 2; n++)
+        if (f->softening[n] < 0)
+            put(t, n ? "C2" : "C1", f->softening[n], "N m^2");
+    put(t, "warp", f->warp, "deg");
+    put(t, "E1", (Y[LAW_WARP] - Y[LAW_CROSS] * Y[LAW_CROSS] / Y[LAW_WEFT]) / h, "Pa");
+    put(t, "E2", (Y[LAW_WEFT] - Y[LAW_CROSS] * Y[LAW_CROSS] / Y[LAW_WARP]) / h, "Pa");
+    put(t, "nu12", Y[LAW_CROSS] / Y[LAW_WEFT], "1");
+    put(t, "G12", Y[LAW_SHEAR] / h, "Pa");
+    put(t, "areal mass", f->areal_density, "kg/m^2");
+}
+
+static void put_material(const struct scene *scene, const struct taker *t)
+{
+    const struct spring_law_stiffness plane = spring_law_plane_stress(scene);
+
+    put(t, "E", scene->young, "Pa");
+    put(t, "nu", scene->poisson, "1");
+    put(t, "rho", scene->density, "kg/m^3");
+    put(t, "h", scene->thickness, "m");
+    if (scene->is_fabric) {
+        put_fabric(scene, t);
+        return;
+    }
+    put(t, "E h", scene->young * scene->thickness, "N/m");
+    put(t, "E h/(1-nu^2)", plane.c11, "N/m");
+    put(t, "G h", plane.c33, "N/m");
+    put(t, "D", scene_bending_stiffness(scene), "N m");
+    put(t, "areal mass", scene->density * scene->thickness, "kg/m^2");
+}
+
+/* Passes on the hinges' stiffness D |e|^2 / (A1 + A2) of an edge with triangles on both
+ * sides, half a cell each (Grinspun et al. 2003, their stiffness matched to a plate's). A
+ * triangle that is held does not bend and counts as no area: at a clamp one is left. A
+ * fabric's edges along u and v bend with B22 and B11. In a cylinder along u or v diagonals
+ * do not fold; in a twist they alone do, and hold B66. */
+static void put_hinges(const struct export_sheet *s, const struct taker *t)
+{
+    static const char *const name[] = {"hinge u", "hinge v", "hinge diagonal",
+                                       "hinge u held", "hinge v held"};
+    const double a = s->scene->length / (s->points[0] - 1),
+                 b = s->scene->width / (s->points[1] - 1);
+    const double square[] = {a * a, b * b, a * a + b * b};
+    const struct law law = scene_law(s->scene);
+    const double *B = law.matrix[LAW_BENDING], D = B[LAW_11];
+    const double bending[] = {law.isotropic ? D : B[LAW_22], D,
+                              law.isotropic ? D
+                                            : 4 * B[LAW_33] * square[0] * square[1] /
+                                                  (square[2] * square[2])};
+
+    for (int n = 0; n < 5; n++) {
+        const double area = n < 3 ? a * b : a * b / 2;
+        const double k = bending[n % 3] * square[n % 3] / area;
+        t->take(t->context, &(struct number){name[n], -1, -1, k, "N m", NAN, 1 / k});
+    }
+}
+
+/* Returns our number of a node of the springs' net, which counts along v first. */
+static int vertex_of(const struct export_sheet *s, int node)
+{
+    return node % s->points[1] * export_sheet_columns(s) + node / s->points[1];
+}
+
+static enum status put_springs(const struct export_sheet *s, const struct taker *t,
+                               struct message *misfit)
+{
+    static const char *const name[] = {"spring u", "spring v", "spring diagonal"};
+    struct spring_net net = {0};
+    enum status st;
+
+    TRY(spring_net_init(&net, s->scene, s->points, PARAMETERS_MATCHED, false));
+    for (int n = 0; n < net.spring_count; n++) {
+        const struct spring *k = &net.springs[n];
+        if (!(k->stiffness > NOTHING * s->scene->young * s->scene->thickness))
+            continue;
+        const int di = k->b / net.points[1] != k->a / net.points[1];
+        const int dj = k->b % net.points[1] != k->a % net.points[1];
+        t->take(t->context,
+                &(struct number){name[di && dj ? SPRING_DIAGONAL
+                                      : di     ? SPRING_U
+                                               : SPRING_V],
+                                 vertex_of(s, k->a), vertex_of(s, k->b), k->stiffness,
+                                 "N/m", k->length, 1 / k->stiffness});
+    }
+    spring_law_tell(&net.law, net.cell, s->scene, misfit);
+out:
+    spring_net_clear(&net);
+    return st;
+}
+
+/* Passes on, one by one, all numbers of a net of points: the material; the mass of each
+ * vertex a; on a flat sheet the stiffness of a hinge between two triangles over an inner
+ * edge along u, along v and along a diagonal, D |e|^2 / (A1 + A2) (theta^2 / 2 times it is
+ * the energy; Grinspun et al. 2003), and twice that where one of the two is held; and each
+ * matched spring from a to b (models/net/spring_net.h). *misfit says what those springs
+ * cannot represent; empty: nothing. */
+static enum status each(const struct export_sheet *s, const struct taker *t,
+                        struct message *misfit)
+{
+    const double areal = s->scene->density * s->scene->thickness;
+
+    put_material(s->scene, t);
+    for (int n = 0; n < export_sheet_vertices(s); n++)
+        t->take(t->context, &(struct number){"mass", n, -1, areal * export_sheet_area(s, n),
+                                             "kg", NAN, NAN});
+    if (s->scene->shape != SCENE_FLAT)
+        return STATUS_OK;
+    const struct law law = scene_law(s->scene);
+    put_hinges(s, t);
+    return law_is_aligned(&law) ? put_springs(s, t, misfit) : STATUS_OK;
+}
+
+/* --- as a table: what is the same is a row --- */
+
+enum { KINDS = 40 };
+struct kinds {
+    int count;
+    long uses[KINDS];
+    struct number kind[KINDS];
+};
+
+static bool is_near(double a, double b)
+{
+    return (isnan(a) && isnan(b)) || fabs(a - b) <= SAME * fabs(b);
+}
+
+static void take_kind(void *context, const struct number *number)
+{
+    struct kinds *k = context;
+    int n = 0;
+
+    while (n < k->count && !(!strcmp(k->kind[n].quantity, number->quantity) &&
+                             is_near(k->kind[n].value, number->value) &&
+                             is_near(k->kind[n].length, number->length)))
+        n++;
+    if (n == KINDS) /* a flat net has fewer */
+        return;
+    k->kind[n] = *number;
+    k->uses[n]++;
+    k->count += n == k->count;
+}
+
+enum status export_numbers_table(const struct export_sheet *s, struct table **table)
+{
+    static const struct table_column columns[] = {{"quantity", NULL, TABLE_LEFT},
+                                                  {"value"},
+                                                  {"unit", NULL, TABLE_LEFT},
+                                                  {"rest length", "m"},
+                                                  {"compliance", "1/unit", .key_unit = "1"},
+                                                  {"how many"}};
+    struct kinds kinds = {0};
+    struct message misfit = {""};
+    enum status st;
+
+    *table =
+        TABLE_OF(columns, "Parameters of this net of points, for an engine of your own");
+    TRY(each(s, &(struct taker){take_kind, &kinds}, &misfit));
+    for (int n = 0; n < kinds.count; n++) {
+        const struct number *k = &kinds.kind[n];
+        table_line(*table, "%s|%.6g|%s|%.6g|%.6g|%.0f", k->quantity, k->value, k->unit,
+                   k->length, k->compliance, k->a < 0 ? NAN : (double)kinds.uses[n]);
+    }
+    table_note(
+        *table,
+        "mass: of a vertex - corner, rim, inside; springs: half as stiff on the rim; "
+        "hinge: bending by the angle theta between two triangles, k theta^2 / 2, over "
+        "an inner edge along u, v or a diagonal, or over one of whose triangles one is "
+        "held, at a clamp; compliance: of XPBD, with C = length - rest length or C = "
+        "theta.");
+    if (*misfit.text)
+        table_note(*table, "Springs are no plane stress: %s.", misfit.text);
+out:
+    if (st != STATUS_OK) {
+        table_destroy(*table);
+        *table = NULL;
+    }
+    return st;
+}
+
+/* --- as files --- */
+
+/* Prints a comma and a number, which may be missing. */
+static void print_cell(struct output *out, double value)
+{
+    output_print(out, ",");
+    if (!isnan(value))
+        output_print(out, "%.17g", value);
+}
+
+static void take_line(void *context, const struct number *n)
+{
+    struct output *out = context;
+
+    output_print(out, "%s", n->quantity);
+    print_cell(out, n->a < 0 ? NAN : n->a);
+    print_cell(out, n->b < 0 ? NAN : n->b);
+    output_print(out, ",%.17g,%s", n->value, n->unit);
+    print_cell(out, n->length);
+    print_cell(out, n->compliance);
+    output_print(out, "\n");
+}
+
+static enum status export_numbers_materials(struct export_job *j, struct output *out)
+{
+    output_print(out, "quantity,a,b,value,unit,rest_length,compliance\n");
+    return each(&j->sheet, &(struct taker){take_line, out}, &j->misfit);
+}
+
+static enum status export_numbers_times(struct export_job *j, struct output *out)
+{
+    output_print(out, "what,time,bar\nstep,%.17g,\nend,%.17g,\n", j->scene.step,
+                 j->scene.end);
+    for (int n = 0; n < j->known.claimed; n++)
+        output_print(out, "truth,%.17g,%.17g\n", j->known.time[n], j->known.error[n]);
+    return STATUS_OK;
+}
+
+static enum status export_numbers_obstacles(struct export_job *j, struct output *out)
+{
+    output_print(out, "kind,x,y,z,normal_x,normal_y,normal_z,radius,friction\n");
+    for (int n = 0; n < j->scene.obstacle_count; n++) {
+        const struct scene_obstacle *o = &j->scene.obstacles[n];
+        const double *p = o->point, *m = o->normal;
+        const double size = hypot(m[0], hypot(m[1], m[2]));
+        output_print(out, "%s%s,%.17g,%.17g,%.17g", SCENE_MOVES(o->motion) ? "moving_" : "",
+                     scene_schema_obstacles[o->kind].key, p[0], p[1], p[2]);
+        if (o->kind == OBSTACLE_PLANE)
+            output_print(out, ",%.17g,%.17g,%.17g", m[0] / size, m[1] / size, m[2] / size);
+        else
+            output_print(out, ",,,");
+        print_cell(out, o->radius > 0 ? o->radius : NAN);
+        print_cell(out, o->friction);
+        output_print(out, "\n");
+    }
+    return STATUS_OK;
+}
+
+static void print_path(int number, double t, const double shift[3], struct output *out)
+{
+    output_print(out, "%d,%.17g,%.17g,%.17g,%.17g\n", number, t, shift[0], shift[1],
+                 shift[2]);
+}
+
+/* Prints, frame by frame, the path of a held vertex whose support turns. */
+static void print_turning(const struct export_job *j, int n, struct output *out)
+{
+    const struct export_held_vertex *v = &j->held.vertex[n];
+    const int frames = (int)lround(j->scene.end / j->scene.step);
+
+    for (int k = 0; k <= frames; k++) {
+        struct scene_placement place;
+        double uvw[3], X[3], x[3], shift[3];
+        export_sheet_point(&j->sheet, v->i, v->j, uvw, X);
+        scene_motion_at(&j->scene.supports[v->support].motion, k * j->scene.step, &place);
+        scene_placement_point(&place, X, x);
+        vector_between(X, x, shift);
+        print_path(export_held_path(j, n), k * j->scene.step, shift, out);
+    }
+}
+
+static enum status export_numbers_paths(struct export_job *j, struct output *out)
+{
+    output_print(out, "path,t,x,y,z\n");
+    for (int n = 0; n < j->scene.support_count; n++) {
+        const struct scene_motion *m = &j->scene.supports[n].motion;
+        for (int k = 0; k < m->path_count && !m->turn_count; k++)
+            print_path(n, m->path[k][0], m->path[k] + 1, out);
+    }
+    for (int n = 0; n < j->held.count; n++)
+        if (export_held_path(j, n) >= j->scene.support_count)
+            print_turning(j, n, out);
+    return STATUS_OK;
+}
+
+/* Writes loads, distributed by the vertices' hat functions as springs and triangles do. */
+static enum status export_numbers_loads(struct export_job *j, struct output *out)
+{
+    const struct export_sheet *s = &j->sheet;
+    const struct dead_load_line line[3] = {
+        {.n = s->points[0], .degree = 1}, {.n = s->points[1], .degree = 1}, {.n = 1}};
+    double *force = calloc(3 * (size_t)export_sheet_vertices(s), sizeof *force);
+    enum status st = STATUS_MEMORY;
+
+    if (!force)
+        return st;
+    TRY(dead_load_add(s->scene, line, force));
+    output_print(out, "vertex,x,y,z\n");
+    for (int n = 0; n < export_sheet_vertices(s); n++) {
+        const int columns = export_sheet_columns(s), along = n % columns,
+                  across = n / columns;
+        const double *f = force + 3 * (along * s->points[1] + across);
+        if (f[0] != 0 || f[1] != 0 || f[2] != 0)
+            output_print(out, "%d,%.17g,%.17g,%.17g\n", n, f[0], f[1], f[2]);
+    }
+out:
+    free(force);
+    return st;
+}
+
+/* Finds the velocity of vertex n at t = 0, none in components that are held [m/s]. *held
+ * goes through the held vertices as n goes up from 0, and begins at 0. */
+static void export_numbers_velocity(const struct export_job *j, int n, int *held,
+                                    double v[3])
+{
+    const bool is_held = *held < j->held.count && j->held.vertex[*held].vertex == n;
+    const unsigned fix = is_held ? j->held.vertex[(*held)++].fix : 0;
+    double uvw[3], x[3] = {0};
+
+    if (n < export_sheet_vertices(&j->sheet)) /* others are held */
+        export_sheet_vertex(&j->sheet, n, uvw, x);
+    scene_initial_velocity(&j->scene, x, v);
+    for (int c = 0; c < 3; c++)
+        v[c] = fix >> c & 1 ? 0 : v[c];
+}
+
+static enum status export_numbers_velocities(struct export_job *j, struct output *out)
+{
+    double v[3];
+
+    output_print(out, "vertex,x,y,z\n");
+    for (int n = 0, held = 0; n < export_sheet_vertices(&j->sheet); n++) {
+        export_numbers_velocity(j, n, &held, v);
+        output_print(out, "%d,%.17g,%.17g,%.17g\n", n, v[0], v[1], v[2]);
+    }
+    return STATUS_OK;
+}
+
+/* Writes scene.usda: the sheet as a surface deformable of the AOUSD proposal "Deformable
+ * Body Physics in USD" (OpenUSD-proposals, pull request 111, at 584939b6), in SI units. */
+
+enum { A_LINE = 8 }; /* elements of an array                                           */
+
+/* The mesh of the file: the sheet's triangles, then those of its clamps. */
+struct usd_mesh {
+    int count;
+    int (*corner)[3]; /*                                                           owned */
+};
+
+/* Prints what stands before element n of an array. */
+static void next(struct output *out, int n)
+{
+    output_print(out, "%s", n % A_LINE ? ", " : n ? ",\n            " : "\n            ");
+}
+
+static void put_whole(struct output *out, int n, int value)
+{
+    next(out, n);
+    output_print(out, "%d", value);
+}
+
+static void put_triple(struct output *out, int n, const double x[3])
+{
+    next(out, n);
+    output_print(out, "(%.9g, %.9g, %.9g)", x[0] + 0.0, x[1] + 0.0, x[2] + 0.0);
+}
+
+/* Returns the place of a held vertex of the sheet. */
+static void place_of(const struct export_sheet *s, int vertex, int place[2])
+{
+    const int columns = export_sheet_columns(s);
+
+    place[0] = export_sheet_place(s, vertex % columns);
+    place[1] = vertex / columns;
+}
+
+/* Adds the cell between two vertices outside and the held ones beside them, if the two are
+ * neighbours off the same edge; a comes first in the row of held vertices. */
+static void add_cell(const struct export_sheet *s, const struct export_held_vertex *a,
+                     const struct export_held_vertex *b, struct usd_mesh *mesh)
+{
+    int p[2], q[2];
+
+    place_of(s, a->beside, p);
+    place_of(s, b->beside, q);
+    const int along[2] = {q[0] - p[0], q[1] - p[1]}, off[2] = {a->i - p[0], a->j - p[1]};
+    const int turn = along[0] * off[1] - along[1] * off[0];
+    if (b->i - q[0] != off[0] || b->j - q[1] != off[1] || along[0] + along[1] != 1 ||
+        along[0] * along[1] != 0 || turn == 0)
+        return;
+    const int round[4] = {a->beside, turn > 0 ? b->beside : a->vertex, b->vertex,
+                          turn > 0 ? a->vertex : b->beside};
+    for (int k = 0; k < 2; k++, mesh->count++)
+        for (int c = 0; c < 3; c++)
+            mesh->corner[mesh->count][c] = round[c ? c + k : 0];
+}
+
+static enum status make_mesh(const struct export_job *j, struct usd_mesh *mesh)
+{
+    const struct export_held *held = &j->held;
+    const int inside = held->count - held->outside;
+
+    mesh->corner = malloc((size_t)(export_mesh_triangles(&j->sheet) + 4 * held->outside) *
+                          sizeof *mesh->corner);
+    if (!mesh->corner)
+        return STATUS_MEMORY;
+    for (; mesh->count < export_mesh_triangles(&j->sheet); mesh->count++)
+        export_mesh_triangle(&j->sheet, mesh->count, mesh->corner[mesh->count]);
+    for (int a = inside; a < held->count; a++)
+        for (int b = a + 1; b < held->count; b++)
+            add_cell(&j->sheet, &held->vertex[a], &held->vertex[b], mesh);
+    return STATUS_OK;
+}
+
+static void put_head(const struct export_job *j, struct output *out)
+{
+    const double *g = j->scene.gravity, size = hypot(g[0], hypot(g[1], g[2]));
+    const double one = size > 0 ? 1 / size : 0;
+
+    output_print(out,
+                 "#usda 1.0\n(\n    defaultPrim = \"World\"\n    metersPerUnit = 1\n"
+                 "    kilogramsPerUnit = 1\n    upAxis = \"Z\"\n"
+                 "    timeCodesPerSecond = 1\n    startTimeCode = 0\n"
+                 "    endTimeCode = %.9g\n)\n\ndef Xform \"World\"\n{\n",
+                 j->scene.end);
+    output_print(out,
+                 "    def PhysicsScene \"Physics\"\n    {\n"
+                 "        vector3f physics:gravityDirection = (%.9g, %.9g, %.9g)\n"
+                 "        float physics:gravityMagnitude = %.9g\n    }\n\n",
+                 one * g[0] + 0.0, one * g[1] + 0.0, one * g[2] + 0.0, size);
+}
+
+/* Puts the structural stiffnesses that the proposal derives from E, nu and h, and those
+ * too. */
+static void usd_material(const struct export_job *j, struct output *out)
+{
+    const struct scene *c = &j->scene;
+    const double membrane = c->young * c->thickness;
+
+    output_print(out,
+                 "    def Material \"Cloth\" (\n        prepend apiSchemas = "
+                 "[\"PhysicsSurfaceDeformableMaterialAPI\"]\n    )\n    {\n"
+                 "        float physics:density = %.9g\n"
+                 "        float physics:youngsModulus = %.9g\n"
+                 "        float physics:poissonsRatio = %.9g\n"
+                 "        float physics:surfaceStretchStiffness = %.9g\n"
+                 "        float physics:surfaceShearStiffness = %.9g\n"
+                 "        float physics:surfaceBendStiffness = %.9g\n    }\n\n",
+                 c->density, c->young, c->poisson, membrane / (1 - c->poisson * c->poisson),
+                 membrane / 2 / (1 + c->poisson), scene_bending_stiffness(c));
+}
+
+static int vertices(const struct export_job *j)
+{
+    return export_sheet_vertices(&j->sheet) + j->held.outside;
+}
+
+/* Finds u, v and the place of a vertex, those outside the sheet after the others. */
+static void vertex_at(const struct export_job *j, int n, double uvw[3], double x[3])
+{
+    const int outside = n - export_sheet_vertices(&j->sheet);
+    const struct export_held_vertex *v =
+        &j->held.vertex[j->held.count - j->held.outside + outside];
+
+    if (outside < 0)
+        export_sheet_vertex(&j->sheet, n, uvw, x);
+    else
+        export_sheet_point(&j->sheet, v->i, v->j, uvw, x);
+}
+
+static void put_points(const struct export_job *j, struct output *out)
+{
+    const bool moves = scene_needs(&j->scene) & SCENE_NEED_INITIAL_MOTION;
+    double uvw[3], x[3], v[3];
+    int held = 0;
+
+    output_print(out, "        point3f[] points = [");
+    for (int n = 0; n < vertices(j); n++) {
+        vertex_at(j, n, uvw, x);
+        put_triple(out, n, x);
+    }
+    output_print(out, "]\n        texCoord2f[] primvars:st = [");
+    for (int n = 0; n < vertices(j); n++) {
+        vertex_at(j, n, uvw, x);
+        next(out, n);
+        output_print(out, "(%.9g, %.9g)", uvw[0], uvw[1]);
+    }
+    output_print(out, "] (interpolation = \"vertex\")\n");
+    for (int n = 0; moves && n < vertices(j); n++) {
+        export_numbers_velocity(j, n, &held, v);
+        output_print(out, n ? "" : "        vector3f[] velocities = [");
+        put_triple(out, n, v);
+    }
+    output_print(out, moves ? "]\n" : "");
+}
+
+/* Puts vertices that are held, in which components: what a simulator without attachments
+ * pins. */
+static void usd_held(const struct export_job *j, struct output *out)
+{
+    output_print(out,
+                 "        custom int clothbench:sheetVertices = %d\n"
+                 "        custom int[] clothbench:held = [",
+                 export_sheet_vertices(&j->sheet));
+    for (int n = 0; n < j->held.count; n++)
+        put_whole(out, n, j->held.vertex[n].vertex);
+    output_print(out, "]\n        custom token[] clothbench:held:fix = [");
+    for (int n = 0; n < j->held.count; n++) {
+        next(out, n);
+        output_print(out, "\"%s\"", export_sheet_axes(j->held.vertex[n].fix));
+    }
+    output_print(out, "]\n");
+}
+
+static void put_mesh(const struct export_job *j, const struct usd_mesh *mesh,
+                     struct output *out)
+{
+    const unsigned needs = scene_needs(&j->scene);
+
+    output_print(out,
+                 "    def Mesh \"Sheet\" (\n        prepend apiSchemas = "
+                 "[\"PhysicsDeformableBodyAPI\", \"PhysicsSurfaceDeformableSimAPI\",\n"
+                 "            %s\"MaterialBindingAPI\"]\n    )\n    {\n"
+                 "        rel material:binding:physics = </World/Cloth>\n"
+                 "        uniform token subdivisionScheme = \"none\"\n"
+                 "        float[] physics:thicknesses = [%.9g]\n"
+                 "        uniform token physics:thicknesses:elementType = \"constant\"\n"
+                 "        uniform token physics:restBendAnglesDefault = \"%s\"\n"
+                 "        int[] faceVertexCounts = [",
+                 needs & (SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT)
+                     ? "\"PhysicsCollisionAPI\", "
+                     : "",
+                 j->scene.thickness, j->scene.shape == SCENE_FLAT ? "flat" : "restShape");
+    for (int n = 0; n < mesh->count; n++)
+        output_print(out, n ? ", 3" : "3");
+    output_print(out, "]\n        int[] faceVertexIndices = [");
+    for (int n = 0; n < mesh->count; n++) {
+        const int *c = mesh->corner[n];
+        next(out, n);
+        output_print(out, "%d, %d, %d", c[0], c[1], c[2]);
+    }
+    output_print(out, "]\n");
+    put_points(j, out);
+    usd_held(j, out);
+    output_print(out, "    }\n");
+}
+
+/* Puts, one after the other, the vertices that a body holds in all three components, or
+ * where they are at rest. `path` is the body's, -1 the world's. */
+static void put_attached(const struct export_job *j, int path, bool at_rest,
+                         struct output *out)
+{
+    int count = 0;
+
+    for (int n = 0; n < j->held.count; n++) {
+        const struct export_held_vertex *v = &j->held.vertex[n];
+        double uvw[3], x[3];
+        if (v->fix != FIX_XYZ || v->support != path)
+            continue;
+        export_sheet_point(&j->sheet, v->i, v->j, uvw, x);
+        if (at_rest)
+            put_triple(out, count, x);
+        else
+            put_whole(out, count, v->vertex);
+        count++;
+    }
+}
+
+/* Puts the matrix of a body that turns, frame by frame, for points as rows. */
+static void put_turning(const struct export_job *j, const struct scene_motion *m,
+                        struct output *out)
+{
+    const int frames = (int)lround(j->scene.end / j->scene.step);
+
+    for (int k = 0; k <= frames; k++) {
+        struct scene_placement p;
+        scene_motion_at(m, k * j->scene.step, &p);
+        output_print(out, "            %.9g: (", k * j->scene.step);
+        for (int i = 0; i < 3; i++)
+            output_print(out, "(%.17g, %.17g, %.17g, 0), ", p.turn[0][i], p.turn[1][i],
+                         p.turn[2][i]);
+        output_print(out, "(%.17g, %.17g, %.17g, 1)),\n", p.shift[0], p.shift[1],
+                     p.shift[2]);
+    }
+}
+
+/* Puts the body that a support moves, in seconds and metres. */
+static void put_body(const struct export_job *j, int path, struct output *out)
+{
+    const struct scene_motion *m = &j->scene.supports[path].motion;
+    const char *kind = m->turn_count ? "transform" : "translate";
+
+    output_print(out,
+                 "\n    def Xform \"Path%d\"\n    {\n"
+                 "        %s xformOp:%s.timeSamples = {\n",
+                 path, m->turn_count ? "matrix4d" : "double3", kind);
+    if (m->turn_count)
+        put_turning(j, m, out);
+    for (int k = 0; k < m->path_count && !m->turn_count; k++)
+        output_print(out, "            %.9g: (%.9g, %.9g, %.9g),\n", m->path[k][0],
+                     m->path[k][1], m->path[k][2], m->path[k][3]);
+    output_print(out,
+                 "        }\n        uniform token[] xformOpOrder = "
+                 "[\"xformOp:%s\"]\n    }\n",
+                 kind);
+}
+
+/* Puts hard attachments to the world, path -1, or to the body that a path moves. */
+static void put_attachment(const struct export_job *j, int path, struct output *out)
+{
+    char body[32] = "";
+
+    if (path >= 0) {
+        put_body(j, path, out);
+        snprintf(body, sizeof body, "/Path%d", path);
+    }
+    output_print(out,
+                 "\n    def PhysicsAttachment \"Held%s\"\n    {\n"
+                 "        rel physics:src0 = </World/Sheet>\n"
+                 "        rel physics:src1 = </World%s>\n"
+                 "        uniform token physics:type0 = \"point\"\n"
+                 "        uniform token physics:type1 = \"xform\"\n"
+                 "        int[] physics:indices0 = [",
+                 body + (path >= 0), body);
+    put_attached(j, path, false, out);
+    output_print(out, "]\n        vector3f[] physics:coords1 = [");
+    put_attached(j, path, true, out);
+    output_print(out, "]\n    }\n");
+}
+
+/* Tells whether the world, path -1, or a body holds any vertex in all components. The
+ * proposal has no attachment in some of them. */
+static bool holds(const struct export_job *j, int path)
+{
+    bool any = false;
+
+    for (int n = 0; n < j->held.count; n++)
+        any |= j->held.vertex[n].fix == FIX_XYZ && j->held.vertex[n].support == path;
+    return any;
+}
+
+static enum status export_usd(struct export_job *j, struct output *out)
+{
+    struct usd_mesh mesh = {0};
+    enum status st;
+
+    TRY(make_mesh(j, &mesh));
+    put_head(j, out);
+    usd_material(j, out);
+    put_mesh(j, &mesh, out);
+    for (int path = -1; path < j->scene.support_count; path++)
+        if (holds(j, path))
+            put_attachment(j, path, out);
+    output_print(out, "}\n");
+out:
+    free(mesh.corner);
+    return st;
+}
 
 #define MESH_FILE "obstacle_%d.obj"
 
@@ -17,7 +1185,7 @@
 
 /* Prints a text in which each # stands for the next number, with as many digits as it takes
  * to read it again; never -0. */
-static void put(struct output *out, const char *text, const double *value)
+static void put_words(struct output *out, const char *text, const double *value)
 {
     for (; *text; text++)
         if (*text != '#')
@@ -34,65 +1202,65 @@ static void put_text(struct output *out, const char *key, const char *text)
     output_print(out, "\"\n");
 }
 
-static void put_fabric(const struct law_fabric *f, struct output *out)
+static void tell_fabric(const struct law_fabric *f, struct output *out)
 {
-    put(out, "material:\n  membrane: [#, #, #, #]\n", f->membrane);
-    put(out, "  bending: [#, #, #, #]\n", f->bending);
-    put(out, "  areal_density: #\n", &f->areal_density);
-    put(out, "  warp: #\n", &f->warp);
+    put_words(out, "material:\n  membrane: [#, #, #, #]\n", f->membrane);
+    put_words(out, "  bending: [#, #, #, #]\n", f->bending);
+    put_words(out, "  areal_density: #\n", &f->areal_density);
+    put_words(out, "  warp: #\n", &f->warp);
     if (f->softening[0] != 0 || f->softening[1] != 0)
-        put(out, "  softening: [#, #]\n", f->softening);
+        put_words(out, "  softening: [#, #]\n", f->softening);
 }
 
 static void put_sheet(const struct scene *s, struct output *out)
 {
-    put(out,
-        s->is_fabric ? "sheet: {length: #, width: #}\n"
-                     : "sheet: {length: #, width: #, thickness: #}\n",
-        (double[]){s->length, s->width, s->thickness});
+    put_words(out,
+              s->is_fabric ? "sheet: {length: #, width: #}\n"
+                           : "sheet: {length: #, width: #, thickness: #}\n",
+              (double[]){s->length, s->width, s->thickness});
     if (s->sheets < 2)
         output_print(out, "pose:\n  kind: %s\n", scene_shape_words[s->shape]);
     for (int k = 0; k < scene_sheets(s); k++) {
         const char *head = s->sheets < 2 ? "  " : k ? "  - " : "sheets:\n  - ";
         output_print(out, "%s", head);
-        put(out, "origin: [#, #, #]\n", s->pose[k].origin);
-        put(out, s->sheets < 2 ? "  u: [#, #, #]\n" : "    u: [#, #, #]\n",
-            s->pose[k].axis_u);
-        put(out, s->sheets < 2 ? "  v: [#, #, #]\n" : "    v: [#, #, #]\n",
-            s->pose[k].axis_v);
+        put_words(out, "origin: [#, #, #]\n", s->pose[k].origin);
+        put_words(out, s->sheets < 2 ? "  u: [#, #, #]\n" : "    u: [#, #, #]\n",
+                  s->pose[k].axis_u);
+        put_words(out, s->sheets < 2 ? "  v: [#, #, #]\n" : "    v: [#, #, #]\n",
+                  s->pose[k].axis_v);
     }
     if (s->shape == SCENE_CLOAK)
-        put(out, "  opening: #\n  flare: #\n", (double[]){s->opening, s->flare});
+        put_words(out, "  opening: #\n  flare: #\n", (double[]){s->opening, s->flare});
     if (s->is_fabric)
-        put_fabric(&s->fabric, out);
+        tell_fabric(&s->fabric, out);
     else
-        put(out, "material: {young: #, poisson: #, density: #}\n",
-            (double[]){s->young, s->poisson, s->density});
+        put_words(out, "material: {young: #, poisson: #, density: #}\n",
+                  (double[]){s->young, s->poisson, s->density});
 }
 
 static void put_forces(const struct scene *s, struct output *out)
 {
     const struct scene_damping *d = &s->damping;
 
-    put(out, "gravity: [#, #, #]\n", s->gravity);
+    put_words(out, "gravity: [#, #, #]\n", s->gravity);
     if (s->pressure != 0)
-        put(out, "pressure: #\n", &s->pressure);
+        put_words(out, "pressure: #\n", &s->pressure);
     if (s->drag > 0) {
-        put(out, "drag: {coefficient: #", &s->drag);
-        put(out, ", wind: [#, #, #]}\n", s->wind);
+        put_words(out, "drag: {coefficient: #", &s->drag);
+        put_words(out, ", wind: [#, #, #]}\n", s->wind);
     }
     output_print(out, "damping: {kind: %s", damping_words[d->kind]);
     if (d->kind == DAMPING_RAYLEIGH)
-        put(out, ", alpha: #, beta: #", (double[]){d->alpha, d->beta});
+        put_words(out, ", alpha: #, beta: #", (double[]){d->alpha, d->beta});
     else if (d->kind != DAMPING_NONE)
-        put(out, ", value: #", &d->value);
+        put_words(out, ", value: #", &d->value);
     output_print(out, "}\n");
     if (scene_needs(s) & SCENE_NEED_INITIAL_MOTION) {
-        put(out, "motion: {velocity: [#, #, #]", s->velocity);
-        put(out, ", spin: [#, #, #]", s->spin);
+        put_words(out, "motion: {velocity: [#, #, #]", s->velocity);
+        put_words(out, ", spin: [#, #, #]", s->spin);
         if (scene_ripples(s)) {
-            put(out, ", ripple: [#, #, #]", s->ripple);
-            put(out, ", wave: #", &s->wave);
+            put_words(out, ", ripple: [#, #, #]", s->ripple);
+            put_words(out, ", wave: #", &s->wave);
             output_print(out, ", seed: %d", s->seed);
         }
         output_print(out, "}\n");
@@ -114,7 +1282,7 @@ static void put_region(const struct scene *s, int sheet, struct output *out,
             at[k] = nearbyint(at[k] * 1e12) / 1e12; /* as it was typed */
         }
         output_print(out, "%c: ", "uvw"[c]);
-        put(out, at[0] == at[1] ? "#" : "[#, #]", at);
+        put_words(out, at[0] == at[1] ? "#" : "[#, #]", at);
         output_print(out, c < 2 ? ", " : "}\n");
     }
 }
@@ -123,13 +1291,13 @@ static void put_motion(const struct scene_motion *m, struct output *out)
 {
     output_print(out, "%s", m->path_count ? "    path:\n" : "");
     for (int k = 0; k < m->path_count; k++)
-        put(out, "      - [#, #, #, #]\n", m->path[k]);
+        put_words(out, "      - [#, #, #, #]\n", m->path[k]);
     if (!m->turn_count)
         return;
-    put(out, "    turn:\n      axis: [#, #, #]\n", m->axis);
-    put(out, "      about: [#, #, #]\n      angles:\n", m->about);
+    put_words(out, "    turn:\n      axis: [#, #, #]\n", m->axis);
+    put_words(out, "      about: [#, #, #]\n      angles:\n", m->about);
     for (int k = 0; k < m->turn_count; k++)
-        put(out, "        - [#, #]\n", m->turn[k]);
+        put_words(out, "        - [#, #]\n", m->turn[k]);
 }
 
 static void put_supports(const struct scene *s, struct output *out)
@@ -144,7 +1312,7 @@ static void put_supports(const struct scene *s, struct output *out)
     for (int n = 0; n < s->load_count; n++) {
         output_print(out, "%s", n ? "" : "loads:\n");
         put_region(s, s->loads[n].sheet, out, s->loads[n].lo, s->loads[n].hi);
-        put(out, "    force: [#, #, #]\n", s->loads[n].force);
+        put_words(out, "    force: [#, #, #]\n", s->loads[n].force);
     }
 }
 
@@ -157,7 +1325,7 @@ static void put_obstacles(const struct scene *s, struct output *out)
         output_print(out, "%s  - %s:\n", n ? "" : "obstacles:\n", kind->key);
         if (o->kind == OBSTACLE_MESH) {
             output_print(out, "      file: " MESH_FILE "\n", n);
-            put(out, "      friction: #\n", &o->friction);
+            put_words(out, "      friction: #\n", &o->friction);
         }
         for (const struct schema_key *k = kind->keys; o->kind != OBSTACLE_MESH && k->key;
              k++) {
@@ -165,8 +1333,8 @@ static void put_obstacles(const struct scene *s, struct output *out)
             if (!vector && k->type != SCHEMA_NUMBER)
                 continue;
             output_print(out, "      %s: ", k->key);
-            put(out, vector ? "[#, #, #]\n" : "#\n",
-                (const void *)((const char *)o + k->offset));
+            put_words(out, vector ? "[#, #, #]\n" : "#\n",
+                      (const void *)((const char *)o + k->offset));
         }
         put_motion(&o->motion, out);
     }
@@ -180,8 +1348,8 @@ static void put_contact(const struct scene *s, struct output *out)
         c->friction == 0)
         return;
     output_print(out, "contact: {self: %s", c->self ? "true" : "false");
-    put(out, ", thickness: #, range: #, stiffness: #, friction: #}\n",
-        (double[]){c->thickness, c->range, c->stiffness, c->friction});
+    put_words(out, ", thickness: #, range: #, stiffness: #, friction: #}\n",
+              (double[]){c->thickness, c->range, c->stiffness, c->friction});
 }
 
 static enum status write_scene(struct export_job *j, struct output *out)
@@ -195,9 +1363,9 @@ static enum status write_scene(struct export_job *j, struct output *out)
     put_supports(scene, out);
     put_obstacles(scene, out);
     put_contact(scene, out);
-    put(out, "time: {step: #, end: #}\n", (double[]){scene->step, scene->end});
+    put_words(out, "time: {step: #, end: #}\n", (double[]){scene->step, scene->end});
     for (int n = 0; n < scene->snapshot_count; n++)
-        put(out, n ? ", #" : "snapshots: [#", &scene->snapshots[n]);
+        put_words(out, n ? ", #" : "snapshots: [#", &scene->snapshots[n]);
     output_print(out, "%s", scene->snapshot_count ? "]\n" : "");
     return STATUS_OK;
 }

@@ -1,12 +1,208 @@
 #include "bench/score/protocol.h"
 
+#include <math.h>
+#include <stdarg.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
+#include "bench/files/output.h"
+#include "bench/files/provenance.h"
 #include "bench/frames/frames.h"
+#include "bench/truth/truth_parts.h"
+#include "bench/ui/html.h"
+#include "bench/ui/svg_chart.h"
+#include "models/reader/named_file.h"
 #include "models/reader/schema.h"
+
+/* Returns a scene by the name of its folder; NULL: it is not there. */
+static const struct protocol_scene *protocol_find(const struct protocol *p,
+                                                  const char *name)
+{
+    for (int k = 0; k < p->scenes; k++)
+        if (!strcmp(p->scene[k].name, name))
+            return &p->scene[k];
+    return NULL;
+}
+
+/* Returns whether a run of a scene is the first on its net, no repeat of one. */
+static bool protocol_is_first(const struct protocol_scene *scene, int run)
+{
+    const struct protocol_run *r = &scene->run[run];
+
+    return !run || memcmp(r->net, r[-1].net, sizeof r->net) != 0;
+}
+
+/* Returns the first run on the finest net. */
+static const struct protocol_run *protocol_finest(const struct protocol_scene *scene)
+{
+    int n = scene->runs - 1;
+
+    while (!protocol_is_first(scene, n))
+        n--;
+    return &scene->run[n];
+}
+
+/* Returns the time of a run at which its error is largest. */
+static const struct score_time *protocol_worst(const struct protocol_run *run)
+{
+    const struct score_time *worst = run->row;
+
+    for (int n = 1; n < run->times; n++)
+        worst = run->row[n].error > worst->error ? &run->row[n] : worst;
+    return worst;
+}
+
+/* --- the stored runs of our own contestants, which engines are compared with --- */
+
+#define ERRORS "rmse_over_length_"
+
+/* Times are the same to within this [s]. */
+#define SAME_TIME 1e-6
+
+/* Error over the length below which the engine has none: frames may have six digits. */
+static const double NONE = 1e-5;
+
+/* The files, without their ending; all of them may have runs on a scene. */
+static const char *const tables[PROTOCOL_TABLES] = {"compare_protocol", "compare_rest",
+                                                    "compare_scenes"};
+
+static const struct named_file_kind own_tables = {
+    .what = "table of contestants",
+    .ending = ".csv",
+    .environment = "CLOTHBENCH_CONTESTANTS",
+    .from_program = CONTESTANTS_FROM_PROGRAM,
+    .in_source = CONTESTANTS_IN_SOURCE,
+};
+
+/* Returns the next table of a scene's runs, after `last`, NULL for the first; NULL: none.
+ */
+static const struct csv_table *next_table(const struct protocol *p, const char *scene,
+                                          const struct csv_table *last)
+{
+    char caption[160];
+    bool begun = !last;
+
+    snprintf(caption, sizeof caption, "Every run on %.100s (", scene);
+    for (const struct csv *csv = p->contestants; csv < p->contestants + PROTOCOL_TABLES;
+         csv++)
+        for (int n = 0; n < csv->count; n++) {
+            if (begun && strstr(csv->table[n].caption, caption))
+                return &csv->table[n];
+            begun = begun || last == &csv->table[n];
+        }
+    return NULL;
+}
+
+/* Returns the largest error of a row of the table, or of the engine where the row is -1, at
+ * the times that both have; NaN: there are none, or the row has not all of them. */
+static double error_of(const struct csv_table *t, int row, const struct protocol_run *run)
+{
+    double worst = -1, time;
+
+    for (int n = 0; n < t->columns; n++)
+        for (int m = 0; sscanf(t->cell[n], ERRORS "%lf_s", &time) == 1 && m < run->times;
+             m++)
+            if (fabs(run->row[m].time - time) < SAME_TIME) {
+                const double error = row < 0 ? run->row[m].error : csv_number(t, row, n);
+                worst = error > worst ? error : error >= 0 ? worst : NAN;
+            }
+    return worst >= 0 ? worst : NAN;
+}
+
+/* Puts a run in the place of the same contestant's if it is better, or behind all. */
+static void enter(struct protocol_rival *rival, int *count, const struct protocol_rival *r)
+{
+    int n = 1; /* behind the engine */
+
+    while (n < *count && strcmp(rival[n].title, r->title) != 0)
+        n++;
+    if (n == *count)
+        rival[(*count)++] = *r;
+    else if (r->error < rival[n].error)
+        rival[n] = *r;
+}
+
+static double rank(const struct protocol_rival *r)
+{
+    return r->own && r->error < NONE ? -1 : r->error;
+}
+
+static int compare_rivals(const void *a, const void *b)
+{
+    const double left = rank(a), right = rank(b);
+
+    return (left > right) - (left < right);
+}
+
+/* Reads the stored runs of our own contestants, if there are any. STATUS_MEMORY, or
+ * STATUS_INPUT with a sentence: their table is damaged. */
+static enum status read_contestants(struct csv contestants[PROTOCOL_TABLES],
+                                    struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    for (int k = 0; k < PROTOCOL_TABLES && st == STATUS_OK; k++) {
+        char *path = NULL;
+        st = named_file_find(&own_tables, tables[k], &path, NULL);
+        contestants[k] = (struct csv){0};
+        if (st == STATUS_OK)
+            st = csv_read(path, &contestants[k], why);
+        else if (st != STATUS_MEMORY) /* none is installed */
+            st = STATUS_OK;
+        free(path);
+    }
+    return st;
+}
+
+/* Enters the runs of a table that have no more points than the engine's; the room is for
+ * all. */
+static void enter_table(const struct csv_table *t, const struct protocol_run *run,
+                        struct protocol_rival *rivals, int *count)
+{
+    struct protocol_rival r = {0};
+
+    for (int row = 0; row < t->rows; row++) {
+        const double side = csv_number_of(t, row, "side"),
+                     across = csv_number_of(t, row, "across");
+        r.error = error_of(t, row, run);
+        if (!(side * across <= (double)run->net[0] * run->net[1]) || isnan(r.error))
+            continue;
+        r.net[0] = (int)side, r.net[1] = (int)across;
+        snprintf(r.title, sizeof r.title, "%s", csv_words_of(t, row, "title"));
+        enter(rivals, count, &r);
+    }
+}
+
+/* Lists, best first, the engine's finest run and the best of each contestant with no more
+ * points, the engine first where its error is below what six digits show; *count is 0 where
+ * none is stored. *rivals is freed by the receiver. STATUS_MEMORY. */
+static enum status list_rivals(const struct protocol *p, const struct protocol_scene *scene,
+                               int *count, struct protocol_rival **rivals)
+{
+    const struct protocol_run *run = protocol_finest(scene);
+    const struct csv_table *first = scene->own ? NULL : next_table(p, scene->name, NULL);
+    struct protocol_rival own = {.own = true, .net = {run->net[0], run->net[1]}};
+    size_t rows = 1;
+
+    *count = 0;
+    *rivals = NULL;
+    if (!first || isnan(own.error = error_of(first, -1, run)))
+        return STATUS_OK;
+    for (const struct csv_table *t = first; t; t = next_table(p, scene->name, t))
+        rows += (size_t)t->rows;
+    *rivals = malloc(rows * sizeof **rivals);
+    if (!*rivals)
+        return STATUS_MEMORY;
+    snprintf(own.title, sizeof own.title, "%s", p->name ? p->name : p->folder);
+    (*rivals)[(*count)++] = own;
+    for (const struct csv_table *t = first; t; t = next_table(p, scene->name, t))
+        enter_table(t, run, *rivals, count);
+    qsort(*rivals, (size_t)*count, sizeof **rivals, compare_rivals);
+    return STATUS_OK;
+}
 
 enum { PATH = 4096 };
 
@@ -225,7 +421,7 @@ enum status protocol_read(const char *path, const struct score_look *look,
                         "would be right",
                         path));
     TRY(read_engine(p, why));
-    TRY(protocol_place_read(p->contestants, why));
+    TRY(read_contestants(p->contestants, why));
     p->scene = calloc((size_t)folder.count, sizeof *p->scene);
     TRY(p->scene ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < folder.count; n++)
@@ -255,35 +451,718 @@ void protocol_clear(struct protocol *p)
     *p = (struct protocol){0};
 }
 
-const struct protocol_scene *protocol_find(const struct protocol *p, const char *name)
+/* --- verdicts on the frames of one simulator, as sentences with numbers --- */
+
+/* Fields closer to each other than this share of the length are the same: positions in
+ * single precision are rounded by less. */
+static const double SAME = 1e-6;
+
+/* Nets that approach a limit more slowly than by this order do not show that they do, and
+ * no simulator of cloth is expected to do it faster than PROMISED. */
+static const double ORDER_LEAST = 0.5, PROMISED = 2;
+
+/* A stiffness counts as the scene's within the method's own error. */
+static const double STIFF_ERROR = 0.03;
+
+/* It means something that a flaw was not found in a run if what was found leaves at most
+ * this share of the difference. */
+static const double CLEAR = 0.25;
+
+struct judge {
+    const struct protocol *p;
+    void (*say)(void *context, const struct protocol_verdict *v);
+    void *context;
+};
+
+const char *protocol_subject_name(enum protocol_subject subject)
 {
-    for (int k = 0; k < p->scenes; k++)
-        if (!strcmp(p->scene[k].name, name))
-            return &p->scene[k];
+    static const char *const name[] = {PROTOCOL_SUBJECT_LIST(LIST_WORD)};
+
+    return name[subject];
+}
+
+static void __attribute__((format(printf, 5, 6)))
+tell(const struct judge *j, enum protocol_subject subject, enum protocol_tone tone,
+     const char *word, const char *format, ...)
+{
+    struct protocol_verdict v = {.subject = subject, .tone = tone};
+    va_list args;
+
+    snprintf(v.word, sizeof v.word, "%s", word);
+    va_start(args, format);
+    vsnprintf(v.text, sizeof v.text, format, args);
+    va_end(args);
+    j->say(j->context, &v);
+}
+
+static const struct score_finding *find(const struct protocol_run *run,
+                                        enum score_kind kind)
+{
+    for (int n = 0; run && n < run->diagnosis.count; n++)
+        if (run->diagnosis.finding[n].kind == kind)
+            return &run->diagnosis.finding[n];
     return NULL;
 }
 
-bool protocol_is_first(const struct protocol_scene *scene, int run)
+/* Returns whether nothing is wrong with a run, or a fit explains its motion. */
+static bool is_explained(const struct protocol_run *run)
 {
-    const struct protocol_run *r = &scene->run[run];
+    static const enum score_kind fitted[] = {
+        SCORE_SOUND,   SCORE_FLOOR,   SCORE_FIRST_ORDER_STEP,
+        SCORE_LAG,     SCORE_GRAVITY, SCORE_DAMPING,
+        SCORE_BENDING, SCORE_HINGE,   SCORE_CLAMP};
 
-    return !run || memcmp(r->net, r[-1].net, sizeof r->net) != 0;
+    for (size_t n = 0; n < sizeof fitted / sizeof *fitted; n++)
+        if (find(run, fitted[n]))
+            return true;
+    return false;
 }
 
-const struct protocol_run *protocol_finest(const struct protocol_scene *scene)
+/* Returns the run on the finest net of a scene that is explained; NULL: there is none. */
+static const struct protocol_run *explained(const struct judge *j, const char *name)
 {
-    int n = scene->runs - 1;
+    const struct protocol_scene *scene = protocol_find(j->p, name);
 
-    while (!protocol_is_first(scene, n))
-        n--;
-    return &scene->run[n];
+    for (int n = scene ? scene->runs - 1 : -1; n >= 0; n--)
+        if (protocol_is_first(scene, n) && is_explained(&scene->run[n]))
+            return &scene->run[n];
+    return NULL;
 }
 
-const struct score_time *protocol_worst(const struct protocol_run *run)
-{
-    const struct score_time *worst = run->row;
+/* --- errors and flaws --- */
 
-    for (int n = 1; n < run->times; n++)
-        worst = run->row[n].error > worst->error ? &run->row[n] : worst;
-    return worst;
+static void tell_error(const struct judge *j, const struct protocol_scene *scene)
+{
+    const struct protocol_run *run = protocol_finest(scene);
+    const struct score_time *worst = protocol_worst(run);
+    const bool sound = find(run, SCORE_SOUND) || find(run, SCORE_FLOOR);
+
+    tell(j, PROTOCOL_ERROR, sound ? PROTOCOL_GOOD : PROTOCOL_NEUTRAL,
+         sound ? "sound" : "off",
+         "On %s its error is at most %.3g %% of the length (%dx%d points, at %.4g s; error "
+         "bar of the truth %.3g %%, floor of the net %.3g %%).",
+         scene->name, 100 * worst->error, run->net[0], run->net[1], worst->time,
+         100 * worst->bar, 100 * worst->floor);
+}
+
+static void tell_missing(const struct judge *j)
+{
+    char names[160] = "";
+
+    for (const char *const *name = protocol_first; *name; name++)
+        if (!protocol_find(j->p, *name))
+            TEXT_JOIN(names, ", ", "%s", *name);
+    if (*names)
+        tell(j, PROTOCOL_ERROR, PROTOCOL_UNKNOWN, "not run",
+             "There are no frames of %s; clothbench export writes these scenes.", names);
+}
+
+/* Tells the flaws that have no subject of their own. */
+static void tell_flaws(const struct judge *j, const struct protocol_scene *scene)
+{
+    const struct protocol_run *run = protocol_finest(scene);
+    const struct score_diagnosis *d = &run->diagnosis;
+
+    for (int n = 0; n < d->count; n++) {
+        const enum score_kind kind = d->finding[n].kind;
+        if (kind != SCORE_FIRST_ORDER_STEP && kind != SCORE_DAMPING &&
+            kind != SCORE_BENDING && kind != SCORE_HINGE && kind != SCORE_CLAMP &&
+            kind != SCORE_FLOOR && kind != SCORE_SOUND)
+            tell(j, PROTOCOL_FLAW, PROTOCOL_BAD, score_diagnosis_name(kind), "%s: %s",
+                 run->file, d->finding[n].text);
+    }
+    if (!d->count)
+        tell(j, PROTOCOL_FLAW, PROTOCOL_NEUTRAL, "unexplained",
+             "%s: No flaw that is known here explains the error.", run->file);
+}
+
+/* --- step, damping, clamp, stiffness --- */
+
+/* A flaw of the motion, and the scenes on which it is looked for. */
+struct motion_flaw {
+    enum protocol_subject subject;
+    const char *scene[2]; /* the second may be NULL                                      */
+    struct {
+        enum score_kind kind;
+        const char *word;
+    } found[2]; /* the second may have no word                                           */
+    const char *without, *sentence; /* where it is not found                             */
+};
+
+static const struct motion_flaw motion_flaws[] = {
+    {PROTOCOL_STEP,
+     {"free_fall", "edge_drop"},
+     {{SCORE_FIRST_ORDER_STEP, "first order"}},
+     "second order",
+     "Nothing of a first-order step is seen: the step is of second order at least"},
+    {PROTOCOL_DAMPING,
+     {"free_fall", "edge_drop"},
+     {{SCORE_DAMPING, "damped"}},
+     "none seen",
+     "No damping is seen that the scene has not"},
+    {PROTOCOL_CLAMP,
+     {"edge_drop"},
+     {{SCORE_HINGE, "a hinge"}, {SCORE_CLAMP, "gives way"}},
+     "clamped",
+     "The held edge is a clamp, and nothing of a hinge is seen"},
+};
+
+static void tell_motion_flaw(const struct judge *j, const struct motion_flaw *f)
+{
+    const struct protocol_run *clean = NULL;
+    bool found = false;
+
+    for (int k = 0; k < 2 && f->scene[k]; k++) {
+        const struct protocol_run *run = explained(j, f->scene[k]);
+        const struct score_finding *flaw = find(run, f->found[0].kind);
+        const bool second = !flaw && f->found[1].word;
+        flaw = second ? find(run, f->found[1].kind) : flaw;
+        if (flaw)
+            tell(j, f->subject, PROTOCOL_BAD,
+                 flaw->kind == SCORE_DAMPING && flaw->value < 0 ? "gains energy"
+                                                                : f->found[second].word,
+                 "%s: %s", run->file, flaw->text);
+        found = found || flaw;
+        clean = !flaw && !clean && run && run->diagnosis.left <= CLEAR ? run : clean;
+    }
+    if (!found && clean)
+        tell(j, f->subject, PROTOCOL_GOOD, f->without, "%s: %s.", clean->file, f->sentence);
+    else if (!found)
+        tell(j, f->subject, PROTOCOL_UNKNOWN, "not known",
+             "It would be seen on %s%s, which %s no frames here, or flaws that hide it.",
+             f->scene[0], f->scene[1] ? " or edge_drop" : "", f->scene[1] ? "have" : "has");
+}
+
+static void tell_stiffness(const struct judge *j)
+{
+    static const char *const part[] = {"the membrane's along the warp",
+                                       "the membrane's along the weft",
+                                       "bending along the warp", "bending along the weft"};
+    const struct protocol_run *drop = explained(j, "edge_drop");
+    const struct score_finding *bends = find(drop, SCORE_BENDING);
+    bool known[2][2] = {{false}};
+    char missing[200] = "";
+
+    for (int k = 0; k < j->p->scenes; k++) {
+        const struct protocol_run *run = protocol_finest(&j->p->scene[k]);
+        const struct score_stiffness *s = &run->stiffness;
+        if (!s->applies || (!s->found && find(run, SCORE_SOUND)))
+            continue;
+        const double off = fabs(s->value / s->scene - 1);
+        tell(j, PROTOCOL_STIFFNESS,
+             !s->found           ? PROTOCOL_BAD
+             : off < STIFF_ERROR ? PROTOCOL_GOOD
+                                 : PROTOCOL_NEUTRAL,
+             s->found ? s->part == LAW_MEMBRANE ? "membrane" : "bending" : "none fits",
+             "%s: %s", run->file, s->text);
+        known[s->part != LAW_MEMBRANE][strstr(s->along, "weft") != NULL] |=
+            strcmp(s->along, "u") != 0;
+    }
+    if (bends)
+        tell(j, PROTOCOL_STIFFNESS, PROTOCOL_NEUTRAL, "bending", "%s: %s", drop->file,
+             bends->text);
+    for (int n = 0; n < 4; n++)
+        if (!known[n / 2][n % 2])
+            TEXT_JOIN(missing, ", ", "%s", part[n]);
+    if (*missing)
+        tell(j, PROTOCOL_STIFFNESS, PROTOCOL_UNKNOWN, "not known",
+             "These stiffnesses were not measured: %s. woven_hang and woven_level show "
+             "them, exported with material.warp=90 for the weft.",
+             missing);
+}
+
+/* --- several nets, several runs --- */
+
+/* Fills the rms distance over the length of the fields of `count` runs from those of the
+ * first one, over all times that all of them have; *worst is the largest of the last, and
+ * *when its time. Returns the number of times. */
+static int compare(const struct protocol_scene *scene, int count,
+                   const struct protocol_run *const *run, double *distance, double *worst,
+                   double *when)
+{
+    int times = 0;
+
+    *worst = 0;
+    memset(distance, 0, (size_t)count * sizeof *distance);
+    for (int n = 0; n < run[0]->times; n++) {
+        const struct score_time *row[3] = {&run[0]->row[n]};
+        double far = 0;
+        bool all = true;
+        for (int k = 1; k < count; k++) {
+            int m = 0;
+            while (m < run[k]->times && run[k]->row[m].time != row[0]->time)
+                m++;
+            all = all && m < run[k]->times;
+            row[k] = all ? &run[k]->row[m] : NULL;
+        }
+        for (int k = 1; k < count && all; k++) {
+            far = score_rms(SCORE_POINTS, row[k]->got, row[k - 1]->got) / scene->length;
+            distance[k] += far * far;
+        }
+        times += all;
+        if (all && far > *worst)
+            *worst = far, *when = row[0]->time;
+    }
+    for (int k = 1; k < count; k++)
+        distance[k] = sqrt(distance[k] / times);
+    return times;
+}
+
+/* Lists the first run of each of the last three nets, coarse to fine; returns how many. */
+static int last_nets(const struct protocol_scene *scene, const struct protocol_run *net[3])
+{
+    int count = 0;
+
+    for (int n = 0; n < scene->runs; n++) {
+        if (!protocol_is_first(scene, n))
+            continue;
+        if (count == 3)
+            net[0] = net[1], net[1] = net[2], count = 2;
+        net[count++] = &scene->run[n];
+    }
+    return count;
+}
+
+/* Returns the rms over times of the error or of the truth's bar, over the length. */
+static double rms_of(const struct protocol_run *run, bool bar)
+{
+    double sum = 0;
+
+    for (int n = 0; n < run->times; n++)
+        sum += pow(bar ? run->row[n].bar : run->row[n].error, 2);
+    return sqrt(sum / run->times);
+}
+
+/* Tells of three nets that approach a limit, by their order and the bar that it leaves. */
+static void tell_limit(const struct judge *j, const struct protocol_scene *scene,
+                       const struct protocol_run *const net[3],
+                       const struct truth_order *order)
+{
+    const double error = rms_of(net[2], false), bar = order->bar + rms_of(net[2], true);
+    char nets[96], limit[200];
+
+    snprintf(nets, sizeof nets, "%dx%d, %dx%d, %dx%d", net[0]->net[0], net[0]->net[1],
+             net[1]->net[0], net[1]->net[1], net[2]->net[0], net[2]->net[1]);
+    if (error <= bar)
+        snprintf(limit, sizeof limit,
+                 "The truth is %.3g %% from the finest, so that it may be the limit.",
+                 100 * error);
+    else
+        snprintf(limit, sizeof limit,
+                 "The truth is %.3g %% from the finest: the limit is another motion, at "
+                 "least %.3g %% from the truth and its bar.",
+                 100 * error, 100 * (error - bar));
+    tell(j, PROTOCOL_NETS, error <= bar ? PROTOCOL_GOOD : PROTOCOL_BAD,
+         error <= bar ? "converges" : "to another limit",
+         "On %s it converges with order %.2g in the width of the cells (%s); the finest "
+         "net is up to %.3g %% of the length from the limit. %s",
+         scene->name, order->order, nets, 100 * order->bar, limit);
+}
+
+/* Tells of two nets or more. */
+static void tell_refined(const struct judge *j, const struct protocol_scene *scene,
+                         int count, const struct protocol_run *const net[3])
+{
+    double apart[3], h[3], worst, when;
+
+    const int times = compare(scene, count, net, apart, &worst, &when);
+    if (times && apart[1] < SAME && (count == 2 || apart[2] < SAME)) {
+        tell(j, PROTOCOL_NETS, PROTOCOL_NEUTRAL, "the same on each",
+             "On %s its motion does not depend on the net.", scene->name);
+        return;
+    }
+    if (count == 2 || !times) {
+        tell(j, PROTOCOL_NETS, PROTOCOL_UNKNOWN, "not known",
+             times ? "On %s there are two nets, %.3g %% of the length apart: three would "
+                     "show whether it converges."
+                   : "On %s the nets have no time of the truth in common.",
+             scene->name, 100 * apart[1]);
+        return;
+    }
+    for (int k = 0; k < 3; k++)
+        h[k] = 1 / sqrt((net[k]->net[0] - 1.) * (net[k]->net[1] - 1.));
+    const struct truth_order order = truth_order(h, apart[1], apart[2], PROMISED);
+    if (order.order >= ORDER_LEAST)
+        tell_limit(j, scene, net, &order);
+    else
+        tell(j, PROTOCOL_NETS, PROTOCOL_BAD, "does not converge",
+             "On %s it does not converge: from %dx%d to %dx%d points it changes by %.3g %% "
+             "of the length, from there to %dx%d by %.3g %%.",
+             scene->name, net[0]->net[0], net[0]->net[1], net[1]->net[0], net[1]->net[1],
+             100 * apart[1], net[2]->net[0], net[2]->net[1], 100 * apart[2]);
+}
+
+static void tell_nets(const struct judge *j)
+{
+    const struct protocol_run *net[3];
+    char single[200] = "";
+
+    for (int k = 0; k < j->p->scenes; k++) {
+        const struct protocol_scene *scene = &j->p->scene[k];
+        const int count = last_nets(scene, net);
+        if (count > 1)
+            tell_refined(j, scene, count, net);
+        else
+            TEXT_JOIN(single, ", ", "%s", scene->name);
+    }
+    if (*single)
+        tell(j, PROTOCOL_NETS, PROTOCOL_UNKNOWN, "not known",
+             "There is one net only on %s: whether it converges there is not known.",
+             single);
+}
+
+/* Tells whether a repeat agrees with the run before it. */
+static void tell_repeat(const struct judge *j, const struct protocol_scene *scene,
+                        const struct protocol_run *const pair[2])
+{
+    double apart[2], worst, when = 0;
+    const int times = compare(scene, 2, pair, apart, &worst, &when);
+
+    if (!times)
+        tell(j, PROTOCOL_REPEATS, PROTOCOL_UNKNOWN, "not known",
+             "%s and %s have no time of the truth in common.", pair[0]->file,
+             pair[1]->file);
+    else if (worst <= SAME)
+        tell(j, PROTOCOL_REPEATS, PROTOCOL_GOOD, "agree", "%s and %s agree%s.",
+             pair[0]->file, pair[1]->file,
+             worst > 0 ? " to single precision" : " to the last digit");
+    else
+        tell(j, PROTOCOL_REPEATS, PROTOCOL_BAD, "do not agree",
+             "%s and %s do not agree: they are %.3g %% of the length apart at %.4g s, "
+             "where the truth is %.3g %% from the first.",
+             pair[0]->file, pair[1]->file, 100 * worst, when,
+             100 * protocol_worst(pair[0])->error);
+}
+
+static void tell_repeats(const struct judge *j)
+{
+    bool any = false;
+
+    for (int k = 0; k < j->p->scenes; k++) {
+        const struct protocol_scene *scene = &j->p->scene[k];
+        for (int n = 1; n < scene->runs; n++) {
+            const struct protocol_run *const pair[2] = {&scene->run[n - 1], &scene->run[n]};
+            if (protocol_is_first(scene, n))
+                continue;
+            tell_repeat(j, scene, pair);
+            any = true;
+        }
+    }
+    if (!any)
+        tell(j, PROTOCOL_REPEATS, PROTOCOL_UNKNOWN, "not known",
+             "No run was repeated: whether two runs agree is not known.");
+}
+
+/* --- contact and place --- */
+
+static void tell_contact(const struct judge *j)
+{
+    int files = 0;
+    bool through = false;
+
+    for (int k = 0; k < j->p->scenes; k++)
+        for (int n = 0; n < j->p->scene[k].runs; n++) {
+            const struct protocol_run *run = &j->p->scene[k].run[n];
+            files += score_diagnosis_has_place(&run->diagnosis);
+            for (int m = 0; m < run->said.count; m++)
+                if (!strncmp(run->said.text[m], "Passes through", 14)) {
+                    tell(j, PROTOCOL_CONTACT, PROTOCOL_BAD, "passes through", "%s: %s",
+                         run->file, run->said.text[m]);
+                    through = true;
+                }
+        }
+    if (!files)
+        tell(j, PROTOCOL_CONTACT, PROTOCOL_UNKNOWN, "not known",
+             "In no file do axes, units and order of the vertices allow a judgement.");
+    else if (!through)
+        tell(j, PROTOCOL_CONTACT, PROTOCOL_GOOD, "does not pass",
+             "In none of %d files does the sheet pass through itself or a body.", files);
+}
+
+static enum status tell_place(const struct judge *j, const struct protocol_scene *scene,
+                              bool *any)
+{
+    struct protocol_rival *rival;
+    int count, before = 0;
+    char word[40], best[160] = "";
+    const enum status st = list_rivals(j->p, scene, &count, &rival);
+
+    while (before < count && !rival[before].own)
+        before++;
+    if (before)
+        snprintf(best, sizeof best, " The best of them is %s with %.3g %%.", rival->title,
+                 100 * rival->error);
+    snprintf(word, sizeof word, "place %d of %d", before + 1, count);
+    if (count > 1)
+        tell(j, PROTOCOL_PLACE, PROTOCOL_NEUTRAL, word,
+             "On %s %d of %d contestants come nearer to the truth with as many points or "
+             "fewer; its own error is %.3g %% at the same times.%s",
+             scene->name, before, count - 1, 100 * rival[before].error, best);
+    *any = *any || count > 1;
+    free(rival);
+    return st;
+}
+
+enum status protocol_judge(const struct protocol *p,
+                           void (*say)(void *context, const struct protocol_verdict *v),
+                           void *context)
+{
+    const struct judge j = {p, say, context};
+    bool placed = false;
+    enum status st = STATUS_OK;
+
+    for (int k = 0; k < p->scenes; k++)
+        tell_error(&j, &p->scene[k]);
+    tell_missing(&j);
+    for (int k = 0; k < p->scenes; k++)
+        tell_flaws(&j, &p->scene[k]);
+    for (size_t n = 0; n < sizeof motion_flaws / sizeof *motion_flaws; n++)
+        tell_motion_flaw(&j, &motion_flaws[n]);
+    tell_stiffness(&j);
+    tell_nets(&j);
+    tell_repeats(&j);
+    tell_contact(&j);
+    for (int k = 0; k < p->scenes; k++)
+        TRY(tell_place(&j, &p->scene[k], &placed));
+    if (!placed)
+        tell(&j, PROTOCOL_PLACE, PROTOCOL_UNKNOWN, "not known",
+             "Its place among the contestants is not known: the scenes to begin with show "
+             "it, on a net that one of them has, too.");
+out:
+    return st;
+}
+
+/* --- the page ---
+ *
+ * Sentences, then charts, then tables. It has no script, and all words that come from files
+ * go through html_print. */
+
+/* The rules that a page of its own has besides those of all pages. */
+static const char style[] =
+    "dl { display: grid; grid-template-columns: 10rem 1fr; gap: 0 1rem }\n"
+    "dt { color: var(--soft) } dt, dt + dd { border-top: 1px solid var(--line) }\n"
+    "dt, dd { margin: 0; padding: .3rem 0 } dd { grid-column: 2 }\n"
+    ".good { color: var(--yes) } .bad { color: var(--no) } .unknown { color: var(--soft) "
+    "}\n"
+    ".charts { display: flex; flex-wrap: wrap; gap: 1rem }\n"
+    ".charts figure { display: block; margin: 0; flex: 1 1 20rem; max-width: 29rem }\n"
+    "@media (max-width: 40rem) { dl { display: block } dt + dd { border: 0 } }\n";
+
+struct page {
+    FILE *file;
+    int last; /* subject; -1: none                                                       */
+};
+
+/* --- sentences --- */
+
+static void write_verdict(void *context, const struct protocol_verdict *v)
+{
+    static const char *const tone[] = {"good", "bad", "neutral", "unknown"};
+    struct page *page = context;
+
+    if (page->last != (int)v->subject)
+        html_print(page->file, "<dt>%s</dt>\n", protocol_subject_name(v->subject));
+    page->last = (int)v->subject;
+    html_print(page->file, "<dd><b class=\"%s\">%s.</b> %s</dd>\n", tone[v->tone], v->word,
+               v->text);
+}
+
+static enum status write_head(FILE *file, const struct protocol *p, struct message *why)
+{
+    static struct provenance made;
+    const char *name = p->name ? p->name : p->folder;
+    int files = 0;
+    enum status st;
+
+    provenance_collect(&made);
+    for (int k = 0; k < p->scenes; k++)
+        files += p->scene[k].runs;
+    html_head(file, name, ": its cloth beside known motions");
+    fputs("<style>\n", file);
+    TRY(html_style(file, why));
+    html_print(file, "%s</style>\n<body>\n<h1>%s%s%s</h1>\n<p>", style, name,
+               p->version ? " " : "", p->version ? p->version : "");
+    if (p->step > 0)
+        fprintf(file, "Its step is said to be %.3g ms. ", 1e3 * p->step);
+    html_print(file,
+               "%d file%s of frames on %d scene%s were compared with motions that are "
+               "known, with error bars. Errors are rms distances over the sheet, in per "
+               "cent of its length.</p>\n<p class=\"soft\">Made by clothbench score "
+               "--protocol %s at commit %s, %s.</p>\n",
+               files, files == 1 ? "" : "s", p->scenes, p->scenes == 1 ? "" : "s",
+               p->folder, provenance_value(&made, "commit"),
+               provenance_value(&made, "date"));
+out:
+    return st;
+}
+
+/* --- charts --- */
+
+static void add_point(struct svg_chart_line *line, double x, double share)
+{
+    if (line->count == SVG_CHART_POINTS)
+        return;
+    line->xy[line->count][0] = x;
+    line->xy[line->count++][1] = 100 * share;
+}
+
+/* Draws errors over time, a line a run, and the error bar of the truth. */
+static void chart_times(FILE *file, const struct protocol_scene *scene,
+                        struct svg_chart_line *line)
+{
+    const struct protocol_run *finest = protocol_finest(scene);
+
+    if (finest->times < 2)
+        return;
+    for (int k = 0; k < scene->runs; k++) {
+        const struct protocol_run *run = &scene->run[k];
+        line[k] = (struct svg_chart_line){.label = strchr(run->file, '/') + 1};
+        for (int n = 0; n < run->times; n++)
+            add_point(&line[k], run->row[n].time, run->row[n].error);
+    }
+    line[scene->runs] =
+        (struct svg_chart_line){.label = "error bar of the truth", .bar = true};
+    for (int n = 0; n < finest->times; n++)
+        add_point(&line[scene->runs], finest->row[n].time, finest->row[n].bar);
+    svg_chart_write(scene->name, "time, s", false, scene->runs + 1, line, file);
+}
+
+/* Draws the largest error of each net's first run over its points a side. */
+static void chart_nets(FILE *file, const struct protocol *p, struct svg_chart_line *line)
+{
+    int lines = 0;
+
+    for (int k = 0; k < p->scenes; k++) {
+        const struct protocol_scene *scene = &p->scene[k];
+        if (protocol_finest(scene) == scene->run) /* one net */
+            continue;
+        line[lines] = (struct svg_chart_line){.label = scene->name};
+        for (int m = 0; m < scene->runs; m++)
+            if (protocol_is_first(scene, m))
+                add_point(&line[lines],
+                          sqrt((double)scene->run[m].net[0] * scene->run[m].net[1]),
+                          protocol_worst(&scene->run[m])->error);
+        lines++;
+    }
+    if (lines)
+        svg_chart_write("Largest error on each net", "points a side", true, lines, line,
+                        file);
+}
+
+static enum status write_charts(FILE *file, const struct protocol *p)
+{
+    int most = p->scenes;
+
+    for (int k = 0; k < p->scenes; k++)
+        most = p->scene[k].runs > most ? p->scene[k].runs : most;
+    struct svg_chart_line *line = malloc(((size_t)most + 1) * sizeof *line);
+    if (!line)
+        return STATUS_MEMORY;
+    fputs("<h2>Charts</h2>\n<div class=\"charts\">\n", file);
+    for (int k = 0; k < p->scenes; k++)
+        chart_times(file, &p->scene[k], line);
+    chart_nets(file, p, line);
+    fputs("</div>\n", file);
+    free(line);
+    return STATUS_OK;
+}
+
+/* --- tables --- */
+
+static enum status table_errors(FILE *file, const struct protocol *p)
+{
+    static const struct table_column columns[] = {{"file", NULL, TABLE_LEFT},
+                                                  {"vertices"},
+                                                  {"time", "s"},
+                                                  {"error", "% L", .scale = 100},
+                                                  {"bar", "% L", .scale = 100},
+                                                  {"floor", "% L", .scale = 100}};
+    struct table *t =
+        TABLE_OF(columns, "Errors, error bars of the truth, floors of the nets");
+
+    for (int k = 0; k < p->scenes; k++)
+        for (int m = 0; m < p->scene[k].runs; m++)
+            for (int n = 0; n < p->scene[k].run[m].times; n++) {
+                const struct protocol_run *run = &p->scene[k].run[m];
+                table_line(t, "%s|%d|%.3g|%.2g|%.2g|%.2g", n ? "" : run->file,
+                           run->vertices, run->row[n].time, run->row[n].error,
+                           run->row[n].bar, run->row[n].floor);
+            }
+    return table_end(t, TABLE_HTML, file);
+}
+
+/* Lists contestants on a scene and the engine among them. */
+static enum status table_place(FILE *file, const struct protocol *p,
+                               const struct protocol_scene *scene)
+{
+    static const struct table_column columns[] = {{"place"},
+                                                  {"contestant", NULL, TABLE_LEFT},
+                                                  {"points", NULL, TABLE_LEFT},
+                                                  {"error", "% L", .scale = 100}};
+    struct protocol_rival *rival;
+    int count;
+    enum status st = list_rivals(p, scene, &count, &rival);
+
+    if (count < 2)
+        goto out;
+    struct table *t =
+        TABLE_OF(columns, "The best run of each with no more points: error at the "
+                          "worst of the same times");
+    for (int n = 0; n < count; n++)
+        table_line(t, "%d|%s%s|%dx%d|%.2g", n + 1, rival[n].own ? "\u2192 " : "",
+                   rival[n].title, rival[n].net[0], rival[n].net[1], rival[n].error);
+    html_print(file, "<details><summary>Contestants on %s</summary>\n", scene->name);
+    st = table_print(t, TABLE_HTML, file);
+    fputs("</details>\n", file);
+    table_destroy(t);
+out:
+    free(rival);
+    return st;
+}
+
+static void write_said(FILE *file, const struct protocol *p)
+{
+    for (int k = 0; k < p->scenes; k++)
+        for (int m = 0; m < p->scene[k].runs; m++) {
+            const struct protocol_run *run = &p->scene[k].run[m];
+            html_print(file, "<p><b>%s</b>", run->file);
+            for (int n = 0; n < run->said.count; n++)
+                html_print(file, " %s", run->said.text[n]);
+            fputs("</p>\n", file);
+        }
+}
+
+static enum status write_page(FILE *file, const struct protocol *p, struct message *why)
+{
+    struct page page = {file, -1};
+    enum status st;
+
+    TRY(write_head(file, p, why));
+    fputs("<dl>\n", file);
+    TRY(protocol_judge(p, write_verdict, &page));
+    fputs("</dl>\n", file);
+    TRY(write_charts(file, p));
+    fputs("<h2>Tables</h2>\n", file);
+    for (int k = 0; k < p->scenes; k++)
+        TRY(table_place(file, p, &p->scene[k]));
+    TRY(table_errors(file, p));
+    fputs("<h2>What <code>score</code> says of each file</h2>\n", file);
+    write_said(file, p);
+    fputs("</body>\n</html>\n", file);
+out:
+    return st;
+}
+
+enum status protocol_page_write(const char *path, const struct protocol *p,
+                                struct message *why)
+{
+    struct output *out = NULL;
+    enum status st;
+
+    TRY(output_create(path, &out, why));
+    TRY(write_page(output_stream(out), p, why));
+    st = output_close(&out, why);
+out:
+    output_discard(out);
+    return st;
 }

@@ -7,7 +7,7 @@
  *     DIR/SCENE/scene.yaml         optional: the scene, where SCENE is no scene's name
  *
  * Each file is read and diagnosed as `score SCENE FILE` does it; sentences on several files
- * (protocol_judge.c) and the page (protocol_page.c) come from these scores alone.
+ * and the page come from these scores alone.
  */
 #ifndef PROTOCOL_H
 #define PROTOCOL_H
@@ -57,18 +57,6 @@ void protocol_clear(struct protocol *p); /* all-zero is allowed */
 /* The scenes to begin with, in their order; NULL ends them. */
 extern const char *const protocol_first[];
 
-/* Returns a scene by the name of its folder; NULL: it is not there. */
-const struct protocol_scene *protocol_find(const struct protocol *p, const char *name);
-
-/* Returns whether a run of a scene is the first on its net, no repeat of one. */
-bool protocol_is_first(const struct protocol_scene *scene, int run);
-
-/* Returns the first run on the finest net. */
-const struct protocol_run *protocol_finest(const struct protocol_scene *scene);
-
-/* Returns the time of a run at which its error is largest. */
-const struct score_time *protocol_worst(const struct protocol_run *run);
-
 /* --- What they show --- */
 
 #define PROTOCOL_SUBJECT_LIST(X)                                                           \
@@ -108,17 +96,6 @@ struct protocol_rival {
     bool own;     /* the engine's                                                        */
     double error; /* at the worst of the times that all have, over the length            */
 };
-
-/* Reads the stored runs of our own contestants, if there are any. STATUS_MEMORY, or
- * STATUS_INPUT with a sentence: their table is damaged. */
-enum status protocol_place_read(struct csv contestants[PROTOCOL_TABLES],
-                                struct message *why);
-
-/* Lists, best first, the engine's finest run and the best of each contestant with no more
- * points, the engine first where its error is below what six digits show; *count is 0 where
- * none is stored. *rivals is freed by the receiver. STATUS_MEMORY. */
-enum status protocol_place(const struct protocol *p, const struct protocol_scene *scene,
-                           int *count, struct protocol_rival **rivals);
 
 /* Calls say() with each verdict, by subject. STATUS_MEMORY. */
 enum status protocol_judge(const struct protocol *p,

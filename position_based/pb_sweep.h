@@ -4,7 +4,7 @@
  * What is kept is the positions x at the step's start and the step's displacement d, not
  * the new positions: velocities d / dt then have the precision of d. Taken as differences
  * of positions of order 1 they have an error of rounding / dt, which adds up over steps and
- * is the drift of single precision (position_based/pb_motion.h).
+ * is the drift of single precision (position_based_model.h).
  *
  * Constraints are projected one after the other (Gauss-Seidel), those of a colour at once:
  * no two of them share a point, so that their order does not matter and the bits are the

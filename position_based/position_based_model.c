@@ -1,12 +1,448 @@
 #include "position_based/position_based_model.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "models/contact/contact_rest.h"
 #include "models/net/net_surface.h"
-#include "position_based/pb_motion.h"
+#include "models/room.h"
+#include "models/vector.h"
+
+/* The softening that the choice of substeps tolerates, without and with contact, and a
+ * bending mode's phase in the substeps from one bending to the next
+ * (position_based_model.h). */
+static const double SOFTENING = 10, SOFTENING_CONTACT = 0.4, BENDING = 0.4;
+
+static const double MOST_SUBSTEPS = 1e6;
+
+/* The frames from one measurement of the iterations' remaining strain to the next. */
+enum { MEASURED = 10 };
+
+static size_t count(const struct pb_motion *m)
+{
+    return 3 * (size_t)m->net.nodes;
+}
+
+/* --- what is built -----------------------------------------------------------------------
+ */
+
+/* Returns the strength dt^2 / alpha of a constraint of stiffness k for XPBD, or that which
+ * takes PBD's share of the way; w: sum of inverse masses times squares of weights. */
+static double strength_of(const struct pb_motion *m, double k, double w)
+{
+    double s = k * m->dt * m->dt;
+
+    if (m->projection == PROJECTION_XPBD || w == 0)
+        return s;
+    double share = -expm1(-log1p(s * w) / m->iterations);
+    return share / ((1 - share) * w);
+}
+
+static double inverse_mass(const struct pb_motion *m, int a)
+{
+    return 1 / (m->points.mass[a] + m->points.drag[a] * m->dt);
+}
+
+/* Returns the inverse mass where any component is free, else 0. */
+static double free_inverse_mass(const struct pb_motion *m, int a)
+{
+    const int *place = m->supports.free_index + 3 * a;
+
+    return place[0] >= 0 || place[1] >= 0 || place[2] >= 0 ? inverse_mass(m, a) : 0;
+}
+
+static void put_points(struct pb_motion *m)
+{
+    double *w = m->work, *kick = w + count(m), *keep = kick + count(m);
+
+    for (int a = 0; a < m->net.nodes; a++) {
+        double inverse = inverse_mass(m, a);
+        keep[a] = m->points.mass[a] * inverse;
+        if (m->contact)
+            m->contact->compliance[a] = inverse * m->dt * m->dt;
+        for (int c = 3 * a; c < 3 * a + 3; c++) {
+            bool held = m->supports.free_index[c] < 0;
+            w[c] = held ? 0 : inverse;
+            kick[c] = w[c] * m->dt * m->dt * m->points.load[c];
+        }
+    }
+    pb_sweep_put(m->sweep, PB_W, 3, w);
+    pb_sweep_put(m->sweep, PB_KICK, 3, kick);
+    pb_sweep_put(m->sweep, PB_KEEP, 1, keep);
+}
+
+static enum pb_kind kind_of(const struct pb_motion *m, const struct spring *s)
+{
+    int rows = s->b / m->net.points[1] - s->a / m->net.points[1];
+    int step = s->b % m->net.points[1] - s->a % m->net.points[1];
+
+    return rows == 0 ? PB_V : step == 0 ? PB_U : step > 0 ? PB_DOWN : PB_UP;
+}
+
+static void put_springs(struct pb_motion *m)
+{
+    for (int kind = 0; kind < PB_SPRINGS; kind++) {
+        memset(m->work, 0, count(m) * sizeof *m->work);
+        for (const struct spring *s = m->net.springs;
+             s < m->net.springs + m->net.spring_count; s++) {
+            double w = free_inverse_mass(m, s->a) + free_inverse_mass(m, s->b);
+            if ((int)kind_of(m, s) == kind)
+                m->work[s->a] = strength_of(m, s->stiffness, w);
+        }
+        pb_sweep_put(m->sweep, PB_STRENGTH + kind, 1, m->work);
+    }
+}
+
+/* Sets a form. Where components are held the others' weight is taken for all, so that one
+ * factor suffices: that only takes more iterations. */
+static void set_form(const struct pb_motion *m, int k, double *strength, double *recall)
+{
+    const struct spring_form *form = spring_form_of(&m->forms, k);
+    double sum = 0;
+
+    for (int n = 0; n < form->count; n++)
+        sum += form->weight[n] * form->weight[n] *
+               free_inverse_mass(m, m->forms.place[k].at + form->step[n]);
+    pb_sweep_form(strength_of(m, m->bending_every * form->stiffness, sum),
+                  1 + m->points.beta / m->dt, sum, strength, recall);
+}
+
+static void put_forms(struct pb_motion *m)
+{
+    static const int kind_of_form[] = {[SPRING_PLATE_U] = PB_LINE_U,
+                                       [SPRING_PLATE_V] = PB_LINE_V,
+                                       [SPRING_PLATE_TWIST] = PB_TWIST,
+                                       [SPRING_PLATE_MEAN] = PB_MEAN};
+    double *strength = m->work, *recall = m->work + m->net.nodes;
+
+    for (int k = SPRING_PLATE_U; k <= SPRING_PLATE_MEAN; k++) {
+        int kind = kind_of_form[k];
+        memset(m->work, 0, count(m) * sizeof *m->work);
+        for (int n = 0; n < m->forms.count; n++) {
+            const int at = m->forms.place[n].at;
+            if (spring_form_of(&m->forms, n)->kind == k)
+                set_form(m, n, &strength[at], &recall[at]);
+        }
+        pb_sweep_put(m->sweep, PB_STRENGTH + kind, 1, strength);
+        pb_sweep_put(m->sweep, PB_RECALL + kind - PB_SPRINGS, 1, recall);
+    }
+}
+
+/* Lists the clamps, which lie anywhere. Returns how many. */
+static int list_clamps(struct pb_motion *m)
+{
+    int clamps = 0;
+
+    for (int n = 0; n < m->forms.count; n++) {
+        const struct spring_form *form = spring_form_of(&m->forms, n);
+        struct pb_odd *odd = &m->odd[clamps];
+        if (form->kind != SPRING_PLATE_CLAMP)
+            continue;
+        set_form(m, n, &odd->strength, &odd->recall);
+        for (int k = 0; k < 3; k++) {
+            odd->node[k] = m->forms.place[n].at + form->step[k < form->count ? k : 0];
+            odd->weight[k] = k < form->count ? form->weight[k] : 0;
+            odd->shift[k] = form->shift[k];
+        }
+        clamps++;
+    }
+    return clamps;
+}
+
+static enum status make_sweep(struct pb_motion *m, enum precision precision)
+{
+    enum status st;
+    const double *cell = m->net.cell, diagonal = hypot(cell[0], cell[1]);
+    struct pb_plan plan = {.n = m->net.points[0],
+                           .m = m->net.points[1],
+                           .sheet = m->net.rows,
+                           .precision = precision,
+                           .rest = {cell[0], cell[1], diagonal, diagonal},
+                           .gain = 1 + m->points.beta / m->dt,
+                           .odd = m->odd,
+                           .odd_count = list_clamps(m)};
+
+    spring_plate_mean(m->scene, cell, plan.mean);
+    TRY(pb_sweep_make(&plan, &m->sweep));
+    put_points(m);
+    put_springs(m);
+    put_forms(m);
+    for (size_t n = 0; n < count(m); n++)
+        m->work[n] = m->dt * m->v[n];
+    pb_sweep_put(m->sweep, PB_X, 3, m->x);
+    pb_sweep_put(m->sweep, PB_D, 3, m->work);
+out:
+    return st;
+}
+
+/* Returns the greatest 2 k / m of a spring: the softening of a step of one second. */
+static double stiffest(const struct pb_motion *m)
+{
+    double most = 0;
+
+    for (const struct spring *s = m->net.springs; s < m->net.springs + m->net.spring_count;
+         s++)
+        most = fmax(most,
+                    s->stiffness * (1 / m->points.mass[s->a] + 1 / m->points.mass[s->b]));
+    return most;
+}
+
+/* Returns an upper bound of the bending's frequencies (Gershgorin) [rad/s]. */
+static double bending_frequency(const struct pb_motion *m)
+{
+    double most = 0;
+
+    memset(m->work, 0, count(m) * sizeof *m->work);
+    for (int n = 0; n < m->forms.count; n++) {
+        const struct spring_form *form = spring_form_of(&m->forms, n);
+        double sum = 0;
+        for (int k = 0; k < form->count; k++)
+            sum += fabs(form->weight[k]);
+        for (int k = 0; k < form->count; k++)
+            m->work[m->forms.place[n].at + form->step[k]] +=
+                form->stiffness * fabs(form->weight[k]) * sum;
+    }
+    for (int a = 0; a < m->net.nodes; a++)
+        most = fmax(most, m->work[a] * free_inverse_mass(m, a));
+    return sqrt(most);
+}
+
+static enum status set_steps(struct pb_motion *m, const struct discretization *d,
+                             struct message *why)
+{
+    double step = m->scene->step, most = stiffest(m);
+    double bending = bending_frequency(m);
+    double borne = contact_wanted(m->scene) ? SOFTENING_CONTACT : SOFTENING;
+    double least = fmax(sqrt(most / borne), bending / BENDING);
+    double n = d->substeps ? d->substeps : fmax(1, ceil(step * least));
+
+    if (!(n <= MOST_SUBSTEPS))
+        return status_fail(why, STATUS_INPUT,
+                           "steps this small are %g to a frame; set substeps", n);
+    m->substeps = (int)n;
+    m->dt = step / n;
+    m->softening = most * m->dt * m->dt;
+    m->bending_every = (int)fmin(n, fmax(1, BENDING / (m->dt * bending)));
+    return STATUS_OK;
+}
+
+/* Returns the elongation of a spring at x [m]. */
+static double longer(const struct spring *s, const double *x)
+{
+    double e[3];
+
+    vector_between(x + 3 * (size_t)s->a, x + 3 * (size_t)s->b, e);
+    return vector_length(e) - s->length;
+}
+
+static double elastic(const struct pb_motion *m)
+{
+    double sum = 0, value[3];
+
+    for (const struct spring *s = m->net.springs; s < m->net.springs + m->net.spring_count;
+         s++) {
+        double more = longer(s, m->x);
+        sum += s->stiffness * more * more / 2;
+    }
+    for (int n = 0; n < m->forms.count; n++) {
+        spring_form_value(&m->forms, n, m->x, value);
+        for (int c = 0; c < 3; c++)
+            sum += spring_form_of(&m->forms, n)->stiffness * value[c] * value[c] / 2;
+    }
+    return sum;
+}
+
+static enum status allocate(struct pb_motion *m)
+{
+    size_t nodes = (size_t)m->net.nodes;
+
+    return room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->v, 3 * nodes),
+                    ROOM(m->before, 3 * nodes), ROOM(m->work, 9 * nodes),
+                    ROOM(m->shift, m->supports.held_count), ROOM(m->odd, m->forms.count));
+}
+
+void pb_motion_clear(void *motion)
+{
+    struct pb_motion *m = motion;
+
+    pb_sweep_free(m->sweep);
+    net_contact_free(m->contact);
+    spring_load_clear(&m->points);
+    supports_clear(&m->supports);
+    spring_net_clear(&m->net);
+    spring_forms_clear(&m->forms);
+    free(m->room);
+    memset(m, 0, sizeof *m);
+}
+
+static enum status make_contact(struct pb_motion *m)
+{
+    enum status st = net_contact_make(m->scene, &m->net, &m->supports, &m->contact);
+
+    if (m->contact)
+        m->contact->steps = m->substeps, m->contact->dt = m->dt;
+    return st;
+}
+
+enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
+                           const struct discretization *d, struct message *why)
+{
+    enum status st;
+
+    *m = (struct pb_motion){.scene = scene,
+                            .projection = OWN(pb_own, d)->projection,
+                            .iterations = d->iterations > 0 ? d->iterations : 1};
+    TRY(spring_net_init(&m->net, scene, d->points, d->parameters, false));
+    TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
+    TRY(supports_init(&m->supports, scene, m->net.nodes, m->net.uvw, m->net.rest, why));
+    TRY(spring_plate_make(scene, &m->net, &m->forms));
+    TRY(allocate(m));
+    memcpy(m->x, m->net.rest, count(m) * sizeof *m->x);
+    supports_initial_velocity(&m->supports, scene, m->net.rest, NULL, m->v);
+    m->rest_energy = elastic(m);
+    TRY(set_steps(m, d, why));
+    TRY(make_contact(m));
+    TRY(make_sweep(m, d->precision));
+out:
+    if (st != STATUS_OK)
+        pb_motion_clear(m);
+    return st;
+}
+
+/* --- steps -------------------------------------------------------------------------------
+ */
+
+static void hold(struct pb_motion *m, double t)
+{
+    const struct supports *s = &m->supports;
+
+    supports_shift(s, m->scene, t, m->shift);
+    for (int h = 0; h < s->held_count; h++)
+        pb_sweep_hold(m->sweep, s->held[h] / 3, s->held[h] % 3,
+                      m->net.rest[s->held[h]] + m->shift[h]);
+}
+
+/* Returns the strain of springs beyond what their forces need, l - r - alpha f over r; root
+ * of the mean square. */
+static double strained(const struct pb_motion *m, const double *x)
+{
+    double *strength = m->work, *lambda = m->work + m->net.nodes, sum = 0;
+
+    for (int kind = 0; kind < PB_SPRINGS; kind++) {
+        pb_sweep_get(m->sweep, PB_STRENGTH + kind, 1, strength);
+        pb_sweep_get(m->sweep, PB_LAMBDA + kind, 1, lambda);
+        for (const struct spring *s = m->net.springs;
+             s < m->net.springs + m->net.spring_count; s++) {
+            if ((int)kind_of(m, s) != kind)
+                continue;
+            double off = longer(s, x) + lambda[s->a] / strength[s->a];
+            sum += off * off / (s->length * s->length);
+        }
+    }
+    return sqrt(sum / fmax(m->net.spring_count, 1));
+}
+
+/* Measures where the step's iterations ended, before the positions follow. */
+static void measure(struct pb_motion *m, double t)
+{
+    double *d = m->work, *x = m->before;
+
+    pb_sweep_get(m->sweep, PB_X, 3, x);
+    pb_sweep_get(m->sweep, PB_D, 3, d);
+    for (size_t n = 0; n < count(m); n++)
+        x[n] += d[n];
+    double left = strained(m, x);
+    if (!(left <= m->left))
+        m->left = left, m->left_time = t;
+}
+
+/* Ends a step by the law of contact. */
+static enum status meet_bodies(struct pb_motion *m, double t)
+{
+    enum status st;
+    double *start = m->work, *x = start + count(m);
+
+    pb_sweep_get(m->sweep, PB_X, 3, start);
+    pb_sweep_get(m->sweep, PB_D, 3, x);
+    for (size_t n = 0; n < count(m); n++)
+        x[n] += start[n];
+    TRY(net_contact_project(m->contact, t, start, x));
+    if (m->contact->law.count == 0)
+        return STATUS_OK;
+    for (size_t n = 0; n < count(m); n++)
+        x[n] -= start[n];
+    pb_sweep_put(m->sweep, PB_D, 3, x);
+out:
+    return st;
+}
+
+/* Takes a substep; asked: measures how far from the end of its iterations it is. */
+static enum status substep(struct pb_motion *m, bool asked)
+{
+    const bool xpbd = m->projection == PROJECTION_XPBD;
+    const bool recalls = xpbd && (m->iterations > 1 || asked);
+    double t = (double)++m->substep / m->substeps * m->scene->step;
+    enum status st = STATUS_OK;
+
+    pb_sweep_predict(m->sweep, recalls);
+    if (m->supports.moving)
+        hold(m, t);
+    pb_sweep_project(m->sweep, m->iterations, m->substep % m->bending_every == 0, recalls);
+    if (asked && xpbd)
+        measure(m, t);
+    if (m->contact)
+        TRY(meet_bodies(m, t));
+    pb_sweep_finish(m->sweep);
+out:
+    return st;
+}
+
+enum status pb_motion_frame(void *motion, struct counters *counters)
+{
+    struct pb_motion *m = motion;
+    enum status st = STATUS_OK;
+
+    net_contact_frame(m->contact);
+    for (int n = 1; n <= m->substeps; n++)
+        TRY(substep(m, n == m->substeps && m->frame % MEASURED == 0));
+    m->frame++;
+    counters->steps++;
+    counters->substeps += m->substeps;
+    counters->iterations += (long)m->substeps * m->iterations;
+    counters->left = m->left;
+    pb_sweep_get(m->sweep, PB_X, 3, m->x);
+    pb_sweep_get(m->sweep, PB_D, 3, m->work);
+    for (size_t n = 0; n < count(m); n++) {
+        m->work[n] *= m->points.keep;
+        m->v[n] = m->work[n] / m->dt;
+        if (!isfinite(m->x[n]) || !isfinite(m->v[n]))
+            return STATUS_NAN;
+    }
+    if (m->points.keep != 1)
+        pb_sweep_put(m->sweep, PB_D, 3, m->work);
+out:
+    return st;
+}
+
+/* --- what came of it ---------------------------------------------------------------------
+ */
+
+void pb_motion_energy(const void *motion, struct energy *energy)
+{
+    const struct pb_motion *m = motion;
+
+    spring_load_energy(&m->points, m->x, m->v, energy);
+    energy->elastic = fmax(elastic(m) - m->rest_energy, 0);
+}
+
+static void pb_motion_contact(const void *motion, struct model_contact *contact)
+{
+    const struct pb_motion *m = motion;
+
+    *contact = net_contact_report(m->contact);
+}
 
 /* clang-format off */
 static const struct schema_key options[] = {

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "models/room.h"
-#include "shell_ref/shell_tangent.h"
 
 /* Returns how many runs of consecutive numbers an element's nodes are: one for each of its
  * rows along v, where no row ends at the beginning again. */
@@ -152,7 +151,7 @@ static void add_tangent(const void *self, int thread, int element,
     int local = e->local, row = e->row, runs = runs_of(s->space), run = local / runs;
     const int *place = s->place + (size_t)element * (size_t)(local * runs);
 
-    shell_tangent_compute(e, material_of(s, element), rest_of(s, element).part, path);
+    shell_element_tangent(e, material_of(s, element), rest_of(s, element).part, path);
     for (int a = 0; a < local; a++) {
         const double *from = e->K + (size_t)(a * 9 * row);
         for (int r = a / run; r < runs; r++) {

@@ -13,7 +13,51 @@
 #ifndef SHELL_ELEMENT_H
 #define SHELL_ELEMENT_H
 
-#include "shell_ref/shell_room.h"
+#include "models/law/law.h"
+#include "models/mechanics/large_body.h"
+#include "shell_ref/shell_space.h"
+
+/* Working storage. */
+
+/* Rest data of each point of the membrane and of bending: area, metric (or curvature), and
+ * C without h, entries (0,0) (0,1) (0,2) (1,1) (1,2) (2,2); of the mass: its area alone. */
+enum { REST_AREA, REST_FORM, REST_LAW = 4, SHELL_REST_ROWS = 10 };
+
+struct shell_material {
+    struct law law;
+    double density;
+    double along[2][3]; /* law.along of covariant strains, for flat sheets that soften */
+};
+
+/* An element's points of one rule. */
+struct shell_points {
+    int count, padded; /* points, and rows of them                                     */
+    const double *T;   /* [SHELL_DERIVATIVES or SHELL_SLOPES][local][padded]           */
+    double *room;      /* room to make them in                                         */
+    double *strain;    /* [3][padded]; the mass has none                               */
+    struct shell_surface *surface; /* [padded / SHELL_LANES] of the strain; likewise   */
+};
+
+/* Working storage for one element; one per thread. */
+struct shell_element {
+    int local, row; /* functions, and padded                                           */
+    void *memory;   /*                                                         owned   */
+    struct shell_points at[SHELL_RULES];
+    double *X[3];         /* [local][3]: present, geometry, last change                */
+    bool same;            /* the geometry is the present one                           */
+    double *strain;       /* of membrane, then of bending                              */
+    double *f;            /* [local][3]                                                */
+    double *left, *right; /* rows of all points, see the kernel                        */
+    double *K;            /* [local][9][row], columns b >= a filled                    */
+};
+
+/* Returns the numbers in e->strain of a part or, with SHELL_PARTS, of both. */
+static inline size_t shell_room_strains(const struct shell_space *space, int part)
+{
+    const struct shell_rule *r = space->rule;
+
+    return 3 * (size_t)(part == SHELL_PARTS ? r[0].padded + r[1].padded : r[part].padded);
+}
 
 enum status shell_element_init(struct shell_element *e, const struct shell_space *space);
 void shell_element_clear(struct shell_element *e);
@@ -46,5 +90,14 @@ void shell_element_force(struct shell_element *e, const struct shell_material *m
  * Leonetti, Garcea 2017 base the geometric part on it: Newton's method on thin shells then
  * needs far fewer steps. */
 void shell_element_foresee(struct shell_element *e);
+
+/* Computes e->K on the geometry e->X[1], by the path's shares: s1 times the material part
+ * (the membrane's s1 + lag) plus g1 times the geometric part with the stress of e->strain.
+ * In steps by mean forces (g1 < 1) bending moments have no geometric part: beside the rest
+ * of bending it is as the angle that a span turns by to 1, and bending itself is little
+ * beside inertia. Newton's method takes the same tangents and iterations without it
+ * (edge_drop, cloak, h/L 1e-3 to 1e-2), a tangent of degree 3 for .74 of the time. */
+void shell_element_tangent(struct shell_element *e, const struct shell_material *material,
+                           const double *const rest[], const struct large_path *path);
 
 #endif

@@ -1,12 +1,239 @@
 #include "triangles/tri_model.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "models/contact/contact_rest.h"
 #include "models/mechanics/large_leapfrog.h"
+#include "models/mechanics/large_rest.h"
+#include "models/mechanics/pencil.h"
 #include "models/net/net_surface.h"
-#include "triangles/tri_motion.h"
+#include "models/room.h"
+
+static size_t count_of(const struct tri_motion *m)
+{
+    return 3 * (size_t)m->net.points.nodes;
+}
+
+static enum status make_arrays(struct tri_motion *m)
+{
+    enum status st =
+        room_cut(&m->room, ROOM(m->x, count_of(m)), ROOM(m->v, m->swept ? count_of(m) : 0));
+
+    if (st != STATUS_OK)
+        return st;
+    memcpy(m->x, m->net.points.rest, count_of(m) * sizeof *m->x);
+    m->rest_energy = tri_body_energy(&m->body, m->x);
+    return STATUS_OK;
+}
+
+/* Makes, once, what implicit steps, equilibrium and modes need. */
+static enum status make_large(struct tri_motion *m)
+{
+    const struct spring_large_plan plan = {.load = &m->load,
+                                           .graph = &m->net.graph,
+                                           .body = &m->body.body,
+                                           .supports = &m->supports,
+                                           .d = &m->asked,
+                                           .x = m->x};
+
+    return m->large.motion.x ? STATUS_OK : spring_large_init(&m->large, &plan);
+}
+
+static enum status rest_stiffness(const struct tri_motion *m, double (*K)[9])
+{
+    return large_body_tangent(&m->body.body, &large_path_statics, m->net.points.rest,
+                              (struct large_foresight){0}, K);
+}
+
+static enum status make_leapfrog(struct tri_motion *m, const struct discretization *d,
+                                 struct message *why)
+{
+    enum status st;
+    const struct spring_net *points = &m->net.points;
+    struct spring_body body = {.load = &m->load,
+                               .supports = &m->supports,
+                               .stencil = &m->stencil,
+                               .cells = &m->cells};
+
+    m->cells.membrane = OWN(tri_own, d)->membrane;
+    m->cells.D[0] = m->body.D[0][LAW_11];
+    m->cells.D[1] = m->body.D[0][LAW_12];
+    m->cells.D[2] = m->body.D[0][LAW_22];
+    m->cells.D[3] = m->body.D[0][LAW_33];
+    memcpy(m->cells.cell, points->cell, sizeof m->cells.cell);
+    TRY(spring_stencil_init(&m->stencil, m->scene, points, SPRINGS_SQUARES,
+                            BENDING_QUADRATIC));
+    spring_stencil_replace(&m->stencil, &m->net.forms);
+    supports_initial_velocity(&m->supports, m->scene, points->rest, NULL, m->v);
+    TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,
+                             why));
+out:
+    return st;
+}
+
+static enum status build(struct tri_motion *m, const struct discretization *d,
+                         struct message *why)
+{
+    enum status st;
+    const struct scene *scene = m->scene;
+    struct spring_net *points = &m->net.points;
+
+    TRY(tri_net_init(&m->net, scene, d->points, d->bending));
+    TRY(tri_body_init(&m->body, scene, &m->net, OWN(tri_own, d)->membrane));
+    TRY(spring_load_init(&m->load, scene, points, PARAMETERS_MATCHED));
+    TRY(supports_init(&m->supports, scene, points->nodes, points->uvw, points->rest, why));
+    TRY(make_arrays(m));
+    if (m->swept) {
+        TRY(make_leapfrog(m, d, why));
+    } else {
+        TRY(make_large(m));
+        TRY(large_leapfrog_make(&m->large.motion, &m->asked, why));
+        supports_initial_velocity(&m->supports, scene, points->rest, NULL,
+                                  m->large.newmark.v);
+    }
+out:
+    return st;
+}
+
+static void tri_motion_clear(void *motion)
+{
+    struct tri_motion *m = motion;
+
+    spring_leapfrog_free(m->leapfrog);
+    spring_stencil_clear(&m->stencil);
+    spring_large_clear(&m->large);
+    supports_clear(&m->supports);
+    spring_load_clear(&m->load);
+    tri_body_clear(&m->body);
+    tri_net_clear(&m->net);
+    free(m->room);
+    memset(m, 0, sizeof *m);
+}
+
+/* Initialises; *m must stay where it is: it holds pointers into itself. */
+static enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
+                                   const struct discretization *d, struct message *why)
+{
+    *m = (struct tri_motion){.scene = scene,
+                             .swept = d->integrator == INTEGRATOR_LEAPFROG &&
+                                      d->bending == BENDING_QUADRATIC,
+                             .asked = *d};
+    enum status st = build(m, d, why);
+
+    if (st != STATUS_OK)
+        tri_motion_clear(m);
+    return st;
+}
+
+/* Implement model.h's entries advance, equilibrium, modes, matrices, contact and energy;
+ * the state is a struct tri_motion. */
+static enum status tri_motion_step(void *state, struct counters *counters)
+{
+    struct tri_motion *m = state;
+    enum status st;
+
+    if (m->leapfrog) {
+        m->large.motion.rested = false;
+        TRY(spring_leapfrog_frame(m->leapfrog, m->x, counters));
+    } else {
+        TRY(spring_large_frame(&m->large, (double)m->frame * m->scene->step, counters));
+    }
+    m->frame++;
+    counters->steps++;
+out:
+    return st;
+}
+
+static enum status tri_motion_rest(void *state, struct counters *counters,
+                                   struct message *why)
+{
+    struct tri_motion *m = state;
+    enum status st;
+    double end = supports_rest_time(&m->supports, m->scene);
+
+    TRY(supports_allow_rest(&m->supports, m->scene, true, why));
+    TRY(make_large(m));
+    TRY(large_rest_equilibrium(&m->large.motion, counters, why));
+    m->frame = lround(end / m->scene->step);
+    if (m->leapfrog)
+        spring_leapfrog_place(m->leapfrog, end, m->x);
+out:
+    return st;
+}
+
+static enum status tri_motion_modes(void *state, int count, double *omega,
+                                    struct message *why)
+{
+    struct tri_motion *m = state;
+    enum status st;
+
+    if (m->large.motion.rested)
+        return large_rest_modes(&m->large.motion, count, omega, why);
+    TRY(make_large(m));
+    m->large.motion.factored = -1;
+    TRY(rest_stiffness(m, m->large.K));
+    TRY(pencil_modes(
+        &(struct pencil){&m->net.graph, (const double(*)[9])m->large.K, m->large.M},
+        &m->supports, NULL, count, omega, why));
+out:
+    return st;
+}
+
+/* Makes the matrices of the sheet itself: clamps belong to the supports. */
+static enum status tri_motion_matrices(const void *state, struct matrix *K,
+                                       struct matrix *M)
+{
+    const struct tri_motion *m = state;
+    enum status st;
+    struct scene bare = *m->scene;
+    struct tri_net net = {0};
+    struct tri_body body = {0};
+    double(*tangent)[9] = NULL, *mass = NULL;
+
+    bare.support_count = 0;
+    TRY(tri_net_init(&net, &bare, m->asked.points,
+                     m->net.hinge_count ? BENDING_HINGE : BENDING_QUADRATIC));
+    TRY(tri_body_init(&body, &bare, &net, m->body.membrane));
+    tangent = calloc((size_t)body.body.pairs, sizeof *tangent);
+    mass = calloc((size_t)body.body.pairs, sizeof *mass);
+    if (!tangent || !mass)
+        TRY(STATUS_MEMORY);
+    for (int a = 0; a < net.points.nodes; a++)
+        mass[net.graph.start[a]] = m->load.mass[a];
+    TRY(large_body_tangent(&body.body, &large_path_statics, net.points.rest,
+                           (struct large_foresight){0}, tangent));
+    TRY(pencil_matrices(
+        &(struct pencil){&net.graph, (const double(*)[9])tangent, mass, false}, K, M));
+out:
+    free(tangent);
+    free(mass);
+    tri_body_clear(&body);
+    tri_net_clear(&net);
+    return st;
+}
+
+static void tri_motion_contact(const void *state, struct model_contact *contact)
+{
+    const struct tri_motion *m = state;
+
+    if (!m->leapfrog || m->large.motion.rested)
+        large_motion_contact(&m->large.motion, contact);
+    else
+        *contact = spring_leapfrog_contact(m->leapfrog);
+}
+
+static void tri_motion_energy(const void *state, struct energy *energy)
+{
+    const struct tri_motion *m = state;
+
+    if (m->leapfrog)
+        spring_leapfrog_velocity(m->leapfrog, m->v);
+    spring_load_energy(&m->load, m->x, m->leapfrog ? m->v : m->large.newmark.v, energy);
+    energy->elastic = tri_body_energy(&m->body, m->x) - m->rest_energy;
+}
 
 /* clang-format off */
 static const struct schema_key options[] = {

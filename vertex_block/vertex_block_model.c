@@ -1,11 +1,256 @@
 #include "vertex_block/vertex_block_model.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "models/contact/contact_rest.h"
 #include "models/net/net_surface.h"
-#include "vertex_block/vb_motion.h"
+#include "models/room.h"
+#include "models/vector.h"
+
+/* The frames from one measurement of the forces that are left to the next. */
+enum { MEASURED = 10 };
+
+/* Cells along the sheet at which VB_EDGE_LENGTH has the scene's bending. */
+enum { CELLS = 10 };
+
+static size_t count(const struct vb_motion *m)
+{
+    return 3 * (size_t)m->net.points.nodes;
+}
+
+/* --- what is built -----------------------------------------------------------------------
+ */
+
+static double springs_energy(const struct vb_motion *m)
+{
+    const struct spring_net *points = &m->net.points;
+    double sum = 0, way[3], value[3];
+
+    for (const struct spring *s = points->springs;
+         s < points->springs + points->spring_count; s++) {
+        vector_between(m->x + 3 * s->a, m->x + 3 * s->b, way);
+        const double more = vector_length(way) - s->length;
+        sum += s->stiffness * more * more / 2;
+    }
+    for (int k = 0; k < m->net.forms.count; k++) {
+        spring_form_value(&m->net.forms, k, m->x, value);
+        sum += spring_form_of(&m->net.forms, k)->stiffness * vector_dot(value, value) / 2;
+    }
+    return sum;
+}
+
+static double elastic(const struct vb_motion *m)
+{
+    return m->own.elements == VB_SPRINGS ? springs_energy(m)
+                                         : tri_body_energy(&m->law, m->x);
+}
+
+static enum status allocate(struct vb_motion *m)
+{
+    const size_t nodes = (size_t)m->net.points.nodes,
+                 more = m->own.chebyshev > 0 ? 3 * nodes : 0;
+
+    return room_cut(&m->room, ROOM(m->inertia, nodes), ROOM(m->x, 3 * nodes),
+                    ROOM(m->v, 3 * nodes), ROOM(m->gain, 3 * nodes),
+                    ROOM(m->start, 3 * nodes), ROOM(m->target, 3 * nodes),
+                    ROOM(m->before[0], more), ROOM(m->before[1], more),
+                    ROOM(m->shift, m->supports.held_count));
+}
+
+static void scale_hinges(struct vb_motion *m)
+{
+    const double width = m->scene->length / CELLS;
+
+    for (int k = 0; m->own.hinge_scale == VB_EDGE_LENGTH && k < m->net.hinge_count; k++)
+        m->net.hinges[k].stiffness *= m->net.points.cell[0] / width;
+}
+
+static enum status make_contact(struct vb_motion *m)
+{
+    const enum status st =
+        net_contact_make(m->scene, &m->net.points, &m->supports, &m->contact);
+
+    for (int a = 0; a < m->net.points.nodes; a++) {
+        m->inertia[a] = (m->load.mass[a] / m->dt + m->load.drag[a]) / m->dt;
+        if (m->contact)
+            m->contact->compliance[a] = 1 / m->inertia[a];
+    }
+    if (m->contact)
+        m->contact->steps = m->substeps, m->contact->dt = m->dt;
+    return st;
+}
+
+static void vb_motion_clear(void *motion)
+{
+    struct vb_motion *m = motion;
+
+    net_contact_free(m->contact);
+    vb_body_clear(&m->body);
+    supports_clear(&m->supports);
+    spring_load_clear(&m->load);
+    tri_body_clear(&m->law);
+    tri_net_clear(&m->net);
+    free(m->room);
+    memset(m, 0, sizeof *m);
+}
+
+/* Initialises; *m must stay where it is: it holds pointers into itself. */
+static enum status vb_motion_init(struct vb_motion *m, const struct scene *scene,
+                                  const struct discretization *d, struct message *why)
+{
+    enum status st;
+
+    *m = (struct vb_motion){.scene = scene,
+                            .own = *OWN(vb_own, d),
+                            .iterations = d->iterations,
+                            .substeps = d->substeps};
+    m->dt = scene->step / m->substeps;
+    TRY(tri_net_init(&m->net, scene, d->points, d->bending));
+    scale_hinges(m);
+    TRY(tri_body_init(&m->law, scene, &m->net, MEMBRANE_GREEN));
+    TRY(spring_load_init(&m->load, scene, &m->net.points, PARAMETERS_MATCHED));
+    TRY(supports_init(&m->supports, scene, m->net.points.nodes, m->net.points.uvw,
+                      m->net.points.rest, why));
+    TRY(vb_body_init(&m->body, &m->net, &m->law, m->own.elements == VB_SPRINGS));
+    TRY(allocate(m));
+    memcpy(m->x, m->net.points.rest, count(m) * sizeof *m->x);
+    supports_initial_velocity(&m->supports, scene, m->net.points.rest, NULL, m->v);
+    m->rest_energy = elastic(m);
+    TRY(make_contact(m));
+out:
+    if (st != STATUS_OK)
+        vb_motion_clear(m);
+    return st;
+}
+
+/* --- steps -------------------------------------------------------------------------------
+ */
+
+static void hold(struct vb_motion *m, double t)
+{
+    const struct supports *s = &m->supports;
+
+    supports_shift(s, m->scene, t, m->shift);
+    for (int h = 0; h < s->held_count; h++)
+        m->x[s->held[h]] = m->net.points.rest[s->held[h]] + m->shift[h];
+}
+
+/* Computes where inertia, drag and loads lead to, and where the sweeps start. */
+static void predict(struct vb_motion *m)
+{
+    for (int a = 0; a < m->net.points.nodes; a++) {
+        const double mass = m->load.mass[a], *load = m->load.load + 3 * a;
+        const double square = vector_dot(load, load);
+        double share = m->substep == 0 ? 1 : 0;
+
+        if (m->substep > 0 && square > 0)
+            share = mass / m->dt * vector_dot(m->gain + 3 * a, load) / square;
+        share = fmin(fmax(share, 0), 1);
+        for (int c = 3 * a, i = 0; i < 3; c++, i++) {
+            m->start[c] = m->x[c];
+            m->target[c] = m->x[c] + (mass / m->dt * m->v[c] + load[i]) / m->inertia[a];
+            m->x[c] += m->dt * (m->v[c] + share * m->dt * load[i] / mass);
+        }
+    }
+}
+
+/* Goes beyond the last of `done` sweeps; *w is Chebyshev's factor. */
+static void accelerate(struct vb_motion *m, int done, double *w)
+{
+    const double square = m->own.chebyshev * m->own.chebyshev;
+    double *oldest = m->before[done % 2];
+
+    *w = done == 1 ? 1 : done == 2 ? 2 / (2 - square) : 4 / (4 - square * *w);
+    for (size_t n = 0; n < count(m); n++) {
+        if (done > 1)
+            m->x[n] = *w * (m->x[n] - oldest[n]) + oldest[n];
+        oldest[n] = m->x[n];
+    }
+}
+
+/* Measures the force that the sweeps left. */
+static void measure(struct vb_motion *m, const struct vb_step *s, double t)
+{
+    double loads = 0;
+
+    for (size_t n = 0; n < count(m); n++)
+        loads += m->load.load[n] * m->load.load[n];
+    const double left =
+        vb_body_residual(&m->body, s, m->x) / sqrt(loads / m->net.points.nodes);
+    if (loads > 0 && !(left <= m->left))
+        m->left = left, m->left_time = t;
+}
+
+static enum status substep(struct vb_motion *m, bool asked)
+{
+    enum status st = STATUS_OK;
+    const struct vb_step s = {m->inertia, m->target, m->supports.free_index};
+    double t = (double)(m->substep + 1) / m->substeps * m->scene->step, w = 1;
+
+    predict(m);
+    hold(m, t);
+    if (m->own.chebyshev > 0)
+        memcpy(m->before[0], m->x, count(m) * sizeof *m->x);
+    for (int k = 1; k <= m->iterations; k++) {
+        vb_body_sweep(&m->body, &s, m->x);
+        if (m->own.chebyshev > 0)
+            accelerate(m, k, &w);
+    }
+    if (asked)
+        measure(m, &s, t);
+    TRY(net_contact_project(m->contact, t, m->start, m->x));
+    for (size_t n = 0; n < count(m); n++) {
+        const double v = (m->x[n] - m->start[n]) / m->dt;
+        m->gain[n] = v - m->v[n];
+        m->v[n] = v;
+        if (!isfinite(v))
+            return STATUS_NAN;
+    }
+    m->substep++;
+out:
+    return st;
+}
+
+/* Implement model.h's entries for a struct vb_motion: frame that of advance. STATUS_NAN. */
+static enum status vb_motion_frame(void *motion, struct counters *counters)
+{
+    struct vb_motion *m = motion;
+    enum status st = STATUS_OK;
+
+    net_contact_frame(m->contact);
+    for (int n = 1; n <= m->substeps; n++)
+        TRY(substep(m, n == m->substeps && m->frame % MEASURED == 0));
+    m->frame++;
+    counters->steps++;
+    counters->substeps += m->substeps;
+    counters->iterations += (long)m->substeps * m->iterations;
+    counters->left = m->left;
+    for (size_t n = 0; n < count(m); n++)
+        m->v[n] *= m->load.keep;
+out:
+    return st;
+}
+
+/* --- what came of it ---------------------------------------------------------------------
+ */
+
+void vb_motion_energy(const void *motion, struct energy *energy)
+{
+    const struct vb_motion *m = motion;
+
+    spring_load_energy(&m->load, m->x, m->v, energy);
+    energy->elastic = fmax(elastic(m) - m->rest_energy, 0);
+}
+
+static void vb_motion_contact(const void *motion, struct model_contact *contact)
+{
+    const struct vb_motion *m = motion;
+
+    *contact = net_contact_report(m->contact);
+}
 
 /* clang-format off */
 static const struct schema_key options[] = {

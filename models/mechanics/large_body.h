@@ -72,7 +72,7 @@ size_t large_body_strains(const struct large_body *b);
  *
  * K is symmetric: exact in statics without foresight; in time, where the derivative of the
  * force is not symmetric, with the geometry's strain variations on both sides, and without
- * terms that are negligible beside the inertia (shell_tangent.h). */
+ * terms that are negligible beside the inertia (shell_element.h). */
 enum status large_body_strain(const struct large_body *b, const double *x, double *strain);
 enum status large_body_force(const struct large_body *b, const struct large_path *path,
                              const double *x, double *force);

@@ -44,14 +44,14 @@ struct spring_sweep_clamp {
     double strut;    /* [N]                                                             */
 };
 
-/* The strain measure of triangles (triangles/tri_strain.h). */
+/* The strain measure of triangles (triangles/tri_body.h). */
 enum membrane { MEMBRANE_GREEN, MEMBRANE_COROTATIONAL, MEMBRANE_BARAFF_WITKIN };
 
 /* A membrane of triangles in place of springs: each cell cut along one diagonal, in turns
- * (triangles/tri_net.h). */
+ * (triangles/tri_body.h). */
 struct spring_cells {
     enum membrane membrane;
-    double D[4];    /* D11, D12, D22, D33 of strains (triangles/tri_strain.h) [N/m]    */
+    double D[4];    /* D11, D12, D22, D33 of strains (triangles/tri_body.h) [N/m]    */
     double cell[2]; /* a_u, a_v                                                [m]     */
 };
 

@@ -5,7 +5,7 @@
  * A cell has edges `bottom`, `top` along u and `left`, `right` along v. Where four
  * diagonals meet at its first point, its right angles lie between bottom and right, and
  * between top and left; elsewhere between bottom and left, and between top and right
- * (tri_net.h). */
+ * (tri_body.h). */
 
 struct NAME(law) {
     REAL uu, vv, uv; /* per metre of edge: 1 / a_u^2, 1 / a_v^2, 1 / (a_u a_v)      */

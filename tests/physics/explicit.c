@@ -3,7 +3,7 @@
  * fall.c; order: time_order.c; rest: settle.c.) */
 #include "models/mechanics/lumped_mass.h"
 #include "models/solid/solid_motion.h"
-#include "shell_ref/shell_motion.h"
+#include "shell_ref/shell_model.h"
 #include "tests/opened_run.h"
 
 /* A thick, soft sheet: it bends a lot, and a solid's steps are not many. */

@@ -3,10 +3,10 @@
 #include <float.h>
 
 #include "mass_spring/spring_motion.h"
-#include "shell_ref/shell_motion.h"
+#include "shell_ref/shell_model.h"
 #include "models/solid/solid_motion.h"
 #include "tests/opened_run.h"
-#include "triangles/tri_motion.h"
+#include "triangles/tri_model.h"
 
 enum { FRAMES = 60, EXTRA = 2 };
 

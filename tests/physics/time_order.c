@@ -4,7 +4,7 @@
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/opened_run.h"
-#include "triangles/tri_motion.h"
+#include "triangles/tri_model.h"
 
 /* Tolerance of an order, seen between two changes of the step. */
 static const double TOL_ORDER = 0.3;

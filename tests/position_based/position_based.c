@@ -1,6 +1,5 @@
 /* Constraints on positions: momentum, what steps converge to, rest, damping, order in time,
  * what single precision loses. */
-#include "position_based/pb_motion.h"
 #include "position_based/position_based_model.h"
 #include "projective_dynamics/pd_motion.h"
 #include "tests/mass_spring.h"

@@ -4,7 +4,7 @@
 
 #include "tests/derivative_fixture.h"
 #include "tests/opened_run.h"
-#include "triangles/tri_motion.h"
+#include "triangles/tri_model.h"
 
 static const double PI = 3.14159265358979323846;
 

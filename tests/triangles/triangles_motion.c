@@ -1,7 +1,7 @@
 /* Triangles in motion: a hinge, one solve a step where cells ring, explicit steps by the
  * slope of the energy. (Bent: nets_bend.c; in time: fall.c, time_order.c, momenta.c.) */
 #include "tests/opened_run.h"
-#include "triangles/tri_motion.h"
+#include "triangles/tri_model.h"
 
 /* A support of the mid-surface alone is a hinge, on which the strip turns freely; nothing
  * else does. */

@@ -2,7 +2,7 @@
  * springs; each lowers the residual; Chebyshev's need fewer; hinges scaled by the cells'
  * width make another cloth of another net. */
 #include "tests/opened_run.h"
-#include "vertex_block/vb_motion.h"
+#include "vertex_block/vertex_block_model.h"
 
 /* Newton's method ends at 1e-8 L in a step (large_newton.c); ten steps add up. */
 static const double TOL_SAME = 1e-6;

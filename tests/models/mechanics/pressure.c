@@ -1,7 +1,7 @@
 /* Pressure on a tube: its force is the derivative of the energy, and its tangent that of
  * the force, where the edges stay in their planes; it moves no centre of mass, a ring
  * under it breathes, by implicit and by explicit steps. */
-#include "shell_ref/shell_motion.h"
+#include "shell_ref/shell_model.h"
 #include "models/vector.h"
 #include "tests/derivative_fixture.h"
 #include "tests/opened_run.h"

@@ -11,6 +11,7 @@
 #ifndef ELASTICA_H
 #define ELASTICA_H
 
+#include "models/scene.h"
 #include "models/status.h"
 
 #define ELASTICA_MIN 1e-4
@@ -37,5 +38,13 @@ enum status elastica_solve(double gamma, struct elastica_point *tip);
  * with k the sine of half the greatest slope (Euler 1744; Love, Theory of Elasticity, sec.
  * 262-263). Relative error below 1e-12; NaN outside that range. */
 double elastica_buckled(double shortening);
+
+/* The heavy elastica of a narrow strip 1 m long whose bending softens (law.h). Its sides
+ * are free, so that its curvature follows from the moment alone: it minimises the energy
+ * less moment k_uu over k_vv and k_uv. theta' = -k(M),  M' = weight s cos theta,  s from
+ * the free end, is shot by the mid-point rule. */
+
+/* Solves for the tip under a weight [N/m^2]; returns the error left by the step [m]. */
+double elastica_soft(const struct law *law, double weight, struct elastica_point *tip);
 
 #endif

@@ -4,7 +4,63 @@
 #ifndef PLATE_MODEL_H
 #define PLATE_MODEL_H
 
+#include "iga/line_rule.h"
+#include "iga/patch.h"
 #include "models/model.h"
+#include "models/solid/solid_space.h"
+
+/* A B-spline patch as a solid_space: elements are the non-empty knot spans, nodes the
+ * control points or, with the thickness basis, Legendre coefficients of each column of
+ * control points. Their parameters along u are those of their part (bspline.h). */
+
+/* The lines of points of a remedy: reduced_rule.h's; line_rule.h's greville, bending. */
+enum { PLATE_REDUCED, PLATE_GREVILLE, PLATE_BENDING, PLATE_LINES };
+
+struct plate_tables {
+    struct line_table direction[3];         /* values and slopes, as of `cure` */
+    struct line_table cure[PLATE_LINES][2]; /* u, v of a cure; else all zero           */
+    double layer[2][2]; /* its functions through the thickness at w = 1/2: N, dN/dw    */
+    const double *point_weight; /* [nodes] NURBS weights or NULL; borrowed from patch  */
+};
+
+/* Builds *space and *tables of the patch's present shape; gauss[3] points per span, 0: p+1.
+ * `thickness` asks for the Legendre basis through w: one span there, and weights, if any,
+ * that do not vary through it. The patch is borrowed for its weights. Parity is left NULL.
+ */
+enum status plate_space_init(struct solid_space *space, struct plate_tables *tables,
+                             const struct patch *patch, const int gauss[3], bool thickness);
+void plate_space_clear(struct solid_space *space, struct plate_tables *tables);
+
+/* Integrates the stiffness of *space by as many points in u and in v as there are functions
+ * (reduced_rule.h). With one linear function through the thickness it adds plane stress:
+ * that function cannot follow the strain that nu requires. */
+enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
+                               const struct patch *patch);
+
+/* Sets the stiffness of *space, one linear layer, to solid_layer.h's, at as many points as
+ * functions, but bending by line_rule_bending. A net that zigzags along u and v stands
+ * still at all points of plate_space_reduce (of odd degree): in the folds of a flag it
+ * stretched ninefold. The stretch along u is therefore seen from the Greville points along
+ * v, where what zigzags has values, and that along v likewise. (Tried, and left: transverse
+ * shear at these, and the stretch across the thickness at the Greville points of both: the
+ * director then collapses between its points in a fold; or at those of bending: a sheet of
+ * 10x10 that falls locks, .08 of its length off for .016 at .4 s.) Weights do not vary
+ * through w. */
+enum status plate_space_select(struct solid_space *space, struct plate_tables *tables,
+                               const struct patch *patch);
+
+/* Changes, after plate_space_select, bending near the clamp along u (i = 0) or v, at 0 or
+ * at `end`, to that of a solid that keeps its thickness there. What the faces gain and lose
+ * when the plate bends, q - as eps_33 is linear through it, energy int (lambda + 2 mu) (q +
+ * c tr k)^2 / 2 + mu q'^2 h^2 / 120 a unit of bending, c = nu / (1 - nu) - decays from the
+ * clamp with exp(-x / l), l^2 = h^2 (1 - nu) / 120, and the plate bends by k (1 - c^2
+ * exp(-x / l)) where plane stress bends by k: a clamp is l c^2 farther in, 0.06 h at nu =
+ * 0.49. Of that the points of the rule get what makes the turn right for every moment that
+ * their polynomials can follow, however much longer than l the spans are. (The derivation
+ * is ours; on such layers, Gregory and Wan, J. Elasticity 14, 1984.) `thickness` is
+ * relative to the length along i. */
+void plate_space_clamp(struct plate_tables *tables, const struct patch *patch, int i,
+                       bool end, double thickness, double poisson);
 
 extern const struct model plate_model;
 

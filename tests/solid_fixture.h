@@ -5,8 +5,8 @@
 
 #include <lapacke.h>
 
-#include "fem_ref/hex_space.h"
-#include "iga/plate_space.h"
+#include "fem_ref/hex_model.h"
+#include "iga/plate_model.h"
 #include "models/solid/solid_assembly.h"
 #include "tests/check.h"
 #include "tests/spline_fixture.h"

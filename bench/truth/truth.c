@@ -7,7 +7,7 @@
 
 #include "bench/harness/distrust.h"
 #include "bench/truth/truth_parts.h"
-#include "fem_ref/kirchhoff_field.h"
+#include "fem_ref/kirchhoff.h"
 #include "models/contact/contact_shape.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"

@@ -6,7 +6,7 @@
 
 #include "bench/truth/truth.h"
 #include "fem_ref/elastica.h"
-#include "fem_ref/kirchhoff_field.h"
+#include "fem_ref/kirchhoff.h"
 #include "models/damping.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"

@@ -1,6 +1,6 @@
 /* The heavy elastica against values computed elsewhere by another method, and its limits.
  */
-#include "fem_ref/elastica_soft.h"
+#include "fem_ref/elastica.h"
 #include "fem_ref/reference.h"
 #include "tests/check.h"
 

@@ -2,7 +2,6 @@
  * elsewhere, convergence of the series. */
 #include "fem_ref/kirchhoff.h"
 #include "fem_ref/reference.h"
-#include "fem_ref/ritz.h"
 #include "models/linalg/gauss.h"
 #include "tests/check.h"
 

@@ -1,6 +1,6 @@
 /* The Kirchhoff truth on the material grid: where points go, and which scenes it refuses.
  */
-#include "fem_ref/kirchhoff_field.h"
+#include "fem_ref/kirchhoff.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/check.h"

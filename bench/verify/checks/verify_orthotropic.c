@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "bench/verify/verify_check.h"
-#include "fem_ref/elastica_soft.h"
+#include "fem_ref/elastica.h"
 #include "models/law/law.h"
 
 /* No modulus is another's multiple by what a mistake would take for it. The cloth of strips

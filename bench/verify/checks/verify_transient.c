@@ -3,7 +3,7 @@
 #include "bench/truth/truth.h"
 #include "bench/verify/verify_check.h"
 #include "fem_ref/freefem.h"
-#include "fem_ref/kirchhoff_field.h"
+#include "fem_ref/kirchhoff.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "bench/truth/truth.h"
-#include "fem_ref/kirchhoff_field.h"
+#include "fem_ref/kirchhoff.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"

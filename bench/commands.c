@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "bench/truth/truth.h"
+#include "bench/score/score_command.h"
 #include "bench/experiment/study.h"
 #include "bench/harness/contestant.h"
 #include "bench/ui/table.h"

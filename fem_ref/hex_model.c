@@ -99,9 +99,9 @@ static void place_nodes(struct solid_space *space, int sheets, const int points[
         }
 }
 
-enum status hex_space_init(struct solid_space *space, struct hex_tables *tables, int sheets,
-                           const int points[3], const double *x, bool thickness,
-                           bool incompatible)
+enum status hex_model_space(struct solid_space *space, struct hex_tables *tables,
+                            int sheets, const int points[3], const double *x,
+                            bool thickness, bool incompatible)
 {
     enum status st;
     int per_column = (points[1] - 1) * (points[2] - 1);
@@ -308,8 +308,8 @@ static enum status init(void *state, const struct scene *scene,
     if (!x)
         TRY(STATUS_MEMORY);
     memcpy(h->points, d->points, sizeof h->points);
-    TRY(hex_space_init(&h->sheet.space, &h->tables, sheets, d->points, x, thickness,
-                       d->remedy == REMEDY_INCOMPATIBLE));
+    TRY(hex_model_space(&h->sheet.space, &h->tables, sheets, d->points, x, thickness,
+                        d->remedy == REMEDY_INCOMPATIBLE));
     solid_space_spread(&h->sheet.space, scene);
     TRY(solid_model_init(&h->sheet, scene, d,
                          (const int[]){sheets * d->points[0], d->points[1], d->points[2]},

@@ -31,9 +31,9 @@ struct hex_tables {
  * nodes are those of their net. With `thickness` (points[2] == 2 only) each column's
  * unknowns are its middle and half its thickness vector. *tables must outlive *space and be
  * 64-byte aligned. */
-enum status hex_space_init(struct solid_space *space, struct hex_tables *tables, int sheets,
-                           const int points[3], const double *x, bool thickness,
-                           bool incompatible);
+enum status hex_model_space(struct solid_space *space, struct hex_tables *tables,
+                            int sheets, const int points[3], const double *x,
+                            bool thickness, bool incompatible);
 
 extern const struct model hex_model;
 

@@ -17,7 +17,7 @@
 
 /* Computes shifted Legendre polynomials P_k(2 w - 1), k = 0..degree, and derivatives or
  * NULL. */
-static void plate_space_legendre(int degree, double w, double *value, double *derivative)
+static void plate_legendre(int degree, double w, double *value, double *derivative)
 {
     double x = 2 * w - 1, p[BSPLINE_MAX_ORDER], d[BSPLINE_MAX_ORDER];
 
@@ -35,13 +35,12 @@ static void plate_space_legendre(int degree, double w, double *value, double *de
 }
 
 /* Computes values at w of the functions through the thickness in use, N[order]. */
-static void plate_space_thickness(const struct patch *patch, bool thickness, double w,
-                                  double *N)
+static void plate_thickness(const struct patch *patch, bool thickness, double w, double *N)
 {
     const struct bspline *b = &patch->basis[2];
 
     if (thickness)
-        plate_space_legendre(b->p, w, N, NULL);
+        plate_legendre(b->p, w, N, NULL);
     else
         bspline_eval(b, bspline_span(b, w), w, 0, N);
 }
@@ -49,7 +48,7 @@ static void plate_space_thickness(const struct patch *patch, bool thickness, dou
 static void legendre(const struct bspline *b, int span, double w, int order, double *out)
 {
     (void)span;
-    plate_space_legendre(b->p, w, out, order ? out + b->p + 1 : NULL);
+    plate_legendre(b->p, w, out, order ? out + b->p + 1 : NULL);
 }
 
 /* Returns values, followed by slopes, at point q of span e. */
@@ -173,7 +172,7 @@ static void column_coefficients(const struct bspline *b, const double *point, do
     gauss_rule(b->n, x, w);
     for (int q = 0; q < b->n; q++) {
         bspline_eval(b, b->p, x[q], 0, N);
-        plate_space_legendre(b->p, x[q], P, NULL);
+        plate_legendre(b->p, x[q], P, NULL);
         for (int i = 0; i < 3; i++) {
             double V = 0;
             for (int c = 0; c < b->n; c++)
@@ -207,7 +206,7 @@ static void place_nodes(struct solid_space *space, const struct patch *patch)
                             space->rest + 3 * (size_t)a);
 }
 
-void plate_space_clear(struct solid_space *space, struct plate_tables *tables)
+void plate_model_clear(struct solid_space *space, struct plate_tables *tables)
 {
     solid_space_clear(space);
     if (!tables)
@@ -220,8 +219,8 @@ void plate_space_clear(struct solid_space *space, struct plate_tables *tables)
     memset(tables, 0, sizeof *tables);
 }
 
-enum status plate_space_init(struct solid_space *space, struct plate_tables *tables,
-                             const struct patch *patch, const int gauss[3], bool thickness)
+enum status plate_model_space(struct solid_space *space, struct plate_tables *tables,
+                              const struct patch *patch, const int gauss[3], bool thickness)
 {
     enum status st = STATUS_OK;
     struct plate_tables t = {.point_weight = patch->weight};
@@ -247,7 +246,7 @@ enum status plate_space_init(struct solid_space *space, struct plate_tables *tab
     *space = new, *tables = t;
     return STATUS_OK;
 out:
-    plate_space_clear(&new, &t);
+    plate_model_clear(&new, &t);
     return st;
 }
 
@@ -308,7 +307,7 @@ static enum status make_line(struct plate_tables *tables, const struct bspline *
     return line_rule_table(&tables->cure[l][i], b, st, &rule, 2, bspline_eval);
 }
 
-enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
+enum status plate_model_reduce(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch)
 {
     enum status st = STATUS_OK;
@@ -381,7 +380,7 @@ static int layer_functions(const struct solid_space *space, int element,
     return points;
 }
 
-enum status plate_space_select(struct solid_space *space, struct plate_tables *tables,
+enum status plate_model_select(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch)
 {
     double face[2][2];
@@ -391,7 +390,7 @@ enum status plate_space_select(struct solid_space *space, struct plate_tables *t
         for (int i = 0; i < 2 && st == STATUS_OK; i++)
             st = make_line(tables, &patch->basis[i], l, i);
     for (int k = 0; k < 2; k++)
-        plate_space_thickness(patch, space->thickness_basis, k, face[k]);
+        plate_thickness(patch, space->thickness_basis, k, face[k]);
     for (int c = 0; c < 2; c++) {
         tables->layer[0][c] = (face[0][c] + face[1][c]) / 2;
         tables->layer[1][c] = face[1][c] - face[0][c];
@@ -426,7 +425,7 @@ static void decaying(int count, const double *y, double a, double b, double *out
     }
 }
 
-void plate_space_clamp(struct plate_tables *tables, const struct patch *patch, int i,
+void plate_model_clamp(struct plate_tables *tables, const struct patch *patch, int i,
                        bool end, double thickness, double poisson)
 {
     const struct bspline *b = &patch->basis[i];
@@ -569,7 +568,7 @@ static int alive(const struct plate *p, int i, double at, double *value)
 
     if (i < 2)
         return bspline_alive(b, sheet, at, 0, value);
-    plate_space_thickness(&p->patch, p->sheet.space.thickness_basis, at, value);
+    plate_thickness(&p->patch, p->sheet.space.thickness_basis, at, value);
     return bspline_span(b, at) - b->p;
 }
 
@@ -578,7 +577,7 @@ static void layer_values(const void *context, double w, double *N)
 {
     const struct plate *p = context;
 
-    plate_space_thickness(&p->patch, p->sheet.space.thickness_basis, w, N);
+    plate_thickness(&p->patch, p->sheet.space.thickness_basis, w, N);
 }
 
 static enum status add_loads(struct plate *p, struct message *why)
@@ -713,7 +712,7 @@ static void clear(void *state)
     struct plate *p = state;
 
     solid_motion_clear(&p->sheet.motion);
-    plate_space_clear(&p->sheet.space, &p->tables);
+    plate_model_clear(&p->sheet.space, &p->tables);
     patch_clear(&p->patch);
     free(p->scene.supports);
     free(p->uvw);
@@ -751,7 +750,7 @@ static void clamp_edges(struct plate *p, const struct scene *scene)
     for (int i = 0; i < 2; i++)
         for (int end = 0; end < 2; end++)
             if (scene_edge_clamped(scene, 0, i, end))
-                plate_space_clamp(&p->tables, &p->patch, i, end, law.thickness / length[i],
+                plate_model_clamp(&p->tables, &p->patch, i, end, law.thickness / length[i],
                                   law.poisson);
 }
 
@@ -894,17 +893,17 @@ static enum status init(void *state, const struct scene *scene,
     TRY(support_knots_hold(scene, p->patch.basis, &p->scene.supports));
     one_element = p->patch.basis[2].n == p->patch.basis[2].p + 1 && !d->weight_count;
     TRY(solid_model_basis(scene, d, one_element, &thickness, why));
-    TRY(plate_space_init(&p->sheet.space, &p->tables, &p->patch, d->gauss, thickness));
+    TRY(plate_model_space(&p->sheet.space, &p->tables, &p->patch, d->gauss, thickness));
     solid_space_spread(&p->sheet.space, scene);
     if (d->remedy == REMEDY_REDUCED)
-        TRY(plate_space_reduce(&p->sheet.space, &p->tables, &p->patch));
+        TRY(plate_model_reduce(&p->sheet.space, &p->tables, &p->patch));
     if (has_layer(d))
-        TRY(plate_space_select(&p->sheet.space, &p->tables, &p->patch));
+        TRY(plate_model_select(&p->sheet.space, &p->tables, &p->patch));
     if (d->remedy == REMEDY_CLAMPED)
         clamp_edges(p, scene);
     TRY(find_grid(p));
     const struct bspline *b = p->patch.basis;
-    plate_space_thickness(&p->patch, false, 0.5, middle);
+    plate_thickness(&p->patch, false, 0.5, middle);
     TRY(solid_model_init(&p->sheet, &p->scene, d,
                          (const int[]){b[0].n, bspline_points(&b[1]), b[2].n},
                          one_element ? middle : NULL, why));

@@ -27,29 +27,30 @@ struct plate_tables {
  * `thickness` asks for the Legendre basis through w: one span there, and weights, if any,
  * that do not vary through it. The patch is borrowed for its weights. Parity is left NULL.
  */
-enum status plate_space_init(struct solid_space *space, struct plate_tables *tables,
-                             const struct patch *patch, const int gauss[3], bool thickness);
-void plate_space_clear(struct solid_space *space, struct plate_tables *tables);
+enum status plate_model_space(struct solid_space *space, struct plate_tables *tables,
+                              const struct patch *patch, const int gauss[3],
+                              bool thickness);
+void plate_model_clear(struct solid_space *space, struct plate_tables *tables);
 
 /* Integrates the stiffness of *space by as many points in u and in v as there are functions
  * (reduced_rule.h). With one linear function through the thickness it adds plane stress:
  * that function cannot follow the strain that nu requires. */
-enum status plate_space_reduce(struct solid_space *space, struct plate_tables *tables,
+enum status plate_model_reduce(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 
 /* Sets the stiffness of *space, one linear layer, to solid_layer.h's, at as many points as
  * functions, but bending by line_rule_bending. A net that zigzags along u and v stands
- * still at all points of plate_space_reduce (of odd degree): in the folds of a flag it
+ * still at all points of plate_model_reduce (of odd degree): in the folds of a flag it
  * stretched ninefold. The stretch along u is therefore seen from the Greville points along
  * v, where what zigzags has values, and that along v likewise. (Tried, and left: transverse
  * shear at these, and the stretch across the thickness at the Greville points of both: the
  * director then collapses between its points in a fold; or at those of bending: a sheet of
  * 10x10 that falls locks, .08 of its length off for .016 at .4 s.) Weights do not vary
  * through w. */
-enum status plate_space_select(struct solid_space *space, struct plate_tables *tables,
+enum status plate_model_select(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
 
-/* Changes, after plate_space_select, bending near the clamp along u (i = 0) or v, at 0 or
+/* Changes, after plate_model_select, bending near the clamp along u (i = 0) or v, at 0 or
  * at `end`, to that of a solid that keeps its thickness there. What the faces gain and lose
  * when the plate bends, q - as eps_33 is linear through it, energy int (lambda + 2 mu) (q +
  * c tr k)^2 / 2 + mu q'^2 h^2 / 120 a unit of bending, c = nu / (1 - nu) - decays from the
@@ -59,7 +60,7 @@ enum status plate_space_select(struct solid_space *space, struct plate_tables *t
  * their polynomials can follow, however much longer than l the spans are. (The derivation
  * is ours; on such layers, Gregory and Wan, J. Elasticity 14, 1984.) `thickness` is
  * relative to the length along i. */
-void plate_space_clamp(struct plate_tables *tables, const struct patch *patch, int i,
+void plate_model_clamp(struct plate_tables *tables, const struct patch *patch, int i,
                        bool end, double thickness, double poisson);
 
 extern const struct model plate_model;

@@ -91,7 +91,7 @@ static inline void solid_shake(struct patch *patch, const double size[3], double
             part * (random_unit(state) - 0.5) * size[t % 3] / (patch->basis[t % 3].n - 1);
 }
 
-/* Takes the patch over. gauss[3] as plate_space_init has it; hexahedra have their own. */
+/* Takes the patch over. gauss[3] as plate_model_space has it; hexahedra have their own. */
 static inline void solid_make(struct solid *s, enum solid_kind kind, struct patch *patch,
                               const int gauss[3], bool thickness,
                               const struct solid_material *material)
@@ -104,16 +104,16 @@ static inline void solid_make(struct solid *s, enum solid_kind kind, struct patc
     memset(patch, 0, sizeof *patch);
     b = s->patch.basis;
     if (kind <= SOLID_SELECTIVE)
-        REQUIRE(plate_space_init(&s->space, &s->tables, &s->patch, gauss, thickness) ==
+        REQUIRE(plate_model_space(&s->space, &s->tables, &s->patch, gauss, thickness) ==
                 STATUS_OK);
     else
-        REQUIRE(hex_space_init(&s->space, &s->hex, 1, (int[]){b[0].n, b[1].n, b[2].n},
-                               s->patch.point, thickness,
-                               kind == SOLID_INCOMPATIBLE) == STATUS_OK);
+        REQUIRE(hex_model_space(&s->space, &s->hex, 1, (int[]){b[0].n, b[1].n, b[2].n},
+                                s->patch.point, thickness,
+                                kind == SOLID_INCOMPATIBLE) == STATUS_OK);
     if (kind == SOLID_REDUCED)
-        REQUIRE(plate_space_reduce(&s->space, &s->tables, &s->patch) == STATUS_OK);
+        REQUIRE(plate_model_reduce(&s->space, &s->tables, &s->patch) == STATUS_OK);
     if (kind == SOLID_SELECTIVE)
-        REQUIRE(plate_space_select(&s->space, &s->tables, &s->patch) == STATUS_OK);
+        REQUIRE(plate_model_select(&s->space, &s->tables, &s->patch) == STATUS_OK);
     REQUIRE(solid_assembly_init(&s->assembly, &s->space, material) == STATUS_OK);
     REQUIRE(solid_assembly_compute(&s->assembly, s->space.rest) == STATUS_OK);
 }
@@ -122,7 +122,7 @@ static inline void solid_clear(struct solid *s)
 {
     solid_assembly_clear(&s->assembly);
     if (s->kind <= SOLID_SELECTIVE)
-        plate_space_clear(&s->space, &s->tables);
+        plate_model_clear(&s->space, &s->tables);
     else
         solid_space_clear(&s->space);
     patch_clear(&s->patch);

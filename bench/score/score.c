@@ -4,6 +4,225 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/frames/frames_array.h"
+#include "bench/harness/settings.h"
+#include "bench/truth/truth.h"
+#include "models/metric/metric_rest.h"
+#include "models/reader/named_file.h"
+#include "models/reader/scene_file.h"
+
+enum { TENTHS_MOST = 100 };
+
+int score_truth_few(int n)
+{
+    return n / SCORE_SIDE * SCORE_EVERY * GRID_U + n % SCORE_SIDE * SCORE_EVERY;
+}
+
+/* Replaces the first layer of a field by the mean of both. */
+static void flatten(double *xyz)
+{
+    for (int n = 0; n < 3 * SCORE_POINTS; n++)
+        xyz[n] = .5 * (xyz[n] + xyz[3 * SCORE_POINTS + n]);
+}
+
+/* Takes a closed form or a stored truth; nothing is claimed where there is neither. */
+static enum status take_known(struct score_truth *t, struct message *why)
+{
+    const enum status st = truth_known(&t->scene, &t->known, why);
+
+    t->moves = st == STATUS_OK && !t->known.closed;
+    return st == STATUS_FILE || st == STATUS_UNSUPPORTED ? STATUS_OK : st;
+}
+
+/* Evaluates an exact solution every tenth of a second; `word` is the user's name for it. */
+static enum status take_formula(const char *word, const char *path,
+                                const struct settings *settings, struct score_truth *t,
+                                struct message *why)
+{
+    const int all = (int)floor(10 * t->scene.end + 1e-9);
+    const int times = all < 1 ? 1 : all < TENTHS_MOST ? all : TENTHS_MOST;
+    double time[TENTHS_MOST];
+    struct truth *truth = NULL;
+    enum status st;
+
+    for (int n = 0; n < times; n++)
+        time[n] = all < 1 ? t->scene.end : (n + 1) / 10.0;
+    st = truth_find(path, settings, times, time, NULL, &truth, NULL);
+    if (st != STATUS_OK && st != STATUS_MEMORY) {
+        st = truth_plan_check(&t->scene, why);
+        TRY(st == STATUS_UNSUPPORTED ? STATUS_INPUT : st);
+        st = status_fail(why, STATUS_INPUT,
+                         "nothing is known of the motion of %s; clothbench truth %s makes "
+                         "its truth by runs, and CLOTHBENCH_TRUTHS=results/truths before "
+                         "this command has it found",
+                         word, word);
+    }
+    TRY(st);
+    truth_clear(&t->known);
+    t->known = *truth;
+    free(truth);
+out:
+    return st;
+}
+
+/* Chooses the times at which frames are judged: of a stored truth those at which tables
+ * judge, or its last one; of others all. */
+static enum status choose_times(struct score_truth *t)
+{
+    const int claimed = t->known.claimed;
+
+    t->at = malloc((size_t)claimed * sizeof *t->at);
+    if (!t->at)
+        return STATUS_MEMORY;
+    for (int n = 0; n < claimed; n++)
+        if (!t->moves || truth_plan_judges(&t->scene, t->known.time[n]) ||
+            (n == claimed - 1 && !t->times))
+            t->at[t->times++] = n;
+    return STATUS_OK;
+}
+
+enum status score_truth_read(const char *scene, struct score_truth *t, struct message *why)
+{
+    struct settings settings = {0};
+    char *path = NULL;
+    enum status st;
+
+    memset(t, 0, sizeof *t);
+    TRY(scene_file_find(scene, &path, why));
+    TRY(truth_plan_scene(path, &settings, &t->scene, why));
+    t->undamped = settings.count > 0;
+    TRY(take_known(t, why));
+    if (!t->known.claimed)
+        TRY(take_formula(scene, path, &settings, t, why));
+    TRY(choose_times(t));
+    for (int n = 0; n < t->known.claimed; n++)
+        flatten(t->known.xyz[n]);
+    t->rest = metric_rest_field(&t->scene);
+    TRY(t->rest ? STATUS_OK : STATUS_MEMORY);
+    flatten(t->rest);
+out:
+    settings_clear(&settings);
+    free(path);
+    if (st != STATUS_OK)
+        score_truth_clear(t);
+    return st;
+}
+
+void score_truth_clear(struct score_truth *t)
+{
+    scene_clear(&t->scene);
+    truth_clear(&t->known);
+    free(t->at);
+    free(t->rest);
+    memset(t, 0, sizeof *t);
+}
+
+#define SCENE "edge_drop"
+enum { TIMES_MOST = 1000 };
+
+static const struct named_file_kind kind = {
+    .what = "ladder of truths",
+    .ending = ".npz",
+    .environment = "CLOTHBENCH_LADDERS",
+    .from_program = LADDERS_FROM_PROGRAM,
+    .in_source = LADDERS_IN_SOURCE,
+};
+
+/* Finds whether a scene has the same physics as the ladder's scene. */
+static enum status serves(const struct scene *scene, bool *does)
+{
+    struct settings settings = {0};
+    struct scene own = {0};
+    char *path = NULL, *text = NULL;
+    enum status st;
+
+    *does = false;
+    TRY(scene_file_find(SCENE, &path, NULL));
+    TRY(truth_plan_scene(path, &settings, &own, NULL));
+    TRY(truth_physics(&own, &text));
+    *does = truth_physics_check(text, scene, NULL) == STATUS_OK;
+out:
+    free(path);
+    free(text);
+    scene_clear(&own);
+    settings_clear(&settings);
+    return st == STATUS_MEMORY ? st
+                               : STATUS_OK; /* without such a scene there is no ladder */
+}
+
+static enum status read_all(struct frames_array *file, const char *path,
+                            struct score_ladder *l, struct message *why)
+{
+    unsigned long long size[8];
+    enum status st;
+
+    TRY(frames_array_begin(file, "t", size, why));
+    if (size[0] < 1 || size[0] > TIMES_MOST)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: has %llu times; tools/ladder makes a file "
+                        "of 1 to %d",
+                        path, size[0], TIMES_MOST));
+    const size_t times = (size_t)size[0];
+    TRY(frames_array_load(file, "t", times, 1, &l->time, why));
+    TRY(frames_array_load(file, "scale", LADDER_RUNGS, 1, &l->scale, why));
+    TRY(frames_array_load(file, "size", LADDER_FLAWS, 1, &l->size, why));
+    TRY(frames_array_load(file, "bending", LADDER_RUNGS * times * LADDER_POINTS, 3,
+                          &l->rung, why));
+    TRY(frames_array_load(file, "flaw", LADDER_FLAWS * times * LADDER_POINTS, 3, &l->flaw,
+                          why));
+    TRY(frames_array_load(file, "bending_bar", LADDER_RUNGS * times, 1, &l->bar, why));
+    l->times = (int)times;
+out:
+    return st;
+}
+
+static void score_ladder_clear(struct score_ladder *l)
+{
+    free(l->time);
+    free(l->scale);
+    free(l->size);
+    free(l->rung);
+    free(l->flaw);
+    free(l->bar);
+    memset(l, 0, sizeof *l);
+}
+
+enum status score_ladder_read(const struct scene *scene, struct score_ladder *l,
+                              struct message *why)
+{
+    struct frames_array *file = NULL;
+    char *path = NULL;
+    bool does;
+    enum status st;
+
+    memset(l, 0, sizeof *l);
+    TRY(serves(scene, &does));
+    if (does)
+        st = named_file_find(&kind, SCENE "_ladder", &path, NULL);
+    if (!does || st != STATUS_OK) { /* none is installed: nothing is fitted */
+        st = st == STATUS_MEMORY ? st : STATUS_OK;
+        goto out;
+    }
+    TRY(frames_array_open(path, &file, why));
+    TRY(read_all(file, path, l, why));
+out:
+    free(path);
+    frames_array_close(file);
+    if (st != STATUS_OK)
+        score_ladder_clear(l);
+    return st == STATUS_UNSUPPORTED ? STATUS_INPUT : st;
+}
+
+const double *score_ladder_rung(const struct score_ladder *l, int rung, int time)
+{
+    return l->rung + 3L * LADDER_POINTS * (rung * l->times + time);
+}
+
+const double *score_ladder_flaw(const struct score_ladder *l, int flaw, int time)
+{
+    return l->flaw + 3L * LADDER_POINTS * (flaw * l->times + time);
+}
+
 /* A frame is at a time to within this [s]: a sheet at 10 m/s moves by 1e-5 m in it. */
 #define SAME_TIME 1e-6
 

@@ -5,9 +5,74 @@
 #define SCORE_H
 
 #include "bench/score/score_contact.h"
-#include "bench/score/score_ladder.h"
 #include "bench/score/score_net.h"
-#include "bench/score/score_truth.h"
+#include "bench/truth/truth.h"
+#include "models/grid.h"
+#include "models/scene.h"
+
+/* The ladder: edge_drop moved with other bending stiffnesses, and with one flaw each:
+ * frames are compared with them to find a flaw and its size. tools/ladder makes the file
+ * bench/truths/edge_drop_ladder.npz and says how. */
+
+enum { LADDER_RUNGS = 7, LADDER_BASE = 3, LADDER_U = 21, LADDER_V = 11 };
+enum { LADDER_POINTS = LADDER_U * LADDER_V };
+
+enum ladder_flaw {
+    LADDER_DAMPING, /* mass damping of `size` 1/s                                      */
+    LADDER_GRAVITY, /* gravity times `size`                                            */
+    LADDER_STRETCH, /* E h times `size`, D as it is                                    */
+    LADDER_HINGE,   /* the edge held as a hinge                                        */
+    LADDER_FLAWS
+};
+
+struct score_ladder {
+    int times;     /* 0: none of this scene                                           */
+    double *time;  /* [times] evenly from the first step on [s]                owned  */
+    double *scale; /* [LADDER_RUNGS] of D, evenly in its logarithm             owned  */
+    double *size;  /* [LADDER_FLAWS]                                           owned  */
+    double *rung;  /* [LADDER_RUNGS][times][LADDER_POINTS][3] [m]              owned  */
+    double *flaw;  /* [LADDER_FLAWS][times][LADDER_POINTS][3] [m]              owned  */
+    double *bar;   /* [LADDER_RUNGS][times] rms error bar [L]                  owned  */
+};
+
+/* Reads the ladder of this scene, moved as its truth is; `times` is 0 where there is none.
+ * Free with score_ladder_clear. STATUS_INPUT with a sentence: the file is damaged. */
+enum status score_ladder_read(const struct scene *scene, struct score_ladder *ladder,
+                              struct message *why);
+
+/* Return fields [LADDER_POINTS][3], u fastest. */
+const double *score_ladder_rung(const struct score_ladder *l, int rung, int time);
+const double *score_ladder_flaw(const struct score_ladder *l, int flaw, int time);
+
+/* The reference of a score: the middle surface of a scene's truth at the times at which it
+ * is known. */
+
+enum { SCORE_POINTS = GRID_U * GRID_V };
+
+/* A few of the grid's points, every ninth each way, for trying many motions. */
+enum { SCORE_EVERY = 9, SCORE_SIDE = (GRID_U - 1) / SCORE_EVERY + 1 };
+enum { SCORE_FEW = SCORE_SIDE * SCORE_SIDE };
+
+struct score_truth {
+    struct scene scene; /* as the truth moves: undamped where damping is no rate        */
+    bool undamped;      /* the scene is damped, and its truth is not                    */
+    int times;          /* at which frames are judged                                   */
+    int *at;            /* [times] their indices in `known`                   owned     */
+    bool moves;         /* the motion between those times is known, too                 */
+    struct truth known; /* the first layer of each field is the middle surface,
+                           [SCORE_POINTS][3] [m]                                        */
+    double *rest;       /* the same of the sheet at rest                      owned     */
+};
+
+/* Finds the truth of a scene by name or path: a closed form or a stored truth; runs
+ * nothing. STATUS_INPUT: there is no such scene, or no truth of it is known. Free with
+ * score_truth_clear. */
+enum status score_truth_read(const char *scene, struct score_truth *truth,
+                             struct message *why);
+void score_truth_clear(struct score_truth *truth); /* all-zero is allowed, and left */
+
+/* Returns the grid's index of the n-th of the few points. */
+int score_truth_few(int n);
 
 /* Says how frames are to be read. */
 struct score_look {

@@ -1,4 +1,4 @@
-#include "bench/ui/command.h"
+#include "bench/score/score_command.h"
 
 #include <stdio.h>
 #include <stdlib.h>

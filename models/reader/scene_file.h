@@ -2,7 +2,7 @@
  *
  * Settings are strings `key=value`: `material.young=5e4`, `supports[0].fix=xy`,
  * `damping={kind: none}`, `discretization.points=[10,10,2]`. The value is YAML; later
- * settings win; a discretization is reached by settings only. scene_check.h says what a
+ * settings win; a discretization is reached by settings only. scene_schema.c says what a
  * setting does to values of the file that it makes meaningless.
  *
  * What is wrong is said in one sentence without a line break, `file:line: ...` or

@@ -55,7 +55,8 @@ static const struct schema_key scene_material_keys[] = {
      SCHEMA_VECTOR, .most = LAW_MODULI, .want = "four numbers [Y11, Y22, Y12, G]", .low = -1e12,
      .high = 1e12, IN(scene, fabric.membrane)},
     {"bending", "fabric: bending stiffness likewise [N m]", SCHEMA_VECTOR, .most = LAW_MODULI,
-     .want = "four numbers [B1, B2, B12, B66]", .low = -1e9, .high = 1e9, IN(scene, fabric.bending)},
+     .want = "four numbers [B1, B2, B12, B66]", .low = -1e9, .high = 1e9,
+     IN(scene, fabric.bending)},
     {"areal_density", "fabric: mass per area [kg/m^2]", SCHEMA_NUMBER, POSITIVE,
      IN(scene, fabric.areal_density)},
     {"softening", "fabric: C of the moment B k + C k |k| along warp and weft, 0 or less "

@@ -11,7 +11,7 @@
  *   int N.stretch dV + int M.bend dV / 12, halved: plane stress along the sheet, 5/6 mu in
  * shear (Reissner 1945), Young's modulus across. Whatever must vanish in a thin sheet has
  * one point a function, or it locks; stretches 11 and 22 have points of their own
- * (plate_space_select). The plane-stress law, E / (1 - nu^2) (e_11^2 + e_22^2 + 2 nu e_11
+ * (plate_model_select). The plane-stress law, E / (1 - nu^2) (e_11^2 + e_22^2 + 2 nu e_11
  * e_22), is therefore parted into E / (1 + |nu|) of each at its own points and E |nu| / (1
  * - nu^2) (e_11 +- e_22)^2, the sign nu's, at those of the others: no part is negative.
  */

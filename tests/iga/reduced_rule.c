@@ -176,10 +176,10 @@ static void check_clamp(int points, double thickness, int i, bool end)
     double x[2], w[2], lost[2] = {0};
 
     solid_box(&box, &patch);
-    REQUIRE(!plate_space_init(&space, &tables, &patch, (int[3]){0}, true));
-    REQUIRE(!plate_space_select(&space, &tables, &patch));
+    REQUIRE(!plate_model_space(&space, &tables, &patch, (int[3]){0}, true));
+    REQUIRE(!plate_model_select(&space, &tables, &patch));
     REQUIRE(tables.cure[PLATE_BENDING][i].most == 2);
-    plate_space_clamp(&tables, &patch, i, end, thickness, nu);
+    plate_model_clamp(&tables, &patch, i, end, thickness, nu);
     gauss_rule(2, x, w);
     for (int e = 0, n = tables.cure[PLATE_BENDING][i].spans; e < n; e++)
         for (int q = 0; q < 2; q++) {
@@ -193,7 +193,7 @@ static void check_clamp(int points, double thickness, int i, bool end)
     for (int e = 0; e < tables.cure[PLATE_BENDING][!i].spans; e++)
         CHECK_NEAR(tables.cure[PLATE_BENDING][!i].weight[2 * e],
                    w[0] / tables.cure[PLATE_BENDING][!i].spans, ROUND_OFF);
-    plate_space_clear(&space, &tables);
+    plate_model_clear(&space, &tables);
     patch_clear(&patch);
 }
 

@@ -13,7 +13,7 @@
  * Finds the flaws, and their sizes, that turn the truth into the frames: least squares,
  * over all times and points, of the difference by each flaw's effect.
  *
- * On edge_drop what a flaw does is taken from the ladder (score_ladder.h): bending by
+ * On edge_drop what a flaw does is taken from the ladder: bending by
  * cubics in log D, the others in proportion. On a sheet that nothing holds it is known: a
  * fall by d(t) that begins with the velocity of half a step moves on by 2 d / t, and so on.
  * Elsewhere nothing is fitted.

@@ -55,23 +55,6 @@ static void soften(const struct law_fabric *f, struct law *law)
     }
 }
 
-struct law law_of_fabric(const struct law_fabric *fabric)
-{
-    struct law law = {.thickness = law_thickness(fabric)};
-
-    law_mean(fabric, &law.young, &law.poisson);
-    for (int part = 0; part < LAW_PARTS; part++) {
-        const double *m = part == LAW_BENDING ? fabric->bending : fabric->membrane;
-        const double own[LAW_ENTRIES] = {[LAW_11] = m[LAW_WARP],
-                                         [LAW_12] = m[LAW_CROSS],
-                                         [LAW_22] = m[LAW_WEFT],
-                                         [LAW_33] = m[LAW_SHEAR]};
-        law_turn(own, -fabric->warp, law.matrix[part]);
-    }
-    soften(fabric, &law);
-    return law;
-}
-
 double law_soft_energy(const struct law_soft *s, double k)
 {
     const double a = fabs(k), b = fmin(a, s->most);
@@ -100,7 +83,9 @@ double law_thickness(const struct law_fabric *f)
     return sqrt(12 * sqrt(B[LAW_WARP] / Y[LAW_WARP] * (B[LAW_WEFT] / Y[LAW_WEFT])));
 }
 
-void law_mean(const struct law_fabric *f, double *young, double *poisson)
+/* Computes E [Pa] and nu of the isotropic sheet, h_eff thick, that has the mean over all
+ * directions of the fabric's membrane; nu is 0.49 at most. */
+static void law_mean(const struct law_fabric *f, double *young, double *poisson)
 {
     const double *Y = f->membrane, both = Y[LAW_WARP] + Y[LAW_WEFT];
     const double along = (3 * both + 2 * Y[LAW_CROSS] + 4 * Y[LAW_SHEAR]) / 8;
@@ -148,7 +133,10 @@ void law_transform(const double matrix[LAW_ENTRIES], double T[3][3],
         }
 }
 
-void law_turn(const double matrix[LAW_ENTRIES], double degrees, double turned[LAW_ENTRIES])
+/* Computes a matrix in axes that are turned by `degrees` from its own: exactly for right
+ * angles. */
+static void law_turn(const double matrix[LAW_ENTRIES], double degrees,
+                     double turned[LAW_ENTRIES])
 {
     double c, s;
     turn_of(degrees, &c, &s);
@@ -179,4 +167,21 @@ double law_narrow(const double matrix[LAW_ENTRIES])
 
     law_invert(matrix, inverse);
     return 1 / inverse[LAW_11];
+}
+
+struct law law_of_fabric(const struct law_fabric *fabric)
+{
+    struct law law = {.thickness = law_thickness(fabric)};
+
+    law_mean(fabric, &law.young, &law.poisson);
+    for (int part = 0; part < LAW_PARTS; part++) {
+        const double *m = part == LAW_BENDING ? fabric->bending : fabric->membrane;
+        const double own[LAW_ENTRIES] = {[LAW_11] = m[LAW_WARP],
+                                         [LAW_12] = m[LAW_CROSS],
+                                         [LAW_22] = m[LAW_WEFT],
+                                         [LAW_33] = m[LAW_SHEAR]};
+        law_turn(own, -fabric->warp, law.matrix[part]);
+    }
+    soften(fabric, &law);
+    return law;
 }

@@ -75,10 +75,6 @@ double law_soft_moment(const struct law_soft *s, double k, double *tangent);
 /* Returns the effective thickness [m]. */
 double law_thickness(const struct law_fabric *fabric);
 
-/* Computes E [Pa] and nu of the isotropic sheet, h_eff thick, that has the mean over all
- * directions of the fabric's membrane; nu is 0.49 at most. */
-void law_mean(const struct law_fabric *fabric, double *young, double *poisson);
-
 /* Returns matrix_12 over the mean of matrix_11 and matrix_22: nu of an isotropic sheet. */
 double law_cross(const struct law *law, enum law_part part);
 
@@ -95,10 +91,6 @@ static inline void law_stress(const double m[LAW_ENTRIES], const double e[3], do
 
 /* Returns e.A e / 2. */
 double law_energy(const double matrix[LAW_ENTRIES], const double strain[3]);
-
-/* Computes a matrix in axes that are turned by `degrees` from its own: exactly for right
- * angles. */
-void law_turn(const double matrix[LAW_ENTRIES], double degrees, double turned[LAW_ENTRIES]);
 
 /* Computes T^t M T, where T takes strains in other axes to those that M is for. */
 void law_transform(const double matrix[LAW_ENTRIES], double T[3][3],

@@ -193,7 +193,9 @@ static void fit_boxes(struct intersection *s, int n_u, int n_v)
     s->levels++;
 }
 
-int intersection_match(int p[3], int q[3])
+/* Moves the corners that both triangles share to the front, in the same order; returns
+ * their number. No two triangles of a grid share all three. */
+static int intersection_match(int p[3], int q[3])
 {
     int shared = 0;
 

@@ -97,10 +97,6 @@ enum status intersection_count_all(struct intersection *s, int n_u, int n_v,
 enum status intersection_count_mesh(struct intersection *s, int vertices, const double *xyz,
                                     int triangles, int (*corner)[3], long *count);
 
-/* Moves the corners that both triangles share to the front, in the same order; returns
- * their number. No two triangles of a grid share all three. */
-int intersection_match(int p[3], int q[3]);
-
 /* Returns the grid points of a triangle. */
 void intersection_corners(int n_u, int triangle, int corner[3]);
 

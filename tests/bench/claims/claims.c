@@ -1,10 +1,8 @@
 /* Claims on made-up results of their plans: claims.txt turns each round by the numbers that
- * decide it, and has the numbers of its sentence.
+ * decide it.
  *
  *   claims FOLDER
  */
-#include <ctype.h>
-
 #include "bench/claims/claim.h"
 #include "bench/claims/paper.h"
 #include "models/metric/metric.h"
@@ -30,7 +28,7 @@ struct change {
 };
 struct turn {
     enum judge want;
-    const char *quote, *words;
+    const char *quote;
     struct change change[6];
     int changes;
 };
@@ -174,36 +172,6 @@ static const struct claim *claim_of(const char *plan, const char *quote)
     return NULL;
 }
 
-/* Returns whether a number goes on beyond `size` letters of a text, or has begun before it.
- */
-static bool cuts_number(const char *begin, const char *at, size_t size)
-{
-    const char *const end = at + size;
-
-    if (isdigit(*at) && at > begin && (isdigit(at[-1]) || at[-1] == '.'))
-        return true;
-    return isdigit(end[-1]) && (isdigit(*end) || (*end == '.' && isdigit(end[1])));
-}
-
-/* Returns whether the parts between " ... " stand in a text in this order, no number cut.
- */
-static bool has_words(const char *text, char *words)
-{
-    const char *const begin = text;
-
-    for (char *next; words; words = next) {
-        if ((next = strstr(words, " ... ")))
-            *next = '\0', next += 5;
-        const size_t size = strlen(words);
-        while ((text = strstr(text, words)) && cuts_number(begin, text, size))
-            text++;
-        if (!text)
-            return false;
-        text += size;
-    }
-    return true;
-}
-
 /* Every claim holds in one turn and fails in another, unless it only leaves things open. */
 static void check_each_turned(const struct turns *t)
 {
@@ -233,17 +201,15 @@ static void check_plan(const struct turns *t)
     for (int n = 0; n < t->count; n++) {
         const struct turn *turn = &t->turn[n];
         struct study_printed p;
-        char words[256];
         fill(&made);
         apply(&made, t->begin, t->begins);
         apply(&made, turn->change, turn->changes);
         const enum judge got =
             claim_of(t->plan, turn->quote)->judge(&made.r, study_print_to(&p));
-        char *text = study_squeeze(study_printed_text(&p));
-        snprintf(words, sizeof words, "%s", turn->words);
-        if (!CHECK(got == turn->want) || !CHECK(has_words(text, words)))
-            printf("  %s, turn %d: verdict %d, wanted %d with %s: %s\n", t->plan, n, got,
-                   turn->want, turn->words, text);
+        char *text = study_printed_text(&p);
+        if (!CHECK(got == turn->want))
+            printf("  %s, turn %d: verdict %d, wanted %d: %s\n", t->plan, n, got,
+                   turn->want, text);
         free(text);
     }
     check_each_turned(t);
@@ -324,7 +290,7 @@ static void has_the_papers_rows(void)
     study_unmake(&made);
 }
 
-/* A quick run judges no claim that needs a full one, and says so. */
+/* A quick run judges no claim that needs a full one. */
 static void judges_quick_runs(void)
 {
     struct study_made made;
@@ -335,9 +301,9 @@ static void judges_quick_runs(void)
     REQUIRE(claim_tell(&made.r, study_folder, TABLE_TEXT, study_print_to(&p), NULL) ==
             STATUS_OK);
     char *text = study_squeeze(study_printed_text(&p));
-    study_wants(text, "frame below 1.25\": not judged: quick. Up to 20x20x2 a frame grows");
-    study_wants(text, "pays on every net\": holds. New ones in each");
-    study_wants(text, "same motion\": not judged: quick. A quick run leaves out what");
+    study_wants(text, "frame below 1.25\": not judged: quick");
+    study_wants(text, "pays on every net\": holds");
+    study_wants(text, "same motion\": not judged: quick");
     free(text);
     study_unmake(&made);
 }
@@ -390,18 +356,16 @@ static void add_line(struct turns *t, char *line)
         }
         return;
     }
-    REQUIRE(t->plan && t->count < TURNS && rest);
+    REQUIRE(t->plan && t->count < TURNS);
     struct turn *turn = &t->turn[t->count++];
     while (turn->want < JUDGE_QUICK && strcmp(line, verdict[turn->want]))
         turn->want++;
     REQUIRE(turn->want < JUDGE_QUICK);
     turn->quote = name;
-    turn->words = rest;
-    for (rest = cut(rest, " | "); rest;) {
-        char *next = cut(rest, " | ");
+    for (char *next; rest; rest = next) {
+        next = cut(rest, " | ");
         REQUIRE(turn->changes < 6);
         turn->change[turn->changes++] = change_of(rest);
-        rest = next;
     }
 }
 

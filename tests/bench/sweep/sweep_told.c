@@ -1,8 +1,9 @@
-/* Tests the tables, the map and the falls of a sweep: the table cell by cell, the map from
- * the script that draws it. (sweep.sh, sweep_ends.sh: the command, files that are damaged
- * or of others.) */
+/* Tests the tables, the map and the falls of a sweep: the numbers under their columns, the
+ * map's from the script that draws it. (sweep.sh, sweep_ends.sh: the command, files that
+ * are damaged or of others.) */
 #include <unistd.h>
 
+#include "bench/files/csv.h"
 #include "bench/files/seal.h"
 #include "bench/sweep/sweep.h"
 #include "tests/fresh.h"
@@ -49,20 +50,11 @@ static void holds(const char *what, const char *text, const char *part)
         printf("  %s: no '%s' in\n%s", what, part, text);
 }
 
-/* Returns the summary for people, freed by the caller. */
-static char *print(const struct sweep_rows *rows, const struct sweep_falls *falls)
+/* The only table of a file. */
+static const struct csv_table *read_table(const char *name, struct csv *csv)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *memory = open_memstream(&text, &size);
-
-    REQUIRE(memory);
-    if (falls)
-        CHECK(sweep_falls_print(falls, memory) == STATUS_OK);
-    else
-        sweep_rows_print(rows, memory);
-    REQUIRE(fclose(memory) == 0);
-    return text;
+    REQUIRE(csv_read(name, csv, NULL) == STATUS_OK && csv->count == 1);
+    return csv->table;
 }
 
 static const char plan_text[] =
@@ -77,88 +69,97 @@ static const char plan_text[] =
 
 /* --- the table --- */
 
-static const char header[] =
-    "case,name,scene,time.end,discretization.points,model,material.density,damping.value,"
-    "stretch_max,stretch_end,drop_max,drop_end,angle_max,angle_end,roughness_max,"
-    "roughness_end,penetration_max,intersections_max,intersections_end,intersection_time,"
-    "speed_max,speed_end,energy_drift_max,energy_drift_end,load_max,load_end,blowup_time,"
-    "end_time,"
-    "gamma_measured,young_over_density_measured,hanging_strain,truth_error_max,"
-    "truth_error_end,truth_bar_end,reference_error_max,verdict,labels,outcome\n";
-
-/* The cells of all measures, which have one value. */
-#define ALL(x)                                                                             \
-    x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x  \
-      "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x "," x ","
-
-#define LIGHT(damping) "\"light, so\",edge_drop,0.01,\"[4,4,2]\",iga,," damping ","
-#define HEAVY(damping) ",edge_drop,0.01,\"[4,4,2]\",iga,2," damping ","
-
 static const struct {
     enum sweep_state state;
     enum status outcome;
-    double value; /* of all measures                                               */
-    const char *why;
-    const char *line; /* in table.csv, but for the case's number                       */
+    double value; /* of the measures, but for a little that each has of its own           */
+    const char *why, *verdict, *labels;
 } told[] = {
     /* clang-format off */
-    {SWEEP_RAN, STATUS_OK, 0.25, "done", LIGHT("0.1") ALL("0.25") "feasible,feasible,done"},
-    {SWEEP_RAN, STATUS_NAN, 0.75, "died at t = 1 s: of \"x\"", LIGHT("0.2") ALL("0.75")
-     "infeasible,big,\"died at t = 1 s: of \"\"x\"\"\""},
-    {SWEEP_OPEN, STATUS_OK, 7, "killed", LIGHT("0.3") ALL("") "none,run again,killed"},
-    {SWEEP_OPEN, STATUS_OK, 7, "its file is damaged", LIGHT("0.4") ALL("")
-     "none,run again,its file is damaged"},
-    {SWEEP_RAN, STATUS_UNSUPPORTED, NAN, "no contact", HEAVY("0.1") ALL("")
-     "none,unsupported,no contact"},
-    {SWEEP_FAILED, STATUS_OK, 7, "timed out after 1 s", HEAVY("0.2") ALL("")
-     "none,no result,timed out after 1 s"},
-    {SWEEP_OPEN, STATUS_OK, 7, "its file is gone", HEAVY("0.3") ALL("")
-     "none,run again,its file is gone"},
-    {SWEEP_RAN, STATUS_OK, NAN, "done", HEAVY("0.4") ALL("")
-     "not judged,\"not judged: big, odd\",done"},
+    {SWEEP_RAN, STATUS_OK, 0.25, "done", "feasible", "feasible"},
+    {SWEEP_RAN, STATUS_NAN, 0.75, "died at t = 1 s: of \"x\"", "infeasible", "big"},
+    {SWEEP_OPEN, STATUS_OK, 7, "killed", "none", "run again"},
+    {SWEEP_OPEN, STATUS_OK, 7, "its file is damaged", "none", "run again"},
+    {SWEEP_RAN, STATUS_UNSUPPORTED, NAN, "no contact", "none", "unsupported"},
+    {SWEEP_FAILED, STATUS_OK, 7, "timed out after 1 s", "none", "no result"},
+    {SWEEP_OPEN, STATUS_OK, 7, "its file is gone", "none", "run again"},
+    {SWEEP_RAN, STATUS_OK, NAN, "done", "not judged", "not judged: big, odd"},
     /* clang-format on */
 };
 enum { TOLD = sizeof told / sizeof *told };
+
+static const double OWN = 1e-5; /* what a measure has more than the one before it */
+
+/* Checks a row: its keys, its measures each under its name, how it ends. */
+static void check_case(const struct csv_table *t, int n)
+{
+    const bool has_run = told[n].state == SWEEP_RAN && isfinite(told[n].value);
+    const double damping = 0.1 * (n % 4 + 1), rounding = 1e-12;
+
+    CHECK(csv_number_of(t, n, "case") == n + 1);
+    CHECK(!strcmp(csv_words_of(t, n, "name"), n < 4 ? "light, so" : ""));
+    CHECK(!strcmp(csv_words_of(t, n, "material.density"), n < 4 ? "" : "2"));
+    CHECK_NEAR(csv_number_of(t, n, "damping.value"), damping, rounding);
+    for (int m = 0; m < MEASURES; m++) {
+        const char *key = m == MEASURE_GAMMA                ? "gamma_measured"
+                          : m == MEASURE_YOUNG_OVER_DENSITY ? "young_over_density_measured"
+                                                            : measure_name(m);
+        const double value = csv_number_of(t, n, key);
+        if (has_run)
+            CHECK_NEAR(value, told[n].value + OWN * m, rounding);
+        else
+            CHECK(isnan(value));
+    }
+    CHECK(!strcmp(csv_words_of(t, n, "verdict"), told[n].verdict));
+    CHECK(!strcmp(csv_words_of(t, n, "labels"), told[n].labels));
+    CHECK(!strcmp(csv_words_of(t, n, "outcome"), told[n].why));
+}
+
+/* Checks how many have which label and end, in what is printed for people. */
+static void check_counts(const struct sweep_rows *rows)
+{
+    static const char *const label[] = {"feasible",   "big",      "odd",
+                                        "not judged", "died",     "unsupported",
+                                        "no result",  "run again"};
+    static const int count[] = {1, 1, 0, 1, 1, 1, 1, 3};
+    char *text = NULL, line[64];
+    size_t size;
+    FILE *memory = open_memstream(&text, &size);
+
+    REQUIRE(memory);
+    sweep_rows_print(rows, memory);
+    REQUIRE(fclose(memory) == 0);
+    for (int n = 0; n < 8; n++) {
+        snprintf(line, sizeof line, "\n  %-24s%6d", label[n], count[n]);
+        holds("counts", text, line);
+    }
+    free(text);
+}
 
 static void check_table(void)
 {
     struct plan plan;
     struct sweep_rows rows = begin(plan_text, &plan);
-    char want[16384], seconds[1024] = "case,create,steps,looks\n", line[2048];
+    struct csv csv;
 
-    snprintf(want, sizeof want, "%s", header);
     REQUIRE(rows.count == TOLD);
     for (int n = 0; n < TOLD; n++) {
         set(&rows, n, told[n].state, told[n].outcome, told[n].value, told[n].why);
-        snprintf(line, sizeof line, "%d,%s\n", n + 1, told[n].line);
-        strcat(want, line);
-        snprintf(line, sizeof line, "%d,%g,%g,%d\n", n + 1, n + 0.5, n + 0.25, n);
-        strcat(seconds, told[n].state == SWEEP_RAN ? line : "");
+        for (int m = 0; m < MEASURES; m++)
+            rows.row[n].value[m] += OWN * m;
     }
-    char *said = print(&rows, NULL);
-    holds(
-        "table", said,
-        "told: 8 cases of edge_drop; 2 listed x 4 of damping.value\n\n"
-        "  feasible                     1\n"
-        "  big                          1   not judged in 1 more, where it was not "
-        "measured\n"
-        "  odd                          0   not judged in 1 more, where it was not "
-        "measured\n"
-        "  not judged                   1   no label, but not all could be asked for\n"
-        "  died                         1   the numerics ended the run\n"
-        "  unsupported                  1   the model leaves something out\n"
-        "  no result                    1   timed out, crashed or refused: see table.csv\n"
-        "  run again                    3   cut short, or damaged since: --resume does "
-        "it\n\n");
-    free(said);
+    check_counts(&rows);
     REQUIRE(sweep_rows_save(&rows, ".", NULL) == STATUS_OK);
-    char *is = fresh_text(".", "table.csv"), *took = fresh_text(".", "seconds.csv");
-    if (!CHECK(!strcmp(is, want)))
-        printf("is:\n%swant:\n%s", is, want);
-    if (!CHECK(!strcmp(took, seconds)))
-        printf("is:\n%swant:\n%s", took, seconds);
-    free(is);
-    free(took);
+    const struct csv_table *t = read_table("table.csv", &csv);
+    REQUIRE(t->rows == TOLD);
+    for (int n = 0; n < TOLD; n++)
+        check_case(t, n);
+    csv_clear(&csv);
+    t = read_table("seconds.csv", &csv);
+    CHECK(t->rows == 4); /* of those that ran; the last */
+    CHECK(csv_number_of(t, 3, "case") == TOLD && csv_number_of(t, 3, "create") == 7.5);
+    CHECK(csv_number_of(t, 3, "steps") == 7.25 && csv_number_of(t, 3, "looks") == 7);
+    csv_clear(&csv);
     unlink("table.csv");
     CHECK(sweep_rows_save(&rows, "none", NULL) == STATUS_FILE);
     end(&rows, &plan);
@@ -185,8 +186,7 @@ static void check_sentences(void)
     CHECK(access("case_000001.txt", F_OK) != 0);
 }
 
-/* --- the map: which key lies on which axis, on what scale, in which panel and colour ---
- */
+/* --- the map: which key lies on which axis, on what scale, in which panel --- */
 
 #define PLAN                                                                               \
     "name: test\nsource: a test\nscene: edge_drop\n"                                       \
@@ -195,72 +195,59 @@ static void check_sentences(void)
 #define GAMMA   "  - {key: gamma, values: [10, 1000], scale: log}\n"
 #define TWO     "axes:\n" DAMPING GAMMA
 
-/* Plans with maps, and what is in their scripts. The measures of case n are n + 1; the
- * labels are, in turn, feasible, a and b. */
+/* Plans with maps, and how often numbers are in their scripts, three of each: PNG, SVG,
+ * PDF; data once; -1: anywhere. The measures of case n are n + 1; the labels are, in turn,
+ * feasible, a and b. */
 static const struct {
     const char *plan;
-    const char *holds[8], *lacks[3];
     struct {
         const char *text;
         int count;
-    } counts[3];
+    } has[4];
 } maps[] = {
     /* clang-format off */
     /* cells: half way to the neighbours, on a log scale in the geometric mean */
-    {PLAN TWO "map: {x: damping.value, y: gamma}\n", {"0.1 10 -0.1 0.3 1 100\n",
-     "0.5 1000 0.3 0.7 100 10000\n", "set xlabel 'damping'\n",
-     "set ylabel 'Gamma, weight against bending'\n", "set logscale y\n",
-     "set xtics ('0.1' 0.1,'0.5' 0.5)\n", "set ytics ('10' 10,'1000' 1000)\n",
-     "boxxyerror"}, {"\nset logscale x", "set title 'd"}},
-    {PLAN TWO "map: {x: gamma, y: damping.value}\n", {"10 0.1 1 100 -0.1 0.3\n",
-     "1000 0.5 100 10000 0.3 0.7\n", "set xlabel 'Gamma, weight against bending'\n",
-     "set ylabel 'damping'\n", "set logscale x\n", "set ytics ('0.1' 0.1,'0.5' 0.5)\n"},
-     {"\nset logscale y"}},
-    /* a value alone, linear and logarithmic */
-    {PLAN
-     "axes: [{key: damping.value, values: [0.5]}, {key: gamma, values: [10], scale: log}]\n"
-     "map: {x: damping.value, y: gamma}\n", {"0.5 10 0 1 5 20\n"}},
-    /* values in any order; three of them */
+    {PLAN TWO "map: {x: damping.value, y: gamma}\n", {{"0.1 10 -0.1 0.3 1 100\n", 1},
+     {"0.5 1000 0.3 0.7 100 10000\n", 1}, {"\nset logscale y\n", 3}, {"\nset logscale x", 0}}},
+    {PLAN TWO "map: {x: gamma, y: damping.value}\n", {{"10 0.1 1 100 -0.1 0.3\n", 1},
+     {"1000 0.5 100 10000 0.3 0.7\n", 1}}},
+    /* a value alone; values in any order */
     {PLAN
      "axes: [{key: damping.value, values: [0.5, 0.1, 0.9]}, {key: gamma, values: [2]}]\n"
-     "map: {x: damping.value, y: gamma}\n", {"0.5 2 0.3 0.7 1.5 2.5\n",
-     "0.1 2 -0.1 0.3 1.5 2.5\n", "0.9 2 0.7 1.1 1.5 2.5\n"}, {"\nset logscale"}},
-    /* a measure: squares where the case came to lie; its unit */
-    {PLAN TWO "map: {x: damping.value, y: speed_max}\n", {"0.1 1\n", "0.1 2\n", "0.5 3\n",
-     "0.5 4\n", "set ylabel 'speed_max [m/s]'\n"}, {"boxxyerror", "\nset logscale"}},
-    {PLAN TWO "map: {x: drop_max, y: gamma}\n", {"1 10\n", "2 1000\n", "3 10\n", "4 1000\n",
-     "set xlabel 'drop_max'\n", "set logscale y\n"}, {"boxxyerror", "\nset logscale x"}},
+     "map: {x: damping.value, y: gamma}\n", {{"0.5 2 0.3 0.7 1.5 2.5\n", 1},
+     {"0.1 2 -0.1 0.3 1.5 2.5\n", 1}, {"0.9 2 0.7 1.1 1.5 2.5\n", 1}}},
+    /* a measure: where the case came to lie */
+    {PLAN TWO "map: {x: damping.value, y: speed_max}\n", {{"0.1 1\n", 1}, {"0.1 2\n", 1},
+     {"0.5 3\n", 1}, {"0.5 4\n", 1}}},
+    {PLAN TWO "map: {x: drop_max, y: gamma}\n", {{"1 10\n", 1}, {"4 1000\n", 1},
+     {"\nset logscale y\n", 3}, {"\nset logscale x", 0}}},
     /* words lie side by side, whatever the scale */
     {PLAN "axes:\n  - {key: damping.kind, values: [mass, velocity_scale], scale: log}\n"
-     DAMPING "map: {x: damping.kind, y: damping.value}\n", {"0 0.1 -0.5 0.5 -0.1 0.3\n",
-     "1 0.5 0.5 1.5 0.3 0.7\n", "set xtics ('mass' 0,'velocity_scale' 1)\n",
-     "set xlabel 'damping.kind'\n"}, {"\nset logscale"}},
-    /* panels: by a key, by the cases' names, by a measure */
+     DAMPING "map: {x: damping.kind, y: damping.value}\n", {{"0 0.1 -0.5 0.5 -0.1 0.3\n",
+     1}, {"1 0.5 0.5 1.5 0.3 0.7\n", 1}, {"'mass' 0,'velocity_scale' 1", -1},
+     {"\nset logscale", 0}}},
+    /* panels: by a key, by the cases' names */
     {PLAN TWO "map: {x: gamma, y: drop_max, panel: damping.value}\n",
-     {"set title 'damping = 0.1'", "set title 'damping = 0.5'", "$p0_0 << EOD\n10 1\n",
-     "$p0_1 << EOD\n1000 2\n", "$p1_0 << EOD\n1000 4\n"}},
+     {{"$p0_0 << EOD\n10 1\n", 1}, {"$p0_1 << EOD\n1000 2\n", 1},
+     {"$p1_0 << EOD\n1000 4\n", 1}}},
     {PLAN "cases: [{name: light}, {name: heavy, material.density: 2}]\naxes:\n" DAMPING
-     "map: {x: damping.value, y: drop_max, panel: name}\n", {"set title 'light'",
-     "set title 'heavy'", "$p0_0 << EOD\n0.1 1\n", "$p0_1 << EOD\n0.5 2\n",
-     "$p1_0 << EOD\n0.5 4\n"}},
-    {PLAN "axes:\n" DAMPING "map: {x: damping.value, y: drop_max, panel: speed_max}\n",
-     {"set title 'speed_max = 1'", "set title 'speed_max = 2'"}},
+     "map: {x: damping.value, y: drop_max, panel: name}\n", {{"$p0_0 << EOD\n0.1 1\n", 1},
+     {"$p0_1 << EOD\n0.5 2\n", 1}, {"$p1_0 << EOD\n0.5 4\n", 1}}},
     /* a key that some cases lack: these are nowhere on it */
     {PLAN "cases: [{material.density: 2}, {material.young: 1e4}]\naxes:\n" DAMPING
-     "map: {x: material.density, y: drop_max}\n", {"2 1\n", "2 2\n",
-     "set xlabel 'density [kg/m^3]'\n"}, {"2 3\n", "nan"}},
-    /* marks: points of other people's; Gamma from their own values; E/rho */
+     "map: {x: material.density, y: drop_max}\n", {{"2 1\n", 1}, {"2 2\n", 1},
+     {"2 3\n", 0}, {"nan", 0}}},
+    /* marks: points of other people's; E/rho from their own values */
     {PLAN TWO
      "map: {x: damping.value, y: young_over_density, marks: [{text: one, label: theirs, "
      "at: {damping.value: 0.2, material.young: 3e4, material.density: 0.1}}]}\n",
-     {"\n0.2 300000\n", "'one'", "'theirs'", "set ylabel 'E / rho [m^2/s^2]'\n"}},
-    /* a mark with a panel's value is on that alone, one without on all; three scripts */
+     {{"\n0.2 300000\n", 1}}},
+    /* a mark with a panel's value is on that alone, one without on all */
     {PLAN "axes:\n" DAMPING GAMMA "  - {key: material.poisson, values: [0, 0.3]}\n"
      "map: {x: damping.value, y: gamma, panel: material.poisson, marks: [{text: one, "
      "label: theirs, at: {damping.value: 0.25, material.poisson: 0.3}}, {text: two, "
      "label: all, at: {damping.value: 0.75}}]}\n",
-     {"set label 'one' at first 0.25, first "}, {NULL}, {{"set label 'one'", 3},
-     {"set label 'two'", 6}, {"title 'theirs'", 3}}},
+     {{"set label 'one' at first 0.25, first ", 3}, {"set label 'two'", 6}}},
     /* clang-format on */
 };
 
@@ -295,48 +282,39 @@ static void check_maps(void)
     for (size_t n = 0; n < sizeof maps / sizeof *maps; n++) {
         struct plan plan;
         struct sweep_rows rows = begin(maps[n].plan, &plan);
-        char *text = draw_labels(&rows, labels, 3), name[32];
-        snprintf(name, sizeof name, "map %zu", n);
-        for (int i = 0; i < 8 && maps[n].holds[i]; i++)
-            holds(name, text, maps[n].holds[i]);
-        for (int i = 0; i < 3 && maps[n].lacks[i]; i++)
-            if (!CHECK(!strstr(text, maps[n].lacks[i])))
-                printf("  %s: '%s' is in map.gp\n", name, maps[n].lacks[i]);
-        for (int i = 0; i < 3 && maps[n].counts[i].text; i++)
-            CHECK(fresh_count(text, maps[n].counts[i].text) == maps[n].counts[i].count);
+        char *text = draw_labels(&rows, labels, 3);
+        for (int i = 0; i < 4 && maps[n].has[i].text; i++) {
+            const int count = fresh_count(text, maps[n].has[i].text);
+            if (!CHECK(maps[n].has[i].count < 0 ? count > 0
+                                                : count == maps[n].has[i].count))
+                printf("  map %zu: '%s' is %d times in\n%s", n, maps[n].has[i].text, count,
+                       text);
+        }
         free(text);
         end(&rows, &plan);
     }
 }
 
-/* Checks that the feasible are green even if there are none, that each label has its colour
- * and number, and that the 25th label and all after it are one. */
+/* Checks that each label has its number, the feasible even if there are none, and that the
+ * 25th label and all after it are one. */
 static void check_labels(void)
 {
-    static const char *const some[] = {"a", "died", "no result", "run again", "a", "b"};
-    static const char *const parts[] = {
-        "rgb '#8cd17d' title 'feasible: 0'",  "rgb '#e15759' title 'a: 10'",
-        "rgb '#444444' title 'died: 5'",      "rgb '#d9d9d9' title 'no result: 5'",
-        "rgb '#d9d9d9' title 'run again: 5'", "rgb '#b07aa1' title 'b: 5'"};
     struct plan plan;
     struct sweep_rows rows =
         begin(PLAN "axes: [{key: damping.value, from: 0.01, to: 0.3, count: 30}]\n"
                    "map: {x: damping.value, y: drop_max}\n",
               &plan);
-    char names[30][16], *text = draw_labels(&rows, some, 6);
+    char names[30][16];
     const char *many[30];
 
-    for (size_t n = 0; n < sizeof parts / sizeof *parts; n++)
-        holds("labels", text, parts[n]);
-    free(text);
     for (int n = 0; n < 30; n++) {
         snprintf(names[n], sizeof names[n], "l%d", n);
         many[n] = names[n];
     }
-    text = draw_labels(&rows, many, 30);
-    holds("many", text, "title 'l21: 1'");
-    holds("many", text, "title 'other: 8'");
-    CHECK(!strstr(text, "title 'l22"));
+    char *text = draw_labels(&rows, many, 30);
+    holds("labels", text, "'feasible: 0'");
+    holds("labels", text, "'l21: 1'");
+    holds("labels", text, "'other: 8'");
     free(text);
     end(&rows, &plan);
 }
@@ -416,7 +394,7 @@ static void check_falls(bool bar)
     }
     REQUIRE(sweep_falls_judge(&f, &rows) == STATUS_OK);
     REQUIRE(table_save(f.table, ".", "falls", NULL) == STATUS_OK);
-    char *csv = fresh_text(".", "falls.csv"), *said = print(NULL, &f);
+    char *csv = fresh_text(".", "falls.csv");
     holds("falls", csv, "damping.value,at_1,at_2,at_3,at_4,by,grows_at\n");
     for (int n = 0; n < ROWS; n++) {
         snprintf(text, sizeof text, "\n0.%d,%s,%s,%s\n", n + 1, rows_of_falls[n].cells,
@@ -424,46 +402,34 @@ static void check_falls(bool bar)
                  bar ? rows_of_falls[n].grows : rows_of_falls[n].grows_at_all);
         holds("falls", csv, text);
     }
-    holds("falls", said,
-          bar ? "It grows in 4 of 7 rows with two" : "It grows in 5 of 7 rows with two");
     CHECK(f.rows == 7 && f.grown == (bar ? 4 : 5));
-    free(said);
     free(csv);
     sweep_falls_clear(&f);
     end(&rows, &plan);
 }
 
-/* Checks that the names of listed cases stand for their keys, that without all names the
- * keys are shown, and that a plan without `falls` has no table. */
+/* Checks that the names of listed cases stand for their keys, and that a plan without
+ * `falls` has no table. */
 static void check_names(void)
 {
-    static const char *const cases[][2] = {
-        {FALLS "}\ncases: [{name: a, material.poisson: 0}, {name: b}]\n",
-         "name,damping.value,at_1,"},
-        {FALLS "}\ncases: [{name: a, material.poisson: 0}, {material.poisson: 0.1}]\n",
-         "material.poisson,damping.value,at_1,"},
-        {"", NULL}};
+    static const char *const cases[] = {
+        FALLS "}\ncases: [{name: a, material.poisson: 0}, {name: b}]\n", ""};
 
-    for (int n = 0; n < 3; n++) {
+    for (int n = 0; n < 2; n++) {
         struct plan plan;
         struct sweep_falls f;
         char text[1024];
 
-        snprintf(text, sizeof text, "%s%s", head, cases[n][0]);
+        snprintf(text, sizeof text, "%s%s", head, cases[n]);
         struct sweep_rows rows = begin(text, &plan);
         for (long k = 0; k < rows.count; k++)
             set(&rows, k, SWEEP_RAN, STATUS_OK, 1, "done");
         REQUIRE(sweep_falls_judge(&f, &rows) == STATUS_OK);
-        CHECK(f.grown == 0 && !f.table == !cases[n][1]);
-        char *said = print(NULL, &f);
-        CHECK(strstr(said, "It grows in none of ") || (!f.table && !*said));
-        if (f.table) {
-            REQUIRE(table_save(f.table, ".", "falls", NULL) == STATUS_OK);
-            char *csv = fresh_text(".", "falls.csv");
-            CHECK(!strncmp(csv, cases[n][1], strlen(cases[n][1])));
-            free(csv);
-        }
-        free(said);
+        CHECK(f.grown == 0 && (f.table != NULL) == (n == 0));
+        if (f.table)
+            CHECK(table_find(f.table, "name") == 0 &&
+                  table_find(f.table, "damping.value") == 1 &&
+                  table_find(f.table, "material.poisson") < 0);
         sweep_falls_clear(&f);
         end(&rows, &plan);
     }

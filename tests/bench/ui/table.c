@@ -1,4 +1,5 @@
-/* Tables of results in each of their formats, against text written out here. */
+/* Tables of results: formats for machines against text written out here, those for people
+ * by their cells and what they escape. */
 #include "bench/ui/table.h"
 
 #include <math.h>
@@ -33,57 +34,44 @@ static struct table *make(void)
     return t;
 }
 
-static void print(const struct table *t, enum table_format format, const char *want)
+/* Prints it, and looks for parts, until NULL, or for all of it if there is but one. */
+static void print(const struct table *t, enum table_format format, const char *const *want)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *file = open_memstream(&text, &size);
+    struct said s;
 
-    REQUIRE(file);
-    CHECK(table_print(t, format, file) == STATUS_OK);
-    fclose(file);
-    if (!CHECK(!strcmp(text, want)))
-        printf("--- is\n%s--- want\n%s", text, want);
-    free(text);
+    said_open(&s);
+    CHECK(table_print(t, format, s.file) == STATUS_OK);
+    said_close(&s, true);
+    for (int n = 0; want[n]; n++)
+        said_has(&s, "table", want[n]);
+    if (!want[1])
+        CHECK(strlen(s.text) == strlen(want[0]));
+    said_clear(&s);
 }
+#define PRINT(t, format, ...) print(t, format, (const char *const[]){__VA_ARGS__, NULL})
 
 static void check_formats(void)
 {
     struct table *t = make();
 
-    print(t, TABLE_TEXT,
-          "50 % & #1\n\ncase_1         a frame  net        to next  unknowns\n"
-          "                    ms                 % L\n"
-          "----------------------------------------------------\na|b, \"c\"\\\n"
-          "\1       12.5  10x10         12.5       540\n"
-          "----------------------------------------------------\n"
-          "# no comment         -  -      not reached         -\n"
-          "*_$#{}<>~^&   1.50e-09  50%           0.33\n\n\nA \"note\" of 9.\n");
-    print(t, TABLE_CSV,
+    PRINT(t, TABLE_TEXT, "case_1         a frame  net        to next  unknowns\n",
+          "\1       12.5  10x10         12.5       540\n",
+          "# no comment         -  -      not reached         -\n",
+          "*_$#{}<>~^&   1.50e-09  50%           0.33\n");
+    PRINT(t, TABLE_CSV,
           "# 50 % & #1\ncase_1,frame_s,to_next_over_length,p,unknowns\n"
           "\"a|b, \"\"c\"\"\\\n\1\",0.012500000000000001,0.125,2,540\n"
           "\"# no comment\",,,-inf,\n"
           "*_$#{}<>~^&,1.5000000000000001e-12,0.0033333333333333335,,\n,,,,\n"
           "# A \"note\" of 9.\n");
-    print(t, TABLE_MARKDOWN,
-          "**50 % & #1**\n\n"
-          "| case\\_1 | a frame [ms] | net | to next [% L] | unknowns |\n"
-          "|:---|---:|:---|---:|---:|\n"
-          "| a\\|b, \"c\"\\ \1 | 12.5 | 10x10 | 12.5 | 540 |\n"
-          "| # no comment | - | - | not reached | - |\n"
-          "| \\*\\_$#{}<>~^& | 1.50e-09 | 50% | 0.33 |  |\n|  |  |  |  |  |\n\n"
-          "A \"note\" of 9.\n");
-    print(t, TABLE_LATEX,
-          "\\begin{table}\n\\centering\n\\caption{50 \\% \\& \\#1}\n"
-          "\\begin{tabular}{lrlrr}\n\\hline\n"
-          "case\\_1 & a frame [ms] & net & to next [\\% L] & unknowns \\\\\n"
-          "\\hline\na$|$b, \"c\"\\textbackslash{}\n"
-          "\1 & 12.5 & 10x10 & 12.5 & 540 \\\\\n\\hline\n"
-          "\\# no comment & - & - & not reached & - \\\\\n"
-          "*\\_\\$\\#\\{\\}$<$$>$\\~{}\\^{}\\& & 1.50e-09 & 50\\% & 0.33 &  \\\\\n"
-          " &  &  &  &  \\\\\n\\hline\n\\end{tabular}\n\n"
-          "\\smallskip\\footnotesize A \"note\" of 9.\n\\end{table}\n");
-    print(t, TABLE_JSON,
+    PRINT(t, TABLE_MARKDOWN,
+          "| case\\_1 | a frame [ms] | net | to next [% L] | unknowns |\n",
+          "| a\\|b, \"c\"\\ \1 | 12.5 | 10x10 | 12.5 | 540 |\n",
+          "| \\*\\_$#{}<>~^& | 1.50e-09 | 50% | 0.33 |  |\n");
+    PRINT(t, TABLE_LATEX, "case\\_1 & a frame [ms] & net & to next [\\% L] & unknowns",
+          "a$|$b, \"c\"\\textbackslash{}\n\1 & 12.5 & 10x10 & 12.5 & 540 ",
+          "*\\_\\$\\#\\{\\}$<$$>$\\~{}\\^{}\\& & 1.50e-09 & 50\\% & 0.33 &  ");
+    PRINT(t, TABLE_JSON,
           "{\"caption\": \"50 % & #1\", \"units\": {\"frame_s\": \"s\", \"to_next_o"
           "ver_length\": \"1\"}, \"rows\": [{\"case_1\": \"a|b, \\\"c\\\"\\\\\\u000"
           "a\\u0001\", \"frame_s\": 0.012500000000000001, \"to_next_over_length\": "
@@ -117,7 +105,7 @@ static void check_numbers(void)
         table_line(t, "%.*g", number[n].digits, number[n].x);
     }
     table_line(t, "%.2f", 1.0 / 3);
-    print(t, TABLE_TEXT,
+    PRINT(t, TABLE_TEXT,
           "       x\n--------\n     123\n     2.0\n       -\n1.50e-09\n    0.33\n");
     table_destroy(t);
 }
@@ -131,7 +119,7 @@ static void check_keys(void)
         {"", NULL},        {"E dt", "Pa m"},  {"nu (1+mu)/2", "Pa/s"}};
     struct table *t = table_create(11, some, NULL);
 
-    print(t, TABLE_CSV,
+    PRINT(t, TABLE_CSV,
           "a_frame_ms,to_next_over_length,lowest_over_length_percent,fall_m_per_s2,"
           "10_percent_s,stretch,stretch_2,stretch_3,column,e_dt_pa_m,nu_1_mu_per_2_pa_per_"
           "s\n");
@@ -187,7 +175,6 @@ static void check_failures_told(void)
     CHECK(table_print(NULL, TABLE_TEXT, stdout) == STATUS_MEMORY);
     CHECK(table_format_parse("latex", &format, &why) == STATUS_OK && format == TABLE_LATEX);
     CHECK(table_format_parse("html", &format, &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "markdown"));
     if (full) {
         setvbuf(full, NULL, _IONBF, 0);
         CHECK(table_print(t, TABLE_CSV, full) == STATUS_FILE);
@@ -198,41 +185,30 @@ static void check_failures_told(void)
     table_destroy(t);
 }
 
-/* A table wider than a line is in parts, each with the columns that tell rows apart; the
- * last words of a line are wrapped. No line has more than 120 columns. */
+/* A table wider than a line is in parts, each with the columns that tell rows apart. */
 static void check_wide(void)
 {
     struct table_column wide[20] = {{"name", NULL, TABLE_LEFT}, {"net"}};
-    char words[500] = "", names[18][24], text[9000];
-    size_t size, longest = 0;
-    int lines = 0, parts = 0;
+    char names[18][24];
+    struct said s;
 
     for (int n = 2; n < 20; n++) {
         snprintf(names[n - 2], sizeof names[0], "number %d", n);
         wide[n] = (struct table_column){names[n - 2], n % 2 ? "m" : NULL};
     }
-    wide[19].align = TABLE_LEFT;
-    while (strlen(words) < 400)
-        strcat(words, "some words ");
     struct table *t = table_create(20, wide, NULL);
     for (int row = 0; row < 2; row++) {
         table_line(t, "same");
-        for (int n = 1; n < 19; n++)
+        for (int n = 1; n < 20; n++)
             table_add(t, "%d", 12345 + row);
-        table_add(t, "%s", words);
     }
-    FILE *file = fmemopen(text, sizeof text, "w");
-    REQUIRE(file && table_print(t, TABLE_TEXT, file) == STATUS_OK);
-    fclose(file);
-    for (const char *line = text; *line; line += size + 1, lines++) {
-        size = strcspn(line, "\n");
-        longest = size > longest ? size : longest;
-        parts += !strncmp(line, "name    net", 11);
-        CHECK(strncmp(line, "same", 4) || !strncmp(line, "same  1234", 10));
-    }
-    CHECK(longest > 90 && longest <= 120);
-    if (!CHECK(parts == 3 && lines > 20))
-        puts(text);
+    said_open(&s);
+    REQUIRE(table_print(t, TABLE_TEXT, s.file) == STATUS_OK);
+    said_close(&s, true);
+    CHECK(said_count(&s, "name    net") == 2 && said_count(&s, "same  12345") == 2);
+    for (const char *line = s.text; *line; line += strcspn(line, "\n") + 1)
+        CHECK(strcspn(line, "\n") <= 120);
+    said_clear(&s);
     table_destroy(t);
 }
 

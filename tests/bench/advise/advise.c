@@ -123,41 +123,34 @@ static void frames(const char *folder)
     add("vbd", 12, 0.51, 0.01);
     add("triangles", 10, 0.1, 0.025);
     const char *text = printed(&s, TABLE_TEXT);
-    CHECK(strstr(text, "vertex block descent: error 2 % of the length"));
-    CHECK(strstr(text, "1 s for a second of motion, 4 ms a frame"));
+    CHECK(strstr(text, "vertex block descent: error 2 %") && strstr(text, "4 ms a frame"));
     CHECK(strstr(text, "Net 10x8, substeps of 0.1 ms, 20 iterations in each."));
     CHECK(in_order(text, "descent yes 10x8", "triangles yes 10x8"));
     s.wish.frame = 0.7e-3;
     text = printed(&s, TABLE_TEXT);
-    CHECK(strstr(text, "No contestant takes 0.7 ms a frame or less."));
     CHECK(strstr(text, "vertex block descent no 12x10"));
     world.job.found = NULL;
     compare_job_close(&world.job);
 }
 
-static void words(const char *folder)
+/* What is said of a budget, of frames that are too slow, of who does not serve; and
+ * springs, masses and hinges of the net. */
+static void verdicts(const char *folder)
 {
     struct advise_search s = make(folder);
     const char *text;
 
     add("mass_spring", 10, 1, 0.017);
     text = printed(&s, TABLE_TEXT);
-    CHECK(strstr(text, "No contestant came within 1.6 % (2 % less the truth's error bar)"));
-    CHECK(!strstr(text, "clothbench run"));
-    CHECK(!strstr(text, "the budget ended with its coarsest run"));
+    CHECK(strstr(text, "No contestant came within 1.6 %") && !strstr(text, "the budget"));
     s.longest = 0;
-    CHECK(strstr(printed(&s, TABLE_TEXT), "the budget ended with its coarsest run"));
+    CHECK(strstr(printed(&s, TABLE_TEXT), "the budget ended"));
     s.longest = 0.25;
     add("iga_selective_3", 10, 3, 0.015);
     add("triangles", 8, 0.4, 0.012);
-    struct contest_row *refused = add("hex_incompatible", 8, NAN, NAN);
-    refused->result.outcome = STATUS_UNSUPPORTED;
-    snprintf(refused->result.sentence.text, sizeof refused->result.sentence.text,
-             "holds no node");
     text = printed(&s, TABLE_TEXT);
-    CHECK(strstr(text, "clothbench run made_up.yaml --model triangles "
-                       "--set 'discretization.points=[8,6]' --set 'time.step=0.001'"));
-    CHECK(strstr(text, "clothbench export made_up.yaml --points 8,6 --out DIR"));
+    CHECK(strstr(text, "--model triangles --set 'discretization.points=[8,6]' "
+                       "--set 'time.step=0.001'"));
     /* 7 x 5 cells of 2/7 m x 1/5 m; E h = 120 N/m, D = 1e-5 N m, 0.1 kg/m^2. Along u the
      * diagonals are stiff enough. */
     CHECK(strstr(text, "D 1.00000e-05 N m - - -"));
@@ -165,26 +158,15 @@ static void words(const char *folder)
     CHECK(strstr(text, "mass 0.00571429 kg - - 24 "));
     CHECK(strstr(text, "hinge u 1.42857e-05 N m - 70000.0 -"));
     CHECK(strstr(text, "hinge v 7.00000e-06 N m - 142857 -"));
-    CHECK(strstr(text, "spring v ") && strstr(text, " N/m 0.348759 ") &&
-          strstr(text, " 70 "));
-    CHECK(strstr(text, "triangles: error 1.2 % of the length, which the truth leaves "
-                       "uncertain by 0.4 %"));
-    CHECK(strstr(text, "0.8 s for a second of motion, 3.2 ms a frame; 2.5 MB"));
-    CHECK(in_order(text, "triangles yes ", "IGA, selective"));
-    CHECK(in_order(text, "IGA, selective", "mass-spring, matched"));
-    CHECK(strstr(text, "holds no node"));
-    CHECK(!strstr(text, "too slow") && !strstr(text, "None of the"));
-    CHECK(strstr(text, "more expensive ones") && !strstr(text, "the budget"));
+    CHECK(strstr(text, "spring v ") && strstr(text, " N/m 0.348759 "));
+    CHECK(!strstr(text, "too slow") && strstr(text, "more expensive ones"));
     s.wish.rate = 1, s.end = ADVISE_BUDGET;
     text = printed(&s, TABLE_TEXT);
     CHECK(strstr(text, "too slow") && !strstr(text, "None of the"));
     CHECK(!strstr(text, "more expensive ones") && strstr(text, "the budget"));
     s.wish.rate = 0.7;
-    text = printed(&s, TABLE_TEXT);
-    CHECK(strstr(text, "None of the contestants within 2 % is as fast as required, 0.7 s"));
-    text = printed(&s, TABLE_CSV);
-    CHECK(strstr(text, "\ntriangles,triangles,too slow,8x6,0.001"));
-    CHECK(!strstr(text, "clothbench") && !strstr(text, "hinge"));
+    CHECK(strstr(printed(&s, TABLE_TEXT), "None of the contestants within 2 %"));
+    CHECK(strstr(printed(&s, TABLE_CSV), "\ntriangles,triangles,too slow,8x6,0.001"));
     world.job.found = NULL;
     compare_job_close(&world.job);
 }
@@ -194,7 +176,7 @@ int main(int argc, char **argv)
     REQUIRE(argc == 2);
     fresh_folder(argv[1]);
     ranking(argv[1]);
-    words(argv[1]);
+    verdicts(argv[1]);
     frames(argv[1]);
     return check_result();
 }

@@ -240,12 +240,10 @@ static void who_gets_it(const struct truth *made)
         truth_destroy(t), t = NULL;
     }
     CHECK(find("edge_drop", 2, undamped, 2, late, &t, &why) == STATUS_UNSUPPORTED);
-    CHECK(strstr(why.text, "0.3 s") && strstr(why.text, "0.2 s"));
     CHECK(find("edge_drop", 2, undamped, 1, between, &t, &why) == STATUS_FILE);
     CHECK(find("edge_drop", 2, other, 2, times, &t, &why) == STATUS_FILE);
     CHECK(find("edge_drop", 0, NULL, 2, times, &t, &why) ==
           STATUS_UNSUPPORTED); /* its mu */
-    CHECK(strstr(why.text, "scaled by a factor each step"));
     CHECK(find("edge_drop", 2, held, 2, times, &t, &why) == STATUS_FILE);
     CHECK(find("edge_drop", 2, undamped, 1, (double[]){0.1 + 1e-6}, &t, &why) ==
           STATUS_FILE);
@@ -272,17 +270,14 @@ static void find_stored(const struct truth *made)
           !strcmp(read.changed, provenance_value(&here, "changed_files")));
     truth_clear(&read);
     CHECK(truth_file_find("nobody", &a.scene, &read, &why) == STATUS_FILE && !read.xyz);
-    CHECK(strstr(why.text, "no truth 'nobody'"));
     a.scene.young = 2e5;
     CHECK(truth_file_find("edge_drop", &a.scene, &read, &why) == STATUS_UNSUPPORTED &&
           !read.xyz);
-    CHECK(!strcmp(why.text, "the stored truth of edge_drop is of other physics: material "
-                            "100000 0.3 0.5, not material 200000 0.3 0.5"));
     asked_close(&a);
 }
 
-/* A file that says nothing of its physics, and one whose bytes were changed: a sentence
- * each, and no truth. */
+/* A file that says nothing of its physics, and one whose bytes were changed, are no truth.
+ */
 static void changed_files_are_refused(struct truth *made)
 {
     struct truth *t = NULL;
@@ -293,7 +288,6 @@ static void changed_files_are_refused(struct truth *made)
 
     change(name, "/", "physics", NULL);
     CHECK(truth_file_read(name, &read, &physics, &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "not a stored truth"));
     name = write_made_up(made);
     FILE *file = fopen(name, "r+b");
     REQUIRE(file && fseek(file, 5000, SEEK_SET) == 0);
@@ -301,7 +295,6 @@ static void changed_files_are_refused(struct truth *made)
     REQUIRE(fseek(file, 5000, SEEK_SET) == 0 && putc(byte ^ 1, file) >= 0 &&
             fclose(file) == 0);
     CHECK(find("edge_drop", 2, undamped, 2, times, &t, &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "edge_drop.h5: is damaged"));
     CHECK(!read.xyz && !physics && !t);
 }
 

@@ -253,34 +253,6 @@ static void check_many(void)
     CHECK(strstr(why.text, ".yaml:1: the plan has more than 100000 cases"));
 }
 
-/* The line that lists show of a plan, and of it as a study. */
-static void check_lists(void)
-{
-    static const struct {
-        const char *const *good;
-        int lines, line;
-        const char *text, *plan, *study;
-    } cases[] = {
-        {GOOD, LINES, 0, "", "a test", ""},
-        {GOOD, LINES, 16, "what: in a word", "in a word", ""},
-        {STUDIES, STUDY_LINES, 0, "", "a test", "a test"},
-        {STUDIES, STUDY_LINES, 13, "what: in a word", "in a word", "in a word"},
-        {GOOD, LINES, 2, "what: no source", "lacks the key 'source'", "lacks the key"},
-    };
-
-    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        struct plan plan;
-
-        read_plan(cases[n].good, cases[n].lines, cases[n].line, cases[n].text, &plan, NULL);
-        plan_clear(&plan);
-        char *is = plan_kind.describe(path), *study = plan_study_kind.describe(path);
-        CHECK(is && study && strstr(is, cases[n].plan));
-        CHECK(*cases[n].study ? strstr(study, cases[n].study) != NULL : !*study);
-        free(is);
-        free(study);
-    }
-}
-
 /* Each stand-in through each key it may be set by. */
 static void check_derived_keys(void)
 {
@@ -322,7 +294,6 @@ int main(void)
     check_products();
     check_quotes();
     check_bare_study();
-    check_lists();
     check_many();
     check_derived_keys();
     return check_result();

@@ -1,6 +1,5 @@
 /* The engine of studies: plans with levels, differences, errors, orders and metrics from
  * result files, levels that die or are refused, truth found again. */
-#include "bench/experiment/dataset.h"
 #include "bench/experiment/batch.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
@@ -155,14 +154,9 @@ static void deaths_and_refusals(void)
 {
     struct plan plan = plan_of("rough", rough);
     struct study_results all;
-    char *text = NULL;
-    size_t size;
-    FILE *file = open_memstream(&text, &size);
 
     measure(&plan);
-    REQUIRE(file && study_read(&plan, folder, &all, NULL) == STATUS_OK);
-    REQUIRE(dataset_print(&all, folder, TABLE_TEXT, file, NULL) == STATUS_OK);
-    fclose(file);
+    REQUIRE(study_read(&plan, folder, &all, NULL) == STATUS_OK);
     const struct study *s = study_of(&all, "rough"), *late = study_of(&all, "late");
     const struct study_row *row = s->row;
     CHECK(!s->truth && isnan(at(s, 0, 0, QUANTITY_ERROR)));
@@ -170,8 +164,8 @@ static void deaths_and_refusals(void)
     CHECK(run_result_refused(&row[2].result) && !row[2].xyz[0]);
     CHECK_NEAR(at(s, 0, 0, QUANTITY_NEXT), rmse("rough_calm", "rough_wild", 0), TOL_STORED);
     CHECK(isnan(at(s, 0, 1, QUANTITY_NEXT))); /* nobody else lives */
-    CHECK(strstr(text, "died at t = 0.265 s") && strstr(text, "remedy=incompatible: "));
-    CHECK(!late->truth && strstr(text, "Truth of late: none; no truth is claimed"));
+    CHECK(row[1].result.outcome == STATUS_INVERTED && row[1].result.death_time == 53 * 0.005);
+    CHECK(!late->truth && *late->no_truth.text);
     CHECK(!strcmp(late->plan->levels[0].name, "flat_sheet"));
     const struct study *early = study_of(&all, "early");
     REQUIRE(early->truth && early->truth->times == 1 && early->row[0].xyz[1]);
@@ -179,8 +173,7 @@ static void deaths_and_refusals(void)
     CHECK(isnan(at(early, 0, 1, QUANTITY_ERROR)) && isnan(at(early, 0, 1, QUANTITY_BAR)));
     CHECK(isnan(at(early, 0, 1, QUANTITY_OFF)));
     /* A factor a step has no limit: the shell's own steps would be damped otherwise. */
-    CHECK(!study_of(&all, "scaled")->truth && strstr(text, "scaled by a factor each"));
-    free(text);
+    CHECK(!study_of(&all, "scaled")->truth);
     study_clear(&all);
     CHECK(study_read(&plan, "/proc/nowhere", &all, NULL) == STATUS_FILE);
     CHECK(!all.study); /* all clear after a failure */

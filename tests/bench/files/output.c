@@ -47,31 +47,21 @@ static int run(int target, int lines, char *sentence, size_t size)
 
 static void test_standard(void)
 {
-    static const char full[] =
-        "standard output: cannot be written: No space left on device",
-                      closed[] =
-                          "standard output: its reader closed the pipe before the end";
     int ends[2];
 
     REQUIRE(pipe(ends) == 0 && close(ends[0]) == 0);
     const int device = open("/dev/full", O_WRONLY);
     const struct {
         int target, lines, code;
-        const char *sentence; /* NULL: any */
-    } row[] = {{device, 0, 0, ""},
-               {device, 1, 1, full},
-               {device, 100000, 1, full},
-               {ends[1], 1, 1, closed},
-               {ends[1], 100000, 1, closed},
-               {open("/dev/null", O_WRONLY), 100000, 0, ""},
-               {-1, 0, 0, ""},
-               {-1, 1, 1, NULL}};
+    } row[] = {{device, 0, 0},       {device, 1, 1},
+               {device, 100000, 1},  {ends[1], 1, 1},
+               {ends[1], 100000, 1}, {open("/dev/null", O_WRONLY), 100000, 0},
+               {-1, 0, 0},           {-1, 1, 1}};
 
     for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
         char sentence[256];
         CHECK(run(row[n].target, row[n].lines, sentence, sizeof sentence) == row[n].code);
-        if (!CHECK(row[n].sentence ? !strcmp(sentence, row[n].sentence) : *sentence != 0))
-            printf("row %zu: '%s'\n", n, sentence);
+        CHECK(!*sentence == !row[n].code);
     }
 }
 
@@ -156,22 +146,16 @@ static void test_given_up(void)
     close(reader);
 }
 
-/* A path that no file can have is refused in a sentence of its own. */
+/* A path that no file can have is refused. */
 static void test_refusals(void)
 {
-    static const struct {
-        const char *path, *sentence;
-    } want[] = {{".", ".: is a folder, not a file"},
-                {"", "the name of an output file is empty"},
-                {"none/a", "none/a: cannot be created: No such file or directory"},
-                {"/dev/null/a", "/dev/null/a: cannot be created: Not a directory"}};
+    static const char *const path[] = {".", "", "none/a", "/dev/null/a"};
     struct output *out = NULL;
 
-    for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
+    for (size_t n = 0; n < sizeof path / sizeof *path; n++) {
         struct message why = {""};
-        CHECK(output_create(want[n].path, &out, &why) == STATUS_FILE && !out);
-        if (!CHECK(!strcmp(why.text, want[n].sentence)))
-            printf("  %s\n", why.text);
+        CHECK(output_create(path[n], &out, &why) == STATUS_FILE && !out);
+        CHECK(*why.text && strstr(why.text, path[n]));
     }
 }
 
@@ -179,13 +163,13 @@ static void test_refusals(void)
 static void test_folders(void)
 {
     static const struct {
-        const char *path, *sentence;
+        const char *path, *wrong; /* NULL: it can be made */
     } want[] = {{"x/y/z", NULL},
                 {"x/y/z", NULL},
                 {"x/yy//w/", NULL},
-                {"file/a", "file/a: cannot be made: Not a directory"},
-                {"x/y/file/a", "x/y/file/a: cannot be made: Not a directory"},
-                {"/proc/a/b", "/proc/a: cannot be made: No such file or directory"}};
+                {"file/a", "file/a: "},
+                {"x/y/file/a", "x/y/file/a: "},
+                {"/proc/a/b", "/proc/a: "}};
     static const char *const made[] = {"x/yy/w", "x/yy", "x/y/z", "x/y", "x"};
     struct message why = {""};
     struct stat info;
@@ -195,18 +179,15 @@ static void test_folders(void)
     REQUIRE(chdir(scratch) == 0 && fclose(fopen("file", "w")) == 0);
     for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
         const enum status st = folder_make(want[n].path, &why);
-        CHECK(st == (want[n].sentence ? STATUS_FILE : STATUS_OK));
+        CHECK(st == (want[n].wrong ? STATUS_FILE : STATUS_OK));
         if (n == 1)
             REQUIRE(rename("file", "x/y/file") == 0 && symlink("x/y/file", "file") == 0);
-        if (want[n].sentence && !CHECK(!strcmp(why.text, want[n].sentence)))
-            printf("  %s\n", why.text);
+        CHECK(!want[n].wrong || !strncmp(why.text, want[n].wrong, strlen(want[n].wrong)));
     }
     memset(path, 'a', sizeof path - 1), path[sizeof path - 1] = '\0';
-    CHECK(folder_make(path, &why) == STATUS_FILE && strstr(why.text, "too long"));
-    path[4096] = '\0';
-    CHECK(folder_make(path, &why) == STATUS_FILE && strstr(why.text, "too long"));
+    CHECK(folder_make(path, &why) == STATUS_FILE);
     path[4095] = '\0'; /* too long for the system alone */
-    CHECK(folder_make(path, &why) == STATUS_FILE && !strstr(why.text, "...:"));
+    CHECK(folder_make(path, &why) == STATUS_FILE);
     CHECK(unlink("file") == 0 && unlink("x/y/file") == 0);
     for (size_t n = 0; n < sizeof made / sizeof *made; n++) {
         CHECK(stat(made[n], &info) == 0 && (info.st_mode & 07777) == 0755);

@@ -246,11 +246,11 @@ static void test_rest(void)
 static void test_refusals(void)
 {
     static const struct {
-        const char *contestant, *setting, *word;
+        const char *contestant, *setting;
         enum status status;
-    } want[] = {{"mass_spring", "supports=[{at: {u: 0, w: 0}, fix: xyz}]", "thickness",
-                 STATUS_UNSUPPORTED},
-                {"iga_paper", "discretization.points=[2,2,2]", "functions", STATUS_INPUT}};
+    } want[] = {
+        {"mass_spring", "supports=[{at: {u: 0, w: 0}, fix: xyz}]", STATUS_UNSUPPORTED},
+        {"iga_paper", "discretization.points=[2,2,2]", STATUS_INPUT}};
     struct run_result r, timed;
 
     for (int n = 0; n < LENGTH(want); n++) {
@@ -259,8 +259,6 @@ static void test_refusals(void)
                                      .keep = {.file = file, .every = 5}};
         write_run(&c.plan, &c.keep, &r);
         CHECK(r.outcome == want[n].status && run_result_refused(&r));
-        if (!CHECK(strstr(r.sentence.text, want[n].word)))
-            printf("  %s\n", r.sentence.text);
         CHECK(isnan(r.value[MEASURE_STRETCH_MAX]) && isnan(r.value[MEASURE_BLOWUP_TIME]));
         CHECK(isnan(r.death_time) && r.value[MEASURE_GAMMA] > 0 && r.steps == 0);
         for (int rest = 0; rest < 2; rest++) {
@@ -278,25 +276,22 @@ static void test_refusals(void)
     script.create = STATUS_INDEFINITE;
     write_script(0, &(struct run_keep){.file = file, .every = 1}, &r);
     CHECK(r.outcome == STATUS_INDEFINITE && r.death_time == 0);
-    CHECK(strstr(r.sentence.text, "died at t = 0 s"));
 }
 
-/* A failure that is no result leaves a sentence and no file. */
+/* A failure that is no result leaves no file. */
 static void test_failures(void)
 {
     struct settings s = LIST("discretization.degree=[9,9,1]");
     const struct {
         struct run_plan plan;
         enum status create, death, want;
-        const char *file, *part;
-    } row[] = {
-        {{DROP, named("iga"), &s, 0}, 0, 0, STATUS_INPUT, file, "degree"},
-        {{"/proc/nowhere.yaml", named("iga"), NULL, 0}, 0, 0, STATUS_FILE, file, "nowhere"},
-        {{DROP, &scripted, NULL, 0}, STATUS_MEMORY, 0, STATUS_MEMORY, file, "would not"},
-        /* no death, a failure */
-        {{DROP, &scripted, NULL, 0}, 0, STATUS_LIBRARY, STATUS_LIBRARY, file, ""},
-        {{DROP, &scripted, NULL, 0}, 0, 0, STATUS_FILE, "/proc/no/run.h5", "/proc/no"}};
-    struct message why = {""};
+        const char *file;
+    } row[] = {{{DROP, named("iga"), &s, 0}, 0, 0, STATUS_INPUT, file},
+               {{"/proc/nowhere.yaml", named("iga"), NULL, 0}, 0, 0, STATUS_FILE, file},
+               {{DROP, &scripted, NULL, 0}, STATUS_MEMORY, 0, STATUS_MEMORY, file},
+               /* no death, a failure */
+               {{DROP, &scripted, NULL, 0}, 0, STATUS_LIBRARY, STATUS_LIBRARY, file},
+               {{DROP, &scripted, NULL, 0}, 0, 0, STATUS_FILE, "/proc/no/run.h5"}};
     struct run_result r;
 
     unlink(file);
@@ -306,27 +301,23 @@ static void test_failures(void)
         script_reset();
         script.create = row[n].create;
         script.dies = 3 * (row[n].death != STATUS_OK), script.death = row[n].death;
-        CHECK(run_file_write(&row[n].plan, &keep, &r, &why) == row[n].want);
-        CHECK(strstr(why.text, row[n].part));
+        CHECK(run_file_write(&row[n].plan, &keep, &r, NULL) == row[n].want);
         CHECK(access(file, F_OK) != 0 && access(view, F_OK) != 0);
     }
-    CHECK(run_result_read(file, true, &r, &why) == STATUS_FILE && strstr(why.text, file));
+    CHECK(run_result_read(file, true, &r, NULL) == STATUS_FILE);
     settings_clear(&s);
 }
 
-/* --- deaths: who moves a sheet tells the same of the same run: code, time, sentence ------
+/* --- deaths: who moves a sheet tells the same of the same run: code and time -------------
  */
 
-static void check_told(const struct run_result *r, enum status death, int frame,
-                       const char *sentence)
+static void check_told(const struct run_result *r, enum status death, int frame)
 {
     CHECK(r->outcome == death && r->death_time == frame * 0.005);
     CHECK(r->value[MEASURE_BLOWUP_TIME] == r->death_time);
-    CHECK(!strcmp(r->sentence.text, sentence));
 }
 
-static void check_death(const struct run_plan *plan, enum status death, int frame,
-                        const char *sentence)
+static void check_death(const struct run_plan *plan, enum status death, int frame)
 {
     const double late[] = {0.4, 0.5};
     struct run_keep keep = {.times = 2, .time = late};
@@ -337,7 +328,7 @@ static void check_death(const struct run_plan *plan, enum status death, int fram
         keep.every = n ? 10 : 0;
         keep.file = n ? NULL : file;
         write_run(plan, &keep, &r);
-        check_told(&r, death, frame, sentence);
+        check_told(&r, death, frame);
         CHECK(r.steps == frame);
         CHECK(n ? r.value[MEASURE_END_TIME] == (frame - 1) / 10 * 10 * 0.005
                 : isnan(r.value[MEASURE_END_TIME]));
@@ -347,7 +338,7 @@ static void check_death(const struct run_plan *plan, enum status death, int fram
         .plan = *plan, .keep = keep, .timed = MEASUREMENT_WHOLE, .repeats = 1};
     REQUIRE(measurement_run(&quick, 1, &c, NULL) == STATUS_OK);
     read_back(false, &r);
-    check_told(&r, death, frame, sentence);
+    check_told(&r, death, frame);
     CHECK(r.step.count == 1 && !r.frames);
     run_result_clear(&r);
 }
@@ -360,10 +351,9 @@ static void test_deaths(void)
 
     check_death(
         &(struct run_plan){SCENES "corners_drop.yaml", named("iga_paper"), &undamped, 0},
-        STATUS_ESCAPED, 36,
-        "died at t = 0.18 s: a point is farther than 10 lengths from its support");
+        STATUS_ESCAPED, 36);
     check_death(&(struct run_plan){DROP, named("iga_paper"), &row7, 0.5}, STATUS_INVERTED,
-                53, "died at t = 0.265 s: an element turned inside out (det J <= 0)");
+                53);
     settings_clear(&undamped);
     settings_clear(&row7);
 }
@@ -477,30 +467,28 @@ static void test_misfits(void)
 {
     static const struct {
         struct array array;
-        const char *key, *text, *sentence;
-    } want[] = {
-        {{"metrics/drop", 2, 0, {0, 1}}, 0, 0, "metrics/drop has 2 numbers for 5"},
-        {{"metrics/speed", 5, 2, {0}}, 0, 0, "metrics/speed has 10 numbers for 5"},
-        {{"metrics/truth_error", 2, 0, {0, 1}}, 0, 0, "truth_error has 2 numbers for 5"},
-        {{"energy/kinetic", 1, 0, {0}}, 0, 0, "energy/kinetic has 1 numbers for 5"},
-        {{"energy/kinetic", 0, 0, {0}}, 0, 0, "energy/kinetic"},
-        {{"energy/elastic", 0, 0, {0}}, 0, 0, "has no energy/elastic"},
-        {{"energy/potential", 0, 0, {0}}, 0, 0, "has no energy/potential"},
-        {{"xyz_time", 2, 0, {0, 1}}, 0, 0, "has 0 fields at 2 times"},
-        {{"xyz_time", 0, 0, {0}}, 0, 0, "xyz_time"},
-        {{"metrics/drop", 0, 0, {0}}, 0, 0, "metrics/drop"},
-        {{"counters/steps", 0, 0, {0}}, 0, 0, "counters/steps"},
-        {{"none", 0, 0, {0}}, "outcome", "flew away", "unknown outcome 'flew away'"},
-        {{"none", 0, 0, {0}}, "outcome", "bad input", "has no text note"},
-        {{"none", 0, 0, {0}}, "scene", NULL, "has no text scene"}};
+        const char *key, *text;
+    } want[] = {{{"metrics/drop", 2, 0, {0, 1}}},
+                {{"metrics/speed", 5, 2, {0}}},
+                {{"metrics/truth_error", 2, 0, {0, 1}}},
+                {{"energy/kinetic", 1, 0, {0}}},
+                {{"energy/kinetic", 0, 0, {0}}},
+                {{"energy/elastic", 0, 0, {0}}},
+                {{"energy/potential", 0, 0, {0}}},
+                {{"xyz_time", 2, 0, {0, 1}}},
+                {{"xyz_time", 0, 0, {0}}},
+                {{"metrics/drop", 0, 0, {0}}},
+                {{"counters/steps", 0, 0, {0}}},
+                {{"none", 0, 0, {0}}, "outcome", "flew away"},
+                {{"none", 0, 0, {0}}, "outcome", "bad input"},
+                {{"none", 0, 0, {0}}, "scene", NULL}};
     struct run_result r;
     struct message why;
 
     for (int n = 0; n < LENGTH(want); n++) {
         CHECK(read_with(1, &want[n].array, want[n].key, want[n].text, &r, &why) ==
               STATUS_INPUT);
-        if (!CHECK(strstr(why.text, want[n].sentence) && strstr(why.text, file)))
-            printf("  %s\n", why.text);
+        CHECK(strstr(why.text, file));
     }
 }
 

@@ -139,12 +139,10 @@ static void test_failure(void)
 {
     struct run a = read_run('A'), b = read_run('B');
     struct timing_case c[] = {{.run = &a, .frames = 1}, {.run = &b, .frames = 1}};
-    struct message why = {""};
 
     script_reset();
     script.create = STATUS_MEMORY, script.refuse_after = 3;
-    CHECK(timing_run(&(struct timing_plan){0}, 2, c, &why) == STATUS_MEMORY);
-    CHECK(strstr(why.text, "would not"));
+    CHECK(timing_run(&(struct timing_plan){0}, 2, c, NULL) == STATUS_MEMORY);
     for (int n = 0; n < 2; n++)
         CHECK(!c[n].create && !c[n].advance);
     run_close(&a);

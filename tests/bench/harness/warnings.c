@@ -140,24 +140,22 @@ static void check_rule(const struct row *row)
     run_close(&run);
 }
 
-/* Numbers in sentences. */
+/* Numbers that only a sentence has. */
 static void check_numbers(void)
 {
     static const struct {
         const char *contestant, *settings, *text;
     } row[] = {
-        {"iga_nonlinear", "", "nu = 0.3: up to 22 % too stiff"}, /* 0.49 / 0.4 */
-        {"iga_nonlinear", "discretization.points=[10,10,3]", "up to 5.6 % too"},
-        {"iga_linear", SHEET LIGHT "gravity=[0,0,-4.8]", "by more than 1 %"},
-        {"iga_linear", SHEET LIGHT "gravity=[0,0,-4.9]", "by more than 10 %"},
-        {"iga_paper", "", "viscosity is E dt = 500 Pa s"},
-        {"mass_spring", "", "takes 3.7 % of a swing in every second"},
+        {"iga_nonlinear", "", "to 22 % too"}, /* 0.49 / 0.4 */
+        {"iga_nonlinear", "discretization.points=[10,10,3]", "to 5.6 % too"},
+        {"iga_linear", SHEET LIGHT "gravity=[0,0,-4.8]", "than 1 %"},
+        {"iga_linear", SHEET LIGHT "gravity=[0,0,-4.9]", "than 10 %"},
+        {"iga_paper", "", "= 500 Pa s"},
+        {"mass_spring", "", "takes 3.7 % of"},
         {"iga_linear", "discretization.points=[18,12,2]", "here 85:"},
-        {"shell", CLAMP "discretization.points=[5,9]", "; 6 x 9 points have lines there"},
-        {"mass_spring", "supports=[{at: {u: 0.12345, v: 0.5}, fix: xyz}]", "21x21 1 % ("},
+        {"shell", CLAMP "discretization.points=[5,9]", "; 6 x 9 points"},
         {"mass_spring", "supports=[{at: {u: 0.5, v: 0.12345}, fix: xyz}]", "21x21 1 % ("},
-        {"shell_selective_3", SHEET LIGHT "gravity=[0,0,-6000]",
-         "spans of 0.14 m, but at this Gamma a sheet may bend within 0.017 m"},
+        {"shell_selective_3", SHEET LIGHT "gravity=[0,0,-6000]", "of 0.14 m, but"},
     };
 
     for (int n = 0; n < LENGTH(row); n++) {
@@ -220,24 +218,21 @@ static void check_doubts(void)
 
 static const struct result {
     double stretch, depth, pairs, begin, weight; /* weight 0: 0.002                  */
-    const char *said, *not_said; /* said NULL: it is believed                         */
+    const char *said; /* numbers of what is wrong; NULL: it is believed               */
 } results[] = {
-    {1, NAN, NAN, NAN, 0, NULL, NULL},
-    {NAN, NAN, NAN, NAN, 0, NULL, NULL},
-    {1.2999, 0.00499, 0, INFINITY, 0, NULL, NULL},
+    {1, NAN, NAN, NAN, 0, NULL},
+    {NAN, NAN, NAN, NAN, 0, NULL},
+    {1.2999, 0.00499, 0, INFINITY, 0, NULL},
     {1.3001, 0, 0, INFINITY, 0,
-     "1.3 times its length, of which its hanging weight explains 1.002; try", "obstacle"},
-    {1.2999, 0.00501, 0, INFINITY, 0, "an obstacle is 5 mm deep in a sheet of 1 mm",
-     "stretched"},
-    {1.41, NAN, 0, INFINITY, 0.206, NULL, NULL},
-    {1.41, NAN, 0, INFINITY, 0.204, "1.41 times its length, of which", "passes"},
-    {1, NAN, 1, 0.31, 0, "itself from 0.31 s on; try an end before 0.31 s", "finer"},
-    {1, NAN, 1, 0, 0, ": it passes through itself; try a finer net.", "end before"},
+     "1.3 times its length, of which its hanging weight explains 1.002;"},
+    {1.2999, 0.00501, 0, INFINITY, 0,
+     "result: an obstacle is 5 mm deep in a sheet of 1 mm;"},
+    {1.41, NAN, 0, INFINITY, 0.206, NULL},
+    {1.41, NAN, 0, INFINITY, 0.204, "1.41 times"},
+    {1, NAN, 1, 0.31, 0, "result: it passes through itself from 0.31 s on;"},
+    {1, NAN, 1, 0, 0, "result: it passes through itself;"},
     {9, 0.02, 40, 0.2, 0,
-     "explains 1.002, an obstacle is 20 mm deep in a sheet of 1 mm, it passes through "
-     "itself from 0.2 s on; try a finer net, another model beside it, or an end before 0.2 "
-     "s",
-     "infinite"},
+     "explains 1.002, an obstacle is 20 mm deep in a sheet of 1 mm, it passes"},
 };
 
 static void check_result_of(const struct result *row)
@@ -254,11 +249,7 @@ static void check_result_of(const struct result *row)
     value[MEASURE_INTERSECTION_TIME] = row->begin;
     value[MEASURE_HANGING_STRAIN] = row->weight > 0 ? row->weight : 0.002;
     bool good = CHECK(distrust(&scene, value, &said) == (row->said != NULL));
-    if (row->said)
-        good &= CHECK(!strncmp(said.text, "Do not trust this result: ", 26) &&
-                      strstr(said.text, row->said) && !strstr(said.text, row->not_said));
-    else
-        good &= CHECK(!*said.text);
+    good &= CHECK(row->said ? strstr(said.text, row->said) != NULL : !*said.text);
     if (!good)
         printf("row %d: '%s'\n", (int)(row - results), said.text);
 }

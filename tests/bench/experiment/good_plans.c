@@ -253,34 +253,6 @@ static void check_many(void)
     CHECK(strstr(why.text, ".yaml:1: the plan has more than 100000 cases"));
 }
 
-/* Each stand-in through each key it may be set by. */
-static void check_derived_keys(void)
-{
-    static const char *const by[] = {"material.young", "material.density",
-                                     "sheet.thickness", "sheet.length"};
-    const double tol_power = 1e-14; /* one rounding of pow each way */
-
-    for (int n = 0; n < 4; n++) {
-        struct scene scene;
-        double *const value[] = {&scene.young, &scene.density, &scene.thickness,
-                                 &scene.length};
-
-        REQUIRE(scene_init(&scene) == STATUS_OK);
-        scene.gravity[2] = -9.81;
-        scene.poisson = 0.3;
-        double solved = derived_key_solve("gamma", by[n], 123, &scene);
-        *value[n] = solved;
-        CHECK_RELATIVE(scene_gamma(&scene), 123.0, tol_power);
-        solved = derived_key_solve("young_over_density", by[n], 77, &scene);
-        CHECK(isnan(solved) == (n > 1));
-        *value[n] = solved;
-        if (n < 2)
-            CHECK_RELATIVE(scene.young / scene.density, 77.0, tol_power);
-        scene_clear(&scene);
-    }
-    CHECK(!derived_key_is("material.young") && derived_key_is("gamma"));
-}
-
 int main(void)
 {
     scratch_open();
@@ -295,6 +267,5 @@ int main(void)
     check_quotes();
     check_bare_study();
     check_many();
-    check_derived_keys();
     return check_result();
 }

@@ -1,6 +1,5 @@
 /* The engine of studies: plans with levels, differences, errors, orders and metrics from
  * result files, levels that die or are refused, truth found again. */
-#include "bench/experiment/batch.h"
 #include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/experiment/plan.h"
@@ -164,7 +163,8 @@ static void deaths_and_refusals(void)
     CHECK(run_result_refused(&row[2].result) && !row[2].xyz[0]);
     CHECK_NEAR(at(s, 0, 0, QUANTITY_NEXT), rmse("rough_calm", "rough_wild", 0), TOL_STORED);
     CHECK(isnan(at(s, 0, 1, QUANTITY_NEXT))); /* nobody else lives */
-    CHECK(row[1].result.outcome == STATUS_INVERTED && row[1].result.death_time == 53 * 0.005);
+    CHECK(row[1].result.outcome == STATUS_INVERTED &&
+          row[1].result.death_time == 53 * 0.005);
     CHECK(!late->truth && *late->no_truth.text);
     CHECK(!strcmp(late->plan->levels[0].name, "flat_sheet"));
     const struct study *early = study_of(&all, "early");
@@ -245,54 +245,11 @@ static void rest_and_quick(void)
     plan_clear(&plan);
 }
 
-/* Cases put together one by one: each its own file, settings and result. */
-static void batches(void)
-{
-    static const char *const name[] = {"small", "large"};
-    static const char *const net[] = {"discretization.points=[3,3,2]",
-                                      "discretization.points=[4,4,2]"};
-    static const double unknowns[] = {3 * (18 - 6), 3 * (32 - 8)}; /* less the held row */
-    const struct measurement_options options = {.quick = true};
-    const struct contestant *who;
-    struct batch b;
-    struct message why;
-    char files[4096];
-
-    snprintf(files, sizeof files, "%s/batch/of/two", folder);
-    REQUIRE(contestant_find("iga_linear", &who, &why) == STATUS_OK);
-    REQUIRE(batch_init(&b, files, 2) == STATUS_OK);
-    for (int n = 0; n < 2; n++) {
-        struct measurement_case *c =
-            batch_add(&b, SOURCE_DIR "/models/scenes/edge_drop.yaml", who, name[n]);
-        CHECK(c == &b.cases[n] && c->timed == MEASUREMENT_UNTIMED && !c->repeats);
-        CHECK(c->plan.contestant == who && c->plan.settings == batch_settings(&b));
-        CHECK(c->keep.fields == RUN_FIELDS_NONE && !strcmp(c->keep.file, b.files[n]));
-        settings_set(batch_settings(&b), net[n]);
-        c->plan.end = 0.005;
-    }
-    CHECK(b.count == 2 && batch_run(&b, &options, &why) == STATUS_OK);
-    for (int n = 0; n < 2; n++) {
-        struct run_result r;
-        char path[8192];
-        snprintf(path, sizeof path, "%s/%s.h5", files, name[n]);
-        CHECK(!strcmp(b.files[n], path));
-        REQUIRE(batch_read(&b, n, true, &r, &why) == STATUS_OK);
-        CHECK(r.unknowns == unknowns[n] && r.frames == 0 && r.quick);
-        run_result_clear(&r);
-    }
-    free(b.files[0]); /* memory did not last for its name */
-    b.files[0] = NULL;
-    CHECK(batch_run(&b, &options, &why) == STATUS_MEMORY);
-    batch_clear(&b);
-    CHECK(!b.count && !b.cases);
-}
-
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
     folder = argv[1];
     fresh_folder(folder);
-    batches();
     rest_and_quick();
     REQUIRE(!setenv("CLOTHBENCH_TRUTHS", SOURCE_DIR "/tests/truths", 1));
     deaths_and_refusals(); /* by a truth that ends early */

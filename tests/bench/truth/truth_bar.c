@@ -255,36 +255,6 @@ static void heard(void)
     }
 }
 
-/* The solid is the sharper model at the first time (of four runs: its limit is), the shell
- * at the second, which is not claimed where the two are 1 m apart. */
-static void shared(void)
-{
-    static const struct {
-        int runs;
-        double early, off; /* of the shell, at the first time and at the second [m] */
-    } cases[] = {{3, 0, 0}, {4, 0, 0}, {3, 0, 1}, {3, 1, 1}};
-
-    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
-        families((struct rungs){cases[n].runs, 1, 0.1, 1}, (struct rungs){3, 1, 0.3, 1});
-        const double *solid = family[TRUTH_SOLID].run[cases[n].runs - 1].xyz[0],
-                     *shell = family[TRUTH_SHELL].run[2].xyz[1];
-        put(TRUTH_SOLID, cases[n].runs - 1, 1,
-            family[TRUTH_SOLID].run[cases[n].runs - 1].xyz[1][0] + 0.05);
-        for (int r = 0; r < 3; r++)
-            for (int t = 0; t < TIMES; t++)
-                put(TRUTH_SHELL, r, t,
-                    family[TRUTH_SHELL].run[r].xyz[t][0] +
-                        (t ? cases[n].off : cases[n].early));
-        compare(TRUTH_SOLID, 1, 0);
-        CHECK(made.value[0][TRUTH_SOLID_BAR] < made.value[0][TRUTH_SHELL_BAR]);
-        CHECK(made.value[1][TRUTH_SOLID_BAR] > made.value[1][TRUTH_SHELL_BAR]);
-        CHECK_NEAR(made.xyz[0][0], cases[n].runs == 4 ? 1 : solid[0], ORDER);
-        CHECK(made.xyz[1][0] == shell[0] && made.level.model == TRUTH_SOLID);
-        CHECK(made.claimed == (cases[n].early > 0 ? 0 : cases[n].off > 0 ? 1 : 2));
-        CHECK(!strstr(made.source, "at 1 of 2 times") == (made.claimed == 1));
-    }
-}
-
 /* --- Made-up bars: whose field it is at each time, and until when it is claimed. */
 
 static const struct choice {
@@ -384,7 +354,6 @@ int main(void)
     three();
     two_and_none();
     limits();
-    shared();
     unsettled();
     moved();
     heard();

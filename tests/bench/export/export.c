@@ -516,25 +516,6 @@ static int numbers_of(const struct said *s, const char *name, double number[MOST
     return count;
 }
 
-/* Checks that what is opened is closed, in its order, and quotes. */
-static void check_balanced(const char *at)
-{
-    char open[16];
-    int depth = 0, quotes = 0;
-
-    for (; *at; at++) {
-        const char *kind = strchr("()[]{}", *at);
-        quotes += *at == '"';
-        if (!kind || quotes % 2)
-            continue;
-        if (strchr("([{", *at) && depth < (int)sizeof open)
-            open[depth++] = kind[1];
-        else
-            CHECK(depth > 0 && open[--depth] == *at);
-    }
-    CHECK(depth == 0 && quotes % 2 == 0);
-}
-
 /* Returns the area of triangles in the plane x, y, counted from above. */
 static double area_above(const double *x, int indices, const double *corner)
 {
@@ -583,7 +564,6 @@ static void usd(void)
         struct said s;
         said_read(&s, folder, "scene.usda");
         open_table(folder, "held");
-        check_balanced(s.text);
         said_has(&s, cases[n].scene, cases[n].has);
         CHECK(numbers_of(&s, "point3f[] points", x) == 3 * cases[n].vertices);
         CHECK(numbers_of(&s, "primvars:st", list) == 2 * cases[n].vertices);

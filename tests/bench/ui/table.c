@@ -92,24 +92,6 @@ static void check_formats(void)
     }
 }
 
-static void check_numbers(void)
-{
-    static const struct table_column one[] = {{"x", NULL, TABLE_RIGHT}};
-    static const struct {
-        double x;
-        int digits;
-    } number[] = {{123, 3}, {2.0, 2}, {NAN, 2}, {1.5e-9, 3}};
-    struct table *t = table_create(1, one, NULL);
-
-    for (int n = 0; n < 4; n++) {
-        table_line(t, "%.*g", number[n].digits, number[n].x);
-    }
-    table_line(t, "%.2f", 1.0 / 3);
-    PRINT(t, TABLE_TEXT,
-          "       x\n--------\n     123\n     2.0\n       -\n1.50e-09\n    0.33\n");
-    table_destroy(t);
-}
-
 /* Keys made of header and unit; none twice. */
 static void check_keys(void)
 {
@@ -240,7 +222,6 @@ int main(void)
     scratch_open();
     REQUIRE(chdir(scratch) == 0);
     check_formats();
-    check_numbers();
     check_keys();
     check_files();
     check_failures_told();

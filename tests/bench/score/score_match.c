@@ -168,15 +168,10 @@ static void printed(void)
         {.time = .1, .error = .01, .bar = .02, .floor = .03},
         {.time = .3, .between = true, .error = .07, .bar = .08, .floor = .09},
         {.time = .4}};
-    static const struct {
-        enum table_format format;
-        const char *words;
-    } row[] = {{TABLE_CSV,
-                "drop,0.10000000000000001,0.01,0.02,0.029999999999999999\n"
-                "drop,0.29999999999999999,0.070000000000000007,0.080000000000000002,"
-                "0.089999999999999997\n"},
-               {TABLE_JSON, "judged at the 3 where both exist, at 1 of them between"},
-               {TABLE_TEXT, "leaves 40 %"}};
+    static const char *const rows =
+        "drop,0.10000000000000001,0.01,0.02,0.029999999999999999\n"
+        "drop,0.29999999999999999,0.070000000000000007,0.080000000000000002,"
+        "0.089999999999999997\n";
     double known[] = {.1, .3, .4};
     const struct score s = {.truth.scene.name = (char[]){"drop"},
                             .grid = {.times = 3, .time = known},
@@ -186,17 +181,17 @@ static void printed(void)
                             .net.vertices = 9};
     const struct score_diagnosis some = {.left = .4};
 
-    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
-        char text[4096] = "";
-        struct score_print sheet = {.format = row[n].format,
-                                    .file = fmemopen(text, sizeof text, "w")};
-        score_print_add(&sheet, &s, &some);
-        CHECK(score_print_end(&sheet) == STATUS_OK);
-        score_print_clear(&sheet);
-        fclose(sheet.file);
-        if (!CHECK(strstr(text, row[n].words)))
-            printf("'%s' is not in\n%s", row[n].words, text);
-    }
+    char text[4096] = "";
+    struct score_print sheet = {.format = TABLE_CSV,
+                                .file = fmemopen(text, sizeof text, "w")};
+
+    score_print_add(&sheet, &s, &some);
+    CHECK(score_print_end(&sheet) == STATUS_OK);
+    score_print_clear(&sheet);
+    fclose(sheet.file);
+    if (!CHECK(strstr(text, rows) &&
+               strstr(text, "at the 3 where both exist, at 1 of them")))
+        puts(text);
 }
 
 /* A stored truth without times at which tables judge is held against at its last one. */

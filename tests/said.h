@@ -29,22 +29,6 @@ static inline void said_close(struct said *s, bool lines)
             *c = ' ';
 }
 
-/* What is in a file instead. */
-static inline void said_read(struct said *s, const char *folder, const char *name)
-{
-    char path[4096];
-    int c;
-
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "r");
-    REQUIRE(file);
-    said_open(s);
-    while ((c = fgetc(file)) != EOF)
-        fputc(c, s->file);
-    fclose(file);
-    said_close(s, true);
-}
-
 /* How often words are in it. */
 static inline int said_count(const struct said *s, const char *part)
 {

@@ -9,6 +9,7 @@
 
 #include "bench/frames/frames.h"
 #include "fem_ref/reference.h"
+#include "tests/fresh.h"
 #include "tests/said.h"
 #include "tests/scratch.h"
 #include "tests/truth_fixture.h"
@@ -487,10 +488,10 @@ static void clamps_are_mirrors(void)
         CHECK(is(row, "path", "0"));
     struct said s; /* nothing is held */
     const char *folder = exported("free_fall", "11,11", NULL);
-    said_read(&s, folder, "held.csv");
+    s.text = fresh_text(folder, "held.csv");
     CHECK(!strcmp(s.text, "vertex,u,v,x,y,z,fix,path,beside\n"));
     said_clear(&s);
-    said_read(&s, folder, "scene.usda");
+    s.text = fresh_text(folder, "scene.usda");
     said_has(&s, "free_fall", "clothbench:held = []");
     said_lacks(&s, "free_fall", "PhysicsAttachment");
     said_clear(&s);
@@ -562,7 +563,7 @@ static void usd(void)
         const char *folder =
             exported(cases[n].scene, "5,4", (const char *const[]){cases[n].set, NULL});
         struct said s;
-        said_read(&s, folder, "scene.usda");
+        s.text = fresh_text(folder, "scene.usda");
         open_table(folder, "held");
         said_has(&s, cases[n].scene, cases[n].has);
         CHECK(numbers_of(&s, "point3f[] points", x) == 3 * cases[n].vertices);
@@ -668,7 +669,7 @@ static void rules(void)
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         struct said s;
-        said_read(&s, exported(cases[n].scene, cases[n].points, NULL), "README.md");
+        s.text = fresh_text(exported(cases[n].scene, cases[n].points, NULL), "README.md");
         said_has(&s, cases[n].scene, cases[n].has);
         said_lacks(&s, cases[n].scene, cases[n].lacks);
         said_clear(&s);

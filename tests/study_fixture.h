@@ -67,14 +67,6 @@ static inline char *study_printed_text(struct study_printed *p)
     return p->text;
 }
 
-static inline void study_printed_wants(struct study_printed *p, const char *want)
-{
-    char *text = study_squeeze(study_printed_text(p));
-
-    study_wants(text, want);
-    free(text);
-}
-
 /* --- A plan's. */
 
 struct study_made {

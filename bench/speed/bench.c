@@ -1,40 +1,248 @@
 #include "bench/speed/bench.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/bench_solid.h"
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
 #include "bench/ui/progress.h"
+#include "fem_ref/reference.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/reader/scene_file.h"
 
-static const struct command_item *const items[] = {
-    &bench_part_solids.item,  &bench_part_projective.item,  &bench_part_nonlinear.item,
-    &bench_part_contact.item, &bench_part_contestants.item, NULL,
+/* A run on edge_drop of twenty frames, its phases timed apart, with the times that a frame
+ * and its phases should reach [ms] (0: no aim). peers.csv has what other programs take for
+ * the work of its title. */
+struct solid_row {
+    const char *title, *contestant;
+    const char *settings[2]; /* KEY=VALUE; NULL ends */
+    double frame, phase[BENCH_SOLID_FRAME];
 };
 
-/* The end of a short run [s]: twenty frames after two of warm-up (measurement.h). */
-static const double SOME = 0.11;
+#define UNDAMPED "damping={kind: none}"
+#define NET(n)   "discretization.points=[" #n "," #n ",2]"
 
-enum status bench_part_add(struct bench *b, const struct bench_row *row,
-                           struct message *why)
+/* clang-format off */
+static const struct solid_row solids[] = {
+    {"iga 10x10x2 rebuilt", "iga_paper", {0}, 0.7, {0}},
+    {"iga 10x10x2 prefactored", "iga_linear", {UNDAMPED}, 0.025, {0}},
+    {"hex 32x32x2 rebuilt", "hex_paper", {NET(32)}, 12, {0}},
+    {"iga 100x100x2 prefactored", "iga_linear", {UNDAMPED, NET(100)}, 20, {80, 800, 0}},
+};
+/* clang-format on */
+enum { SOLIDS = sizeof solids / sizeof *solids };
+
+/* Adds a run; settings are KEY=VALUE, and NULL ends them. */
+static struct measurement_case *add_run(struct bench *b, const struct contestant *who,
+                                        int count, const char *const *settings, double end)
 {
-    const struct contestant *who;
     char name[64];
-    const enum status st = contestant_find(row->contestant, &who, why);
 
-    if (st != STATUS_OK)
-        return st;
-    snprintf(name, sizeof name, "%s_%d", row->contestant, b->batch.count);
+    snprintf(name, sizeof name, "%s_%d", who->name, b->batch.count);
     struct measurement_case *c = batch_add(&b->batch, b->path, who, name);
-    c->plan.end = row->end > 0 ? row->end : SOME;
-    c->timed = row->end > 0 ? MEASUREMENT_WHOLE : MEASUREMENT_SOME;
-    c->phases = !(row->end > 0);
-    settings_list(batch_settings(&b->batch), sizeof row->settings / sizeof *row->settings,
-                  row->settings);
-    return STATUS_OK;
+    c->plan.end = end;
+    settings_list(batch_settings(&b->batch), count, settings);
+    return c;
 }
+
+/* --- solids: frames and their phases against aims ---------------------------------------
+ */
+
+static enum status plan_solids(struct bench *b, struct message *why)
+{
+    static const double end = 0.11; /* twenty frames after two of warm-up (measurement.h) */
+    enum status st = STATUS_OK;
+
+    for (const struct solid_row *row = solids; row < solids + SOLIDS; row++) {
+        const struct contestant *who;
+        TRY(contestant_find(row->contestant, &who, why));
+        struct measurement_case *c = add_run(b, who, 2, row->settings, end);
+        c->timed = MEASUREMENT_SOME;
+        c->phases = true;
+    }
+out:
+    return st;
+}
+
+enum { WORDS = 2048 };
+
+/* Appends the words of a row of peers.csv: "PetIGA cc362e1 (AIJ + CHOLMOD) 9.05 ms"; where
+ * another kind of work begins, its name and our time come first. */
+static void add_peer(const struct reference *r, int row, int before, char text[WORDS])
+{
+    const char *what = reference_text(r, row, "what");
+    const char *version = reference_text(r, row, "version");
+    const char *solver = reference_text(r, row, "solver");
+    const bool next = before < 0 || strcmp(what, reference_text(r, before, "what")) != 0;
+
+    if (next)
+        status_join(text, WORDS, "; ", "%s, ours %s ms:", what,
+                    reference_text(r, row, "ours_ms"));
+    status_join(text, WORDS, next ? "" : ",", " %s%s%s%s%s%s %s ms",
+                reference_text(r, row, "peer"), *version ? " " : "", version,
+                *solver ? " (" : "", solver, *solver ? ")" : "",
+                reference_text(r, row, "ms"));
+}
+
+/* Adds a note on the programs of other people that did the work `name`: their times in
+ * tests/reference/peers.csv, measured elsewhere side by side with ours, with version and
+ * solver, and never in a ratio with what is measured here; nothing if there are none. */
+static enum status note_peers(struct table *t, const char *name, struct message *why)
+{
+    struct reference *r = NULL;
+    char text[WORDS] = "";
+    enum status st;
+
+    TRY(reference_open_named("peers", &r, why));
+    for (int row = reference_find(r, 0, "case", name), before = -1; row >= 0;
+         before = row, row = reference_find(r, row + 1, "case", name))
+        add_peer(r, row, before, text);
+    if (*text)
+        table_note(t, "%s elsewhere, %s, %s, beside %s. %s.", name,
+                   reference_note(r, "source"), reference_note(r, "date"),
+                   reference_note(r, "ours"), text);
+out:
+    reference_close(r);
+    return st;
+}
+
+static void add_phase(struct table *t, const struct solid_row *row, const char *phase,
+                      const struct clock_summary *s, double aim)
+{
+    table_line(t, "%s|%s|%.3g|%.3g|%.3g|%.3g|%d", row->title, phase, 1e3 * s->median,
+               1e3 * s->min, 1e3 * s->lower, 1e3 * s->upper, s->count);
+    if (aim <= 0)
+        return;
+    table_add(t, "%.3g|%s", aim, 1e3 * s->median <= aim ? "yes" : "no");
+}
+
+static enum status add_rows(struct table *t, const struct solid_row *row,
+                            const struct run_result *r, struct message *why)
+{
+    static const char *const phase[] = {"K and M", "factor", "solve"};
+
+    add_phase(t, row, "frame", &r->step, row->frame);
+    for (int p = 0; p < BENCH_SOLID_FRAME && r->phase[p].count; p++)
+        add_phase(t, row, phase[p], &r->phase[p], row->phase[p]);
+    if (r->outcome)
+        table_note(t, "%s: %s.", row->title, r->sentence.text);
+    table_note(t, "%s: %.0f unknowns, %.0f numbers in L, set-up %.3g ms.", row->title,
+               r->unknowns, r->factor_entries, 1e3 * r->create.median);
+    return note_peers(t, row->title, why);
+}
+
+static enum status print_solids(const struct bench *b, struct message *why)
+{
+    static const struct table_column columns[] = {{"case", NULL, TABLE_LEFT},
+                                                  {"phase", NULL, TABLE_LEFT},
+                                                  {"median", "ms"},
+                                                  {"min", "ms"},
+                                                  {"lower", "ms"},
+                                                  {"upper", "ms"},
+                                                  {"repeats"},
+                                                  {"aim", "ms"},
+                                                  {"reached", NULL, TABLE_LEFT}};
+    struct table *t = TABLE_OF(columns, "Speed of the solids, one thread");
+    enum status st;
+
+    for (int n = 0; n < b->batch.count; n++)
+        TRY(add_rows(t, &solids[n], &b->result[n], why));
+    return table_finish(t, b->format, b->file);
+out:
+    table_destroy(t);
+    return st;
+}
+
+const struct bench_part bench_part_solids = {
+    .item = {"solids",
+             "IGA plate and hexahedra: K and M, factor, solve, frame, against their aims"},
+    .plan = plan_solids,
+    .print = print_solids};
+
+/* --- contestants: the timing table of all that enter it, on edge_drop --------------------
+ */
+
+/* Returns ten points a side, or the first of its nets if it is never refined so. */
+static int usual_side(const struct contestant *c)
+{
+    for (int n = 0; n < CONTESTANT_STEPS; n++)
+        if (c->points[n] == 10)
+            return 10;
+    return c->points[0];
+}
+
+static enum status plan_contestants(struct bench *b, struct message *why)
+{
+    static const double end[] = {0.2};
+    enum status st = contestant_check(b->models, why);
+
+    for (const struct contestant *c = contestant_table; c->name && st == STATUS_OK; c++) {
+        if (!contestant_chosen(c, b->models, CONTESTANT_SPEED))
+            continue;
+        const char *damping = contestant_is_paper_scheme(c) ? NULL : UNDAMPED;
+        struct measurement_case *run = add_run(b, c, 1, &damping, *end);
+        run->timed = MEASUREMENT_WHOLE;
+        run->keep.times = 1;
+        run->keep.time = end; /* the work up to there */
+        contestant_points(c, usual_side(c), usual_side(c), batch_settings(&b->batch));
+    }
+    return st;
+}
+
+static void add_contestant(struct table *t, const struct contestant *c,
+                           const struct run_result *r)
+{
+    const bool ran = !run_result_refused(r);
+
+    table_line(t, "%s|%s|%s|%dx%d|%.0f|%.3g|%.3g|%.0f|%.3g|%s", c->title, c->name,
+               c->model->name, usual_side(c), usual_side(c), ran ? r->unknowns : NAN,
+               ran ? 1e3 * r->create.median : NAN, ran ? 1e3 * r->step.median : NAN,
+               ran ? r->step.count : NAN,
+               ran && r->work.iterations
+                   ? (double)r->work.iterations / (double)r->work.steps
+                   : NAN,
+               r->sentence.text);
+    if (r->outcome)
+        table_note(t, "%s: %s.", c->title, r->sentence.text);
+}
+
+static enum status print_contestants(const struct bench *b, struct message *why)
+{
+    (void)why;
+    static const struct table_column columns[] = {
+        {"model", NULL, TABLE_LEFT, .key = "title"},
+        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
+        {"model", NULL, TABLE_LEFT, .readers = TABLE_MACHINES, .key = "model"},
+        {"net", NULL, TABLE_LEFT},
+        {"unknowns"},
+        {"set-up", "ms"},
+        {"a frame", "ms"},
+        {"repeats"},
+        {"iterations", "a frame", .key = "iterations_a_frame"},
+        {"outcome", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
+    struct table *t =
+        TABLE_OF(columns, "A frame of each contestant, edge_drop to 0.2 s, one thread");
+
+    for (int n = 0; n < b->batch.count; n++)
+        add_contestant(t, b->batch.cases[n].plan.contestant, &b->result[n]);
+    table_note(t, "Times are medians of the repeats. Motions are undamped except for the "
+                  "paper's own scheme. Iterations are Newton's, or local and global steps; "
+                  "none means one solve a frame.");
+    return table_finish(t, b->format, b->file);
+}
+
+const struct bench_part bench_part_contestants = {
+    .item = {"contestants", "set-up and a frame of each contestant on one scene"},
+    .plan = plan_contestants,
+    .print = print_contestants};
+
+/* --- the command -------------------------------------------------------------------------
+ */
+
+static const struct command_item *const items[] = {
+    &bench_part_solids.item, &bench_part_contact.item, &bench_part_contestants.item, NULL};
 
 static void show(void *context, const char *what, int done, int total)
 {
@@ -75,11 +283,7 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
     snprintf(folder, sizeof folder, "%s/%s", all, part->item.name);
     b->folder = folder;
     TRY(batch_init(&b->batch, folder, BENCH_PART_RUNS));
-    b->part = part;
-    for (int n = 0; n < part->count; n++)
-        TRY(bench_part_add(b, &part->rows[n], why));
-    if (part->plan)
-        TRY(part->plan(b, why));
+    TRY(part->plan(b, why));
     if (!read_only)
         TRY(measure(part, b, why));
     b->result = calloc((size_t)b->batch.count + 1, sizeof *b->result);

@@ -1,10 +1,248 @@
-#include "models/contact/contact_parts.h"
+#include "models/contact/contact.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/room.h"
 #include "models/vector.h"
+
+/* --- touches, and what each of them measures -----------------------------------------
+ */
+
+/* Makes room for one more touch of so many weights. */
+static enum status make_room(struct contact *c, int weights)
+{
+    if (c->count == c->room) {
+        const int room = 2 * c->room + 64;
+        struct contact_touch *touch = realloc(c->touch, (size_t)room * sizeof *touch);
+        if (!touch)
+            return STATUS_MEMORY;
+        c->touch = touch, c->room = room;
+    }
+    if (c->weights + weights > c->weight_room) {
+        const int room = 2 * c->weight_room + weights + 64;
+        int *node = realloc(c->node, (size_t)room * sizeof *node);
+        c->node = node ? node : c->node;
+        double *weight = realloc(c->weight, (size_t)room * sizeof *weight);
+        c->weight = weight ? weight : c->weight;
+        if (!node || !weight)
+            return STATUS_MEMORY;
+        c->weight_room = room;
+    }
+    return STATUS_OK;
+}
+
+/* Empties the list and the totals. */
+static void clear_touches(struct contact *c)
+{
+    c->count = c->weights = 0;
+    c->energy = 0;
+    c->least = INFINITY;
+    memset(c->force, 0, sizeof c->force);
+}
+
+/* Appends the nodes and weights of a place, or of a foot, with the sign -1. */
+static void append(struct contact *c, int count, const int *node, const double *weight,
+                   double sign)
+{
+    for (int k = 0; k < count; k++, c->weights++) {
+        c->node[c->weights] = node[k];
+        c->weight[c->weights] = sign * weight[k];
+    }
+}
+
+/* Appends a touch of a sample that is filled but for its weights, with the foot's. */
+static enum status add(struct contact *c, struct contact_touch touch, int count,
+                       const int *node, const double *weight)
+{
+    const struct contact_surface *s = &c->surface;
+    const size_t row = (size_t)touch.sample * s->width;
+
+    touch.first = c->weights;
+    touch.count = s->used[touch.sample] + count;
+    const enum status st = make_room(c, touch.count);
+    if (st != STATUS_OK)
+        return st;
+    append(c, s->used[touch.sample], s->node + row, s->shape + row, 1);
+    append(c, count, node, weight, -1);
+    c->touch[c->count++] = touch;
+    return STATUS_OK;
+}
+
+/* Appends a touch of a sample with a body, at the distance D with the normal n.
+ * STATUS_MEMORY. */
+static enum status add_body(struct contact *c, int sample, int obstacle, double D,
+                            const double n[3])
+{
+    const struct contact_touch touch = {.sample = sample,
+                                        .obstacle = obstacle,
+                                        .D = D,
+                                        .normal = {n[0], n[1], n[2]},
+                                        .area = c->surface.area[sample]};
+
+    return add(c, touch, 0, NULL, NULL);
+}
+
+/* Appends a touch of a rim's point with another rim. */
+static enum status add_rim(void *context, const struct contact_rim_foot *foot)
+{
+    struct contact *c = context;
+    const double *n = foot->normal;
+    const int count = foot->of_point + foot->of_foot;
+    const enum status st = make_room(c, count);
+
+    if (st != STATUS_OK)
+        return st;
+    c->touch[c->count++] = (struct contact_touch){.sample = -1,
+                                                  .obstacle = -1,
+                                                  .first = c->weights,
+                                                  .count = count,
+                                                  .D = foot->distance,
+                                                  .normal = {n[0], n[1], n[2]},
+                                                  .area = foot->area / 2};
+    append(c, count, foot->node, foot->weight, 1);
+    return STATUS_OK;
+}
+
+/* Appends the touches of the sheet with itself at x[nodes][3]. Each of the two sides has
+ * half of the law at samples of its own. STATUS_NAN, STATUS_MEMORY. */
+static enum status add_own(struct contact *c, const double *x)
+{
+    const struct contact_search *s = &c->search;
+    enum status st = STATUS_OK;
+
+    if (!c->scene->contact.self)
+        return STATUS_OK;
+    TRY(contact_search_find(&c->search, x));
+    for (const struct contact_foot *f = s->foot; f < s->foot + s->count; f++) {
+        const struct contact_touch touch = {
+            .sample = f->sample,
+            .obstacle = -1,
+            .D = f->distance,
+            .normal = {f->normal[0], f->normal[1], f->normal[2]},
+            .at = {f->u, f->v},
+            .area = f->strength * c->surface.area[f->sample] / 2};
+        TRY(add(c, touch, f->count, s->node + f->first, s->weight + f->first));
+    }
+    TRY(contact_rim_find(&c->rim, add_rim, c));
+out:
+    return st;
+}
+
+/* Tells whether a body neither moves nor turns. */
+static bool is_still(const struct scene_obstacle *o)
+{
+    return !SCENE_MOVES(o->motion);
+}
+
+/* Computes how far the touch's places have moved against each other since the step began.
+ */
+static void way_of(const struct contact *c, const struct contact_touch *t, const double *x,
+                   double way[3])
+{
+    way[0] = way[1] = way[2] = 0;
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++) {
+            size_t u = 3 * (size_t)c->node[k] + i;
+            way[i] += c->weight[k] * (x[u] - c->x_old[u]);
+        }
+    if (t->obstacle >= 0 && !is_still(&c->scene->obstacles[t->obstacle])) {
+        double y[3], before[3];
+        contact_surface_at(&c->surface, t->sample, x, y);
+        contact_shape_carry(&c->pose[t->obstacle], &c->pose_old[t->obstacle], y, before);
+        for (int i = 0; i < 3; i++)
+            way[i] -= y[i] - before[i];
+    }
+}
+
+static const struct contact_law *law_of(const struct contact *c,
+                                        const struct contact_touch *t)
+{
+    return t->obstacle < 0 ? &c->self : &c->body;
+}
+
+static double friction_of(const struct contact *c, const struct contact_touch *t)
+{
+    return t->obstacle < 0 ? c->scene->contact.friction
+                           : c->scene->obstacles[t->obstacle].friction;
+}
+
+/* Splits a way into its length along n, returned, and the part across, in `slip`. */
+static double split(const double way[3], const double n[3], double slip[3])
+{
+    const double along = vector_dot(way, n);
+
+    for (int i = 0; i < 3; i++)
+        slip[i] = way[i] - along * n[i];
+    return along;
+}
+
+/* Returns the distance of a touch when the step began. A body's is measured: the way along
+ * the normal would take a sheet that slides on a ball for one that leaves it. */
+static double distance_before(const struct contact *c, const struct contact_touch *t,
+                              double along)
+{
+    double y[3];
+
+    if (t->obstacle < 0)
+        return t->D - along;
+    contact_surface_at(&c->surface, t->sample, c->x_old, y);
+    return contact_shape_distance(&c->scene->obstacles[t->obstacle],
+                                  &c->pose_old[t->obstacle], y, NULL);
+}
+
+/* Adds a touch's pressure and friction to the totals. */
+static void add_total(struct contact *c, const struct contact_touch *t)
+{
+    const struct contact_law *law = law_of(c, t);
+
+    c->least = fmin(c->least, t->D - law->start);
+    c->energy += t->area * contact_law_potential(law, t->D);
+    for (int i = 0; t->obstacle >= 0 && i < 3; i++)
+        c->force[i] += t->push * t->normal[i] + t->rub[i];
+}
+
+/* Returns the distance of a sample that a step leads to y, D from a body, as seen from the
+ * side from which they have met: a step may lead through a thin body, or so deep into it
+ * that its nearest face is the far one. There the distance is that from the plane of the
+ * face that it came through, and *normal this face's. The distance changes by the way at
+ * most, so that most are done with at once. */
+static double distance_met(const struct contact *c, int sample, int obstacle,
+                           const double y[3], double D, double normal[3])
+{
+    enum { TRIES = 60 };
+    const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
+    const struct scene_placement *pose = &c->pose[obstacle];
+    const double reached = 1e-3 * c->body.range;
+    double old[3], from[3], at[3], way[3], far[3], entry[3], passed = 0;
+
+    if (!isfinite(c->dt))
+        return D;
+    contact_surface_at(&c->surface, sample, c->x_old, old);
+    contact_shape_carry(&c->pose_old[obstacle], pose, old, from);
+    vector_between(from, y, way);
+    const double length = vector_length(way);
+    if (!(D <= length))
+        return D;
+    double left = contact_shape_distance(o, pose, from, entry);
+    if (!(left > 0) || left + contact_shape_distance(o, pose, y, far) > length)
+        return D;
+    for (int n = 0; n < TRIES && left > reached && passed < length; n++) {
+        passed += left;
+        for (int i = 0; i < 3; i++)
+            at[i] = from[i] + way[i] * passed / length;
+        left = contact_shape_distance(o, pose, at, entry);
+    }
+    if (passed <= 0 || passed > length || left > reached || vector_dot(entry, far) >= 0)
+        return D;
+    memcpy(normal, entry, sizeof entry);
+    return fmin(0, (y[0] - at[0]) * entry[0] + (y[1] - at[1]) * entry[1] +
+                       (y[2] - at[2]) * entry[2]);
+}
+
+/* --- life ----------------------------------------------------------------------------
+ */
 
 bool contact_wanted(const struct scene *scene)
 {
@@ -25,13 +263,7 @@ void contact_clear(struct contact *c)
     contact_rim_clear(&c->rim);
     contact_search_clear(&c->search);
     contact_surface_clear(&c->surface);
-    free(c->pose);
-    free(c->pose_old);
-    free(c->x_old);
-    free(c->area);
-    free(c->spare);
-    free(c->near);
-    free(c->pressed);
+    free(c->arrays);
     free(c->touch);
     free(c->node);
     free(c->weight);
@@ -41,34 +273,35 @@ void contact_clear(struct contact *c)
 enum status contact_init(struct contact *c, const struct scene *scene,
                          struct contact_surface *surface)
 {
-    const size_t bodies = (size_t)scene->obstacle_count;
+    enum status st;
+    const struct contact_surface *s = &c->surface;
+    const size_t bodies = (size_t)scene->obstacle_count, nodes = (size_t)surface->nodes;
+    const size_t samples = (size_t)surface->count;
+
     *c = (struct contact){.scene = scene,
                           .surface = *surface,
                           .body = contact_law_body(scene),
-                          .self = contact_law_self(scene),
-                          .pose = calloc(bodies + 1, sizeof *c->pose),
-                          .pose_old = calloc(bodies + 1, sizeof *c->pose_old),
-                          .x_old = calloc(3 * (size_t)surface->nodes, sizeof *c->x_old),
-                          .area = calloc((size_t)surface->nodes, sizeof *c->area),
-                          .spare = calloc(4 * (size_t)surface->count, sizeof *c->spare),
-                          .near = calloc((size_t)surface->count, sizeof *c->near),
-                          .pressed = calloc((size_t)surface->nodes, sizeof *c->pressed)};
-    const struct contact_surface *s = &c->surface;
+                          .self = contact_law_self(scene)};
     *surface = (struct contact_surface){0};
-    const bool all =
-        c->pose && c->pose_old && c->x_old && c->area && c->spare && c->near && c->pressed;
-    enum status st = all ? STATUS_OK : STATUS_MEMORY;
-    for (int n = 0; all && n < s->count; n++)
+    TRY(room_cut(&c->arrays, ROOM(c->pose, bodies), ROOM(c->pose_old, bodies),
+                 ROOM(c->x_old, 3 * nodes), ROOM(c->area, nodes),
+                 ROOM(c->spare, 4 * samples), ROOM(c->near, samples),
+                 ROOM(c->pressed, nodes)));
+    for (int n = 0; n < s->count; n++)
         for (int k = n * s->width; k < n * s->width + s->used[n]; k++)
             c->area[s->node[k]] += s->shape[k] * s->area[n];
-    if (st == STATUS_OK && scene->contact.self)
-        st = contact_search_init(&c->search, &c->surface, c->self.start);
-    if (st == STATUS_OK && scene->contact.self)
-        st = contact_rim_init(&c->rim, &c->search);
+    if (scene->contact.self) {
+        TRY(contact_search_init(&c->search, &c->surface, c->self.start));
+        TRY(contact_rim_init(&c->rim, &c->search));
+    }
+out:
     if (st != STATUS_OK)
         contact_clear(c);
     return st;
 }
+
+/* --- forces --------------------------------------------------------------------------
+ */
 
 void contact_begin(struct contact *c, double t, double dt, const double *x_old)
 {
@@ -92,8 +325,8 @@ void contact_begin_rest(struct contact *c, double t, double dt, const double *x_
 /* Computes the forces of a touch at x. */
 static void press(struct contact *c, struct contact_touch *t, const double *x)
 {
-    const struct contact_law *law = contact_touch_law(c, t);
-    const double mu = contact_touch_friction(c, t);
+    const struct contact_law *law = law_of(c, t);
+    const double mu = friction_of(c, t);
     double way[3], slip[3];
 
     if (!isfinite(c->dt)) {
@@ -101,9 +334,9 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
         t->stiffness *= t->area;
         return;
     }
-    contact_touch_way(c, t, x, way);
-    const double along = contact_touch_split(way, t->normal, slip);
-    const double D_old = contact_touch_before(c, t, along);
+    way_of(c, t, x, way);
+    const double along = split(way, t->normal, slip);
+    const double D_old = distance_before(c, t, along);
     t->push = t->area * contact_law_push(law, t->D, D_old, c->rests ? INFINITY : c->dt,
                                          &t->stiffness);
     t->stiffness *= t->area;
@@ -133,7 +366,7 @@ enum status contact_find(struct contact *c, const double *x)
 
     c->failed = STATUS_OK;
     c->finds++;
-    contact_touch_none(c);
+    clear_touches(c);
     TRY(st);
     for (int n = 0; n < c->surface.count; n++) {
         double y[3], normal[3];
@@ -142,19 +375,18 @@ enum status contact_find(struct contact *c, const double *x)
             double D = body_distance(c, o, y, normal);
             if (isnan(D))
                 return STATUS_NAN;
-            if (!contact_touch_still(
-                    &c->scene->obstacles[o])) /* changes stop before still ones */
-                D = contact_touch_met(c, n, o, y, D, normal);
+            if (!is_still(&c->scene->obstacles[o])) /* changes stop before still ones */
+                D = distance_met(c, n, o, y, D, normal);
             if (D - c->body.start < c->least)
                 c->least = D - c->body.start;
             if (D < c->body.start)
-                TRY(contact_touch_body(c, n, o, D, normal));
+                TRY(add_body(c, n, o, D, normal));
         }
     }
-    TRY(contact_touch_own(c, x));
+    TRY(add_own(c, x));
     for (int n = 0; n < c->count; n++) {
         press(c, &c->touch[n], x);
-        contact_touch_total(c, &c->touch[n]);
+        add_total(c, &c->touch[n]);
     }
 out:
     return st;
@@ -181,7 +413,7 @@ static void land(const struct contact *c, const struct contact_touch *t, const d
             size_t u = 3 * (size_t)c->node[k] + i;
             more[i] += c->weight[k] * ((x[u] - c->x_old[u]) / c->dt - v[u]);
         }
-    const double along = fmin(0, contact_touch_split(more, t->normal, across));
+    const double along = fmin(0, split(more, t->normal, across));
     for (int i = 0; i < 3; i++)
         by[i] = along * t->normal[i] + (t->grip > 0 ? across[i] : 0);
 }
@@ -209,4 +441,390 @@ void contact_report(const struct contact *c, struct model_contact *report)
     for (int n = 0; n < c->count; n++)
         report->nodes += c->touch[n].push > 0;
     memcpy(report->force, c->force, sizeof report->force);
+}
+
+/* --- steps that stay outside ---------------------------------------------------------
+ */
+
+/* The x of the law that one change leaves to what comes from farther off, and the share of
+ * their x that it leaves to others: the pressure grows little more than fourfold in a
+ * change, and Newton's method, which knows its slope only, is not thrown back far. */
+static const double LEFT = 0.5;
+
+/* The calls of contact_find in a step after which no change turns a slip round: it ends
+ * where there is none. What slips has no stiffness along its way, so that Newton's steps
+ * may go from one way of slipping to the other for ever. */
+enum { CAREFUL = 9 };
+
+/* Returns a bound of the least distance on a way whose ends have these distances and
+ * slopes: distances to convex bodies lie over their tangents. */
+static double lowest(const double distance[2], const double slope[2])
+{
+    if (slope[0] >= 0 || slope[1] <= 0)
+        return fmin(distance[0], distance[1]);
+    const double at = (distance[0] - distance[1] + slope[1]) / (slope[1] - slope[0]);
+    return distance[0] + slope[0] * at;
+}
+
+/* Returns the share of the change d of a sample at y that leaves enough before a body. The
+ * distance is no more than the way shorter, so that the first share is safe; steps towards
+ * the end of a longer one are tried while they are. */
+static double limit_sample(const struct contact *c, int sample, int obstacle,
+                           const double y[3], const double d[3], double share)
+{
+    enum { TRIES = 60 };
+    static const double SHORTER = 0.95;
+    const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
+    const double wall = c->body.start - c->body.range, way = vector_length(d);
+    const double far = wall + way * share + LEFT * c->body.range;
+    double normal[3];
+    double room = contact_shape_near(o, &c->pose[obstacle], y, far, normal);
+
+    if (!is_still(o)) /* what is behind a body that came over it may come back */
+        room = distance_met(c, sample, obstacle, y, room, normal);
+    room -= wall;
+    if (!(room > 0) || room - way * share >= LEFT * c->body.range)
+        return share;
+    const double least = LEFT * fmin(room, c->body.range);
+    if (room - way * share >= least)
+        return share;
+    const double slope = vector_dot(normal, d);
+    for (int n = 0; n < TRIES; n++) {
+        double end[3];
+        for (int i = 0; i < 3; i++)
+            end[i] = y[i] + share * d[i];
+        double left = contact_shape_distance(o, &c->pose[obstacle], end, normal) - wall;
+        left = lowest((double[2]){room, left},
+                      (double[2]){share * slope, share * vector_dot(normal, d)});
+        if (left >= least)
+            break;
+        share *= fmin((room - least) / (room - left), SHORTER);
+    }
+    return share;
+}
+
+/* Returns the share of a change d that ends the slip of a touch instead of turning it
+ * round. */
+static double limit_slip(const struct contact *c, const struct contact_touch *t,
+                         const double *d)
+{
+    double way[3] = {0}, change[3];
+
+    if (!(t->drag > 0) || t->grip > 0)
+        return 1;
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++)
+            way[i] += c->weight[k] * d[3 * (size_t)c->node[k] + i];
+    split(way, t->normal, change);
+    const double size = vector_length(t->rub) / t->drag;
+    const double back = vector_dot(t->rub, change) / t->drag; /* rub is against the slip */
+    return back > size * size ? size * size / back : 1;
+}
+
+/* Returns the share of a change that keeps the sheet from coming through itself; 0 with
+ * c->failed. */
+static double limit_own(struct contact *c, const double *x, const double *d)
+{
+    double share = 1;
+
+    if (c->scene->contact.self)
+        c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
+                                         c->self.range, &share);
+    return c->failed == STATUS_OK ? share : 0;
+}
+
+double contact_limit(struct contact *c, const double *x, const double *d)
+{
+    double share = 1;
+
+    for (int n = 0; n < c->surface.count; n++) {
+        double y[3], way[3];
+        contact_surface_at(&c->surface, n, x, y);
+        contact_surface_at(&c->surface, n, d, way);
+        for (int o = 0; o < c->scene->obstacle_count; o++)
+            share = limit_sample(c, n, o, y, way, share);
+    }
+    for (int n = 0; c->finds > CAREFUL && n < c->count; n++)
+        share = fmin(share, limit_slip(c, &c->touch[n], d));
+    return fmin(share, limit_own(c, x, d));
+}
+
+void contact_lead(struct contact *c, double *x)
+{
+    const size_t count = 3 * (size_t)c->surface.nodes;
+
+    for (size_t k = 0; k < count; k++)
+        x[k] -= c->x_old[k];
+    const double share = contact_limit(c, c->x_old, x);
+    for (size_t k = 0; k < count; k++)
+        x[k] = c->x_old[k] + share * x[k];
+}
+
+bool contact_shorten(struct contact *c, const double *x, double *d)
+{
+    const struct contact_surface *s = &c->surface;
+    bool any = false;
+
+    for (int n = 0; n < s->count; n++) {
+        double y[3], way[3], share = 1;
+        contact_surface_at(s, n, x, y);
+        contact_surface_at(s, n, d, way);
+        for (int o = 0; o < c->scene->obstacle_count; o++)
+            share = limit_sample(c, n, o, y, way, share);
+        any |= share < 1;
+        for (int k = 0; share < 1 && k < s->used[n]; k++)
+            for (int i = 0; i < 3; i++)
+                d[3 * (size_t)s->node[(size_t)n * s->width + k] + i] *= share;
+    }
+    const double own = limit_own(c, x, d);
+    for (int k = 0; own < 1 && k < 3 * s->nodes; k++)
+        d[k] *= own;
+    return any || own < 1;
+}
+
+/* --- the end of a step ---------------------------------------------------------------
+ */
+
+/* Returns how far the touch opens along n by a unit of force along n [m/N], by itself or if
+ * those around it have the same pressure. */
+static double opening(const struct contact *c, const struct contact_touch *t,
+                      const double n[3], const double *compliance, const int *held,
+                      bool together)
+{
+    double sum = 0;
+
+    for (int k = t->first; k < t->first + t->count; k++) {
+        const int a = c->node[k];
+        const double share = together ? c->pressed[a] / t->area : c->weight[k];
+        for (int i = 0; i < 3; i++)
+            if (held[3 * (size_t)a + i] >= 0)
+                sum += n[i] * n[i] * c->weight[k] * share * compliance[a];
+    }
+    return sum;
+}
+
+/* Finds a touch's force by the law, from its way up to x: normal force first, then
+ * friction. */
+static void press_by(const struct contact *c, struct contact_touch *t,
+                     const double *compliance, const int *held, bool together,
+                     const double *x)
+{
+    const struct contact_law *law = law_of(c, t);
+    const double mu = friction_of(c, t);
+    const double open = opening(c, t, t->normal, compliance, held, together);
+    double way[3], slip[3], across[3];
+
+    way_of(c, t, x, way);
+    const double along = split(way, t->normal, slip), size = vector_length(slip);
+    t->push = contact_law_solve(law, t->D_flat + along, t->D_old, c->dt, t->area, open);
+    memset(t->rub, 0, sizeof t->rub);
+    if (mu == 0 || size == 0)
+        return;
+    for (int i = 0; i < 3; i++)
+        across[i] = slip[i] / size;
+    const double most = mu * t->push * opening(c, t, across, compliance, held, together);
+    const double share = contact_law_hold(law, size, c->dt, most);
+    for (int i = 0; i < 3; i++)
+        t->rub[i] = -mu * t->push * share * across[i];
+}
+
+/* Moves the nodes of a touch by `times` its force, in so far as they are free. */
+static void yield_to(const struct contact *c, const struct contact_touch *t, double times,
+                     const double *compliance, const int *held, double *x)
+{
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++) {
+            size_t u = 3 * (size_t)c->node[k] + i;
+            if (held[u] >= 0)
+                x[u] += times * c->weight[k] * compliance[c->node[k]] *
+                        (t->push * t->normal[i] + t->rub[i]);
+        }
+}
+
+/* Returns a touch's distance at x, along the normal that it had where it was found. */
+static double distance_now(const struct contact *c, const struct contact_touch *t,
+                           const double *x)
+{
+    double way[3];
+
+    way_of(c, t, x, way);
+    return t->D_flat + vector_dot(way, t->normal);
+}
+
+/* Tells whether a touch's push is less than the law has at x, by more than round-off. */
+static bool lacks(const struct contact *c, const struct contact_touch *t, const double *x)
+{
+    const double D = distance_now(c, t, x), round_off = 1e-9;
+    const double p = contact_law_push(law_of(c, t), D, t->D_old, c->dt, NULL);
+
+    return t->area * p > (1 + round_off) * t->push;
+}
+
+/* Gives each touch from `first` on that lacks force what it lacks, one after the other as
+ * the others now press; returns whether any did. */
+static bool relieve(const struct contact *c, int first, const double *compliance,
+                    const int *held, double *x)
+{
+    bool any = false;
+
+    for (struct contact_touch *t = c->touch + first; t < c->touch + c->count; t++) {
+        const struct contact_touch before = *t;
+        if (!lacks(c, t, x))
+            continue;
+        any = true;
+        yield_to(c, t, -1, compliance, held, x);
+        press_by(c, t, compliance, held, false, x);
+        if (t->push < before.push) /* others that rely on it would sink */
+            *t = before;
+        yield_to(c, t, 1, compliance, held, x);
+    }
+    return any;
+}
+
+/* Takes the touches from `first` on as they are at x. */
+static void take(struct contact *c, int first, const double *x)
+{
+    for (struct contact_touch *t = c->touch + first; t < c->touch + c->count; t++) {
+        t->D = distance_now(c, t, x);
+        add_total(c, t);
+    }
+}
+
+/* Ends the step of touches with a body, or of the sheet's own: with a body of all as if
+ * they had the same pressure, which leaves flat what lands flat; then of one after the
+ * other as the others now press. */
+static void settle(struct contact *c, int first, const double *compliance, const int *held,
+                   double *x)
+{
+    struct contact_touch *from = c->touch + first, *end = c->touch + c->count;
+
+    memset(c->pressed, 0, (size_t)c->surface.nodes * sizeof *c->pressed);
+    for (const struct contact_touch *t = from; t < end; t++)
+        for (int k = t->first; k < t->first + t->count; k++)
+            c->pressed[c->node[k]] += fabs(c->weight[k]) * t->area;
+    for (struct contact_touch *t = from; t < end && t->obstacle >= 0; t++)
+        press_by(c, t, compliance, held, true, x);
+    for (struct contact_touch *t = from; t < end; t++)
+        yield_to(c, t, 1, compliance, held, x);
+    relieve(c, first, compliance, held, x);
+}
+
+/* Notes where a touch that was found at x was when the step began. */
+static void look_back(const struct contact *c, struct contact_touch *t, const double *x)
+{
+    double way[3];
+
+    way_of(c, t, x, way);
+    const double along = vector_dot(way, t->normal);
+    t->D_old = distance_before(c, t, along);
+    t->D_flat = t->D - along;
+}
+
+/* Tells whether a sample at y has come less far from where it was looked at than the bodies
+ * were from it: most of a sheet need not be looked at in each of an explicit method's
+ * steps.
+ */
+static bool keeps_off(struct contact *c, const double *spare, const double y[3])
+{
+    double way[3];
+
+    vector_between(spare, y, way);
+    const double square = vector_dot(way, way);
+    if (!(square < spare[3] * spare[3]))
+        return false;
+    if (spare[3] < c->least)
+        c->least = fmin(c->least, spare[3] - sqrt(square));
+    return true;
+}
+
+/* Lists the samples that must be looked at, with their places. */
+static int list_near(struct contact *c, const double *x)
+{
+    int count = 0;
+
+    for (int n = 0; n < c->surface.count; n++) {
+        double *spare = c->spare + 4 * (size_t)n, y[3];
+        contact_surface_at(&c->surface, n, x, y);
+        if (keeps_off(c, spare, y))
+            continue;
+        memcpy(spare, y, sizeof y);
+        spare[3] = INFINITY;
+        c->near[count++] = n;
+    }
+    return count;
+}
+
+/* Ends the step of samples by the law of a body, together: a sheet that lands flat stays
+ * flat. Their spare is how far they are from it, 0 if it may come nearer by itself. */
+static enum status meet_body(struct contact *c, int obstacle, int count,
+                             const double *compliance, const int *held, double *x)
+{
+    enum status st = STATUS_OK;
+    const struct scene_obstacle *body = &c->scene->obstacles[obstacle];
+    const bool still = is_still(body);
+    const int first = c->count;
+
+    for (int n = 0; n < count; n++) {
+        double y[3], normal[3], *spare = &c->spare[4 * (size_t)c->near[n] + 3];
+        contact_surface_at(&c->surface, c->near[n], x, y);
+        double D = contact_shape_distance(body, &c->pose[obstacle], y, normal);
+        if (isnan(D))
+            return STATUS_NAN;
+        D = distance_met(c, c->near[n], obstacle, y, D, normal);
+        const double off = D - c->body.start;
+        *spare = fmin(*spare, still ? fmax(off, 0) : 0);
+        if (off >= 0) {
+            c->least = fmin(c->least, off);
+            continue;
+        }
+        TRY(add_body(c, c->near[n], obstacle, D, normal));
+        look_back(c, &c->touch[c->count - 1], x);
+    }
+    settle(c, first, compliance, held, x);
+out:
+    return st;
+}
+
+/* The rounds in which bodies that close from two sides find how each presses against the
+ * other, and layers on a body how it bears them; their forces rise to those of the law,
+ * from below. */
+enum { ROUNDS = 32 };
+
+/* Adds the touches with bodies, and ends all. */
+static enum status project_bodies(struct contact *c, const double *compliance,
+                                  const int *held, double *x)
+{
+    enum status st = STATUS_OK;
+    const int near = list_near(c, x), own = c->count;
+
+    for (int o = 0; o < c->scene->obstacle_count; o++)
+        TRY(meet_body(c, o, near, compliance, held, x));
+    int rounds = c->scene->obstacle_count > 1 || (own && c->count > own) ? ROUNDS : 0;
+    while (rounds-- > 0 && relieve(c, 0, compliance, held, x))
+        ;
+    take(c, 0, x);
+out:
+    return st;
+}
+
+enum status contact_project_bodies(struct contact *c, const double *compliance,
+                                   const int *held, double *x)
+{
+    clear_touches(c);
+    return project_bodies(c, compliance, held, x);
+}
+
+enum status contact_project(struct contact *c, const double *compliance, const int *held,
+                            double *x)
+{
+    enum status st = STATUS_OK;
+
+    clear_touches(c);
+    TRY(add_own(c, x));
+    for (int n = 0; n < c->count; n++)
+        look_back(c, &c->touch[n], x);
+    settle(c, 0, compliance, held, x);
+    TRY(project_bodies(c, compliance, held, x));
+out:
+    return st;
 }

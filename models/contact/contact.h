@@ -42,22 +42,23 @@ struct contact {
     struct contact_search search; /* with contact.self                       owned     */
     struct contact_rim rim;       /* the same                                owned     */
     enum status failed; /* of contact_limit: the next contact_find returns it          */
-    struct scene_placement *pose, *pose_old; /* [obstacles]                owned     */
+    void *arrays; /* memory of those that are not owned by themselves      owned     */
+    struct scene_placement *pose, *pose_old; /* [obstacles]                          */
     int finds;       /* calls of contact_find in the step                             */
     double error;    /* how far x may be from the solution, 0: not told           [m]    */
     double dt;       /* of the step; INFINITY: no rates                     [s]    */
     bool rests;      /* the pressure has no rate, only friction                      */
-    double *x_old;   /* [nodes][3] where it starts                         owned     */
-    double *area;    /* [nodes] their shares of the samples'       [m^2]    owned     */
+    double *x_old;   /* [nodes][3] where it starts                                   */
+    double *area;    /* [nodes] their shares of the samples'       [m^2]              */
     int count, room; /* touches; of the last contact_find or contact_project         */
     struct contact_touch *touch; /*                            owned     */
     int weights, weight_room;
     int *node;       /* [weights]                                          owned     */
     double *weight;  /* [weights]                                          owned     */
     double *spare;   /* [samples][4] a place, and how far from it no still body is met by
-                        contact_project [m]                                owned     */
-    int *near;       /* [samples] those that it looks at                   owned     */
-    double *pressed; /* [nodes] their shares of the areas that touch       owned     */
+                        contact_project [m]                                          */
+    int *near;       /* [samples] those that it looks at                             */
+    double *pressed; /* [nodes] their shares of the areas that touch                 */
     double energy;   /* of the last contact_find                            [J]      */
     double least;    /* least D of the same, less the start of its law; of
                         contact_project a lower bound where that is positive [m] */

@@ -1,8 +1,142 @@
 #include "models/contact/contact_foot.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "models/vector.h"
+
+/* The squared sine of the angle at corner 0 up to which triangles are segments. */
+static const double needle = 1e-16;
+
+struct three {
+    double x, y, z;
+};
+
+static struct three of(const double v[3])
+{
+    return (struct three){v[0], v[1], v[2]};
+}
+
+static struct three less(struct three a, struct three b)
+{
+    return (struct three){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/* Returns a + t b. */
+static struct three plus(struct three a, double t, struct three b)
+{
+    return (struct three){a.x + t * b.x, a.y + t * b.y, a.z + t * b.z};
+}
+
+static double dot(struct three a, struct three b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static struct three cross(struct three a, struct three b)
+{
+    return (struct three){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
+                          a.x * b.y - a.y * b.x};
+}
+
+/* Returns t within 0 and 1, 0 for NaN. */
+static double clamp_share(double t)
+{
+    t = t > 0 ? t : 0;
+    return t < 1 ? t : 1;
+}
+
+static void set_shares(struct contact_face *f, double p, double s, double t)
+{
+    f->share[0] = p, f->share[1] = s, f->share[2] = t;
+}
+
+/* Sets the way and its square. */
+static void reach(struct contact_face *f, struct three way)
+{
+    f->way[0] = way.x, f->way[1] = way.y, f->way[2] = way.z;
+    f->square = dot(way, way);
+}
+
+/* Sets the shares to those of the closest point on the sides a, b from corner 0, and the
+ * third one; way: from corner 0 to the point. */
+static void find_on_sides(struct contact_face *f, struct three a, struct three b,
+                          struct three way)
+{
+    const struct three c = less(b, a), from_q = less(way, a);
+    const double on_a = clamp_share(dot(a, way) / dot(a, a));
+    const double on_b = clamp_share(dot(b, way) / dot(b, b));
+    const double on_c = clamp_share(dot(c, from_q) / dot(c, c));
+    const struct three of_a = plus(way, -on_a, a), of_b = plus(way, -on_b, b);
+    const struct three of_c = plus(from_q, -on_c, c);
+    const double to_a = dot(of_a, of_a), to_b = dot(of_b, of_b), to_c = dot(of_c, of_c);
+    const bool by_b = to_b < to_a;
+
+    if (to_c < (by_b ? to_b : to_a))
+        set_shares(f, 0, 1 - on_c, on_c);
+    else if (by_b)
+        set_shares(f, 1 - on_b, 0, on_b);
+    else
+        set_shares(f, 1 - on_a, on_a, 0);
+}
+
+void contact_face_nearest(struct contact_face *f)
+{
+    const struct three p = of(f->p[1]), way = less(of(f->p[0]), p);
+    const struct three a = less(of(f->p[2]), p), b = less(of(f->p[3]), p), n = cross(a, b);
+    const double nn = dot(n, n), s = dot(cross(way, b), n), t = dot(cross(a, way), n);
+    const double all = nn < needle * dot(a, a) * dot(b, b) ? 0 : nn;
+
+    if (s > 0 && t > 0 && all - s - t > 0) {
+        const double per_nn = 1 / nn, share_s = s * per_nn, share_t = t * per_nn;
+        set_shares(f, 1 - share_s - share_t, share_s, share_t);
+    } else {
+        find_on_sides(f, a, b, way);
+    }
+    reach(f, plus(plus(way, -f->share[1], a), -f->share[2], b));
+}
+
+/* Computes square, and `way` of length 1, for the shares; returns the distance [m]. */
+static double measure(struct contact_face *f)
+{
+    struct three way = of(f->p[0]);
+
+    for (int k = 0; k < 3; k++)
+        way = plus(way, -f->share[k], of(f->p[k + 1]));
+    reach(f, way);
+    const double distance = sqrt(f->square), per_distance = 1 / distance;
+    for (int i = 0; i < 3; i++)
+        f->way[i] *= per_distance;
+    return distance;
+}
+
+/* Solves p + h n = y for the shares of the corners, whose places p and normals n, of any
+ * length, are interpolated, from shares near it; returns whether the normals allow it. */
+static bool meet(struct contact_face *f, const double *const normal[3])
+{
+    const struct three p = of(f->p[1]), y = less(of(f->p[0]), p), m = of(normal[0]);
+    const struct three a = less(of(f->p[2]), p), b = less(of(f->p[3]), p);
+    const struct three u = less(of(normal[1]), m), v = less(of(normal[2]), m);
+    double s = f->share[1], t = f->share[2], h = 0, change = 1;
+
+    /* Newton's method: the next change is the square of one; far off, NaN. */
+    for (int round = 0; round < 8 && change >= 1e-6 && change < 4; round++) {
+        const struct three n = plus(plus(m, s, u), t, v);
+        struct three rest = plus(plus(y, -s, a), -t, b);
+        if (round == 0)
+            h = dot(rest, n) / dot(n, n);
+        rest = plus(rest, -h, n);
+        const struct three by_s = plus(a, h, u), by_t = plus(b, h, v);
+        const struct three across = cross(by_s, by_t);
+        const double per_det = 1 / dot(across, n);
+        const double ds = dot(cross(by_t, n), rest) * per_det;
+        const double dt = dot(cross(n, by_s), rest) * per_det;
+        s += ds, t += dt, h += dot(across, rest) * per_det;
+        change = fabs(ds) + fabs(dt);
+    }
+    set_shares(f, 1 - s - t, s, t);
+    return change < 4;
+}
 
 /* Shares beyond the triangle that are round-off. */
 static const double within = 1e-12;
@@ -250,7 +384,7 @@ static int along_border(const struct contact_surface *s, int triangle, int inner
     return triangle + 2 * step;
 }
 
-/* Walks from a triangle, where contact_face_meet ended with `share`, to the one that has
+/* Walks from a triangle, where meet ended with `share`, to the one that has
  * the foot along the interpolated normal; -1: there is none near. */
 static int walk(const struct contact_sheet *sheet, int sample, int triangle, bool met,
                 double share[3])
@@ -273,8 +407,8 @@ static int walk(const struct contact_sheet *sheet, int sample, int triangle, boo
         triangle = next;
         open_face(sheet, sample, triangle, &one);
         contact_face_nearest(&one.at);
-        met = contact_face_meet(
-            &one.at, (const double *const[]){one.normal[0], one.normal[1], one.normal[2]});
+        met = meet(&one.at,
+                   (const double *const[]){one.normal[0], one.normal[1], one.normal[2]});
         memcpy(share, one.at.share, sizeof one.at.share);
     }
     return -1;
@@ -415,19 +549,19 @@ static void refine_net(const struct contact_sheet *sheet, const struct contact_p
     contact_foot_corners(sheet->surface, triangle, corner);
     for (int k = 0; k < 3; k++)
         normal[k] = sheet->normal + 3 * (long)corner[k];
-    const bool met = contact_face_meet(&face, normal);
+    const bool met = meet(&face, normal);
     if (!met || !(face.share[0] >= 0 && face.share[1] >= 0 && face.share[2] >= 0)) {
         double share[3] = {face.share[0], face.share[1], face.share[2]};
         const int to = walk(sheet, sample, triangle, met, share);
         triangle = to < 0 ? triangle : to;
         set_face(sheet, sample, triangle, to < 0 ? place->share : share, &face);
     }
-    foot->distance = contact_face_measure(&face);
+    foot->distance = measure(&face);
     if (!(face.square >= as_near * place->square &&
           face.square <= far * far * place->square)) {
         triangle = place->triangle;
         set_face(sheet, sample, triangle, place->share, &face);
-        foot->distance = contact_face_measure(&face);
+        foot->distance = measure(&face);
     }
     fill(sheet, place, &face, triangle, foot, node, weight);
 }

@@ -22,8 +22,18 @@
 #ifndef CONTACT_FOOT_H
 #define CONTACT_FOOT_H
 
-#include "models/contact/contact_face.h"
 #include "models/contact/contact_tree.h"
+
+/* The distance of a point from a triangle, which may be a segment or a point. */
+struct contact_face {
+    const double *p[4]; /* places of the point and the corners          [m]    borrowed  */
+    double share[3];    /* of the corners in the closest point; sum 1                    */
+    double way[3];      /* from there to the point                      [m]              */
+    double square;      /* of its length                                [m^2]            */
+};
+
+/* Computes share, way and square. */
+void contact_face_nearest(struct contact_face *f);
 
 struct contact_foot {
     int sample;

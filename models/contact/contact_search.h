@@ -64,8 +64,7 @@ void contact_search_forget(struct contact_search *s);
 enum status contact_search_find_all(struct contact_search *s, const double *x);
 
 /* Computes the share, 0 to 1, of a change d[nodes][3] of x that a sheet can take without
- * coming through itself: contact_advance.h, with the wall and the range [m] of
- * the law. STATUS_NAN,
+ * coming through itself, with the wall >= 0 and the range [m] of the law. STATUS_NAN,
  * STATUS_MEMORY. */
 enum status contact_search_limit(struct contact_search *s, const double *x, const double *d,
                                  double wall, double range, double *share);

@@ -31,21 +31,30 @@
 #define PD_ENERGY_H
 
 #include "models/discretization.h"
-#include "projective_dynamics/pd_bending.h"
+#include "models/scene.h"
+#include "projective_dynamics/pd_net.h"
 
 /* The constraints that resist stretching; auto: edges for fabrics, whose warp and weft
  * triangles, which know but E and nu, can't tell apart. */
 enum constraint { CONSTRAINT_AUTO, CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 extern const char *const pd_energy_constraints[]; /* NULL ends */
 
+struct pd_row {
+    int count, node[5];
+    double coefficient[5]; /* [1/m^2]                                                  */
+    double weight;         /* [N m^3]                                                  */
+    double target[3];      /* [1/m] zero, but for clamps                               */
+};
+
 struct pd_energy {
     struct pd_net net;
     enum constraint constraint;
+    double *fields; /* memory of the next four                              owned     */
     double *edge[PD_EDGES]; /* weight of each edge in the constant matrix, by k [N/m];
-                               triangles write theirs here too              owned     */
+                               triangles write theirs here too                        */
     double deviator, trace; /* weights of one triangle, its area included [N m]        */
-    double *mass, *area;    /* lumped, per node [kg], [m^2]                  owned     */
-    double *rest;           /* [3] fields                                    owned     */
+    double *mass, *area;    /* lumped, per node [kg], [m^2]                            */
+    double *rest;           /* [3] fields                                              */
     int row_count;
     struct pd_row *rows; /* bending and clamps                            owned     */
     int constraints;     /* edges or triangles, and rows                            */

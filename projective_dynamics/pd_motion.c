@@ -6,10 +6,183 @@
 
 #include "models/damping.h"
 #include "models/mechanics/dead_load.h"
+#include "models/room.h"
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
 static const double LEFT_LEAST = 1e-6; /* share of the length; less is not counted      */
 static const double ROUND_OFF = 1e-12; /* likewise, of a change                         */
+
+/* Returns the acceleration of a free node on which no neighbour pulls, component c, its
+ * place `at` in three fields, less damping [m/s^2]. */
+static double fall(const struct pd_motion *m, int c, ptrdiff_t at)
+{
+    const struct scene *scene = m->scene;
+    double wind = scene->drag * scene->thickness * m->energy.area[0] / m->energy.mass[0];
+
+    return scene->gravity[c] + wind * scene->wind[c] + (m->dead ? m->dead[at] : 0);
+}
+
+/* --- Chebyshev's acceleration (Wang 2015), held back where the sheet folds: it waits for
+ * some iterations, and what does not descend is taken back -------------------------------
+ */
+
+enum { DELAY = 10, GUARD = 5 };
+
+/* Finds the factor by which the slowest error shrinks: the largest eigenvalue of A^-1
+ * K_stretch about the rest shape, across the sheet, where edges resist nothing. Power
+ * iteration. */
+static enum status find_radius(struct pd_motion *m)
+{
+    enum { TURNS = 200 };
+    const struct pd_net *net = &m->energy.net;
+    ptrdiff_t stride = pd_net_stride(net);
+    double *z = m->next, *y = m->before;
+
+    memset(z, 0, (size_t)stride * sizeof *z);
+    for (int k = 0; k < net->nodes; k++)
+        z[k] = (k * 7 % 11) - 5;
+    for (int turn = 0; turn < TURNS; turn++) {
+        double size = 0;
+        memset(y, 0, (size_t)(3 * stride - net->pad) * sizeof *y);
+        for (int kind = 0; kind < PD_EDGES; kind++) {
+            int to[2];
+            pd_net_ends(net, (enum pd_edge)kind, to);
+            for (int k = 0; k < net->nodes; k++) {
+                double pull = m->local.factor * m->energy.edge[kind][k] *
+                              (z[k + to[1]] - z[k + to[0]]);
+                y[k + to[1]] += pull;
+                y[k + to[0]] -= pull;
+            }
+        }
+        for (int k = 0; k < net->nodes; k++)
+            y[k] = m->system.held[k] ? 0 : y[k];
+        enum status st = pd_system_solve(&m->system, y);
+        if (st != STATUS_OK)
+            return st;
+        for (int k = 0; k < net->nodes; k++)
+            size += y[k] * y[k];
+        m->radius = sqrt(size); /* z has length 1, but for the first turn */
+        for (int k = 0; k < net->nodes; k++)
+            z[k] = m->radius > 0 ? y[k] / m->radius : 0;
+    }
+    m->radius = fmin(m->radius, 1 - 1e-9);
+    return STATUS_OK;
+}
+
+/* Returns Chebyshev's weight of iteration `number`, from the one before (Wang 2015,
+ * algorithm 1): none for the first DELAY, in which folds that grow at first would be thrown
+ * too far. */
+static double chebyshev_weight(int number, double radius, double before)
+{
+    if (number < DELAY)
+        return 1;
+    return number == DELAY ? 2 / (2 - radius * radius) : 4 / (4 - radius * radius * before);
+}
+
+/* Computes next <- w (next - before) + before. */
+static void overshoot(struct pd_motion *m, int number)
+{
+    const struct pd_net *net = &m->energy.net;
+
+    m->weight = chebyshev_weight(number, m->radius, m->weight);
+    for (int c = 0; number >= DELAY && c < 3; c++) {
+        double *next = m->next + c * pd_net_stride(net);
+        const double *before = m->before + c * pd_net_stride(net);
+        for (int k = 0; k < net->nodes; k++)
+            next[k] = m->weight * (next[k] - before[k]) + before[k];
+    }
+}
+
+double pd_motion_objective(const struct pd_motion *m)
+{
+    const struct pd_net *net = &m->energy.net;
+    double span = m->span, inert = 1 + m->alpha * span, sum = 0;
+
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < net->nodes; k++) {
+            ptrdiff_t at = c * pd_net_stride(net) + k;
+            double flight = span * m->speed[at] + span * span * fall(m, c, at);
+            double off = m->x[at] - m->origin[at] - flight / inert;
+            if (!m->system.held[c * net->nodes + k])
+                sum += m->energy.mass[k] * off * off;
+        }
+    return sum * inert / (2 * span * span) + pd_energy_value(&m->energy, m->x);
+}
+
+/* Guards the acceleration, after every GUARD iterations and the last: if the step's
+ * objective has grown, which plain iterations never let it, the last ones are taken back,
+ * and the next are plain (as Peng et al. 2018). *number counts from there, *value is the
+ * least so far. */
+bool pd_motion_take_back(struct pd_motion *m, bool last, int *number, double *value)
+{
+    const struct pd_net *net = &m->energy.net;
+    const size_t size = (size_t)(3 * pd_net_stride(net)) * sizeof *m->x;
+
+    if (!last && *number % GUARD)
+        return false;
+    const double now = pd_motion_objective(m);
+    if (now <= *value || *number <= DELAY) {
+        memcpy(m->saved - net->pad, m->x - net->pad, size);
+        *value = now;
+        return false;
+    }
+    memcpy(m->x - net->pad, m->saved - net->pad, size);
+    *number = 0;
+    return true;
+}
+
+/* --- BDF2 (pd_motion.h) ------------------------------------------------------------------
+ */
+
+/* Computes origin and speed of the step from start and v, which then are those of a step
+ * ago. */
+static void begin_backward(struct pd_motion *m)
+{
+    struct pd_backward *b = &m->backward;
+
+    for (size_t n = 0; n < b->count; n++) {
+        b->origin[n] = m->start[n] + (m->start[n] - b->x[n]) / 3;
+        b->speed[n] = m->v[n] + (m->v[n] - b->v[n]) / 3;
+        b->x[n] = m->start[n];
+        b->v[n] = m->v[n];
+    }
+}
+
+/* Makes the history before the start, where nothing pulls; m->next is work. */
+static enum status remember(struct pd_motion *m)
+{
+    const struct pd_net *net = &m->energy.net;
+    const ptrdiff_t stride = pd_net_stride(net);
+    struct pd_backward *b = &m->backward;
+    enum status st;
+
+    b->count = (size_t)(3 * stride - net->pad);
+    TRY(room_cut(&b->room, ROOM(b->x, b->count), ROOM(b->v, b->count),
+                 ROOM(b->origin, b->count), ROOM(b->speed, b->count)));
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < net->nodes; k++)
+            if (!m->system.held[c * net->nodes + k])
+                m->next[c * stride + k] =
+                    fall(m, c, c * stride + k) - m->alpha * m->v[c * stride + k];
+    for (size_t n = 0; n < b->count; n++) {
+        const double gain = m->dt * m->next[n];
+        b->v[n] = m->v[n] - gain;
+        b->x[n] = m->x[n] - m->dt * (m->v[n] - gain / 2);
+    }
+out:
+    return st;
+}
+
+/* Follows v <- factor v as an impulse: a step ago it was as much slower, and the
+ * acceleration stays. */
+static void scale_backward(struct pd_motion *m, double factor)
+{
+    for (size_t n = 0; n < m->backward.count; n++) {
+        const double blow = (factor - 1) * m->v[n];
+        m->backward.v[n] += blow;
+        m->backward.x[n] -= m->dt * blow;
+    }
+}
 
 /* --- life --------------------------------------------------------------------------------
  */
@@ -72,13 +245,15 @@ static void find_clamped(const struct pd_motion *m, bool *clamped)
 
 static enum status allocate(struct pd_motion *m)
 {
-    const struct pd_net *net = &m->energy.net;
     double **fields[] = {&m->x,    &m->v,      &m->base, &m->start,
                          &m->next, &m->before, &m->saved};
+    enum { COUNT = sizeof fields / sizeof *fields };
+    const struct pd_net *net = &m->energy.net;
 
-    for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
-        if (!(*fields[n] = pd_net_fields(net, 3)))
-            return STATUS_MEMORY;
+    if (!(m->fields = pd_net_fields(net, 3 * COUNT)))
+        return STATUS_MEMORY;
+    for (int n = 0; n < COUNT; n++)
+        *fields[n] = m->fields + 3 * n * pd_net_stride(net);
     m->shift = calloc((size_t)m->supports.held_count + 1, sizeof *m->shift);
     return m->shift ? STATUS_OK : STATUS_MEMORY;
 }
@@ -136,45 +311,14 @@ static double find_share(const struct pd_motion *m)
     return 1 / sqrt(1 + s * s * stretch / mass);
 }
 
-/* Returns the acceleration of a free node on which no neighbour pulls, component c, its
- * place `at` in three fields, less damping [m/s^2]. */
-static double fall(const struct pd_motion *m, int c, ptrdiff_t at)
-{
-    const struct scene *scene = m->scene;
-    double wind = scene->drag * scene->thickness * m->energy.area[0] / m->energy.mass[0];
-
-    return scene->gravity[c] + wind * scene->wind[c] + (m->dead ? m->dead[at] : 0);
-}
-
-/* Makes BDF2's history before the start, where nothing pulls; m->next is work. */
-static enum status remember(struct pd_motion *m)
-{
-    const struct pd_net *net = &m->energy.net;
-    const ptrdiff_t stride = pd_net_stride(net);
-    enum status st;
-
-    TRY(backward_init(&m->backward, (size_t)(3 * stride - net->pad)));
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < net->nodes; k++)
-            if (!m->system.held[c * net->nodes + k])
-                m->next[c * stride + k] =
-                    fall(m, c, c * stride + k) - m->alpha * m->v[c * stride + k];
-    backward_start(&m->backward, m->dt, m->x, m->v, m->next);
-out:
-    return st;
-}
-
 void pd_motion_clear(void *motion)
 {
     struct pd_motion *m = motion;
 
-    const struct pd_net *net = &m->energy.net;
-    double *fields[] = {m->x,    m->v,      m->base,  m->start,
-                        m->next, m->before, m->saved, m->dead};
-    for (size_t n = 0; n < sizeof fields / sizeof *fields; n++)
-        pd_net_free_fields(net, fields[n]);
+    pd_net_free_fields(&m->energy.net, m->fields);
+    pd_net_free_fields(&m->energy.net, m->dead);
     free(m->shift);
-    backward_clear(&m->backward);
+    free(m->backward.room);
     pd_contact_clear(&m->contact);
     pd_local_clear(&m->local);
     pd_system_clear(&m->system);
@@ -192,7 +336,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
 
     *m = (struct pd_motion){.scene = scene, .options = *options};
     m->dt = scene->step / options->substeps;
-    m->span = options->second ? backward_span(m->dt) : m->dt;
+    m->span = options->second ? 2 * m->dt / 3 : m->dt;
     TRY(hold_nodes(m, why));
     if (!(clamped = malloc((size_t)m->supports.nodes * sizeof *clamped)))
         TRY(STATUS_MEMORY);
@@ -210,7 +354,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     TRY(allocate(m));
     TRY(add_loads(m));
     if (options->chebyshev)
-        TRY(pd_motion_find_radius(m));
+        TRY(find_radius(m));
     start(m);
     if (options->second)
         TRY(remember(m));
@@ -244,7 +388,7 @@ void pd_motion_begin(struct pd_motion *m)
     exchange(&m->x, &m->start);
     m->origin = m->start, m->speed = m->v;
     if (m->options.second) {
-        backward_begin(&m->backward, m->start, m->v);
+        begin_backward(m);
         m->origin = m->backward.origin, m->speed = m->backward.speed;
     }
     for (int c = 0; c < 3; c++) {
@@ -294,7 +438,7 @@ enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved)
     }
     TRY(pd_system_solve(&m->system, m->next));
     if (m->options.chebyshev)
-        pd_motion_overshoot(m, number);
+        overshoot(m, number);
     if (m->contact.system)
         TRY(pd_contact_apply(&m->contact,
                              m->span * m->span * (m->options.chebyshev ? m->weight : 1),
@@ -388,8 +532,7 @@ static enum status step(struct pd_motion *m, struct counters *counters)
         const bool asked = o->tolerance > 0 || n >= o->iterations - 2;
         before = moved;
         TRY(pd_motion_iterate(m, number++, asked ? &moved : NULL));
-        if (o->chebyshev && pd_motion_is_due(number, n + 1 == o->iterations) &&
-            pd_motion_take_back(m, &number, &value))
+        if (o->chebyshev && pd_motion_take_back(m, n + 1 == o->iterations, &number, &value))
             moved = INFINITY;
         counters->iterations++;
         counters->solves++;
@@ -414,7 +557,7 @@ static bool finish_frame(struct pd_motion *m)
     double factor = velocity_factor(m), sum = 0;
 
     if (m->options.second && factor != 1)
-        backward_scale(&m->backward, m->dt, factor, m->v);
+        scale_backward(m, factor);
     for (int c = 0; c < 3; c++) {
         double *v = m->v + c * pd_net_stride(net);
         for (int k = 0; k < net->nodes; k++)
@@ -444,22 +587,6 @@ out:
 
 /* --- what came of it ---------------------------------------------------------------------
  */
-
-double pd_motion_objective(const struct pd_motion *m)
-{
-    const struct pd_net *net = &m->energy.net;
-    double span = m->span, inert = 1 + m->alpha * span, sum = 0;
-
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < net->nodes; k++) {
-            ptrdiff_t at = c * pd_net_stride(net) + k;
-            double flight = span * m->speed[at] + span * span * fall(m, c, at);
-            double off = m->x[at] - m->origin[at] - flight / inert;
-            if (!m->system.held[c * net->nodes + k])
-                sum += m->energy.mass[k] * off * off;
-        }
-    return sum * inert / (2 * span * span) + pd_energy_value(&m->energy, m->x);
-}
 
 void pd_motion_energy(const void *motion, struct energy *energy)
 {

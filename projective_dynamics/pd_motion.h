@@ -1,4 +1,4 @@
-/* pd_motion.h - the sheet in time: implicit Euler or BDF2 (backward.h), by local and global
+/* pd_motion.h - the sheet in time: implicit Euler or BDF2, by local and global
  * steps in turn (Bouaziz et al. 2014, algorithm 1).
  *
  * A step solves M (x - x_old - dt v) / dt^2 + alpha M (x - x_old) / dt = f - dE/dx: the
@@ -10,7 +10,6 @@
 #ifndef PD_MOTION_H
 #define PD_MOTION_H
 
-#include "models/mechanics/backward.h"
 #include "models/model.h"
 #include "projective_dynamics/pd_contact.h"
 #include "projective_dynamics/pd_local.h"
@@ -33,6 +32,20 @@ struct pd_options {
     enum solver solver;
 };
 
+/* Second order in time for what is written as implicit Euler: BDF2 (Curtiss and
+ * Hirschfelder 1952). Of x' = v, v' = a,
+ *     x_n+1 = o + s v_n+1,    o = (4 x_n - x_n-1) / 3,    s = 2 dt / 3,
+ *     v_n+1 = w + s a_n+1,    w = (4 v_n - v_n-1) / 3,
+ * a step of implicit Euler over s from position o and velocity w: its matrix is constant
+ * where Euler's is. A-stable and damping as Euler's, of amplitudes a part (omega dt)^4 / 4
+ * a step for (omega dt)^2 / 2. Coordinates of held points follow their path. */
+struct pd_backward {
+    size_t count;
+    double *x, *v;          /* a step ago                                              */
+    double *origin, *speed; /* o, w                                                    */
+    void *room;             /* memory of the arrays; NULL: not in use          owned   */
+};
+
 struct pd_motion {
     const struct scene *scene; /*                                           borrowed  */
     struct pd_options options;
@@ -44,15 +57,16 @@ struct pd_motion {
     double push[3];            /* force of obstacles, mean over the last frame   [N]   */
     double dt, alpha; /* [s], [1/s]                                                    */
     double span;      /* Euler's step [s]: dt, less with BDF2                          */
-    struct backward backward;     /* all zero without BDF2                             */
+    struct pd_backward backward;  /* all zero without BDF2                             */
     const double *origin, *speed; /* where and how fast the span begins, three fields  */
     double radius; /* Chebyshev: of the iteration about the rest shape              */
     double weight; /* weight of the last iteration                                  */
     double left;   /* largest share of a step's movement left by its iteration [1]       */
     double left_time; /* that step's [s]                                               */
-    double *x, *v;    /* three fields each                                   owned    */
-    double *base, *start, *next, *before; /* work, the same                  owned    */
-    double *saved; /* Chebyshev: what it may fall back to, as x              owned    */
+    double *fields;   /* memory of the next seven                             owned    */
+    double *x, *v;    /* three fields each                                            */
+    double *base, *start, *next, *before; /* work, the same                           */
+    double *saved; /* Chebyshev: what it may fall back to, as x                       */
     double *shift; /* [held]                          owned    */
     double *dead;  /* accelerations by the scene's loads, as x; NULL: none    owned    */
     double time;
@@ -81,14 +95,9 @@ enum status pd_motion_iterate(struct pd_motion *m, int number, double *moved);
  * s the span, at m->x, between pd_motion_begin and the end of the step. */
 double pd_motion_objective(const struct pd_motion *m);
 
-/* pd_motion_accelerate.c. Find m->radius, once the system is factored; overshoot m->next of
- * iteration `number` = 0, 1, ... since the last plain start; tell whether it is time to
- * look back, after `number` of them (`last`: of the step), and whether that took them back:
- * m->x is then what it was at the look before, and *number 0. *value is the least objective
- * so far, INFINITY at first. */
-enum status pd_motion_find_radius(struct pd_motion *m);
-void pd_motion_overshoot(struct pd_motion *m, int number);
-bool pd_motion_is_due(int number, bool last);
-bool pd_motion_take_back(struct pd_motion *m, int *number, double *value);
+/* Looks back after `number` accelerated iterations, every few and after the last; tells
+ * whether that took them back: m->x is then what it was at the look before, and *number 0.
+ * *value is the least objective so far, INFINITY at first. */
+bool pd_motion_take_back(struct pd_motion *m, bool last, int *number, double *value);
 
 #endif

@@ -72,26 +72,6 @@ static int partner(const struct pd_net *net, int k, int coupling)
     return i < net->n && j >= 0 && j < net->m ? i * net->m + j : -1;
 }
 
-void pd_system_multiply(const struct pd_system *s, const double *x, double *y)
-{
-    const struct pd_net *net = s->net;
-    ptrdiff_t stride = pd_net_stride(net);
-
-    for (int c = 0; c < 3; c++, x += stride, y += stride) {
-        memset(y, 0, (size_t)net->nodes * sizeof *y);
-        for (int k = 0; k < net->nodes; k++)
-            for (int t = 0; t < COUPLINGS; t++) {
-                int other = partner(net, k, t);
-                double value = s->stencil[(size_t)k * COUPLINGS + t];
-                if (other < 0 || value == 0)
-                    continue;
-                y[k] += value * x[other];
-                if (t > 0)
-                    y[other] += value * x[k];
-            }
-    }
-}
-
 /* --- factors -----------------------------------------------------------------------------
  */
 

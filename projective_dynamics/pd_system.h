@@ -25,7 +25,9 @@ struct pd_group {
 struct pd_system {
     const struct pd_net *net; /*                                             borrowed  */
     void *room;               /* memory of stencil and held                  owned     */
-    double *stencil;          /* [nodes][13] lower part of A: k's couplings, itself first */
+    double *stencil;          /* [nodes][13] lower part of A: of node (i, j) with
+                                 (i + di, j + dj), di = 0, dj = 0 .. 2; then di = 1,
+                                 2, dj = -2 .. 2 each                                   */
     int group_count;
     struct pd_group group[3];
     double *constant; /* [3] fields: factor sum w c target                  owned     */
@@ -48,8 +50,5 @@ enum status pd_system_solve(struct pd_system *s, double *b);
 
 /* Returns A's diagonal at a node. */
 double pd_system_diagonal(const struct pd_system *s, int node);
-
-/* Computes y = A x, three fields, held nodes as if free: for residuals and tests. */
-void pd_system_multiply(const struct pd_system *s, const double *x, double *y);
 
 #endif

@@ -9,13 +9,33 @@
 /* --- gradients ---------------------------------------------------------------------------
  */
 
+/* y = A x, three fields, held nodes as if free. */
+static void multiply(const struct pd_system *s, const double *x, double *y)
+{
+    const struct pd_net *net = s->net;
+    const ptrdiff_t stride = pd_net_stride(net);
+
+    for (int c = 0; c < 3; c++, x += stride, y += stride) {
+        memset(y, 0, (size_t)net->nodes * sizeof *y);
+        for (int t = 0; t < 13 * net->nodes; t++) {
+            const int k = t / 13, n = t % 13, dj = n < 3 ? n : (n - 3) % 5 - 2;
+            const int i = k / net->m + (n + 2) / 5, j = k % net->m + dj;
+            if (i >= net->n || j < 0 || j >= net->m)
+                continue;
+            y[k] += s->stencil[t] * x[i * net->m + j];
+            if (n > 0)
+                y[i * net->m + j] += s->stencil[t] * x[k];
+        }
+    }
+}
+
 /* A x - M x - local step - constant, over dt^2: dE/dx. */
 static void gradient(struct pd_motion *m, const double *x, double *g)
 {
     const struct pd_net *net = &m->energy.net;
     double *pulled = pd_net_fields(net, 3);
 
-    pd_system_multiply(&m->system, x, g);
+    multiply(&m->system, x, g);
     pd_local_step(&m->local, x, m->system.constant, pulled);
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < net->nodes; k++) {

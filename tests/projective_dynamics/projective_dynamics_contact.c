@@ -189,8 +189,7 @@ static void check_end(const struct variant *v, double friction)
     pd_motion_begin(&m);
     for (int n = 0; n < MOST && moved > 1e-12; n++) {
         REQUIRE(pd_motion_iterate(&m, number++, &moved) == STATUS_OK);
-        if (v->chebyshev && pd_motion_is_due(number, false) &&
-            pd_motion_take_back(&m, &number, &value))
+        if (v->chebyshev && pd_motion_take_back(&m, false, &number, &value))
             moved = INFINITY;
     }
     REQUIRE(pd_contact_find(&m.contact, m.x) == STATUS_OK);

@@ -195,7 +195,7 @@ static void fit_boxes(struct intersection *s, int n_u, int n_v)
 
 /* Moves the corners that both triangles share to the front, in the same order; returns
  * their number. No two triangles of a grid share all three. */
-static int intersection_match(int p[3], int q[3])
+static int match(int p[3], int q[3])
 {
     int shared = 0;
 
@@ -218,7 +218,7 @@ static bool triangles_intersect(const struct intersection *s, int first, int sec
 
     if (!intersection_triangle(s, first, p) || !intersection_triangle(s, second, q))
         return false;
-    int shared = intersection_match(p, q);
+    int shared = match(p, q);
     for (int i = 0; i < 3; i++) {
         a[i] = s->point + 3L * p[i];
         b[i] = s->point + 3L * q[i];
@@ -443,20 +443,6 @@ static bool is_closed(const struct intersection *s)
     return s->n_v > 3;
 }
 
-static enum status begin_grid(struct intersection *s, int n_u, int n_v, const double *xyz,
-                              long *count)
-{
-    assert(n_u >= 2 && n_v >= 2 && 2L * (n_u - 1) * (n_v - 1) <= 1L << 30);
-    enum status st;
-
-    s->corner = NULL;
-    s->n_u = n_u, s->n_v = n_v;
-    s->triangles = 2 * (n_u - 1) * (n_v - 1);
-    st = begin(s, (long)n_u * n_v, n_u - 1, n_v - 1, xyz, count);
-    s->closed = st == STATUS_OK && is_closed(s);
-    return st;
-}
-
 /* Tests all pairs by the tree. */
 static enum status count_by_tree(struct intersection *s, long *count)
 {
@@ -476,7 +462,13 @@ static enum status count_grid(struct intersection *s, int n_u, int n_v, const do
 {
     enum status st;
 
-    TRY(begin_grid(s, n_u, n_v, xyz, count));
+    assert(n_u >= 2 && n_v >= 2 && 2L * (n_u - 1) * (n_v - 1) <= 1L << 30);
+    s->corner = NULL;
+    s->closed = false;
+    s->n_u = n_u, s->n_v = n_v;
+    s->triangles = 2 * (n_u - 1) * (n_v - 1);
+    TRY(begin(s, (long)n_u * n_v, n_u - 1, n_v - 1, xyz, count));
+    s->closed = is_closed(s);
     TRY(count_by_tree(s, count));
 out:
     if (st)
@@ -523,20 +515,6 @@ enum status intersection_count_mesh(struct intersection *s, int vertices, const 
 out:
     if (st)
         *count = -1;
-    return st;
-}
-
-enum status intersection_count_all(struct intersection *s, int n_u, int n_v,
-                                   const double *xyz, long *count)
-{
-    enum status st = STATUS_OK;
-
-    TRY(begin_grid(s, n_u, n_v, xyz, count));
-    for (int p = 0; p < s->triangles; p++)
-        for (int q = p + 1; q < s->triangles; q++)
-            *count += triangles_intersect(s, p, q);
-    s->tests = (long)s->triangles * (s->triangles - 1) / 2;
-out:
     return st;
 }
 

@@ -87,11 +87,6 @@ enum status intersection_count(struct intersection *s, int n_u, int n_v, const d
 enum status intersection_count_field(struct intersection *s, int sheets, int step,
                                      const double *xyz, long *count);
 
-/* Counts by testing every pair, boxes of cells and all: for tests and to show what the tree
- * saves. Lists no pairs. */
-enum status intersection_count_all(struct intersection *s, int n_u, int n_v,
-                                   const double *xyz, long *count);
-
 /* Counts those of a mesh; the list corner[triangles][3] is borrowed until the next count.
  */
 enum status intersection_count_mesh(struct intersection *s, int vertices, const double *xyz,

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mass_spring/spring_strain.h"
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
+#include "models/vector.h"
 
 /* The share of the explicit method's greatest step that it chooses: springs that turn and
  * stretch are a little stiffer than at rest. */
@@ -63,11 +63,6 @@ static enum status set_steps(struct spring_motion *m, const struct discretizatio
         set_contact(m);
 out:
     return st;
-}
-
-static double shortest_spring(const struct spring_net *net)
-{
-    return fmin(net->cell[0], net->cell[1]);
 }
 
 static enum status make_leapfrog(struct spring_motion *m, const struct discretization *d,
@@ -142,8 +137,8 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     memcpy(m->x, m->net.rest, 3 * (size_t)m->net.nodes * sizeof *m->x);
     supports_initial_velocity(&m->newton.supports, scene, m->net.rest, NULL, m->v);
     m->limits.iterations = d->iterations;
-    m->limits.tolerance =
-        (d->tolerance > 0 ? d->tolerance : DEFAULT_TOLERANCE) * shortest_spring(&m->net);
+    m->limits.tolerance = (d->tolerance > 0 ? d->tolerance : DEFAULT_TOLERANCE) *
+                          fmin(m->net.cell[0], m->net.cell[1]);
     if (m->integrator == INTEGRATOR_LEAPFROG)
         TRY(make_leapfrog(m, d, why));
     else if (m->integrator == INTEGRATOR_MOMENTUM)
@@ -279,6 +274,65 @@ static enum status step_explicit(struct spring_motion *m, double t,
     return STATUS_OK;
 }
 
+/* --- Provot's inverse procedure (Provot 1995, section 4.2) -------------------------------
+ *
+ * After a step, the ends of every spring that has become longer than (1 + limit) times its
+ * rest length are moved together along it, each half way, or one alone if the other is
+ * held.
+ *
+ * Provot sweeps once and does not say what becomes of the velocities. Here sweeps go on, in
+ * the order of the springs and back, until all springs keep the limit to a part in 1000 of
+ * it, 1000 sweeps at most; the velocity is that of the corrected points, so that a net at
+ * its limit does not gather speed.
+ */
+
+enum { MOST_SWEEPS = 1000 };
+
+/* A spring is still too long if it exceeds the limit by more than this share of it. */
+static const double SLACK = 1e-3;
+
+/* Shortens a spring; returns whether it was too long and could be moved. */
+static bool shorten(const struct spring *s, const struct supports *supports, double limit,
+                    double *x)
+{
+    double e[3];
+    const int *place = supports->free_index;
+    bool moved = false;
+
+    vector_between(x + 3 * (size_t)s->a, x + 3 * (size_t)s->b, e);
+    double length = vector_length(e), excess = length - (1 + limit) * s->length;
+    if (!(excess > SLACK * limit * s->length))
+        return false;
+    for (int i = 0; i < 3; i++) {
+        size_t a = 3 * (size_t)s->a + (size_t)i, b = 3 * (size_t)s->b + (size_t)i;
+        double by = excess / length * e[i];
+        bool a_free = place[a] >= 0, b_free = place[b] >= 0;
+        if (a_free)
+            x[a] += b_free ? by / 2 : by;
+        if (b_free)
+            x[b] -= a_free ? by / 2 : by;
+        moved |= a_free || b_free;
+    }
+    return moved;
+}
+
+void spring_motion_limit(const struct spring_net *net, const struct supports *supports,
+                         double limit, double *x)
+{
+    bool moved = true;
+
+    for (int sweep = 0; moved && sweep < MOST_SWEEPS; sweep++) {
+        moved = false;
+        for (int n = 0; n < net->spring_count; n++) {
+            int at = sweep % 2 ? net->spring_count - 1 - n : n;
+            moved |= shorten(&net->springs[at], supports, limit, x);
+        }
+    }
+}
+
+/* --- steps ---------------------------------------------------------------------------
+ */
+
 static enum status substep(struct spring_motion *m, struct counters *counters)
 {
     enum status st;
@@ -291,7 +345,7 @@ static enum status substep(struct spring_motion *m, struct counters *counters)
     else
         TRY(step_implicit(m, t, counters));
     if (m->strain_limit > 0)
-        spring_strain_limit(&m->net, &m->newton.supports, m->strain_limit, m->x);
+        spring_motion_limit(&m->net, &m->newton.supports, m->strain_limit, m->x);
     if (m->integrator == INTEGRATOR_EXPLICIT)
         TRY(net_contact_project(m->contact, t, m->start, m->x));
     else

@@ -97,4 +97,9 @@ void spring_motion_place(struct spring_motion *m, double t);
 /* Moves held points to where they are at time t. */
 void spring_motion_hold(struct spring_motion *m, double t);
 
+/* Moves free points of x[nodes][3] until no spring is longer than (1 + limit) times its
+ * rest length; limit > 0. */
+void spring_motion_limit(const struct spring_net *net, const struct supports *supports,
+                         double limit, double *x);
+
 #endif

@@ -7,7 +7,7 @@
 
 #include "models/mechanics/large_body.h"
 #include "models/net/spring_plate.h"
-#include "models/net/spring_soft.h"
+#include "models/net/spring_form.h"
 #include "models/net/spring_sweep.h"
 #include "models/scene.h"
 

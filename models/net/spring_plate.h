@@ -15,7 +15,7 @@
  * B33 - s_u B13 - s_v B23 > 0: exact where the curvature is constant, and no part is
  * negative.
  *
- * Softening adds to it: spring_soft.h.
+ * Softening adds to it: spring_form.h.
  *
  * Clamps: at a held column that cannot turn, the curvature of the cubic that leaves the
  * point x0 along e with the free neighbours x1, x2 on it,

@@ -15,7 +15,7 @@
 #define SPRING_STENCIL_H
 
 #include "models/net/spring_plate.h"
-#include "models/net/spring_soft.h"
+#include "models/net/spring_form.h"
 
 enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12, SPRING_STENCIL_STRUTS = 16 };
 

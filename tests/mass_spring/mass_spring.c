@@ -4,7 +4,6 @@
 #include <float.h>
 #include <omp.h>
 
-#include "mass_spring/spring_strain.h"
 #include "models/reader/scene_file.h"
 #include "tests/mass_spring.h"
 
@@ -91,7 +90,7 @@ static void check_strain_centre(void)
         s.m.x[t] *= 1.3 + 0.1 * noise(t);
         rest[t % 3] += s.m.x[t];
     }
-    spring_strain_limit(&s.m.net, &s.m.newton.supports, 0.1, s.m.x);
+    spring_motion_limit(&s.m.net, &s.m.newton.supports, 0.1, s.m.x);
     for (int t = 0; t < 3 * s.m.net.nodes; t++)
         centre[t % 3] += s.m.x[t];
     CHECK(net_strain(&s) <= 0.1 * 1.001);
@@ -102,7 +101,7 @@ static void check_strain_centre(void)
 
 static void check_strain_limit(void)
 {
-    const double limit = 0.1, slack = 1e-3; /* spring_strain.h */
+    const double limit = 0.1, slack = 1e-3; /* spring_motion.c */
     const double paper = largest_elongation(PARAMETERS_PAPER, 0),
                  limited = largest_elongation(PARAMETERS_PAPER, limit),
                  matched = largest_elongation(PARAMETERS_MATCHED, 0);

@@ -6,28 +6,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Lists the elements around each node: e of node a in list[first[a] .. first[a+1]). */
-static enum status elements_of_nodes(int nodes, int elements, int local, const int *ien,
-                                     long **first, int **list)
-{
-    long total = (long)elements * local;
-    long *f = calloc((size_t)nodes + 2, sizeof *f);
-    int *l = malloc((size_t)total * sizeof *l);
+#include "models/room.h"
 
-    if (!f || !l) {
-        free(f);
-        free(l);
+/* Lists the elements around each node: e of node a in list[first[a] .. first[a+1]). */
+static enum status elements_of_nodes(int nodes, int elements, const long *start,
+                                     const int *ien, long **first, int **list)
+{
+    const long total = start[elements];
+    long *f = *first = calloc((size_t)nodes + 2, sizeof *f);
+    int *l = *list = malloc((size_t)total * sizeof *l + 1);
+
+    if (!f || !l)
         return STATUS_MEMORY;
-    }
     for (long t = 0; t < total; t++)
         f[ien[t] + 2]++;
     for (int a = 0; a < nodes; a++)
         f[a + 2] += f[a + 1];
     for (int e = 0; e < elements; e++)
-        for (int a = 0; a < local; a++)
-            l[f[ien[(long)e * local + a] + 1]++] = e;
-    *first = f;
-    *list = l;
+        for (long t = start[e]; t < start[e + 1]; t++)
+            l[f[ien[t] + 1]++] = e;
     return STATUS_OK;
 }
 
@@ -37,19 +34,15 @@ static int ascending(const void *a, const void *b)
 }
 
 /* Collects the neighbours b >= a of one node; mark[b] == a says that b is there already. */
-static int collect_row(int a, int local, const int *ien, const long *first, const int *list,
-                       int *mark, int *row)
+static int collect_row(int a, const long *start, const int *ien, const long *first,
+                       const int *list, int *mark, int *row)
 {
     int count = 0;
 
-    for (long t = first[a]; t < first[a + 1]; t++) {
-        const int *node = ien + (long)list[t] * local;
-        for (int s = 0; s < local; s++)
-            if (node[s] >= a && mark[node[s]] != a) {
-                mark[node[s]] = a;
-                row[count++] = node[s];
-            }
-    }
+    for (long t = first[a]; t < first[a + 1]; t++)
+        for (long s = start[list[t]]; s < start[list[t] + 1]; s++)
+            if (ien[s] >= a && mark[ien[s]] != a)
+                mark[row[count++] = ien[s]] = a;
     if (!count)
         row[count++] = a; /* a node of no element still has its diagonal */
     qsort(row, (size_t)count, sizeof *row, ascending);
@@ -63,30 +56,27 @@ void blocks_clear(struct blocks *g)
     memset(g, 0, sizeof *g);
 }
 
-enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
-                        const int *ien)
+enum status blocks_init_uneven(struct blocks *g, int nodes, int elements, const long *start,
+                               const int *ien)
 {
-    enum status st = STATUS_MEMORY;
+    enum status st;
     long *first = NULL, capacity = 64L * nodes, pairs = 0;
-    int *list = NULL, *mark = malloc((size_t)nodes * sizeof *mark);
-    int *row = malloc((size_t)nodes * sizeof *row);
+    int *list = NULL, *mark, *row;
+    void *work = NULL;
     struct blocks new = {.nodes = nodes};
 
+    TRY(room_cut(&work, ROOM(mark, nodes), ROOM(row, nodes)));
     new.start = malloc(((size_t)nodes + 1) * sizeof *new.start);
     new.node = malloc((size_t)capacity * sizeof *new.node);
-    if (!mark || !row || !new.start || !new.node)
-        goto out;
-    TRY(elements_of_nodes(nodes, elements, local, ien, &first, &list));
+    TRY(new.start &&new.node ? STATUS_OK : STATUS_MEMORY);
+    TRY(elements_of_nodes(nodes, elements, start, ien, &first, &list));
     memset(mark, -1, (size_t)nodes * sizeof *mark);
     for (int a = 0; a < nodes; a++) {
-        int count = collect_row(a, local, ien, first, list, mark, row);
+        int count = collect_row(a, start, ien, first, list, mark, row);
         if (pairs + count > capacity) {
             capacity = 2 * (pairs + count);
             int *more = realloc(new.node, (size_t)capacity * sizeof *more);
-            if (!more) {
-                st = STATUS_MEMORY;
-                goto out;
-            }
+            TRY(more ? STATUS_OK : STATUS_MEMORY);
             new.node = more;
         }
         new.start[a] = pairs;
@@ -95,13 +85,25 @@ enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
     }
     new.start[nodes] = pairs;
     HAND_OVER(g, new);
-    st = STATUS_OK;
 out:
     blocks_clear(&new);
     free(first);
     free(list);
-    free(mark);
-    free(row);
+    free(work);
+    return st;
+}
+
+enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
+                        const int *ien)
+{
+    enum status st = STATUS_MEMORY;
+    long *start = malloc(((size_t)elements + 1) * sizeof *start);
+
+    for (int e = 0; start && e <= elements; e++)
+        start[e] = (long)e * local;
+    if (start)
+        st = blocks_init_uneven(g, nodes, elements, start, ien);
+    free(start);
     return st;
 }
 

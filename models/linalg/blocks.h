@@ -18,6 +18,11 @@ struct blocks {
 /* Makes the graph of elements with `local` nodes each: ien[elements][local], ascending. */
 enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
                         const int *ien);
+
+/* Makes that of elements of any size: element e has ien[start[e]] .. ien[start[e + 1] - 1].
+ */
+enum status blocks_init_uneven(struct blocks *g, int nodes, int elements, const long *start,
+                               const int *ien);
 void blocks_clear(struct blocks *g);
 
 /* Returns the index of the pair (a, b), a <= b; -1 if they are not coupled. O(log). */

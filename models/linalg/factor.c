@@ -1,9 +1,11 @@
+#define _DEFAULT_SOURCE /* madvise */
 #include "models/linalg/factor.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include "models/linalg/blas_kernel.h"
 #include "models/linalg/factor_part.h"
@@ -32,6 +34,92 @@ struct factor {
                            until three sides are asked for                        */
 };
 
+/* --- components of a pattern ---------------------------------------------------------
+ */
+
+static int root_of(int *parent, int i)
+{
+    while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+/* Finds the components, part_of[n], numbered by their first unknown; parent[n] is work.
+ * Returns their number. */
+static int find_parts(const struct factor_pattern *a, int *parent, int *part_of)
+{
+    for (int i = 0; i < a->n; i++)
+        parent[i] = i;
+    for (int j = 0; j < a->n; j++)
+        for (long s = a->start[j]; s < a->start[j + 1]; s++) {
+            int p = root_of(parent, j), q = root_of(parent, a->row[s]);
+            if (p < q)
+                parent[q] = p;
+            else
+                parent[p] = q;
+        }
+    int count = 0;
+    for (int i = 0; i < a->n; i++) /* a root is the least of its component */
+        part_of[i] = parent[i] == i ? count++ : part_of[root_of(parent, i)];
+    return count;
+}
+
+/* Restricts to a part; unknown[n]: its unknowns, ascending; local: their inverse. *room is
+ * the memory of *part's arrays, owned by the caller. */
+static enum status restrict_to(const struct factor_pattern *a, const int *unknown, int n,
+                               const int *local, const int *part_of,
+                               struct factor_pattern *part, void **room)
+{
+    enum status st;
+    long entries = 0, end = 0, *start;
+    int *row, *order;
+    for (int k = 0; k < n; k++)
+        entries += a->start[unknown[k] + 1] - a->start[unknown[k]];
+    TRY(room_cut(room, ROOM(start, n + 1), ROOM(row, entries),
+                 ROOM(order, a->order ? n : 0)));
+    for (int k = 0; k < n; k++) {
+        start[k] = end;
+        for (long s = a->start[unknown[k]]; s < a->start[unknown[k] + 1]; s++)
+            row[end++] = local[a->row[s]];
+    }
+    start[n] = end;
+    for (int k = 0, next = 0; a->order && k < a->n; k++)
+        if (part_of[a->order[k]] == part_of[unknown[0]])
+            order[next++] = local[a->order[k]];
+    *part = (struct factor_pattern){n, start, row, order};
+out:
+    return st;
+}
+
+double *factor_numbers(ptrdiff_t count)
+{
+    /* From a few megabytes on, translating addresses of 4 kB pages limits a sweep. */
+    const size_t huge = (size_t)1 << 21;
+    size_t bytes = (count + 8) / 8 * 64, align = bytes < 2 * huge ? 64 : huge;
+    double *x = aligned_alloc(align, (bytes + align - 1) / align * align);
+    if (x && align == huge)
+        madvise(x, bytes, MADV_HUGEPAGE); /* advice: no matter if refused */
+    if (x)
+        memset(x, 0, bytes);
+    return x;
+}
+
+/* Rounds scale times the numbers to floats, in place: in the first half of their room. */
+static float *narrow_numbers(ptrdiff_t count, double scale, double *x)
+{
+    enum { AT_ONCE = 64 };
+    double wide[AT_ONCE];
+    float narrow[AT_ONCE];
+    for (ptrdiff_t from = 0; from < count; from += AT_ONCE) {
+        ptrdiff_t n = count - from < AT_ONCE ? count - from : AT_ONCE;
+        memcpy(wide, x + from, n * sizeof *wide);
+        for (ptrdiff_t i = 0; i < n; i++)
+            narrow[i] = (float)(scale * wide[i]);
+        memcpy((float *)x + from, narrow, n * sizeof *narrow);
+    }
+    return (float *)x;
+}
+
 /* --- which method -----------------------------------------------------------------------
  */
 
@@ -40,13 +128,6 @@ static double flops_of(const struct factor_part *part)
     struct factor_info info = {0};
     part->method->describe(part, &info);
     return info.flops;
-}
-
-static void swap_parts(struct factor_part *a, struct factor_part *b)
-{
-    struct factor_part keep = *a;
-    *a = *b;
-    *b = keep;
 }
 
 /* SOLVER_AUTO: the band, unless supernodes save enough arithmetic: its tiles run faster.
@@ -99,7 +180,8 @@ static enum status create_by_method(const struct factor_pattern *a, enum solver 
     st = other.method->create(a, spare, &other);
     if (st == STATUS_OK && flops_of(part) > arithmetic_saved * flops_of(&other)) {
         memcpy(position, spare, a->n * sizeof *position);
-        swap_parts(part, &other);
+        const struct factor_part band = *part;
+        *part = other, other = band;
     }
     other.method->destroy(&other);
     return st;
@@ -112,20 +194,21 @@ static enum status create_part(struct factor *f, int p, const struct factor_patt
                                enum solver method, const int *unknown, const int *local)
 {
     enum status st;
-    struct factor_pattern_part own = {0};
+    struct factor_pattern own;
+    void *room = NULL;
     struct factor_part *part = &f->part[p];
     int *position = NULL;
 
     if (!(position = malloc(2 * (size_t)part->n * sizeof *position)))
         return STATUS_MEMORY;
-    TRY(factor_pattern_restrict(a, unknown, part->n, local, f->part_of, &own));
-    TRY(create_by_method(&own.pattern, method, position, position + part->n, part));
+    TRY(restrict_to(a, unknown, part->n, local, f->part_of, &own, &room));
+    TRY(create_by_method(&own, method, position, position + part->n, part));
     f->first_slot[p + 1] = f->first_slot[p] + (part->slots + 7) / 8 * 8;
     f->first_row[p + 1] = f->first_row[p] + (part->rows + 7) / 8 * 8;
     for (int k = 0; k < part->n; k++)
         f->place[unknown[k]] = f->first_row[p] + position[k];
 out:
-    factor_pattern_clear(&own);
+    free(room);
     free(position);
     return st;
 }
@@ -183,7 +266,7 @@ enum status factor_create(const struct factor_pattern *a, enum solver method,
     blas_kernel_set_threads(1);
     f->n = a->n; /* 0: held everywhere */
     TRY(room_cut(&f->room, ROOM(f->part_of, a->n), ROOM(f->place, a->n)));
-    f->part_count = factor_pattern_parts(a, f->place, f->part_of);
+    f->part_count = find_parts(a, f->place, f->part_of);
     TRY(room_cut(&f->part_room, ROOM(f->part, f->part_count),
                  ROOM(f->first_row, f->part_count + 1),
                  ROOM(f->first_slot, f->part_count + 1)));
@@ -248,8 +331,7 @@ enum status factor_refactor(struct factor *f)
     f->ready = f->ready_three = false;
     if (f->single) {
         choose_shift(f);
-        narrow = factor_numbers_narrow(f->first_slot[f->part_count], ldexp(1, f->shift),
-                                       f->value);
+        narrow = narrow_numbers(f->first_slot[f->part_count], ldexp(1, f->shift), f->value);
     }
     for (int p = 0; p < f->part_count; p++)
         TRY(narrow

@@ -18,7 +18,20 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include "models/discretization.h"
-#include "models/linalg/factor_pattern.h"
+#include "models/status.h"
+
+/* The nonzero pattern of a symmetric matrix: its lower triangle by columns, row[start[j] ..
+ * start[j+1]) >= j, ascending, diagonal present.
+ */
+struct factor_pattern {
+    int n;
+    const long *start; /* [n + 1]       borrowed during create                         */
+    const int *row;    /* [start[n]]                                                   */
+    const int *order;  /* [n] an order of elimination, order[new] = old, or NULL. The band
+                          takes the narrower of this and the natural order; supernodes the
+                          best of this (order_nested's, say), AMD's and METIS's; CHOLMOD
+                          orders by itself.                                            */
+};
 
 struct factor;
 

@@ -56,9 +56,6 @@ struct factor_part {
  * Owned by the caller, freed with free; NULL if there is no memory. */
 double *factor_numbers(ptrdiff_t count);
 
-/* Rounds scale times the numbers to floats, in place: in the first half of their room. */
-float *factor_numbers_narrow(ptrdiff_t count, double scale, double *x);
-
 extern const struct factor_method factor_banded;
 extern const struct factor_method factor_supernodal;
 extern const struct factor_method factor_cholmod;

@@ -3,25 +3,15 @@
 #include <math.h>
 #include <string.h>
 
-static double product(int n, const double *a, const double *b)
+#include "models/linalg/blocks.h"
+
+double krylov_product(int n, const double *a, const double *b)
 {
     double sum = 0;
 
     for (int t = 0; t < n; t++)
         sum += a[t] * b[t];
     return sum;
-}
-
-/* Returns the longest length of the vectors of three numbers: independent of the axes. */
-static double longest(int n, const double *a)
-{
-    double most = 0;
-
-    for (int t = 0; t + 2 < n; t += 3) {
-        double far = a[t] * a[t] + a[t + 1] * a[t + 1] + a[t + 2] * a[t + 2];
-        most = far > most ? far : most;
-    }
-    return sqrt(most);
 }
 
 /* Adds part x to y. */
@@ -54,7 +44,7 @@ static enum status descend(const struct krylov *k, double size, const double *q,
                            double *x, double *r)
 {
     k->multiply(k->self, q, Aq);
-    double curvature = product(k->n, q, Aq);
+    double curvature = krylov_product(k->n, q, Aq);
 
     if (!isfinite(curvature))
         return STATUS_NAN;
@@ -76,15 +66,15 @@ enum status krylov_cg(struct krylov *k, const double *b, double *x, bool *done)
     for (k->iterations = 0; k->iterations <= k->most;) {
         TRY(k->precondition(k->self, r, z));
         double before = size;
-        size = product(n, r, z);
+        size = krylov_product(n, r, z);
         if (!isfinite(size))
             return STATUS_NAN;
         if (size < 0)
             return STATUS_INDEFINITE;
         if (k->iterations++ == 0)
-            first = fmax(size, product(n, x, b));
+            first = fmax(size, krylov_product(n, x, b));
         *done = size <= k->tolerance * k->tolerance * first ||
-                (k->near > 0 && longest(n, z) <= k->near);
+                (k->near > 0 && blocks_longest(n / 3, z) <= k->near);
         if (*done || k->iterations > k->most)
             break;
         for (int t = 0; t < n; t++)
@@ -123,10 +113,10 @@ static enum status extend(const struct krylov *k, struct cycle *y, int c)
     TRY(k->precondition(k->self, y->product, next));
     for (int i = 0; i <= c; i++) {
         const double *v = y->v + (size_t)i * (size_t)n;
-        y->h[c][i] = product(n, v, next);
+        y->h[c][i] = krylov_product(n, v, next);
         add(n, -y->h[c][i], v, next);
     }
-    double size = sqrt(product(n, next, next));
+    double size = sqrt(krylov_product(n, next, next));
     y->h[c][c + 1] = size;
     for (int t = 0; size > 0 && t < n; t++)
         next[t] /= size;
@@ -171,13 +161,13 @@ enum status krylov_gmres(struct krylov *k, const double *b, double *x, bool *don
     struct cycle y = {.v = k->work, .product = k->work + (size_t)ROWS * (size_t)n};
 
     TRY(k->precondition(k->self, b, y.v));
-    double wanted = k->tolerance * sqrt(product(n, y.v, y.v));
+    double wanted = k->tolerance * sqrt(krylov_product(n, y.v, y.v));
     *done = false;
     for (k->iterations = 1; !*done && k->iterations < k->most;) {
         int count = 0;
         residual(k, false, b, x, y.product);
         TRY(k->precondition(k->self, y.product, y.v));
-        double size = sqrt(product(n, y.v, y.v));
+        double size = sqrt(krylov_product(n, y.v, y.v));
         if (!isfinite(size))
             return STATUS_NAN;
         *done = size <= wanted;

@@ -20,6 +20,9 @@ struct krylov {
     int iterations;   /* products of P that the last call took, written                */
 };
 
+/* Returns a b, added one after the other; all vectors have n entries. */
+double krylov_product(int n, const double *a, const double *b);
+
 /* Return the numbers of work space: conjugate gradients; GMRES. */
 size_t krylov_cg_work(int n);
 size_t krylov_gmres_work(int n);

@@ -23,87 +23,30 @@ void contact_coupled_clear(struct contact_coupled *w)
     memset(w, 0, sizeof *w);
 }
 
-/* The touches by node: those of node a are list[first[a]] .. list[first[a + 1] - 1]. */
-struct touches_of {
-    void *room; /*                                                             owned   */
-    long *first;
-    int *list;
-};
-
-static enum status sort_touches(const struct contact *c, int nodes, struct touches_of *of)
-{
-    enum status st;
-
-    TRY(room_cut(&of->room, ROOM(of->first, nodes + 2), ROOM(of->list, c->weights)));
-    for (int k = 0; k < c->weights; k++)
-        of->first[c->node[k] + 2]++;
-    for (int a = 0; a < nodes; a++)
-        of->first[a + 2] += of->first[a + 1];
-    for (int t = 0; t < c->count; t++)
-        for (int k = 0; k < c->touch[t].count; k++)
-            of->list[of->first[c->node[c->touch[t].first + k] + 1]++] = t;
-out:
-    return st;
-}
-
-static int ascending(const void *a, const void *b)
-{
-    return *(const int *)a - *(const int *)b;
-}
-
-/* Lists the nodes b >= a that the body or touches couple with a, in row[nodes]; mark[nodes]
- * holds no a yet. */
-static int collect(const struct contact *c, const struct blocks *body,
-                   const struct touches_of *of, int a, int *mark, int *row)
-{
-    int count = 0;
-
-    for (long n = body->start[a]; n < body->start[a + 1]; n++)
-        mark[row[count++] = body->node[n]] = a;
-    const int inherent = count;
-    for (long n = of->first[a]; n < of->first[a + 1]; n++) {
-        const struct contact_touch *t = &c->touch[of->list[n]];
-        for (int k = t->first; k < t->first + t->count; k++)
-            if (c->node[k] >= a && mark[c->node[k]] != a)
-                mark[row[count++] = c->node[k]] = a;
-    }
-    if (count > inherent)
-        qsort(row, (size_t)count, sizeof *row, ascending);
-    return count;
-}
-
+/* Makes the body's graph with what the touches couple: its pairs and they are elements. */
 static enum status make_graph(const struct contact *c, const struct blocks *body,
                               struct blocks *graph)
 {
     enum status st;
-    const int nodes = body->nodes;
-    struct touches_of of = {0};
-    int *mark = NULL, *row;
-    long room = 0;
+    const long pairs = body->start[body->nodes];
+    long *start, next = 0;
+    int *ien, count = 0;
     void *work = NULL;
 
-    TRY(room_cut(&work, ROOM(mark, nodes), ROOM(row, nodes)));
-    TRY(sort_touches(c, nodes, &of));
-    memset(mark, -1, (size_t)nodes * sizeof *mark);
-    graph->nodes = nodes;
-    graph->start = calloc((size_t)nodes + 1, sizeof *graph->start);
-    if (!graph->start)
-        TRY(STATUS_MEMORY);
-    for (int a = 0; a < nodes; a++) {
-        const int count = collect(c, body, &of, a, mark, row);
-        const long end = graph->start[a] + count;
-        if (end > room) {
-            room = 2 * end + body->start[nodes];
-            int *more = realloc(graph->node, (size_t)room * sizeof *more);
-            if (!more)
-                TRY(STATUS_MEMORY);
-            graph->node = more;
+    TRY(room_cut(&work, ROOM(start, pairs + c->count + 1),
+                 ROOM(ien, 2 * pairs + c->weights)));
+    for (int a = 0; a < body->nodes; a++)
+        for (long n = body->start[a]; n < body->start[a + 1]; n++) {
+            ien[next++] = a, ien[next++] = body->node[n];
+            start[++count] = next;
         }
-        memcpy(graph->node + graph->start[a], row, (size_t)count * sizeof *row);
-        graph->start[a + 1] = end;
+    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++) {
+        for (int k = t->first; k < t->first + t->count; k++)
+            ien[next++] = c->node[k];
+        start[++count] = next;
     }
+    TRY(blocks_init_uneven(graph, body->nodes, count, start, ien));
 out:
-    free(of.room);
     free(work);
     return st;
 }

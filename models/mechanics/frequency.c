@@ -27,23 +27,29 @@ static size_t count_of(const struct operator* o)
     return 3 * (size_t)o->supports->nodes;
 }
 
-static void multiply(const struct operator* o, const double *x, double *y)
+/* Computes y = m^-1/2 A m^-1/2 x, A one of the body's products. */
+static void scaled(const struct operator* o,
+                   void (*product)(const void *self, const double *x, double *y),
+                   const double *x, double *y)
 {
     for (size_t t = 0; t < count_of(o); t++)
         o->work[t] = o->scale[t] * x[t];
-    o->body->multiply(o->body->self, o->work, y);
+    product(o->body->self, o->work, y);
     for (size_t t = 0; t < count_of(o); t++)
         y[t] *= o->scale[t];
+}
+
+static void multiply(const struct operator* o, const double *x, double *y)
+{
+    scaled(o, o->body->multiply, x, y);
 }
 
 /* Computes y = S z. */
 static void spread(const struct operator* o, const double *z, double *y)
 {
+    scaled(o, o->body->beyond, z, y);
     for (size_t t = 0; t < count_of(o); t++)
-        o->work[t] = o->scale[t] * z[t];
-    o->body->beyond(o->body->self, o->work, y);
-    for (size_t t = 0; t < count_of(o); t++)
-        y[t] = z[t] + o->scale[t] * y[t];
+        y[t] += z[t];
 }
 
 /* Adds in lanes: vectors, and the same bits on every CPU. */

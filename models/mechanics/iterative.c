@@ -328,15 +328,6 @@ enum status iterative_update(struct iterative *it, bool keep)
     return keep && it->factored && !it->spent_more ? STATUS_OK : make_factor(it);
 }
 
-static double product(size_t count, const double *a, const double *b)
-{
-    double sum = 0;
-
-    for (size_t t = 0; t < count; t++)
-        sum += a[t] * b[t];
-    return sum;
-}
-
 /* Guesses x by extrapolating the last solutions, times the factor that is best in the norm
  * of A; zero without them. */
 static void guess(struct iterative *it, double *x)
@@ -356,7 +347,8 @@ static void guess(struct iterative *it, double *x)
         for (int n = 0; n < it->known; n++)
             x[t] += w[n] * it->past[n][t];
     multiply(it, x, Ax);
-    double size = product(count, x, Ax), part = product(count, x, it->b) / size;
+    const int n = it->krylov.n;
+    double size = krylov_product(n, x, Ax), part = krylov_product(n, x, it->b) / size;
     if (!(size > 0 && isfinite(part)))
         part = 0;
     for (size_t t = 0; t < count; t++)

@@ -121,4 +121,7 @@ struct large_motion {
     double push[3]; /* force of bodies, mean over the last step              [N]   */
 };
 
+/* Gives held unknowns the velocity of supports that move, at time t. */
+void large_body_follow(struct large_motion *m, double t);
+
 #endif

@@ -244,11 +244,7 @@ static enum status begin(struct large_leapfrog *l, double t, struct counters *co
     struct newmark *n = m->newmark;
     double elastic, *x_before = m->room;
 
-    if (m->supports->moving) {
-        struct newmark_held held = newmark_follow(m->supports, m->scene, t, n->dt, m->held);
-        for (int h = 0; h < m->supports->held_count; h++)
-            n->v[m->supports->held[h]] = held.v[h];
-    }
+    large_body_follow(m, t);
     for (size_t k = 0; n->beta > 0 && k < count_of(l); k++)
         x_before[k] = m->x[k] - step_of(l) * n->v[k];
     if (n->beta > 0)
@@ -418,10 +414,4 @@ enum status large_leapfrog_step(struct large_motion *m, double t, struct counter
     }
 out:
     return st;
-}
-
-void large_leapfrog_contact(const struct large_motion *m, struct model_contact *contact)
-{
-    contact_report(m->contact, contact);
-    memcpy(contact->force, m->push, sizeof contact->force);
 }

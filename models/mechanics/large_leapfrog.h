@@ -42,9 +42,8 @@ double large_leapfrog_kinetic(const struct large_motion *m);
 /* Describes its steps and mass in a line; none if steps are implicit. */
 void large_leapfrog_describe(const struct large_motion *m, struct message *line);
 
-/* Do for explicit steps what large_motion.h promises. */
+/* Does for explicit steps what large_motion_step promises. */
 enum status large_leapfrog_step(struct large_motion *m, double t,
                                 struct counters *counters);
-void large_leapfrog_contact(const struct large_motion *m, struct model_contact *contact);
 
 #endif

@@ -93,10 +93,6 @@ static enum status end_contact(struct large_motion *m, double dt)
 
 void large_motion_contact(const struct large_motion *m, struct model_contact *contact)
 {
-    if (m->leapfrog && !m->rested) {
-        large_leapfrog_contact(m, contact);
-        return;
-    }
     contact_report(m->contact, contact);
     memcpy(contact->force, m->push, sizeof contact->force);
 }
@@ -172,12 +168,7 @@ static enum status all_substeps(struct large_motion *m, double time,
     memset(m->push, 0, sizeof m->push);
     m->rested = false;
     if (!m->started) {
-        if (m->supports->moving) {
-            struct newmark_held held =
-                newmark_follow(m->supports, m->scene, time, m->newmark->dt, m->held);
-            for (int h = 0; h < m->supports->held_count; h++)
-                m->newmark->v[m->supports->held[h]] = held.v[h];
-        }
+        large_body_follow(m, time);
         st = large_body_strain(&m->body, m->x, m->strain_old);
         if (st != STATUS_OK)
             return st;

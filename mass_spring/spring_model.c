@@ -1,7 +1,6 @@
 #include "mass_spring/spring_model.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "mass_spring/spring_rest.h"

@@ -1,7 +1,5 @@
 #include "projective_dynamics/projective_dynamics_model.h"
 
-#include <stdlib.h>
-
 #include "models/contact/contact_rest.h"
 #include "models/net/net_surface.h"
 #include "models/net/spring_law.h"

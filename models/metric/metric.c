@@ -1,7 +1,6 @@
 #include "models/metric/metric.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "models/contact/contact_shape.h"

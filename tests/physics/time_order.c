@@ -17,6 +17,7 @@ enum { FRAMES = 12, EXTRA = 4 };
 #define EXPLICIT    "discretization.integrator=leapfrog"
 #define EULER       "discretization.integrator=implicit"
 #define SINGLE      "discretization.precision=single"
+#define ONCE        "discretization.substeps=1"
 #define HINGES      "discretization.bending=hinge"
 #define MEMBRANE(m) "discretization.membrane=" #m
 /* clang-format off */
@@ -50,8 +51,11 @@ static const struct row {
     {"mass_spring_momentum", NET, 10, 2, false, {0}},
     {"mass_spring_leapfrog", NET, 40, 2, true, {0}},
     {"mass_spring_single", NET, 40, 0, true, {0}},
-    {"vbd", NET, 40, 1, false,
-     {"discretization.substeps=1", "discretization.iterations=300"}},
+    {"position_based", NET, 20, 1, false, {ONCE}},
+    {"position_based_single", NET, 20, 0, true, {ONCE}},
+    {"position_based_pbd", NET, 20, 0, true, {ONCE, "discretization.iterations=1"}},
+    {"position_based_pbd", NET, 20, 0, true, {ONCE, "discretization.iterations=8"}},
+    {"vbd", NET, 40, 1, false, {ONCE, "discretization.iterations=300"}},
     {"projective_dynamics", NET, 40, 1, false, {TO_THE_END}},
     {"projective_dynamics", NET, 40, 2, false, {TO_THE_END, "discretization.integrator=bdf2"}},
 };

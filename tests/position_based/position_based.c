@@ -1,5 +1,5 @@
-/* Constraints on positions: momentum, what steps converge to, rest, damping, order in time,
- * what single precision loses. */
+/* Constraints on positions: momentum, what steps converge to, rest, damping. (Order in
+ * time, single precision: time_order.c.) */
 #include "position_based/position_based_model.h"
 #include "projective_dynamics/pd_motion.h"
 #include "tests/mass_spring.h"
@@ -194,49 +194,6 @@ static void check_rest(int n, int m, double nu, unsigned fix, double thickness)
 /* --- in time -----------------------------------------------------------------------------
  */
 
-/* A swing from a clamp until 0.2 s by XPBD or, pbd > 0, so many iterations of PBD;
- * x[nodes][3]. */
-static void swing(int substeps, enum precision precision, int pbd, int count, double *x)
-{
-    struct constraints s;
-
-    init(&s, 8, 7, true);
-    s.scene.thickness = 0.003, s.scene.young = 2e4;
-    s.d.substeps = substeps, s.d.precision = precision;
-    if (pbd)
-        OWN(pb_own, &s.d)->projection = PROJECTION_PBD, s.d.iterations = pbd;
-    begin(&s);
-    frames(&s, 40);
-    REQUIRE(count == 3 * s.m.net.nodes);
-    memcpy(x, s.m.x, (size_t)count * sizeof *x);
-    clear(&s);
-}
-
-/* First order, as implicit Euler; what one iteration leaves goes with the square. Single
- * precision goes where double does, but for roundings of 6e-8 m a step, to either side. */
-static void check_order(void)
-{
-    enum { NUMBERS = 3 * 8 * 7 };
-    const double rounding = 1e-5;
-    static double coarse[NUMBERS], fine[NUMBERS], finest[NUMBERS], single[NUMBERS];
-
-    swing(20, PRECISION_DOUBLE, 0, NUMBERS, coarse);
-    swing(40, PRECISION_DOUBLE, 0, NUMBERS, fine);
-    swing(640, PRECISION_DOUBLE, 0, NUMBERS, finest);
-    swing(640, PRECISION_SINGLE, 0, NUMBERS, single);
-    double off[2] = {distance(coarse, finest, NUMBERS), distance(fine, finest, NUMBERS)};
-    double lost = distance(single, finest, NUMBERS) / sqrt(NUMBERS);
-    printf("swing off by %.2e, with half the step %.2e; single precision by %.2e m\n",
-           off[0], off[1], lost);
-    CHECK(off[0] / off[1] > 1.8 && off[0] / off[1] < 4.2);
-    CHECK(lost > 0 && lost < rounding);
-    swing(20, PRECISION_DOUBLE, 1, NUMBERS, fine); /* the same, but for rounding */
-    CHECK_NEAR(distance(coarse, fine, NUMBERS), 0, 1e-9);
-    swing(20, PRECISION_DOUBLE, 8, NUMBERS, fine); /* as stiff, whatever the number */
-    printf("swing by 8 iterations of PBD off by %.2e\n", distance(coarse, fine, NUMBERS));
-    CHECK(distance(coarse, fine, NUMBERS) < 2 * off[0]);
-}
-
 /* The energy of a cell that breathes along u after 0.2 s; *rate: beta omega^2 of it, K / M
  * over its springs and the two points that move. */
 static double breath(double beta, double *rate)
@@ -305,7 +262,6 @@ int main(void)
     check_rest(5, 9, -0.4, FIX_Z, 0.04);
     check_rest(7, 8, 0.3, FIX_X, 0.04);
     check_rest(6, 10, 0, FIX_X | FIX_Z, 0.04);
-    check_order();
     check_damping();
     check_doubt();
     return check_result();

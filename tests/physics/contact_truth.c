@@ -50,6 +50,10 @@ static const struct variant {
     {"quarters", {0}, GAIN},
     {"paper", {KEY "parameters=paper"}, GAIN},
     {"pbd", {KEY "projection=pbd"}, GAIN},
+    {"edges", {KEY "constraint=edges"}, GAIN},
+    {"chebyshev", {KEY "acceleration=chebyshev"}, GAIN},
+    {"admm", {KEY "acceleration=admm"}, GAIN},
+    {"bdf2", {KEY "integrator=bdf2"}, GAIN},
     {"linear", {KEY "kinematics=linear"}, GAIN_LINEAR},
     {"nonlinear", {KEY "kinematics=nonlinear"}, GAIN},
     {"printed", {KEY "kinematics=printed", "damping={kind: velocity_scale, value: 0.4}"}},
@@ -366,8 +370,7 @@ static void check_inclines(const char *name)
 }
 
 /* Whether `clothbench verify contact --quick` has the model's rest, slides and creep. Of
- * solids it has all but explicit ones, which take the steps of explicit shells. (Variants
- * of projective dynamics: projective_dynamics_contact.c.) */
+ * solids it has all but explicit ones, which take the steps of explicit shells. */
 static bool is_verified(const char *name)
 {
     const char *variant = strchr(name, '.');

@@ -1,4 +1,4 @@
-/* The reader of reference tables: reads ours, refuses what is not one, and says where. */
+/* The reader of reference tables: reads them, refuses what is not one, and says where. */
 #include "fem_ref/reference.h"
 
 #include "tests/scratch.h"
@@ -114,27 +114,6 @@ static void check_faults(void)
     }
 }
 
-/* The stored tables: every one opens and holds the value its users look up. */
-static void check_ours(void)
-{
-    struct reference *t = NULL;
-    struct message why;
-
-    if (!CHECK(!reference_open(REFERENCE_DIR "/navier_plate.csv", &t, &why)))
-        printf("%s\n", why.text);
-    int row = reference_find(t, 0, "case", "unif");
-    CHECK(row >= 0 && reference_number(t, row, "kirchhoff") == 0.004062352652);
-    CHECK(isnan(reference_number(t, row, "pz1")));
-    reference_close(t), t = NULL;
-    REQUIRE(!reference_open(REFERENCE_DIR "/leissa_plate_frequencies.csv", &t, &why));
-    row = reference_find(t, 0, "bc", "CFFF");
-    CHECK(row >= 0 && reference_number(t, row, "lambda") == 3.5160157);
-    reference_close(t), t = NULL;
-    REQUIRE(!reference_open(REFERENCE_DIR "/heavy_elastica.csv", &t, &why));
-    CHECK(reference_number(t, 0, "Gamma") == 0.01);
-    reference_close(t);
-}
-
 int main(void)
 {
     scratch_open();
@@ -142,6 +121,5 @@ int main(void)
     check_reads();
     check_faults();
     check_refusals();
-    check_ours();
     return check_result();
 }

@@ -1,5 +1,5 @@
-/* The solid: local numbering, affine boxes, rational functions, gradients against
- * differences, and points found back. (An exact circle: refine.c.) */
+/* The solid: local numbering, rational functions, gradients against differences, and points
+ * found back. (Affine boxes: nonuniform.c.) */
 #include "iga/patch.h"
 #include "tests/check.h"
 #include "tests/spline_fixture.h"
@@ -29,33 +29,6 @@ static void random_uvw(uint64_t *state, double uvw[3])
 {
     for (int d = 0; d < 3; d++)
         uvw[d] = random_unit(state);
-}
-
-static void check_box(const struct patch *shape)
-{
-    static const double origin[3] = {0.3, -0.2, 0.1};
-    static const double edge[3][3] = {{1, 0.1, 0}, {-0.4, 2, 0.3}, {1e-4, 0, 1e-3}};
-    uint64_t state = 2;
-    struct patch box = {0};
-
-    REQUIRE(patch_init(&box, shape->basis) == STATUS_OK);
-    patch_set_box(&box, origin, edge[0], edge[1], edge[2]);
-    for (int s = 0; s < SAMPLES; s++) {
-        double uvw[3], x[3], again[3], J[3][3];
-        random_uvw(&state, uvw);
-        patch_point(&box, uvw, x, J);
-        patch_point(&box, uvw, again, NULL);
-        CHECK(!memcmp(x, again, sizeof x));
-        for (int i = 0; i < 3; i++) {
-            double want = origin[i];
-            for (int j = 0; j < 3; j++) {
-                want += edge[j][i] * uvw[j];
-                CHECK_NEAR(J[i][j], edge[j][i], TOL_GRADIENT_SUM);
-            }
-            CHECK_NEAR(x[i], want, 2 * TOL_SUM); /* coordinates are below 2 */
-        }
-    }
-    patch_clear(&box);
 }
 
 /* A node is alive at a point iff all three univariate functions are on the span; summing
@@ -209,21 +182,6 @@ static void check_inverses(void)
     }
 }
 
-static void check_life_cycle(void)
-{
-    struct patch patch = {0}, copy = {0}, zero = {0};
-
-    quarter_annulus(1, 2, 1, &patch);
-    CHECK(patch_nodes(&patch) == 12 && patch_local(&patch) == 12);
-    REQUIRE(patch_init(&copy, patch.basis) == STATUS_OK);
-    CHECK(copy.basis[0].U != patch.basis[0].U);
-    CHECK(!copy.weight && copy.point[0] == 0.0 && copy.point[35] == 0.0);
-    patch_clear(&copy);
-    CHECK(!memcmp(&copy, &zero, sizeof zero));
-    patch_clear(&patch);
-    patch_clear(NULL);
-}
-
 int main(void)
 {
     uint64_t state = 1;
@@ -235,7 +193,6 @@ int main(void)
             degree[d] =
                 i < 2 ? BSPLINE_MAX_DEGREE : random_int(&state, 1, BSPLINE_MAX_DEGREE);
         random_patch(&state, degree, 0.5, i % 2, &patch);
-        check_box(&patch);
         check_local_nodes(&patch, &state);
         for (int s = 0; s < 10; s++)
             check_sums(&patch, &state);
@@ -244,6 +201,5 @@ int main(void)
         patch_clear(&patch);
     }
     check_inverses();
-    check_life_cycle();
     return check_result();
 }

@@ -1,4 +1,4 @@
-/* Scenes and discretizations made in memory: geometry, needs, paths, copies, words. */
+/* Scenes and discretizations made in memory: needs, paths, copies, sheets, ripples. */
 #include "models/discretization.h"
 #include "models/damping.h"
 #include "models/grid.h"
@@ -7,28 +7,6 @@
 
 /* A handful of operations on numbers of order one. */
 #define TOL_ROUND (8 * 2.220446049250313e-16)
-
-static void check_rest_point(void)
-{
-    struct scene s;
-    double x[3];
-
-    REQUIRE(scene_init(&s) == STATUS_OK);
-    scene_rest_point(&s, (double[3]){1, 0.5, 1}, x);
-    CHECK_NEAR(x[0], 1, TOL_ROUND);
-    CHECK_NEAR(x[1], 0.5, TOL_ROUND);
-    CHECK_NEAR(x[2], 0.005, TOL_ROUND);
-
-    /* Hanging in the x-z plane: e_w = (1,0,0) x (0,0,-1) = (0,1,0). */
-    memcpy(s.origin, (double[3]){1, 2, 3}, sizeof s.origin);
-    memcpy(s.axis_v, (double[3]){0, 0, -1}, sizeof s.axis_v);
-    s.length = 2, s.width = 0.5, s.thickness = 0.1;
-    scene_rest_point(&s, (double[3]){0.25, 1, 0}, x);
-    CHECK_NEAR(x[0], 1.5, TOL_ROUND);
-    CHECK_NEAR(x[1], 1.95, TOL_ROUND);
-    CHECK_NEAR(x[2], 2.5, TOL_ROUND);
-    scene_clear(&s);
-}
 
 static void check_numbers(void)
 {
@@ -241,7 +219,6 @@ int main(void)
 {
     check_sheets();
     check_ripple();
-    check_rest_point();
     check_numbers();
     check_needs();
     check_motion();

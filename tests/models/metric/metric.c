@@ -1,4 +1,4 @@
-/* Metrics of fields whose numbers are known by hand; grid points. */
+/* Metrics of fields whose numbers are known by hand. */
 #include "models/metric/metric.h"
 
 #include "tests/metric_fixture.h"
@@ -6,19 +6,6 @@
 /* A first difference over one or two steps s >= 0.35/99 loses eps/s on coordinates of
  * size 1. */
 #define TOL_STRETCH (4 * DBL_EPSILON * 99 / 0.35)
-
-static void test_grid(void)
-{
-    double uvw[3];
-    grid_point(0, uvw);
-    CHECK(uvw[0] == 0 && uvw[1] == 0 && uvw[2] == 0);
-    grid_point(GRID_U - 1, uvw);
-    CHECK(uvw[0] == 1 && uvw[1] == 0 && uvw[2] == 0);
-    grid_point((1 * GRID_V + 33) * GRID_U + 66, uvw);
-    CHECK(uvw[0] == 66 / 99.0 && uvw[1] == 33 / 99.0 && uvw[2] == 1);
-    grid_point(GRID_POINTS - 1, uvw);
-    CHECK(uvw[0] == 1 && uvw[1] == 1 && uvw[2] == 1);
-}
 
 static void test_rmse(void)
 {
@@ -325,7 +312,6 @@ static void test_angle(void)
 
 int main(void)
 {
-    test_grid();
     test_rmse();
     test_stretch();
     test_drop();

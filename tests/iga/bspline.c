@@ -118,7 +118,6 @@ static void check_spans(const struct bspline *b)
 static void check_basis(const struct bspline *b, uint64_t *state)
 {
     int span[64], count = bspline_spans(b, span);
-    struct bspline copy = {0};
 
     check_spans(b);
     for (int k = b->p; k <= b->n; k++)
@@ -128,11 +127,6 @@ static void check_basis(const struct bspline *b, uint64_t *state)
     for (int i = 0; i < count; i++)
         for (int d = 1; d <= b->p; d++)
             check_derivative(b, span[i], d);
-    REQUIRE(bspline_copy(b, &copy) == STATUS_OK);
-    CHECK(copy.p == b->p && copy.n == b->n && copy.U != b->U);
-    CHECK(!memcmp(copy.U, b->U, (size_t)(b->n + b->p + 1) * sizeof *b->U));
-    bspline_clear(&copy);
-    CHECK(!copy.U && !copy.n && !copy.p);
 }
 
 static void refused(int p, int count, const double *U, const char *sentence)

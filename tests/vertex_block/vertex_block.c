@@ -94,40 +94,6 @@ static void test_sweeps(void)
     CHECK(left_after(40, fast) < left[2] / 10);
 }
 
-/* No two points of a colour share an element, and all points have one. */
-static void test_colours(void)
-{
-    static const char *const settings[] = {"discretization.bending=quadratic",
-                                           "discretization.bending=hinge",
-                                           "discretization.elements=springs"};
-
-    for (int k = 0; k < 3; k++) {
-        struct run run;
-        OPENED_RUN(&run, "edge_drop", "vbd", NET, settings[k]);
-        const struct vb_motion *m = motion_of(&run);
-        const struct blocks *g = &m->net.graph;
-        int colour[72];
-        for (int a = 0; a < 72; a++)
-            colour[a] = -1;
-        REQUIRE(m->body.nodes == 72);
-        for (int c = 0; c < m->body.colours; c++)
-            for (int n = m->body.colours_from[c]; n < m->body.colours_from[c + 1]; n++)
-                colour[m->body.order[n]] = c;
-        for (int t = 0; k < 2 && t < m->net.triangle_count; t++) {
-            const int *node = m->net.triangles[t].node;
-            CHECK(colour[node[0]] != colour[node[1]] && colour[node[1]] != colour[node[2]]);
-            CHECK(colour[node[2]] != colour[node[0]]);
-        }
-        for (int a = 0; a < 72; a++)
-            for (long n = g->start[a]; n < g->start[a + 1]; n++)
-                if (g->node[n] != a && m->net.plate[n] != 0)
-                    CHECK(colour[a] != colour[g->node[n]]);
-        for (int a = 0; a < 72; a++)
-            CHECK(colour[a] >= 0);
-        run_close(&run);
-    }
-}
-
 /* Returns the elastic energy of a net that is bent to a cylinder, over that share of it
  * which bends: rims, half a cell at either end, have no curvature. */
 static double bent(const char *points, const char *scale)
@@ -173,7 +139,6 @@ int main(void)
 {
     test_fixed_point();
     test_sweeps();
-    test_colours();
     test_hinge_scale();
     return check_result();
 }

@@ -1,14 +1,11 @@
-/* Loads: their sum and first moment on any net and any place, and a sheet pulled at its
- * end, which every solid and shell must stretch evenly: tip, contraction, energies. */
+/* Loads: their sum and first moment on any net and any place. (Sheets that loads pull:
+ * carried.c, sheets.c; `clothbench verify fabrics`.) */
 #include "models/mechanics/dead_load.h"
 #include "iga/bspline.h"
 #include "tests/check.h"
-#include "tests/opened_run.h"
 
 /* Sums of up to 10^3 products. */
 static const double ROUND_OFF = 1e-12;
-/* Condition of a thin sheet's stiffness, 1e7, times rounding. */
-static const double TOL_PATCH = 1e-8;
 
 /* Coefficients that make a displacement equal to the parameter: Greville abscissae. */
 static double abscissa(const struct bspline *b, int i, int n)
@@ -74,57 +71,8 @@ static void check_places(void)
     bspline_clear(&square);
 }
 
-#define SCENE SOURCE_DIR "/models/scenes/cantilever.yaml"
-
-static void open_sheet(struct run *t, const char *model, int count,
-                       const char *const *settings)
-{
-    opened_run(t, SCENE, model, count, settings);
-}
-
-/* E = 1e5 Pa, nu = 0.3, 1 x 1 x 0.02 m; 2 N along the sheet at u = 1. */
-static void check_pull(const char *model, const char *more, bool solid)
-{
-    const double corner[3] = {1, 1, 0.5}, force = 2, stretch = force / (1e5 * 0.02);
-    struct message why = {""};
-    struct energy energy;
-    struct counters work = {0};
-    struct run t;
-    double xyz[3];
-    const char *const settings[] = {
-        "sheet.thickness=0.02",
-        "gravity=[0,0,0]",
-        "loads=[{at: {u: 1}, force: [2, 0, 0]}]",
-        solid ? "supports=[{at: {u: 0}, fix: x}, {at: {u: 0, v: 0}, fix: y},"
-                " {at: {u: 0, v: 0, w: 0}, fix: z}, {at: {u: 0, v: 1, w: 0}, fix: z}]"
-              : "supports=[{at: {u: 0}, fix: xz}, {at: {u: 1}, fix: z},"
-                " {at: {u: 0, v: 0}, fix: y}]",
-        "discretization.kinematics=linear",
-        more};
-
-    open_sheet(&t, model, 6, settings);
-    if (!CHECK(t.model->equilibrium(t.state, &work, &why) == STATUS_OK))
-        printf("%s, %s: %s\n", model, more, why.text);
-    t.model->probe(t.state, 1, corner, xyz);
-    t.model->energy(t.state, &energy);
-    bool good = CHECK_NEAR(xyz[0] - 1, stretch, TOL_PATCH * stretch);
-    good &= CHECK_NEAR(xyz[1] - 1, -0.3 * stretch, TOL_PATCH * stretch);
-    good &= CHECK_NEAR(energy.elastic, force * stretch / 2, TOL_PATCH * force * stretch);
-    good &= CHECK_NEAR(energy.potential, -force * stretch, TOL_PATCH * force * stretch);
-    if (!good)
-        printf("  %s, %s\n", model, more);
-    run_close(&t);
-}
-
 int main(void)
 {
     check_places();
-    check_pull("iga_nonlinear", "discretization.degree=[2,2,1]", true);
-    check_pull("iga",
-               "discretization={kinematics: linear, degree: [3,2,2], points: [6,5,3]}",
-               true);
-    check_pull("hex", "discretization.points=[6,5,2]", true);
-    check_pull("hex", "discretization.remedy=incompatible", true);
-    check_pull("shell_3", "discretization.points=[6,5]", false);
     return check_result();
 }

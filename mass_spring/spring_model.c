@@ -13,12 +13,8 @@ static const struct schema_key options[] = {
     {"tolerance"},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_EXPLICIT) |
                            OPTION(INTEGRATOR_LEAPFROG) | OPTION(INTEGRATOR_MOMENTUM)},
-    {"bending", .only = OPTION(BENDING_QUADRATIC) | OPTION(BENDING_STRUT)},
     {"strain_limit", "largest strain of a spring; 0: none", SCHEMA_NUMBER, .low = 0, .high = 10,
      OPTION_OWN(spring_own, strain_limit)},
-    {"springs", "changes that springs resist in leapfrog steps",
-     OPTION_WORDS([SPRINGS_SQUARES] = "squares", [SPRINGS_LENGTHS] = "lengths"),
-     OPTION_OWN(spring_own, springs)},
     {"surface", "surface of the sheet: the net, or a B-spline of which it is the control net",
      OPTION_WORDS([SURFACE_NET] = "net", [SURFACE_QUADRATIC] = "quadratic",
                   [SURFACE_CUBIC] = "cubic"),
@@ -35,13 +31,6 @@ static enum status refuse(const struct scene *scene, const struct discretization
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");
-    if ((own->springs || d->bending) && d->integrator != INTEGRATOR_LEAPFROG)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "springs, bending: with integrator=leapfrog only; implicit and "
-                           "explicit have lengths and struts, momentum has squares");
-    if (d->bending == BENDING_STRUT && own->springs == SPRINGS_SQUARES)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "bending=strut: with springs=lengths only");
     if (solver_iterates(d->solver) && d->integrator != INTEGRATOR_IMPLICIT && !momentum)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "solver=%s: with integrator=implicit or momentum only",

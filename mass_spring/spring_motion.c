@@ -72,8 +72,7 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
     const struct spring_body body = {
         .load = &m->points, .supports = &m->newton.supports, .stencil = &m->stencil};
 
-    TRY(spring_stencil_init(&m->stencil, m->scene, &m->net, OWN(spring_own, d)->springs,
-                            d->bending));
+    TRY(spring_stencil_init(&m->stencil, m->scene, &m->net));
     TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,
                              why));
     m->limit = spring_leapfrog_limit(m->leapfrog);
@@ -92,8 +91,7 @@ static enum status make_large(struct spring_motion *m, const struct discretizati
                                            .x = m->x};
 
     m->dt = m->scene->step;
-    TRY(spring_stencil_init(&m->stencil, m->scene, &m->net, SPRINGS_SQUARES,
-                            BENDING_QUADRATIC));
+    TRY(spring_stencil_init(&m->stencil, m->scene, &m->net));
     TRY(spring_strips_init(&m->strips, &m->stencil));
     TRY(spring_large_init(&m->large, &plan));
     memcpy(m->large.newmark.v, m->v, 3 * (size_t)m->net.nodes * sizeof *m->v);
@@ -413,7 +411,7 @@ void spring_motion_contact(const void *motion, struct model_contact *contact)
 
 const struct spring_stencil *spring_motion_stencil(const struct spring_motion *m)
 {
-    return m->stencil.net && !m->stencil.strut ? &m->stencil : NULL;
+    return m->stencil.net ? &m->stencil : NULL;
 }
 
 double spring_motion_elastic(const struct spring_motion *m)

@@ -5,13 +5,11 @@
  * explicit   symplectic Euler: v from the forces at x0 (c implicit, for free), x from v.
  *            Stable up to a greatest step, `limit`. Without a number of sub-
  *            steps it takes as many as keep LIMIT_SHARE of it; with one, it may blow up.
- *            Leapfrog with springs=lengths and bending=strut does the same, faster, but
- *            for strain limits, which it lacks, and damping implicit in v.
  *
- * leapfrog   second order, fast, springs in squares of lengths and a quadratic bending, or
- *            springs in lengths with either bending (spring_leapfrog.h).
+ * leapfrog   second order, fast, springs in squares of lengths and a quadratic bending
+ *            (spring_leapfrog.h).
  *
- * momentum   implicit energy-momentum steps, second order, of leapfrog's first springs and
+ * momentum   implicit energy-momentum steps, second order, of leapfrog's springs and
  *            bending (spring_large.h, spring_strips.h). It keeps its energy
  *            (clothbench verify energy); the membrane's viscosity takes what crumples.
  *
@@ -36,9 +34,8 @@
 /* The surface of the net: the net itself, or the B-spline whose control points it has. */
 enum spring_surface { SURFACE_NET, SURFACE_QUADRATIC, SURFACE_CUBIC };
 
-struct spring_own {       /* choices of its own (models/option.h) */
-    double strain_limit;  /* Provot 1995: greatest elongation of a spring [1]; 0: none  */
-    enum springs springs; /* in leapfrog steps */
+struct spring_own {      /* choices of its own (models/option.h) */
+    double strain_limit; /* Provot 1995: greatest elongation of a spring [1]; 0: none  */
     enum spring_surface surface;
 };
 

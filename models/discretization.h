@@ -65,9 +65,8 @@ enum integrator {
 /* The precision of positions in leapfrog steps and in position_based. */
 enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };
 
-/* The bending of a net: of triangles quadratic or hinges, of springs quadratic or struts.
- */
-enum bending { BENDING_QUADRATIC, BENDING_HINGE, BENDING_STRUT };
+/* The bending of a net of triangles. */
+enum bending { BENDING_QUADRATIC, BENDING_HINGE };
 
 /* The samples at which a spline meets bodies and itself: several a span of its surface, or
  * its control points (Ren et al. 2024). */

@@ -59,9 +59,8 @@ const struct schema_key option_shared[] = {
      .low = 0, .high = 1e6, IN(iterations)},
     {"tolerance", "tolerance that ends an iteration; 0: the model's own", SCHEMA_NUMBER, .low = 0,
      .high = 1, IN(tolerance)},
-    {"bending", "bending of triangles, or of springs in leapfrog steps",
-     OPTION_WORDS([BENDING_QUADRATIC] = "quadratic", [BENDING_HINGE] = "hinge",
-           [BENDING_STRUT] = "strut"), IN(bending)},
+    {"bending", "bending of triangles",
+     OPTION_WORDS([BENDING_QUADRATIC] = "quadratic", [BENDING_HINGE] = "hinge"), IN(bending)},
     {"contact", "contact of the surface, or of control points alone (Ren et al. 2024)",
      OPTION_WORDS([CONTACT_SURFACE] = "surface", [CONTACT_NET] = "control_points"), IN(contact)},
     {NULL}};

@@ -64,8 +64,7 @@ static enum status make_leapfrog(struct tri_motion *m, const struct discretizati
     m->cells.D[2] = m->body.D[0][LAW_22];
     m->cells.D[3] = m->body.D[0][LAW_33];
     memcpy(m->cells.cell, points->cell, sizeof m->cells.cell);
-    TRY(spring_stencil_init(&m->stencil, m->scene, points, SPRINGS_SQUARES,
-                            BENDING_QUADRATIC));
+    TRY(spring_stencil_init(&m->stencil, m->scene, points));
     spring_stencil_replace(&m->stencil, &m->net.forms);
     supports_initial_velocity(&m->supports, m->scene, points->rest, NULL, m->v);
     TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,

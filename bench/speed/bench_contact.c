@@ -111,11 +111,8 @@ static enum status find_all(void *net)
 static enum status make_sweep(struct net *net)
 {
     const int count = net->side * net->side;
-    const struct spring_sweep_plan plan = {.n = net->side,
-                                           .m = net->side,
-                                           .sheet = net->side,
-                                           .law = SWEEP_LENGTHS,
-                                           .precision = PRECISION_DOUBLE};
+    const struct spring_sweep_plan plan = {
+        .n = net->side, .m = net->side, .sheet = net->side, .precision = PRECISION_DOUBLE};
     double(*c)[SWEEP_COUNT] = calloc((size_t)count, sizeof *c);
     enum status st = c ? STATUS_OK : STATUS_MEMORY;
 

@@ -57,16 +57,11 @@ static double kept(const struct spring_leapfrog *l, int node)
 static void set_neighbour(const struct spring_stencil *s, int a, int n, double push,
                           double *c)
 {
-    double k = s->spring[a][n], r2 = s->square[n], strut = s->strut ? s->strut[a][n] : 0;
-
     if (n >= SPRING_STENCIL_NEAR) {
-        c[SWEEP_FAR + n - SPRING_STENCIL_NEAR] = push * (s->strut ? strut : s->bend[a][n]);
-    } else if (s->springs == SPRINGS_SQUARES) {
-        c[SWEEP_A + n] = push * (s->bend[a][n] - k * r2);
-        c[SWEEP_B + n] = push * k;
+        c[SWEEP_FAR + n - SPRING_STENCIL_NEAR] = push * s->bend[a][n];
     } else {
-        c[SWEEP_A + n] = push * (s->bend[a][n] + 2 * k * r2);
-        c[SWEEP_B + n] = push * (strut - 2 * k * r2 * sqrt(r2));
+        c[SWEEP_A + n] = push * (s->bend[a][n] - s->spring[a][n] * s->square[n]);
+        c[SWEEP_B + n] = push * s->spring[a][n];
     }
 }
 
@@ -78,8 +73,6 @@ static void set_point(struct spring_leapfrog *l, int a)
 
     for (int n = 0; n < SPRING_STENCIL_ALL; n++)
         set_neighbour(s, a, n, push, c);
-    for (int n = SPRING_STENCIL_ALL; s->strut && n < SPRING_STENCIL_STRUTS; n++)
-        c[SWEEP_CORNER + n - SPRING_STENCIL_ALL] = push * s->strut[a][n];
     c[SWEEP_KEEP] = kept(l, a);
     c[SWEEP_PUSH] = push;
     for (int i = 0; i < 3; i++) {
@@ -161,15 +154,11 @@ double spring_leapfrog_limit(const struct spring_leapfrog *l)
     return l->limit;
 }
 
-/* Returns how much stiffer a net is at most with springs sqrt(stretch2) times as long as at
- * rest: in squares of lengths each along itself, in lengths each across, by 1 - r/l of its
- * stiffness along. */
+/* Returns how much stiffer a net is at most with its springs as long as at x: a spring is,
+ * along itself. */
 static double stiffer(const struct spring_leapfrog *l, const double *x)
 {
-    const double stretch2 = spring_stencil_stretch2(l->body.stencil, x);
-
-    return l->body.stencil->springs == SPRINGS_LENGTHS ? 2 - 1 / sqrt(stretch2)
-                                                       : (3 * stretch2 - 1) / 2;
+    return (3 * spring_stencil_stretch2(l->body.stencil, x) - 1) / 2;
 }
 
 /* Returns the substeps that keep a share of the limit where springs are so long. */
@@ -178,43 +167,18 @@ static double needed(const struct spring_leapfrog *l, double share, double more)
     return fmax(1, ceil(l->scene->step * sqrt(more) / (share * l->limit)));
 }
 
-static enum spring_sweep_law law_of(const struct spring_body *body)
-{
-    const struct spring_stencil *s = body->stencil;
-
-    return body->cells                     ? SWEEP_CELLS
-           : s->strut                      ? SWEEP_STRUTS
-           : s->springs == SPRINGS_LENGTHS ? SWEEP_LENGTHS
-                                           : SWEEP_SQUARES;
-}
-
 static enum status make_sweep(const struct spring_leapfrog *l, enum precision precision,
                               struct spring_sweep **sweep)
 {
-    enum status st;
     const struct spring_net *net = l->net;
-    const struct spring_stencil *s = l->body.stencil;
-    struct spring_sweep_plan plan = {.n = net->points[0],
-                                     .m = net->points[1],
-                                     .sheet = net->rows,
-                                     .precision = precision,
-                                     .lag = l->body.load->beta,
-                                     .law = law_of(&l->body),
-                                     .cells = l->body.cells,
-                                     .clamps = s->strut ? net->clamp_count : 0};
-    struct spring_sweep_clamp *clamp = malloc(((size_t)plan.clamps + 1) * sizeof *clamp);
+    const struct spring_sweep_plan plan = {.n = net->points[0],
+                                           .m = net->points[1],
+                                           .sheet = net->rows,
+                                           .precision = precision,
+                                           .lag = l->body.load->beta,
+                                           .cells = l->body.cells};
 
-    if (!clamp)
-        return STATUS_MEMORY;
-    for (int n = 0; n < plan.clamps; n++) {
-        const struct clamp *from = &net->clamps[n];
-        clamp[n] = (struct spring_sweep_clamp){
-            from->b, from->a, {from->edge[0], from->edge[1], from->edge[2]}, from->strut};
-    }
-    plan.clamp = clamp;
-    st = spring_sweep_make(&plan, sweep);
-    free(clamp);
-    return st;
+    return spring_sweep_make(&plan, sweep);
 }
 
 /* The ways from rest by whose forces a stiffness is found, in cells, root mean square: far

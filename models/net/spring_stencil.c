@@ -9,9 +9,9 @@
 #include "models/room.h"
 #include "models/vector.h"
 
-const int spring_stencil_step[SPRING_STENCIL_STRUTS][2] = {
-    {-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1},   {1, -1}, {1, 0},  {1, 1},
-    {-2, 0},  {0, -2}, {0, 2},  {2, 0},  {-2, -2}, {-2, 2}, {2, -2}, {2, 2}};
+const int spring_stencil_step[SPRING_STENCIL_ALL][2] = {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1},
+                                                        {0, 1},   {1, -1}, {1, 0},  {1, 1},
+                                                        {-2, 0},  {0, -2}, {0, 2},  {2, 0}};
 
 int spring_stencil_node(const struct spring_net *net, int node, int neighbour)
 {
@@ -25,11 +25,11 @@ int spring_stencil_node(const struct spring_net *net, int node, int neighbour)
 static int place_at(int di, int dj)
 {
     enum { NONE = -1 };
-    static const signed char place[5][5] = {{12, NONE, 8, NONE, 13},
+    static const signed char place[5][5] = {{NONE, NONE, 8, NONE, NONE},
                                             {NONE, 0, 1, 2, NONE},
                                             {9, 3, NONE, 4, 10},
                                             {NONE, 5, 6, 7, NONE},
-                                            {14, NONE, 11, NONE, 15}};
+                                            {NONE, NONE, 11, NONE, NONE}};
 
     assert(abs(di) <= 2 && abs(dj) <= 2 && place[di + 2][dj + 2] != NONE);
     return place[di + 2][dj + 2];
@@ -52,27 +52,6 @@ static void set_springs(struct spring_stencil *s)
         double r2 = spring->length * spring->length;
         s->square[ab] = s->square[ba] = r2;
         s->spring[spring->a][ab] = s->spring[spring->b][ba] = spring->stiffness / (2 * r2);
-    }
-}
-
-/* Adds a pull along the edge from a to b and back, a constant force [N]. */
-static void add_strut(struct spring_stencil *s, int a, int b, double pull)
-{
-    s->strut[a][place_of(s->net, a, b)] += pull;
-    s->strut[b][place_of(s->net, b, a)] += pull;
-}
-
-static void add_struts(struct spring_stencil *s)
-{
-    for (int n = 0; n < s->net->hinge_count; n++) {
-        const struct hinge *h = &s->net->hinges[n];
-        add_strut(s, h->a, h->b, h->strut);
-        add_strut(s, h->b, h->c, h->strut);
-        add_strut(s, h->a, h->c, -h->strut);
-    }
-    for (int n = 0; n < s->net->clamp_count; n++) {
-        const struct clamp *c = &s->net->clamps[n];
-        s->strut[c->b][place_of(s->net, c->b, c->a)] += c->strut;
     }
 }
 
@@ -107,25 +86,19 @@ void spring_stencil_clear(struct spring_stencil *s)
 }
 
 enum status spring_stencil_init(struct spring_stencil *s, const struct scene *scene,
-                                const struct spring_net *net, enum springs springs,
-                                enum bending bending)
+                                const struct spring_net *net)
 {
     enum status st;
     size_t nodes = (size_t)net->nodes;
     struct spring_forms forms = {0};
 
-    *s = (struct spring_stencil){.net = net, .springs = springs};
+    *s = (struct spring_stencil){.net = net};
     TRY(room_cut(&s->room, ROOM(s->spring, nodes), ROOM(s->bend, nodes),
-                 ROOM(s->clamp, nodes),
-                 ROOM(s->strut, bending == BENDING_STRUT ? nodes : 0)));
+                 ROOM(s->clamp, nodes)));
     set_springs(s);
     TRY(spring_soft_init(&s->soft, scene, net));
-    if (bending == BENDING_STRUT) {
-        add_struts(s);
-    } else {
-        TRY(spring_plate_make(scene, net, &forms));
-        add_forms(s, &forms);
-    }
+    TRY(spring_plate_make(scene, net, &forms));
+    add_forms(s, &forms);
 out:
     spring_forms_clear(&forms);
     return st;
@@ -156,15 +129,9 @@ struct strain {
 /* Returns a spring's state; q: square of the length. */
 static struct strain strain_of(const struct spring_stencil *s, int a, int n, double q)
 {
-    const double k = s->spring[a][n], r2 = s->square[n], more = q - r2;
+    const double k = s->spring[a][n], more = q - s->square[n];
 
-    if (s->springs == SPRINGS_SQUARES)
-        return (struct strain){k * more * more / 4, k * more, 2 * k};
-    if (!(k > 0 && q > 0))
-        return (struct strain){0};
-    const double l = sqrt(q), r = sqrt(r2), stiffness = 2 * k * r2;
-    return (struct strain){stiffness * (l - r) * (l - r) / 2, stiffness * (1 - r / l),
-                           stiffness * r / (l * q)};
+    return (struct strain){k * more * more / 4, k * more, 2 * k};
 }
 
 /* Computes bending from displacements: the rest shape has none, and rotation cancels. */

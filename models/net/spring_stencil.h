@@ -4,12 +4,7 @@
  *     k (l^2 - r^2)^2 / 8 r^2,  force  k (l^2 - r^2) / 2 r^2  times the edge,
  * k (l - r)^2 / 2 for small strains, and stiffer by (3 (l/r)^2 - 1) / 2 when stretched.
  *
- * Or the net's own, on lengths: k (l - r)^2 / 2, force k (l - r) / l times the edge.
- *
- * Bending and clamps: the quadratic plate of spring_plate.h. Or the net's own struts
- * (spring_force.h), which only steps know: with springs in lengths they are the net's own
- * law, whose energy and derivatives are there. Of a hinge's force P (e1/|e1| - e/|e|) the
- * first part is a pull of its edges, the second a push between points two away.
+ * Bending and clamps: the quadratic plate of spring_plate.h.
  */
 #ifndef SPRING_STENCIL_H
 #define SPRING_STENCIL_H
@@ -17,32 +12,26 @@
 #include "models/net/spring_plate.h"
 #include "models/net/spring_form.h"
 
-enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12, SPRING_STENCIL_STRUTS = 16 };
+enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12 };
 
-enum springs { SPRINGS_SQUARES, SPRINGS_LENGTHS }; /* changes that springs resist  */
-
-/* Steps (in i, in j) to the neighbours: those that share a cell first; struts alone reach
- * the last four. */
-extern const int spring_stencil_step[SPRING_STENCIL_STRUTS][2];
+/* Steps (in i, in j) to the neighbours: those that share a cell first. */
+extern const int spring_stencil_step[SPRING_STENCIL_ALL][2];
 
 struct spring_stencil {
     const struct spring_net *net; /* borrowed                                          */
-    enum springs springs;
-    void *room; /* memory of the arrays                      owned   */
+    void *room;                   /* memory of the arrays                      owned   */
     double (*spring)[SPRING_STENCIL_ALL]; /* [nodes] k / 2 r^2; 0: none [N/m^3]  */
     double square[SPRING_STENCIL_ALL]; /* r^2                                      [m^2]  */
     double (*bend)[SPRING_STENCIL_ALL]; /* [nodes] force towards a neighbour, per metre of
                                     edge                                     [N/m]    */
-    double (*strut)[SPRING_STENCIL_STRUTS]; /* [nodes] P of edges, of struts; or NULL [N] */
     double (*clamp)[3];      /* [nodes] constant force of clamps          [N]     */
     struct spring_soft soft; /* explicit steps do not know it                 owned  */
 };
 
 /* Initialises, after spring_net_init; `net` must stay where it is. No bending where its law
- * has none. bending: quadratic or strut, whose clamps are net->clamps. */
+ * has none. */
 enum status spring_stencil_init(struct spring_stencil *s, const struct scene *scene,
-                                const struct spring_net *net, enum springs springs,
-                                enum bending bending);
+                                const struct spring_net *net);
 void spring_stencil_clear(struct spring_stencil *s);
 
 /* Puts these forms in place of all bending, without springs; their `square` stays. */
@@ -51,8 +40,7 @@ void spring_stencil_replace(struct spring_stencil *s, const struct spring_forms 
 /* Returns the neighbour's node, or -1 beyond the rim. */
 int spring_stencil_node(const struct spring_net *net, int node, int neighbour);
 
-/* Returns elastic energy at x[nodes][3] [J], zero at rest up to round-off. This and the
- * following need quadratic bending. */
+/* Returns elastic energy at x[nodes][3] [J], zero at rest up to round-off. */
 double spring_stencil_energy(const struct spring_stencil *s, const double *x);
 
 /* Subtracts its derivative [N] from f[nodes][3]. */

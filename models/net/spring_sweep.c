@@ -47,7 +47,6 @@ struct spring_sweep {
     int rows, strips; /* rows of a strip, strips                                       */
     int kinds;        /* different strips                                              */
     enum precision precision;
-    enum spring_sweep_law law;
     ptrdiff_t pitch, count, first; /* from row to row, from strip to strip, to point 0 */
     double lag;                    /* beta                                       [s]   */
     int now; /* which of the sets 0 and 1 holds the positions                          */
@@ -56,8 +55,7 @@ struct spring_sweep {
     void **strip;               /* [strips] coefficients of a strip                    */
     char *table;                /* [strips] of them, the first `kinds` in use          */
     void *room;
-    struct spring_sweep_clamp *clamp; /* clamps by their points                        */
-    int *clamps;                      /* [strips + 1] where those of a strip begin     */
+    bool celled;               /* cells pull in place of springs                       */
     struct spring_cells cells; /* with cells only, as what follows                     */
     ptrdiff_t stride;
     char *cell_room;  /* [CELL_SIDES][stride]; NULL: springs                            */
@@ -77,12 +75,6 @@ static ptrdiff_t points_of(const struct spring_sweep *s, int i)
     ptrdiff_t rows = s->n - i * s->rows;
 
     return whole_vectors((rows < s->rows ? rows : s->rows) * s->pitch);
-}
-
-/* Returns the number of coefficients of a point. */
-static int places(const struct spring_sweep *s)
-{
-    return s->law == SWEEP_STRUTS ? SWEEP_COUNT : SWEEP_CORNER;
 }
 
 static ptrdiff_t place_of(const struct spring_sweep *s, int node)
@@ -152,47 +144,27 @@ static void lay_out(struct spring_sweep *s)
     s->first = whole_vectors(SWEEP_REACH * (s->pitch + 1));
 }
 
-static enum status allocate(struct spring_sweep *s, int clamps)
+static enum status allocate(struct spring_sweep *s)
 {
     size_t size = s->precision == PRECISION_SINGLE ? sizeof(float) : sizeof(double);
     size_t bytes = size * (size_t)(2 * s->first + s->count * s->strips);
     char *field[SWEEP_SETS][3];
 
     s->stride = 2 * SWEEP_PAD + whole_vectors(s->pitch) + s->count;
-    s->strip_bytes = size * (size_t)(places(s) * s->count);
-    s->mask_bytes = s->law == SWEEP_CELLS ? size * (size_t)(CELL_MASKS * s->count) : 0;
+    s->strip_bytes = size * (size_t)(SWEEP_COUNT * s->count);
+    s->mask_bytes = s->celled ? size * (size_t)(CELL_MASKS * s->count) : 0;
     enum status st = room_cut(
         &s->room, ROOM(field[0][0], bytes), ROOM(field[0][1], bytes),
         ROOM(field[0][2], bytes), ROOM(field[1][0], bytes), ROOM(field[1][1], bytes),
         ROOM(field[1][2], bytes), ROOM(field[2][0], bytes), ROOM(field[2][1], bytes),
         ROOM(field[2][2], bytes), ROOM(s->strip, (size_t)s->strips),
-        ROOM(s->table, (size_t)s->strips * s->strip_bytes), ROOM(s->clamp, (size_t)clamps),
-        ROOM(s->clamps, (size_t)s->strips + 1), ROOM(s->mask, (size_t)s->strips),
+        ROOM(s->table, (size_t)s->strips * s->strip_bytes),
+        ROOM(s->mask, (size_t)s->strips),
         ROOM(s->mask_table, (size_t)s->strips * s->mask_bytes),
-        ROOM(s->cell_room,
-             s->law == SWEEP_CELLS ? size * CELL_SIDES * (size_t)s->stride : 0));
+        ROOM(s->cell_room, s->celled ? size * CELL_SIDES * (size_t)s->stride : 0));
     for (int n = 0; st == STATUS_OK && n < 3 * SWEEP_SETS; n++)
         s->field[n / 3][n % 3] = field[n / 3][n % 3];
     return st;
-}
-
-static int by_point(const void *a, const void *b)
-{
-    const struct spring_sweep_clamp *p = a, *q = b;
-
-    return p->point != q->point ? p->point - q->point : p->held - q->held;
-}
-
-static void set_clamps(struct spring_sweep *s, const struct spring_sweep_plan *plan)
-{
-    if (!plan->clamps)
-        return;
-    memcpy(s->clamp, plan->clamp, (size_t)plan->clamps * sizeof *s->clamp);
-    qsort(s->clamp, (size_t)plan->clamps, sizeof *s->clamp, by_point);
-    for (int k = 0; k < plan->clamps; k++)
-        s->clamps[s->clamp[k].point / s->m / s->rows + 1]++;
-    for (int i = 0; i < s->strips; i++)
-        s->clamps[i + 1] += s->clamps[i];
 }
 
 enum status spring_sweep_make(const struct spring_sweep_plan *plan,
@@ -204,11 +176,10 @@ enum status spring_sweep_make(const struct spring_sweep_plan *plan,
     if (!s)
         return STATUS_MEMORY;
     s->n = plan->n, s->m = plan->m, s->precision = plan->precision, s->lag = plan->lag;
-    s->law = plan->law, s->sheet = plan->sheet;
+    s->celled = plan->cells, s->sheet = plan->sheet;
     lay_out(s);
-    TRY(allocate(s, plan->clamps));
-    set_clamps(s, plan);
-    if (s->law == SWEEP_CELLS) {
+    TRY(allocate(s));
+    if (s->celled) {
         s->cells = *plan->cells;
         BY_PRECISION(s, cells_set, s);
     }
@@ -271,7 +242,7 @@ static void run_share(struct spring_sweep *s, double dt, int count, int share, i
 /* Strips of cells depend on the one before, and run in one thread. */
 void spring_sweep_run(struct spring_sweep *s, double dt, int count)
 {
-    if (s->n * s->m < SWEEP_SHARED || s->law == SWEEP_CELLS || omp_get_max_threads() == 1)
+    if (s->n * s->m < SWEEP_SHARED || s->celled || omp_get_max_threads() == 1)
         run_share(s, dt, count, 0, 1);
     else
 #pragma omp parallel

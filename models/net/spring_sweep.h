@@ -1,9 +1,9 @@
 /* spring_sweep.h - one explicit step of a whole net, on flat arrays: for every point
  *     v <- keep v + kick + sum over neighbours of (A + B |e|^2) e,    x <- x + dt v,
- * e the edge to the neighbour; springs on lengths have A + B / |e|, and struts that for
- * points two away. All coefficients are per step and per mass. Stiffness damping beta takes
- * edges between the points x + beta v, which are then what is kept in place of x: springs
- * resist where they will be, so that they resist how fast they change.
+ * e the edge to the neighbour; cells of triangles have their tensions in place of B |e|^2.
+ * All coefficients are per step and per mass. Stiffness damping beta takes edges between
+ * the points x + beta v, which are then what is kept in place of x: springs resist where
+ * they will be, so that they resist how fast they change.
  *
  * Each point gathers from its neighbours, nothing is scattered: one pass, and the same bits
  * in whatever order points are done. Rows lie one behind the other, and the compiler's
@@ -21,27 +21,13 @@
 /* The coefficients of a point, in the order of spring_stencil_step. */
 enum spring_sweep_place {
     SWEEP_A = 0,    /* [8] constant part, neighbours that share a cell   [1/s]          */
-    SWEEP_B = 8,    /* [8] part in squares of lengths, or over lengths [1/(s m^2) or m/s] */
-    SWEEP_FAR = 16, /* [4] constant part, neighbours two away, or over lengths
-                                                                       [1/s or m/s]      */
+    SWEEP_B = 8,    /* [8] part in squares of lengths                   [1/(s m^2)]    */
+    SWEEP_FAR = 16, /* [4] constant part, neighbours two away           [1/s]          */
     SWEEP_KEEP = 20,
     SWEEP_FREE = 21, /* [3] 1, or 0 for held components                                 */
     SWEEP_KICK = 24, /* [3] of constant forces, zero where held          [m/s]           */
     SWEEP_PUSH = 27, /* velocity per force of cells                   [m/s/N]          */
-    SWEEP_CORNER = 28, /* [4] over lengths, two away along both, of struts [m/s]          */
-    SWEEP_COUNT = 32
-};
-
-/* The kinds of pull: cells; springs in squares of lengths; in lengths; in lengths with
- * struts. */
-enum spring_sweep_law { SWEEP_CELLS, SWEEP_SQUARES, SWEEP_LENGTHS, SWEEP_STRUTS };
-
-/* A strut between a point and the mirror image of the point before it, by a clamp's held
- * edge: a push along x_point - x_held + edge. */
-struct spring_sweep_clamp {
-    int point, held; /* nodes                                                           */
-    double edge[3];  /* [m]                                                             */
-    double strut;    /* [N]                                                             */
+    SWEEP_COUNT = 28
 };
 
 /* The strain measure of triangles (triangles/tri_body.h). */
@@ -57,16 +43,13 @@ struct spring_cells {
 
 struct spring_sweep; /* opaque; positions, velocities and coefficients                  */
 
-/* The plan of n x m points. All but the arrays is copied. */
+/* The plan of n x m points. All of it is copied. */
 struct spring_sweep_plan {
     int n, m;
     int sheet; /* rows after which another sheet begins; n: there is one               */
     enum precision precision;
     double lag; /* beta [s]                                                            */
-    enum spring_sweep_law law;
-    const struct spring_cells *cells; /* SWEEP_CELLS                                   */
-    int clamps;                       /* SWEEP_STRUTS                                  */
-    const struct spring_sweep_clamp *clamp;
+    const struct spring_cells *cells; /* NULL: springs in squares of lengths           */
 };
 
 /* Makes a sweep, at rest at the origin. *sweep is owned by the caller. */

@@ -2,13 +2,11 @@
  * for each, with NAME(x) giving its names. Arithmetic is contracted (a b + c in one
  * rounding): see CMakeLists.txt. */
 
-/* Pulls at a neighbour `offset` behind: A e, (A + B |e|^2) e, (A + B / |e|) e, or of cells
- * (A + tension) e. */
+/* Pulls at a neighbour `offset` behind: (A + B |e|^2) e, or of cells (A + tension) e. */
 #define EDGE(offset)                                                                       \
     const REAL e0 = x0[j + (offset)] - x0[j], e1 = x1[j + (offset)] - x1[j],               \
                e2 = x2[j + (offset)] - x2[j]
 #define SQUARE          (e0 * e0 + e1 * e1 + e2 * e2)
-#define OVER            (1 / ROOT(SQUARE + NOT_ZERO))
 #define ADD(pull)       f0 += (pull)*e0, f1 += (pull)*e1, f2 += (pull)*e2
 #define C(part, n)      c[((part) + (n)) * wide + j]
 #define T(side, offset) t[(side)*stride + j + (offset)]
@@ -16,36 +14,31 @@
     {                                                                                      \
         EDGE(offset);                                                                      \
         REAL pull = C(SWEEP_A, n);                                                         \
-        if (law == SWEEP_CELLS)                                                            \
+        if (cells)                                                                         \
             pull += push * (tension);                                                      \
-        if (law == SWEEP_SQUARES)                                                          \
+        else                                                                               \
             pull += C(SWEEP_B, n) * SQUARE;                                                \
-        if (law >= SWEEP_LENGTHS)                                                          \
-            pull += C(SWEEP_B, n) * OVER;                                                  \
         ADD(pull);                                                                         \
     }
-#define FAR(part, n, offset)                                                               \
+#define FAR(n, offset)                                                                     \
     {                                                                                      \
         EDGE(offset);                                                                      \
-        const REAL pull = C(part, n) * (law == SWEEP_STRUTS ? OVER : 1);                   \
-        ADD(pull);                                                                         \
+        ADD(C(SWEEP_FAR, n));                                                              \
     }
 
 /* Moves points: x, v, y: positions, velocities, new positions of the strip, by component;
  * c: coefficients [SWEEP_COUNT][wide]; count a multiple of the padding; pitch from row to
  * row; t: tensions of cells, [CELL_SIDES][stride] and the row before; NULL without. */
 static inline __attribute__((always_inline)) void
-NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
-             ptrdiff_t pitch, REAL dt, REAL lag, const REAL *restrict t, ptrdiff_t stride,
-             const REAL *restrict c, const REAL *restrict x0, const REAL *restrict x1,
-             const REAL *restrict x2, REAL *restrict v0, REAL *restrict v1,
-             REAL *restrict v2, REAL *restrict y0, REAL *restrict y1, REAL *restrict y2)
+NAME(gather)(const bool cells, ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt,
+             REAL lag, const REAL *restrict t, ptrdiff_t stride, const REAL *restrict c,
+             const REAL *restrict x0, const REAL *restrict x1, const REAL *restrict x2,
+             REAL *restrict v0, REAL *restrict v1, REAL *restrict v2, REAL *restrict y0,
+             REAL *restrict y1, REAL *restrict y2)
 {
-    const REAL NOT_ZERO = (REAL)1e-30; /* m^2: where points meet, in padding, as 0 / 0 */
-
     count -= count % SWEEP_PAD; /* tells the compiler that no rest is left */
     for (ptrdiff_t j = 0; j < count; j++) {
-        const REAL push = law == SWEEP_CELLS ? c[SWEEP_PUSH * wide + j] : 0;
+        const REAL push = cells ? c[SWEEP_PUSH * wide + j] : 0;
         REAL f0 = 0, f1 = 0, f2 = 0;
         NEAR(0, -pitch - 1, T(CELL_RISING, -pitch - 1))
         NEAR(1, -pitch, T(CELL_BOTTOM, -pitch) + T(CELL_TOP, -pitch - 1))
@@ -55,16 +48,10 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
         NEAR(5, pitch - 1, T(CELL_FALLING, -1))
         NEAR(6, pitch, T(CELL_BOTTOM, 0) + T(CELL_TOP, -1))
         NEAR(7, pitch + 1, T(CELL_RISING, 0))
-        FAR(SWEEP_FAR, 0, -2 * pitch)
-        FAR(SWEEP_FAR, 1, -2)
-        FAR(SWEEP_FAR, 2, 2)
-        FAR(SWEEP_FAR, 3, 2 * pitch)
-        if (law == SWEEP_STRUTS) {
-            FAR(SWEEP_CORNER, 0, -2 * pitch - 2)
-            FAR(SWEEP_CORNER, 1, -2 * pitch + 2)
-            FAR(SWEEP_CORNER, 2, 2 * pitch - 2)
-            FAR(SWEEP_CORNER, 3, 2 * pitch + 2)
-        }
+        FAR(0, -2 * pitch)
+        FAR(1, -2)
+        FAR(2, 2)
+        FAR(3, 2 * pitch)
         REAL keep = c[SWEEP_KEEP * wide + j];
         const REAL *free = c + SWEEP_FREE * wide + j, *kick = c + SWEEP_KICK * wide + j;
         REAL new0 = keep * v0[j] + (free[0] * f0 + kick[0]);
@@ -79,89 +66,50 @@ NAME(gather)(const enum spring_sweep_law law, ptrdiff_t count, ptrdiff_t wide,
 
 #undef EDGE
 #undef SQUARE
-#undef OVER
 #undef ADD
 #undef C
 #undef NEAR
 #undef T
 #undef FAR
 
-#define STRIP(name, law)                                                                   \
-    CLONES static void NAME(name)(                                                         \
-        ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt, REAL lag,               \
-        const REAL *restrict t, ptrdiff_t stride, const REAL *restrict c,                  \
-        const REAL *restrict x0, const REAL *restrict x1, const REAL *restrict x2,         \
-        REAL *restrict v0, REAL *restrict v1, REAL *restrict v2, REAL *restrict y0,        \
-        REAL *restrict y1, REAL *restrict y2)                                              \
-    {                                                                                      \
-        NAME(gather)                                                                       \
-        (law, count, wide, pitch, dt, lag, t, stride, c, x0, x1, x2, v0, v1, v2, y0, y1,   \
-         y2);                                                                              \
-    }
-STRIP(cell_strip, SWEEP_CELLS)
-STRIP(square_strip, SWEEP_SQUARES)
-STRIP(length_strip, SWEEP_LENGTHS)
-STRIP(strut_strip, SWEEP_STRUTS)
-#undef STRIP
-
-/* Adds the struts of clamps at points of strip i, after all else: they are few. */
-static void NAME(clamps)(const struct spring_sweep *s, REAL dt, int now, int i)
+/* Moves the points of a strip by cells, or by springs where t is NULL. */
+CLONES static void NAME(strip)(ptrdiff_t count, ptrdiff_t wide, ptrdiff_t pitch, REAL dt,
+                               REAL lag, const REAL *restrict t, ptrdiff_t stride,
+                               const REAL *restrict c, const REAL *restrict x0,
+                               const REAL *restrict x1, const REAL *restrict x2,
+                               REAL *restrict v0, REAL *restrict v1, REAL *restrict v2,
+                               REAL *restrict y0, REAL *restrict y1, REAL *restrict y2)
 {
-    const REAL *c = (const REAL *)s->strip[i];
-    REAL *const *x = (REAL *const *)s->field[now], *const *y =
-                                                       (REAL *const *)s->field[!now];
-    REAL *const *v = (REAL *const *)s->field[SWEEP_V];
-
-    for (int k = s->clamps[i]; k < s->clamps[i + 1]; k++) {
-        const struct spring_sweep_clamp *clamp = &s->clamp[k];
-        const ptrdiff_t at = place_of(s, clamp->point), held = place_of(s, clamp->held);
-        const ptrdiff_t j = at - s->first - i * s->count;
-        REAL e[3], square = 0;
-        for (int n = 0; n < 3; n++) {
-            e[n] = x[n][at] - x[n][held] + (REAL)clamp->edge[n];
-            square += e[n] * e[n];
-        }
-        REAL push = square > 0
-                        ? c[SWEEP_PUSH * s->count + j] * (REAL)clamp->strut / ROOT(square)
-                        : 0;
-        for (int n = 0; n < 3; n++) {
-            REAL gain = c[(SWEEP_FREE + n) * s->count + j] * push * e[n];
-            v[n][at] += gain;
-            y[n][at] += (dt + (REAL)s->lag) * gain;
-        }
+    if (t) {
+        NAME(gather)
+        (true, count, wide, pitch, dt, lag, t, stride, c, x0, x1, x2, v0, v1, v2, y0, y1,
+         y2);
+    } else {
+        NAME(gather)
+        (false, count, wide, pitch, dt, lag, t, stride, c, x0, x1, x2, v0, v1, v2, y0, y1,
+         y2);
     }
 }
 
 /* Takes one step of strips [from, to), from set `now` of the positions into the other. */
 static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, int to)
 {
-    static void (*const step[])(ptrdiff_t, ptrdiff_t, ptrdiff_t, REAL, REAL, const REAL *,
-                                ptrdiff_t, const REAL *, const REAL *, const REAL *,
-                                const REAL *, REAL *, REAL *, REAL *, REAL *, REAL *,
-                                REAL *) = {
-        [SWEEP_CELLS] = NAME(cell_strip),
-        [SWEEP_SQUARES] = NAME(square_strip),
-        [SWEEP_LENGTHS] = NAME(length_strip),
-        [SWEEP_STRUTS] = NAME(strut_strip),
-    };
-    const bool cells = s->law == SWEEP_CELLS;
     struct NAME(law) law = {0};
 
-    if (cells)
+    if (s->celled)
         law = NAME(law_of)(&s->cells);
     for (int i = from; i < to; i++) {
         ptrdiff_t at = s->first + i * s->count;
-        const REAL *x[3], *t = cells ? NAME(cells_tension)(s, law, now, i) : NULL;
+        const REAL *x[3], *t = s->celled ? NAME(cells_tension)(s, law, now, i) : NULL;
         REAL *v[3], *y[3];
         for (int k = 0; k < 3; k++) {
             x[k] = (const REAL *)s->field[now][k] + at;
             y[k] = (REAL *)s->field[!now][k] + at;
             v[k] = (REAL *)s->field[SWEEP_V][k] + at;
         }
-        step[s->law](points_of(s, i), s->count, s->pitch, (REAL)dt, (REAL)s->lag, t,
-                     s->stride, s->strip[i], x[0], x[1], x[2], v[0], v[1], v[2], y[0], y[1],
-                     y[2]);
-        NAME(clamps)(s, (REAL)dt, now, i);
+        NAME(strip)
+        (points_of(s, i), s->count, s->pitch, (REAL)dt, (REAL)s->lag, t, s->stride,
+         s->strip[i], x[0], x[1], x[2], v[0], v[1], v[2], y[0], y[1], y[2]);
     }
 }
 
@@ -206,7 +154,7 @@ static void NAME(coefficients)(const struct spring_sweep *s, int strip,
     for (int i = 0; i < s->rows && strip * s->rows + i < s->n; i++, to += s->pitch)
         for (int j = 0; j < s->m; j++) {
             const double *from = c[(strip * s->rows + i) * s->m + j];
-            for (int n = 0; n < places(s); n++)
+            for (int n = 0; n < SWEEP_COUNT; n++)
                 to[n * s->count + j] = (REAL)from[n];
         }
 }

@@ -1,6 +1,6 @@
 /* Springs in explicit steps, leapfrog's above all: stability limit, scaled
- * velocities, moved edges, precision. (Falls: fall.c; order: time_order.c; the clamp:
- * nets_bend.c.) */
+ * velocities, moved edges, precision, slopes, stretched springs. (Falls: fall.c; order:
+ * time_order.c; the clamp: nets_bend.c.) */
 #include "models/net/spring_stencil.h"
 #include "tests/mass_spring.h"
 
@@ -188,6 +188,69 @@ static void check_driven(void)
     }
 }
 
+/* A step too short to move anything shows what pulls: the slope of the energy, as do the
+ * forces that rest is found by. */
+static void check_slope(int n, int m)
+{
+    enum { EVERY = 23 };
+    const double SLOPE = 1e-5; /* of differences, of the greatest                       */
+    struct net s;
+    double most = 0, off = 0, *f = calloc(3 * (size_t)(n * m), sizeof *f);
+
+    REQUIRE(f);
+    leapfrog(&s, n, m, true);
+    s.scene.step = 1e-9, s.d.substeps = 1;
+    net_start(&s);
+    const int *place = s.m.newton.supports.free_index;
+    double *x = s.m.x, small = 1e-4 * s.scene.length / n;
+    for (int t = 0; t < 3 * n * m; t++)
+        x[t] += place[t] < 0 ? 0 : 1e3 * small * noise(t);
+    spring_motion_place(&s.m, 0);
+    net_steps(&s, 1);
+    net_energy(&s); /* brings v up to date */
+    spring_stencil_force_add(&s.m.stencil, x, f);
+    for (int t = 0; t < 3 * n * m; t += EVERY) {
+        double was = x[t], slope, load = s.m.points.load[t];
+        if (place[t] < 0)
+            continue;
+        x[t] = was + small, slope = spring_motion_elastic(&s.m);
+        x[t] = was - small, slope -= spring_motion_elastic(&s.m);
+        x[t] = was, slope = load - slope / (2 * small);
+        off = fmax(off, fabs(s.m.v[t] * s.m.points.mass[t / 3] / s.scene.step - slope));
+        off = fmax(off, fabs(load + f[t] - slope));
+        most = fmax(most, fabs(slope));
+    }
+    free(f);
+    if (!CHECK(off < SLOPE * most))
+        printf("%d x %d: %g of %g\n", n, m, off, most);
+    net_clear(&s);
+}
+
+/* A weak net that its weight stretches by half and more becomes stiffer: the step follows,
+ * and with the number of steps fixed at what rest asks for it dies. */
+static void check_watched(void)
+{
+    struct net s;
+    enum status st = STATUS_OK;
+
+    leapfrog(&s, 6, 5, true);
+    s.scene.young = 6;
+    s.scene.gravity[0] = 30, s.scene.gravity[2] = 0;
+    s.scene.step = 0.02;
+    net_start(&s);
+    const double dt = spring_leapfrog_step(s.m.leapfrog);
+    net_steps(&s, 200);
+    CHECK(spring_stencil_stretch2(&s.m.stencil, s.m.x) > 1.5);
+    CHECK(spring_leapfrog_step(s.m.leapfrog) < 0.9 * dt);
+    spring_motion_clear(&s.m);
+    s.d.substeps = (int)round(s.scene.step / dt);
+    net_start(&s);
+    for (int n = 0; n < 200 && st == STATUS_OK; n++)
+        st = spring_motion_step(&s.m, &s.counters);
+    CHECK(st == STATUS_NAN);
+    net_clear(&s);
+}
+
 int main(void)
 {
     omp_set_num_threads(1);
@@ -198,5 +261,8 @@ int main(void)
     check_exchanged(18, 35); /* strips of rows, lengthened ones of columns */
     check_scaled();
     check_driven();
+    check_slope(6, 7);
+    check_slope(35, 19);
+    check_watched();
     return check_result();
 }

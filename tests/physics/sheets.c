@@ -30,10 +30,6 @@ static const struct row {
     {"mass_spring", KEY "tolerance=1e-10", SOLVED, 0},
     {"mass_spring", KEY "integrator=explicit;" KEY "substeps=24", SAME, 0},
     {"mass_spring", KEY "integrator=leapfrog;" KEY "substeps=24", SAME, 0},
-    {"mass_spring",
-     KEY "integrator=leapfrog;" KEY "substeps=24;" KEY "springs=lengths;" KEY
-         "bending=strut",
-     SAME, 0},
     {"mass_spring", KEY "integrator=momentum", STOPPED, 0},
     {"triangles", KEY "integrator=momentum", STOPPED, 4},
     {"triangles", KEY "integrator=implicit", STOPPED, 0},

@@ -43,26 +43,6 @@ static void check_tables(void)
     csv_clear(&csv);
 }
 
-/* More cells than the reader starts with, so that its arrays have to grow. */
-static void check_many(void)
-{
-    enum { ROWS = 1000 };
-    struct csv csv = {0};
-    char text[32 * ROWS] = "a,b,c\n", *end = text + strlen(text);
-    int wrong = 0;
-
-    for (int n = 0; n < ROWS; n++)
-        end += sprintf(end, "%d,%d,%d\n", n, 2 * n, 3 * n);
-    put(text, strlen(text));
-    REQUIRE(csv_read(path, &csv, NULL) == STATUS_OK && csv.count == 1);
-    CHECK(csv.table->rows == ROWS);
-    for (int n = 0; n < csv.table->rows; n++)
-        for (int c = 0; c < 3; c++)
-            wrong += csv_number(csv.table, n, c) != (c + 1) * n;
-    CHECK(wrong == 0);
-    csv_clear(&csv);
-}
-
 static void check_refusals(void)
 {
     static const struct {
@@ -131,7 +111,6 @@ int main(void)
     scratch_open();
     REQUIRE(chdir(scratch) == 0);
     check_tables();
-    check_many();
     check_refusals();
     check_kept();
     return check_result();

@@ -141,7 +141,7 @@ static void check_array(const char *name, int count, const double *want)
 static void test_last_frame(void)
 {
     struct run_keep keep = {
-        .file = file, .every = 5, .fields = RUN_FIELDS_ALL, .doubles = true};
+        .file = file, .every = 5, .fields = RUN_FIELDS_ALL, .quick = true, .doubles = true};
     struct run_result r;
 
     script_reset();
@@ -150,7 +150,7 @@ static void test_last_frame(void)
     CHECK(r.outcome == STATUS_DIVERGED && r.death_time == 13 * 0.005);
     CHECK(r.value[MEASURE_END_TIME] == 12 * 0.005 && r.work.steps == 12);
     read_back(true, &r);
-    REQUIRE(r.frames == 4);
+    REQUIRE(r.frames == 4 && r.quick);
     for (int n = 0; n < 4; n++) {
         const int frame = n < 3 ? 5 * n : 12;
         CHECK(r.time[n] == frame * 0.005);
@@ -161,26 +161,6 @@ static void test_last_frame(void)
     keep.fields = RUN_FIELDS_NONE;
     write_script(0.1, &keep, &r);
     CHECK(r.value[MEASURE_END_TIME] == 10 * 0.005);
-}
-
-/* The file says how and for whom it was made; nothing where nobody said so. */
-static void test_made_for(void)
-{
-    static const char *const made_for[] = {NULL, "case 12 of a test"};
-
-    for (int n = 0; n < 4; n++) {
-        const struct run_keep keep = {
-            .file = file, .every = 5, .quick = n % 2, .made_for = made_for[n / 2]};
-        struct run_result r;
-
-        script_reset();
-        write_script(0.05, &keep, &r);
-        CHECK(r.quick == n % 2);
-        read_back(false, &r);
-        CHECK(r.quick == n % 2);
-        CHECK(!strcmp(r.made_for, made_for[n / 2] ? made_for[n / 2] : ""));
-        run_result_clear(&r);
-    }
 }
 
 /* Times on the way, the last one after the end; a look at each, a field at each. */
@@ -194,7 +174,7 @@ static void test_times(void)
     write_script(0.1, &keep, &r);
     CHECK(r.outcome == STATUS_OK && r.value[MEASURE_END_TIME] == 20 * 0.005);
     read_back(true, &r);
-    REQUIRE(r.frames == 4);
+    REQUIRE(r.frames == 4 && !r.quick);
     for (int n = 0; n < 4; n++) {
         CHECK_NEAR(r.time[n], time[n], 1e-15);
         CHECK_NEAR(r.xyz[n][2] - r.xyz[0][2], time[n] / 5, 1e-7); /* stored as floats */
@@ -545,7 +525,6 @@ int main(int argc, char **argv)
     test_same_bits();
     test_load();
     test_last_frame();
-    test_made_for();
     test_times();
     test_rest();
     test_refusals();

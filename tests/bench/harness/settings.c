@@ -80,38 +80,6 @@ static void test_bits(void)
     settings_clear(&s);
 }
 
-/* A setting of many numbers is long. */
-static void test_long(void)
-{
-    enum { MANY = 2000 };
-    static double weight[MANY];
-    struct settings s = {0};
-
-    for (int n = 0; n < MANY; n++)
-        weight[n] = 1 + n / 3.0;
-    settings_numbers(&s, "discretization.weights", MANY, weight);
-    REQUIRE(s.status == STATUS_OK && s.count == 1);
-    const char *text = settings_value(&s, "discretization.weights");
-    CHECK(strlen(text) > 20000 && text[strlen(text) - 1] == ']');
-    CHECK(strtod(strrchr(text, ',') + 1, NULL) == weight[MANY - 1]);
-    settings_clear(&s);
-}
-
-static void test_refusals(void)
-{
-    struct settings s = {0};
-    struct scene scene;
-    struct discretization d;
-    struct message why = {""};
-
-    settings_set(&s, "no_value");
-    CHECK(read(&s, &scene, &d, &why) == STATUS_INPUT && strstr(why.text, "no_value"));
-    settings_clear(&s);
-    settings_number(&s, "material.yuong", 1);
-    CHECK(read(&s, &scene, &d, &why) == STATUS_INPUT && strstr(why.text, "yuong"));
-    settings_clear(&s);
-}
-
 /* Without memory at the n-th allocation nothing is read as if it had not been set. */
 static void test_memory(void)
 {
@@ -142,8 +110,6 @@ int main(void)
 {
     test_order();
     test_bits();
-    test_long();
-    test_refusals();
     test_memory();
     return check_result();
 }

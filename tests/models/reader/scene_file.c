@@ -1,4 +1,4 @@
-/* The scene reader: shipped scenes, settings, names. Refusals are in bad_scenes.c. */
+/* The scene reader: shipped scenes, settings. Refusals are in bad_scenes.c. */
 #include "models/model.h"
 #include "models/reader/scene_file.h"
 #include "models/reader/scene_schema.h"
@@ -69,19 +69,6 @@ static void clear(struct read *r)
     discretization_clear(&r->d);
 }
 
-static void check_minimal(void)
-{
-    struct read r = read_text(MINIMAL, NULL, 0, NULL);
-    const struct scene *s = &r.s;
-
-    CHECK(!strcmp(s->name, "minimal") && !strcmp(s->text, MINIMAL));
-    CHECK(s->width == 2 && s->young == 1e5 && s->poisson == 0.3 && s->step == 0.1);
-    CHECK(s->axis_u[0] == 1 && s->axis_v[1] == 1 && s->gravity[2] == 0);
-    CHECK(s->damping.kind == DAMPING_NONE && !s->support_count && !s->snapshot_count);
-    CHECK(r.d.points[0] == 10 && r.d.degree[2] == 1);
-    clear(&r);
-}
-
 /* Axes to a thousandth are made orthonormal, u keeping its direction. */
 static void check_axes(void)
 {
@@ -117,19 +104,6 @@ static void check_bodies(const struct scene *s)
     CHECK(s->contact.stiffness == 5 && s->contact.friction == 0.25);
     CHECK(scene_needs(s) & SCENE_NEED_MOVING_OBSTACLES);
     CHECK(scene_needs(s) & SCENE_NEED_SELF_CONTACT);
-}
-
-/* Without the section a sheet does not meet itself, nor where the section says so. */
-static void check_self(void)
-{
-    static const char *const said[] = {"contact={self: false, range: 0.001}", "contact={}"};
-
-    for (int n = -1; n < 2; n++) {
-        struct read r = read_text(MINIMAL, NULL, n >= 0, said + (n >= 0 ? n : 0));
-        CHECK(r.s.contact.self == (n == 1));
-        CHECK(!(scene_needs(&r.s) & SCENE_NEED_SELF_CONTACT) == (n != 1));
-        clear(&r);
-    }
 }
 
 /* Three sheets, which meet; u of a support or load runs along the sheet that it names. */
@@ -450,24 +424,10 @@ static void check_shipped(void)
     named_file_list_free(entries, count);
 }
 
-static void check_names(void)
-{
-    struct message why;
-    char *path = NULL;
-
-    CHECK(scene_file_find("./nowhere.yaml", &path, &why) == STATUS_OK);
-    CHECK(path && !strcmp(path, "./nowhere.yaml"));
-    free(path);
-    CHECK(scene_file_find("edge_dorp", &path, &why) == STATUS_INPUT);
-    CHECK(scene_file_find("", &path, &why) == STATUS_INPUT);
-}
-
 int main(void)
 {
-    check_minimal();
     check_axes();
     check_everything();
-    check_self();
     check_sheets();
     check_settings();
     check_printed();
@@ -477,6 +437,5 @@ int main(void)
     check_mean();
     check_failure();
     check_shipped();
-    check_names();
     return check_result();
 }

@@ -32,8 +32,9 @@ enum unknowns {
 };
 
 enum solver {
-    SOLVER_AUTO,       /* the cheaper of the next two; where every frame is rebuilt and
-                          a factorisation takes long, conjugate gradients on one of them */
+    SOLVER_AUTO,       /* direct; where every frame is rebuilt and a factorisation takes
+                          long, conjugate gradients on an earlier factor               */
+    SOLVER_DIRECT,     /* a new factor of each matrix: the cheaper of the next two     */
     SOLVER_BANDED,     /* a band of tiles                                              */
     SOLVER_SUPERNODAL, /* multifrontal, in CHOLMOD's order                             */
     SOLVER_CHOLMOD,    /* CHOLMOD's own factorisation                                  */

@@ -33,6 +33,7 @@
 #define CUBIC_THICK  "discretization.degree=[3,3,2]"
 #define QUADRATIC_2  "discretization.degree=[2,2]"
 #define CUBIC_2      "discretization.degree=[3,3]"
+#define DIRECT       "discretization.solver=direct"
 #define LEAPFROG     "discretization.integrator=leapfrog"
 #define PAPER        "discretization.parameters=paper"
 #define MATCHED      "discretization.parameters=matched"
@@ -42,7 +43,7 @@ const struct contestant contestant_table[] = {
     /* The first row of each model is the one with its defaults. The isogeometric plate. */
     {"iga", "IGA", "IGA def.", &plate_model, 0, {0}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
     {"iga_paper", "IGA, printed (paper)", "IGA paper", &plate_model,
-     COMPARE | STRESS | SPEED, {PRINTED, PLAIN}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+     COMPARE | STRESS | SPEED, {PRINTED, DIRECT, PLAIN}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
     {"iga_incremental", "IGA, incremental", "IGA incr.", &plate_model, COMPARE | SPEED,
      {INCREMENTAL, PLAIN}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
     {"iga_linear", "IGA, linear", "IGA lin.", &plate_model, COMPARE | SMALL | SPEED,
@@ -81,11 +82,11 @@ const struct contestant contestant_table[] = {
     /* Trilinear hexahedra. */
     {"hex", "hexahedra", "hex def.", &hex_model, 0, {0}, 2, 1, {10, 20}, {1, 4}, {0}},
     {"hex_paper", "hexahedra, printed (paper)", "hex paper", &hex_model, SPEED,
-     {PRINTED, UNCURED, PAPER_NET}, 2, 1, {10, 20, 32}, {1, 4}, {0}},
+     {PRINTED, DIRECT, UNCURED, PAPER_NET}, 2, 1, {10, 20, 32}, {1, 4}, {0}},
     {"hex_linear", "hexahedra, linear", "hex lin.", &hex_model, SMALL, {LINEAR, UNCURED},
      2, 1, {16, 32}, {1, 4}, {0}},
     {"hex_incompatible_paper", "hexahedra, incompatible, printed", "hex inc. paper",
-     &hex_model, 0, {PRINTED, INCOMPATIBLE, PAPER_NET}, 2, 1, {10, 20, 32}, {1, 4}, {0}},
+     &hex_model, 0, {PRINTED, DIRECT, INCOMPATIBLE, PAPER_NET}, 2, 1, {10, 20, 32}, {1, 4}, {0}},
     {"hex_incompatible_linear", "hexahedra, incompatible, linear", "hex inc. lin.",
      &hex_model, COMPARE | SMALL, {LINEAR, INCOMPATIBLE}, 2, 1, {10, 20, 40}, {1, 4}, {0}},
     {"hex_incremental", "hexahedra, incremental", "hex incr.", &hex_model, COMPARE,

@@ -130,7 +130,7 @@ static double flops_of(const struct factor_part *part)
     return info.flops;
 }
 
-/* SOLVER_AUTO: the band, unless supernodes save enough arithmetic: its tiles run faster.
+/* The choice: the band, unless supernodes save enough arithmetic: its tiles run faster.
  * Measured: the least of two runs of 9 to 201 turns, one thread of a Zen 4 EPYC (57
  * Gflop/s) with others at work beside it; supernodes in order_nested's
  * order; p: reach of the couplings.
@@ -175,7 +175,7 @@ static enum status create_by_method(const struct factor_pattern *a, enum solver 
     struct factor_part other = {.method = &factor_supernodal, .n = part->n};
     part->method = method_of(method);
     st = part->method->create(a, position, part);
-    if (st != STATUS_OK || method != SOLVER_AUTO || flops_of(part) < never_below)
+    if (st != STATUS_OK || method > SOLVER_DIRECT || flops_of(part) < never_below)
         return st;
     st = other.method->create(a, spare, &other);
     if (st == STATUS_OK && flops_of(part) > arithmetic_saved * flops_of(&other)) {

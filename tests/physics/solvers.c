@@ -137,7 +137,7 @@ static void check_auto(int side, bool keeps)
     REQUIRE(s->kinematics == KINEMATICS_PRINTED);
     d.points[0] = d.points[1] = side;
     const struct counters kept = move(s, &scene, &d, xyz);
-    d.solver = SOLVER_BANDED;
+    d.solver = SOLVER_DIRECT;
     const struct counters full = move(s, &scene, &d, direct);
     CHECK(full.factorisations == full.steps);
     CHECK(keeps ? kept.factorisations < kept.steps : kept.factorisations == kept.steps);

@@ -21,9 +21,6 @@ static const double GROUP = 10, GROUP_SHARE = 0.1;
 
 enum { MADE_FOR = 32 };
 
-/* Share of the processor below which a machine counts as busy. */
-static const double ENOUGH = 0.95;
-
 /* A case that is being measured. */
 struct job {
     const struct measurement_case *asked;
@@ -344,8 +341,8 @@ static void tell_share(const struct store_read *run, FILE *file)
         store_read_array(run, "seconds/processor", &ours, &rows, &columns, NULL) ==
             STATUS_OK) {
         fprintf(file, "; a processor for %.0f %% of the time", 100 * *ours / *all);
-        if (*ours < ENOUGH * *all)
-            fprintf(file, ": the machine was busy, the milliseconds are too long");
+        if (*ours < MEASUREMENT_PROCESSOR * *all)
+            fprintf(file, ": the machine was busy, and no statement on time is judged");
     }
     free(all);
     free(ours);

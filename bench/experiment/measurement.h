@@ -9,6 +9,10 @@
 
 #include "bench/harness/run_file.h"
 
+/* The share of a timing in which the program must have had a processor, for its seconds to
+ * be judged: programs that take turns also empty each other's caches. */
+#define MEASUREMENT_PROCESSOR 0.9
+
 enum measurement_frames {
     MEASUREMENT_FAIR, /* WHOLE where the cost of a frame changes along the motion (Newton's
                          iterations, contact), SOME where it does not                   */

@@ -30,13 +30,16 @@ struct place;
     X(CREATE, create, "create_ms", "set-up", "ms", 3, false,                               \
       "building the model, median over repeats")                                           \
     X(FRAME, frame, "frame_ms", "a frame", "ms", 3, false,                                 \
-      "a time step, or the equilibrium: median over repeats, one thread")                  \
+      "a time step, or the equilibrium: processor time on one thread, the least of the "    \
+      "repeats")                                                                           \
     X(FRAME_LOWER, frame_lower, "frame_lower_ms", "", "ms", 3, false,                      \
       "lower quartile of a frame's milliseconds")                                          \
     X(FRAME_UPPER, frame_upper, "frame_upper_ms", "", "ms", 3, false,                      \
       "upper quartile of them")                                                            \
     X(OF_REFERENCE, of_reference, "of_reference", "of reference", NULL, 3, false,          \
       "a frame's milliseconds over those of the reference")                                \
+    X(PROCESSOR, processor, "processor", "", NULL, 3, false,                               \
+      "share of the timing in which the program had a processor")                          \
     X(ASSEMBLE, assemble, "assemble_ms", "K and M", "ms", 3, false,                        \
       "assembly of K and M alone")                                                         \
     X(FACTOR, factor, "factor_ms", "factor", "ms", 3, false, "one factorisation alone")    \

@@ -18,7 +18,8 @@ static const double suspicious = 4;
 enum status motion_init(struct motion *m, const struct model *model,
                         const struct scene *scene, void *state)
 {
-    *m = (struct motion){.model = model, .scene = scene, .state = state};
+    *m =
+        (struct motion){.model = model, .scene = scene, .state = state, .clock = clock_now};
     m->frame_count = (int)lround(scene->end / scene->step);
     m->seconds = malloc((size_t)(m->frame_count + 1) * sizeof *m->seconds);
     return m->seconds ? STATUS_OK : STATUS_MEMORY;
@@ -69,10 +70,10 @@ static enum status look(const struct motion *m)
 
 static enum status advance(struct motion *m)
 {
-    double start = clock_now();
+    double start = m->clock();
     enum status st = m->model->advance(m->state, &m->counters);
 
-    m->seconds[m->steps++] = clock_now() - start;
+    m->seconds[m->steps++] = m->clock() - start;
     if (st == STATUS_OK && !m->judged)
         st = look(m);
     if (!status_is_death(st))

@@ -17,6 +17,7 @@ struct motion {
     double *seconds;           /* [frame_count] of each step; a fatal one has its, too */
     int steps;                 /* numbers in `seconds`                                 */
     struct counters counters;
+    double (*clock)(void); /* of the seconds: clock_now, unless set after motion_init  */
     bool judged;       /* set after motion_init: every frame was judged in a run before  */
     enum status death; /* STATUS_OK: it lives                                          */
     double death_time; /* of the frame that failed                                 [s] */

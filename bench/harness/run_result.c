@@ -139,8 +139,12 @@ static enum status read_times(const struct store_read *file, struct run_result *
 {
     static const char *const phase[RUN_RESULT_PHASES] = {"seconds/assemble",
                                                          "seconds/factor", "seconds/solve"};
+    double all = 0, ours = 0;
     enum status st;
 
+    TRY(read_seconds(file, "seconds/timed", NULL, &all, NULL, why));
+    TRY(read_seconds(file, "seconds/processor", NULL, &ours, NULL, why));
+    r->processor = ours / all;
     TRY(read_seconds(file, "seconds/create", &r->create, &r->create_seconds, NULL, why));
     TRY(read_seconds(file, "seconds/advance", &r->step, &r->step_seconds, &r->steps, why));
     TRY(read_seconds(file, "seconds/equilibrium", &r->step, NULL, NULL, why));

@@ -25,6 +25,7 @@ struct run_result {
     struct clock_summary create; /* over the repeats [s]; count = 0: not timed          */
     struct clock_summary step;   /* likewise of their mean steps, or of the equilibrium */
     struct clock_summary phase[RUN_RESULT_PHASES];
+    double processor; /* share of the timing in which it had a processor; NaN: not timed  */
     int frames;   /* fields kept; fewer than asked for after a death                   */
     double *time; /* [frames] [s]                                               owned  */
     double **xyz; /* [frames] (grid.h) [m]; NULL unless asked for              owned   */

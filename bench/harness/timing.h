@@ -1,5 +1,7 @@
 /* timing.h - times several runs fairly: repeats interleaved (run 1, 2, ..., 1, 2, ...)
- * against drift of the machine, each on a fresh state, warm-up steps not counted. */
+ * against drift of the machine, each on a fresh state, warm-up steps not counted. Seconds
+ * of steps are those of the processor, on one thread (timing_alone): another program that
+ * takes turns with this one does not count, though it may slow it down. */
 #ifndef TIMING_H
 #define TIMING_H
 

@@ -232,7 +232,8 @@ const struct command studies_table_command = {
     .arguments = "NUMBER [OPTION]...",
     .text =
         "Runs every case of the table, stores a result file of each and makes the tables\n"
-        "from these files. Times are medians of interleaved repeats on one thread.\n",
+        "from these files. Times are processor time on one thread, the least of the\n"
+        "interleaved repeats.\n",
     .examples =
         "table 1\ntable 1 --quick --format markdown\ntable 1 --from results/table1\n",
     .least = 1,

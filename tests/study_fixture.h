@@ -110,6 +110,7 @@ static inline void study_fill(struct study_made *m)
             memset(row->known, 0, sizeof row->known);
             row->result.outcome = STATUS_OK;
             row->result.death_time = NAN;
+            row->result.processor = 1;
             row->result.unknowns = 1000 * (k + 1) + n;
             row->result.factor_entries = 2000 * (k + 1) + n;
             row->theory = 1;

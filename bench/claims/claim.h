@@ -1,8 +1,13 @@
-/* claim.h - a sentence that somebody states, and whether the numbers of a plan's studies
- * agree.
+/* claim.h - a statement of the paper or of ours, and whether the numbers of a plan's
+ * studies agree.
  *
  * A claim is a quote and one predicate on the dataset (dataset.h). The claims on a plan
- * stand in bench/claims/PLAN.c, and the table in claim.c names them.
+ * stand in bench/claims/PLAN.c, and the table in claim.c names them. A statement that is a
+ * ratio or an exponent stands in the plan (struct plan_statement), and one predicate judges
+ * all of them.
+ *
+ * What a statement leaves open is read in one way or another. The first reading is the
+ * primary one, and its verdict is the statement's; whether another turns it is said.
  */
 #ifndef CLAIM_H
 #define CLAIM_H
@@ -10,12 +15,25 @@
 #include "bench/experiment/dataset.h"
 #include "bench/experiment/judge.h"
 
+/* Rows that a statement is judged by, where its predicate names none on their axes. */
+struct claim_reading {
+    const char *name;
+    const struct where *rows;
+    bool ours; /* no reading, but what we would do instead: its numbers stand beside      */
+};
+#define CLAIM_READINGS(...) ((const struct claim_reading[]){__VA_ARGS__, {NULL}})
+
 struct claim {
-    const char *quote;  /* what is stated, in the words of the source or in ours  */
-    const char *source; /* "Ren et al. 2024, section 3.3"; "" for our own */
+    const char *quote;  /* what is stated, in our words                             */
+    const char *source; /* section or table of the paper; "": the statement is ours      */
     bool full; /* a quick run, which simulates less, cannot judge it               */
-    /* Judges it, and writes the sentences with the numbers that decide it. */
+    /* Judges it, and writes the sentences with the numbers that decide it; NULL: by
+       `statement`. */
     enum judge (*judge)(const struct study_results *d, FILE *because);
+    bool timed;                           /* seconds decide it                        */
+    const struct claim_reading *readings; /* the first is primary; NULL: nothing is open */
+    const char *reason; /* why it is primary, from the paper's text; NULL: not needed     */
+    const struct plan_statement *statement;
 };
 
 /* Defines the judge of a claim that is one expression of `d` and `because`. */
@@ -25,8 +43,17 @@ struct claim {
         return __VA_ARGS__;                                                                \
     }
 
+/* Judges a claim by its primary reading, and writes its sentences, what turns on another
+ * reading, and the numbers of ours. JUDGE_BUSY: seconds decide it, and some of the plan's
+ * were taken on a busy machine. */
+enum judge claim_judge(const struct claim *c, const struct study_results *d, FILE *because);
+
 /* Returns the claims on the plan of this name, up to one without a quote; NULL: none. */
 const struct claim *claim_find(const char *plan);
+
+/* Lists the statements of a plan, of plan->statement_count, as claims, up to one without a
+ * quote; they borrow from the plan. Freed by the receiver as one; NULL: out of memory. */
+struct claim *claim_statements(const struct plan *plan);
 
 /* Prints the plan's tables (dataset_print) and, for people, the claims and the machine. */
 enum status claim_tell(const struct study_results *d, const char *folder,
@@ -54,7 +81,6 @@ enum status claim_table4_print(const struct study_results *d, enum table_format 
     X("solvers", solvers)                                                                  \
     X("table1", table1)                                                                    \
     X("table2", table2)                                                                    \
-    X("table3", table3)                                                                    \
     X("table4-readings", table4)                                                           \
     X("thickness", thickness)                                                              \
     X("thickness-degree", thickness_degree)                                                \

@@ -20,26 +20,51 @@ const char *dataset_label(const struct study *s, int level, const char *axis)
     return NULL;
 }
 
-/* Returns whether a row has all of these labels and, if they name no time, is at the last.
- */
-static bool is_named(const struct place *p, const struct where *where)
+static bool is_at(const struct place *p, const char *label)
 {
     const double *time = p->s->time;
-    bool timed = false;
 
-    for (; where->axis; where++) {
-        const char *label = dataset_label(p->s, p->level, where->axis);
-        const bool other = where->label[0] == '!';
-        const char *text = where->label + other;
-        const size_t size = strlen(text) - (*text && text[strlen(text) - 1] == '*');
-        if (!strcmp(where->axis, "at")) {
-            timed = true;
-            if (strcmp(where->label, "*") &&
-                (!time || fabs(time[p->time] - strtod(where->label, NULL)) > 1e-9))
-                return false;
-        } else if (!label || !strncmp(label, text, size + !text[size]) == other) {
+    return !strcmp(label, "*") ||
+           (time && fabs(time[p->time] - strtod(label, NULL)) <= 1e-9);
+}
+
+/* Returns whether a row has this label. */
+static bool has_label(const struct place *p, const struct where *where)
+{
+    const char *label = dataset_label(p->s, p->level, where->axis);
+    const bool other = where->label[0] == '!';
+    const char *text = where->label + other;
+    const size_t size = strlen(text) - (*text && text[strlen(text) - 1] == '*');
+
+    if (!strcmp(where->axis, "at"))
+        return is_at(p, where->label);
+    return label && !strncmp(label, text, size + !text[size]) != other;
+}
+
+static bool names_axis(const struct where *where, const char *axis)
+{
+    while (where->axis && strcmp(where->axis, axis))
+        where++;
+    return where->axis != NULL;
+}
+
+/* Returns whether a row has all of these labels and those of the reading, on axes that they
+ * do not name and that its study has; and, if none of them names a time, is at the last. */
+static bool is_named(const struct place *p, const struct where *where)
+{
+    bool timed = names_axis(where, "at");
+
+    for (const struct where *w = where; w->axis; w++)
+        if (!has_label(p, w))
             return false;
-        }
+    for (const struct where *w = p->d->reading; w && w->axis; w++) {
+        const bool time = !strcmp(w->axis, "at");
+        if (names_axis(where, w->axis) ||
+            (!time && !dataset_label(p->s, p->level, w->axis)))
+            continue;
+        timed |= time;
+        if (!has_label(p, w))
+            return false;
     }
     return timed || p->time == p->s->frames - 1;
 }
@@ -223,6 +248,11 @@ enum status dataset_check(const struct plan *plan, struct message *why)
     for (int n = 0; n < plan->chart.y.count; n++)
         TRY(check_quantity(plan, plan->chart.y.list[n].key, plan->chart.y.list[n].line,
                            "y of the chart", why));
+    for (int k = 0; k < plan->statement_count; k++)
+        for (int n = 0; n < plan->statements[k].quantity.count; n++)
+            TRY(check_quantity(plan, plan->statements[k].quantity.list[n].key,
+                               plan->statements[k].line, "the quantity of a statement",
+                               why));
     for (int n = 0; n < plan->table.pictures.count; n++) {
         const struct plan_setting *name = &plan->table.pictures.list[n];
         int study = 0;

@@ -14,11 +14,6 @@
 #include "bench/experiment/study.h"
 #include "bench/ui/table.h"
 
-struct where {
-    const char *axis, *label; /* "!LABEL": any other; "WORD*": any that begins so      */
-};
-#define WHERE(...) ((const struct where[]){__VA_ARGS__, {NULL, NULL}})
-
 /* Returns the label of a level on an axis; NULL: its study has no such axis. */
 const char *dataset_label(const struct study *s, int level, const char *axis);
 

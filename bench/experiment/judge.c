@@ -1,7 +1,6 @@
 #include "bench/experiment/judge.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <unistd.h>
 
 #include "bench/ui/table.h"
@@ -34,11 +33,26 @@ enum judge judge_below(double value, double bound)
                                         : JUDGE_FAILS;
 }
 
-enum judge judge_near(double ours, double paper)
+enum judge judge_ratio(double ours, double paper)
 {
-    return isnan(ours) || isnan(paper)               ? JUDGE_OPEN
-           : fabs(ours - paper) <= 0.1 * fabs(paper) ? JUDGE_HOLDS
-                                                     : JUDGE_FAILS;
+    static const double ALIKE = 0.1, FACTOR = 2;
+    const bool alike = fabs(paper - 1) <= ALIKE;
+
+    if (!(ours > 0) || isnan(paper))
+        return JUDGE_OPEN;
+    return (alike || (ours > 1) == (paper > 1)) && ours <= FACTOR * paper &&
+                   ours >= paper / FACTOR
+               ? JUDGE_HOLDS
+               : JUDGE_FAILS;
+}
+
+enum judge judge_exponent(double ours, double paper)
+{
+    static const double BAR = 0.25;
+
+    return isnan(ours) || isnan(paper) ? JUDGE_OPEN
+           : fabs(ours - paper) <= BAR ? JUDGE_HOLDS
+                                       : JUDGE_FAILS;
 }
 
 enum judge judge_both(enum judge a, enum judge b)
@@ -59,21 +73,22 @@ void judge_keep(struct table *rows)
     kept = rows;
 }
 
-void judge_print(FILE *file, const char *quote, enum judge turn, const char *format, ...)
+void judge_print(FILE *file, const struct judge_told *told)
 {
-    static const char *const word[] = {"does not hold", "holds", "cannot be judged",
-                                       "not judged: quick"};
-    char sentence[1024], text[1400];
-    va_list words;
+    static const char *const word[JUDGES] = {"does not hold", "holds", "cannot be judged",
+                                             "not judged: quick",
+                                             "not judged: the machine was busy"};
+    const char *const colon = *told->source ? ": " : "";
+    char text[2048];
 
-    va_start(words, format);
-    vsnprintf(sentence, sizeof sentence, format, words);
-    va_end(words);
-    snprintf(text, sizeof text, "- \"%s\": %s. %s\n", quote, word[turn], sentence);
+    snprintf(text, sizeof text, "- %s%s%s: %s. %s%s%s\n", told->source, colon, told->quote,
+             word[told->turn], told->sentence, *told->reading ? " Reading: " : "",
+             told->reading);
     table_print_wrapped(text, file);
     if (!kept)
         return;
-    table_line(kept, "%s|%s|%s", quote, word[turn], sentence);
+    table_line(kept, "%s|%s|%s|%s|%s", told->source, told->quote, told->reading,
+               word[told->turn], told->sentence);
 }
 
 static void path_of(const char *folder, char path[4096])

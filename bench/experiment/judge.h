@@ -14,6 +14,8 @@ enum judge {
     JUDGE_HOLDS,
     JUDGE_OPEN,  /* cannot be judged: a number is missing or within the error bars      */
     JUDGE_QUICK, /* a quick run simulates less than the sentence is about               */
+    JUDGE_BUSY,  /* seconds decide it, and the machine was busy                         */
+    JUDGES
 };
 
 /* Returns the larger of two, NaN if either is. */
@@ -28,8 +30,12 @@ enum judge judge_order(int count, const double *value, int sign, double bar);
 /* Judges value < bound. */
 enum judge judge_below(double value, double bound);
 
-/* Judges whether ours is within a tenth of the paper's. */
-enum judge judge_near(double ours, double paper);
+/* Judges whether a ratio of two times agrees with that of another machine: on the same side
+ * of 1, unless theirs lies in .9 to 1.1, and within a factor of 2. */
+enum judge judge_ratio(double ours, double paper);
+
+/* Judges whether the exponent of a time over a size agrees so: within .25. */
+enum judge judge_exponent(double ours, double paper);
 
 /* Joins two judgements, both of which must hold. */
 enum judge judge_both(enum judge a, enum judge b);
@@ -38,13 +44,20 @@ enum judge judge_both(enum judge a, enum judge b);
 const char *judge_words(enum judge turn, const char *holds, const char *fails,
                         const char *open);
 
-/* Prints `- "QUOTE": holds. SENTENCE`, or `does not hold`, `cannot be judged`, `not judged:
- * quick`; the sentence has the numbers. */
-void judge_print(FILE *file, const char *quote, enum judge turn, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
+/* A statement that was judged; all borrowed. */
+struct judge_told {
+    const char *source;  /* section or table of the paper; "": the statement is ours      */
+    const char *quote;   /* what is stated                                                */
+    const char *reading; /* of what the paper leaves open, and why; ""                    */
+    enum judge turn;
+    const char *sentence; /* has the numbers */
+};
 
-/* Adds whatever is printed from now on to this table, too, a row of quote, verdict and
- * sentence; NULL: no more. */
+/* Prints `- SOURCE: QUOTE: holds. SENTENCE`, or another word for the verdict. */
+void judge_print(FILE *file, const struct judge_told *told);
+
+/* Adds whatever is printed from now on to this table, too, a row of the same five; NULL: no
+ * more. */
 void judge_keep(struct table *rows);
 
 /* Mark a folder as that of a quick run, by FOLDER/quick.txt, and tell whether it is marked.

@@ -12,7 +12,9 @@ struct kept {
     struct table *sentences;
 };
 
-static const struct table_column columns[] = {{"claim", NULL, TABLE_LEFT},
+static const struct table_column columns[] = {{"source", NULL, TABLE_LEFT},
+                                              {"claim", NULL, TABLE_LEFT},
+                                              {"reading", NULL, TABLE_LEFT},
                                               {"verdict", NULL, TABLE_LEFT},
                                               {"sentence", NULL, TABLE_LEFT}};
 

@@ -1,6 +1,6 @@
 /* kept.h - keeps the tables of a command in its folder for the report: FOLDER/printed.csv
- * has its tables with captions and notes (csv.h) and, as a last one, the paper's sentences
- * that were judged (judge.h).
+ * has its tables with captions and notes (csv.h) and, as a last one, the statements that
+ * were judged (judge.h).
  */
 #ifndef KEPT_H
 #define KEPT_H

@@ -517,6 +517,98 @@ static enum status read_words(const struct schema_key *key, const struct yaml_tr
     return st;
 }
 
+/* --- statements */
+
+static const struct schema_key READING_NAME = {"name", .type = SCHEMA_TEXT};
+
+/* Reads {name: ..., AXIS: LABEL}, or with `ours` in place of `name`. */
+static enum status read_reading(const struct yaml_tree *node, void *target,
+                                struct message *why)
+{
+    struct plan_reading *reading = target;
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_MAP)
+        return yaml_tree_refuse(node, why,
+                                "a reading is %s, but must be a map {name: ..., "
+                                "AXIS: LABEL}",
+                                yaml_tree_describe(node).text);
+    for (const struct yaml_tree *n = node->first; n; n = n->next) {
+        const bool ours = !strcmp(n->key, "ours");
+        if (ours || !strcmp(n->key, READING_NAME.key)) {
+            reading->ours = ours;
+            TRY(schema_text(&READING_NAME, n, &reading->name, why));
+        } else if (!n->text) {
+            TRY(yaml_tree_refuse(n, why, "%s is %s, but must be a label of the axis",
+                                 n->key, yaml_tree_describe(n).text));
+        } else {
+            TRY(add_text(&reading->rows, n->key, n->text, n->line));
+        }
+    }
+    if (!reading->name)
+        st = schema_lacks(&READING_NAME, node, "a reading", why);
+out:
+    return st;
+}
+
+LIST_READER(read_readings, plan_statement, readings, reading_count, read_reading)
+
+/* Reads [QUANTITY, ROW, ROW] of a ratio, or [QUANTITY, QUANTITY, ROWS] of an exponent. */
+static enum status read_compared(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why)
+{
+    struct plan_statement *s = target;
+    enum status st = STATUS_OK;
+    int rows = 0;
+
+    s->exponent = !strcmp(key->key, "exponent");
+    if (node->kind != YAML_TREE_LIST || node->count != 3)
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
+        if (n->kind == YAML_TREE_MAP && rows < 2 - s->exponent)
+            st = read_labels(n, &s->row[rows++], NULL, why);
+        else
+            st = n->text && !rows ? add_text(&s->quantity, n->text, "", n->line)
+                                  : schema_refuse(key, n, why);
+    return st == STATUS_OK && rows != 2 - s->exponent ? schema_refuse(key, node, why) : st;
+}
+
+/* clang-format off */
+static const struct schema_key STATEMENT[] = {
+    {"quote", "what the paper states, in our words", SCHEMA_TEXT, .required = true,
+     IN(plan_statement, quote)},
+    {"section", "where it states that", SCHEMA_TEXT, .required = true, IN(plan_statement, section)},
+    {"ratio", "a quantity of one row over that of another", SCHEMA_SPECIAL, .read = read_compared,
+     .want = "[QUANTITY, {AXIS: LABEL}, {AXIS: LABEL}]"},
+    {"exponent", "the power of x as which y grows over some rows", SCHEMA_SPECIAL,
+     .read = read_compared, .want = "[QUANTITY, QUANTITY, {AXIS: LABEL}]"},
+    {"paper", "what it is in the paper", SCHEMA_NUMBER, .required = true, .low = 0, .high = 1e9,
+     .open = true, IN(plan_statement, paper)},
+    {"readings", "what the paper leaves open: labels that rows have besides; the first is primary",
+     SCHEMA_SPECIAL, .read = read_readings, .low = 1, .most = PLAN_READINGS,
+     .want = "a list of 1 to 8 maps {name: ..., AXIS: LABEL}, or "
+     "{ours: ..., AXIS: LABEL} for what we would do"},
+    {"reason", "why the first reading is the primary one", SCHEMA_TEXT,
+     IN(plan_statement, reason)},
+    {NULL}};
+/* clang-format on */
+
+static enum status read_statement(const struct yaml_tree *node, void *target,
+                                  struct message *why)
+{
+    struct plan_statement *s = target;
+    enum status st;
+
+    s->line = node->line;
+    TRY(schema_read(STATEMENT, node, "a statement", s, why));
+    if (s->quantity.count != 1 + s->exponent)
+        st = yaml_tree_refuse(node, why, "a statement is either a ratio or an exponent");
+out:
+    return st;
+}
+
+LIST_READER(read_statements, plan, statements, statement_count, read_statement)
+
 /* Reads a plan file as text and tree, both freed by the receiver. */
 static enum status load(const char *path, char **text, struct yaml_tree **root,
                         struct message *why)
@@ -686,6 +778,9 @@ static const struct schema_key PLAN[] = {
     {"paper", "milliseconds of a frame in the paper, for products of the axes", SCHEMA_SPECIAL,
      .read = read_products, .low = 1, .most = PLAN_STUDY_MOST, IN(plan, paper),
      .want = "a list of maps {AXIS: LABEL, paper_ms: NUMBER}"},
+    {"statements", "statements of the paper that are ratios or exponents", SCHEMA_SPECIAL,
+     .read = read_statements, .low = 1, .most = PLAN_STUDY_MOST, .keys = STATEMENT,
+     .want = "a list of maps {quote: ..., section: ..., ratio: [...], paper: NUMBER}"},
     {"reference", "axis and label of the level, or key and value of the"
      " case, that others are compared with", SCHEMA_SPECIAL,
      .read = read_chosen, IN(plan, reference), .want = "a map {AXIS: LABEL}"},
@@ -973,6 +1068,21 @@ static void clear_products(struct plan_products *products)
     free(products->list);
 }
 
+static void clear_statement(struct plan_statement *s)
+{
+    for (int n = 0; n < s->reading_count; n++) {
+        free(s->readings[n].name);
+        clear_settings(&s->readings[n].rows);
+    }
+    free(s->readings);
+    clear_settings(&s->quantity);
+    clear_settings(&s->row[0]);
+    clear_settings(&s->row[1]);
+    free(s->quote);
+    free(s->section);
+    free(s->reason);
+}
+
 void plan_clear(struct plan *plan)
 {
     for (int n = 0; n < plan->axis_count; n++) {
@@ -993,16 +1103,19 @@ void plan_clear(struct plan *plan)
         clear_study(&plan->studies[n]);
     clear_products(&plan->skip);
     clear_products(&plan->paper);
+    for (int n = 0; n < plan->statement_count; n++)
+        clear_statement(&plan->statements[n]);
     struct plan_settings *const settings[] = {
         &plan->settings,       &plan->reference,   &plan->table.columns, &plan->table.shown,
         &plan->table.pictures, &plan->chart.panel, &plan->chart.line,    &plan->chart.y};
     for (size_t n = 0; n < sizeof settings / sizeof *settings; n++)
         clear_settings(settings[n]);
-    void *const owned[] = {
-        plan->table.note, plan->table.file, plan->chart.x,     plan->studies, plan->axes,
-        plan->listed,     plan->map.marks,  plan->falls.along, plan->map.x,   plan->map.y,
-        plan->map.panel,  plan->keys,       plan->path,        plan->text,    plan->name,
-        plan->source,     plan->what};
+    void *const owned[] = {plan->table.note, plan->table.file, plan->chart.x,
+                           plan->statements, plan->studies,    plan->axes,
+                           plan->listed,     plan->map.marks,  plan->falls.along,
+                           plan->map.x,      plan->map.y,      plan->map.panel,
+                           plan->keys,       plan->path,       plan->text,
+                           plan->name,       plan->source,     plan->what};
     for (size_t n = 0; n < sizeof owned / sizeof *owned; n++)
         free(owned[n]);
     verdict_clear(&plan->verdicts);
@@ -1310,9 +1423,45 @@ static enum status check_labels(const struct plan *plan, const struct plan_setti
     return STATUS_OK;
 }
 
+/* Checks likewise labels of rows (dataset.h), of which some stand for several. */
+static enum status check_rows(const struct plan *plan, const struct plan_settings *rows,
+                              struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < rows->count && st == STATUS_OK; n++) {
+        struct plan_setting *s = &rows->list[n];
+        const struct plan_settings one = {1, s};
+        if (strcmp(s->key, "at") && s->value[0] != '!' && !strchr(s->value, '*'))
+            st = check_labels(plan, &one, why);
+    }
+    return st;
+}
+
+static enum status check_statement(const struct plan *plan, const struct plan_statement *s,
+                                   struct message *why)
+{
+    enum status st;
+
+    TRY(check_rows(plan, &s->row[0], why));
+    TRY(check_rows(plan, &s->row[1], why));
+    for (int n = 0; n < s->reading_count; n++)
+        TRY(check_rows(plan, &s->readings[n].rows, why));
+    if (s->reading_count && s->readings->ours)
+        st =
+            plan_case_refuse(plan, s->line, why,
+                             "the first reading is what we would do; the primary one has a "
+                             "name and stands first");
+out:
+    return st;
+}
+
 static enum status check_studies(const struct plan *plan, struct message *why)
 {
     enum status st = STATUS_OK;
+
+    for (int n = 0; n < plan->statement_count; n++)
+        TRY(check_statement(plan, &plan->statements[n], why));
 
     for (int n = 0; n < plan->skip.count; n++)
         TRY(check_labels(plan, &plan->skip.list[n].labels, why));

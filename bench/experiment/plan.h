@@ -66,6 +66,7 @@ struct plan_axis {
 
 enum {
     PLAN_STUDY_MOST = 100,
+    PLAN_READINGS = 8, /* of a statement                                                */
     PLAN_STUDY_LEVELS = 128, /* of a study, all products of its axes counted           */
     PLAN_STUDY_TIMES = 8,
     PLAN_STUDY_AXES = 4,
@@ -181,6 +182,25 @@ struct plan_chart {
                                             each, as keys                              */
 };
 
+/* A statement of the paper that is a ratio of two times or an exponent of one, and the ways
+ * to read what it leaves open: labels of the rows that decide it (dataset.h). */
+struct plan_reading {
+    char *name;                /* in a few words                                owned   */
+    struct plan_settings rows; /* axis and label                                        */
+    bool ours;                 /* no reading: what we would do instead, shown beside    */
+};
+struct plan_statement {
+    char *quote, *section; /* in our words; of the paper                        owned   */
+    char *reason;          /* why the first reading is the primary one; or NULL owned   */
+    struct plan_settings quantity; /* as keys: of a ratio one, of an exponent x and y   */
+    struct plan_settings row[2];   /* of a ratio; an exponent's rows are row[0]         */
+    bool exponent;
+    double paper;
+    int reading_count; /* 0: nothing is open                                            */
+    struct plan_reading *readings; /* owned                                             */
+    int line;
+};
+
 enum plan_keep { PLAN_KEEP_NONE, PLAN_KEEP_SNAPSHOTS };
 
 struct plan {
@@ -203,6 +223,8 @@ struct plan {
     int study_count; /* 0: it is for sweeps                                     */
     struct plan_study *studies; /* owned                                               */
     struct plan_products skip, paper;
+    int statement_count;
+    struct plan_statement *statements; /* owned                                         */
     struct plan_settings reference; /* axis and label, or key and value: levels, or cases,
                                        are compared with the one that has these and else
                                        their own                                       */

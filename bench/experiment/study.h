@@ -163,8 +163,17 @@ struct study {
                                 label is "truth" and which has sheets alone      owned */
 };
 
+/* A label on an axis (dataset.h). */
+struct where {
+    const char *axis, *label; /* "!LABEL": any other; "WORD*": any that begins so      */
+};
+#define WHERE(...) ((const struct where[]){__VA_ARGS__, {NULL, NULL}})
+
 struct study_results {
     const struct plan *plan; /*                                               borrowed  */
+    /* Labels that dataset.h looks for wherever an axis of theirs is not named; NULL: none,
+       borrowed. They say how a statement is read that leaves a choice open. */
+    const struct where *reading;
     int count;
     struct study *study; /* [count]                                              owned  */
     bool quick;          /* judge.h: some of it is of less than the plan says           */

@@ -333,23 +333,26 @@ out:
 
 enum { TEXT = REPORT_SENTENCE };
 
-/* Counts of claims. */
+/* Counts of the paper's claims, and of ours. */
 struct tally {
-    int all, hold, fail;
+    int all, hold, fail, ours;
 };
 
 static void write_claim(FILE *file, struct tally *tally, const struct report_part *part,
-                        const char *claim, const char *verdict, const char *text,
+                        bool ours, const char *claim, const char *verdict, const char *text,
                         bool quick)
 {
-    fputs(tally->all++ ? ",{" : "{", file);
+    fputs(tally->all + tally->ours ? ",{" : "{", file);
     report_json_pair(file, "part", part->id);
+    report_json_pair(file, "by", ours ? "us" : "the paper");
     report_json_pair(file, "claim", claim);
     report_json_pair(file, "verdict", verdict);
     report_json_pair(file, "text", text);
     fprintf(file, "\"quick\":%s}", quick ? "true" : "false");
-    tally->hold += !strcmp(verdict, "holds");
-    tally->fail += !strcmp(verdict, "does not hold");
+    tally->ours += ours;
+    tally->all += !ours;
+    tally->hold += !ours && !strcmp(verdict, "holds");
+    tally->fail += !ours && !strcmp(verdict, "does not hold");
 }
 
 /* Writes the claims that the command itself judged; returns how many. */
@@ -358,15 +361,18 @@ static int write_kept(FILE *file, struct tally *tally, const struct report_part 
 {
     const struct csv_table *t = report_part_table(found, KEPT_SENTENCES);
 
-    for (int n = 0; t && n < t->rows; n++)
-        write_claim(file, tally, part, csv_words_of(t, n, "claim"),
+    for (int n = 0; t && n < t->rows; n++) {
+        const bool ours = csv_column(t, "source") >= 0 && !*csv_words_of(t, n, "source");
+        write_claim(file, tally, part, ours, csv_words_of(t, n, "claim"),
                     csv_words_of(t, n, "verdict"), csv_words_of(t, n, "sentence"),
                     found->quick);
+    }
     return t ? t->rows : 0;
 }
 
-/* Writes members of an array of JSON, {"part", "claim", "verdict", "text", "quick"}, one a
- * claim, and counts them. A part that was not run, or cannot be read, has one that says so.
+/* Writes members of an array of JSON, {"part", "by", "claim", "verdict", "text", "quick"},
+ * one a claim, and counts them. A part that was not run, or cannot be read, has one that
+ * says so.
  */
 static void write_claims(FILE *file, const struct report_found *found, struct tally *tally)
 {
@@ -379,10 +385,11 @@ static void write_claims(FILE *file, const struct report_found *found, struct ta
             continue;
         if (!f->there || *f->trouble) {
             snprintf(text, sizeof text, "clothbench %.100s", part->command);
-            write_claim(file, tally, part, part->title, f->there ? "damaged" : "not run",
-                        f->there ? f->trouble : text, false);
+            write_claim(file, tally, part, false, part->title,
+                        f->there ? "damaged" : "not run", f->there ? f->trouble : text,
+                        false);
         } else if (!write_kept(file, tally, part, f)) {
-            write_claim(file, tally, part, part->title, "cannot be judged",
+            write_claim(file, tally, part, false, part->title, "cannot be judged",
                         "The file has none of the paper's sentences.", f->quick);
         }
     }
@@ -451,12 +458,14 @@ static double rounded(double value)
 static void tell_claims(const struct tally *t, char text[TEXT])
 {
     const int left = t->all - t->hold - t->fail;
-    char more[64] = ".";
+    char more[64] = ".", ours[64] = "";
 
     if (left)
         snprintf(more, sizeof more, "; %d were not judged or not run.", left);
-    snprintf(text, TEXT, "Of the paper\u2019s %d claims %d hold and %d do not%s", t->all,
-             t->hold, t->fail, more);
+    if (t->ours)
+        snprintf(ours, sizeof ours, " %d claims of ours stand beside them.", t->ours);
+    snprintf(text, TEXT, "Of the paper\u2019s %d claims %d hold and %d do not%s%s", t->all,
+             t->hold, t->fail, more, ours);
 }
 
 static void tell_speed(const struct report_run *best, int models, char text[TEXT])

@@ -113,7 +113,7 @@ static void add_first(struct cells *c)
         const struct plan_level *level = &plan.studies[0].levels[n];
         for (int m = 0; m < 3; m++)
             if (!strcmp(level->part[0]->label, method[m][0]) && level->paper_ms > 0) {
-                ADD(c, 1, method[m][1], "net", "%s", level->part[1]->label);
+                ADD(c, 1, method[m][1], "net", "%s", level->part[2]->label);
                 ADD(c, 1, method[m][1], "seconds", "%.17g", level->paper_ms / 1000);
             }
     }

@@ -84,7 +84,7 @@ nm -D "$program" | grep __asan_init >/dev/null || [ "$emulated" ] || for limit i
     code=$?
     case $code in
     0) [ -s out ] || fail "ulimit -v $limit: prints nothing" ;;
-    127) grep -qE 'failed to map|cannot allocate TLS' err || fail "ulimit -v $limit: $(<err)" ;; # the loader
+    127) grep -qE 'failed to map|cannot allocate TLS|Cannot allocate memory' err || fail "ulimit -v $limit: $(<err)" ;; # the loader
     1) grep -qi memory err || fail "ulimit -v $limit: $(<err)" ;; # or a library as it starts
     139) grep -q 'GnuTLS init' err || fail "ulimit -v $limit: $(<err)" ;; # it dies before main
     *) fail "ulimit -v $limit: exit $code: $(<err)" ;;

@@ -217,8 +217,26 @@ static void check_sentences(void)
     }
 }
 
+/* The last words of a line are wrapped: no line is longer than 120 columns. */
+static void check_wrapped(void)
+{
+    static const struct table_column two[] = {{"a"}, {"words", NULL, TABLE_LEFT}};
+    char words[400] = "", text[2000] = "";
+    struct table *t = table_create(2, two, NULL);
+    FILE *file = fmemopen(text, sizeof text, "w");
+
+    while (strlen(words) < 300)
+        strcat(words, "some words ");
+    table_line(t, "1|%s", words);
+    REQUIRE(file && table_print(t, TABLE_TEXT, file) == STATUS_OK && fclose(file) == 0);
+    for (const char *line = text; *line; line += strcspn(line, "\n") + 1)
+        CHECK(strcspn(line, "\n") <= 120);
+    table_destroy(t);
+}
+
 int main(void)
 {
+    check_wrapped();
     scratch_open();
     REQUIRE(chdir(scratch) == 0);
     check_formats();

@@ -98,89 +98,146 @@ static enum judge judge(const struct claim *c, const struct study_results *d,
                         : c->judge(&view, because);
 }
 
-/* Judges by another reading than the primary one, whose verdict is `turn`, and writes what
- * it turns. */
-static void tell_reading(const struct claim *c, const struct claim_reading *reading,
-                         const struct study_results *d, enum judge turn, FILE *because)
-{
-    char *text = NULL;
-    size_t size;
-    FILE *memory = open_memstream(&text, &size);
-
-    if (!memory)
-        return;
-    const enum judge other = judge(c, d, reading->rows, memory);
-    if (fclose(memory) == 0) {
-        if (reading->ours)
-            fprintf(because, " Ours, %s: %s", reading->name, text);
-        else if (other != turn && (other == JUDGE_HOLDS || other == JUDGE_FAILS))
-            fprintf(because, " It turns on the reading %s, by which it %s: %s",
-                    reading->name, other == JUDGE_HOLDS ? "holds" : "does not hold", text);
-    }
-    free(text);
-}
-
 static bool is_busy(const struct study_results *d)
 {
     return dataset_least(d, QUANTITY_PROCESSOR, WHERE({NULL, NULL})) <
            MEASUREMENT_PROCESSOR;
 }
 
-enum judge claim_judge(const struct claim *c, const struct study_results *d, FILE *because)
+/* Judges by another reading than the primary one, whose verdict is `turn`, and writes what
+ * it turns, or the numbers of ours. */
+static enum status tell_reading(const struct claim *c, const struct claim_reading *reading,
+                                const struct study_results *d, enum judge turn, FILE *turns,
+                                FILE *ours)
 {
-    const struct claim_reading *reading = c->readings;
-    const enum judge turn = judge(c, d, reading ? reading->rows : NULL, because);
+    char *text = NULL;
+    size_t size;
+    FILE *memory = open_memstream(&text, &size);
 
-    for (reading = reading ? reading + 1 : NULL; reading && reading->name; reading++)
-        tell_reading(c, reading, d, turn, because);
-    return c->timed && is_busy(d) ? JUDGE_BUSY : turn;
+    if (!memory)
+        return STATUS_MEMORY;
+    const enum judge other = judge(c, d, reading->rows, memory);
+    if (fclose(memory) != 0) {
+        free(text);
+        return STATUS_MEMORY;
+    }
+    if (reading->ours)
+        fprintf(ours, "%sOurs, %s: %s", ftell(ours) ? " " : "", reading->name, text);
+    else if (other != turn && (other == JUDGE_HOLDS || other == JUDGE_FAILS))
+        fprintf(turns, "%sIt turns on the reading %s, by which it %s: %s",
+                ftell(turns) ? " " : "", reading->name, judge_verdict(other), text);
+    free(text);
+    return STATUS_OK;
+}
+
+/* Writes what is open and how it is read, and why; nothing where nothing is open. */
+static void write_reading(const struct claim *c, FILE *file)
+{
+    fprintf(file, "%s%s%s%s", c->readings ? c->readings->name : "", c->reason ? " (" : "",
+            c->reason ? c->reason : "", c->reason ? ")" : "");
+}
+
+/* Returns the verdict that the results allow: of seconds only those of an idle machine, of
+ * a quick run only what it settles. */
+static enum judge allowed(const struct claim *c, const struct study_results *d,
+                          enum judge turn)
+{
+    return c->timed && is_busy(d)                        ? JUDGE_BUSY
+           : d->quick && (c->full || turn == JUDGE_OPEN) ? JUDGE_QUICK
+                                                         : turn;
+}
+
+enum { READING, HERE, TURNS, OURS, TEXTS };
+
+/* Judges and writes into the four streams. */
+static enum status judge_all(const struct claim *c, const struct study_results *d,
+                             FILE *const file[TEXTS], enum judge *turn)
+{
+    const struct claim_reading *r = c->readings;
+    enum status st = STATUS_OK;
+
+    write_reading(c, file[READING]);
+    *turn = judge(c, d, r ? r->rows : NULL, file[HERE]);
+    for (r = r ? r + 1 : NULL; r && r->name && st == STATUS_OK; r++)
+        st = tell_reading(c, r, d, *turn, file[TURNS], file[OURS]);
+    return st;
+}
+
+enum status claim_judge(const struct claim *c, const struct study_results *d,
+                        struct judge_told *told)
+{
+    char **const text[TEXTS] = {&told->reading, &told->here, &told->turns, &told->ours};
+    FILE *file[TEXTS] = {NULL};
+    size_t size[TEXTS];
+    enum status st = STATUS_OK;
+
+    *told = (struct judge_told){.source = c->source, .quote = c->quote};
+    for (int n = 0; n < TEXTS; n++)
+        if (!(file[n] = open_memstream(text[n], &size[n])))
+            st = STATUS_MEMORY;
+    if (st == STATUS_OK)
+        st = judge_all(c, d, file, &told->turn);
+    told->turn = allowed(c, d, told->turn);
+    if (st == STATUS_OK && told->turn == JUDGE_QUICK) {
+        fflush(file[HERE]);
+        if (strstr(told->here, "nan"))
+            rewind(file[HERE]),
+                fputs("A quick run leaves out what decides this.", file[HERE]);
+    }
+    for (int n = 0; n < TEXTS; n++)
+        if (file[n] && fclose(file[n]) != 0)
+            st = STATUS_MEMORY;
+    if (st != STATUS_OK)
+        claim_forget(told);
+    return st;
+}
+
+void claim_forget(struct judge_told *told)
+{
+    free(told->reading);
+    free(told->here);
+    free(told->turns);
+    free(told->ours);
+    memset(told, 0, sizeof *told);
 }
 
 /* --- what is printed ---------------------------------------------------------------------
  */
 
-/* Writes what is open and how it is read, and why; "": nothing is. */
-static void write_reading(const struct claim *c, char *text, size_t size)
+typedef enum status taker(void *context, const struct judge_told *told);
+
+static enum status hand_over(const struct claim *claims, const struct study_results *d,
+                             taker *take, void *context)
 {
-    snprintf(text, size, "%s%s%s%s", c->readings ? c->readings->name : "",
-             c->reason ? " (" : "", c->reason ? c->reason : "", c->reason ? ")" : "");
+    enum status st = STATUS_OK;
+
+    for (const struct claim *c = claims; c && c->quote && st == STATUS_OK; c++) {
+        struct judge_told told;
+        st = claim_judge(c, d, &told);
+        if (st == STATUS_OK)
+            st = take(context, &told);
+        claim_forget(&told);
+    }
+    return st;
 }
 
-static enum status print_claim(const struct claim *c, const struct study_results *d,
-                               FILE *file)
-{
-    char *because = NULL, reading[512];
-    size_t size;
-    FILE *text = open_memstream(&because, &size);
-
-    if (!text)
-        return STATUS_MEMORY;
-    enum judge turn = claim_judge(c, d, text);
-    if (d->quick && turn != JUDGE_BUSY && (c->full || turn == JUDGE_OPEN))
-        turn = JUDGE_QUICK;
-    write_reading(c, reading, sizeof reading);
-    if (fclose(text) == 0)
-        judge_print(file,
-                    &(struct judge_told){c->source, c->quote, reading, turn,
-                                         turn == JUDGE_QUICK && strstr(because, "nan")
-                                             ? "A quick run leaves out what decides this."
-                                             : because});
-    free(because);
-    return STATUS_OK;
-}
-
-static enum status print_claims(const struct study_results *d, FILE *file)
+enum status claim_each(const struct study_results *d, taker *take, void *context)
 {
     struct claim *stated = claim_statements(d->plan);
     enum status st = stated ? STATUS_OK : STATUS_MEMORY;
 
-    for (const struct claim *c = stated; c && c->quote && st == STATUS_OK; c++)
-        st = print_claim(c, d, file);
-    for (const struct claim *c = claim_find(d->plan->name);
-         c && c->quote && st == STATUS_OK; c++)
-        st = print_claim(c, d, file);
+    if (st == STATUS_OK)
+        st = hand_over(stated, d, take, context);
+    if (st == STATUS_OK)
+        st = hand_over(claim_find(d->plan->name), d, take, context);
     free(stated);
     return st;
+}
+
+static enum status print_claim(void *file, const struct judge_told *told)
+{
+    judge_print(file, told);
+    return STATUS_OK;
 }
 
 enum status claim_tell(const struct study_results *d, const char *folder,
@@ -192,7 +249,7 @@ enum status claim_tell(const struct study_results *d, const char *folder,
     if (claim_find(d->plan->name) == claim_table4)
         TRY(claim_table4_print(d, format, file));
     if (table_format_is_prose(format)) {
-        TRY(print_claims(d, file));
+        TRY(claim_each(d, print_claim, file));
         measurement_machine(d->machine, file);
     }
 out:

@@ -43,10 +43,13 @@ struct claim {
         return __VA_ARGS__;                                                                \
     }
 
-/* Judges a claim by its primary reading, and writes its sentences, what turns on another
- * reading, and the numbers of ours. JUDGE_BUSY: seconds decide it, and some of the plan's
- * were taken on a busy machine. */
-enum judge claim_judge(const struct claim *c, const struct study_results *d, FILE *because);
+/* Judges a claim by its primary reading. JUDGE_BUSY: seconds decide it, and some of the
+ * plan's were taken on a busy machine. JUDGE_QUICK: the results are of a quick run, which
+ * does not settle it. What is told borrows from the claim; its other sentences are freed by
+ * claim_forget, which accepts all-zero. STATUS_MEMORY: nothing is told. */
+enum status claim_judge(const struct claim *c, const struct study_results *d,
+                        struct judge_told *told);
+void claim_forget(struct judge_told *told);
 
 /* Returns the claims on the plan of this name, up to one without a quote; NULL: none. */
 const struct claim *claim_find(const char *plan);
@@ -54,6 +57,12 @@ const struct claim *claim_find(const char *plan);
 /* Lists the statements of a plan, of plan->statement_count, as claims, up to one without a
  * quote; they borrow from the plan. Freed by the receiver as one; NULL: out of memory. */
 struct claim *claim_statements(const struct plan *plan);
+
+/* Judges all claims on a plan, its statements first, and hands each to `take`, until it
+ * fails. */
+enum status claim_each(const struct study_results *d,
+                       enum status (*take)(void *context, const struct judge_told *told),
+                       void *context);
 
 /* Prints the plan's tables (dataset_print) and, for people, the claims and the machine. */
 enum status claim_tell(const struct study_results *d, const char *folder,
@@ -70,6 +79,7 @@ enum status claim_table4_print(const struct study_results *d, enum table_format 
     X("control-net", control_net)                                                          \
     X("cures", cures)                                                                      \
     X("degree", degree)                                                                    \
+    X("direct", direct)                                                                    \
     X("drops", drops)                                                                      \
     X("fig6", fig6)                                                                        \
     X("flag", flag)                                                                        \
@@ -78,12 +88,14 @@ enum status claim_table4_print(const struct study_results *d, enum table_format 
     X("locking", locking)                                                                  \
     X("mesh", mesh)                                                                        \
     X("mesh-degree", mesh_degree)                                                          \
+    X("plasticity", plasticity)                                                            \
     X("solvers", solvers)                                                                  \
     X("table1", table1)                                                                    \
     X("table2", table2)                                                                    \
     X("table4-readings", table4)                                                           \
     X("thickness", thickness)                                                              \
     X("thickness-degree", thickness_degree)                                                \
+    X("thickness-shell", thickness_shell)                                                  \
     X("timestep", timestep)
 #define CLAIM_LIST(plan, list) extern const struct claim claim_##list[];
 CLAIM_PLANS(CLAIM_LIST)

@@ -1,5 +1,5 @@
 /* Claims on the paper's figures of falling sheets (plans fig6,
- * drops, flag, artefacts, contact). */
+ * plasticity, drops, flag, artefacts, contact). */
 #include <math.h>
 #include <string.h>
 
@@ -14,93 +14,136 @@ static const double OVER_STRETCHED = 1.1, ROUGH = 1.5;
 
 static const char PLATE[] = "IGA, paper's";
 
-/* Returns the largest value of a level over its times; INFINITY: it died before the last.
- */
+/* Returns the largest value of a level over the reading's times; NULL: of its level.
+ * INFINITY: it died before the last. */
 static double most_of(const struct study_results *d, const char *level, enum quantity q)
 {
     double value[PLAN_STUDY_TIMES], most = 0;
-    const int times =
-        dataset_values(d, q, WHERE({"level", level}, {"at", "*"}), PLAN_STUDY_TIMES, value);
+    const struct where *rows = level ? WHERE({"level", level}) : WHERE({NULL, NULL});
+    const int times = dataset_values(d, q, rows, PLAN_STUDY_TIMES, value);
 
     for (int t = 0; t < times; t++)
         most = fmax(most, isnan(value[t]) ? INFINITY : value[t]);
     return times ? most : NAN;
 }
 
-/* Judges a word on a level: over-stretched, rough, ... */
-typedef enum judge word(const struct study_results *d, const char *level);
+/* Writes what decides on a level's words. */
+static void tell_level(const struct study_results *d, FILE *because)
+{
+    fprintf(because, "Stretch up to %.4g, roughness %.3g, %.0f crossings.",
+            most_of(d, NULL, QUANTITY_STRETCH), most_of(d, NULL, QUANTITY_ROUGHNESS),
+            most_of(d, NULL, QUANTITY_CROSSINGS));
+}
 
+/* A judge by one comparison of a level's numbers. */
 #define WORD(name, ...)                                                                    \
-    static enum judge name(const struct study_results *d, const char *level)               \
+    static enum judge name(const struct study_results *d, FILE *because)                   \
     {                                                                                      \
+        tell_level(d, because);                                                            \
         return judge_below(__VA_ARGS__);                                                   \
     }
-WORD(over_stretches, OVER_STRETCHED, most_of(d, level, QUANTITY_STRETCH))
-WORD(keeps_length, most_of(d, level, QUANTITY_STRETCH), OVER_STRETCHED)
-WORD(crosses, 0, most_of(d, level, QUANTITY_CROSSINGS))
+WORD(over_stretches, OVER_STRETCHED, most_of(d, NULL, QUANTITY_STRETCH))
+WORD(keeps_length, most_of(d, NULL, QUANTITY_STRETCH), OVER_STRETCHED)
+WORD(crosses, 0, most_of(d, NULL, QUANTITY_CROSSINGS))
 WORD(is_rough, ROUGH *most_of(d, PLATE, QUANTITY_ROUGHNESS),
-     most_of(d, level, QUANTITY_ROUGHNESS))
+     most_of(d, NULL, QUANTITY_ROUGHNESS))
 
-static enum judge is_smooth(const struct study_results *d, const char *level)
+/* The least rough of the others is more than ROUGH times as rough. */
+static enum judge is_smooth(const struct study_results *d, FILE *because)
 {
-    const double others =
-        fmax(most_of(d, "mass-spring, paper's", QUANTITY_ROUGHNESS),
-             most_of(d, "projective dynamics, paper's", QUANTITY_ROUGHNESS));
-    const double own = most_of(d, level, QUANTITY_ROUGHNESS);
+    const double springs = most_of(d, "mass-spring, paper's", QUANTITY_ROUGHNESS);
+    const double projective =
+        most_of(d, "projective dynamics, paper's", QUANTITY_ROUGHNESS);
+    const double own = most_of(d, NULL, QUANTITY_ROUGHNESS);
 
-    return judge_both(judge_below(own, ROUGH * most_of(d, PLATE, QUANTITY_ROUGHNESS)),
-                      judge_below(own * ROUGH, others));
+    fprintf(because,
+            "Roughness up to %.3g, of the springs %.3g, of projective dynamics %.3g.", own,
+            springs, projective);
+    return judge_below(own * ROUGH, fmin(springs, projective));
 }
 
-/* Judges the first of all levels that begin with the word, the paper's, and names
- * those of its variants of which the opposite is true. */
-static enum judge of_all(const struct study_results *d, const char *first, word *is,
-                         FILE *because)
+static enum judge stretches_less(const struct study_results *d, FILE *because)
 {
-    const char *level[PLAN_STUDY_LEVELS];
-    const int levels = dataset_labels(d, "level", PLAN_STUDY_LEVELS, level);
-    const size_t size = strlen(first);
-    enum judge turn = JUDGE_OPEN;
-    int count = 0, others = 0;
+    const double springs = most_of(d, "mass-spring, paper's", QUANTITY_STRETCH);
+    const double own = most_of(d, NULL, QUANTITY_STRETCH);
 
-    for (int n = 0; n < levels; n++) {
-        if (strncmp(level[n], first, size))
-            continue;
-        const enum judge here = is(d, level[n]);
-        if (!count++)
-            turn = here;
-        else if (here == turn)
-            continue;
-        else
-            others++;
-        fprintf(because, "%s%s: stretch up to %.4g, roughness %.3g, %.0f crossings",
-                others ? (others > 1 ? "; " : ". The opposite is true of ") : "", level[n],
-                most_of(d, level[n], QUANTITY_STRETCH),
-                most_of(d, level[n], QUANTITY_ROUGHNESS),
-                most_of(d, level[n], QUANTITY_CROSSINGS));
-    }
-    if (others)
-        fputs(".", because);
-    else
-        fprintf(because, ". It is so in all %d variants.", count - 1);
-    return turn;
+    fprintf(because, "Stretch up to %.3g, of the springs up to %.3g.", own, springs);
+    return judge_below(own, springs);
 }
 
-CLAIM_JUDGE(springs_stretch, of_all(d, "mass-spring", over_stretches, because))
-CLAIM_JUDGE(springs_cross, of_all(d, "mass-spring", crosses, because))
-CLAIM_JUDGE(projective_keeps, of_all(d, "projective", keeps_length, because))
-CLAIM_JUDGE(projective_is_rough, of_all(d, "projective", is_rough, because))
-CLAIM_JUDGE(plate_is_smooth, of_all(d, "IGA", is_smooth, because))
-CLAIM_JUDGE(plate_keeps, of_all(d, "IGA", keeps_length, because))
-
-#define FIG6 "Ren et al. 2024, Fig. 6", false
+#define LEVEL(label) WHERE({"level", label})
+#define ALL(label)   WHERE({"level", label}, {"at", "*"})
+#define EARLY(label) WHERE({"level", label}, {"at", "0.5"})
+#define SPRINGS                                                                            \
+    CLAIM_READINGS(                                                                        \
+        {"at all times to 2 s", ALL("mass-spring, paper's")},                              \
+        {"at 0.5 s", EARLY("mass-spring, paper's")},                                       \
+        {"on 20x20 points", ALL("mass-spring, paper's, 20x20"), .ours = true},             \
+        {"springs matched to E, nu and h", ALL("mass-spring, matched"), .ours = true})
+#define PROJECTIVE                                                                         \
+    CLAIM_READINGS(                                                                        \
+        {"triangles, 10 iterations, at all times to 2 s",                                  \
+         ALL("projective dynamics, paper's")},                                             \
+        {"edges in place of triangles", ALL("projective dynamics, paper's, edges")},       \
+        {"100 iterations", ALL("projective dynamics, 100 iterations")},                    \
+        {"at 0.5 s", EARLY("projective dynamics, paper's")},                               \
+        {"on 20x20 points", ALL("projective dynamics, paper's, 20x20"), .ours = true},     \
+        {"constraints matched to E, nu and h", ALL("projective dynamics, matched"),        \
+         .ours = true})
+#define THE_PLATE                                                                          \
+    CLAIM_READINGS({"printed, at all times to 2 s", ALL(PLATE)},                           \
+                   {"printed, at 0.5 s", EARLY(PLATE)},                                    \
+                   {"incremental, undamped", ALL("IGA, incremental, undamped")},           \
+                   {"on 20x20 points", ALL("IGA, 20x20"), .ours = true},                   \
+                   {"an elastic shell, C = M", ALL("shell, nonlinear"), .ours = true})
+#define FIG6  "4.1, Fig. 6", false
+#define TIMES "Fig. 6 has no time"
+#define MODEL "Bouaziz et al. 2014, whom section 4.1 names, have triangles; " TIMES
+#define TEXT  "the paper's text, eq. 18 to 22"
 const struct claim claim_fig6[] = {
-    {"mass-spring over-stretches", FIG6, springs_stretch},
-    {"mass-spring penetrates itself", FIG6, springs_cross},
-    {"projective dynamics does not over-stretch", FIG6, projective_keeps},
-    {"projective dynamics is rough at this resolution", FIG6, projective_is_rough},
-    {"IGA is smooth (and the others are not)", FIG6, plate_is_smooth},
-    {"IGA does not over-stretch", FIG6, plate_keeps},
+    {"mass-spring over-stretches", FIG6, over_stretches, .readings = SPRINGS,
+     .reason = TIMES},
+    {"mass-spring crosses itself", FIG6, crosses, .readings = SPRINGS, .reason = TIMES},
+    {"projective dynamics does not over-stretch", FIG6, keeps_length,
+     .readings = PROJECTIVE, .reason = MODEL},
+    {"projective dynamics is rough at this resolution", FIG6, is_rough,
+     .readings = PROJECTIVE, .reason = MODEL},
+    {"the plate is smoother than both", FIG6, is_smooth, .readings = THE_PLATE,
+     .reason = TEXT},
+    {"the plate stretches less than the springs", "4.2, Fig. 8", false, stretches_less,
+     .readings = THE_PLATE, .reason = TEXT "; " TIMES},
+    {0}};
+
+/* --- plasticity --------------------------------------------------------------------------
+ */
+
+/* The share of its largest deflection below which a sheet has returned. */
+static const double RETURNED = 0.05;
+
+static enum judge some_stays(const struct study_results *d, FILE *because)
+{
+    double depth[PLAN_STUDY_TIMES], most = 0;
+    const int times =
+        dataset_values(d, QUANTITY_DEPTH, WHERE({"at", "*"}), PLAN_STUDY_TIMES, depth);
+    const double end = dataset_at(d, QUANTITY_DEPTH, WHERE({NULL, NULL}));
+
+    for (int t = 0; t < times; t++)
+        most = judge_most(most, fabs(depth[t]));
+    fprintf(
+        because,
+        "The free edge of a sheet that was struck was up to %.3g m away from its place, "
+        "and is %.2g m away in the end.",
+        most, fabs(end));
+    return judge_below(RETURNED * most, fabs(end));
+}
+
+const struct claim claim_plasticity[] = {
+    {"the deformation partly stays when the force is gone", "4.1", true, some_stays,
+     .readings = CLAIM_READINGS(
+         {"printed", LEVEL("printed")}, {"incremental", LEVEL("incremental")},
+         {"linear, C = M", LEVEL("linear")},
+         {"an elastic shell, C = M", LEVEL("elastic shell"), .ours = true}),
+     .reason = TEXT},
     {0}};
 
 /* --- drops -------------------------------------------------------------------------------
@@ -109,15 +152,14 @@ const struct claim claim_fig6[] = {
 /* Angle of a sheet that hangs along gravity [degrees]. */
 static const double PLUMB = 90;
 
-/* Finds the largest angle of a level over its times, and the least one after it; NaN: it
+/* Finds the largest angle of a study over its times, and the least one after it; NaN: it
  * died before its end. */
-static void swing_of(const struct study_results *d, const char *study, const char *level,
-                     double *most, double *after)
+static void swing_of(const struct study_results *d, const char *study, double *most,
+                     double *after)
 {
     double angle[PLAN_STUDY_TIMES];
-    const int times = dataset_values(d, QUANTITY_ANGLE,
-                                     WHERE({"study", study}, {"level", level}, {"at", "*"}),
-                                     PLAN_STUDY_TIMES, angle);
+    const int times = dataset_values(
+        d, QUANTITY_ANGLE, WHERE({"study", study}, {"at", "*"}), PLAN_STUDY_TIMES, angle);
     int top = 0;
 
     *most = *after = NAN;
@@ -133,32 +175,51 @@ static void swing_of(const struct study_results *d, const char *study, const cha
 
 static enum judge swings(const struct study_results *d, const char *study, FILE *because)
 {
-    static const char *const levels[] = {"printed", "undamped shell"};
-    double most, after, shell, unused, stretch[2];
+    double most, after;
 
-    swing_of(d, study, levels[0], &most, &after);
-    swing_of(d, study, levels[1], &shell, &unused);
-    for (int n = 0; n < 2; n++)
-        stretch[n] =
-            dataset_at(d, QUANTITY_STRETCH, WHERE({"study", study}, {"level", levels[n]}));
-    fprintf(
-        because,
-        "At the paper's six times the printed scheme's sheet is inclined by %.3g degrees "
-        "at most, where %g is plumb, by %.3g at least after that, and in the end "
-        "stretched by a factor of %.3g; an undamped shell with the same E, nu, rho and "
-        "thickness: %.3g degrees, a factor of %.3g.",
-        most, PLUMB, after, stretch[0], shell, stretch[1]);
+    swing_of(d, study, &most, &after);
+    fprintf(because,
+            "At the paper's six times the sheet is inclined by %.3g degrees at most, where "
+            "%g is plumb, by %.3g at least after that, and in the end it is stretched by a "
+            "factor of %.3g.",
+            most, PLUMB, after, dataset_at(d, QUANTITY_STRETCH, WHERE({"study", study})));
     return judge_both(judge_below(PLUMB, most), judge_below(after, PLUMB));
+}
+
+/* Judges whether the sheet is rougher at each later time than at the first. */
+static enum judge wrinkles(const struct study_results *d, const char *study, FILE *because)
+{
+    const struct where *rows = WHERE({"study", study}, {"at", "*"});
+    double rough[PLAN_STUDY_TIMES];
+    const int times = dataset_values(d, QUANTITY_ROUGHNESS, rows, PLAN_STUDY_TIMES, rough);
+    enum judge turn = times > 1 ? JUDGE_HOLDS : JUDGE_OPEN;
+
+    for (int t = 1; t < times; t++)
+        turn = judge_both(turn, judge_below(rough[0], rough[t]));
+    fputs("Roughness ", because);
+    dataset_write(d, QUANTITY_ROUGHNESS, rows, because);
+    fputs(" at the paper's six times.", because);
+    return turn;
 }
 
 CLAIM_JUDGE(edge_swings, swings(d, "edge", because))
 CLAIM_JUDGE(corners_swing, swings(d, "corners", because))
+CLAIM_JUDGE(edge_wrinkles, wrinkles(d, "edge", because))
+CLAIM_JUDGE(corners_wrinkle, wrinkles(d, "corners", because))
 
+#define DROPS                                                                              \
+    .readings = CLAIM_READINGS(                                                            \
+        {"printed", LEVEL("printed")}, {"incremental", LEVEL("incremental")},              \
+        {"an undamped elastic shell", LEVEL("undamped shell"), .ours = true}),             \
+    .reason = TEXT
 const struct claim claim_drops[] = {
-    {"Fig. 7, an edge held: the sheet falls, swings through, and back",
-     "Ren et al. 2024, Fig. 7", true, edge_swings},
-    {"Fig. 8, two corners held: the sheet falls, swings through, and back",
-     "Ren et al. 2024, Fig. 8", true, corners_swing},
+    {"a sheet held at an edge falls, swings through, and back", "4.2, Fig. 7", true,
+     edge_swings, DROPS},
+    {"it has more wrinkles on the way", "4.2, Fig. 7", true, edge_wrinkles, DROPS},
+    {"a sheet held at two corners falls, swings through, and back", "4.2, Fig. 8", true,
+     corners_swing, DROPS},
+    {"the sheet at two corners has more wrinkles on the way", "4.2, Fig. 8", true,
+     corners_wrinkle, DROPS},
     {0}};
 
 /* --- flag --------------------------------------------------------------------------------
@@ -260,13 +321,12 @@ CLAIM_JUDGE(row_2_penetrates,
             shows(d, "penetration", WHERE({"level", "penetration: row 2"}), because))
 
 const struct claim claim_artefacts[] = {
-    {"Fig. 16, normal: row 14 of Table 4", "Ren et al. 2024, Fig. 16", true,
-     row_14_is_normal},
+    {"normal: row 14 of Table 4", "4.3, Fig. 16", true, row_14_is_normal},
     {"Fig. 16, normal: row 4 as an undamped shell", "", true, shell_is_normal},
-    {"Fig. 16, super-elongation: row 4", "Ren et al. 2024, Fig. 16", true, row_4_elongates},
-    {"Fig. 16, floating: row 13", "Ren et al. 2024, Fig. 16", true, row_13_floats},
+    {"super-elongation: row 4", "4.3, Fig. 16", true, row_4_elongates},
+    {"floating: row 13", "4.3, Fig. 16", true, row_13_floats},
     {"Fig. 16, floating: row 13 as an undamped shell", "", true, shell_floats},
-    {"Fig. 16, penetration: row 2", "Ren et al. 2024, Fig. 16", true, row_2_penetrates},
+    {"penetration: row 2", "4.3, Fig. 16", true, row_2_penetrates},
     {0}};
 
 /* --- contact -----------------------------------------------------------------------------
@@ -301,8 +361,7 @@ static enum judge avoids_itself(const struct study_results *d, FILE *because)
     return JUDGE_FAILS;
 }
 
-const struct claim claim_contact[] = {{"Fig. 9: the sheet comes to rest on the ground",
-                                       "Ren et al. 2024, Fig. 9", true, comes_to_rest},
-                                      {"Fig. 9: sheets do not pass through themselves",
-                                       "Ren et al. 2024, Fig. 9", true, avoids_itself},
-                                      {0}};
+const struct claim claim_contact[] = {
+    {"the sheet comes to rest on the ground", "4.2, Fig. 9", true, comes_to_rest},
+    {"sheets do not pass through themselves", "4.2, Fig. 9", true, avoids_itself},
+    {0}};

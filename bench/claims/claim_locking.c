@@ -79,8 +79,8 @@ static enum judge thickness_cured(const struct study_results *d, FILE *because)
 }
 
 const struct claim claim_locking[] = {
-    {"higher degree through the thickness makes little difference", "Ren et al. 2024",
-     false, degree_through},
+    {"A higher degree through the thickness makes little difference", "", false,
+     degree_through},
     {"The paper's space locks in shear, the more the thinner the sheet", "", false,
      thinner_locks},
     {"No degree in the plane helps against thickness locking", "", false, degree_in_plane},

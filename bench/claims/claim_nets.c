@@ -1,6 +1,7 @@
 /* Claims on denser nets, higher degrees and both (plans mesh, degree and
  * mesh-degree; Ren et al. 2024, Figs. 12 to 14). */
 #include <math.h>
+#include <string.h>
 
 #include "bench/claims/claim.h"
 
@@ -9,48 +10,26 @@ enum { LEVELS = 4, TIMES = 3 };
 /* Levels of mesh-degree. */
 enum { START, REFINED, ELEVATED, BOTH };
 
-/* The sheets that a figure may show, as the paper does not say which and when. */
-struct sheets {
-    int count;
-    const char *name[5], *time[5]; /* of the study; [s] */
-};
-
-static const struct sheets mesh_sheets = {2, {"corners", "edge"}, {"1.025", "1.025"}},
-                           degree_sheets = {3,
-                                            {"corners", "edge", "physics"},
-                                            {"1.7", "1.7", "0.5"}},
-                           both_sheets = {5,
-                                          {"corners", "corners", "edge", "edge", "physics"},
-                                          {"1.025", "1.7", "1.025", "1.7", "0.5"}};
-
-/* Judges the levels of all sheets by one quantity, and writes its values. */
-static enum judge judge_sheets(const struct study_results *d, const struct sheets *sheets,
-                               enum quantity q,
-                               enum judge (*judge)(int count, const double *value),
-                               FILE *because)
+/* Judges the levels of the reading's sheet by one quantity, and writes its values. */
+static enum judge judge_sheet(const struct study_results *d, enum quantity q,
+                              enum judge (*judge)(int count, const double *value),
+                              FILE *because)
 {
-    enum judge turn = JUDGE_HOLDS;
+    const struct where *sheet = WHERE({NULL, NULL});
+    double value[LEVELS];
+    const int count = dataset_values(d, q, sheet, LEVELS, value);
 
-    for (int n = 0; n < sheets->count; n++) {
-        const struct where *sheet =
-            WHERE({"study", sheets->name[n]}, {"at", sheets->time[n]});
-        double value[LEVELS];
-        const int count = dataset_values(d, q, sheet, LEVELS, value);
-        const enum judge one = judge(count, value);
-        turn = judge_both(turn, one);
-        fprintf(because, "%s%s, %s s, %s: %s ", n ? "; " : "", sheets->name[n],
-                sheets->time[n], judge_words(one, "so", "not so", "open"),
-                quantity_table[q].head);
-        dataset_write(d, q, sheet, because);
-        if (q == QUANTITY_ROUGHNESS) {
-            fputs(" (away from edges ", because);
-            dataset_write(d, QUANTITY_INNER, sheet, because);
-            fputs("), stretch ", because);
-            dataset_write(d, QUANTITY_STRETCH, sheet, because);
-        }
+    fprintf(because, "The levels have %s of ",
+            q == QUANTITY_ROUGHNESS ? "a roughness" : "an unevenness");
+    dataset_write(d, q, sheet, because);
+    if (q == QUANTITY_ROUGHNESS) {
+        fputs(" (away from edges ", because);
+        dataset_write(d, QUANTITY_INNER, sheet, because);
+        fputs("), stretch ", because);
+        dataset_write(d, QUANTITY_STRETCH, sheet, because);
     }
     fputs(".", because);
-    return turn;
+    return judge(count, value);
 }
 
 static enum judge grows(int count, const double *value)
@@ -77,13 +56,13 @@ static enum judge elevated_less(int count, const double *value)
                                        judge_below(value[BOTH], value[REFINED]));
 }
 
-#define OF_SHEETS(name, sheets, quantity, how)                                             \
-    CLAIM_JUDGE(name, judge_sheets(d, &sheets, quantity, how, because))
-OF_SHEETS(denser_wrinkles, mesh_sheets, QUANTITY_ROUGHNESS, grows)
-OF_SHEETS(higher_details, degree_sheets, QUANTITY_ROUGHNESS, grows)
-OF_SHEETS(higher_smooths, degree_sheets, QUANTITY_UNEVENNESS, shrinks)
-OF_SHEETS(both_detail, both_sheets, QUANTITY_ROUGHNESS, both_add)
-OF_SHEETS(elevation_smooths, both_sheets, QUANTITY_UNEVENNESS, elevated_less)
+#define OF_SHEET(name, quantity, how)                                                      \
+    CLAIM_JUDGE(name, judge_sheet(d, quantity, how, because))
+OF_SHEET(denser_wrinkles, QUANTITY_ROUGHNESS, grows)
+OF_SHEET(higher_details, QUANTITY_ROUGHNESS, grows)
+OF_SHEET(higher_smooths, QUANTITY_UNEVENNESS, shrinks)
+OF_SHEET(both_detail, QUANTITY_ROUGHNESS, both_add)
+OF_SHEET(elevation_smooths, QUANTITY_UNEVENNESS, elevated_less)
 
 /* Returns what an error has to fall by, which is more than the truth's bar leaves open: it
  * may bring two errors nearer to each other by its double. */
@@ -94,9 +73,7 @@ static double write_errors(const struct study_results *d, FILE *because)
 
     fputs("Undamped, at 0.5 s: error ", because);
     dataset_write(d, QUANTITY_ERROR, sheet, because);
-    fprintf(because, " L (error bar %.1g) for ", bar);
-    dataset_write(d, QUANTITY_FRAME, sheet, because);
-    fputs(" ms a frame.", because);
+    fprintf(because, " L (error bar %.1g).", bar);
     return 2 * bar;
 }
 
@@ -120,44 +97,81 @@ static enum judge both_raise_accuracy(const struct study_results *d, FILE *becau
 }
 
 /* A stored frame is exact to 1e-7 of the length. */
-static enum judge order_matters(const struct study_results *d, FILE *because)
+static const double SAME = 1e-6;
+
+/* Returns the largest distance of the two orders over three times. */
+static double orders_apart(const struct study_results *d, const char *first,
+                           const char *last)
 {
     static const char *const at[TIMES] = {"0.05", "0.1", "0.2"};
-    const char *const first = "refined, then elevated", *const last =
-                                                            "elevated, then refined";
-    enum judge turn = JUDGE_HOLDS;
-    double apart[TIMES];
+    double most = 0;
 
-    for (int t = 0; t < TIMES; t++) {
-        apart[t] = dataset_apart(d, WHERE({"level", first}, {"at", at[t]}),
-                                 WHERE({"level", last}, {"at", at[t]}));
-        turn = judge_both(turn, judge_below(1e-6, apart[t]));
-    }
-    fprintf(because,
-            "Elevation doubles the knots that are there, and a new knot inserted after it "
-            "is single: %g unknowns instead of %g, and motions that differ by %.2g, %.2g, "
-            "%.2g L at 0.05, 0.1, 0.2 s. Inserted twice, the new knots are those of the "
-            "other order, so net and motion are, too.",
-            dataset_at(d, QUANTITY_UNKNOWNS, WHERE({"level", last})),
-            dataset_at(d, QUANTITY_UNKNOWNS, WHERE({"level", first})), apart[0], apart[1],
-            apart[2]);
-    return turn;
+    for (int t = 0; t < TIMES; t++)
+        most = judge_most(most, dataset_apart(d, WHERE({"level", first}, {"at", at[t]}),
+                                              WHERE({"level", last}, {"at", at[t]})));
+    return most;
 }
 
-#define PAPER "Ren et al. 2024"
+static enum judge orders_agree(const struct study_results *d, const char *first,
+                               const char *last, FILE *because)
+{
+    const double apart = orders_apart(d, first, last);
+
+    fprintf(because, "%g and %g unknowns; the motions differ by up to %.2g L until 0.2 s.",
+            dataset_at(d, QUANTITY_UNKNOWNS, WHERE({"level", first})),
+            dataset_at(d, QUANTITY_UNKNOWNS, WHERE({"level", last})), apart);
+    return judge_below(apart, SAME);
+}
+
+/* Judges by the orders that the reading's study has. */
+static enum judge order_is_free(const struct study_results *d, FILE *because)
+{
+    static const char *const levels[][2] = {
+        {"denser, then higher", "higher, then denser"},
+        {"refined, then elevated", "elevated, then refined"}};
+    const bool inserted = d->reading && !strcmp(d->reading->label, "orders");
+
+    return orders_agree(d, levels[inserted][0], levels[inserted][1], because);
+}
+
+#define SHEET(name, time) WHERE({"study", name}, {"at", time})
+#define SHEETS(time)                                                                       \
+    .readings =                                                                            \
+        CLAIM_READINGS({"two corners held, at " time " s", SHEET("corners", time)},        \
+                       {"an edge held, at " time " s", SHEET("edge", time)}),              \
+    .reason = "the paper's pictures show such a sheet; its text does not say which"
+#define BOTH_SHEETS                                                                        \
+    .readings =                                                                            \
+        CLAIM_READINGS({"two corners held, at 1.7 s", SHEET("corners", "1.7")},            \
+                       {"two corners held, at 1.025 s", SHEET("corners", "1.025")},        \
+                       {"an edge held, at 1.7 s", SHEET("edge", "1.7")},                   \
+                       {"an edge held, at 1.025 s", SHEET("edge", "1.025")},               \
+                       {"an edge held, nonlinear, undamped, at 0.5 s",                     \
+                        SHEET("physics", "0.5"), .ours = true}),                           \
+    .reason = "the time of Fig. 13; Fig. 14 has none"
 const struct claim claim_mesh[] = {
-    {"the denser the control net, the more wrinkles", PAPER, false, denser_wrinkles},
-    {"refinement raises the accuracy", PAPER, false, errors_fall},
+    {"the denser the control net, the more wrinkles", "4.3, Fig. 12", false,
+     denser_wrinkles, SHEETS("1.025")},
+    {"denser nets are more accurate", "4.3, Fig. 12", false, errors_fall},
     {0}};
 const struct claim claim_degree[] = {
-    {"the higher the degree, the more bending detail", PAPER, false, higher_details},
-    {"the higher the degree, the smoother", PAPER, false, higher_smooths},
-    {"elevation raises the accuracy", PAPER, false, errors_fall},
+    {"the higher the degree, the more bending detail", "4.3, Fig. 13", false,
+     higher_details, SHEETS("1.7")},
+    {"the higher the degree, the smoother", "4.3, Fig. 13", false, higher_smooths,
+     SHEETS("1.7")},
+    {"higher degrees are more accurate", "4.3, Fig. 13", false, errors_fall},
     {0}};
 const struct claim claim_mesh_degree[] = {
-    {"refinement and elevation both add wrinkle detail", PAPER, false, both_detail},
-    {"elevation makes the cloth smoother", PAPER, false, elevation_smooths},
-    {"refinement and elevation raise the accuracy", PAPER, false, both_raise_accuracy},
-    {"Refined, then elevated, a net is another than elevated, then refined", "", false,
-     order_matters},
+    {"denser nets and higher degrees both add wrinkle detail", "4.3, Fig. 14", false,
+     both_detail, BOTH_SHEETS},
+    {"higher degrees make the cloth smoother", "4.3, Fig. 14", false, elevation_smooths,
+     BOTH_SHEETS},
+    {"Denser nets and higher degrees are each more accurate", "", false,
+     both_raise_accuracy},
+    {"the order of the two operations does not matter", "4.3, Fig. 14", false,
+     order_is_free,
+     .readings = CLAIM_READINGS(
+         {"a denser net in place of knot insertion", WHERE({"study", "denser"})},
+         {"knots inserted once into an elevated net", WHERE({"study", "orders"})}),
+     .reason = "section 4.3 says that its nets are denser ones, without knot insertion"},
     {0}};

@@ -1,4 +1,4 @@
-/* Claims on the solvers of the linear systems (plan solvers). */
+/* Claims on the solvers of the linear systems (plans direct and solvers). */
 #include <math.h>
 
 #include "bench/claims/claim.h"
@@ -83,11 +83,61 @@ static enum judge motion_is_one(const struct study_results *d, FILE *because)
 
 const struct claim claim_solvers[] = {
     {"Printed kinematics: an iterative solver pays on every net", "", false,
-     printed_iterations_pay},
+     printed_iterations_pay, .timed = true},
     {"Nonlinear kinematics: an iterative solver pays on every net", "", false,
-     nonlinear_iterations_pay},
-    {"Keeping tangents of Newton's method pays on every net", "", false, keeping_pays},
+     nonlinear_iterations_pay, .timed = true},
+    {"Keeping tangents of Newton's method pays on every net", "", false, keeping_pays,
+     .timed = true},
     {"The last factor keeps the growth of a rebuilt frame below 1.25", "", true,
-     growth_is_small},
+     growth_is_small, .timed = true},
     {"All solvers give the same motion", "", false, motion_is_one},
+    {0}};
+
+/* --- direct ------------------------------------------------------------------------------
+ */
+
+/* A direct solver suffices if no iterative one that the paper names takes less than half of
+ * its time on a net of the paper: the factor that other ratios of time have, too. */
+static const double SUFFICES = 0.5;
+
+/* Returns the least time on a net over the direct solver's, of solvers whose label begins
+ * with a word; writes them. */
+static enum judge best_of(const struct study_results *d, const char *net, FILE *because)
+{
+    const char *solver[METHODS], *name = "none";
+    const int solvers = dataset_labels(d, "solver", METHODS, solver);
+    double best = NAN;
+
+    for (int m = 0; m < solvers; m++) {
+        const double ratio = dataset_at(d, QUANTITY_OF_REFERENCE,
+                                        WHERE({"net", net}, {"solver", solver[m]}));
+        if ((solver[m][0] == 'C' || solver[m][0] == 'G') && !isnan(ratio) &&
+            !(ratio >= best))
+            best = ratio, name = solver[m];
+    }
+    fprintf(because, "%s: %s takes %.3g of the direct solver's time, ours %.3g", net, name,
+            best,
+            dataset_at(d, QUANTITY_OF_REFERENCE,
+                       WHERE({"net", net}, {"solver", "ours: CG, last factor"})));
+    return judge_below(SUFFICES, best);
+}
+
+static enum judge direct_suffices(const struct study_results *d, FILE *because)
+{
+    const char *net[NETS];
+    const int nets = dataset_labels(d, "net", NETS, net);
+    enum judge turn = nets ? JUDGE_HOLDS : JUDGE_OPEN;
+
+    fputs("The best of those that it names, ", because);
+    for (int n = 0; n < nets; n++) {
+        fputs(n ? "; " : "", because);
+        turn = judge_both(turn, best_of(d, net[n], because));
+    }
+    fputs(".", because);
+    return turn;
+}
+
+const struct claim claim_direct[] = {
+    {"few unknowns, symmetric and positive definite: a direct solver suffices", "3.3",
+     false, direct_suffices, .timed = true},
     {0}};

@@ -66,6 +66,15 @@ const char *judge_words(enum judge turn, const char *holds, const char *fails,
     return turn == JUDGE_HOLDS ? holds : turn == JUDGE_FAILS ? fails : open;
 }
 
+const char *judge_verdict(enum judge turn)
+{
+    static const char *const word[JUDGES] = {"does not hold", "holds", "cannot be judged",
+                                             "not judged: quick",
+                                             "not judged: the machine was busy"};
+
+    return word[turn];
+}
+
 static struct table *kept;
 
 void judge_keep(struct table *rows)
@@ -73,22 +82,38 @@ void judge_keep(struct table *rows)
     kept = rows;
 }
 
+struct table *judge_table(const char *caption)
+{
+    static const struct table_column columns[] = {
+        {"source", NULL, TABLE_LEFT},   {"claim", NULL, TABLE_LEFT},
+        {"reading", NULL, TABLE_LEFT},  {"verdict", NULL, TABLE_LEFT},
+        {"sentence", NULL, TABLE_LEFT}, {"turns", NULL, TABLE_LEFT},
+        {"ours", NULL, TABLE_LEFT}};
+
+    return TABLE_OF(columns, caption);
+}
+
+void judge_add(struct table *rows, const struct judge_told *told)
+{
+    table_row(rows);
+    for (int n = 0; n < 7; n++)
+        table_text(rows, "%s",
+                   (const char *const[]){told->source, told->quote, told->reading,
+                                         judge_verdict(told->turn), told->here, told->turns,
+                                         told->ours}[n]);
+}
+
 void judge_print(FILE *file, const struct judge_told *told)
 {
-    static const char *const word[JUDGES] = {"does not hold", "holds", "cannot be judged",
-                                             "not judged: quick",
-                                             "not judged: the machine was busy"};
-    const char *const colon = *told->source ? ": " : "";
-    char text[2048];
+    char text[4096];
 
-    snprintf(text, sizeof text, "- %s%s%s: %s. %s%s%s\n", told->source, colon, told->quote,
-             word[told->turn], told->sentence, *told->reading ? " Reading: " : "",
-             told->reading);
+    snprintf(text, sizeof text, "- %s%s%s: %s. %s%s%s%s%s%s%s\n", told->source,
+             *told->source ? ": " : "", told->quote, judge_verdict(told->turn), told->here,
+             *told->turns ? " " : "", told->turns, *told->ours ? " " : "", told->ours,
+             *told->reading ? " Reading: " : "", told->reading);
     table_print_wrapped(text, file);
-    if (!kept)
-        return;
-    table_line(kept, "%s|%s|%s|%s|%s", told->source, told->quote, told->reading,
-               word[told->turn], told->sentence);
+    if (kept)
+        judge_add(kept, told);
 }
 
 static void path_of(const char *folder, char path[4096])

@@ -44,20 +44,29 @@ enum judge judge_both(enum judge a, enum judge b);
 const char *judge_words(enum judge turn, const char *holds, const char *fails,
                         const char *open);
 
-/* A statement that was judged; all borrowed. */
+/* A statement that was judged. */
 struct judge_told {
-    const char *source;  /* section or table of the paper; "": the statement is ours      */
-    const char *quote;   /* what is stated                                                */
-    const char *reading; /* of what the paper leaves open, and why; ""                    */
+    const char *source; /* section of the paper; "": the statement is ours                */
+    const char *quote;  /* what is stated                                                 */
     enum judge turn;
-    const char *sentence; /* has the numbers */
+    char *reading; /* of what the paper leaves open, and why; ""                          */
+    char *here;    /* the numbers that decide it                                          */
+    char *turns;   /* the readings that have another verdict, and their numbers; ""       */
+    char *ours;    /* the numbers of what we would do instead; ""                         */
 };
 
-/* Prints `- SOURCE: QUOTE: holds. SENTENCE`, or another word for the verdict. */
+/* Returns the words for a verdict: "holds", "does not hold", "cannot be judged", ... */
+const char *judge_verdict(enum judge turn);
+
+/* Makes a table for statements that were judged, and adds one to it: source, claim,
+ * reading, verdict, sentence, turns, ours. NULL without memory, as table_create. */
+struct table *judge_table(const char *caption);
+void judge_add(struct table *rows, const struct judge_told *told);
+
+/* Prints `- SOURCE: QUOTE: holds. HERE TURNS OURS Reading: READING`. */
 void judge_print(FILE *file, const struct judge_told *told);
 
-/* Adds whatever is printed from now on to this table, too, a row of the same five; NULL: no
- * more. */
+/* Adds whatever is printed from now on to this table, too; NULL: no more. */
 void judge_keep(struct table *rows);
 
 /* Mark a folder as that of a quick run, by FOLDER/quick.txt, and tell whether it is marked.

@@ -12,12 +12,6 @@ struct kept {
     struct table *sentences;
 };
 
-static const struct table_column columns[] = {{"source", NULL, TABLE_LEFT},
-                                              {"claim", NULL, TABLE_LEFT},
-                                              {"reading", NULL, TABLE_LEFT},
-                                              {"verdict", NULL, TABLE_LEFT},
-                                              {"sentence", NULL, TABLE_LEFT}};
-
 static void end(struct kept **kept)
 {
     table_keep(NULL);
@@ -44,7 +38,7 @@ void kept_open(const char *folder, const char *command, const char *word,
     output_print(k->file, "# clothbench %s%s%s | commit %s | %s | %s\n", command,
                  *word ? " " : "", word, provenance_value(&p, "commit"),
                  provenance_value(&p, "cpu"), provenance_value(&p, "date"));
-    k->sentences = TABLE_OF(columns, KEPT_SENTENCES);
+    k->sentences = judge_table(KEPT_SENTENCES);
     table_keep(output_stream(k->file));
     judge_keep(k->sentences);
     *kept = k;

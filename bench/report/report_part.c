@@ -61,18 +61,24 @@ const struct report_part report_part_list[] = {
     {"study_iterations", "How many iterations?", "study iterations",
      .picture = {{"iterations.png"}}},
     {"study_contact", "Onto the ground (Fig. 9)", "study contact",
+     .paper = true,
      .picture = {{"contact_sheets.png", "Fig. 9, cloth onto the ground: collision and "
                   "self-contact are detected on the control net"}}},
     {"study_flag", "A falling flag (Fig. 15)", "study flag",
      .picture = {{"flag_sheets.png", "Fig. 15, flag falling, at 0.75, 1.0 and 2.075 s"}}},
     {"study_artefacts", "Artefacts (Fig. 16)", "study artefacts",
+     .paper = true,
      .picture = {{"flag_sheets.png", "Fig. 16: normal, super-elongation, floating, "
                   "penetration"}}},
     {"study_fig6", "Three models side by side (Fig. 6)", "study fig6", .paper = true,
      .picture = {{"fig6_sheets.png", "Fig. 6: mass-spring, projective dynamics and IGA"}}},
     {"study_locking", "Locking", "study locking", .picture = {{"locking.png"}}},
     {"study_cures", "Cures of locking", "study cures", .picture = {{"cures.png"}}},
-    {"study_timestep", "Ever shorter steps", "study timestep", .picture = {{"timestep.png"}}},
+    {"study_timestep", "Ever shorter steps", "study timestep", .paper = true,
+     .picture = {{"timestep.png"}}},
+    {"study_direct", "A direct solver suffices", "study direct", .paper = true},
+    {"study_plasticity", "What stays when the force is gone", "study plasticity",
+     .paper = true},
     {"study_ensemble", "The drape test from eight starts", "study ensemble"},
     {"compare", "Speed against error: edge_drop", "compare edge_drop", .show = "speed",
      .file = {"compare_edge_drop/compare.csv", "compare.csv"},
@@ -363,9 +369,12 @@ static int write_kept(FILE *file, struct tally *tally, const struct report_part 
 
     for (int n = 0; t && n < t->rows; n++) {
         const bool ours = csv_column(t, "source") >= 0 && !*csv_words_of(t, n, "source");
+        const char *turns = csv_column(t, "turns") < 0 ? "" : csv_words_of(t, n, "turns");
+        char text[2048];
+        snprintf(text, sizeof text, "%s%s%s", csv_words_of(t, n, "sentence"),
+                 *turns ? " " : "", turns);
         write_claim(file, tally, part, ours, csv_words_of(t, n, "claim"),
-                    csv_words_of(t, n, "verdict"), csv_words_of(t, n, "sentence"),
-                    found->quick);
+                    csv_words_of(t, n, "verdict"), text, found->quick);
     }
     return t ? t->rows : 0;
 }

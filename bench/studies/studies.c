@@ -2,16 +2,17 @@
 #include <string.h>
 
 #include "bench/claims/claim.h"
+#include "bench/claims/statements.h"
 #include "bench/experiment/kept.h"
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
 #include "bench/ui/command.h"
 #include "bench/ui/progress.h"
 
-/* Tables are plans and the claims on them. */
+/* Tables are plans and the claims on them; that of all statements is of many plans. */
 static const struct table_plan {
     struct command_item item; /* first: the command's items point to these               */
-    const char *plan;
+    const char *plan;         /* NULL: all that have statements of the paper             */
 } tables[] = {
     {{"1", "Ren et al. 2024, Table 1: IGA plate against trilinear hexahedra, at equal "
            "looks and against truth"},
@@ -21,10 +22,15 @@ static const struct table_plan {
      "table2"},
     {{"3", "Ren et al. 2024, Table 3: milliseconds a frame over degree and net"}, "table3"},
     {{"4", "E, rho and mu that give cloth, and why the others do not"}, "table4-readings"},
+    {{"paper",
+      "every statement of the paper: its section, how it is read, our numbers, and "
+      "whether it holds"},
+     NULL},
 };
 
 static const struct command_item *const table_items[] = {
-    &tables[0].item, &tables[1].item, &tables[2].item, &tables[3].item, NULL,
+    &tables[0].item, &tables[1].item, &tables[2].item,
+    &tables[3].item, &tables[4].item, NULL,
 };
 
 /* A table or study that a command line asks for. */
@@ -98,6 +104,10 @@ static enum status choose(const struct command_line *line, struct asked *a,
     char *path = NULL;
     enum status st = STATUS_OK;
 
+    if (item && !((const struct table_plan *)(const void *)item)->plan) {
+        snprintf(a->folder, sizeof a->folder, "results");
+        goto out;
+    }
     if (item)
         TRY(named_file_find(&plan_kind, ((const struct table_plan *)item)->plan, &path,
                             why));
@@ -172,6 +182,19 @@ out:
     return st;
 }
 
+/* Makes what a report reads in the folder, and nothing for people. */
+static enum status keep(const struct asked *a, const struct study_results *r,
+                        struct message *why)
+{
+    FILE *nowhere = fopen("/dev/null", "w");
+    const enum status st =
+        nowhere ? claim_tell(r, a->folder, TABLE_TEXT, nowhere, why) : STATUS_OK;
+
+    if (nowhere)
+        fclose(nowhere);
+    return st;
+}
+
 /* Prints to standard output, and into the folder what a report reads: always tables and
  * sentences, though machines are printed no sentences. */
 static enum status print(const struct command_line *line, const struct asked *a,
@@ -180,24 +203,110 @@ static enum status print(const struct command_line *line, const struct asked *a,
     const bool prose = table_format_is_prose(a->format);
     struct study_results r = {0};
     struct kept *kept = NULL;
-    FILE *nowhere = NULL;
     enum status st = STATUS_OK;
 
     kept_open(a->folder, line->command->name, line->words[0], &kept);
     TRY(study_read(&a->plan, a->folder, &r, why));
-    if (kept && !prose && (nowhere = fopen("/dev/null", "w"))) {
-        TRY(claim_tell(&r, a->folder, TABLE_TEXT, nowhere, why));
+    if (kept && !prose) {
+        TRY(keep(a, &r, why));
         TRY(kept_close(&kept, why));
     }
     TRY(claim_tell(&r, a->folder, a->format, stdout, why));
     TRY(kept_close(&kept, why));
 out:
-    if (nowhere)
-        fclose(nowhere);
     kept_discard(&kept);
     study_clear(&r);
     return st;
 }
+
+/* --- all statements of the paper ---------------------------------------------------------
+ */
+
+/* Returns whether the paper states something that the plan judges. */
+static bool is_of_the_paper(const struct plan *plan)
+{
+    const struct claim *c = claim_find(plan->name);
+
+    while (c && c->quote && !*c->source)
+        c++;
+    return plan->statement_count || (c && c->quote);
+}
+
+/* Reads a plan for the table of all; its folder is where its own command has it. */
+static enum status read_one(const char *path, const struct asked *all, struct asked *a,
+                            struct message *why)
+{
+    enum status st;
+
+    *a = (struct asked){.from = all->from, .format = all->format, .quick = all->quick};
+    TRY(plan_read(path, &a->plan, why));
+    for (const struct table_plan *t = tables; t->plan; t++)
+        if (!strcmp(t->plan, a->plan.name))
+            snprintf(a->folder, sizeof a->folder, "%.4000s/table%s", all->folder,
+                     t->item.name);
+    if (!*a->folder)
+        snprintf(a->folder, sizeof a->folder, "%.3000s/study_%.900s", all->folder,
+                 a->plan.name);
+out:
+    return st;
+}
+
+/* Runs a plan, if the paper states something on it, and adds its statements. */
+static enum status add_plan(const char *path, const struct asked *all, struct statements *s,
+                            struct message *why)
+{
+    struct asked *a = calloc(1, sizeof *a);
+    struct study_results r = {0};
+    struct kept *kept = NULL;
+    enum status st = a ? STATUS_OK : STATUS_MEMORY;
+
+    TRY(st);
+    TRY(read_one(path, all, a, why));
+    if (!is_of_the_paper(&a->plan) || !a->plan.study_count)
+        goto out;
+    if (!a->from)
+        TRY(measure(a, why));
+    TRY(study_read(&a->plan, a->folder, &r, why));
+    kept_open(a->folder, "study", a->plan.name, &kept);
+    if (kept)
+        TRY(keep(a, &r, why));
+    TRY(kept_close(&kept, why));
+    TRY(statements_add(s, &r));
+out:
+    kept_discard(&kept);
+    study_clear(&r);
+    if (a)
+        plan_clear(&a->plan);
+    free(a);
+    return st;
+}
+
+static enum status run_all(const struct asked *all, struct message *why)
+{
+    struct statements *s = statements_create();
+    struct named_file_entry *plans = NULL;
+    int count = 0;
+    enum status st = s ? STATUS_OK : STATUS_MEMORY;
+
+    TRY(st);
+    TRY(named_file_list(&plan_kind, &plans, &count, why));
+    for (int n = 0; n < count; n++) {
+        char *path = NULL;
+        st = named_file_find(&plan_kind, plans[n].name, &path, why);
+        if (st == STATUS_OK)
+            st = add_plan(path, all, s, why);
+        free(path);
+        TRY(st);
+    }
+    TRY(statements_print(s, all->format, stdout));
+out:
+    named_file_list_free(plans, count);
+    statements_destroy(s);
+    return st;
+}
+
+/* --- the commands ------------------------------------------------------------------------
+ */
 
 static enum status run(const struct command_line *line, struct message *why)
 {
@@ -206,6 +315,10 @@ static enum status run(const struct command_line *line, struct message *why)
 
     TRY(st);
     TRY(read_line(line, a, why));
+    if (!a->plan.name) {
+        st = run_all(a, why);
+        goto out;
+    }
     if (!a->from)
         TRY(measure(a, why));
     TRY(print(line, a, why));
@@ -229,13 +342,16 @@ static const struct command_option options[] = {
 const struct command studies_table_command = {
     .name = "table",
     .summary = "recompute a table of the paper and print its numbers beside ours",
-    .arguments = "NUMBER [OPTION]...",
+    .arguments = "NUMBER|paper [OPTION]...",
     .text =
         "Runs every case of the table, stores a result file of each and makes the tables\n"
         "from these files. Times are processor time on one thread, the least of the\n"
-        "interleaved repeats.\n",
+        "interleaved repeats. `table paper` runs all plans on which the paper states\n"
+        "something, each in its own folder of DIR (results), and prints one table of its\n"
+        "statements.\n",
     .examples =
-        "table 1\ntable 1 --quick --format markdown\ntable 1 --from results/table1\n",
+        "table 1\ntable 1 --quick --format markdown\ntable 1 --from results/table1\n"
+        "table paper\n",
     .least = 1,
     .most = 1,
     .options = options,

@@ -87,10 +87,11 @@ static void check_kept(void)
     table_line(t, "a \"b\",\nc|%.3g", 0.1);
     table_note(t, "one\ntwo");
     CHECK(table_finish(t, TABLE_TEXT, nowhere) == STATUS_OK);
-    judge_print(nowhere,
-                &(struct judge_told){"4.1", "up, always", "at 1 s", JUDGE_HOLDS, "By 2."});
+    judge_print(nowhere, &(struct judge_told){"4.1", "up, always", JUDGE_HOLDS, "at 1 s",
+                                              "By 2.", "It turns.", "Ours: 3."});
     CHECK(kept_close(&kept, NULL) == STATUS_OK && !kept);
-    judge_print(nowhere, &(struct judge_told){"", "later", "", JUDGE_FAILS, "Not kept."});
+    judge_print(nowhere,
+                &(struct judge_told){"", "later", JUDGE_FAILS, "", "Not kept.", "", ""});
     fclose(nowhere);
     REQUIRE(csv_read(KEPT_NAME, &csv, NULL) == STATUS_OK && csv.count == 2);
     CHECK(strstr(csv.table[0].caption, "clothbench table 1 | commit "));
@@ -104,6 +105,8 @@ static void check_kept(void)
     CHECK(!strcmp(csv_words_of(&csv.table[1], 0, "reading"), "at 1 s"));
     CHECK(!strcmp(csv_words_of(&csv.table[1], 0, "verdict"), "holds"));
     CHECK(!strcmp(csv_words_of(&csv.table[1], 0, "sentence"), "By 2."));
+    CHECK(!strcmp(csv_words_of(&csv.table[1], 0, "turns"), "It turns."));
+    CHECK(!strcmp(csv_words_of(&csv.table[1], 0, "ours"), "Ours: 3."));
     csv_clear(&csv);
     kept_open("/proc/nowhere", "table", "1", &kept);
     CHECK(!kept && kept_close(&kept, NULL) == STATUS_OK);

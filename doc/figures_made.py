@@ -90,12 +90,17 @@ def table23():
     made = []
     for name, unit in [("table2", row(frames("table2"), study="fig12b")),
                        ("table3", frames("table3")[0])]:
-        for r, linear in zip(frames(name), frames(name, "linear")):
+        def label(r):
+            return tuple(r.get(axis) for axis in ("study", "degree", "net"))
+
+        linear = {label(r): digits(r["frame_ms"], 2) for r in frames(name, "linear")}
+        for r in frames(name):
             caption = captions[r["study"]] if "study" in r else \
                 f"Table 3: {r['degree']} {r['net']}"
             what, _, net = caption.partition(": ")
             made.append([what, *net.split(), digits(r["frame_ms"], 3),
-                         digits(linear["frame_ms"], 2), f"{float(r['paper_ms']):.0f}",
+                         linear.get(label(r), "-"),
+                         f"{float(r['paper_ms']):.0f}",
                          f"{float(r['frame_ms']) / float(unit['frame_ms']):.2f}",
                          f"{float(r['paper_ms']) / float(unit['paper_ms']):.2f}"])
     return markdown(["", "degree", "net", "printed", "prefactored", "paper", "relative",

@@ -254,18 +254,19 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     }
 }
 
-/* Finds the mid-surface's point in the coefficients: contact_row. */
+/* Finds a face's or the mid-surface's point in the coefficients: contact_row. */
 static int row(const void *self, double u, double v, int *node, double *shape)
 {
-    const struct hex *h = self;
+    const struct solid_face *face = self;
+    const struct hex *h = face->body;
     const int *n = h->points;
-    const double uvw[3] = {u, v, 0.5};
+    const double uvw[3] = {u, v, face->w};
     double weight[3][2];
     int at[3], used = 0;
 
     find_cell(h, uvw, at, weight);
     if (h->sheet.space.thickness_basis)
-        layer_values(NULL, 0.5, weight[2]);
+        layer_values(NULL, face->w, weight[2]);
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++)
             for (int k = 0; k < 2; k++, used++) {
@@ -277,13 +278,17 @@ static int row(const void *self, double u, double v, int *node, double *shape)
 
 static enum status meet(struct hex *h, const struct scene *scene)
 {
-    enum status st;
+    enum status st = STATUS_OK;
     const int points[2] = {scene_sheets(scene) * h->points[0], h->points[1]};
+    struct solid_motion *m = &h->sheet.motion;
+    const struct solid_face *face;
     struct contact_surface surface;
 
-    TRY(contact_surface_init_even(&surface, scene, h, row, 8, h->sheet.space.nodes,
-                                  points));
-    TRY(solid_motion_meet(&h->sheet.motion, &surface));
+    for (int n = 0; (face = solid_motion_face(m, h, n)); n++) {
+        TRY(contact_surface_init_even(&surface, scene, face, row, 8, h->sheet.space.nodes,
+                                      points));
+        TRY(solid_motion_meet(m, face, &surface));
+    }
 out:
     return st;
 }
@@ -301,6 +306,7 @@ static enum status init(void *state, const struct scene *scene,
     TRY(solid_model_refuse_fabric(scene, why));
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
     TRY(contact_rest_refuse(scene, why));
+    TRY(contact_refuse_linear(scene, d, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(refuse(d, why));
     TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));
@@ -315,8 +321,7 @@ static enum status init(void *state, const struct scene *scene,
                          (const int[]){sheets * d->points[0], d->points[1], d->points[2]},
                          d->points[2] == 2 ? middle : NULL, why));
     TRY(add_loads(h));
-    if (contact_wanted(scene))
-        TRY(meet(h, scene));
+    TRY(meet(h, scene));
     TRY(solid_model_misfit(&h->sheet, probe));
 out:
     free(x);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/contact/contact.h"
 #include "models/room.h"
 
 /* The samples of a span where the surface is smooth. */
@@ -52,7 +53,8 @@ static int repeat(const struct scene *scene, int count, double *line)
 enum status bspline_contact_refuse(const struct scene *scene,
                                    const struct discretization *d, struct message *why)
 {
-    if (d->contact == CONTACT_NET && (scene_closed(scene) || scene_sheets(scene) > 1))
+    if (d->contact == CONTACT_NET && contact_wanted(scene) &&
+        (scene_closed(scene) || scene_sheets(scene) > 1))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "contact=control_points is for one sheet that is not closed; "
                            "use contact=surface");

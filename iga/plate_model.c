@@ -803,7 +803,7 @@ static int extra_points(const struct scene *scene, const struct discretization *
 
 /* Turns tensor-product functions at w = 1/2 into weights of the coefficients; returns how
  * many are not zero. */
-static int middle_row(const struct plate *p, const int first[3],
+static int face_row(const struct plate *p, const int first[3],
                       double N[3][BSPLINE_MAX_ORDER], int *node, double *shape)
 {
     const struct bspline *b = p->patch.basis;
@@ -832,37 +832,46 @@ static int middle_row(const struct plate *p, const int first[3],
 /* Finds the mid-surface's point in the coefficients: contact_row. */
 static int row(const void *self, double u, double v, int *node, double *shape)
 {
-    const struct plate *p = self;
-    const double uvw[3] = {u, v, 0.5};
+    const struct solid_face *face = self;
+    const struct plate *p = face->body;
+    const double uvw[3] = {u, v, face->w};
     double N[3][BSPLINE_MAX_ORDER];
     int first[3];
 
     for (int i = 0; i < 3; i++)
         first[i] = alive(p, i, uvw[i], N[i]);
-    return middle_row(p, first, N, node, shape);
+    return face_row(p, first, N, node, shape);
 }
 
-/* Does so for the control net of the mid-surface. */
+/* Does so for its control net. */
 static int row_of_net(const void *self, double u, double v, int *node, double *shape)
 {
-    const struct plate *p = self;
+    const struct solid_face *face = self;
+    const struct plate *p = face->body;
     double N[3][BSPLINE_MAX_ORDER];
     const int first[3] = {bspline_contact_hats(&p->patch.basis[0], u, N[0]),
                           bspline_contact_hats(&p->patch.basis[1], v, N[1]),
-                          alive(p, 2, 0.5, N[2])};
+                          alive(p, 2, face->w, N[2])};
 
-    return middle_row(p, first, N, node, shape);
+    return face_row(p, first, N, node, shape);
 }
 
 static enum status meet(struct plate *p, const struct discretization *d)
 {
     static contact_row *const rows[CONTACT_SAMPLES] = {row, row_of_net};
+    struct solid_motion *m = &p->sheet.motion;
+    const struct solid_face *face;
     struct contact_surface surface;
-    enum status st =
-        bspline_contact_surface(&p->scene, p->patch.basis, d, p, rows,
-                                patch_local(&p->patch), patch_nodes(&p->patch), &surface);
+    enum status st = STATUS_OK;
 
-    return st == STATUS_OK ? solid_motion_meet(&p->sheet.motion, &surface) : st;
+    for (int n = 0; (face = solid_motion_face(m, p, n)); n++) {
+        TRY(bspline_contact_surface(&p->scene, p->patch.basis, d, face, rows,
+                                    patch_local(&p->patch), patch_nodes(&p->patch),
+                                    &surface));
+        TRY(solid_motion_meet(m, face, &surface));
+    }
+out:
+    return st;
 }
 
 static enum status init(void *state, const struct scene *scene,
@@ -875,6 +884,7 @@ static enum status init(void *state, const struct scene *scene,
 
     TRY(model_refuse(scene, PLATE_SERVES, why));
     TRY(contact_rest_refuse(scene, why));
+    TRY(contact_refuse_linear(scene, d, why));
     TRY(bspline_contact_refuse(scene, d, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
@@ -908,8 +918,7 @@ static enum status init(void *state, const struct scene *scene,
                          (const int[]){b[0].n, bspline_points(&b[1]), b[2].n},
                          one_element ? middle : NULL, why));
     TRY(add_loads(p, why));
-    if (contact_wanted(scene))
-        TRY(meet(p, d));
+    TRY(meet(p, d));
     TRY(solid_model_misfit(&p->sheet, probe));
 out:
     return st;

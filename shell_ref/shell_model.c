@@ -334,13 +334,11 @@ static enum status make_room(struct shell_motion *m, bool lumped)
 {
     size_t nodes = (size_t)m->space->nodes;
     const size_t pairs = (size_t)m->assembly.graph.start[nodes];
-    const bool linear = m->kinematics == KINEMATICS_LINEAR && contact_wanted(m->scene);
     enum status st =
         room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->load, 3 * nodes),
                  ROOM(m->held, 4 * (size_t)m->supports.held_count),
                  ROOM(m->beyond, lumped ? pairs : 0), ROOM(m->lumped, lumped ? pairs : 0),
-                 ROOM(m->K, pairs), ROOM(m->meets.tangent, linear ? pairs : 0),
-                 ROOM(m->meets.room, linear ? 18 * nodes : 0));
+                 ROOM(m->K, pairs));
 
     if (st == STATUS_OK)
         memcpy(m->x, m->space->rest, 3 * nodes * sizeof *m->x);
@@ -417,14 +415,6 @@ static enum status meet(struct shell_motion *m, const struct discretization *d)
     enum status st = bspline_contact_surface(m->scene, space->basis, d, m, rows,
                                              space->local, space->nodes, &surface);
 
-    m->meets = (struct contact_linear){.contact = &m->contact,
-                                       .newmark = &m->newmark,
-                                       .system = &m->system,
-                                       .K = (const double(*)[9])m->K,
-                                       .M = m->assembly.M,
-                                       .load = m->load,
-                                       .tangent = m->meets.tangent,
-                                       .room = m->meets.room};
     return st == STATUS_OK ? contact_init(&m->contact, m->scene, &surface) : st;
 }
 
@@ -472,7 +462,7 @@ static enum status build(struct shell_motion *m, const struct discretization *d,
                            (struct large_foresight){0}, m->K));
     if (m->kinematics == KINEMATICS_NONLINEAR)
         TRY(make_large(m, d));
-    else if (!contact_wanted(scene))
+    else
         TRY(find_parity(m));
     TRY(order_wide(m->space->basis[0].n, bspline_points(&m->space->basis[1]), 1, &order));
     TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order, d));
@@ -497,7 +487,6 @@ static void shell_motion_clear(struct shell_motion *m)
     free(m->dead);
     pressure_clear(&m->pressure);
     large_motion_clear(&m->large);
-    contact_linear_clear(&m->meets);
     contact_clear(&m->contact);
     memset(m, 0, sizeof *m);
 }
@@ -543,15 +532,11 @@ static enum status step_linear(struct shell_motion *m, struct counters *counters
     if (!m->started) {
         TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
                           follow(m, m->time, &held), counters));
-        m->started = m->meets.plain = true;
+        m->started = true;
     }
     const struct newmark_held *at = follow(m, m->time + n->dt, &held);
-    if (m->meets.contact) {
-        TRY(contact_linear_step(&m->meets, m->time, at, m->x, counters));
-    } else {
-        TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load, at));
-        counters->solves++;
-    }
+    TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load, at));
+    counters->solves++;
     for (size_t t = 0; t < count; t++)
         m->x[t] = m->space->rest[t] + m->newmark.d[t];
 out:
@@ -613,10 +598,7 @@ static void shell_motion_contact(const void *state, struct model_contact *contac
 {
     const struct shell_motion *m = state;
 
-    if (m->kinematics == KINEMATICS_NONLINEAR)
-        large_motion_contact(&m->large, contact);
-    else
-        contact_report(&m->contact, contact);
+    large_motion_contact(&m->large, contact);
 }
 
 static void shell_motion_size(const void *state, struct model_size *size)
@@ -841,6 +823,8 @@ static enum status refuse(const struct scene *scene, const struct discretization
 
     if (st == STATUS_OK)
         st = contact_rest_refuse(scene, why);
+    if (st == STATUS_OK)
+        st = contact_refuse_linear(scene, d, why);
     if (st == STATUS_OK)
         st = bspline_contact_refuse(scene, d, why);
     if (st != STATUS_OK)

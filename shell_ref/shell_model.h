@@ -6,7 +6,6 @@
 #ifndef SHELL_MODEL_H
 #define SHELL_MODEL_H
 
-#include "models/mechanics/contact_linear.h"
 #include "models/mechanics/large_motion.h"
 #include "models/model.h"
 #include "shell_ref/shell_assembly.h"
@@ -24,8 +23,7 @@
  * no slope (a slope held at one point has no limit under refinement). An area holds all
  * that does not vanish on it (support_knots.h), and so its border's slopes as well.
  *
- * Obstacles: samples of the mid-surface meet them (contact.h); linear steps as
- * contact_linear.h says, nonlinear as large_motion.h does.
+ * Obstacles: samples of the mid-surface meet them (contact.h), in nonlinear kinematics.
  */
 
 struct shell_motion {
@@ -54,7 +52,6 @@ struct shell_motion {
     struct large_motion large; /* nonlinear only                                       */
     struct pressure pressure;
     struct contact contact; /* all zero where there is nothing to meet                 */
-    struct contact_linear meets; /* linear kinematics with contact                     */
 };
 
 extern const struct model shell_model;

@@ -90,6 +90,7 @@ OF_LEVEL(seconds, to_last_time(p, quantity_at(p, QUANTITY_FRAME) / 1e3))
 OF_LEVEL(factorisations, a_step(r, r->work.factorisations))
 OF_LEVEL(solves, a_step(r, r->work.solves))
 OF_LEVEL(iterations, a_step(r, r->work.iterations))
+OF_LEVEL(tested, r->work.tested ? a_step(r, r->work.tested) : NAN)
 OF_LEVEL(left, r->work.left > 0 ? r->work.left : NAN)
 OF_LEVEL(loss, -r->value[MEASURE_ENERGY_DRIFT_END] / r->value[MEASURE_END_TIME])
 OF_LEVEL(stiffness, r->value[MEASURE_DROP_MAX] > 1 ? r->value[MEASURE_HANGING_STRAIN] / 2 /

@@ -57,6 +57,9 @@ struct place;
       "products with the factor or the preconditioner, mean over the frames")              \
     X(ITERATIONS, iterations, "iterations", "iterations", "a frame", 3, false,             \
       "iterations of the step, mean over the frames")                                      \
+    X(TESTED, tested, "tested", "tested", "a frame", 3, false,                             \
+      "samples held against a body by printed and incremental kinematics, mean over the "   \
+      "frames")                                                                            \
     X(LEFT, left, "left", "left", NULL, 2, false,                                          \
       "most that iterations leave of a step: vbd of the loads, projective_dynamics of "    \
       "the step's movement, position_based as strain")                                     \

@@ -38,6 +38,7 @@ static const struct {
     {"counters/iterations", "1"},
     {"counters/substeps", "1"},
     {"counters/left", "1"},
+    {"counters/tested", "1"},
 };
 enum { SERIES = sizeof series / sizeof *series };
 
@@ -232,6 +233,7 @@ enum status store_frame(struct store *s, double t, const double *xyz,
         (double)c->iterations,
         (double)c->substeps,
         c->left,
+        (double)c->tested,
     };
     enum status st = STATUS_OK;
 

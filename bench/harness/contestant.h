@@ -8,7 +8,7 @@
 #include "bench/harness/settings.h"
 #include "models/model.h"
 
-enum { CONTESTANT_SETTINGS = 4, CONTESTANT_STEPS = 4 };
+enum { CONTESTANT_SETTINGS = 5, CONTESTANT_STEPS = 4 };
 
 /* The commands that a contestant enters by default; bits. By name it enters any of them. */
 enum {

@@ -35,6 +35,7 @@
 #define CUBIC_2      "discretization.degree=[3,3]"
 #define DIRECT       "discretization.solver=direct"
 #define LEAPFROG     "discretization.integrator=leapfrog"
+#define CONTROL      "discretization.contact=control_points"
 #define PAPER        "discretization.parameters=paper"
 #define MATCHED      "discretization.parameters=matched"
 
@@ -43,9 +44,9 @@ const struct contestant contestant_table[] = {
     /* The first row of each model is the one with its defaults. The isogeometric plate. */
     {"iga", "IGA", "IGA def.", &plate_model, 0, {0}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
     {"iga_paper", "IGA, printed (paper)", "IGA paper", &plate_model,
-     COMPARE | STRESS | SPEED, {PRINTED, DIRECT, PLAIN}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+     COMPARE | STRESS | SPEED, {PRINTED, DIRECT, CONTROL, PLAIN}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
     {"iga_incremental", "IGA, incremental", "IGA incr.", &plate_model, COMPARE | SPEED,
-     {INCREMENTAL, PLAIN}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+     {INCREMENTAL, CONTROL, PLAIN}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
     {"iga_linear", "IGA, linear", "IGA lin.", &plate_model, COMPARE | SMALL | SPEED,
      {LINEAR, PLAIN}, 2, 2, {5, 10, 20, 40}, {1, 4}, {0}},
     {"iga_linear_3", "IGA, linear, p = 3", "IGA lin. 3", &plate_model, SMALL,

@@ -166,12 +166,15 @@ static enum status read_work(const struct store_read *file, struct counters *wor
                     {"counters/factorisations", &work->factorisations},
                     {"counters/solves", &work->solves},
                     {"counters/iterations", &work->iterations},
-                    {"counters/substeps", &work->substeps}};
+                    {"counters/substeps", &work->substeps},
+                    {"counters/tested", &work->tested}};
     enum status st = STATUS_OK;
 
     for (size_t n = 0; n < sizeof counters / sizeof *counters; n++) {
         double *value = NULL;
         int rows, columns;
+        if (counters[n].count == &work->tested && !store_read_has(file, counters[n].name))
+            continue; /* older files have none */
         TRY(store_read_array(file, counters[n].name, &value, &rows, &columns, why));
         *counters[n].count =
             rows && isfinite(value[rows - 1]) ? lround(value[rows - 1]) : 0;

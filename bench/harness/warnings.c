@@ -180,6 +180,12 @@ static double longest_span(const struct run *r)
     return fmax(r->scene.length / spans_of(r, 0), r->scene.width / spans_of(r, 1));
 }
 
+/* Returns whether contact follows the law of the scene. */
+static bool has_law(const struct run *r)
+{
+    return contact_wanted(&r->scene) && !kinematics_rebuilds(r->discretization.kinematics);
+}
+
 /* Takes the law at a body under the sheet's weight. */
 static bool edge_is_short(const struct run *r, double number[])
 {
@@ -188,7 +194,7 @@ static bool edge_is_short(const struct run *r, double number[])
     number[0] = longest_span(r);
     number[1] = contact_law_edge(&law, scene_bending_stiffness(&r->scene),
                                  contact_law_weight(&r->scene));
-    return contact_wanted(&r->scene) && number[0] > number[1];
+    return has_law(r) && number[0] > number[1];
 }
 
 /* Between two samples of contact, four a span of smooth nets, a chord lies as deep in a
@@ -203,7 +209,28 @@ static bool body_is_round(const struct run *r, double number[])
         if (r->scene.obstacles[o].radius > 0)
             number[0] =
                 fmax(number[0], s * s / 8 / (r->scene.obstacles[o].radius + law.start));
-    return number[0] > number[1];
+    return has_law(r) && number[0] > number[1];
+}
+
+/* printed and incremental kinematics put what is inside a body on its surface, no more. */
+static bool has_no_friction(const struct run *r, double number[])
+{
+    number[0] = r->scene.contact.self ? r->scene.contact.friction : 0;
+    for (int o = 0; o < r->scene.obstacle_count; o++)
+        number[0] = fmax(number[0], r->scene.obstacles[o].friction);
+    return kinematics_rebuilds(r->discretization.kinematics) && number[0] > 0;
+}
+
+static bool meets_bodies_only(const struct run *r, double number[])
+{
+    (void)number;
+    return kinematics_rebuilds(r->discretization.kinematics) && r->scene.contact.self;
+}
+
+static bool is_put_back(const struct run *r, double number[])
+{
+    (void)number;
+    return kinematics_rebuilds(r->discretization.kinematics) && r->scene.obstacle_count > 0;
 }
 
 static bool weighs_nothing(const struct run *r, double number[])
@@ -262,6 +289,15 @@ const struct warnings_rule warnings_rules[] = {
      "between the samples of contact a round body comes up to %.2g m nearer, but contact "
      "has "
      "a range of %.2g m: the body reaches into the sheet"},
+    {"put", "models/solid/solid_motion.h", is_put_back,
+     "what a step leads into a body is put on its surface with kinematics=printed or "
+     "incremental: there is no law of contact, and no force to tell"},
+    {"smooth", "models/solid/solid_motion.h", has_no_friction,
+     "friction is left out with kinematics=printed or incremental, and the scene has mu = "
+     "%g"},
+    {"crossing", "models/solid/solid_motion.h", meets_bodies_only,
+     "the sheet may cross itself with kinematics=printed or incremental: crossings are "
+     "counted, no more"},
     {"gravity", "key gravity, m/s^2", weighs_nothing, "the scene has no gravity"},
     {NULL},
 };

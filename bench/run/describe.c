@@ -84,14 +84,15 @@ static void describe_scene(const struct scene *scene, FILE *file)
 }
 
 /* Prints the law by which the sheet meets bodies and itself, and how it rests. */
-static void describe_contact(const struct scene *scene, FILE *file)
+static void describe_contact(const struct run *run, FILE *file)
 {
+    const struct scene *scene = &run->scene;
     const struct contact_law self = contact_law_self(scene), body = contact_law_body(scene);
     const double weight = contact_law_weight(scene);
     char bodies[80] = "", itself[80] = "";
     struct message line;
 
-    if (!contact_wanted(scene))
+    if (!contact_wanted(scene) || kinematics_rebuilds(run->discretization.kinematics))
         return;
     if (scene->obstacle_count)
         snprintf(bodies, sizeof bodies, "from %.4g m off bodies, range %.4g m; ",
@@ -154,7 +155,7 @@ void describe_setup(const struct run *run, FILE *file)
     if (model->describe)
         model->describe(run->state, &note);
     describe_scene(&run->scene, file);
-    describe_contact(&run->scene, file);
+    describe_contact(run, file);
     fprintf(file, "Gamma           %.4g (weight against bending: %s)\n",
             scene_gamma(&run->scene), bending(scene_gamma(&run->scene)));
     fprintf(file, "model           %s: %s\n", model->name, model->title);

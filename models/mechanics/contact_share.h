@@ -2,8 +2,8 @@
  * cure of overshoot. The pressure rises far more steeply than its slope says, and a whole
  * change may be thrown back by many times the force that drove it. Along a change d the
  * work r . d of the residual falls to nothing if the tangent is right; the share is good
- * where little is left, of either sign. Linear bodies and springs judge by the whole
- * residual, bodies at large displacements by the contact's part (large_newton.c).
+ * where little is left, of either sign. Springs judge by the whole residual, bodies at
+ * large displacements by the contact's part (large_newton.c).
  */
 #ifndef CONTACT_SHARE_H
 #define CONTACT_SHARE_H

@@ -45,7 +45,7 @@ void solid_model_contact(const void *state, struct model_contact *contact)
     if (m->large.contact)
         large_motion_contact(&m->large, contact);
     else
-        contact_report(&m->contact, contact);
+        contact_outside_report(&m->outside, contact);
 }
 
 void solid_model_net(const void *state, double *xyz)

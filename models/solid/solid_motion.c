@@ -73,7 +73,7 @@ void solid_motion_clear(struct solid_motion *m)
     large_motion_clear(&m->large);
     solid_green_clear(&m->green);
     system_clear(&m->system);
-    contact_linear_clear(&m->meets);
+    contact_outside_clear(&m->outside);
     contact_clear(&m->contact);
     newmark_clear(&m->newmark);
     supports_clear(&m->supports);
@@ -150,7 +150,6 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     enum status st;
     const size_t count = 3 * (size_t)space->nodes;
     const bool nonlinear = d->kinematics == KINEMATICS_NONLINEAR;
-    const bool meets = contact_wanted(scene) && !nonlinear;
     struct solid_motion new = {.scene = scene, .space = space, .kinematics = d->kinematics};
     memcpy(new.points, d->points, sizeof new.points);
     const struct law law = scene_law(scene);
@@ -165,8 +164,7 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     new.newmark.gamma = drag_on_d(scene, d->kinematics);
     TRY(room_cut(&new.room, ROOM(new.x, count), ROOM(new.load, count),
                  ROOM(new.held, 4 * (size_t) new.supports.held_count),
-                 ROOM(new.tangent, nonlinear || meets ? pairs : 0),
-                 ROOM(new.meets.room, meets ? 6 * count : 0)));
+                 ROOM(new.tangent, nonlinear ? pairs : 0)));
     memcpy(new.x, space->rest, count * sizeof *new.x);
     st = solid_assembly_compute(&new.assembly, new.x);
     if (st != STATUS_OK) {
@@ -180,10 +178,8 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
     *m = new; /* before the system, which keeps pointers into it */
     memset(&new, 0, sizeof new);
     st = system_init(&m->system, &m->assembly.graph, &m->supports,
-                     d->kinematics == KINEMATICS_LINEAR && !meets ? space->parity : NULL,
-                     order, d);
-    if (st == STATUS_OK && d->solver == SOLVER_AUTO && !meets &&
-        kinematics_rebuilds(d->kinematics))
+                     d->kinematics == KINEMATICS_LINEAR ? space->parity : NULL, order, d);
+    if (st == STATUS_OK && d->solver == SOLVER_AUTO && kinematics_rebuilds(d->kinematics))
         st = system_iterate(&m->system);
     if (st == STATUS_OK)
         st = follow(m);
@@ -196,17 +192,26 @@ out:
     return st;
 }
 
-enum status solid_motion_meet(struct solid_motion *m, struct contact_surface *surface)
+const struct solid_face *solid_motion_face(struct solid_motion *m, const void *body,
+                                           int face)
 {
-    m->meets = (struct contact_linear){.contact = &m->contact,
-                                       .newmark = &m->newmark,
-                                       .system = &m->system,
-                                       .K = (const double(*)[9])m->assembly.K,
-                                       .M = m->assembly.M,
-                                       .load = m->load,
-                                       .tangent = m->tangent,
-                                       .room = m->meets.room};
-    return contact_init(&m->contact, m->scene, surface);
+    const bool both = kinematics_rebuilds(m->kinematics);
+
+    if (!contact_wanted(m->scene) || face > both)
+        return NULL;
+    m->face[face] = (struct solid_face){body, both ? face : 0.5};
+    return &m->face[face];
+}
+
+enum status solid_motion_meet(struct solid_motion *m, const struct solid_face *face,
+                              struct contact_surface *surface)
+{
+    if (!kinematics_rebuilds(m->kinematics))
+        return contact_init(&m->contact, m->scene, surface);
+    m->outside.face[face - m->face] = *surface;
+    m->outside.layers = m->points[2];
+    m->outside.first_only = m->space->thickness_basis;
+    return STATUS_OK;
 }
 
 static double *held_row(struct solid_motion *m, int row)
@@ -255,7 +260,7 @@ static enum status start_linear(struct solid_motion *m, struct counters *counter
         held = path_motion(m, m->time);
     TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
                       m->supports.moving ? &held : NULL, counters));
-    m->meets.plain = m->started = true;
+    m->started = true;
 out:
     return st;
 }
@@ -280,13 +285,8 @@ static enum status step_linear(struct solid_motion *m, struct counters *counters
     if (m->supports.moving)
         held = path_motion(m, m->time + m->newmark.dt);
     const struct newmark_held *at = m->supports.moving ? &held : NULL;
-    if (m->meets.contact) {
-        TRY(contact_linear_step(&m->meets, m->time, at, m->x, counters));
-    } else {
-        TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load,
-                         at));
-        counters->solves++;
-    }
+    TRY(newmark_step(&m->newmark, &m->system, stiffness(m), m->assembly.M, m->load, at));
+    counters->solves++;
     for (size_t t = 0; t < count; t++)
         m->x[t] = m->space->rest[t] + m->newmark.d[t];
 out:
@@ -308,18 +308,24 @@ static enum status step_rebuilt(struct solid_motion *m, struct counters *counter
     if (m->supports.moving)
         held = step_motion(m, m->time + n->dt);
     const struct newmark_held *at = m->supports.moving ? &held : NULL;
-    if (m->meets.contact) {
-        TRY(contact_linear_rebuilt(&m->meets, m->time, at, m->x, counters));
-    } else {
-        TRY(system_update(&m->system, newmark_k(n), stiffness(m), newmark_m(n),
-                          m->assembly.M));
-        TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load, at));
-        counters->solves++;
-    }
+    TRY(system_update(&m->system, newmark_k(n), stiffness(m), newmark_m(n), m->assembly.M));
+    TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load, at));
+    counters->solves++;
     for (size_t t = 0; t < count; t++)
         m->x[t] += n->d[t];
 out:
     return st;
+}
+
+/* Puts what the step led into bodies back (solid_motion.h). */
+static void put_outside(struct solid_motion *m, struct counters *counters)
+{
+    const struct newmark *n = &m->newmark;
+    const double v = m->kinematics == KINEMATICS_PRINTED ? 0 : 1 / n->dt;
+    const struct contact_outside_rate rate[] = {{n->d, 1}, {n->v, v}};
+
+    contact_outside_put(&m->outside, m->scene, m->time, n->dt, m->supports.free_index, m->x,
+                        rate, counters);
 }
 
 enum status solid_motion_step(void *motion, struct counters *counters)
@@ -333,6 +339,8 @@ enum status solid_motion_step(void *motion, struct counters *counters)
     if (st != STATUS_OK)
         return st;
     damp_velocity(m);
+    if (m->outside.face[0].count)
+        put_outside(m, counters);
     m->time += m->newmark.dt;
     counters->steps++;
     return STATUS_OK;

@@ -13,17 +13,36 @@
  * a viscosity E dt. Body drag, of which the paper has none, therefore acts on d / dt there,
  * and on v elsewhere; and an initial velocity, which it has not either, begins as d / dt.
  *
- * Contact acts on the mid-surface: `nonlinear` as in large_motion.h, the others as in
- * contact_linear.h. `printed` and `incremental` have no energy, and no bound of it.
+ * Contact under `nonlinear` acts on the mid-surface, as in large_motion.h; `linear` refuses
+ * it. Of contact, the paper says only that it is looked for at the control net (4.2), so
+ * that `printed` and `incremental` do the least: after a step, and the damping of
+ * velocities, what is inside a body, of the control points or samples of both faces, is put
+ * on its surface (contact_outside.h), and velocities lose what points into the body. Let s be
+ * the way of the body's point in the step, and n its normal. A body that goes on at its speed
+ * s / dt is not entered by a point that goes on with it, under no force, if
+ *     d . n >= s . n  and  v . n >= 0                               under `printed`,
+ * where d is the increment of P, and v dt that of d, 0 at a constant speed; and
+ *     d . n >= s . n  and  v . n >= s . n / dt                  under `incremental`,
+ * where v is the velocity of P (its d is used up). d and v lose what they lack of that; so
+ * afterwards d is not the last increment of P, but what goes on from it. a stays: contact is
+ * an impulse at the step's end, and a, by which loads and stress move the sheet, has none of
+ * it. There is no friction, no energy, and no force to report. The sheet does not meet
+ * itself: that it crosses is counted where it is looked at.
  */
 #ifndef SOLID_MOTION_H
 #define SOLID_MOTION_H
 
-#include "models/mechanics/contact_linear.h"
+#include "models/contact/contact_outside.h"
 #include "models/mechanics/dead_load.h"
 #include "models/mechanics/large_motion.h"
 #include "models/mechanics/newmark.h"
 #include "models/solid/solid_green.h"
+
+/* What meets bodies: the mid-surface w = 1/2, or a face w = 0 or 1; `self` of its rows. */
+struct solid_face {
+    const void *body; /* the model's                                                   */
+    double w;
+};
 
 struct solid_motion {
     const struct scene *scene;       /* borrowed                                       */
@@ -43,8 +62,9 @@ struct solid_motion {
     bool started; /* the constant system is factored                                  */
 
     /* These are used where there is something to meet only. */
-    struct contact contact;
-    struct contact_linear meets; /* but in nonlinear kinematics                        */
+    struct solid_face face[CONTACT_OUTSIDE_FACES];
+    struct contact contact;         /* nonlinear                                       */
+    struct contact_outside outside; /* printed, incremental                            */
 
     /* These are used in nonlinear kinematics only. */
     struct solid_green green;
@@ -60,9 +80,12 @@ enum status solid_motion_init(struct solid_motion *m, const struct scene *scene,
                               struct message *why);
 void solid_motion_clear(struct solid_motion *m);
 
-/* Takes over the mid-surface that meets bodies and itself, after solid_motion_init; where
- * the scene wants it (contact_wanted). */
-enum status solid_motion_meet(struct solid_motion *m, struct contact_surface *surface);
+/* After solid_motion_init: names the surfaces that meet bodies, from face 0 on, up to NULL,
+ * which is the first where there is nothing to meet; and takes the surface of one over. */
+const struct solid_face *solid_motion_face(struct solid_motion *m, const void *body,
+                                           int face);
+enum status solid_motion_meet(struct solid_motion *m, const struct solid_face *face,
+                              struct contact_surface *surface);
 
 /* Puts the scene's loads on the functions of u, v and w; once, before the first step. */
 enum status solid_motion_add_loads(struct solid_motion *m,

@@ -8,6 +8,7 @@ enum { MOST = 4 };
 #define NET       "discretization.points=[6,5,2]"
 #define CUBIC     "discretization.degree=[3,3,3]", "discretization.points=[6,4,4]"
 #define FLOOR     "obstacles=[{plane: {point: [0,0,0.01], normal: [0,0,1]}}]"
+#define BELOW     "obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1]}}]"
 #define EXPLICIT  "discretization.integrator=explicit"
 #define LEAPFROG  "discretization.integrator=leapfrog"
 #define IMPLICIT  "discretization.integrator=implicit"
@@ -38,6 +39,11 @@ static const struct row {
     {"mass_spring",
      "kinematics=linear: mass_spring has nonlinear",
      {"discretization.kinematics=linear"}},
+    /* contact */
+    {"iga_linear", "no contact with kinematics=linear", {BELOW, NET}},
+    {"hex_linear", "use kinematics=nonlinear", {"contact={}", NET}},
+    {"shell_linear", "no contact with kinematics=linear", {BELOW}},
+    {"iga_paper", NULL, {BELOW}},
     /* fabrics */
     {"hex", "bend with 0.85 of B1, 1.18 of B2", {PONTE "0}"}},
     {"iga", "with remedy=selective or clamped", {PONTE "0}", "discretization.remedy=none"}},

@@ -78,7 +78,6 @@ static const struct meeting {
     {"shell", KEY "degree=[2,2,1]", false, 1e-3, 1e-12},
     {"iga", "", false, 1e-3, 1e-12},
     {"hex", "", false, 1e-3, 1e-12},
-    {"shell", KEY "kinematics=linear", false, 1e-3, 1e-12},
     {"triangles", KEY "integrator=leapfrog", false, 3e-2, 1e-8},
     {"mass_spring", "", false, 1e-3, 0.04},
     {"position_based", "", false, 1e-2, 0.04},

@@ -10,8 +10,6 @@ static const double UNEVEN = 0.1, COMPRESSED = 1e-3, MIRRORED = 1e-9, ON_PLANE =
 #define FALLS 0.1, NULL
 
 static const struct verify_subject entries[] = {
-    {"iga_linear,iga_paper,iga_incremental,hex_linear,shell_linear", 0,
-     "small strains, or the paper's scheme"},
     {"iga_nonlinear,hex_nonlinear", 0, "swings through its thickness"},
     {"shell_2", FALLS, .dear = true},
     {"triangles,mass_spring_momentum", FALLS},

@@ -115,7 +115,7 @@ static bool is_meant(const struct study *s, int level, int time, const struct wh
     for (; w->axis; w++) {
         const bool is_time = !strcmp(w->axis, "at");
         if (is_time && !strcmp(w->label, "*")) {
-            at = s->time[time];
+            at = s->time ? s->time[time] : last;
             continue;
         }
         const char *label = is_time ? w->label : dataset_label(s, level, w->axis);

@@ -804,7 +804,7 @@ static int extra_points(const struct scene *scene, const struct discretization *
 /* Turns tensor-product functions at w = 1/2 into weights of the coefficients; returns how
  * many are not zero. */
 static int face_row(const struct plate *p, const int first[3],
-                      double N[3][BSPLINE_MAX_ORDER], int *node, double *shape)
+                    double N[3][BSPLINE_MAX_ORDER], int *node, double *shape)
 {
     const struct bspline *b = p->patch.basis;
     const double *weight = p->patch.weight;

@@ -334,11 +334,10 @@ static enum status make_room(struct shell_motion *m, bool lumped)
 {
     size_t nodes = (size_t)m->space->nodes;
     const size_t pairs = (size_t)m->assembly.graph.start[nodes];
-    enum status st =
-        room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->load, 3 * nodes),
-                 ROOM(m->held, 4 * (size_t)m->supports.held_count),
-                 ROOM(m->beyond, lumped ? pairs : 0), ROOM(m->lumped, lumped ? pairs : 0),
-                 ROOM(m->K, pairs));
+    enum status st = room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->load, 3 * nodes),
+                              ROOM(m->held, 4 * (size_t)m->supports.held_count),
+                              ROOM(m->beyond, lumped ? pairs : 0),
+                              ROOM(m->lumped, lumped ? pairs : 0), ROOM(m->K, pairs));
 
     if (st == STATUS_OK)
         memcpy(m->x, m->space->rest, 3 * nodes * sizeof *m->x);

@@ -17,17 +17,19 @@
  * it. Of contact, the paper says only that it is looked for at the control net (4.2), so
  * that `printed` and `incremental` do the least: after a step, and the damping of
  * velocities, what is inside a body, of the control points or samples of both faces, is put
- * on its surface (contact_outside.h), and velocities lose what points into the body. Let s be
- * the way of the body's point in the step, and n its normal. A body that goes on at its speed
- * s / dt is not entered by a point that goes on with it, under no force, if
- *     d . n >= s . n  and  v . n >= 0                               under `printed`,
- * where d is the increment of P, and v dt that of d, 0 at a constant speed; and
- *     d . n >= s . n  and  v . n >= s . n / dt                  under `incremental`,
- * where v is the velocity of P (its d is used up). d and v lose what they lack of that; so
- * afterwards d is not the last increment of P, but what goes on from it. a stays: contact is
- * an impulse at the step's end, and a, by which loads and stress move the sheet, has none of
- * it. There is no friction, no energy, and no force to report. The sheet does not meet
- * itself: that it crosses is counted where it is looked at.
+ * on its surface (contact_outside.h), and velocities lose what points into the body. Let s
+ * be the way of the body's point in the step, and n its normal. A body that goes on at its
+ * speed s / dt is not entered by a point that goes on with it, under no force, if
+ *
+ *   printed      d . n >= s . n  and  v . n >= 0, where d is the increment of P, and v dt
+ *                that of d, 0 at a constant speed;
+ *   incremental  d . n >= s . n  and  v . n >= s . n / dt, where v is the velocity of P.
+ *
+ * d and v lose what they lack of that; so afterwards d is not the last increment of P, but
+ * what goes on from it. a stays: contact is an impulse at the step's end, and a, by which
+ * loads and stress move the sheet, has none of it. There is no friction, no energy, and no
+ * force to report. The sheet does not meet itself: that it crosses is counted where it is
+ * looked at.
  */
 #ifndef SOLID_MOTION_H
 #define SOLID_MOTION_H

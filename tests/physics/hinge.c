@@ -107,7 +107,8 @@ static void check_line(const struct row *row)
 
     check_held(row, (const char *const[]){PLATE, MATERIAL, MOVED, NULL}, path);
     check_held(row, (const char *const[]){PLATE, MATERIAL, MOVED, POINTS, NULL}, path);
-    check_held(row, (const char *const[]){PLATE, MATERIAL, FAR, NULL}, still);
+    if (!row->linear) /* which has no contact */
+        check_held(row, (const char *const[]){PLATE, MATERIAL, FAR, NULL}, still);
 }
 
 /* Shares of a metre: round-off of a few solves of condition (L / h)^2; the cloak is

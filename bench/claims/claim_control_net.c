@@ -119,7 +119,7 @@ static enum judge second_order(const struct study_results *d, FILE *because)
     return turn;
 }
 
-#define PAPER "Ren et al. 2024, section 4.2"
+#define PAPER "4.2, Fig. 9"
 #define SCENES                                                                             \
     CLAIM_READINGS({"the ground of Fig. 9", WHERE({"study", "ground"})},                   \
                    {"a ball", WHERE({"study", "ball"})})

@@ -206,9 +206,11 @@ int bspline_span(const struct bspline *b, double u)
     return low;
 }
 
+/* Room for a degree more: a spline times a straight line (line_rule.c). */
+enum { ROOM = BSPLINE_MAX_ORDER + 1 };
+
 /* Computes row[q][a] = N_{span-q+a} of degree q, for all q <= p (the triangle of A2.2). */
-static void triangle(const struct bspline *b, int span, double u,
-                     double row[BSPLINE_MAX_ORDER][BSPLINE_MAX_ORDER])
+static void triangle(const struct bspline *b, int span, double u, double row[ROOM][ROOM])
 {
     row[0][0] = 1.0;
     for (int q = 1; q <= b->p; q++) {
@@ -239,7 +241,7 @@ static void differentiate(const struct bspline *b, int span, int q, double *c)
 
 void bspline_eval(const struct bspline *b, int span, double u, int order, double *out)
 {
-    double row[BSPLINE_MAX_ORDER][BSPLINE_MAX_ORDER];
+    double row[ROOM][ROOM];
     int p = b->p;
 
     assert(order >= 0 && order <= p);

@@ -1,5 +1,6 @@
 #include "iga/line_rule.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -100,34 +101,177 @@ static void solve(int n, int band, double *A, double *w)
     }
 }
 
-/* Computes points and weights of line_rule_greville; returns how many, 0: no memory. */
-static int greville(const struct bspline *b, bool derivative, double *at, double *weight)
+/* Points of a spline space in the making, one a function. */
+struct points {
+    struct bspline s;    /* the space; borrows its knots                               */
+    double *at, *weight; /* [s.n]                                                      */
+    int *span;           /* [s.n] knot index of the span that each lies in             */
+};
+
+/* Tells whether point q lies on a knot where functions end: it stays there. */
+static bool stays(const struct bspline *s, int q)
 {
-    const struct bspline s = {b->p - derivative, b->n - derivative, b->U + derivative, 0};
-    size_t n = (size_t)s.n;
-    double *A = calloc(n * n, sizeof *A), *N = malloc(n * sizeof *N);
+    return s->U[q + 1] == s->U[q + s->p];
+}
+
+/* Places the points at Greville abscissae: on either side of a knot where the space has a
+ * jump one of them. */
+static void place(struct points *p)
+{
+    const struct bspline *s = &p->s;
+
+    for (int q = 0; q < s->n; q++) {
+        p->at[q] = stays(s, q) ? s->U[q + 1] : bspline_greville(s, q);
+        p->span[q] = bspline_span(s, p->at[q]);
+        if (stays(s, q) && s->U[q + s->p + 1] == p->at[q])
+            while (s->U[p->span[q]] == p->at[q])
+                p->span[q]--;
+    }
+}
+
+/* Computes weights for which every spline of the space is integrated exactly. */
+static void weigh(struct points *p, double *A)
+{
+    const struct bspline *s = &p->s;
+    double N[BSPLINE_MAX_ORDER];
     bool positive = true;
 
-    if (!A || !N) {
-        free(A);
-        free(N);
-        return 0;
+    memset(A, 0, (size_t)s->n * (size_t)s->n * sizeof *A);
+    for (int q = 0; q < s->n; q++) {
+        bspline_eval(s, p->span[q], p->at[q], 0, N);
+        for (int a = 0; a <= s->p; a++)
+            A[(p->span[q] - s->p + a) * s->n + q] = N[a];
+        p->weight[q] = integral(s, q);
     }
-    for (int q = 0; q < s.n; q++) {
-        at[q] = bspline_greville(&s, q);
-        weight[q] = integral(&s, q);
-        bspline_values(&s, at[q], N);
-        for (int a = 0; a < s.n; a++)
-            A[a * s.n + q] = N[a];
+    solve(s->n, s->p, A, p->weight);
+    for (int q = 0; q < s->n; q++)
+        positive = positive && p->weight[q] > 0;
+    for (int q = 0; q < s->n && !positive; q++)
+        p->weight[q] = integral(s, q);
+}
+
+/* Makes the space of products of the splines in s and straight lines: of degree p + 1,
+ * every knot once more. V has room for twice the knots. */
+static struct bspline times_line(const struct bspline *s, double *V)
+{
+    int count = 0;
+
+    for (int k = 0; k < s->n + s->p + 1; k++) {
+        V[count++] = s->U[k];
+        if (k == s->n + s->p || s->U[k + 1] > s->U[k])
+            V[count++] = s->U[k];
     }
-    solve(s.n, s.p, A, weight);
-    for (int q = 0; q < s.n; q++)
-        positive = positive && weight[q] > 0;
-    for (int q = 0; q < s.n && !positive; q++)
-        weight[q] = integral(&s, q);
-    free(A);
-    free(N);
-    return s.n;
+    return (struct bspline){.p = s->p + 1, .n = count - s->p - 2, .U = V};
+}
+
+/* What is missing to the integrals of e, [e->n], and its product with the transposed
+ * Jacobian in the points' relative changes (of weights, and of places in weights); returns
+ * the largest miss, in parts of an integral. */
+static double miss(const struct points *p, const struct bspline *e, double *A, double *F)
+{
+    double T[2 * (BSPLINE_MAX_ORDER + 1)], worst = 0;
+    const double *slope = T + e->p + 1;
+
+    memset(A, 0, (size_t)e->n * (size_t)e->n * sizeof *A);
+    for (int a = 0; a < e->n; a++)
+        F[a] = integral(e, a);
+    for (int q = 0; q < p->s.n; q++) {
+        const double w = p->weight[q], w2 = stays(&p->s, q) ? 0 : w * w;
+        const int span = bspline_span(e, p->s.U[p->span[q]]), first = span - e->p;
+        bspline_eval(e, span, p->at[q], 1, T);
+        for (int a = 0; a <= e->p; a++) {
+            F[first + a] -= w * T[a];
+            for (int b = 0; b <= e->p; b++)
+                A[(first + a) * e->n + first + b] +=
+                    w * w * (T[a] * T[b] + w2 * slope[a] * slope[b]);
+        }
+    }
+    for (int a = 0; a < e->n; a++)
+        worst = fmax(worst, fabs(F[a]) / integral(e, a));
+    return worst;
+}
+
+/* Moves the points by A^-1 F times the Jacobian: the least change that meets the integrals,
+ * or a part of it. */
+static void move(struct points *p, const struct bspline *e, const double *y, double *change)
+{
+    const double MOST = 0.3; /* of a weight, in one step */
+    double T[2 * (BSPLINE_MAX_ORDER + 1)], most = MOST;
+
+    for (int q = 0; q < p->s.n; q++) {
+        const int span = bspline_span(e, p->s.U[p->span[q]]);
+        double *c = change + 2 * q;
+        bspline_eval(e, span, p->at[q], 1, T);
+        c[0] = c[1] = 0;
+        for (int a = 0; a <= e->p; a++) {
+            c[0] += p->weight[q] * T[a] * y[span - e->p + a];
+            c[1] += p->weight[q] * p->weight[q] * T[e->p + 1 + a] * y[span - e->p + a];
+        }
+        c[1] *= !stays(&p->s, q);
+        most = fmax(most, fmax(fabs(c[0]), fabs(c[1])));
+    }
+    for (int q = 0; q < p->s.n; q++) {
+        p->at[q] += MOST / most * change[2 * q + 1] * p->weight[q];
+        p->weight[q] *= 1 + MOST / most * change[2 * q];
+        if (!stays(&p->s, q))
+            p->span[q] = bspline_span(&p->s, p->at[q]);
+    }
+}
+
+/* Moves points and weights until they integrate products with straight lines, too: Newton's
+ * method, by least changes. Returns whether they do, are positive, and are unisolvent for
+ * the space (Schoenberg, Whitney 1953). */
+static bool refine(struct points *p, double *room)
+{
+    enum { TRIES = 40 };
+    const double EXACT = 1e-14; /* round-off of sums of some dozen terms */
+    const struct bspline *s = &p->s, e = times_line(s, room);
+    double *F = room + 2 * (s->n + s->p + 1), *change = F + e.n, *A = change + 2 * s->n;
+    bool good = false;
+
+    for (int n = 0; n < TRIES && !good; n++) {
+        good = miss(p, &e, A, F) < EXACT;
+        if (good)
+            break;
+        solve(e.n, e.p, A, F);
+        move(p, &e, F, change);
+    }
+    for (int q = 0; q < s->n; q++)
+        good = good && p->weight[q] > 0 &&
+               (stays(s, q) || (p->at[q] > s->U[q] && p->at[q] < s->U[q + s->p + 1])) &&
+               (!q || p->at[q] > p->at[q - 1] || p->span[q] > p->span[q - 1]);
+    return good;
+}
+
+static void points_clear(struct points *p)
+{
+    free(p->at);
+    free(p->span);
+}
+
+/* Makes the points of line_rule_greville. STATUS_MEMORY leaves nothing. */
+static enum status points_init(struct points *p, const struct bspline *b, bool derivative)
+{
+    const size_t n = (size_t)(b->n - derivative), knots = n + (size_t)b->p + 2;
+    double *room = malloc((4 * n * n + 8 * knots) * sizeof *room);
+
+    *p = (struct points){.s = {b->p - derivative, (int)n, b->U + derivative, 0},
+                         .at = malloc(2 * n * sizeof *p->at),
+                         .span = malloc(n * sizeof *p->span)};
+    if (!room || !p->at || !p->span) {
+        points_clear(p);
+        free(room);
+        return STATUS_MEMORY;
+    }
+    p->weight = p->at + n;
+    place(p);
+    weigh(p, room);
+    if (p->s.p > 1 && !refine(p, room)) {
+        place(p);
+        weigh(p, room);
+    }
+    free(room);
+    return STATUS_OK;
 }
 
 /* Takes one point in each span of a closed basis. */
@@ -151,30 +295,28 @@ enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
     if (b->wrap)
         return spread(rule, b, derivative);
     enum status st = line_rule_room(rule, b);
-    double *at = malloc(2 * (size_t)b->n * sizeof *at), *weight = at ? at + b->n : NULL;
     const int parts = b->parts > 1 ? b->parts : 1;
-    int count = at && st == STATUS_OK;
 
-    for (int k = 0; k < parts && count; k++) {
+    for (int k = 0; k < parts && st == STATUS_OK; k++) {
         const struct bspline part = bspline_part(b, k);
-        const int spans = rule->spans / parts;
-        count = greville(&part, derivative, at, weight);
-        for (int q = 0, e = k * spans; q < count; q++) {
-            while (e + 1 < (k + 1) * spans && at[q] >= b->U[rule->span[e + 1]])
+        struct points p;
+        st = points_init(&p, &part, derivative);
+        for (int q = 0, e = k * (rule->spans / parts); st == STATUS_OK && q < p.s.n; q++) {
+            while (rule->span[e] - k * part.n < p.span[q] + derivative)
                 e++;
             const double size = line_rule_size(rule, b, e);
             const int to = e * LINE_RULE_MOST + rule->count[e]++;
-            rule->x[to] = (at[q] - b->U[rule->span[e]]) / size;
-            rule->part[to] = weight[q] / size;
+            rule->x[to] = (p.at[q] - b->U[rule->span[e]]) / size;
+            rule->part[to] = p.weight[q] / size;
         }
+        if (st == STATUS_OK)
+            points_clear(&p);
     }
-    free(at);
-    if (!count) {
+    if (st == STATUS_OK)
+        line_rule_most(rule);
+    else
         line_rule_clear(rule);
-        return STATUS_MEMORY;
-    }
-    line_rule_most(rule);
-    return STATUS_OK;
+    return st;
 }
 
 /* Fills the numbers of the points of functions span - p to span, ascending; returns which

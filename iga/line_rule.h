@@ -32,12 +32,18 @@ enum status line_rule_gauss(struct line_rule *rule, const struct bspline *b, int
 enum status line_rule_bending(struct line_rule *rule, const struct bspline *b);
 
 /* Takes one point a function, or with `derivative` one a function of the space of
- * derivatives (degree p - 1, n - 1 functions): their Greville abscissae, with weights that
- * integrate every spline of that space exactly (of a closed basis one a span, as heavy as
- * any), those of its interpolant (Greville 1967; as
- * points of collocation: Johnson, Appl. Numer. Math. 52, 2005). Where knots are so uneven
- * that a weight comes out negative, all are the integrals of the functions themselves,
- * exact for straight lines. */
+ * derivatives (degree p - 1, n - 1 functions). The points are unisolvent for that space,
+ * and with positive weights they integrate every product of a spline in it and a straight
+ * line: they begin at the Greville abscissae (as points of collocation: Johnson, Appl.
+ * Numer. Math. 52, 2005) and move by the least changes that do, those at ends and at knots
+ * where functions end not at all. A stress that is constant or linear along the line is
+ * then in balance with its loads. (At the Greville abscissae themselves, with the weights
+ * of the interpolant, a constant one is, but weights are negative on uneven knots, and a
+ * strip of degree 3 that hangs is pressed at its free end by .354 of the weight of a span,
+ * and folds there.) Of degree 1 the points stay on the knots, and integrate splines alone;
+ * of a closed basis they are one a span. Were there no such points, they would be at the
+ * Greville abscissae, with weights that integrate the splines, or where one of these is
+ * negative, constants. */
 enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
                                bool derivative);
 

@@ -250,31 +250,66 @@ static enum status press(struct shell_motion *m)
     return st;
 }
 
-/* Widens an edge of a sheet in direction d to the second row of control points, at either
- * end. */
-static void clamp_edge(const struct scene *scene, struct scene_support *s, int d,
-                       const struct bspline *b)
+/* Returns the components that a clamp holds of the row beside an edge, whose nodes begin at
+ * `first` and come every `way`, `step` from those of the edge: all but the one along the
+ * sheet across the edge, in which the sheet may stretch. All where that is no coordinate
+ * axis, or where the clamp turns it. */
+static int held_beside(const struct shell_motion *m, const struct scene_support *s,
+                       int first, int way, int count, int step)
 {
-    const int n = bspline_part(b, 0).n;
-    double at = s->lo[1];
-    const int first = d ? 0 : n * scene_sheet_at(scene, s->lo[0], &at);
+    const double ALONG = 1e-12; /* round-off of a direction */
+    double side[3] = {0}, size = 0;
 
-    if (at == 0)
-        s->hi[d] = support_knots_at(scene, b, d, first + 1);
-    else if (at == 1)
-        s->lo[d] = support_knots_at(scene, b, d, first + n - 2);
+    for (int k = 0; k < count; k++)
+        for (int i = 0; i < 3; i++) {
+            const double *x = m->space->rest + 3 * (first + k * way) + i;
+            const double apart = fabs(x[0] - x[3 * step]);
+            side[i] = fmax(side[i], apart), size = fmax(size, apart);
+        }
+    for (int i = 0; i < 3 && !s->motion.turn_count; i++)
+        if (fmax(side[(i + 1) % 3], side[(i + 2) % 3]) <= ALONG * size)
+            return FIX_XYZ & ~(1 << i);
+    return FIX_XYZ;
 }
 
-/* Makes the scene's supports, borrowed paths and all, with clamped edges two rows wide. */
+/* Makes the clamp of the row of control points beside an edge across direction d: the
+ * direction of the sheet there. Returns whether the support is such an edge. */
+static bool clamp_slope(const struct shell_motion *m, const struct scene_support *s, int d,
+                        struct scene_support *slope)
+{
+    const struct bspline *b = m->space->basis;
+    const int n = bspline_part(&b[d], 0).n, rows = bspline_points(&b[1]);
+    double at = s->lo[1];
+    const int part = d ? 0 : n * scene_sheet_at(m->scene, s->lo[0], &at),
+              beside = part + (at == 0 ? 1 : n - 2), step = d ? 1 : rows;
+
+    if (s->lo[d] != s->hi[d] || s->lo[1 - d] >= s->hi[1 - d] || (at != 0 && at != 1))
+        return false;
+    *slope = *s;
+    slope->lo[d] = slope->hi[d] = support_knots_at(m->scene, &b[d], d, beside);
+    slope->fix = held_beside(m, s, beside * step, d ? rows : 1, d ? b[0].n : rows,
+                             at == 0 ? -step : step);
+    return true;
+}
+
+/* Makes the scene's supports, borrowed paths and all, and after them those that hold the
+ * direction of the sheet at clamped edges. */
 static enum status clamp_edges(struct shell_motion *m, struct message *why)
 {
     const struct scene *scene = m->scene;
+    struct scene *held = &m->held_scene;
+    const size_t count = (size_t)scene->support_count;
+    struct scene_support *supports;
     enum status st;
 
-    m->held_scene = *scene;
-    TRY(support_knots_hold(scene, m->space->basis, &m->held_scene.supports));
+    *held = *scene;
+    TRY(support_knots_hold(scene, m->space->basis, &held->supports));
+    supports = realloc(held->supports, (2 * count + 1) * sizeof *supports);
+    if (!supports)
+        return STATUS_MEMORY;
+    held->supports = supports;
     for (int n = 0; n < scene->support_count; n++) {
-        struct scene_support *s = &m->held_scene.supports[n];
+        const struct scene_support *s = &held->supports[n];
         if (s->lo[2] > 0.5 || s->hi[2] < 0.5)
             TRY(status_fail(why, STATUS_UNSUPPORTED,
                             "support %d misses the mid-surface w = 1/2, and a shell has "
@@ -283,9 +318,9 @@ static enum status clamp_edges(struct shell_motion *m, struct message *why)
         if (s->fix != FIX_XYZ || s->lo[2] == s->hi[2])
             continue;
         for (int d = 0; d < 2; d++)
-            if (s->lo[d] == s->hi[d] && s->lo[1 - d] < s->hi[1 - d])
-                clamp_edge(scene, s, d, &m->space->basis[d]);
+            held->support_count += clamp_slope(m, s, d, &supports[held->support_count]);
     }
+    m->scene = held;
 out:
     return st;
 }

@@ -16,8 +16,12 @@
  *              acceleration (newmark.h).
  *   nonlinear  large_motion.h: mid-point geometry with averaged stress, Newton.
  *
- * Supports. A rotation-free shell has no slopes to hold: its edge is clamped by holding two
- * rows of control points. An edge that a scene fixes in xyz over a stretch of the thickness
+ * Supports. A rotation-free shell has no slopes to hold: its edge is clamped by holding its
+ * row of control points and, of the second row, the components across the direction that
+ * the sheet has there at rest: it may stretch into the sheet. (Where all of the second row
+ * is held the strain at the clamp is none: a strip that is pulled was 2 % of its strain too
+ * short on 10 points.) Where that direction is no coordinate axis, or turns with the clamp,
+ * all is held. An edge that a scene fixes in xyz over a stretch of the thickness
  * is clamped that way; an edge of which only some components or only the line w = 1/2 is
  * held is a hinge, its first row alone. A corner is a point: it holds one control point and
  * no slope (a slope held at one point has no limit under refinement). An area holds all

@@ -101,29 +101,26 @@ static void solve(int n, int band, double *A, double *w)
     }
 }
 
-/* Points of a spline space in the making, one a function. */
+/* Points in the making that integrate a spline space. */
 struct points {
-    struct bspline s;    /* the space; borrows its knots                               */
-    double *at, *weight; /* [s.n]                                                      */
-    int *span;           /* [s.n] knot index of the span that each lies in             */
+    struct bspline s; /* the space; borrows its knots                                  */
+    int count;
+    double *at, *weight; /* [count]                                            owned   */
+    int *span;           /* [count] knot index of the span that each lies in           */
+    bool *stays;         /* [count] whether it keeps its place                         */
 };
 
-/* Tells whether point q lies on a knot where functions end: it stays there. */
-static bool stays(const struct bspline *s, int q)
-{
-    return s->U[q + 1] == s->U[q + s->p];
-}
-
-/* Places the points at Greville abscissae: on either side of a knot where the space has a
- * jump one of them. */
+/* Places a point at each Greville abscissa: on either side of a knot where the space has a
+ * jump one of them. Those on knots where functions end stay there. */
 static void place(struct points *p)
 {
     const struct bspline *s = &p->s;
 
     for (int q = 0; q < s->n; q++) {
-        p->at[q] = stays(s, q) ? s->U[q + 1] : bspline_greville(s, q);
+        p->stays[q] = s->U[q + 1] == s->U[q + s->p];
+        p->at[q] = p->stays[q] ? s->U[q + 1] : bspline_greville(s, q);
         p->span[q] = bspline_span(s, p->at[q]);
-        if (stays(s, q) && s->U[q + s->p + 1] == p->at[q])
+        if (p->stays[q] && s->U[q + s->p + 1] == p->at[q])
             while (s->U[p->span[q]] == p->at[q])
                 p->span[q]--;
     }
@@ -175,8 +172,8 @@ static double miss(const struct points *p, const struct bspline *e, double *A, d
     memset(A, 0, (size_t)e->n * (size_t)e->n * sizeof *A);
     for (int a = 0; a < e->n; a++)
         F[a] = integral(e, a);
-    for (int q = 0; q < p->s.n; q++) {
-        const double w = p->weight[q], w2 = stays(&p->s, q) ? 0 : w * w;
+    for (int q = 0; q < p->count; q++) {
+        const double w = p->weight[q], w2 = p->stays[q] ? 0 : w * w;
         const int span = bspline_span(e, p->s.U[p->span[q]]), first = span - e->p;
         bspline_eval(e, span, p->at[q], 1, T);
         for (int a = 0; a <= e->p; a++) {
@@ -198,7 +195,7 @@ static void move(struct points *p, const struct bspline *e, const double *y, dou
     const double MOST = 0.3; /* of a weight, in one step */
     double T[2 * (BSPLINE_MAX_ORDER + 1)], most = MOST;
 
-    for (int q = 0; q < p->s.n; q++) {
+    for (int q = 0; q < p->count; q++) {
         const int span = bspline_span(e, p->s.U[p->span[q]]);
         double *c = change + 2 * q;
         bspline_eval(e, span, p->at[q], 1, T);
@@ -207,38 +204,37 @@ static void move(struct points *p, const struct bspline *e, const double *y, dou
             c[0] += p->weight[q] * T[a] * y[span - e->p + a];
             c[1] += p->weight[q] * p->weight[q] * T[e->p + 1 + a] * y[span - e->p + a];
         }
-        c[1] *= !stays(&p->s, q);
+        c[1] *= !p->stays[q];
         most = fmax(most, fmax(fabs(c[0]), fabs(c[1])));
     }
-    for (int q = 0; q < p->s.n; q++) {
+    for (int q = 0; q < p->count; q++) {
         p->at[q] += MOST / most * change[2 * q + 1] * p->weight[q];
         p->weight[q] *= 1 + MOST / most * change[2 * q];
-        if (!stays(&p->s, q))
+        if (!p->stays[q])
             p->span[q] = bspline_span(&p->s, p->at[q]);
     }
 }
 
 /* Moves points and weights until they integrate products with straight lines, too: Newton's
- * method, by least changes. Returns whether they do, are positive, and are unisolvent for
- * the space (Schoenberg, Whitney 1953). */
+ * method, by least changes. Returns whether they do, are positive, and, where they are one
+ * a function, unisolvent for the space (Schoenberg, Whitney 1953). */
 static bool refine(struct points *p, double *room)
 {
     enum { TRIES = 40 };
-    const double EXACT = 1e-14; /* round-off of sums of some dozen terms */
+    const double EXACT = 1e-13; /* the last step but one leaves 1e-7, round-off 1e-14 */
     const struct bspline *s = &p->s, e = times_line(s, room);
-    double *F = room + 2 * (s->n + s->p + 1), *change = F + e.n, *A = change + 2 * s->n;
+    double *F = room + 2 * (s->n + s->p + 1), *change = F + e.n, *A = change + 2 * p->count;
     bool good = false;
 
-    for (int n = 0; n < TRIES && !good; n++) {
-        good = miss(p, &e, A, F) < EXACT;
-        if (good)
-            break;
+    for (int n = 0; n < TRIES && !(good = miss(p, &e, A, F) < EXACT); n++) {
         solve(e.n, e.p, A, F);
         move(p, &e, F, change);
     }
-    for (int q = 0; q < s->n; q++)
-        good = good && p->weight[q] > 0 &&
-               (stays(s, q) || (p->at[q] > s->U[q] && p->at[q] < s->U[q + s->p + 1])) &&
+    for (int q = 0; q < p->count; q++)
+        good = good && p->weight[q] > 0 && p->at[q] >= s->U[s->p] &&
+               p->at[q] <= s->U[s->n] &&
+               (p->stays[q] || p->count != s->n ||
+                (p->at[q] > s->U[q] && p->at[q] < s->U[q + s->p + 1])) &&
                (!q || p->at[q] > p->at[q - 1] || p->span[q] > p->span[q - 1]);
     return good;
 }
@@ -247,30 +243,117 @@ static void points_clear(struct points *p)
 {
     free(p->at);
     free(p->span);
+    free(p->stays);
 }
 
-/* Makes the points of line_rule_greville. STATUS_MEMORY leaves nothing. */
-static enum status points_init(struct points *p, const struct bspline *b, bool derivative)
+/* Allocates `count` points of the splines in b or their derivatives, and *room for `weigh`
+ * and `refine`. STATUS_MEMORY leaves nothing. */
+static enum status points_room(struct points *p, const struct bspline *b, bool derivative,
+                               int count, double **room)
 {
-    const size_t n = (size_t)(b->n - derivative), knots = n + (size_t)b->p + 2;
-    double *room = malloc((4 * n * n + 8 * knots) * sizeof *room);
+    const size_t n = (size_t)b->n, all = (size_t)count;
 
-    *p = (struct points){.s = {b->p - derivative, (int)n, b->U + derivative, 0},
-                         .at = malloc(2 * n * sizeof *p->at),
-                         .span = malloc(n * sizeof *p->span)};
-    if (!room || !p->at || !p->span) {
-        points_clear(p);
-        free(room);
-        return STATUS_MEMORY;
+    *p = (struct points){.s = {b->p - derivative, b->n - derivative, b->U + derivative, 0},
+                         .count = count,
+                         .at = malloc(2 * all * sizeof *p->at),
+                         .span = malloc(all * sizeof *p->span),
+                         .stays = calloc(all, sizeof *p->stays)};
+    *room = malloc((4 * n * n + 6 * (n + (size_t)b->p + 1) + 2 * all) * sizeof **room);
+    if (*room && p->at && p->span && p->stays) {
+        p->weight = p->at + count;
+        return STATUS_OK;
     }
-    p->weight = p->at + n;
-    place(p);
-    weigh(p, room);
-    if (p->s.p > 1 && !refine(p, room)) {
-        place(p);
-        weigh(p, room);
+    points_clear(p);
+    free(*room);
+    return STATUS_MEMORY;
+}
+
+/* Puts the points in place of those of part k of a rule. */
+static void give(const struct points *p, const struct bspline *b, int k,
+                 struct line_rule *rule)
+{
+    const int parts = b->parts > 1 ? b->parts : 1, each = rule->spans / parts,
+              before = (int)(p->s.U - b->U);
+    int e = k * each;
+
+    memset(rule->count + e, 0, (size_t)each * sizeof *rule->count);
+    for (int q = 0; q < p->count; q++) {
+        while (rule->span[e] - before < p->span[q])
+            e++;
+        const double size = line_rule_size(rule, b, e);
+        const int to = e * LINE_RULE_MOST + rule->count[e]++;
+        rule->x[to] = (p->at[q] - b->U[rule->span[e]]) / size;
+        rule->part[to] = p->weight[q] / size;
     }
+}
+
+static enum status greville(struct line_rule *rule, const struct bspline *b, int k,
+                            bool derivative)
+{
+    const struct bspline part = bspline_part(b, k);
+    struct points p;
+    double *room;
+    const enum status st = points_room(&p, &part, derivative, part.n - derivative, &room);
+
+    if (st != STATUS_OK)
+        return st;
+    place(&p);
+    weigh(&p, room);
+    if (p.s.p > 1 && !refine(&p, room)) {
+        place(&p);
+        weigh(&p, room);
+    }
+    give(&p, b, k, rule);
+    points_clear(&p);
     free(room);
+    return STATUS_OK;
+}
+
+/* Takes part k's points from the rule, those on a knot between two spans once. */
+static void take(const struct line_rule *rule, const struct bspline *b, int k,
+                 struct points *p)
+{
+    const int parts = b->parts > 1 ? b->parts : 1, each = rule->spans / parts,
+              before = (int)(p->s.U - b->U);
+    bool shared = false;
+
+    p->count = 0;
+    for (int e = k * each; e < (k + 1) * each; e++) {
+        const double lo = b->U[rule->span[e]], size = line_rule_size(rule, b, e);
+        for (int q = 0; q < rule->count[e]; q++) {
+            const int from = e * LINE_RULE_MOST + q, n = p->count;
+            const double at = rule->x[from], w = size * rule->part[from];
+            if (shared && at == 0) {
+                p->weight[n - 1] += w;
+                continue;
+            }
+            p->at[n] = lo + size * at, p->weight[n] = w;
+            p->span[n] = rule->span[e] - before;
+            p->count++;
+            shared = at == 1;
+        }
+    }
+}
+
+enum status line_rule_refine(struct line_rule *rule, const struct bspline *b)
+{
+    const int parts = b->parts > 1 ? b->parts : 1;
+
+    for (int k = 0; k < parts && !b->wrap && b->p > 2; k++) {
+        const struct bspline part = bspline_part(b, k);
+        struct points p;
+        double *room;
+        const enum status st =
+            points_room(&p, &part, true, rule->spans * rule->most, &room);
+        if (st != STATUS_OK)
+            return st;
+        take(rule, b, k, &p);
+        if (refine(&p, room))
+            give(&p, b, k, rule);
+        points_clear(&p);
+        free(room);
+    }
+    line_rule_most(rule);
     return STATUS_OK;
 }
 
@@ -295,23 +378,9 @@ enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
     if (b->wrap)
         return spread(rule, b, derivative);
     enum status st = line_rule_room(rule, b);
-    const int parts = b->parts > 1 ? b->parts : 1;
 
-    for (int k = 0; k < parts && st == STATUS_OK; k++) {
-        const struct bspline part = bspline_part(b, k);
-        struct points p;
-        st = points_init(&p, &part, derivative);
-        for (int q = 0, e = k * (rule->spans / parts); st == STATUS_OK && q < p.s.n; q++) {
-            while (rule->span[e] - k * part.n < p.span[q] + derivative)
-                e++;
-            const double size = line_rule_size(rule, b, e);
-            const int to = e * LINE_RULE_MOST + rule->count[e]++;
-            rule->x[to] = (p.at[q] - b->U[rule->span[e]]) / size;
-            rule->part[to] = p.weight[q] / size;
-        }
-        if (st == STATUS_OK)
-            points_clear(&p);
-    }
+    for (int k = 0; k < (b->parts > 1 ? b->parts : 1) && st == STATUS_OK; k++)
+        st = greville(rule, b, k, derivative);
     if (st == STATUS_OK)
         line_rule_most(rule);
     else

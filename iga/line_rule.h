@@ -47,6 +47,11 @@ enum status line_rule_bending(struct line_rule *rule, const struct bspline *b);
 enum status line_rule_greville(struct line_rule *rule, const struct bspline *b,
                                bool derivative);
 
+/* Moves the points of a rule of degree 3 or more, by the least changes, to where they
+ * integrate every product of a derivative of the splines and a straight line; leaves them
+ * where there is no such place near. Open bases alone. */
+enum status line_rule_refine(struct line_rule *rule, const struct bspline *b);
+
 /* Help to make rules: find the spans and allocate their points; set `most`; return the
  * length of a span. */
 enum status line_rule_room(struct line_rule *rule, const struct bspline *b);

@@ -300,9 +300,10 @@ static enum status make_line(struct plate_tables *tables, const struct bspline *
                              int i)
 {
     struct line_rule rule;
-    enum status st = l == PLATE_BENDING    ? line_rule_bending(&rule, b)
-                     : l == PLATE_GREVILLE ? line_rule_greville(&rule, b, false)
-                                           : reduced_rule_init(&rule, b);
+    enum status st = l == PLATE_BENDING   ? line_rule_bending(&rule, b)
+                     : l == PLATE_REDUCED ? reduced_rule_init(&rule, b)
+                     : l == PLATE_DERIVED ? reduced_rule_derived(&rule, b)
+                                          : line_rule_greville(&rule, b, false);
 
     return line_rule_table(&tables->cure[l][i], b, st, &rule, 2, bspline_eval);
 }
@@ -347,9 +348,10 @@ static void surface_point(const struct solid_space *space, int element,
 
 /* The lines of points along u and v of each kind of strain. */
 static const int lines[SOLID_KINDS][2] = {
-    [SOLID_ALONG_U] = {PLATE_REDUCED, PLATE_GREVILLE},
-    [SOLID_ALONG_V] = {PLATE_GREVILLE, PLATE_REDUCED},
-    [SOLID_OTHER] = {PLATE_REDUCED, PLATE_REDUCED},
+    [SOLID_ALONG_U] = {PLATE_DERIVED, PLATE_VALUES},
+    [SOLID_ALONG_V] = {PLATE_VALUES, PLATE_DERIVED},
+    [SOLID_PLANE] = {PLATE_DERIVED, PLATE_DERIVED},
+    [SOLID_ACROSS] = {PLATE_REDUCED, PLATE_REDUCED},
     [SOLID_BENDING] = {PLATE_BENDING, PLATE_BENDING},
 };
 

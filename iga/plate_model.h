@@ -13,8 +13,9 @@
  * control points or, with the thickness basis, Legendre coefficients of each column of
  * control points. Their parameters along u are those of their part (bspline.h). */
 
-/* The lines of points of a remedy: reduced_rule.h's; line_rule.h's greville, bending. */
-enum { PLATE_REDUCED, PLATE_GREVILLE, PLATE_BENDING, PLATE_LINES };
+/* The lines of points of a remedy: reduced_rule.h's; line_rule.h's of values; those of
+ * derivatives; of bending. */
+enum { PLATE_REDUCED, PLATE_VALUES, PLATE_DERIVED, PLATE_BENDING, PLATE_LINES };
 
 struct plate_tables {
     struct line_table direction[3];         /* values and slopes, as of `cure` */
@@ -39,10 +40,11 @@ enum status plate_model_reduce(struct solid_space *space, struct plate_tables *t
                                const struct patch *patch);
 
 /* Sets the stiffness of *space, one linear layer, to solid_layer.h's, at as many points as
- * functions, but bending by line_rule_bending. A net that zigzags along u and v stands
- * still at all points of plate_model_reduce (of odd degree): in the folds of a flag it
- * stretched ninefold. The stretch along u is therefore seen from the Greville points along
- * v, where what zigzags has values, and that along v likewise. (Tried, and left: transverse
+ * functions, but strains along the sheet as the shell's (shell_space.h), at
+ * reduced_rule_derived's points, and bending by line_rule_bending. A net that zigzags along
+ * u and v stands still at all points of plate_model_reduce (of odd degree): in the folds of
+ * a flag it stretched ninefold. The stretch along u is therefore seen from the points along
+ * v where what zigzags has values, and that along v likewise. (Tried, and left: transverse
  * shear at these, and the stretch across the thickness at the Greville points of both: the
  * director then collapses between its points in a fold; or at those of bending: a sheet of
  * 10x10 that falls locks, .08 of its length off for .016 at .4 s.) Weights do not vary

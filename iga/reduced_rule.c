@@ -132,6 +132,15 @@ enum status reduced_rule_init(struct line_rule *rule, const struct bspline *b)
     if (st == STATUS_OK) {
         fill(b, rule);
         line_rule_most(rule);
+        st = line_rule_refine(rule, b);
     }
+    if (st != STATUS_OK)
+        line_rule_clear(rule);
     return st;
+}
+
+enum status reduced_rule_derived(struct line_rule *rule, const struct bspline *b)
+{
+    return b->p == 2 && !b->wrap ? reduced_rule_init(rule, b)
+                                 : line_rule_greville(rule, b, true);
 }

@@ -273,7 +273,8 @@ static int held_beside(const struct shell_motion *m, const struct scene_support 
 }
 
 /* Makes the clamp of the row of control points beside an edge across direction d: the
- * direction of the sheet there. Returns whether the support is such an edge. */
+ * direction of the sheet there. *step is from the edge to the row. Returns whether the
+ * support is such an edge. */
 static bool clamp_slope(const struct shell_motion *m, const struct scene_support *s, int d,
                         struct scene_support *slope)
 {
@@ -325,6 +326,29 @@ out:
     return st;
 }
 
+/* Has what is free beside clamped edges begin its steps where the edge takes it: left
+ * behind by an edge that moves on, a sheet would turn inside out. */
+static void carry(struct shell_motion *m)
+{
+    const struct bspline *b = m->space->basis;
+    const int rows = bspline_points(&b[1]);
+    struct supports *s = &m->supports;
+
+    for (int n = 0; n < 4 * m->space->nodes; n++) {
+        const int a = n / 4, d = n % 2, end = n / 2 % 2, count = bspline_part(&b[d], 0).n;
+        const int row = d ? a % rows : a / rows % count, step = d ? 1 : rows,
+                  *beside = s->free_index + 3 * a,
+                  held = (beside[0] < 0) + (beside[1] < 0) + (beside[2] < 0);
+        if (b[d].wrap || row != (end ? count - 2 : 1) || held != 2)
+            continue;
+        for (int i = 0; i < 3; i++) {
+            const int u = 3 * a + i, edge = u + 3 * (end ? step : -step);
+            if (s->free_index[u] >= 0 && s->free_index[edge] < 0)
+                s->carrier[u] = edge;
+        }
+    }
+}
+
 static enum status hold(struct shell_motion *m, struct message *why)
 {
     int nodes = m->space->nodes, rows = bspline_points(&m->space->basis[1]);
@@ -339,7 +363,8 @@ static enum status hold(struct shell_motion *m, struct message *why)
         uvw[a][2] = 0.5;
     }
     TRY(clamp_edges(m, why));
-    st = supports_init(&m->supports, &m->held_scene, nodes, uvw, m->space->rest, why);
+    TRY(supports_init(&m->supports, m->scene, nodes, uvw, m->space->rest, why));
+    carry(m);
 out:
     free(uvw);
     return st;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "iga/reduced_rule.h"
 #include "models/linalg/blocks.h"
 #include "models/room.h"
 
@@ -51,7 +52,8 @@ static enum status make_line(const struct bspline *b, struct line_table *line, i
     struct line_rule rule;
     enum status st = l == SHELL_FULL   ? line_rule_gauss(&rule, b, gauss ? gauss : b->p + 1)
                      : l == SHELL_BENT ? line_rule_bending(&rule, b)
-                                       : line_rule_greville(&rule, b, l == SHELL_DERIVED);
+                     : l == SHELL_DERIVED ? reduced_rule_derived(&rule, b)
+                                          : line_rule_greville(&rule, b, false);
 
     return line_rule_table(line, b, st, &rule, 3, bspline_eval);
 }

@@ -75,14 +75,15 @@ struct shell_space {
  * of degree p in v. Asked for at more points than such a space has functions, it must
  * vanish where a thin sheet's bending lets it not: the membrane locks. It is therefore
  * asked for at those of SHELL_DERIVED in u and SHELL_VALUES in v, that along v the other
- * way round, shear at those of SHELL_DERIVED in both. (Strains interpolated at such points
- * are those of Casquero, Mathews, CMAME 417, 2023; here the points are a quadrature, and
- * nothing is interpolated: line_rule_greville.) Poisson's ratio couples the first two,
- * which have no point in common: at the points of shear the law keeps what is left of it
- * after as much of Young's modulus along u and along v has gone to their own points as
- * leaves it nowhere negative. Bending has the points of line_rule_bending (of degree 2 one
- * a span leaves no mode unseen, yet a zigzag from point to point bends so softly then that
- * Newton's method needs 1.6 times the tangents: edge_drop, 16x16). The mass has p + 1.
+ * way round, shear at those of SHELL_DERIVED in both (reduced_rule_derived). (Strains
+ * interpolated at such points are those of Casquero, Mathews, CMAME 417, 2023; here the
+ * points are a quadrature, and nothing is interpolated: line_rule_greville.) Poisson's
+ * ratio couples the first two, which have no point in common: at the points of shear the
+ * law keeps what is left of it after as much of Young's modulus along u and along v has
+ * gone to their own points as leaves it nowhere negative. Bending has the points of
+ * line_rule_bending (of degree 2 one a span leaves no mode unseen, yet a zigzag from point
+ * to point bends so softly then that Newton's method needs 1.6 times the tangents:
+ * edge_drop, 16x16). The mass has p + 1.
  *
  * STATUS_INPUT with a sentence unless degrees are 2 or more (a Kirchhoff-Love shell needs
  * slopes that are continuous), inner knots are repeated at most p - 1 times and

@@ -61,6 +61,8 @@ static void move_supports(struct large_motion *m, double t, double dt, double ma
         double rate = (m->x[u] - x_old[u]) / dt;
         hat[u] = m->x[u] - ((held.v[h] - n->v[u]) / dt + n->alpha * rate) / mass;
     }
+    if (m->supports->moving)
+        supports_carry(m->supports, x_old, m->x);
 }
 
 /* Computes new velocities; a keeps the step's mean acceleration for the next predictor. */

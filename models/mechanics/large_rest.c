@@ -194,6 +194,8 @@ static void place(struct large_motion *m, enum stage stage, double part)
         int u = m->supports->held[h];
         m->x[u] = m->rest[u] + scale * m->held[h];
     }
+    if (m->supports->moving)
+        supports_carry(m->supports, m->room, m->x);
 }
 
 /* Finds the shape at `part`, guessed `ahead` times as far beyond the last two shapes as

@@ -119,10 +119,12 @@ enum status supports_init(struct supports *s, const struct scene *scene, int nod
     for (int n = 0; n < scene->support_count; n++)
         turns |= scene->supports[n].motion.turn_count > 0;
     TRY(room_cut(&new.room, ROOM(new.free_index, count), ROOM(new.held, count),
-                 ROOM(new.owner, count), ROOM(new.rest, turns ? count : 0)));
+                 ROOM(new.owner, count), ROOM(new.carrier, count),
+                 ROOM(new.rest, turns ? count : 0)));
     TRY(assign(scene, nodes, uvw, owner, why));
     for (int n = 0; n < (int)count; n++) {
         new.free_index[n] = owner[n] < 0 ? new.free_count++ : -1;
+        new.carrier[n] = -1;
         if (owner[n] < 0)
             continue;
         if (turns)
@@ -198,6 +200,13 @@ void supports_shift(const struct supports *s, const struct scene *scene, double 
         if (motion->turn_count)
             shift[n] += vector_dot(place.turn[i], s->rest[n]) - s->rest[n][i];
     }
+}
+
+void supports_carry(const struct supports *s, const double *x_old, double *x)
+{
+    for (int u = 0; u < 3 * s->nodes; u++)
+        if (s->carrier[u] >= 0)
+            x[u] = x_old[u] + x[s->carrier[u]] - x_old[s->carrier[u]];
 }
 
 double supports_rest_time(const struct supports *s, const struct scene *scene)

@@ -20,6 +20,8 @@ struct supports {
     int *free_index; /* [3 nodes] place among the free unknowns, -1 if held            */
     int *held;       /* [held_count] unknown 3 node + component, ascending             */
     int *owner;      /* [held_count] the support n that it follows; a difference: -1 - n */
+    int *carrier;    /* [3 nodes] the held unknown whose motion is the first guess of that
+                        of a free one, -1: none; all -1 unless set after init           */
     bool moving;     /* any of them moves                                              */
     double (*rest)[3]; /* [held_count] the node's rest [m] if any turns, else NULL     */
 };
@@ -57,6 +59,9 @@ enum supports_columns supports_columns(const struct scene *scene);
  * a sentence where a support takes that node with a part of the thickness. */
 enum status supports_hinge(const struct scene *scene, int layers, const double (*uvw)[3],
                            int middle, bool *hinged, struct message *why);
+
+/* Moves the free unknowns that have a carrier as far from x_old as it moved. */
+void supports_carry(const struct supports *s, const double *x_old, double *x);
 
 /* Computes the shift of each held unknown from rest at time t, shift[held_count] [m]. */
 void supports_shift(const struct supports *s, const struct scene *scene, double t,

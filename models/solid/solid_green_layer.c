@@ -73,7 +73,7 @@ bool solid_green_layer_strain(struct solid_green_element *e,
         double d[VECTORS][3], last[VECTORS][3], beside[VECTORS][3];
 
         vectors(e, e->U[0], rows_at(e, rest, n), d);
-        if (kind == SOLID_OTHER && !(volume(t, d) > 0))
+        if (kind == SOLID_ACROSS && !(volume(t, d) > 0))
             return false;
         if (change) {
             vectors(e, e->U[1], rows_at(e, rest, n), beside);

@@ -67,14 +67,8 @@ enum solid_strains solid_layer_kind(const int points[SOLID_KINDS], int n)
 const struct solid_layer_form solid_layer_form[SOLID_KINDS] = {
     [SOLID_ALONG_U] = {1, 1, {{0, 0, 0, 0.5}}},
     [SOLID_ALONG_V] = {1, 1, {{0, 1, 1, 0.5}}},
-    [SOLID_OTHER] = {6,
-                     6,
-                     {{0, 0, 0, 0.5},
-                      {1, 1, 1, 0.5},
-                      {2, 0, 1, 1},
-                      {3, 0, 2, 1},
-                      {4, 1, 2, 1},
-                      {5, 2, 2, 0.5}}},
+    [SOLID_PLANE] = {3, 3, {{0, 0, 0, 0.5}, {1, 1, 1, 0.5}, {2, 0, 1, 1}}},
+    [SOLID_ACROSS] = {3, 3, {{0, 0, 2, 1}, {1, 1, 2, 1}, {2, 2, 2, 0.5}}},
     [SOLID_BENDING] = {3, 4, {{0, 0, 2, 1}, {1, 1, 3, 1}, {2, 0, 3, 1}, {2, 1, 2, 1}}},
 };
 
@@ -101,7 +95,11 @@ void solid_layer_stress(const struct solid_material *m, enum solid_strains kind,
     const double along = m->plane + 2 * m->mu, shared = fabs(m->plane);
     const double own = kind == SOLID_BENDING ? along : shared;
 
-    if (m->is_fabric) {
+    if (kind == SOLID_ACROSS) {
+        stress[0] = dV * (5. / 6) * m->mu * strain[0];
+        stress[1] = dV * (5. / 6) * m->mu * strain[1];
+        stress[2] = dV * (m->across + 2 * m->mu) * strain[2];
+    } else if (m->is_fabric) {
         fabric_stress(m, kind, dV, strain, stress);
     } else if (kind == SOLID_ALONG_U || kind == SOLID_ALONG_V) {
         stress[0] = dV * (along - shared) * strain[0];
@@ -110,11 +108,6 @@ void solid_layer_stress(const struct solid_material *m, enum solid_strains kind,
         stress[1] = dV * (own * strain[1] + m->plane * strain[0]);
         stress[2] = dV * m->mu * strain[2];
     }
-    if (kind != SOLID_OTHER)
-        return;
-    stress[3] = dV * (5. / 6) * m->mu * strain[3];
-    stress[4] = dV * (5. / 6) * m->mu * strain[4];
-    stress[5] = dV * (m->across + 2 * m->mu) * strain[5];
 }
 
 static void normalise(const double a[3], double out[3])
@@ -267,11 +260,11 @@ int solid_layer_vary(struct solid_layer *s, const struct solid_layer_rest *rest,
 {
     const enum solid_strains kind = solid_layer_kind(rest->points, n);
     const struct solid_layer_form *form = &solid_layer_form[kind];
-    const bool coupled = kind == SOLID_OTHER || kind == SOLID_BENDING;
+    const bool coupled = kind == SOLID_PLANE || kind == SOLID_BENDING;
     const int row = s->row;
     const double *q = rest->q + (size_t)n * VECTORS * (size_t)row;
     double *b = s->b + (size_t)first * 3 * (size_t)row, *wb = s->wb + (b - s->b);
-    double unit[SOLID_LAYER_STRAINS] = {1, 0, 1, 1, 1, 1};
+    double unit[SOLID_LAYER_STRAINS] = {1, !coupled, 1};
     double modulus[SOLID_LAYER_STRAINS];
 
     for (int t = 0; t < form->terms; t++)

@@ -11,9 +11,10 @@
  *   int N.stretch dV + int M.bend dV / 12, halved: plane stress along the sheet, 5/6 mu in
  * shear (Reissner 1945), Young's modulus across. Whatever must vanish in a thin sheet has
  * one point a function, or it locks; stretches 11 and 22 have points of their own
- * (plate_model_select). The plane-stress law, E / (1 - nu^2) (e_11^2 + e_22^2 + 2 nu e_11
- * e_22), is therefore parted into E / (1 + |nu|) of each at its own points and E |nu| / (1
- * - nu^2) (e_11 +- e_22)^2, the sign nu's, at those of the others: no part is negative.
+ * (plate_model_select), as have those across the sheet. The plane-stress law, E / (1 -
+ * nu^2) (e_11^2 + e_22^2 + 2 nu e_11 e_22), is therefore parted into E / (1 + |nu|) of each
+ * at its own points and E |nu| / (1
+ * - nu^2) (e_11 +- e_22)^2, the sign nu's, at those of 12: no part is negative.
  */
 #ifndef SOLID_LAYER_H
 #define SOLID_LAYER_H
@@ -22,7 +23,7 @@
 #include "models/solid/solid_space.h"
 
 enum {
-    SOLID_LAYER_STRAINS = 6, /* most strains of a point                                */
+    SOLID_LAYER_STRAINS = 3, /* most strains of a point                                */
     SOLID_LAYER_VECTORS = 4, /* a point's: t_1, t_2, t_3, unused; or t_1, t_2, 0, 0    */
 };
 
@@ -75,7 +76,7 @@ struct solid_layer_term {
 };
 struct solid_layer_form {
     int strains, terms;
-    struct solid_layer_term term[6];
+    struct solid_layer_term term[4];
 };
 extern const struct solid_layer_form solid_layer_form[SOLID_KINDS];
 

@@ -20,11 +20,13 @@ enum { SOLID_LANES = 4 };
 #define SOLID_PADDED(columns) (((columns) + SOLID_LANES - 1) / SOLID_LANES * SOLID_LANES)
 
 /* Strains of one layer that share quadrature points (solid_layer.h): stretch along u, along
- * v; the other stretches, with what Poisson's ratio couples of these; bending. */
+ * v; shear along the sheet, with what Poisson's ratio couples of these; shear and stretch
+ * across it; bending. */
 enum solid_strains {
     SOLID_ALONG_U,
     SOLID_ALONG_V,
-    SOLID_OTHER,
+    SOLID_PLANE,
+    SOLID_ACROSS,
     SOLID_BENDING,
     SOLID_KINDS
 };

@@ -26,7 +26,7 @@ static const double LEAST = 0.5;
 /* So much is left, at rest, of each frequency squared of motions in the plane, by degree.
  * Measured: shells .75, .81, .75, .65; solids .95, .73, .30, .20. */
 static const double SHELL_IN_PLANE[] = {[2] = 0.7, [3] = 0.7, [4] = 0.7, [5] = 0.6};
-static const double SOLID_IN_PLANE[] = {[2] = 0.9, [3] = 0.7, [4] = 0.25, [5] = 0.15};
+static const double SOLID_IN_PLANE[] = {[2] = 0.9, [3] = 0.7, [4] = 0.7, [5] = 0.6};
 
 enum state { REST, BENT, COMPRESSED, TWISTED, STATES };
 static const char *const state_name[STATES] = {"at rest", "bent", "compressed", "twisted"};

@@ -15,8 +15,8 @@
 
 /* Statics first, then motions, then outside programs and stored truths. */
 #define CHECKS(X)                                                                          \
-    X(elastica), X(sze), X(fabrics), X(orthotropic), X(matrices), X(navier), X(ring),      \
-        X(frequencies), X(cantilever), X(lateral), X(postbuckling), X(hanging),            \
+    X(patch), X(elastica), X(sze), X(fabrics), X(orthotropic), X(matrices), X(navier),     \
+        X(ring), X(frequencies), X(cantilever), X(lateral), X(postbuckling), X(hanging),   \
         X(pressure), X(pendulum), X(transient), X(energy), X(fall), X(period), X(moving),  \
         X(contact), X(impact), X(stack), X(unequal), X(planes), X(belt), X(stickslip),     \
         X(fold), X(similarity), X(outside), X(truths)

@@ -6,8 +6,9 @@
 
 #include "models/solid/solid_green_element.h"
 
-/* Checks for det F <= 0 only at the points of SOLID_ACROSS, which see the director's length;
- * between them a fold within a span may shorten it to nothing, which does no harm. */
+/* Checks for det F <= 0 only at the points of SOLID_ACROSS, which see the director's
+ * length; between them a fold within a span may shorten it to nothing, which does no harm.
+ */
 bool solid_green_layer_strain(struct solid_green_element *e,
                               const struct solid_layer_rest *rest, bool change);
 double solid_green_layer_energy(const struct solid_green_element *e,

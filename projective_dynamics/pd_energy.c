@@ -25,7 +25,7 @@ struct row_list {
     int count;
 };
 
-/* The most rows of a node: two curvatures, a twist, two clamps. */
+/* The most rows of a node: a twist, and two curvatures or four clamps. */
 enum { ROWS = 5 };
 
 static struct pd_row *add_row(struct row_list *b, double weight)
@@ -136,25 +136,32 @@ static void add_clamp(struct row_list *b, int k, int by, double length,
         row->target[i] = c * length * sign * direction[i];
 }
 
-/* Adds half a cell of curvature on both sides of a clamped line at k, if in the net. */
+/* Adds half a cell of curvature between the clamped node k and each free neighbour towards
+ * which the sheet has a slope there: across a clamped line, and out of a clamped area. */
 static void add_clamps(struct row_list *b, const struct scene *scene, int k,
-                       struct lines line, const double D[2])
+                       const bool *clamped, const double D[2])
 {
     const struct pd_net *net = b->net;
-    struct lines has = inside(net, k);
-    double half = D[!line.v] * b->area[k] / (1 + (line.v ? has.u : has.v));
-    int i = k / net->m % net->rows, j = k % net->m;
+    const struct lines has = inside(net, k), line = on_line(net, k, clamped);
     const struct scene_pose *pose = &scene->pose[k / net->m / net->rows];
+    const int place[2] = {k / net->m % net->rows, k % net->m},
+              points[2] = {net->rows, net->m}, by[2] = {net->m, 1};
+    const bool across[2] = {line.v, line.u}, inner[2] = {has.u, has.v};
+    const double length[2] = {net->du, net->dv};
 
-    for (int s = -1; s <= 1; s += 2) {
-        if (line.v && i + s >= 0 && i + s < net->rows)
-            add_clamp(b, k, s * net->m, net->du, pose->axis_u, s, half);
-        if (line.u && j + s >= 0 && j + s < net->m)
-            add_clamp(b, k, s, net->dv, pose->axis_v, s, half);
-    }
+    for (int along = 0; along < 2; along++)
+        for (int s = -1; s <= 1; s += 2) {
+            const int to = place[along] + s, back = place[along] - s, step = s * by[along];
+            const bool behind = back >= 0 && back < points[along] && clamped[k - step];
+            if (to < 0 || to >= points[along] || clamped[k + step] ||
+                !(across[along] || behind))
+                continue;
+            add_clamp(b, k, step, length[along], along ? pose->axis_v : pose->axis_u, s,
+                      D[along] * b->area[k] / (1 + inner[along]));
+        }
 }
 
-/* Adds the plate\'s energy with the scene\'s D and nu, and clamps at `clamped` nodes. */
+/* Adds the plate's energy with the scene's D and nu, and clamps at `clamped` nodes. */
 static void add_plate(struct row_list *b, const struct scene *scene, const bool *clamped)
 {
     const struct pd_net *net = b->net;
@@ -165,8 +172,8 @@ static void add_plate(struct row_list *b, const struct scene *scene, const bool 
 
     for (int k = 0; k < net->nodes; k++) {
         struct lines line = on_line(net, k, clamped);
-        if (line.u != line.v)
-            add_clamps(b, scene, k, line, p.along);
+        if (line.u || line.v)
+            add_clamps(b, scene, k, clamped, p.along);
         else
             add_curvatures(b, k, &p);
         if (pd_net_has(net, PD_EDGE_FALLING, k))

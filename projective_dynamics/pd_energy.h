@@ -22,10 +22,11 @@
  * C11, C22 and C33 of plane stress; their C12 equals C33, which is right at nu = 1/3 only.
  * Bending: the plate's D and nu.
  *
- * Clamps: a node held in x, y, z through the full thickness, with a neighbour held so on
- * one line of the net, keeps the slope across that line: a mirrored ghost node gives the
- * row 1/2 w |2 (x_1 - x_0 - du e_u) / du^2|^2. A point support, and one on part of the
- * thickness (a hinge), keep positions only; so do all supports of the paper's set.
+ * Clamps: a node held in x, y, z through the full thickness, with a neighbour held so,
+ * keeps the slope across the line through both, and out of an area along it: a mirrored
+ * ghost node gives the row 1/2 w |2 (x_1 - x_0 - du e_u) / du^2|^2. A point support, and
+ * one on part of the thickness (a hinge), keep positions only; so do all supports of the
+ * paper's set.
  */
 #ifndef PD_ENERGY_H
 #define PD_ENERGY_H

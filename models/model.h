@@ -17,8 +17,9 @@ struct counters {
     long substeps; /* sum over all steps; 0: the model never divides steps */
     long viscous;  /* steps with a viscosity that Newton's method failed without          */
     long tested;   /* samples that were held against a body, where that is counted        */
-    double left;   /* most that a fixed number of iterations left of a step so far, as the
-                      model's `doubt` measures it [1]; 0: not measured                     */
+    double left;   /* largest share of a step's loads that iterations left so far
+                      (models/mechanics/arrival.h) [1]; 0: not measured                 */
+    long missed;   /* steps whose iterations have not arrived at their limit            */
 };
 
 struct energy {

@@ -17,8 +17,9 @@ static const double SOFTENING = 10, SOFTENING_CONTACT = 0.4, BENDING = 0.4;
 
 static const double MOST_SUBSTEPS = 1e6;
 
-/* The frames from one measurement of the iterations' remaining strain to the next. */
-enum { MEASURED = 10 };
+/* The iterations of a step at most, unless their number is given; then the frames from one
+ * measurement of what they leave to the next. */
+enum { MOST_ITERATIONS = 100, MEASURED = 10 };
 
 static size_t count(const struct pb_motion *m)
 {
@@ -36,7 +37,7 @@ static double strength_of(const struct pb_motion *m, double k, double w)
 
     if (m->projection == PROJECTION_XPBD || w == 0)
         return s;
-    double share = -expm1(-log1p(s * w) / m->iterations);
+    double share = -expm1(-log1p(s * w) / m->arrival.most);
     return share / ((1 - share) * w);
 }
 
@@ -277,6 +278,20 @@ void pb_motion_clear(void *motion)
     memset(m, 0, sizeof *m);
 }
 
+/* PBD's stiffness depends on the number of iterations: nothing to arrive at. */
+static void make_arrival(struct pb_motion *m, int iterations)
+{
+    const int *place = m->supports.free_index;
+    const bool one = m->projection == PROJECTION_PBD && !iterations;
+    double mass = 0;
+
+    for (int a = 0; a < m->net.nodes; a++)
+        mass += m->points.mass[a];
+    arrival_init(&m->arrival, one ? 1 : iterations, MOST_ITERATIONS,
+                 arrival_sum(m->net.nodes, place, true, NULL, m->points.load), mass,
+                 m->net.nodes, m->scene, m->dt);
+}
+
 static enum status make_contact(struct pb_motion *m)
 {
     enum status st = net_contact_make(m->scene, &m->net, &m->supports, &m->contact);
@@ -291,9 +306,7 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
 {
     enum status st;
 
-    *m = (struct pb_motion){.scene = scene,
-                            .projection = OWN(pb_own, d)->projection,
-                            .iterations = d->iterations > 0 ? d->iterations : 1};
+    *m = (struct pb_motion){.scene = scene, .projection = OWN(pb_own, d)->projection};
     TRY(spring_net_init(&m->net, scene, d->points, d->parameters, false));
     TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
     TRY(supports_init(&m->supports, scene, m->net.nodes, m->net.uvw, m->net.rest, why));
@@ -303,6 +316,7 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
     supports_initial_velocity(&m->supports, scene, m->net.rest, NULL, m->v);
     m->rest_energy = elastic(m);
     TRY(set_steps(m, d, why));
+    make_arrival(m, d->iterations);
     TRY(make_contact(m));
     TRY(make_sweep(m, d->precision));
 out:
@@ -324,38 +338,59 @@ static void hold(struct pb_motion *m, double t)
                       m->net.rest[s->held[h]] + m->shift[h]);
 }
 
-/* Returns the strain of springs beyond what their forces need, l - r - alpha f over r; root
- * of the mean square. */
-static double strained(const struct pb_motion *m, const double *x)
+/* Adds to force[nodes][3] what the springs pull at start + d: their elastic force and the
+ * resistance to its change. */
+static void add_springs(const struct pb_motion *m, const double *start, const double *d,
+                        double *force)
 {
-    double *strength = m->work, *lambda = m->work + m->net.nodes, sum = 0;
+    const double gamma = m->points.beta / m->dt;
 
-    for (int kind = 0; kind < PB_SPRINGS; kind++) {
-        pb_sweep_get(m->sweep, PB_STRENGTH + kind, 1, strength);
-        pb_sweep_get(m->sweep, PB_LAMBDA + kind, 1, lambda);
-        for (const struct spring *s = m->net.springs;
-             s < m->net.springs + m->net.spring_count; s++) {
-            if ((int)kind_of(m, s) != kind)
-                continue;
-            double off = longer(s, x) + lambda[s->a] / strength[s->a];
-            sum += off * off / (s->length * s->length);
+    for (const struct spring *s = m->net.springs; s < m->net.springs + m->net.spring_count;
+         s++) {
+        double e[3], step[3];
+        vector_between(d + 3 * s->a, d + 3 * s->b, step);
+        vector_between(start + 3 * s->a, start + 3 * s->b, e);
+        for (int i = 0; i < 3; i++)
+            e[i] += step[i];
+        const double l = vector_length(e),
+                     pull =
+                         s->stiffness * (l - s->length + gamma * vector_dot(e, step) / l);
+        for (int i = 0; i < 3; i++) {
+            force[3 * s->a + i] -= pull * e[i] / l;
+            force[3 * s->b + i] += pull * e[i] / l;
         }
     }
-    return sqrt(sum / fmax(m->net.spring_count, 1));
 }
 
-/* Measures where the step's iterations ended, before the positions follow. */
-static void measure(struct pb_motion *m, double t)
+/* Returns whether the step that ends at t does so after `done` iterations: computes the
+ * forces that they leave (position_based_model.h). */
+static bool ends(struct pb_motion *m, int done, bool bends, double t)
 {
-    double *d = m->work, *x = m->before;
+    double *start = m->work, *d = start + count(m), *force = d + count(m), value[3];
+    const int *place = m->supports.free_index;
+    const double square = m->dt * m->dt, gain = 1 + m->points.beta / m->dt;
 
-    pb_sweep_get(m->sweep, PB_X, 3, x);
+    pb_sweep_get(m->sweep, PB_X, 3, start);
     pb_sweep_get(m->sweep, PB_D, 3, d);
     for (size_t n = 0; n < count(m); n++)
-        x[n] += d[n];
-    double left = strained(m, x);
-    if (!(left <= m->left))
-        m->left = left, m->left_time = t;
+        force[n] = d[n] / (inverse_mass(m, (int)n / 3) * square) - m->points.load[n] -
+                   m->points.mass[n / 3] * m->before[n] / square;
+    add_springs(m, start, d, force);
+    for (size_t n = 0; n < count(m); n++) {
+        start[n] += gain * d[n];
+        d[n] = (d[n] - m->before[n]) / square;
+    }
+    for (int k = 0; bends && k < m->forms.count; k++) {
+        spring_form_value(&m->forms, k, start, value);
+        spring_form_pull(&m->forms, k,
+                         m->bending_every * spring_form_of(&m->forms, k)->stiffness, value,
+                         force);
+    }
+    const struct arrival_forces f = {
+        arrival_sum(m->net.nodes, place, true, NULL, force),
+        arrival_sum(m->net.nodes, place, false, NULL, force),
+        arrival_sum(m->net.nodes, place, true, m->points.mass, d)};
+    return arrival_ends(&m->arrival, done, &f, t);
 }
 
 /* Ends a step by the law of contact. */
@@ -378,20 +413,27 @@ out:
     return st;
 }
 
-/* Takes a substep; asked: measures how far from the end of its iterations it is. */
-static enum status substep(struct pb_motion *m, bool asked)
+/* Takes a substep; asked: measures what a fixed number of iterations leaves. */
+static enum status substep(struct pb_motion *m, bool asked, struct counters *counters)
 {
-    const bool xpbd = m->projection == PROJECTION_XPBD;
-    const bool recalls = xpbd && (m->iterations > 1 || asked);
-    double t = (double)++m->substep / m->substeps * m->scene->step;
+    const bool xpbd = m->projection == PROJECTION_XPBD, looks = xpbd && asked,
+               recalls = xpbd && (m->arrival.most > 1 || asked),
+               bends = ++m->substep % m->bending_every == 0;
+    const double t = (double)m->substep / m->substeps * m->scene->step;
     enum status st = STATUS_OK;
+    int done = 0;
 
+    if (looks)
+        pb_sweep_get(m->sweep, PB_D, 3, m->before);
     pb_sweep_predict(m->sweep, recalls);
     if (m->supports.moving)
         hold(m, t);
-    pb_sweep_project(m->sweep, m->iterations, m->substep % m->bending_every == 0, recalls);
-    if (asked && xpbd)
-        measure(m, t);
+    do {
+        const int until = arrival_next(&m->arrival, done);
+        pb_sweep_project(m->sweep, until - done, bends, recalls);
+        done = until;
+    } while (looks && !ends(m, done, bends, t));
+    counters->iterations += done;
     if (m->contact)
         TRY(meet_bodies(m, t));
     pb_sweep_finish(m->sweep);
@@ -406,12 +448,12 @@ enum status pb_motion_frame(void *motion, struct counters *counters)
 
     net_contact_frame(m->contact);
     for (int n = 1; n <= m->substeps; n++)
-        TRY(substep(m, n == m->substeps && m->frame % MEASURED == 0));
+        TRY(substep(m, !m->arrival.fixed || (n == m->substeps && m->frame % MEASURED == 0),
+                    counters));
     m->frame++;
     counters->steps++;
     counters->substeps += m->substeps;
-    counters->iterations += (long)m->substeps * m->iterations;
-    counters->left = m->left;
+    arrival_count(&m->arrival, counters);
     pb_sweep_get(m->sweep, PB_X, 3, m->x);
     pb_sweep_get(m->sweep, PB_D, 3, m->work);
     for (size_t n = 0; n < count(m); n++) {
@@ -461,9 +503,6 @@ static enum status init(void *state, const struct scene *scene,
 
     TRY(model_refuse_net(scene, d, why));
     TRY(contact_rest_refuse(scene, why));
-    if (d->iterations < 1)
-        return status_fail(why, STATUS_INPUT,
-                           "iterations: position_based takes a fixed number, 1 or more");
     if (OWN(pb_own, d)->projection == PROJECTION_PBD &&
         scene->damping.kind == DAMPING_RAYLEIGH && scene->damping.beta > 0 &&
         d->parameters == PARAMETERS_MATCHED)
@@ -505,19 +544,15 @@ static void describe(const void *state, struct message *line)
              "springs%s",
              m->dt, m->softening,
              m->projection == PROJECTION_PBD ? "; PBD's stiffness depends on both" : "");
+    message_add(line, "; ");
+    arrival_describe(&m->arrival, "iterations", line);
 }
 
 static void doubt(const void *state, struct message *line)
 {
-    static const double LEFT_TOLD = 1e-3; /* a thousandth of the length                 */
     const struct pb_motion *m = state;
 
-    if (m->left > LEFT_TOLD)
-        status_fail(line, STATUS_OK,
-                    "iterations end far from their fixed point: at t = %.4g s springs were "
-                    "longer by %.2g %% than their forces ask for; take smaller steps or "
-                    "more iterations",
-                    m->left_time, 100 * m->left);
+    arrival_doubt(&m->arrival, line);
 }
 
 const struct model position_based_model = {
@@ -532,8 +567,7 @@ const struct model position_based_model = {
     .options = options,
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},
-                 .kinematics = KINEMATICS_NONLINEAR,
-                 .iterations = 1},
+                 .kinematics = KINEMATICS_NONLINEAR},
     .bytes = sizeof(struct pb_motion),
     .init = init,
     .advance = pb_motion_frame,

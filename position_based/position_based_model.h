@@ -2,6 +2,7 @@
 #ifndef POSITION_BASED_MODEL_H
 #define POSITION_BASED_MODEL_H
 
+#include "models/mechanics/arrival.h"
 #include "models/mechanics/supports.h"
 #include "models/model.h"
 #include "models/net/net_contact.h"
@@ -13,7 +14,8 @@
  * small steps (Macklin et al. 2019), and PBD (Mueller et al. 2007).
  *
  * A step of dt: d <- (m dt v + dt^2 f) / (m + c dt), then every constraint C(x + d) = 0 is
- * projected in turn (pb_sweep.h), once or `iterations` times; x <- x + d, v = d / dt. With
+ * projected in turn (pb_sweep.h), until the step has arrived (arrival.h) or as often as was
+ * chosen; x <- x + d, v = d / dt. With
  * so many iterations that nothing moves this is implicit Euler's step but for one thing: a
  * spring has pulled along the directions that it had on the way, not along the last one.
  * That is of second order in what it turns in a step: 1e-6 of the way for steps of 4 ms,
@@ -41,8 +43,9 @@
  * damping 84 % at 10, 3 % at 1 and 0.9 % at 0.4. It did so with impulses in place of the
  * law of contact, too. With contact the softening is 0.4 at most, for five times as many
  * substeps.
- * `doubt` tells what it comes to: the strain of springs beyond what their forces ask for,
- * l - r + alpha lambda / dt^2 over r.
+ * What is left of a step are the forces of implicit Euler's equation,
+ *     (m + c dt) d / dt^2 - m v / dt - f + grad V(x + d),
+ * V with as much bending as the substep has (below), and beta's resistance.
  *
  * Bending is soft, and is projected in every n-th substep with the strength of n: as long
  * as a bound of its fastest mode's phase from one to the next is 0.4 at most (an impulse
@@ -85,7 +88,8 @@ struct pb_motion {
     struct pb_sweep *sweep;
     struct net_contact *contact; /* or NULL                                    owned   */
     enum projection projection;
-    int iterations, substeps;
+    struct arrival arrival;
+    int substeps;
     int bending_every;   /* so many substeps                                           */
     double dt;           /* length of a substep                                  [s]    */
     double softening;    /* greatest share that one iteration adds to a compliance [1]  */
@@ -95,8 +99,6 @@ struct pb_motion {
     double *x, *v;         /* [nodes][3] of now                                        */
     double *before, *work; /* [3][nodes][3]                                            */
     double *shift;         /* [held_count]                                             */
-    double left;      /* strain of springs that iterations left, rms, most so far   [1] */
-    double left_time; /* when                                                      [s]  */
 };
 
 /* Initialises; *m must stay where it is: it holds pointers into itself. */

@@ -185,7 +185,7 @@ static void chunk_triangles(const struct pd_local *local, int from, int count,
     const struct pd_energy *e = local->energy;
     const struct pd_net *net = &e->net;
     ptrdiff_t length = buffer_length(local), stride = pd_net_stride(net);
-    double larger = fmax(e->deviator, e->trace);
+    double larger = (local->share > 0 ? local->share : 1) * fmax(e->deviator, e->trace);
     const struct triangle_law law = {
         .over_u = 1 / net->du,
         .over_v = 1 / net->dv,
@@ -229,7 +229,7 @@ static void chunk_split(const struct pd_local *local, int first, int before, int
     }
 }
 
-static void do_chunk(const struct pd_local *local, int first, const double *x,
+static void do_chunk(const struct pd_local *local, bool split, int first, const double *x,
                      const double *base, double *b, double *buffer)
 {
     const struct pd_net *net = &local->energy->net;
@@ -242,7 +242,7 @@ static void do_chunk(const struct pd_local *local, int first, const double *x,
         gather_edges(net->m, nodes, buffer + before, COMPONENTS * length, length,
                      base + first, stride, b + first);
     } else {
-        if (local->share > 0)
+        if (split)
             chunk_split(local, first, before, nodes, x, buffer);
         else
             chunk_triangles(local, first - before, nodes + before, x, buffer);
@@ -251,8 +251,8 @@ static void do_chunk(const struct pd_local *local, int first, const double *x,
     }
 }
 
-static void do_chunks(const struct pd_local *local, const double *x, const double *base,
-                      double *b)
+static void do_chunks(const struct pd_local *local, bool split, const double *x,
+                      const double *base, double *b)
 {
     const struct pd_net *net = &local->energy->net;
     int chunks = (net->nodes + local->chunk - 1) / local->chunk;
@@ -260,12 +260,12 @@ static void do_chunks(const struct pd_local *local, const double *x, const doubl
 
     if (chunks == 1 || local->threads == 1 || omp_get_max_threads() == 1) {
         for (int n = 0; n < chunks; n++)
-            do_chunk(local, n * local->chunk, x, base, b, local->buffer);
+            do_chunk(local, split, n * local->chunk, x, base, b, local->buffer);
         return;
     }
 #pragma omp parallel for schedule(static) num_threads(local->threads)
     for (int n = 0; n < chunks; n++)
-        do_chunk(local, n * local->chunk, x, base, b,
+        do_chunk(local, split, n * local->chunk, x, base, b,
                  local->buffer + omp_get_thread_num() * size);
 }
 
@@ -273,9 +273,14 @@ void pd_local_step(struct pd_local *local, const double *x, const double *base, 
 {
     double *keep = local->dual;
 
-    do_chunks(local, x, base, b);
+    do_chunks(local, local->share > 0, x, base, b);
     local->dual = local->dual_next;
     local->dual_next = keep;
+}
+
+void pd_local_forces(struct pd_local *local, const double *x, const double *base, double *b)
+{
+    do_chunks(local, false, x, base, b);
 }
 
 /* --- life --------------------------------------------------------------------------------

@@ -36,4 +36,9 @@ void pd_local_clear(struct pd_local *local);
  * what inertia resists with, the root of that. u stays from step to step. */
 void pd_local_step(struct pd_local *local, const double *x, const double *base, double *b);
 
+/* Computes the same b without the split, for its matrix: A x - b is then the slope of the
+ * step's energy. */
+void pd_local_forces(struct pd_local *local, const double *x, const double *base,
+                     double *b);
+
 #endif

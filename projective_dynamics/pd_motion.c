@@ -9,8 +9,10 @@
 #include "models/room.h"
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
-static const double LEFT_LEAST = 1e-6; /* share of the length; less is not counted      */
-static const double ROUND_OFF = 1e-12; /* likewise, of a change                         */
+
+/* The iterations of a step at most, unless the settings tell; then the frames from one
+ * measurement of what they leave to the next. */
+enum { MOST_ITERATIONS = 1000, MEASURED = 10 };
 
 /* Returns the acceleration of a free node on which no neighbour pulls, component c, its
  * place `at` in three fields, less damping [m/s^2]. */
@@ -311,6 +313,24 @@ static double find_share(const struct pd_motion *m)
     return 1 / sqrt(1 + s * s * stretch / mass);
 }
 
+static void make_arrival(struct pd_motion *m)
+{
+    const struct pd_net *net = &m->energy.net;
+    double loads = 0, mass = 0;
+
+    for (int k = 0; k < net->nodes; k++) {
+        double square = 0;
+        for (int c = 0; c < 3; c++) {
+            const double g = fall(m, c, c * pd_net_stride(net) + k);
+            square += m->system.held[c * net->nodes + k] ? 0 : g * g;
+        }
+        mass += m->energy.mass[k];
+        loads += m->energy.mass[k] * sqrt(square);
+    }
+    arrival_init(&m->arrival, m->options.iterations, MOST_ITERATIONS, loads, mass,
+                 net->nodes, m->scene, m->span);
+}
+
 void pd_motion_clear(void *motion)
 {
     struct pd_motion *m = motion;
@@ -353,6 +373,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
         TRY(pd_contact_init(&m->contact, scene, &m->system, m->supports.free_index));
     TRY(allocate(m));
     TRY(add_loads(m));
+    make_arrival(m);
     if (options->chebyshev)
         TRY(find_radius(m));
     start(m);
@@ -466,20 +487,61 @@ out:
     return st;
 }
 
-/* Estimates the movement that is left from the last changes, `moved` and `before`
- * (INFINITY: unknown), as of a geometric series: a lower bound, as the slowest part shows
- * last. */
-static void keep_left(struct pd_motion *m, double before, double moved)
+/* Computes in next minus the step's equation at x, times span^2: b(x) - A x, and what
+ * contact pushes. */
+static enum status find_forces(struct pd_motion *m)
 {
-    const double ratio = before < INFINITY ? moved / before : 0.5,
-                 left = ratio < 1 ? moved * ratio / (1 - ratio) : INFINITY,
-                 share = left / farthest(m, m->x, m->start);
+    const struct pd_net *net = &m->energy.net;
+    const ptrdiff_t stride = pd_net_stride(net);
+    const struct contact *law = &m->contact.law;
+    enum status st = STATUS_OK;
 
-    if (moved < ROUND_OFF * m->scene->length || left < LEFT_LEAST * m->scene->length ||
-        !(share > m->left))
-        return;
-    m->left = fmin(share, 1);
-    m->left_time = m->time + m->dt;
+    pd_local_forces(&m->local, m->x, m->base, m->next);
+    pd_system_subtract(&m->system, m->x, m->next);
+    if (!m->contact.system)
+        return st;
+    TRY(pd_contact_find(&m->contact, m->x));
+    for (const struct contact_touch *t = law->touch; t < law->touch + law->count; t++)
+        for (int n = t->first; n < t->first + t->count; n++)
+            for (int c = 0; c < 3; c++)
+                if (!m->system.held[c * net->nodes + law->node[n]])
+                    m->next[c * stride + law->node[n]] +=
+                        m->span * m->span * law->weight[n] *
+                        (t->push * t->normal[c] + t->rub[c]);
+out:
+    return st;
+}
+
+/* Finds whether the step ends after `done` iterations (arrival.h). */
+static enum status look(struct pd_motion *m, int done, bool *ends)
+{
+    const struct pd_net *net = &m->energy.net;
+    const double square = m->span * m->span, inert = 1 + m->alpha * m->span;
+    struct arrival_forces sum = {0};
+    enum status st;
+
+    TRY(find_forces(m));
+    for (int k = 0; k < net->nodes; k++) {
+        double left = 0, held = 0, gain = 0;
+        for (int c = 0; c < 3; c++) {
+            const ptrdiff_t at = c * pd_net_stride(net) + k;
+            const double v = (m->x[at] - m->origin[at]) / m->span - m->speed[at],
+                         f = m->next[at] / square,
+                         pull = f + (m->system.constant[at] - m->base[at] +
+                                     inert * m->energy.mass[k] * m->x[at]) /
+                                        square;
+            if (m->system.held[c * net->nodes + k])
+                held += pull * pull;
+            else
+                left += f * f, gain += v * v;
+        }
+        sum.left += sqrt(left);
+        sum.held += sqrt(held);
+        sum.momentum += m->energy.mass[k] * sqrt(gain) / m->span;
+    }
+    *ends = arrival_ends(&m->arrival, done, &sum, m->time + m->dt);
+out:
+    return st;
 }
 
 /* Computes velocities at the end of the span. */
@@ -518,27 +580,40 @@ static void touch(struct pd_motion *m)
         }
 }
 
+/* Iterates until the step has arrived, or as the settings say. */
+static enum status iterate(struct pd_motion *m, struct counters *counters)
+{
+    const struct pd_options *o = &m->options;
+    const double near = o->tolerance * m->scene->length;
+    const bool fixed = m->arrival.fixed;
+    double moved = INFINITY, value = INFINITY;
+    bool ends = fixed && m->frame % MEASURED;
+    int number = 0, done = 0;
+    enum status st = STATUS_OK;
+
+    do {
+        for (int until = arrival_next(&m->arrival, done); done < until && moved > near;) {
+            TRY(pd_motion_iterate(m, number++, near > 0 ? &moved : NULL));
+            done++;
+            if (o->chebyshev && pd_motion_take_back(m, done == until, &number, &value))
+                moved = INFINITY;
+        }
+        if (!ends)
+            TRY(look(m, fixed ? o->iterations : done, &ends));
+    } while (!ends);
+    counters->iterations += done;
+    counters->solves += done;
+out:
+    return st;
+}
+
 static enum status step(struct pd_motion *m, struct counters *counters)
 {
     enum status st;
-    const struct pd_options *o = &m->options;
-    double near = o->tolerance * m->scene->length, moved = INFINITY, value = INFINITY;
-    double before = INFINITY;
-    int number = 0;
     long pushes = m->contact.solves;
 
     pd_motion_begin(m);
-    for (int n = 0; n < o->iterations && !(o->tolerance > 0 && moved <= near); n++) {
-        const bool asked = o->tolerance > 0 || n >= o->iterations - 2;
-        before = moved;
-        TRY(pd_motion_iterate(m, number++, asked ? &moved : NULL));
-        if (o->chebyshev && pd_motion_take_back(m, n + 1 == o->iterations, &number, &value))
-            moved = INFINITY;
-        counters->iterations++;
-        counters->solves++;
-    }
-    if (moved < INFINITY)
-        keep_left(m, before, moved);
+    TRY(iterate(m, counters));
     counters->solves += m->contact.solves - pushes;
     if (m->contact.system)
         TRY(add_push(m));
@@ -580,7 +655,8 @@ enum status pd_motion_frame(void *motion, struct counters *counters)
         return STATUS_NAN;
     counters->steps++;
     counters->substeps += m->options.substeps;
-    counters->left = m->left;
+    m->frame++;
+    arrival_count(&m->arrival, counters);
 out:
     return st;
 }

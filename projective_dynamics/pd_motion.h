@@ -10,6 +10,7 @@
 #ifndef PD_MOTION_H
 #define PD_MOTION_H
 
+#include "models/mechanics/arrival.h"
 #include "models/model.h"
 #include "projective_dynamics/pd_contact.h"
 #include "projective_dynamics/pd_local.h"
@@ -24,7 +25,8 @@ struct pd_options {
     enum constraint constraint;
     enum parameters parameters;
     int substeps;     /* steps a frame, >= 1                                           */
-    int iterations;   /* a step: as many, or at most so many if tolerance > 0; >= 1    */
+    int iterations;   /* a step: as many, or at most so many if tolerance > 0; 0: until
+                         the step has arrived (arrival.h)                              */
     double tolerance; /* stop where no node moves farther, as a share of the length    */
     bool chebyshev;   /* Wang 2015, and taken back where it does not descend           */
     bool split;       /* ADMM; of triangles                                            */
@@ -61,10 +63,10 @@ struct pd_motion {
     const double *origin, *speed; /* where and how fast the span begins, three fields  */
     double radius; /* Chebyshev: of the iteration about the rest shape              */
     double weight; /* weight of the last iteration                                  */
-    double left;   /* largest share of a step's movement left by its iteration [1]       */
-    double left_time; /* that step's [s]                                               */
-    double *fields;   /* memory of the next seven                             owned    */
-    double *x, *v;    /* three fields each                                            */
+    struct arrival arrival;
+    long frame;     /* taken so far                                                      */
+    double *fields; /* memory of the next seven                             owned    */
+    double *x, *v;  /* three fields each                                            */
     double *base, *start, *next, *before; /* work, the same                           */
     double *saved; /* Chebyshev: what it may fall back to, as x                       */
     double *shift; /* [held]                          owned    */

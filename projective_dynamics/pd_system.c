@@ -245,6 +245,25 @@ out:
     return st;
 }
 
+void pd_system_subtract(const struct pd_system *s, const double *x, double *b)
+{
+    const int nodes = s->net->nodes;
+
+    for (int c = 0; c < 3; c++, x += pd_net_stride(s->net), b += pd_net_stride(s->net)) {
+        const bool *held = s->held + (size_t)c * nodes;
+        for (int k = 0; k < nodes; k++)
+            for (int t = 0; t < COUPLINGS; t++) {
+                const int other = partner(s->net, k, t);
+                const double a = s->stencil[(size_t)k * COUPLINGS + t];
+                if (other < 0 || a == 0)
+                    continue;
+                b[k] -= held[other] && !held[k] ? 0 : a * x[other];
+                if (t)
+                    b[other] -= held[k] && !held[other] ? 0 : a * x[k];
+            }
+    }
+}
+
 double pd_system_diagonal(const struct pd_system *s, int node)
 {
     return s->stencil[(size_t)node * COUPLINGS];

@@ -48,6 +48,10 @@ void pd_system_hold(const struct pd_system *s, double *base);
 /* Solves A x = b in place, three fields; held nodes keep b's value. */
 enum status pd_system_solve(struct pd_system *s, double *b);
 
+/* Subtracts A x from b, three fields: at free nodes without the held ones' share, which
+ * pd_system_hold has subtracted. */
+void pd_system_subtract(const struct pd_system *s, const double *x, double *b);
+
 /* Returns A's diagonal at a node. */
 double pd_system_diagonal(const struct pd_system *s, int node);
 

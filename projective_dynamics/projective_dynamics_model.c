@@ -5,9 +5,7 @@
 #include "models/net/spring_law.h"
 #include "projective_dynamics/pd_motion.h"
 
-enum { DEFAULT_ITERATIONS = 10, MOST_ITERATIONS = 1000000 };
-static const double DEFAULT_TOLERANCE = 1e-6; /* share of the length; if iterations = 0  */
-static const double LEFT_TOLD = 0.01;         /* share of a step's movement              */
+enum { TOLERANCE_ITERATIONS = 1000000 }; /* at most, where a tolerance ends them */
 
 /* clang-format off */
 static const struct schema_key options[] = {
@@ -19,8 +17,8 @@ static const struct schema_key options[] = {
      .words = pd_energy_constraints,
      OPTION_OWN(pd_own, constraint)},
     {"acceleration", "acceleration of the iterations",
-     OPTION_WORDS([ACCELERATION_NONE] = "none", [ACCELERATION_CHEBYSHEV] = "chebyshev",
-                  [ACCELERATION_ADMM] = "admm"),
+     OPTION_WORDS([ACCELERATION_AUTO] = "auto", [ACCELERATION_NONE] = "none",
+                  [ACCELERATION_CHEBYSHEV] = "chebyshev", [ACCELERATION_ADMM] = "admm"),
      OPTION_OWN(pd_own, acceleration)},
     {NULL}};
 /* clang-format on */
@@ -44,32 +42,45 @@ static enum constraint constraint_of(const struct scene *scene,
                                     : CONSTRAINT_TRIANGLES;
 }
 
+/* Iterations that go on until they arrive are accelerated, or they would take a thousand.
+ */
+static enum acceleration acceleration_of(const struct scene *scene,
+                                         const struct discretization *d)
+{
+    const enum acceleration asked = OWN(pd_own, d)->acceleration;
+
+    return asked != ACCELERATION_AUTO                        ? asked
+           : d->iterations > 0 || d->tolerance > 0           ? ACCELERATION_NONE
+           : constraint_of(scene, d) == CONSTRAINT_TRIANGLES ? ACCELERATION_ADMM
+                                                             : ACCELERATION_CHEBYSHEV;
+}
+
 static void adapt(const struct scene *scene, struct discretization *d,
                   struct message *reason)
 {
     (void)reason;
     OWN(pd_own, d)->constraint = constraint_of(scene, d);
+    OWN(pd_own, d)->acceleration = acceleration_of(scene, d);
 }
 
 static struct pd_options options_of(const struct scene *scene,
                                     const struct discretization *d)
 {
-    const struct pd_own *own = OWN(pd_own, d);
-    struct pd_options o = {
+    const enum acceleration acceleration = acceleration_of(scene, d);
+    const struct pd_options o = {
         .points = {d->points[0], d->points[1]},
         .constraint = constraint_of(scene, d),
         .parameters = d->parameters,
         .substeps = d->substeps > 0 ? d->substeps : 1,
-        .iterations = d->iterations > 0 ? d->iterations : MOST_ITERATIONS,
+        .iterations =
+            d->iterations <= 0 && d->tolerance > 0 ? TOLERANCE_ITERATIONS : d->iterations,
         .tolerance = d->tolerance,
-        .chebyshev = own->acceleration == ACCELERATION_CHEBYSHEV,
-        .split = own->acceleration == ACCELERATION_ADMM,
+        .chebyshev = acceleration == ACCELERATION_CHEBYSHEV,
+        .split = acceleration == ACCELERATION_ADMM,
         .second = d->integrator == INTEGRATOR_BDF2,
         .solver = d->solver,
     };
 
-    if (d->iterations <= 0 && d->tolerance <= 0)
-        o.tolerance = DEFAULT_TOLERANCE;
     return o;
 }
 
@@ -109,16 +120,10 @@ static void doubt(const void *state, struct message *line)
 {
     const struct pd_motion *m = state;
 
-    if (m->left > LEFT_TOLD)
-        status_fail(
-            line, STATUS_OK,
-            "iterations end far from their fixed point: at t = %.4g s at least %.2g "
-            "%% of a step's movement is left; take more of them or less tolerance, "
-            "or acceleration=chebyshev",
-            m->left_time, 100 * m->left);
+    arrival_doubt(&m->arrival, line);
 }
 
-/* Describes the membrane of a fabric's edges. */
+/* Describes the iterations, and the membrane of a fabric's edges. */
 static void describe(const void *state, struct message *line)
 {
     const struct pd_motion *m = state;
@@ -126,10 +131,12 @@ static void describe(const void *state, struct message *line)
     struct spring_law law;
 
     *line->text = '\0';
-    if (!m->scene->is_fabric)
-        return;
-    spring_law_make(m->scene, m->options.parameters, cell, &law);
-    spring_law_tell(&law, cell, m->scene, line);
+    if (m->scene->is_fabric) {
+        spring_law_make(m->scene, m->options.parameters, cell, &law);
+        spring_law_tell(&law, cell, m->scene, line);
+        message_add(line, "; ");
+    }
+    arrival_describe(&m->arrival, "iterations", line);
 }
 
 const struct model projective_dynamics_model = {
@@ -144,8 +151,7 @@ const struct model projective_dynamics_model = {
     .options = options,
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},
-                 .kinematics = KINEMATICS_NONLINEAR,
-                 .iterations = DEFAULT_ITERATIONS},
+                 .kinematics = KINEMATICS_NONLINEAR},
     .adapt = adapt,
     .bytes = sizeof(struct pd_motion),
     .init = init,

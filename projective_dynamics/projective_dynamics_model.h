@@ -8,6 +8,7 @@
 #include "projective_dynamics/pd_energy.h"
 
 enum acceleration {
+    ACCELERATION_AUTO, /* of iterations that go on until they arrive                      */
     ACCELERATION_NONE,
     ACCELERATION_CHEBYSHEV, /* Wang 2015                                               */
     ACCELERATION_ADMM,      /* Overby et al. 2017, softly weighted                     */

@@ -365,17 +365,11 @@ void vb_body_sweep(const struct vb_body *b, const struct vb_step *s, double *x)
     }
 }
 
-double vb_body_residual(const struct vb_body *b, const struct vb_step *s, const double *x)
+void vb_body_force(const struct vb_body *b, const struct vb_step *s, const double *x,
+                   double *force)
 {
-    double sum = 0;
-    int count = 0;
-
     for (int a = 0; a < b->nodes; a++) {
-        const int *place = s->place + 3 * a;
-        struct vb_local l = local_at(b, s, x, a);
-        hold(place, &l);
-        count += place[0] >= 0 || place[1] >= 0 || place[2] >= 0;
-        sum += vector_dot(l.g, l.g);
+        const struct vb_local l = local_at(b, s, x, a);
+        memcpy(force + 3 * a, l.g, sizeof l.g);
     }
-    return count ? sqrt(sum / count) : 0;
 }

@@ -69,7 +69,8 @@ struct vb_step {
  * place alone, is least: colour by colour. The same bits for every number of threads. */
 void vb_body_sweep(const struct vb_body *b, const struct vb_step *s, double *x);
 
-/* Returns the rms length, over the free points, of the step's force that is left [N]. */
-double vb_body_residual(const struct vb_body *b, const struct vb_step *s, const double *x);
+/* Computes the step's force at every point, force[nodes][3] [N]. */
+void vb_body_force(const struct vb_body *b, const struct vb_step *s, const double *x,
+                   double *force);
 
 #endif

@@ -10,8 +10,9 @@
 #include "models/room.h"
 #include "models/vector.h"
 
-/* The frames from one measurement of the forces that are left to the next. */
-enum { MEASURED = 10 };
+/* The sweeps of a step at most, unless their number is given; then the frames from one
+ * measurement of the forces that they leave to the next. */
+enum { MOST_SWEEPS = 100, MEASURED = 10 };
 
 /* Cells along the sheet at which VB_EDGE_LENGTH has the scene's bending. */
 enum { CELLS = 10 };
@@ -48,6 +49,18 @@ static double elastic(const struct vb_motion *m)
                                          : tri_body_energy(&m->law, m->x);
 }
 
+static void make_arrival(struct vb_motion *m, int iterations)
+{
+    const int nodes = m->net.points.nodes, *place = m->supports.free_index;
+    double mass = 0;
+
+    for (int a = 0; a < nodes; a++)
+        mass += m->load.mass[a];
+    arrival_init(&m->arrival, iterations, MOST_SWEEPS,
+                 arrival_sum(nodes, place, true, NULL, m->load.load), mass, nodes, m->scene,
+                 m->dt);
+}
+
 static enum status allocate(struct vb_motion *m)
 {
     const size_t nodes = (size_t)m->net.points.nodes,
@@ -56,8 +69,8 @@ static enum status allocate(struct vb_motion *m)
     return room_cut(&m->room, ROOM(m->inertia, nodes), ROOM(m->x, 3 * nodes),
                     ROOM(m->v, 3 * nodes), ROOM(m->gain, 3 * nodes),
                     ROOM(m->start, 3 * nodes), ROOM(m->target, 3 * nodes),
-                    ROOM(m->before[0], more), ROOM(m->before[1], more),
-                    ROOM(m->shift, m->supports.held_count));
+                    ROOM(m->force, 3 * nodes), ROOM(m->before[0], more),
+                    ROOM(m->before[1], more), ROOM(m->shift, m->supports.held_count));
 }
 
 static void scale_hinges(struct vb_motion *m)
@@ -103,10 +116,8 @@ static enum status vb_motion_init(struct vb_motion *m, const struct scene *scene
 {
     enum status st;
 
-    *m = (struct vb_motion){.scene = scene,
-                            .own = *OWN(vb_own, d),
-                            .iterations = d->iterations,
-                            .substeps = d->substeps};
+    *m =
+        (struct vb_motion){.scene = scene, .own = *OWN(vb_own, d), .substeps = d->substeps};
     m->dt = scene->step / m->substeps;
     TRY(tri_net_init(&m->net, scene, d->points, d->bending));
     scale_hinges(m);
@@ -120,6 +131,7 @@ static enum status vb_motion_init(struct vb_motion *m, const struct scene *scene
     supports_initial_velocity(&m->supports, scene, m->net.points.rest, NULL, m->v);
     m->rest_energy = elastic(m);
     TRY(make_contact(m));
+    make_arrival(m, d->iterations);
 out:
     if (st != STATUS_OK)
         vb_motion_clear(m);
@@ -171,42 +183,61 @@ static void accelerate(struct vb_motion *m, int done, double *w)
     }
 }
 
-/* Measures the force that the sweeps left. */
-static void measure(struct vb_motion *m, const struct vb_step *s, double t)
+/* Computes the sweeps' change of velocity. */
+static void find_gain(struct vb_motion *m)
 {
-    double loads = 0;
-
     for (size_t n = 0; n < count(m); n++)
-        loads += m->load.load[n] * m->load.load[n];
-    const double left =
-        vb_body_residual(&m->body, s, m->x) / sqrt(loads / m->net.points.nodes);
-    if (loads > 0 && !(left <= m->left))
-        m->left = left, m->left_time = t;
+        m->gain[n] = (m->x[n] - m->start[n]) / m->dt - m->v[n];
 }
 
-static enum status substep(struct vb_motion *m, bool asked)
+/* Returns whether the step ends after `done` sweeps, by the force that they left. */
+static bool ends(struct vb_motion *m, const struct vb_step *s, int done, double t)
+{
+    const int nodes = m->net.points.nodes;
+    struct arrival_forces f;
+
+    find_gain(m);
+    vb_body_force(&m->body, s, m->x, m->force);
+    f.left = arrival_sum(nodes, s->place, true, NULL, m->force);
+    f.held = arrival_sum(nodes, s->place, false, NULL, m->force);
+    f.momentum = arrival_sum(nodes, s->place, true, m->load.mass, m->gain) / m->dt;
+    return arrival_ends(&m->arrival, done, &f, t);
+}
+
+/* Sweeps until the step that ends at t has arrived, or as often as was chosen, and then
+ * measures what is left if that is asked for. Returns how often. */
+static int sweep(struct vb_motion *m, bool asked, double t)
+{
+    const struct vb_step s = {m->inertia, m->target, m->supports.free_index};
+    double w = 1;
+    int done = 0;
+
+    if (m->own.chebyshev > 0)
+        memcpy(m->before[0], m->x, count(m) * sizeof *m->x);
+    do {
+        for (int until = arrival_next(&m->arrival, done); done < until;) {
+            vb_body_sweep(&m->body, &s, m->x);
+            done++;
+            if (m->own.chebyshev > 0)
+                accelerate(m, done, &w);
+        }
+    } while ((asked || !m->arrival.fixed) && !ends(m, &s, done, t));
+    return done;
+}
+
+static enum status substep(struct vb_motion *m, bool asked, struct counters *counters)
 {
     enum status st = STATUS_OK;
-    const struct vb_step s = {m->inertia, m->target, m->supports.free_index};
-    double t = (double)(m->substep + 1) / m->substeps * m->scene->step, w = 1;
+    double t = (double)(m->substep + 1) / m->substeps * m->scene->step;
 
     predict(m);
     hold(m, t);
-    if (m->own.chebyshev > 0)
-        memcpy(m->before[0], m->x, count(m) * sizeof *m->x);
-    for (int k = 1; k <= m->iterations; k++) {
-        vb_body_sweep(&m->body, &s, m->x);
-        if (m->own.chebyshev > 0)
-            accelerate(m, k, &w);
-    }
-    if (asked)
-        measure(m, &s, t);
+    counters->iterations += sweep(m, asked, t);
+    find_gain(m);
     TRY(net_contact_project(m->contact, t, m->start, m->x));
     for (size_t n = 0; n < count(m); n++) {
-        const double v = (m->x[n] - m->start[n]) / m->dt;
-        m->gain[n] = v - m->v[n];
-        m->v[n] = v;
-        if (!isfinite(v))
+        m->v[n] = (m->x[n] - m->start[n]) / m->dt;
+        if (!isfinite(m->v[n]))
             return STATUS_NAN;
     }
     m->substep++;
@@ -222,12 +253,11 @@ static enum status vb_motion_frame(void *motion, struct counters *counters)
 
     net_contact_frame(m->contact);
     for (int n = 1; n <= m->substeps; n++)
-        TRY(substep(m, n == m->substeps && m->frame % MEASURED == 0));
+        TRY(substep(m, n == m->substeps && m->frame % MEASURED == 0, counters));
     m->frame++;
     counters->steps++;
     counters->substeps += m->substeps;
-    counters->iterations += (long)m->substeps * m->iterations;
-    counters->left = m->left;
+    arrival_count(&m->arrival, counters);
     for (size_t n = 0; n < count(m); n++)
         m->v[n] *= m->load.keep;
 out:
@@ -275,10 +305,9 @@ static enum status refuse(const struct scene *scene, const struct discretization
 
     TRY(model_refuse_net(scene, d, why));
     TRY(contact_rest_refuse(scene, why));
-    if (d->iterations < 1 || d->substeps < 1)
+    if (d->substeps < 1)
         return status_fail(why, STATUS_INPUT,
-                           "iterations, substeps: vbd takes fixed numbers, 1 or "
-                           "more");
+                           "substeps: vbd takes a fixed number, 1 or more");
     if (scene->damping.kind == DAMPING_RAYLEIGH && scene->damping.beta != 0)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "unsupported: no damping by stiffness (rayleigh beta): that of "
@@ -333,25 +362,19 @@ static void describe(const void *state, struct message *line)
 {
     const struct vb_motion *m = state;
 
-    status_fail(line, STATUS_OK, "steps of %.3g s, %d sweeps over points of %d colours%s",
-                m->dt, m->iterations, m->body.colours,
-                m->own.hinge_scale == VB_EDGE_LENGTH
-                    ? "; the bending stiffness is proportional to the width of the net's "
-                      "cells: another net is another cloth"
-                    : "");
+    status_fail(line, STATUS_OK, "steps of %.3g s, points of %d colours, ", m->dt,
+                m->body.colours);
+    arrival_describe(&m->arrival, "sweeps", line);
+    if (m->own.hinge_scale == VB_EDGE_LENGTH)
+        message_add(line, "; the bending stiffness is proportional to the width of the "
+                          "net's cells: another net is another cloth");
 }
 
 static void doubt(const void *state, struct message *line)
 {
-    static const double LEFT_TOLD = 0.1; /* a tenth of the loads                        */
     const struct vb_motion *m = state;
 
-    if (m->left > LEFT_TOLD)
-        status_fail(line, STATUS_OK,
-                    "iterations end far from their fixed point: at t = %.4g s a force was "
-                    "left of %.2g times the loads (root mean square); take smaller steps "
-                    "or more iterations",
-                    m->left_time, m->left);
+    arrival_doubt(&m->arrival, line);
 }
 
 const struct model vertex_block_model = {
@@ -367,8 +390,7 @@ const struct model vertex_block_model = {
     .defaults = {.points = {16, 16, 1},
                  .degree = {1, 1, 1},
                  .kinematics = KINEMATICS_NONLINEAR,
-                 .substeps = 10,
-                 .iterations = 5},
+                 .substeps = 10},
     .bytes = sizeof(struct vb_motion),
     .init = init,
     .advance = vb_motion_frame,

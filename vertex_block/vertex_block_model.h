@@ -2,6 +2,7 @@
 #ifndef VERTEX_BLOCK_MODEL_H
 #define VERTEX_BLOCK_MODEL_H
 
+#include "models/mechanics/arrival.h"
 #include "models/model.h"
 #include "models/net/net_contact.h"
 #include "models/net/spring_load.h"
@@ -12,17 +13,18 @@
  *
  * A step of dt is Euler's implicit one: it ends where
  *     sum (m / dt^2 + c / dt) |x - y|^2 / 2 + E(x)
- * is least, y the place that inertia, drag c and loads alone would lead to. `iterations`
- * sweeps go over the points, colour by colour, each of which is moved to where the function
- * is least if all others stand still, to second order (vb_body.h). Its cost does not depend
- * on how stiff the sheet is; how far the sweeps come does: a sweep moves a wave of the net
- * by a share of about (m / dt^2 + k_wave) / (m / dt^2 + k_point) of its way, k_wave its
- * stiffness and k_point that of a point between fixed neighbours. Small steps do more than
- * iterations, therefore.
+ * is least, y the place that inertia, drag c and loads alone would lead to. Sweeps go over
+ * the points, colour by colour, each of which is moved to where the function is least if
+ * all others stand still, to second order (vb_body.h), until the step has arrived
+ * (arrival.h). Its cost does not depend on how stiff the sheet is; how far the sweeps come
+ * does: a sweep moves a wave of the net by a share of about (m / dt^2 + k_wave) / (m / dt^2
+ * + k_point) of its way, k_wave its stiffness and k_point that of a point between fixed
+ * neighbours. Small steps do more than iterations, therefore.
  *
  * Start of the sweeps (Chen et al., sec. 3.7): x + dt v + dt^2 of that part of the loads'
- * acceleration that the last step's velocity change shows, between none and all of it.
- * Chebyshev (sec. 3.8; Wang 2015): after sweep k x_k <- w (x_k - x_(k-2)) + x_(k-2).
+ * acceleration that the last step's velocity change shows, between none and all of it; its
+ * change before contact, of which the sweeps know nothing: what a body carries falls in
+ * them. Chebyshev (sec. 3.8; Wang 2015): after sweep k x_k <- w (x_k - x_(k-2)) + x_(k-2).
  *
  * Damping: mass and alpha, and drag, are c; velocity_scale and velocity_rate act once a
  * frame; stiffness damping is refused: the paper's resists rigid turns, too. Contact ends
@@ -54,20 +56,20 @@ struct vb_motion {
     struct vb_body body;
     struct net_contact *contact; /* or NULL                                    owned   */
     struct vb_own own;
-    int iterations, substeps;
+    struct arrival arrival;
+    int substeps;
     double dt;           /* length of a substep                                  [s]   */
     double rest_energy;  /* round-off of the energy at rest                      [J]   */
     long substep, frame; /* taken so far                                               */
     void *room;
     double *inertia;   /* [nodes] m / dt^2 + c / dt                          [N/m] */
     double *x, *v;     /* [nodes][3] of now                                        */
-    double *gain;      /* [nodes][3] change of velocity in the last step     [m/s] */
+    double *gain;      /* [nodes][3] change of velocity by the last sweeps   [m/s] */
     double *start;     /* [nodes][3] where the step starts                   [m]   */
     double *target;    /* [nodes][3] y                                       [m]   */
+    double *force;     /* [nodes][3] that sweeps left                          [N] */
     double *before[2]; /* [nodes][3] the last two sweeps', with Chebyshev    [m]   */
     double *shift;     /* [held_count]                                             */
-    double left;      /* rms force that sweeps left, over that of the loads, most     [1] */
-    double left_time; /* when                                                      [s]  */
 };
 
 void vb_motion_energy(const void *motion, struct energy *energy);

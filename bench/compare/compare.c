@@ -441,7 +441,7 @@ static void note_end(struct table *t, const struct contest *c, const struct cont
 
     if (run_result_refused(&r->result))
         table_note(t, "%s, %dx%d: %s.", title, side, across, r->result.sentence.text);
-    else if (r->result.outcome)
+    else if (r->result.outcome || run_result_missed(&r->result))
         table_note(t, "%s, %dx%d, step %.3g ms: %s.", title, side, across,
                    1e3 * c->scene->step / r->at.size[CONTEST_STEP],
                    r->result.sentence.text);

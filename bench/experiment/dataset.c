@@ -484,7 +484,8 @@ static double observed_order(const struct study_results *d, const struct study *
 static void note_study(struct table *t, const struct view *v, const struct study *s)
 {
     for (int n = 0; n < s->plan->level_count; n++)
-        if (!s->row[n].left_out && s->row[n].result.outcome)
+        if (!s->row[n].left_out &&
+            (s->row[n].result.outcome || run_result_missed(&s->row[n].result)))
             table_note(t, "%s, %s: %s.", s->plan->name, s->row[n].level->label,
                        s->row[n].result.sentence.text);
     for (int time = 0; v->alone && time < s->frames; time++) {

@@ -39,6 +39,7 @@ static const struct {
     {"counters/substeps", "1"},
     {"counters/left", "1"},
     {"counters/tested", "1"},
+    {"counters/missed", "1"},
 };
 enum { SERIES = sizeof series / sizeof *series };
 
@@ -51,6 +52,7 @@ struct store {
     bool single, packed;
     enum status outcome;
     double death_time;
+    bool missed; /* a step has not arrived                                               */
 };
 
 static enum status written(const struct store *s, bool good, struct message *why)
@@ -234,10 +236,12 @@ enum status store_frame(struct store *s, double t, const double *xyz,
         (double)c->substeps,
         c->left,
         (double)c->tested,
+        (double)c->missed,
     };
     enum status st = STATUS_OK;
 
     TRY(make_room(s));
+    s->missed = c->missed > 0;
     if (xyz) {
         TRY(written(s, write_field(s, xyz), why));
         s->series[0][s->fields++] = t;
@@ -357,7 +361,9 @@ static enum status put_end(struct store *s, struct message *why)
                     why));
     }
     TRY(put_views(s, why));
-    TRY(store_text(s, "outcome", status_text(s->outcome), why));
+    TRY(store_text(s, "outcome",
+                   s->missed && !s->outcome ? STORE_NOT_ARRIVED : status_text(s->outcome),
+                   why));
     if (status_is_death(s->outcome))
         TRY(store_number(s, "death_time", s->death_time, why));
 out:

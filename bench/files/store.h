@@ -6,7 +6,8 @@
  *
  *   attributes        format, scene (its YAML text), scene_name, scene_source, model,
  *                     model_title, model_source, discretization (lines `key=value` as
- *                     --set takes them), outcome ("done" or the sentence of a death),
+ *                     --set takes them), outcome ("done", "not_arrived" where the
+ *                     iterations of a step ended at their limit, or a death's sentence),
  *                     death_time [s] (only then), note (a sentence, if there is one),
  *                     quick ("yes", of a quick run only), made_for (run_file.h),
  *                     warnings (a line each, if there are any: harness/warnings.h),
@@ -46,6 +47,8 @@
 
 #include "bench/files/provenance.h"
 #include "models/model.h"
+
+#define STORE_NOT_ARRIVED "not_arrived" /* the outcome */
 
 struct store;
 

@@ -38,6 +38,7 @@
 #define CONTROL      "discretization.contact=control_points"
 #define PAPER        "discretization.parameters=paper"
 #define MATCHED      "discretization.parameters=matched"
+#define TEN          "discretization.iterations=10"
 
 /* clang-format off */
 const struct contestant contestant_table[] = {
@@ -162,9 +163,10 @@ const struct contestant contestant_table[] = {
      {"discretization.integrator=leapfrog", "discretization.precision=single",
       "discretization.surface=cubic"}, 0, 1, {10, 16, 20, 40}, {1}, {0}},
     {"position_based", "position-based, matched", "XPBD", &position_based_model,
-     CONTESTANT_EVERYWHERE, {0}, 0, 1, {10, 16, 20, 40}, {1}, {0}},
+     CONTESTANT_EVERYWHERE, {0}, 0, 1, {10, 16, 20, 40}, {1}, {1, 4}},
     {"position_based_single", "position-based, single precision", "XPBD single",
-     &position_based_model, COMPARE | SPEED, {"discretization.precision=single"}, 0, 1,
+     &position_based_model, COMPARE | SPEED,
+     {"discretization.precision=single", "discretization.iterations=1"}, 0, 1,
      {10, 16, 20, 40}, {1}, {0}},
     {"position_based_pbd", "position-based, without compliance", "PBD",
      &position_based_model, COMPARE, {"discretization.projection=pbd"}, 0, 1, {10, 16, 20},
@@ -179,9 +181,9 @@ const struct contestant contestant_table[] = {
      {MATCHED, "discretization.acceleration=admm", "discretization.integrator=bdf2",
       "discretization.iterations=50"}, 0, 1, {10, 20, 40}, {1, 4}, {30, 100}},
     {"projective_dynamics_paper", "projective dynamics, the paper's set", "PD paper",
-     &projective_dynamics_model, 0, {PAPER}, 0, 1, {10, 20}, {1, 4}, {0}},
+     &projective_dynamics_model, 0, {PAPER, TEN}, 0, 1, {10, 20}, {1, 4}, {0}},
     {"projective_dynamics_edges", "projective dynamics, the paper's set, edges", "PD edges",
-     &projective_dynamics_model, 0, {PAPER, "discretization.constraint=edges"}, 0, 1,
+     &projective_dynamics_model, 0, {PAPER, TEN, "discretization.constraint=edges"}, 0, 1,
      {10, 20}, {1, 4}, {0}},
     {"projective_dynamics_1000", "projective dynamics, 1000 accelerated iterations",
      "PD 1000", &projective_dynamics_model, STRESS,

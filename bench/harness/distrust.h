@@ -2,7 +2,8 @@
  * commands.
  *
  * A net that is too coarse for its load need not die: it stretches like rubber, lets an
- * obstacle stand out of it, or passes through itself, and its numbers look as usual.
+ * obstacle stand out of it, or passes through itself, and its numbers look as usual. So do
+ * those of a step whose iterations have not arrived (models/mechanics/arrival.h).
  */
 #ifndef DISTRUST_H
 #define DISTRUST_H
@@ -14,7 +15,8 @@
 #include "models/status.h"
 
 /* The largest plausible stretch of the mid-surface: woven cloth tears before it. A softer
- * sheet may have twice the strain of its hanging weight, which it reaches when let go. */
+ * sheet may have twice the strain of its hanging weight, which it reaches when let go; that
+ * of one which supports pull apart is over theirs. */
 #define DISTRUST_STRETCH 1.3
 
 /* The largest plausible depth of an obstacle in the sheet, in thicknesses: contact keeps

@@ -141,12 +141,13 @@ void looks_reduce_truth(int count, const double *error, const double *bar, doubl
 }
 
 void looks_reduce(struct looks *l, const struct scene *scene, enum status outcome,
-                  double death_time, double *value)
+                  double death_time, const struct counters *work, double *value)
 {
     reduce_series(l, scene, value);
     reduce_scene(scene, value);
     looks_reduce_truth(0, NULL, NULL, value);
     value[MEASURE_REFERENCE_ERROR_MAX] = NAN;
+    value[MEASURE_NOT_ARRIVED] = !work || !work->left ? NAN : work->missed ? work->left : 0;
     value[MEASURE_BLOWUP_TIME] = status_is_death(outcome) ? death_time
                                  : outcome == STATUS_OK   ? INFINITY
                                                           : NAN;

@@ -54,8 +54,9 @@ extern const char *const looks_truth[LOOKS_TRUTH];
 void looks_reduce_truth(int count, const double *error, const double *bar, double *value);
 
 /* Computes the drift, and value[MEASURES] of a run that ended so (STATUS_OK, a death at
- * death_time, or STATUS_UNSUPPORTED); those of the truth are NaN. */
+ * death_time, or STATUS_UNSUPPORTED) after that work (NULL: unknown); those of the truth
+ * are NaN. */
 void looks_reduce(struct looks *looks, const struct scene *scene, enum status outcome,
-                  double death_time, double *value);
+                  double death_time, const struct counters *work, double *value);
 
 #endif

@@ -322,7 +322,7 @@ enum status run_file_close(struct run_file *f, const struct motion *m,
     r.steps = m ? m->steps : 0;
     r.work = f->work;
     run_result_tell(&r, f->sentence.text);
-    looks_reduce(&f->looks, &f->run->scene, r.outcome, r.death_time, r.value);
+    looks_reduce(&f->looks, &f->run->scene, r.outcome, r.death_time, &r.work, r.value);
     if (f->store)
         TRY(complete(f, m, &r, why));
     if (result)

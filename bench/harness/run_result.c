@@ -21,6 +21,8 @@ static enum status find_outcome(const char *text, const char *path, enum status 
             *outcome = all[n];
             return STATUS_OK;
         }
+    if (!strcmp(text, STORE_NOT_ARRIVED))
+        return STATUS_OK;
     return status_fail(why, STATUS_INPUT, "%s: unknown outcome '%.100s'", path, text);
 }
 
@@ -155,6 +157,21 @@ out:
     return st;
 }
 
+/* Reads the last number of an array, which older files lack: 0. */
+static enum status read_last(const struct store_read *file, const char *name, double *last,
+                             struct message *why)
+{
+    double *value = NULL;
+    int rows = 0, columns;
+    enum status st = STATUS_OK;
+
+    if (store_read_has(file, name))
+        st = store_read_array(file, name, &value, &rows, &columns, why);
+    *last = rows && isfinite(value[rows - 1]) ? value[rows - 1] : 0;
+    free(value);
+    return st;
+}
+
 static enum status read_work(const struct store_read *file, struct counters *work,
                              struct message *why)
 {
@@ -168,6 +185,7 @@ static enum status read_work(const struct store_read *file, struct counters *wor
                     {"counters/iterations", &work->iterations},
                     {"counters/substeps", &work->substeps},
                     {"counters/tested", &work->tested}};
+    double missed = 0;
     enum status st = STATUS_OK;
 
     for (size_t n = 0; n < sizeof counters / sizeof *counters; n++) {
@@ -180,13 +198,9 @@ static enum status read_work(const struct store_read *file, struct counters *wor
             rows && isfinite(value[rows - 1]) ? lround(value[rows - 1]) : 0;
         free(value);
     }
-    if (store_read_has(file, "counters/left")) { /* older files have none */
-        double *value = NULL;
-        int rows, columns;
-        TRY(store_read_array(file, "counters/left", &value, &rows, &columns, why));
-        work->left = rows ? value[rows - 1] : 0;
-        free(value);
-    }
+    TRY(read_last(file, "counters/left", &work->left, why));
+    TRY(read_last(file, "counters/missed", &missed, why));
+    work->missed = lround(missed);
 out:
     return st;
 }
@@ -220,11 +234,21 @@ bool run_result_refused(const struct run_result *r)
     return r->outcome == STATUS_UNSUPPORTED || r->outcome == STATUS_INPUT;
 }
 
+bool run_result_missed(const struct run_result *r)
+{
+    return r->outcome == STATUS_OK && r->work.missed > 0;
+}
+
 void run_result_tell(struct run_result *r, const char *refusal)
 {
     if (status_is_death(r->outcome))
         status_fail(&r->sentence, r->outcome, "died at t = %.6g s: %s", r->death_time,
                     status_text(r->outcome));
+    else if (run_result_missed(r))
+        status_fail(&r->sentence, STATUS_OK,
+                    STORE_NOT_ARRIVED ": the iterations of %ld steps left up to %.2g %% of "
+                                      "the loads at their limit",
+                    r->work.missed, 100 * r->work.left);
     else
         status_fail(&r->sentence, r->outcome, "%s", r->outcome ? refusal : "done");
 }
@@ -275,6 +299,7 @@ enum status run_result_read(const char *path, bool fields, struct run_result *re
     struct scene scene = {0};
 
     TRY(store_read_open(path, &file, why));
+    TRY(read_work(file, &r.work, why));
     TRY(read_end(file, path, &r, why));
     TRY(store_read_number(file, "unknowns", &r.unknowns, why));
     TRY(store_read_number(file, "factor_entries", &r.factor_entries, why));
@@ -283,8 +308,7 @@ enum status run_result_read(const char *path, bool fields, struct run_result *re
     TRY(store_scene(file, path, &scene, why));
     TRY(read_looks(file, path, &looks, why));
     TRY(read_times(file, &r, why));
-    TRY(read_work(file, &r.work, why));
-    looks_reduce(&looks, &scene, r.outcome, r.death_time, r.value);
+    looks_reduce(&looks, &scene, r.outcome, r.death_time, &r.work, r.value);
     TRY(read_truth(file, path, looks.count, r.value, why));
     TRY(read_fields(file, path, fields, &r, why));
     *result = r;

@@ -10,7 +10,7 @@ enum { RUN_RESULT_PHASES = 3 }; /* "assemble", "factor", "solve" of store.h */
 
 struct run_result {
     enum status outcome;     /* STATUS_OK; a death; what else run_build says: refused   */
-    struct message sentence; /* "done"; what it died of and when; why it was refused    */
+    struct message sentence; /* "done"; "not_arrived: ..."; the death; the refusal      */
     double death_time;       /* [s]; NaN: it did not die                                */
     double value[MEASURES];
     struct counters work; /* up to the last look                                        */
@@ -34,7 +34,12 @@ struct run_result {
 /* Returns whether the model refused; nothing else is known then but the sentence. */
 bool run_result_refused(const struct run_result *r);
 
-/* Fills the sentence from outcome and death_time; `refusal` is the model's. */
+/* Returns whether steps ended before their iterations had arrived
+ * (models/mechanics/arrival.h).
+ */
+bool run_result_missed(const struct run_result *r);
+
+/* Fills the sentence from outcome, death_time and work; `refusal` is the model's. */
 void run_result_tell(struct run_result *r, const char *refusal);
 
 /* Reads the same numbers, bit for bit, from the file of a run, with its fields or without.

@@ -126,7 +126,7 @@ static enum status add_rows(struct table *t, const struct solid_row *row,
     add_phase(t, row, "frame", &r->step, row->frame);
     for (int p = 0; p < BENCH_SOLID_FRAME && r->phase[p].count; p++)
         add_phase(t, row, phase[p], &r->phase[p], row->phase[p]);
-    if (r->outcome)
+    if (r->outcome || run_result_missed(r))
         table_note(t, "%s: %s.", row->title, r->sentence.text);
     table_note(t, "%s: %.0f unknowns, %.0f numbers in L, set-up %.3g ms.", row->title,
                r->unknowns, r->factor_entries, 1e3 * r->create.median);
@@ -204,7 +204,7 @@ static void add_contestant(struct table *t, const struct contestant *c,
                    ? (double)r->work.iterations / (double)r->work.steps
                    : NAN,
                r->sentence.text);
-    if (r->outcome)
+    if (r->outcome || run_result_missed(r))
         table_note(t, "%s: %s.", c->title, r->sentence.text);
 }
 

@@ -328,6 +328,7 @@ void sweep_rows_print(const struct sweep_rows *rows, FILE *file)
         long count;
     } ends[] = {
         {"not judged", "no label, but not all could be asked for", 0},
+        {"not arrived", "iterations of some steps ended at their limit", 0},
         {"died", "the numerics ended the run", 0},
         {"unsupported", "the model leaves something out", 0},
         {"no result", "timed out, crashed or refused: see table.csv", 0},
@@ -337,10 +338,11 @@ void sweep_rows_print(const struct sweep_rows *rows, FILE *file)
     for (const struct sweep_row *row = rows->row; row < rows->row + rows->count; row++) {
         feasible += row->verdict.kind == VERDICT_FEASIBLE;
         ends[0].count += row->verdict.kind == VERDICT_UNJUDGED;
-        ends[1].count += row->verdict.died;
-        ends[2].count += row->outcome == STATUS_UNSUPPORTED;
-        ends[3].count += row->state == SWEEP_FAILED;
-        ends[4].count += row->state == SWEEP_OPEN;
+        ends[1].count += row->value[MEASURE_NOT_ARRIVED] > 0;
+        ends[2].count += row->verdict.died;
+        ends[3].count += row->outcome == STATUS_UNSUPPORTED;
+        ends[4].count += row->state == SWEEP_FAILED;
+        ends[5].count += row->state == SWEEP_OPEN;
     }
     print_plan(plan, file);
     if (plan->verdicts.count)

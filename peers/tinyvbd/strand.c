@@ -14,6 +14,7 @@ struct strand {
     struct vb_body body;
     void *room;
     double *x, *v, *before, *start, *target, *inertia; /* before: v of the last step    */
+    double *force;
     int *place;
 };
 
@@ -66,7 +67,7 @@ struct strand *strand_make(const struct strand_plan *plan)
     TRY(room_cut(&s->room, ROOM(s->x, 3 * points), ROOM(s->v, 3 * points),
                  ROOM(s->before, 3 * points), ROOM(s->start, 3 * points),
                  ROOM(s->target, 3 * points), ROOM(s->inertia, points),
-                 ROOM(s->place, 3 * points)));
+                 ROOM(s->force, 3 * points), ROOM(s->place, 3 * points)));
     TRY(make_body(s, plan));
     memcpy(s->x, plan->rest, 3 * points * sizeof *s->x);
     for (size_t a = 0; a < points; a++)
@@ -121,5 +122,10 @@ double strand_left(const struct strand *s)
 {
     const struct vb_step step = {s->inertia, s->target, s->place};
 
-    return vb_body_residual(&s->body, &step, s->x);
+    double sum = 0;
+
+    vb_body_force(&s->body, &step, s->x, s->force);
+    for (int n = 3; n < 3 * s->points; n++)
+        sum += s->force[n] * s->force[n];
+    return sqrt(sum / (s->points - 1));
 }

@@ -211,14 +211,15 @@ static void check_damping(void)
     CHECK_RELATIVE(log(before / after), rate * 0.2, tolerance);
 }
 
-/* Steps that are too long are told: springs give way. */
+/* A single iteration of steps that are too long is told: springs give way. Those that go on
+ * until they arrive do not. */
 static void check_doubt(void)
 {
     for (int k = 0; k < 2; k++) {
         struct constraints s;
         struct message line = {{0}};
         init(&s, 12, 12, true);
-        s.d.substeps = k ? 0 : 1;
+        s.d.substeps = k ? 0 : 1, s.d.iterations = k ? 0 : 1;
         begin(&s);
         frames(&s, 61);
         position_based_model.doubt(&s.m, &line);

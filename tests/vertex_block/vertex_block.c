@@ -73,9 +73,9 @@ static double left_after(int sweeps, const char *chebyshev)
                "discretization.iterations=1000", chebyshev);
     opened_steps(&run, 10);
     struct vb_motion *m = motion_of(&run);
-    m->iterations = sweeps, m->left = 0;
+    m->arrival.most = sweeps, m->arrival.left = 0;
     opened_steps(&run, 1);
-    const double left = m->left;
+    const double left = m->arrival.left;
     run_close(&run);
     return left;
 }

@@ -53,7 +53,7 @@ static void reduce(enum status outcome)
 {
     for (int n = 0; n < MEASURES; n++)
         value[n] = -77; /* nothing is left as it was */
-    looks_reduce(&looks, &sheet, outcome, outcome ? 0.35 : NAN, value);
+    looks_reduce(&looks, &sheet, outcome, outcome ? 0.35 : NAN, NULL, value);
     for (int n = 0; n < MEASURES; n++)
         if (!CHECK(value[n] != -77))
             printf("  %s is not there\n", measure_name(n));

@@ -136,8 +136,8 @@ static void add_clamp(struct row_list *b, int k, int by, double length,
         row->target[i] = c * length * sign * direction[i];
 }
 
-/* Adds half a cell of curvature between the clamped node k and each free neighbour towards
- * which the sheet has a slope there: across a clamped line, and out of a clamped area. */
+/* Adds half a cell of curvature between the clamped node k and its free neighbours across
+ * the clamped lines that it is on: two in an area. */
 static void add_clamps(struct row_list *b, const struct scene *scene, int k,
                        const bool *clamped, const double D[2])
 {
@@ -150,14 +150,11 @@ static void add_clamps(struct row_list *b, const struct scene *scene, int k,
     const double length[2] = {net->du, net->dv};
 
     for (int along = 0; along < 2; along++)
-        for (int s = -1; s <= 1; s += 2) {
-            const int to = place[along] + s, back = place[along] - s, step = s * by[along];
-            const bool behind = back >= 0 && back < points[along] && clamped[k - step];
-            if (to < 0 || to >= points[along] || clamped[k + step] ||
-                !(across[along] || behind))
-                continue;
-            add_clamp(b, k, step, length[along], along ? pose->axis_v : pose->axis_u, s,
-                      D[along] * b->area[k] / (1 + inner[along]));
+        for (int s = -1; across[along] && s <= 1; s += 2) {
+            const int to = place[along] + s, step = s * by[along];
+            if (to >= 0 && to < points[along] && !clamped[k + step])
+                add_clamp(b, k, step, length[along], along ? pose->axis_v : pose->axis_u, s,
+                          D[along] * b->area[k] / (1 + inner[along]));
         }
 }
 

@@ -23,7 +23,7 @@
  * Bending: the plate's D and nu.
  *
  * Clamps: a node held in x, y, z through the full thickness, with a neighbour held so,
- * keeps the slope across the line through both, and out of an area along it: a mirrored
+ * keeps the slope across the line through both, which in an area are two: a mirrored
  * ghost node gives the row 1/2 w |2 (x_1 - x_0 - du e_u) / du^2|^2. A point support, and
  * one on part of the thickness (a hinge), keep positions only; so do all supports of the
  * paper's set.

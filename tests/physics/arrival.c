@@ -2,6 +2,7 @@
  * result says that it is not to be trusted. Defaults go on until a step has arrived
  * (arrival.h), and one that has not is an outcome that the result's file keeps; an area
  * that is held holds the sheet as a clamped edge does. */
+#include "bench/files/store.h"
 #include "bench/harness/distrust.h"
 #include "bench/harness/run_file.h"
 #include "models/mechanics/arrival.h"
@@ -142,7 +143,8 @@ static void check_outcome(void)
     struct run_plan plan = {path, named("position_based"), &set, 0};
     struct run_result made, read;
     struct message told, why;
-    char file[256];
+    struct store_read *stored;
+    char file[256], *outcome;
 
     scratch_open();
     snprintf(file, sizeof file, "%s", scratch_path("arrival.h5"));
@@ -155,10 +157,30 @@ static void check_outcome(void)
     CHECK(read.value[MEASURE_NOT_ARRIVED] == made.value[MEASURE_NOT_ARRIVED]);
     CHECK(!strcmp(read.sentence.text, made.sentence.text));
     run_result_clear(&read);
+    REQUIRE(store_read_open(file, &stored, &why) == STATUS_OK);
+    REQUIRE(store_read_text(stored, "/", "outcome", &outcome, &why) == STATUS_OK);
+    CHECK(!strcmp(outcome, STORE_NOT_ARRIVED));
+    free(outcome);
+    store_read_close(stored);
     settings_set(&set, "discretization.iterations=1");
     way_of(&plan, middle, 2, NULL, &made, &told);
     CHECK(!run_result_missed(&made) && !*told.text && made.work.left > ARRIVAL_SHARE);
     CHECK(made.value[MEASURE_NOT_ARRIVED] == 0 && !strcmp(made.sentence.text, "done"));
+    settings_clear(&set);
+}
+
+/* Sweeps of what a body carries begin where its load leads: two of them slide a sheet,
+ * however stiff it is. */
+static void check_first_guess(void)
+{
+    static const double middle[3] = {0.5, 0.5, 0.5}, slides = 0.6530, EULER = 0.02;
+    struct settings set =
+        LIST(NET "[21,21]", "discretization.iterations=2", "material.young=1e7");
+    struct run_plan plan = {CASES "incline.yaml", named("vbd"), &set, 0};
+    struct run_result r;
+    struct message told;
+
+    CHECK_RELATIVE(way_of(&plan, middle, 0, NULL, &r, &told), slides, EULER);
     settings_clear(&set);
 }
 
@@ -194,6 +216,7 @@ int main(void)
             if (BIT(c) & cases[n].runs)
                 check_case(n, c);
     check_outcome();
+    check_first_guess();
     check_held_area();
     return check_result();
 }

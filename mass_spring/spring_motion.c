@@ -368,10 +368,9 @@ static void scale_velocity(struct spring_motion *m, double factor)
     if (behind)
         spring_force_add(&m->net, m->x, f);
     for (size_t n = 0; n < count; n++) {
-        double lag = behind && m->newton.supports.free_index[n] >= 0
-                         ? m->dt / 2 * f[n] / m->points.mass[n / 3]
-                         : 0;
-        m->v[n] = factor * (m->v[n] + lag) - lag;
+        double lag = behind ? m->dt / 2 * f[n] / m->points.mass[n / 3] : 0;
+        if (m->newton.supports.free_index[n] >= 0)
+            m->v[n] = factor * (m->v[n] + lag) - lag;
     }
 }
 

@@ -456,8 +456,8 @@ enum status pb_motion_frame(void *motion, struct counters *counters)
     arrival_count(&m->arrival, counters);
     pb_sweep_get(m->sweep, PB_X, 3, m->x);
     pb_sweep_get(m->sweep, PB_D, 3, m->work);
+    supports_damp(&m->supports, m->points.keep, m->work);
     for (size_t n = 0; n < count(m); n++) {
-        m->work[n] *= m->points.keep;
         m->v[n] = m->work[n] / m->dt;
         if (!isfinite(m->x[n]) || !isfinite(m->v[n]))
             return STATUS_NAN;

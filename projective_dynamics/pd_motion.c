@@ -175,17 +175,6 @@ out:
     return st;
 }
 
-/* Follows v <- factor v as an impulse: a step ago it was as much slower, and the
- * acceleration stays. */
-static void scale_backward(struct pd_motion *m, double factor)
-{
-    for (size_t n = 0; n < m->backward.count; n++) {
-        const double blow = (factor - 1) * m->v[n];
-        m->backward.v[n] += blow;
-        m->backward.x[n] -= m->dt * blow;
-    }
-}
-
 /* --- life --------------------------------------------------------------------------------
  */
 
@@ -625,19 +614,26 @@ out:
     return st;
 }
 
-/* Damps velocities; returns whether all are finite, as their sum is. */
+/* Damps velocities of what is not held; returns whether all are finite, as their sum is.
+ * BDF2 follows as an impulse: a step ago the sheet was as much slower, and the acceleration
+ * stays. */
 static bool finish_frame(struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;
-    double factor = velocity_factor(m), sum = 0;
+    const double factor = velocity_factor(m);
+    double sum = 0;
 
-    if (m->options.second && factor != 1)
-        scale_backward(m, factor);
-    for (int c = 0; c < 3; c++) {
-        double *v = m->v + c * pd_net_stride(net);
-        for (int k = 0; k < net->nodes; k++)
-            sum += fabs(v[k] *= factor);
-    }
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < net->nodes; k++) {
+            const ptrdiff_t at = c * pd_net_stride(net) + k;
+            const double keep = m->supports.free_index[3 * k + c] < 0 ? 1 : factor,
+                         blow = (keep - 1) * m->v[at];
+            if (m->options.second) {
+                m->backward.v[at] += blow;
+                m->backward.x[at] -= m->dt * blow;
+            }
+            sum += fabs(m->v[at] *= keep);
+        }
     return isfinite(sum);
 }
 

@@ -609,13 +609,10 @@ static enum status shell_motion_step(void *state, struct counters *counters)
     enum status st = m->kinematics == KINEMATICS_LINEAR
                          ? step_linear(m, counters)
                          : large_motion_step(&m->large, m->time, counters);
-    double factor = damping_velocity(m->scene);
-    size_t count = 3 * (size_t)m->space->nodes;
 
     if (st != STATUS_OK)
         return st;
-    for (size_t t = 0; factor != 1 && t < count; t++)
-        m->newmark.v[t] *= factor;
+    supports_damp(&m->supports, damping_velocity(m->scene), m->newmark.v);
     m->time += m->newmark.dt;
     counters->steps++;
     return STATUS_OK;

@@ -258,8 +258,7 @@ static enum status vb_motion_frame(void *motion, struct counters *counters)
     counters->steps++;
     counters->substeps += m->substeps;
     arrival_count(&m->arrival, counters);
-    for (size_t n = 0; n < count(m); n++)
-        m->v[n] *= m->load.keep;
+    supports_damp(&m->supports, m->load.keep, m->v);
 out:
     return st;
 }

@@ -296,13 +296,13 @@ static enum status meet(struct large_leapfrog *l, double t, double dt)
     return st;
 }
 
-/* Computes v <- keep v + push a. */
+/* Computes v <- keep v + push a where nothing is held. */
 static void kick(struct large_leapfrog *l, double keep, double push)
 {
     double *v = l->m->newmark->v;
 
     for (size_t t = 0; t < count_of(l); t++)
-        v[t] = keep * v[t] + push * l->a[t];
+        v[t] = l->inverse[t] > 0 ? keep * v[t] + push * l->a[t] : v[t];
 }
 
 /* Runs a frame from time t. */

@@ -183,6 +183,12 @@ void supports_clear(struct supports *s)
     memset(s, 0, sizeof *s);
 }
 
+void supports_damp(const struct supports *s, double factor, double *v)
+{
+    for (int t = 0; factor != 1 && t < 3 * s->nodes; t++)
+        v[t] *= s->free_index[t] < 0 ? 1 : factor;
+}
+
 void supports_shift(const struct supports *s, const struct scene *scene, double t,
                     double *shift)
 {

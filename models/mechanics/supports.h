@@ -63,6 +63,10 @@ enum status supports_hinge(const struct scene *scene, int layers, const double (
 /* Moves the free unknowns that have a carrier as far from x_old as it moved. */
 void supports_carry(const struct supports *s, const double *x_old, double *x);
 
+/* Multiplies the velocities v[nodes][3] of what is not held; held unknowns have that of
+ * their support. */
+void supports_damp(const struct supports *s, double factor, double *v);
+
 /* Computes the shift of each held unknown from rest at time t, shift[held_count] [m]. */
 void supports_shift(const struct supports *s, const struct scene *scene, double t,
                     double *shift);

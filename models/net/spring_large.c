@@ -110,8 +110,7 @@ enum status spring_large_frame(struct spring_large *l, double t, struct counters
             push[i] += l->motion.push[i] / l->substeps;
     }
     memcpy(l->motion.push, push, sizeof push);
-    for (int n = 0; l->load->keep != 1 && n < 3 * l->motion.graph->nodes; n++)
-        l->newmark.v[n] *= l->load->keep;
+    supports_damp(l->motion.supports, l->load->keep, l->newmark.v);
 out:
     return st;
 }

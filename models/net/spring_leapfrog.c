@@ -348,8 +348,7 @@ static void watch(struct spring_leapfrog *l, const double *x)
 static void scale(struct spring_leapfrog *l, double factor, const double *x)
 {
     spring_leapfrog_velocity(l, l->now);
-    for (size_t n = 0; n < count(l); n++)
-        l->now[n] *= factor;
+    supports_damp(l->body.supports, factor, l->now);
     start(l, x, l->now);
 }
 

@@ -267,11 +267,12 @@ out:
 
 static void damp_velocity(struct solid_motion *m)
 {
-    double factor = damping_velocity(m->scene);
-    size_t count = 3 * (size_t)m->space->nodes;
+    const double factor = damping_velocity(m->scene);
+    double *v = m->newmark.v;
 
-    for (size_t t = 0; factor != 1 && t < count; t++)
-        m->newmark.v[t] *= factor;
+    supports_damp(&m->supports, factor, v);
+    for (int h = 0; m->kinematics == KINEMATICS_PRINTED && h < m->supports.held_count; h++)
+        v[m->supports.held[h]] *= factor; /* the paper's scheme knows no support here */
 }
 
 static enum status step_linear(struct solid_motion *m, struct counters *counters)

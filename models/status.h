@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* The last six are numerical deaths: outcomes with a time stamp, not errors. */
+/* The last seven are numerical deaths: outcomes with a time stamp, not errors. */
 #define STATUS_LIST(X)                                                                     \
     X(OK, "done")                                                                          \
     X(INPUT, "bad input")                                                                  \
@@ -26,7 +26,8 @@
     X(INDEFINITE, "the system matrix is not positive definite")                            \
     X(DIVERGED, "the nonlinear iteration did not converge")                                \
     X(UNSOLVED, "the iteration for a linear system did not converge")                      \
-    X(ESCAPED, "a point is farther than 10 lengths from its support")
+    X(ESCAPED, "a point is farther than 10 lengths from its support")                      \
+    X(GAINED, "explicit steps gained energy that nothing put in")
 
 enum status {
 #define STATUS_CODE(code, sentence) STATUS_##code,

@@ -31,15 +31,17 @@ struct large_leapfrog {
     struct large_motion *m; /* borrowed                                              */
     void *room;             /* memory of the arrays                          owned   */
     int asked, substeps, doublings;
-    double limit;              /* greatest stable step about rest                   [s]   */
-    double least, most;        /* energy so far, see judge                          [J]   */
-    double work;               /* work of supports that move                        [J]   */
-    double stored;             /* elastic and potential energy at x                 [J]   */
-    double *inverse;           /* [nodes][3] row sums: 1/mass, 0 of held unknowns         */
-    double *a;                 /* [nodes][3] acceleration at x, 0 of held unknowns        */
+    double limit;       /* greatest stable step about rest                   [s]   */
+    double least, most; /* energy so far, see judge                          [J]   */
+    double work;     /* of supports that move and of pressure, which has no potential where
+                        an edge is free                                                 [J]   */
+    double stored;   /* elastic energy, and the loads' potential, at x    [J]   */
+    double *inverse; /* [nodes][3] row sums: 1/mass, 0 of held unknowns         */
+    double *a;       /* [nodes][3] acceleration at x, 0 of held unknowns        */
     double *x_start, *v_start; /* [nodes][3] where the frame began                      */
     double *before;            /* [nodes][3] with contact                                 */
     double *compliance;        /* [nodes] with contact: dt^2 / mass               [m/N]   */
+    double *blow;              /* [nodes][3] force of the pressure at x             [N]   */
     double *pull, *shift;      /* [held_count] with supports that move: force less load,
                                   and the step's way                                      */
     double *momentum, *image;  /* [nodes][3] with m->beyond: of the free unknowns at the
@@ -124,7 +126,7 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
         ROOM(l->image, m->beyond ? count : 0),
         ROOM(l->krylov, m->beyond ? krylov_cg_work((int)count) : 0),
         ROOM(l->before, meets ? count : 0), ROOM(l->compliance, meets ? count / 3 : 0),
-        ROOM(l->pull, held), ROOM(l->shift, held)));
+        ROOM(l->blow, m->pressure ? count : 0), ROOM(l->pull, held), ROOM(l->shift, held)));
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
                            (struct large_foresight){0}, m->K));
@@ -200,8 +202,12 @@ static enum status accelerate(struct large_leapfrog *l, struct counters *counter
         .s0 = -rate, .s1 = 1 + rate, .g1 = 1, .strain_old = m->strain_old};
 
     TRY(large_body_force(&m->body, &path, m->x, a));
-    if (m->pressure)
-        pressure_force(m->pressure, -1, NULL, 1, m->x, a);
+    if (m->pressure) {
+        memset(l->blow, 0, count_of(l) * sizeof *l->blow);
+        pressure_force(m->pressure, 1, NULL, 1, m->x, l->blow);
+        for (size_t t = 0; t < count_of(l); t++)
+            a[t] -= l->blow[t];
+    }
     if (rate > 0)
         TRY(large_body_strain(&m->body, m->x, m->strain_old));
     for (int h = 0; m->supports->moving && h < m->supports->held_count; h++)
@@ -215,7 +221,7 @@ out:
     return st;
 }
 
-/* Returns the free unknowns' kinetic and all stored energy, less the supports' work. */
+/* Returns the free unknowns' kinetic and all stored energy, less the work put in. */
 static double energy_now(const struct large_leapfrog *l)
 {
     return l->stored - l->work + kinetic(l, WATCHED);
@@ -229,8 +235,6 @@ static enum status store(struct large_leapfrog *l, double *elastic)
     if (m->contact)
         *elastic += m->contact->energy;
     l->stored = *elastic;
-    if (m->pressure)
-        l->stored += pressure_energy(m->pressure, m->rest, m->x);
     for (size_t t = 0; t < count_of(l); t++)
         l->stored -= m->load[t] * (m->x[t] - m->rest[t]);
     return st;
@@ -271,10 +275,16 @@ static void move_supports(struct large_leapfrog *l, double t, double dt)
     }
 }
 
+/* Adds half of a step's work by the forces at x. */
 static void add_work(struct large_leapfrog *l)
 {
-    for (int h = 0; h < l->m->supports->held_count; h++)
+    const struct supports *s = l->m->supports;
+    const double half = step_of(l) / 2;
+
+    for (int h = 0; s->moving && h < s->held_count; h++)
         l->work += l->pull[h] * l->shift[h] / 2;
+    for (size_t t = 0; l->m->pressure && t < count_of(l); t++)
+        l->work += l->blow[t] * half * l->m->newmark->v[t];
 }
 
 /* Ends a step that began at time t by contact; v is then that of the real way. */
@@ -324,12 +334,12 @@ static enum status run(struct large_leapfrog *l, double t, struct counters *coun
         for (size_t k = 0; k < count_of(l); k++)
             m->x[k] += dt * m->newmark->v[k];
         if (moving)
-            move_supports(l, t + (n + 1) * dt, dt), add_work(l);
+            move_supports(l, t + (n + 1) * dt, dt);
         if (l->before)
             TRY(meet(l, t + n * dt, dt));
+        add_work(l);
         TRY(accelerate(l, counters));
-        if (moving)
-            add_work(l);
+        add_work(l);
         counters->substeps++;
     }
     kick(l, 1 / (1 + half), dt / 2 / (1 + half));
@@ -337,7 +347,7 @@ out:
     return st;
 }
 
-/* Rejects a state that has gained energy: STATUS_DIVERGED. */
+/* Rejects a state that has gained energy: STATUS_GAINED. */
 static enum status judge(struct large_leapfrog *l)
 {
     const struct scene *s = l->m->scene;
@@ -350,7 +360,7 @@ static enum status judge(struct large_leapfrog *l)
     double now = energy_now(l), moved = now - (l->stored - l->work) + elastic;
     l->most = fmax(l->most, moved);
     if (!(now - l->least <= GAIN * l->most + ROUND_OFF * ROUND_OFF * round_off))
-        return STATUS_DIVERGED;
+        return STATUS_GAINED;
     l->least = fmin(l->least, now);
     return STATUS_OK;
 }

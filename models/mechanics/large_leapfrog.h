@@ -14,7 +14,7 @@
  * Steps. A frame has as many as keep 0.95 of the greatest stable step about rest,
  * sqrt(beta^2 + 4 / omega^2) - beta, omega the largest frequency by Lanczos' method. A
  * sheet that is stretched is stiffer: after every frame its energy is compared with the
- * least it has had since, what supports that move have put in apart. A frame that has
+ * least it has had since, the work of supports and pressure apart. A frame that has
  * gained is done again in twice as many steps, which then stay; one that gains in 256 times
  * as many, or in the number that was asked for, is a death.
  *

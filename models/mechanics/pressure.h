@@ -4,8 +4,9 @@
  * The force on coefficients x_a with functions N_a is -p int N_a (x_u x x_v) du dv, exact
  * at quadrature points that integrate products of three functions. Its potential, of a
  * sheet that is closed along v, is p times the enclosed volume, int (x - (x e) e) n dA / 2
- * with the axis e: exact where the edges u = 0 and 1 stay in planes across the axis. A ring
- * of width w has p w times the area inside. The tangent is the symmetric part,
+ * with the axis e: exact where the edges u = 0 and 1 stay in planes across the axis; beside
+ * a free edge that leaves its plane it does work that no potential has. A ring of width w
+ * has p w times the area inside. The tangent is the symmetric part,
  *
  *   K_ab = p/2 int [c]x,  c = (N_a N_b,v - N_b N_a,v) x_u - (N_a N_b,u - N_b N_a,u) x_v;
  *

@@ -33,6 +33,8 @@ static void follow_path(const struct task *t, int element, double *strain)
     for (size_t n = 0; n < b->strains; n++) {
         double lag = n < b->lagged ? path->lag : 0;
         strain[n] = (path->s0 - lag) * old[n] + (path->s1 + lag) * strain[n];
+        if (path->gain && n < b->lagged)
+            strain[n] -= path->back * path->gain[(size_t)element * b->strains + n];
     }
 }
 

@@ -13,9 +13,11 @@
  * g1) x_old + g1 x. */
 struct large_path {
     double s0, s1, g1;
-    double lag;               /* added to s1, taken from s0, for the body's stiff strains */
+    double lag, back;         /* of the body's stiff strains: how much the stress takes of
+                                 the step's gain e(x) - e_old, less of the gain before   */
     const double *x_old;      /* [nodes][3]; NULL if g1 == 1                   borrowed   */
     const double *strain_old; /* NULL if s0 == 0                               borrowed   */
+    const double *gain;       /* the gain before; NULL if back == 0            borrowed   */
 };
 
 extern const struct large_path large_path_statics; /* the stress and geometry of x itself */
@@ -96,7 +98,7 @@ struct large_motion {
     double (*K)[9];          /* [pairs] room for tangents                      [N/m]   */
     double *x;               /* [nodes][3] present coefficients                [m]     */
     double *held;            /* [4][held_count] supports_motion                        */
-    double lag;              /* algorithmic viscosity, in steps                        */
+    double lag;              /* algorithmic viscosity (large_motion.h)                 */
     bool relief;             /* lag is large_motion_lag from the first step on that Newton's
                                 method cannot take without                             */
     bool euler;              /* steps are Euler's implicit ones                        */
@@ -109,6 +111,8 @@ struct large_motion {
 
     double *strain_old;  /* strains at the step's start                         owned   */
     double *strain_mean; /* mean of the last step, in the same room; NULL: not rings   */
+    double *gain;        /* of the last substep, gain_dt long; NULL: no viscosity      */
+    double gain_dt;      /*                                                      [s]   */
     double *room;        /* [6][nodes][3]: x_old, hat, work of large_newton     owned   */
     double factored;     /* mass factor of the tangent that is factored; -1: none       */
     double added;        /* mass added to the factored tangent; 0: none       [1/s^2]   */

@@ -11,7 +11,7 @@
  * than the last: an assembly and a factorisation cost as much as three or four of them. */
 static const double CHORD = 0.4;
 
-const double large_motion_lag = 0.1;
+const double large_motion_lag = 1.0 / 16;
 
 /* The most iterations of an easy substep: where nothing damps, harder ones would fail if
  * they were longer, and longer ones are not tried (edge_drop, undamped, no viscosity, to 2
@@ -38,8 +38,10 @@ enum status large_motion_init(struct large_motion *m)
     m->factored = -1;
     m->room = malloc(6 * bytes);
     size_t strains = large_body_strains(&m->body);
-    m->strain_old = malloc((m->rings ? 2 : 1) * strains * sizeof *m->strain_old);
+    const bool viscous = m->lag > 0 || m->relief;
+    m->strain_old = malloc((1 + m->rings + viscous) * strains * sizeof *m->strain_old);
     m->strain_mean = m->rings && m->strain_old ? m->strain_old + strains : NULL;
+    m->gain = viscous && m->strain_old ? m->strain_old + (1 + m->rings) * strains : NULL;
     return m->room && m->strain_old ? STATUS_OK : STATUS_MEMORY;
 }
 
@@ -99,17 +101,22 @@ void large_motion_contact(const struct large_motion *m, struct model_contact *co
     memcpy(contact->force, m->push, sizeof contact->force);
 }
 
-/* Stores the strains where a step ends, and the mean of the step. */
-static enum status keep_strains(struct large_motion *m)
+/* Stores the strains where a step ends, and the mean and the gain of the step. */
+static enum status keep_strains(struct large_motion *m, double dt)
 {
     const size_t count = large_body_strains(&m->body);
-    double *mean = m->strain_mean;
+    double *mean = m->strain_mean, *gain = m->gain;
 
     if (mean)
         memcpy(mean, m->strain_old, count * sizeof *mean);
+    if (gain)
+        memcpy(gain, m->strain_old, count * sizeof *gain);
     enum status st = large_body_strain(&m->body, m->x, m->strain_old);
     for (size_t n = 0; mean && n < count; n++)
         mean[n] = (mean[n] + m->strain_old[n]) / 2;
+    for (size_t n = 0; gain && n < count; n++)
+        gain[n] = m->strain_old[n] - gain[n];
+    m->gain_dt = dt;
     return st;
 }
 
@@ -127,8 +134,11 @@ static enum status substep(struct large_motion *m, double t, double dt,
                  .s1 = end + damping,
                  .g1 = end,
                  .lag = m->lag,
+                 /* a longer step would gain energy by more than the gain itself */
+                 .back = dt < m->gain_dt ? m->lag * dt / m->gain_dt : m->lag,
                  .x_old = x_old,
-                 .strain_old = m->strain_old},
+                 .strain_old = m->strain_old,
+                 .gain = m->lag > 0 ? m->gain : NULL},
         .mass = mass,
         .hat = hat,
         .load = 1,
@@ -153,7 +163,7 @@ static enum status substep(struct large_motion *m, double t, double dt,
     finish(m, dt, x_old);
     if (m->contact)
         TRY(end_contact(m, dt));
-    TRY(keep_strains(m));
+    TRY(keep_strains(m, dt));
     return STATUS_OK;
 out:
     memcpy(m->x, x_old, count * sizeof *x_old);
@@ -177,6 +187,9 @@ static enum status all_substeps(struct large_motion *m, double time,
         if (m->strain_mean)
             memcpy(m->strain_mean, m->strain_old,
                    large_body_strains(&m->body) * sizeof *m->strain_mean);
+        if (m->gain)
+            memset(m->gain, 0, large_body_strains(&m->body) * sizeof *m->gain);
+        m->gain_dt = m->newmark->dt;
         m->started = true;
     }
     while (done < FINEST) {

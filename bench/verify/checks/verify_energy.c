@@ -13,7 +13,7 @@
 
 /* Tolerances are of the gain, second ones of the loss. Dear ones have no row of 10 s. */
 #define AVERAGE LINEAR, "average acceleration keeps a linear model's energy"
-#define VISCOUS GAIN, "kept but for the membrane's viscosity, 0.1 dt"
+#define VISCOUS GAIN, "kept but for the membrane's viscosity"
 #define KEPT    GAIN, "energy-momentum scheme"
 #define EULER   "implicit Euler: damps what the step does not resolve"
 #define INSTEAD                                                                            \

@@ -35,9 +35,25 @@ static bool has_ends(const struct scene_support *s, int i)
     return s->hi[i] - s->lo[i] > APART || support_knots_clamps_line(s, i);
 }
 
+bool support_knots_loads_line(const struct scene *scene, int load, int i, double *at)
+{
+    const struct scene_load *l = &scene->loads[load];
+
+    *at = l->lo[i];
+    if (i == 0)
+        scene_sheet_at(scene, *at, at);
+    return l->hi[i] - l->lo[i] <= APART && l->hi[1 - i] - l->lo[1 - i] > APART &&
+           *at > APART && *at < 1 - APART;
+}
+
+static size_t end_room(const struct scene *scene)
+{
+    return 2 * (size_t)scene->support_count + (size_t)scene->load_count + 2;
+}
+
 /* Finds where supports of some width begin and end inside the sheet, and lines that are
- * clamped there, ascending, after 0 and before 1: end[0 .. count + 1] of room
- * 2 support_count + 2. Returns their count. */
+ * clamped or loaded there, ascending, after 0 and before 1: end[0 .. count + 1] of
+ * end_room. Returns their count. */
 static int find_ends(const struct scene *scene, int i, double *end)
 {
     int all = 0, count = 0;
@@ -47,6 +63,8 @@ static int find_ends(const struct scene *scene, int i, double *end)
         if (has_ends(&s, i))
             end[++all] = s.lo[i], end[++all] = s.hi[i];
     }
+    for (int n = 0; n < scene->load_count; n++)
+        all += support_knots_loads_line(scene, n, i, &end[all + 1]);
     qsort(end + 1, (size_t)all, sizeof *end, ascending);
     end[0] = 0;
     for (int n = 1; n <= all; n++)
@@ -106,7 +124,6 @@ static enum status make_basis(struct bspline *b, const struct scene *scene,
                               enum support_knots_border border, struct message *why)
 {
     const int p = d->degree[i], inner = d->points[i] - p - 1;
-    const size_t room = 2 * (size_t)scene->support_count + 2;
     double *end = NULL, *U = NULL;
     int *spans = NULL, count, times;
     enum status st = STATUS_MEMORY;
@@ -118,8 +135,8 @@ static enum status make_basis(struct bspline *b, const struct scene *scene,
                    : bspline_init_closed(b, p, d->points[i], why);
     if (d->knot_count[i] || p < 1 || inner < 1)
         return bspline_init_direction(b, d, i, why);
-    end = malloc(room * sizeof *end);
-    spans = malloc(room * sizeof *spans);
+    end = malloc(end_room(scene) * sizeof *end);
+    spans = malloc(end_room(scene) * sizeof *spans);
     U = malloc((size_t)(d->points[i] + p + 1) * sizeof *U);
     if (!end || !spans || !U)
         goto out;
@@ -150,7 +167,7 @@ enum status support_knots_basis(struct bspline *b, const struct scene *scene,
 int support_knots_repeats(const struct scene *scene, int i, int degree,
                           enum support_knots_border border)
 {
-    double *end = malloc((2 * (size_t)scene->support_count + 2) * sizeof *end);
+    double *end = malloc(end_room(scene) * sizeof *end);
     const int count = end ? find_ends(scene, i, end) : 0;
 
     free(end);

@@ -1,4 +1,5 @@
-/* support_knots.h - splines that begin and end supports where the scene does.
+/* support_knots.h - splines that begin and end supports, and bend under loads, where the
+ * scene does.
  *
  * Where an area that is held begins or ends inside the sheet, the sheet curves at once
  * beyond it. A spline that is smoother there, or that has functions free which do not
@@ -11,7 +12,8 @@
  *
  * A line inside the sheet that is clamped is an area without width: it has knots and holds
  * functions likewise. (Where it held the control points that lie on it, a shell turned
- * about it, and solids were 4 % too soft in frequency on 43 points: first order, too.)
+ * about it, and solids were 4 % too soft in frequency on 43 points: first order, too.) A
+ * line inside the sheet that is loaded has the same knots, since the sheet bends there.
  */
 #ifndef SUPPORT_KNOTS_H
 #define SUPPORT_KNOTS_H
@@ -23,6 +25,10 @@
 
 /* Returns whether a support clamps a line inside the sheet across direction i. */
 bool support_knots_clamps_line(const struct scene_support *s, int i);
+
+/* Returns whether a load lies on a line inside the sheet across direction i, and computes
+ * its u (of its sheet) or v; *at has room all the same. */
+bool support_knots_loads_line(const struct scene *scene, int load, int i, double *at);
 
 /* The continuity of a sheet at an end: C^0 or C^1. */
 enum support_knots_border { SUPPORT_KNOTS_SOLID, SUPPORT_KNOTS_SHELL };

@@ -23,6 +23,11 @@ static bool fits(const struct scene *scene, int along, int spans, int degree)
         if (!own_knots && (!on_line(lo, spans) || !on_line(hi, spans)))
             return false;
     }
+    for (int n = 0; degree == 1 && n < scene->load_count; n++) {
+        double at;
+        if (support_knots_loads_line(scene, n, along, &at) && !on_line(at, spans))
+            return false;
+    }
     return true;
 }
 

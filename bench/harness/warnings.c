@@ -275,8 +275,9 @@ static bool weighs_nothing(const struct run *r, double number[])
 }
 
 #define BETWEEN                                                                            \
-    "a support begins or ends between lines of this net, which holds up to a cell too "    \
-    "little or too much: 20x20 springs held at 10 cm were 4 %% of L off, 21x21 1 %%"
+    "a support begins or ends, or a load lies, between lines of this net, and acts "       \
+    "up to a cell away: 20 points along a strip sag 5 to 12 %% too little under a load "   \
+    "in its middle, 20x20 springs held at 10 cm were 4 %% of L off, 21x21 1 %%"
 
 const struct warnings_rule warnings_rules[] = {
     {"thickness", "study locking", thickness_locks,

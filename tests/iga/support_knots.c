@@ -1,6 +1,6 @@
-/* Supports on part of a sheet: the knots of their ends; and a sheet that is held on a strip
- * or along a line vibrates and falls as its free wing alone does, which is held along an
- * edge. */
+/* Supports and loads on part of a sheet: the knots of their ends; and a sheet that is held
+ * on a strip or along a line vibrates and falls as its free wing alone does, which is held
+ * along an edge. */
 #include "iga/support_knots.h"
 #include "tests/opened_run.h"
 
@@ -158,6 +158,26 @@ static void check_wing(const char *model)
     }
 }
 
+/* A load F on a line at a, of a strip that is clamped at both ends and has no nu, bends it
+ * as a beam: F a^3 (L - a)^3 / (3 D L^3) there, in pieces of third degree that cubics with
+ * a knot at the line hold exactly. */
+static void check_load(void)
+{
+    const double a = 0.3, F = 1e-4, D = 0.2 * 1e6 * 1e-6 / 12, ROUND_OFF = 1e-8;
+    struct run run;
+    double x[3];
+
+    OPENED_RUN(&run, "cantilever", "shell_linear_3", "gravity=[0,0,0]",
+               "sheet={length: 1, width: 0.2, thickness: 0.01}", "pose={}",
+               "material={young: 1e6, poisson: 0, density: 1}",
+               "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz}]",
+               "loads=[{at: {u: 0.3}, force: [0,0,-1e-4]}]", "discretization.points=[9,5]");
+    opened_settle(&run);
+    run.model->probe(run.state, 1, (double[]){a, 0.5, 0.5}, x);
+    CHECK_RELATIVE(-x[2], F * pow(a * (1 - a), 3) / (3 * D), ROUND_OFF);
+    run_close(&run);
+}
+
 int main(void)
 {
     for (size_t n = 0; n < LENGTH(all); n++)
@@ -165,6 +185,7 @@ int main(void)
             check_knots(&all[n], i);
     check_given();
     check_held();
+    check_load();
     check_wing("shell_3");
     check_wing("shell_selective_3");
     check_wing("iga_selective_3");

@@ -1,4 +1,5 @@
-/* Points with which nets have a line at each end of a support, of one sheet and of several.
+/* Points with which nets have a line at each end of a support and each line of loads, of
+ * one sheet and of several.
  */
 #include "bench/harness/net_fit.h"
 
@@ -15,6 +16,13 @@ static const struct row {
     {NULL, "supports=[{at: {u: 0.5, w: 0.5}, fix: xyz}]", 0, 10, 2, 10},
     {NULL, "supports=[{at: {u: 0.5, w: 0.5}, fix: xyz}]", 0, 10, 3, 11},
     {NULL, "supports=[{at: {u: 0.123457}, fix: z}]", 0, 10, 1, 0},
+    {NULL, "loads=[{at: {u: 0.5}, force: [0,0,-1]}]", 0, 10, 1, 11},
+    {NULL, "loads=[{at: {u: 0.5}, force: [0,0,-1]}]", 1, 10, 1, 10},
+    {NULL, "loads=[{at: {u: 0.5}, force: [0,0,-1]}]", 0, 10, 3, 10},
+    {NULL, "loads=[{at: {u: [0, 0.5]}, force: [0,0,-1]}]", 0, 10, 1, 10},
+    {NULL, "loads=[{at: {u: 0.5, v: 0.5}, force: [0,0,-1]}]", 0, 10, 1, 10},
+    {"sheets=[{origin: [0,0,0]},{origin: [0,0,1]}]",
+     "loads=[{at: {sheet: 2, u: 0.25}, force: [0,0,-1]}]", 0, 10, 1, 13},
     {"sheets=[{origin: [0,0,0]},{origin: [0,0,1]}]",
      "supports=[{at: {sheet: 2, u: 0}, fix: xyz}]", 0, 10, 1, 10},
     {"sheets=[{origin: [0,0,0]},{origin: [0,0,1]}]",

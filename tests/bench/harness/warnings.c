@@ -16,6 +16,7 @@
 #define TABLE        SHEET "obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1]}}];"
 #define BALL(radius) SHEET "obstacles=[{sphere: {center: [0,0,-2], radius: " radius "}}];"
 #define CLAMP        "supports=[{at: {u: [0,0.1], v: [0.9,1]}, fix: xyz}];"
+#define LOAD         "loads=[{at: {u: 0.5}, force: [0,0,-1]}];"
 #define TUBE                                                                               \
     "pose={kind: cloak, u: [0,1,0], v: [1,0,0], opening: 360};"                            \
     "supports=[{at: {v: 0.25}, fix: x}];"
@@ -88,6 +89,8 @@ static const struct row {
     {"between", "mass_spring", true, CLAMP "discretization.points=[21,20]"},
     {"between", "mass_spring", false, CLAMP "discretization.points=[21,11]"},
     {"between", "mass_spring", false, "discretization.points=[20,20]"},
+    {"between", "mass_spring", true, LOAD "discretization.points=[20,20]"},
+    {"between", "mass_spring", false, LOAD "discretization.points=[21,20]"},
     {"between", "shell", false, CLAMP "discretization.points=[6,6]"},
     {"between", "shell", true, CLAMP "discretization.points=[6,5]"},
     {"between", "iga", false, CLAMP "discretization.points=[7,7,2]"},

@@ -67,9 +67,10 @@ static void list_fabrics(void)
         char text[640];
         snprintf(text, sizeof text,
                  "%s: %.3g kg/m^2; Y11 %.3g, Y22 %.3g, Y12 %.3g, G %.3g N/m; B1 %.3g, "
-                 "B2 %.3g, B12 %.3g, B66 %.3g uN m; h_eff %.3g mm%s%s",
+                 "B2 %.3g, B12 %.3g, B66 %.3g uN m; h_eff %.3g mm%s%s%s",
                  f->what, f->fabric.areal_density, Y[0], Y[1], Y[2], Y[3], 1e6 * B[0],
                  1e6 * B[1], 1e6 * B[2], 1e6 * B[3], 1e3 * law_thickness(&f->fabric),
+                 Y[2] < 0 ? "; it widens when it is pulled, as few fabrics do" : "",
                  f->doubt ? ". In doubt: " : "", f->doubt ? f->doubt : "");
         print_item(f->name, text);
     }

@@ -233,7 +233,7 @@ static void find_cell(const struct hex *h, const double uvw[3], int at[3],
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct hex *h = state;
-    const double *x = solid_hinge_points(&h->sheet.space, h->sheet.motion.x);
+    const double *x = h->sheet.motion.x;
 
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         double weight[3][2], sum[3] = {0};
@@ -248,7 +248,7 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
             int node = ((at[0] + a) * h->points[1] + at[1] + b) * h->points[2] + at[2] + c;
             double N = weight[0][a] * weight[1][b] * weight[2][c];
             for (int i = 0; i < 3; i++)
-                sum[i] += N * x[3 * (size_t)node + i];
+                sum[i] += N * solid_hinge_point(&h->sheet.space, x, node, i);
         }
         memcpy(xyz, sum, sizeof sum);
     }

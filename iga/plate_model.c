@@ -628,20 +628,14 @@ static enum status find_grid(struct plate *p)
     return find_parameters(p, GRID_POINTS, p->uvw);
 }
 
-/* Returns the present control points, or coefficients of the thickness basis. */
-static const double *points_of(const struct plate *p)
-{
-    return solid_hinge_points(&p->sheet.space, p->sheet.motion.x);
-}
-
 /* Computes the position at one tensor-product point: sums over u, then v, then w, so that a
  * grid point comes out the same for all callers. Rational if the patch has weights; the sum
  * of the functions through the thickness is then that of all or, in the thickness basis,
  * the first. */
-static void evaluate(const struct plate *p, const double *x, const int first[3],
-                     const double *const N[3], double *xyz)
+static void evaluate(const struct plate *p, const int first[3], const double *const N[3],
+                     double *xyz)
 {
-    const double *weight = p->patch.weight;
+    const double *weight = p->patch.weight, *x = p->sheet.motion.x;
     const struct bspline *v = &p->patch.basis[1];
     int m = bspline_points(v), l = p->patch.basis[2].n;
     int orders[3] = {p->patch.basis[0].p + 1, p->patch.basis[1].p + 1,
@@ -658,7 +652,7 @@ static void evaluate(const struct plate *p, const double *x, const int first[3],
                 double share = weight ? N[0][a] * weight[node] : N[0][a];
                 weight_u += share;
                 for (int i = 0; i < 3; i++)
-                    over_u[i] += share * x[3 * (size_t)node + i];
+                    over_u[i] += share * solid_hinge_point(&p->sheet.space, x, node, i);
             }
             weight_v += N[1][b] * weight_u;
             for (int i = 0; i < 3; i++)
@@ -674,15 +668,14 @@ static void evaluate(const struct plate *p, const double *x, const int first[3],
 }
 
 /* Computes the position at parameters of the patch. */
-static void evaluate_at(const struct plate *p, const double *x, const double uvw[3],
-                        double *xyz)
+static void evaluate_at(const struct plate *p, const double uvw[3], double *xyz)
 {
     double N[3][BSPLINE_MAX_ORDER];
     int first[3];
 
     for (int i = 0; i < 3; i++)
         first[i] = alive(p, i, uvw[i], N[i]);
-    evaluate(p, x, first, (const double *const[3]){N[0], N[1], N[2]}, xyz);
+    evaluate(p, first, (const double *const[3]){N[0], N[1], N[2]}, xyz);
 }
 
 static void sample(const void *state, double *xyz)
@@ -690,12 +683,11 @@ static void sample(const void *state, double *xyz)
     enum { LINE = GRID_U > GRID_V ? GRID_U : GRID_V };
     static const int counts[3] = {GRID_U, GRID_V, GRID_W};
     const struct plate *p = state;
-    const double *x = points_of(p);
     double value[3][LINE][BSPLINE_MAX_ORDER]; /* of the lines along u, v and w */
     int first[3][LINE];
 
     for (int n = 0; p->uvw && n < GRID_POINTS; n++)
-        evaluate_at(p, x, p->uvw[n], xyz + 3 * (size_t)n);
+        evaluate_at(p, p->uvw[n], xyz + 3 * (size_t)n);
     if (p->uvw)
         return;
     for (int d = 0; d < 3; d++)
@@ -704,7 +696,7 @@ static void sample(const void *state, double *xyz)
     for (int k = 0; k < GRID_W; k++)
         for (int j = 0; j < GRID_V; j++)
             for (int i = 0; i < GRID_U; i++, xyz += 3)
-                evaluate(p, x, (const int[]){first[0][i], first[1][j], first[2][k]},
+                evaluate(p, (const int[]){first[0][i], first[1][j], first[2][k]},
                          (const double *const[]){value[0][i], value[1][j], value[2][k]},
                          xyz);
 }
@@ -723,13 +715,12 @@ static void clear(void *state)
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct plate *p = state;
-    const double *x = points_of(p);
 
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         double at[1][3] = {{uvw[0], uvw[1], uvw[2]}};
         if (p->uvw && find_parameters(p, 1, at))
             at[0][0] = NAN; /* cannot be: the rest shape was inverted at create */
-        evaluate_at(p, x, at[0], xyz);
+        evaluate_at(p, at[0], xyz);
     }
 }
 

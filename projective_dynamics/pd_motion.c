@@ -673,8 +673,7 @@ void pd_motion_energy(const void *motion, struct energy *energy)
             double pull = m->scene->gravity[c] + (m->dead ? m->dead[at] : 0);
             potential -= m->energy.mass[k] * pull * (m->x[at] - m->energy.rest[at]);
         }
-    *energy = (struct energy){
-        kinetic, pd_energy_value(&m->energy, m->x) + m->contact.law.energy, potential};
+    *energy = (struct energy){kinetic, pd_energy_value(&m->energy, m->x), potential};
 }
 
 void pd_motion_size(const void *motion, struct model_size *size)

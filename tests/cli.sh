@@ -48,6 +48,13 @@ done
 good list scenes
 names=$(cut -d' ' -f1 out)
 [ "$(wc -w <<<"$names")" -ge 9 ] || fail "few scenes: $names"
+grep -q '^corners_drop .* two corner' out || fail "corners_drop is not held at two corners"
+good list fabrics
+for name in ponte_roma interlock rib_knit; do
+    sed -n "/^$name /,/^[a-z]/p" out | tr -s ' \n' ' ' | grep -q 'it widens when it is pulled' ||
+        fail "list fabrics: $name, whose Y12 is negative, is not flagged"
+done
+! sed -n '/^twill /,/^[a-z]/p' out | grep -q 'it widens' || fail 'list fabrics: twill widens'
 for name in $names; do
     good run "$name" "${short[@]}" --set 'discretization.points=[6,6,2]'
     [ -z "$(cat out err)" ] || fail "run $name --quiet says $(cat out err)"

@@ -63,13 +63,14 @@ static enum status pattern_init(struct pattern *p, const struct blocks *graph,
 static void find_slots(struct system *s, const struct pattern *p)
 {
     const struct blocks *g = s->graph;
-    const int dump = (int)factor_dump(s->factor), *place = s->held->free_index;
+    const ptrdiff_t dump = factor_dump(s->factor);
+    const int *place = s->held->free_index;
 
     for (int a = 0; a < g->nodes; a++)
         for (long t = 9 * g->start[a]; t < 9 * g->start[a + 1]; t++)
             s->slot[t] = p->entry[t] < 0 ? dump
-                                         : (int)factor_slot(s->factor, p->row[p->entry[t]],
-                                                            place[3 * a + t % 9 / 3]);
+                                         : factor_slot(s->factor, p->row[p->entry[t]],
+                                                       place[3 * a + t % 9 / 3]);
 }
 
 /* Turns a node order into an order of free unknowns. */
@@ -274,7 +275,7 @@ enum status system_factor(struct system *s, double k, const double (*K)[9], doub
 
     factor_clear_values(s->factor);
     for (long n = 0; n < pairs; n++) {
-        const int *slot = s->slot + 9 * n;
+        const ptrdiff_t *slot = s->slot + 9 * n;
         double mass = M ? m * M[n] : 0;
         for (int t = 0; t < 9; t++)
             value[slot[t]] = k * K[n][t] + (t % 4 ? 0 : mass);

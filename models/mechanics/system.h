@@ -17,9 +17,9 @@ struct system {
     const unsigned char *parity; /* borrowed or NULL                                */
     struct factor *factor;       /* NULL: preconditioned by other means             */
     struct iterative *iterative; /* NULL: solved by the factor; owned, as it is     */
-    void *room;     /* memory of the arrays                                    owned   */
-    int *slot;      /* [pairs][9] place of each block entry in the factor's values     */
-    double *packed; /* [free_count]                                                    */
+    void *room;      /* memory of the arrays                                    owned   */
+    ptrdiff_t *slot; /* [pairs][9] place of each block entry in the factor's values     */
+    double *packed;  /* [free_count]                                                    */
     long factorisations; /* system_work                                                */
 };
 

@@ -288,6 +288,18 @@ out:
     return st;
 }
 
+/* Refuses a fabric on a cloak that is cut as part of a ring: its warp has one direction in
+ * the cut, not that of each generator. */
+static enum status check_warp(const struct yaml_tree *root, const struct scene *scene,
+                              struct message *why)
+{
+    if (scene->shape != SCENE_CLOAK || scene->flare == 0 || scene_law(scene).isotropic)
+        return STATUS_OK;
+    return yaml_tree_refuse(yaml_tree_find(root, "material"), why,
+                            "the warp of a fabric would lie along every generator of this "
+                            "cloak; give flare 0, or an isotropic material");
+}
+
 /* Refuses loads on a curved shape, where even over parameters is not even over area, and
  * pressure on a sheet with sides, which has no potential unless they are held. */
 static enum status check_loads(const struct yaml_tree *root, const struct scene *scene,
@@ -652,6 +664,7 @@ static enum status scene_check(const struct yaml_tree *root, bool files,
     TRY(check_axes(yaml_tree_find(root, "pose"), "pose", scene->axis_u, scene->axis_v,
                    why));
     TRY(check_shape(root, scene, why));
+    TRY(check_warp(root, scene, why));
     TRY(check_places(root, scene, why));
     TRY(check_time(root, scene, why));
     TRY(check_damping(root, scene, why));

@@ -282,26 +282,30 @@ static double internal_entry(const struct solid_element *e, int m, int i, int b,
 }
 
 /* Computes the Cholesky factor of the internal stiffness B, definite where det J > 0. */
-static void internal_factor(const struct solid_element *e,
-                            double L[INTERNAL_MAX][INTERNAL_MAX])
+static enum status internal_factor(const struct solid_element *e,
+                                   double L[INTERNAL_MAX][INTERNAL_MAX])
 {
     for (int s = 0; s < 3 * e->modes; s++)
         for (int t = 0; t <= s; t++) {
             double v = internal_entry(e, s / 3, s % 3, e->local + t / 3, t % 3);
             for (int k = 0; k < t; k++)
                 v -= L[s][k] * L[t][k];
+            if (s == t && !(v > 0))
+                return STATUS_INDEFINITE;
             L[s][t] = s == t ? sqrt(v) : v / L[t][t];
         }
+    return STATUS_OK;
 }
 
 /* Computes K_ab -= K_ai B^-1 K_ib: with Y = L^-1 K_ib, K -= Y^T Y. */
-static void condense(struct solid_element *e)
+static enum status condense(struct solid_element *e)
 {
     double L[INTERNAL_MAX][INTERNAL_MAX], Y[INTERNAL_MAX][CONDENSED_MAX];
     int n = 3 * e->modes, columns = 3 * e->local;
 
     assert(e->modes <= MODES_MAX && columns <= CONDENSED_MAX);
-    internal_factor(e, L);
+    if (internal_factor(e, L) != STATUS_OK)
+        return STATUS_INDEFINITE;
     for (int c = 0; c < columns; c++)
         for (int s = 0; s < n; s++) {
             double v = internal_entry(e, s / 3, s % 3, c / 3, c % 3);
@@ -316,6 +320,7 @@ static void condense(struct solid_element *e)
                 for (int s = 0; s < n; s++)
                     K[ij] -= Y[s][3 * a + ij / 3] * Y[s][3 * b + ij % 3];
         }
+    return STATUS_OK;
 }
 
 /* Computes K of one layer as a plate. */
@@ -382,8 +387,8 @@ enum status solid_element_compute(struct solid_element *e, const struct solid_sp
     if (space->plane_stress)
         split_gradients(e, material);
     stiffness(e, material, space->plane_stress);
-    if (e->modes)
-        condense(e);
+    if (e->modes && condense(e) != STATUS_OK)
+        return STATUS_INDEFINITE;
     if (!space->reduced)
         mass(e, material->density);
     return STATUS_OK;

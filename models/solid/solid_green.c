@@ -51,7 +51,8 @@ static void keep_layer(struct solid_green *s, const struct solid_layer *from, in
 }
 
 /* Copies the results of solid_element_compute on the rest shape. */
-static void keep_rest(struct solid_green *s, const struct solid_element *from, int element)
+static enum status keep_rest(struct solid_green *s, const struct solid_element *from,
+                             int element)
 {
     s->points[SOLID_KINDS * element] = from->points;
     struct solid_green_rest rest = rest_of(s, element);
@@ -69,9 +70,9 @@ static void keep_rest(struct solid_green *s, const struct solid_element *from, i
                 mode[(q * modes + m) * 3 + i] = row[local + m];
         }
     }
-    if (modes)
-        solid_green_element_modes(&s->work[0], &s->assembly->material, &rest,
-                                  (double *)rest.A);
+    return modes ? solid_green_element_modes(&s->work[0], &s->assembly->material, &rest,
+                                             (double *)rest.A)
+                 : STATUS_OK;
 }
 
 /* Allocates the rest shape's data. */
@@ -253,7 +254,7 @@ enum status solid_green_init(struct solid_green *s, const struct solid_assembly 
         if (space->layer)
             keep_layer(&new, assembly->work[0].layer, e);
         else
-            keep_rest(&new, &assembly->work[0], e);
+            TRY(keep_rest(&new, &assembly->work[0], e));
     }
     *s = new;
     s->body = body_of(s);

@@ -167,9 +167,9 @@ static double determinant(double F[3][3])
            F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]);
 }
 
-void solid_green_element_modes(const struct solid_green_element *e,
-                               const struct solid_material *material,
-                               const struct solid_green_rest *rest, double *A)
+enum status solid_green_element_modes(const struct solid_green_element *e,
+                                      const struct solid_material *material,
+                                      const struct solid_green_rest *rest, double *A)
 {
     enum { N = SOLID_GREEN_INTERNAL };
     int n = 3 * e->modes;
@@ -189,8 +189,11 @@ void solid_green_element_modes(const struct solid_green_element *e,
             double v = A[N * s + t];
             for (int k = 0; k < t; k++)
                 v -= A[N * s + k] * A[N * t + k];
+            if (s == t && !(v > 0))
+                return STATUS_INDEFINITE;
             A[N * s + t] = s == t ? sqrt(v) : v / A[N * t + t];
         }
+    return STATUS_OK;
 }
 
 /* Adds the strains of the internal modes that make their average stress vanish. */

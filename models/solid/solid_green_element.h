@@ -59,9 +59,9 @@ enum status solid_green_element_init(struct solid_green_element *e,
 void solid_green_element_clear(struct solid_green_element *e);
 
 /* Computes the factored stiffness of the internal modes, A. For set-up. */
-void solid_green_element_modes(const struct solid_green_element *e,
-                               const struct solid_material *material,
-                               const struct solid_green_rest *rest, double *A);
+enum status solid_green_element_modes(const struct solid_green_element *e,
+                                      const struct solid_material *material,
+                                      const struct solid_green_rest *rest, double *A);
 
 /* Computes e->strain of the displacement e->U[0]: zero, to the bit, at rest. False if it is
  * not finite or det F <= 0 somewhere. With `change`, less the product of e->U[1] and

@@ -41,7 +41,7 @@ enum status solid_hinge_init(struct solid_space *space, const struct scene *scen
     if (supports_columns(scene) == SUPPORTS_WHOLE)
         return STATUS_OK;
     TRY(room_cut(&new.room, ROOM(new.column, space->nodes / layers),
-                 ROOM(new.middle, layers), ROOM(new.points, 3 * (size_t)space->nodes)));
+                 ROOM(new.middle, layers)));
     memcpy(new.middle, middle, (size_t)layers * sizeof *middle);
     for (int k = 0; k < layers; k++)
         if (middle[k] >= middle[new.at])
@@ -108,18 +108,13 @@ void solid_hinge_forces(const struct solid_space *space, double *f)
             turn(h, 3, f + 3 * (size_t)a + i);
 }
 
-const double *solid_hinge_points(const struct solid_space *space, const double *x)
+double solid_hinge_point(const struct solid_space *space, const double *x, int node, int i)
 {
     const struct solid_hinge *h = &space->hinge;
+    const size_t at = 3 * (size_t)node + (size_t)i;
 
-    if (!h->column)
-        return x;
-    memcpy(h->points, x, 3 * (size_t)space->nodes * sizeof *x);
-    for (int a = 0; a < space->nodes; a += h->layers)
-        for (int i = 0; h->column[a / h->layers] && i < 3; i++) {
-            double *p = h->points + 3 * (size_t)a + i, *at = p + 3 * h->at, m = *at;
-            *at = 0;
-            *at = (m - mean(h, p)) / h->middle[h->at];
-        }
-    return h->points;
+    if (!h->column || !h->column[node / h->layers] || node % h->layers != h->at)
+        return x[at];
+    return (x[at] * (1 + h->middle[h->at]) - mean(h, x + at - 3 * (size_t)h->at)) /
+           h->middle[h->at];
 }

@@ -30,8 +30,7 @@ int solid_hinge_row(const struct solid_space *space, int used, int *node, double
 /* Turns forces f[nodes][3] on the nodes likewise. */
 void solid_hinge_forces(const struct solid_space *space, double *f);
 
-/* Returns the nodes of coefficients x[nodes][3]: x itself without hinges, else the space's
- * own array, until the next call. */
-const double *solid_hinge_points(const struct solid_space *space, const double *x);
+/* Returns component i of a node, of coefficients x[nodes][3]: x itself without a hinge. */
+double solid_hinge_point(const struct solid_space *space, const double *x, int node, int i);
 
 #endif

@@ -52,8 +52,8 @@ void solid_model_net(const void *state, double *xyz)
 {
     const struct solid_motion *m = state;
 
-    memcpy(xyz, solid_hinge_points(m->space, m->x),
-           3 * (size_t)m->space->nodes * sizeof *xyz);
+    for (int t = 0; t < 3 * m->space->nodes; t++)
+        xyz[t] = solid_hinge_point(m->space, m->x, t / 3, t % 3);
 }
 
 /* Computes r = load - K d, zero at held unknowns. */

@@ -51,7 +51,6 @@ struct solid_hinge {
     void *room;     /* memory of the arrays                                 owned   */
     unsigned char *column; /* [nodes / layers] it is such a one; NULL: none is */
     double *middle; /* [layers] values of the functions through it at w = 1/2       */
-    double *points; /* [nodes][3] work                                              */
 };
 
 struct solid_space {

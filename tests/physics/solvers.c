@@ -14,6 +14,10 @@
  */
 static const double SAME = 1e-5;
 
+/* A factor may have more than 2^31 numbers. */
+_Static_assert(sizeof *((struct system *)NULL)->slot == sizeof(ptrdiff_t),
+               "places in a factor do not fit");
+
 static const struct subject {
     const char *model;
     enum kinematics kinematics;

@@ -315,6 +315,9 @@ static void check_lifted(const struct variant *v)
         for (int k = 0; k < m.energy.net.nodes; k++)
             CHECK(m.x[2 * pd_net_stride(&m.energy.net) + k] > lowest);
     }
+    struct energy e;
+    pd_motion_energy(&m, &e); /* what contact stores is told by itself */
+    CHECK(m.contact.law.energy > 0 && e.elastic == pd_energy_value(&m.energy, m.x));
     pd_motion_clear(&m);
     scene.obstacles[0].motion.path = NULL;
     scene.obstacles[0].motion.path_count = 0;

@@ -59,6 +59,22 @@ static void test_fixed_point(void)
     }
 }
 
+/* A fabric along the bias is the triangles' too: warp, weft and shear differ by factors. */
+static void test_fabric(void)
+{
+#define FABRIC                                                                             \
+    "material={fabric: denim, warp: 30}", "sheet={length: 1, width: 0.6}",                 \
+        "time={step: 0.0005, end: 1}", "damping={kind: mass, value: 2}"
+
+    sample_after("vbd", OPENED_LIST(NET, FABRIC, LONG, "discretization.bending=quadratic"),
+                 field[0]);
+    sample_after("triangles",
+                 OPENED_LIST(NET, FABRIC, "discretization.integrator=implicit",
+                             "discretization.substeps=2"),
+                 field[1]);
+    CHECK_NEAR(opened_apart(field[0], field[1]), 0, TOL_SAME);
+}
+
 static struct vb_motion *motion_of(struct run *run)
 {
     return run->state;
@@ -138,6 +154,7 @@ static void test_hinge_scale(void)
 int main(void)
 {
     test_fixed_point();
+    test_fabric();
     test_sweeps();
     test_hinge_scale();
     return check_result();

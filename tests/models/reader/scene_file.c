@@ -106,6 +106,26 @@ static void check_bodies(const struct scene *s)
     CHECK(scene_needs(s) & SCENE_NEED_SELF_CONTACT);
 }
 
+/* A cloak with flare is no cut along whose lines a warp could lie; a cylinder is. */
+static void check_warp(void)
+{
+    static const char *said[][3] = {
+        {"material={fabric: cotton}", "sheet={length: 1, width: 2}",
+         "pose={kind: cloak, u: [0,0,-1], v: [0,1,0], opening: 90, flare: 20}"},
+        {"material={fabric: cotton}", "sheet={length: 1, width: 2}",
+         "pose={kind: cloak, u: [0,0,-1], v: [0,1,0], opening: 90, flare: 0}"},
+        {"drag={coefficient: 1, wind: [0,0,0]}", "sheet.width=2",
+         "pose={kind: cloak, u: [0,0,-1], v: [0,1,0], opening: 90, flare: 20}"}};
+
+    for (int n = 0; n < 3; n++) {
+        struct read r = try_text(MINIMAL, NULL, 3, said[n]);
+        if (!CHECK(r.st == (n ? STATUS_OK : STATUS_INPUT)) ||
+            !CHECK(n || strstr(r.why.text, "flare 0")))
+            printf("%s\n", r.why.text);
+        clear(&r);
+    }
+}
+
 /* Three sheets, which meet; u of a support or load runs along the sheet that it names. */
 static void check_sheets(void)
 {
@@ -429,6 +449,7 @@ int main(void)
     check_axes();
     check_everything();
     check_sheets();
+    check_warp();
     check_settings();
     check_printed();
     check_foreign();

@@ -94,6 +94,20 @@ static void check_lanes(struct solid *s, const double *x)
     solid_assembly_clear(&one);
 }
 
+/* The internal modes' stiffness is factored where it is positive definite, and told where a
+ * law makes it none. */
+static void check_factors(const struct solid *s, const struct solid_green *g)
+{
+    const struct solid_material bad = {.lambda = -1, .mu = -1, .density = 1};
+    const struct solid_green_rest rest = {
+        .points = g->points[0], .mode = g->mode, .dV = g->dV};
+    double A[SOLID_GREEN_INTERNAL * SOLID_GREEN_INTERNAL];
+
+    CHECK(solid_element_compute(&s->assembly.work[0], &s->space, 0, &bad, s->space.rest) ==
+          STATUS_INDEFINITE);
+    CHECK(solid_green_element_modes(&g->work[0], &bad, &rest, A) == STATUS_INDEFINITE);
+}
+
 static void check_solid(enum solid_kind kind, int p, int q, int r, bool thickness)
 {
     const struct solid_case box = {kind, {p, q, r}, {p + 2, q + 3, r + 1}, {1.0, 0.8, 0.3}};
@@ -116,6 +130,8 @@ static void check_solid(enum solid_kind kind, int p, int q, int r, bool thicknes
         d[t] = random_unit(&state) - 0.5;
     }
     check_rest(&g);
+    if (kind == SOLID_INCOMPATIBLE)
+        check_factors(&s, &g);
     derivative_check(&g.body, &s.assembly.graph, x, d, DIFFERENCE);
     check_foresight(&g);
     check_lanes(&s, x);

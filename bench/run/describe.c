@@ -194,11 +194,11 @@ void describe_motion(const struct motion *m, FILE *file)
             c->steps, c->substeps > c->steps ? c->substeps : c->steps, c->assemblies,
             c->factorisations, c->solves, c->iterations);
     if (c->viscous)
-        fprintf(
-            file,
-            "viscosity       in the last %ld steps, since Newton's method failed without "
-            "(discretization.viscosity)\n",
-            c->viscous);
+        fprintf(file,
+                "viscosity       in %ld steps, for a while after each that Newton's method "
+                "could "
+                "not take without (discretization.viscosity)\n",
+                c->viscous);
     if (m->model->doubt)
         m->model->doubt(m->state, &doubt);
     if (*doubt.text)

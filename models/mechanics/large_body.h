@@ -99,10 +99,10 @@ struct large_motion {
     double *x;               /* [nodes][3] present coefficients                [m]     */
     double *held;            /* [4][held_count] supports_motion                        */
     double lag;              /* algorithmic viscosity (large_motion.h)                 */
-    bool relief;             /* lag is large_motion_lag from the first step on that Newton's
-                                method cannot take without                             */
-    bool euler;              /* steps are Euler's implicit ones                        */
-    int enough;              /* iterations after which a step is taken; 0: converged   */
+    bool relief; /* lag is large_motion_lag for a while after a step that Newton's
+                    method cannot take without                             */
+    bool euler;  /* steps are Euler's implicit ones                        */
+    int enough;  /* iterations after which a step is taken; 0: converged   */
     const struct pressure *pressure; /* NULL: none                                    */
     struct contact *contact;         /* NULL: nothing to meet                             */
     struct contact_coupled coupled;  /* where the sheet touches itself          owned   */
@@ -113,6 +113,7 @@ struct large_motion {
     double *strain_mean; /* mean of the last step, in the same room; NULL: not rings   */
     double *gain;        /* of the last substep, gain_dt long; NULL: no viscosity      */
     double gain_dt;      /*                                                      [s]   */
+    int stay, stays;     /* with relief: substeps that the lag is still for, was last  */
     double *room;        /* [6][nodes][3]: x_old, hat, work of large_newton     owned   */
     double factored;     /* mass factor of the tangent that is factored; -1: none       */
     double added;        /* mass added to the factored tangent; 0: none       [1/s^2]   */

@@ -19,6 +19,11 @@ const double large_motion_lag = 1.0 / 16;
  */
 enum { EASY = 8 };
 
+/* The substeps that a viscosity stays for when it comes first: what is fast shrinks to a
+ * third in each, and has 2e-5 left. Each time that it comes back it stays twice as long, so
+ * that a sheet which needs it does not fail again and again. */
+enum { STAY = 10, LONGEST = 1 << 20 };
+
 /* Substeps are step / 2^0 ... step / 2^HALVINGS. */
 enum { HALVINGS = 8, FINEST = 1 << HALVINGS };
 
@@ -171,11 +176,20 @@ out:
     return st;
 }
 
+/* Takes the viscosity on for a while. */
+static void relieve(struct large_motion *m)
+{
+    m->lag = large_motion_lag;
+    m->stays = m->stays ? m->stays < LONGEST ? 2 * m->stays : LONGEST : STAY;
+    m->stay = m->stays;
+}
+
 static enum status all_substeps(struct large_motion *m, double time,
                                 struct counters *counters)
 {
     enum status st;
     int done = 0;
+    bool viscous = false;
 
     memset(m->push, 0, sizeof m->push);
     m->rested = false;
@@ -201,6 +215,9 @@ static enum status all_substeps(struct large_motion *m, double time,
         if (st == STATUS_OK) {
             done += size;
             counters->substeps++;
+            viscous |= m->lag > 0;
+            if (m->stay && !--m->stay)
+                m->lag = 0;
             bool easy = !m->rings || counters->iterations - before <= EASY;
             if (m->halvings && done % (2 * size) == 0 && easy)
                 m->halvings--;
@@ -209,10 +226,11 @@ static enum status all_substeps(struct large_motion *m, double time,
         if (!status_is_death(st) || m->halvings == HALVINGS)
             return st;
         if (m->relief && m->lag == 0)
-            m->lag = large_motion_lag;
+            relieve(m);
         else
             m->halvings++;
     }
+    counters->viscous += m->relief && viscous;
     return STATUS_OK;
 }
 
@@ -222,7 +240,6 @@ enum status large_motion_step(struct large_motion *m, double time,
     enum status st = m->leapfrog ? large_leapfrog_step(m, time, counters)
                                  : all_substeps(m, time, counters);
 
-    counters->viscous += st == STATUS_OK && m->relief && m->lag > 0;
     system_work(m->system, counters);
     return st;
 }

@@ -135,7 +135,7 @@ static void check_ringing(void)
 }
 
 /* Two held edges that approach each other: Newton's method fails in a solid whose membrane
- * rings, and the viscosity that it takes on then spares tangents. */
+ * rings, and the viscosity that it takes on then spares tangents, and goes again. */
 static void check_relief(void)
 {
     const double SPARED = 0.7;
@@ -155,7 +155,7 @@ static void check_relief(void)
         work[n] = opened_steps(&run, 100);
         run_close(&run);
     }
-    if (!CHECK(work[0].viscous > 0 && work[1].viscous == 0 &&
+    if (!CHECK(work[0].viscous > 0 && work[0].viscous < 50 && work[1].viscous == 0 &&
                (double)work[0].assemblies < SPARED * (double)work[1].assemblies))
         printf("  relief: %ld and %ld tangents, %ld and %ld steps with viscosity\n",
                work[0].assemblies, work[1].assemblies, work[0].viscous, work[1].viscous);

@@ -5,6 +5,7 @@
 #include "bench/harness/net_fit.h"
 #include "iga/support_knots.h"
 #include "models/contact/contact.h"
+#include "models/vector.h"
 
 /* Bounds: span over thickness from which degree 2 loses a tenth; thickness over side; share
  * of a swing lost in a second; span over the length that a clamp bends. */
@@ -90,15 +91,15 @@ static bool is_thick(const struct run *r, double number[])
     return !is_solid(r) && number[0] >= THICK * (1 - 1e-9);
 }
 
-/* Backward Euler damps: amplitudes shrink by (1 + omega^2 dt^2)^(-1/2) a step; a sheet
- * swings as a rod, omega^2 = 3/2 g / L. */
+/* Backward Euler damps: what swings or turns slows down by (1 + omega^2 dt^2)^(-1/2) a
+ * step; a sheet swings as a rod, omega^2 = 3/2 g / L, or turns as it starts. */
 static bool swings_less(const struct run *r, double number[])
 {
-    const double *g = r->scene.gravity;
+    const struct scene *s = &r->scene;
     const int pieces = r->discretization.substeps > 0 ? r->discretization.substeps : 1;
-    const double omega2 =
-                     1.5 * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / r->scene.length,
-                 lost = omega2 * r->scene.step / pieces / 2;
+    const double omega2 = fmax(1.5 * vector_length(s->gravity) / s->length,
+                               vector_dot(s->spin, s->spin)),
+                 lost = omega2 * s->step / pieces / 2;
 
     number[0] = 100 * lost;
     return is_net(r) && r->discretization.integrator == INTEGRATOR_IMPLICIT &&
@@ -305,9 +306,8 @@ const struct warnings_rule warnings_rules[] = {
      "a model of the mid-surface leaves shear through the thickness out: 2 %% of a tip at "
      "h/L = 0.1, here %.2g"},
     {"euler", "amplification of backward Euler", swings_less,
-     "backward Euler takes %.2g %% of a swing in every second at this step, half of that "
-     "at "
-     "half the step"},
+     "backward Euler takes %.2g %% of a swing or turn in every second at this step, half "
+     "of that at half the step"},
     {"scale", "study timestep", damping_is_no_rate,
      "damping velocity_scale is no rate: at half the step the sheet is damped twice as "
      "much, "

@@ -16,6 +16,7 @@
 #define TABLE        SHEET "obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1]}}];"
 #define BALL(radius) SHEET "obstacles=[{sphere: {center: [0,0,-2], radius: " radius "}}];"
 #define CLAMP        "supports=[{at: {u: [0,0.1], v: [0.9,1]}, fix: xyz}];"
+#define SPUN         "gravity=[0,0,0];supports=[];motion={spin: [3,0,4]};"
 #define LOAD         "loads=[{at: {u: 0.5}, force: [0,0,-1]}];"
 #define TUBE                                                                               \
     "pose={kind: cloak, u: [0,1,0], v: [1,0,0], opening: 360};"                            \
@@ -80,6 +81,14 @@ static const struct row {
     {"euler", "projective_dynamics", false, "discretization.substeps=4"},
     {"euler", "mass_spring_explicit", false, ""},
     {"euler", "shell", false, ""},
+    /* 5 rad/s, dt 25/2: 1 % a second at .8 ms. */
+    {"euler", "mass_spring", true, SPUN "time.step=0.00081;time.end=0.0081"},
+    {"euler", "mass_spring", false, SPUN "time.step=0.00079;time.end=0.0079"},
+    {"euler", "projective_dynamics", true, SPUN "time.step=0.00081;time.end=0.0081"},
+    {"euler", "position_based", true, SPUN "time.step=0.00081;time.end=0.0081"},
+    {"euler", "vbd", true, SPUN "discretization.substeps=6"},
+    {"euler", "vbd", false, SPUN "discretization.substeps=7"},
+    {"euler", "shell", false, SPUN},
     {"scale", "iga", true, ""},
     {"scale", "iga_paper", false, ""},
     {"scale", "iga", false, "damping={kind: velocity_scale, value: 1}"},

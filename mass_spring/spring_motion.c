@@ -159,6 +159,9 @@ void spring_motion_hold(struct spring_motion *m, double t)
         m->x[s->held[h]] = m->net.rest[s->held[h]] + m->shift[h];
 }
 
+/* Takes it where a step begins: what the step solves for is then the minimum of a
+ * potential, and of first order all the same, as Euler's methods are
+ * (tests/physics/time_order.c). */
 static void damping_matrix(struct spring_motion *m)
 {
     if (m->points.beta > 0)

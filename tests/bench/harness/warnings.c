@@ -17,7 +17,10 @@
 #define BALL(radius) SHEET "obstacles=[{sphere: {center: [0,0,-2], radius: " radius "}}];"
 #define CLAMP        "supports=[{at: {u: [0,0.1], v: [0.9,1]}, fix: xyz}];"
 #define SPUN         "gravity=[0,0,0];supports=[];motion={spin: [3,0,4]};"
-#define LOAD         "loads=[{at: {u: 0.5}, force: [0,0,-1]}];"
+#define WAVE                                                                               \
+    "material={young: 1e4, poisson: 0, density: 1};sheet.thickness=0.01;"                  \
+    "time={step: 0.002, end: 0.1};supports=[{at: {u: 0}, fix: xyz, path: "
+#define LOAD "loads=[{at: {u: 0.5}, force: [0,0,-1]}];"
 #define TUBE                                                                               \
     "pose={kind: cloak, u: [0,1,0], v: [1,0,0], opening: 360};"                            \
     "supports=[{at: {v: 0.25}, fix: x}];"
@@ -89,6 +92,19 @@ static const struct row {
     {"euler", "vbd", true, SPUN "discretization.substeps=6"},
     {"euler", "vbd", false, SPUN "discretization.substeps=7"},
     {"euler", "shell", false, SPUN},
+    /* A kick of 1 m/s; a way without kink; c dt = L / 10; v / c = (h / L)^2. */
+    {"kink", "triangles", true, WAVE "[[0,0,0,0],[0.05,0,0,0.05],[0.1,0,0,0]]}]"},
+    {"kink", "triangles", true, WAVE "[[-1,0,0,0],[0.05,0,0,0],[2,0,0,1]]}]"},
+    {"kink", "triangles", false, WAVE "[[-1,0,0,0],[0,0,0,0],[0.11,0,0,0],[2,0,0,1]]}]"},
+    {"kink", "triangles", false, WAVE "[[-1,0,0,-1],[1,0,0,1]]}];motion={}"},
+    {"kink", "triangles", false,
+     WAVE "[[0,0,0,0],[0.1,0,0,0.1]]}];motion={velocity: [0,0,1]}"},
+    {"kink", "triangles", false, WAVE "[[-1,0,0,-1],[0.05,0,0,0.05],[1,0,0,1.09]]}]"},
+    {"kink", "triangles", true, WAVE "[[0,0,0,0],[0.1,0,0,1.1e-3]]}]"},
+    {"kink", "triangles", false, WAVE "[[0,0,0,0],[0.1,0,0,0.9e-3]]}]"},
+    {"kink", "triangles", true, WAVE "[[0,0,0,0],[0.1,0,0,1]]}];time.step=0.0011"},
+    {"kink", "triangles", false, WAVE "[[0,0,0,0],[0.1,0,0,1]]}];time.step=0.0009"},
+    {"kink", "mass_spring_leapfrog", false, WAVE "[[0,0,0,0],[0.1,0,0,1]]}]"},
     {"scale", "iga", true, ""},
     {"scale", "iga_paper", false, ""},
     {"scale", "iga", false, "damping={kind: velocity_scale, value: 1}"},

@@ -14,8 +14,8 @@
 #define NET   "discretization.points="
 
 /* The contestants, and the shares of the answers by which they may be off: what a net of so
- * many points, or a step, is off by where iterations end at round-off (read from runs of
- * half the cell, half the step). */
+ * many points, or a step, is off by, as runs of these nets showed; what has not arrived is
+ * off by several times as much. */
 enum { SHELL, TRIANGLES, SPRINGS, IGA, VBD, PROJECTIVE, XPBD, CONTESTANTS };
 static const char *const name[CONTESTANTS] = {[SHELL] = "shell",
                                               [TRIANGLES] = "triangles",

@@ -300,10 +300,11 @@ static enum status make_line(struct plate_tables *tables, const struct bspline *
                              int i)
 {
     struct line_rule rule;
-    enum status st = l == PLATE_BENDING   ? line_rule_bending(&rule, b)
-                     : l == PLATE_REDUCED ? reduced_rule_init(&rule, b)
-                     : l == PLATE_DERIVED ? reduced_rule_derived(&rule, b)
-                                          : line_rule_greville(&rule, b, false);
+    const bool derived = l == PLATE_DERIVED || (l == PLATE_SHEARED && b->p > 3);
+    enum status st = l == PLATE_BENDING  ? line_rule_bending(&rule, b)
+                     : l == PLATE_VALUES ? line_rule_greville(&rule, b, false)
+                     : derived           ? reduced_rule_derived(&rule, b)
+                                         : reduced_rule_init(&rule, b, l != PLATE_ACROSS);
 
     return line_rule_table(&tables->cure[l][i], b, st, &rule, 2, bspline_eval);
 }
@@ -350,8 +351,8 @@ static void surface_point(const struct solid_space *space, int element,
 static const int lines[SOLID_KINDS][2] = {
     [SOLID_ALONG_U] = {PLATE_DERIVED, PLATE_VALUES},
     [SOLID_ALONG_V] = {PLATE_VALUES, PLATE_DERIVED},
-    [SOLID_PLANE] = {PLATE_DERIVED, PLATE_DERIVED},
-    [SOLID_ACROSS] = {PLATE_REDUCED, PLATE_REDUCED},
+    [SOLID_PLANE] = {PLATE_SHEARED, PLATE_SHEARED},
+    [SOLID_ACROSS] = {PLATE_ACROSS, PLATE_ACROSS},
     [SOLID_BENDING] = {PLATE_BENDING, PLATE_BENDING},
 };
 

@@ -125,14 +125,14 @@ static void fill(const struct bspline *b, struct line_rule *rule)
         }
 }
 
-enum status reduced_rule_init(struct line_rule *rule, const struct bspline *b)
+enum status reduced_rule_init(struct line_rule *rule, const struct bspline *b, bool refined)
 {
     enum status st = line_rule_room(rule, b);
 
     if (st == STATUS_OK) {
         fill(b, rule);
         line_rule_most(rule);
-        st = line_rule_refine(rule, b);
+        st = refined ? line_rule_refine(rule, b) : STATUS_OK;
     }
     if (st != STATUS_OK)
         line_rule_clear(rule);
@@ -141,6 +141,6 @@ enum status reduced_rule_init(struct line_rule *rule, const struct bspline *b)
 
 enum status reduced_rule_derived(struct line_rule *rule, const struct bspline *b)
 {
-    return b->p == 2 && !b->wrap ? reduced_rule_init(rule, b)
+    return b->p == 2 && !b->wrap ? reduced_rule_init(rule, b, true)
                                  : line_rule_greville(rule, b, true);
 }

@@ -107,7 +107,7 @@ static void check_line(const struct line *l)
     int span[MOST], points = 0, pieces = l->knots == REPEATED ? 2 : 1;
 
     make_basis(l, &b);
-    REQUIRE(reduced_rule_init(&rule, &b) == STATUS_OK);
+    REQUIRE(reduced_rule_init(&rule, &b, true) == STATUS_OK);
     const int spans = bspline_spans(&b, span);
     const bool mirrored = l->knots == EVEN;
     for (int e = 0; e < spans; e++) {

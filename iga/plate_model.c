@@ -300,7 +300,7 @@ static enum status make_line(struct plate_tables *tables, const struct bspline *
                              int i)
 {
     struct line_rule rule;
-    const bool derived = l == PLATE_DERIVED || (l == PLATE_SHEARED && b->p > 3);
+    const bool derived = l == PLATE_DERIVED && b->p > 3;
     enum status st = l == PLATE_BENDING  ? line_rule_bending(&rule, b)
                      : l == PLATE_VALUES ? line_rule_greville(&rule, b, false)
                      : derived           ? reduced_rule_derived(&rule, b)
@@ -351,7 +351,7 @@ static void surface_point(const struct solid_space *space, int element,
 static const int lines[SOLID_KINDS][2] = {
     [SOLID_ALONG_U] = {PLATE_DERIVED, PLATE_VALUES},
     [SOLID_ALONG_V] = {PLATE_VALUES, PLATE_DERIVED},
-    [SOLID_PLANE] = {PLATE_SHEARED, PLATE_SHEARED},
+    [SOLID_PLANE] = {PLATE_DERIVED, PLATE_DERIVED},
     [SOLID_ACROSS] = {PLATE_ACROSS, PLATE_ACROSS},
     [SOLID_BENDING] = {PLATE_BENDING, PLATE_BENDING},
 };

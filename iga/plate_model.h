@@ -14,16 +14,17 @@
  * control points. Their parameters along u are those of their part (bspline.h). */
 
 /* The lines of points of a remedy: reduced_rule.h's, refined or, across the sheet, as they
- * are; line_rule.h's of values; those of derivatives; of shear along the sheet; of bending.
- * (With refined points across it, or those of derivatives for its shear, a sheet of degree
- * 3 that falls on a ball is stretched by 1.11 and 1.26 on 10x10 and 9x9 points for 1.04,
- * and its director turns over on 8x7. Above degree 3 not all nets have refined ones.) */
+ * are; line_rule.h's of values; those of derivatives, which are the refined ones up to
+ * degree 3; of bending. (With refined points across it, or line_rule.h's of derivatives for
+ * its shear, a sheet of degree 3 that falls on a ball is stretched by 1.11 and 1.26 on
+ * 10x10 and 9x9 points for 1.04, and its director turns over on 8x7. With those for its
+ * stretch alone a sheet of h/L = 1e-5 locks. Above degree 3 not all nets have refined
+ * ones.) */
 enum {
     PLATE_REDUCED,
     PLATE_ACROSS,
     PLATE_VALUES,
     PLATE_DERIVED,
-    PLATE_SHEARED,
     PLATE_BENDING,
     PLATE_LINES
 };
@@ -52,7 +53,7 @@ enum status plate_model_reduce(struct solid_space *space, struct plate_tables *t
 
 /* Sets the stiffness of *space, one linear layer, to solid_layer.h's, at as many points as
  * functions, but strains along the sheet as the shell's (shell_space.h), at
- * reduced_rule_derived's points, and bending by line_rule_bending. A net that zigzags along
+ * points of derivatives, and bending by line_rule_bending. A net that zigzags along
  * u and v stands still at all points of plate_model_reduce (of odd degree): in the folds of
  * a flag it stretched ninefold. The stretch along u is therefore seen from the points along
  * v where what zigzags has values, and that along v likewise. (Tried, and left: transverse

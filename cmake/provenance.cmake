@@ -4,7 +4,8 @@ cmake_minimum_required(VERSION 3.25)
 # of what computes a run: names and contents of the sources of models and of what runs them.
 # Run at every build, rewrites only what changed. Outside a git checkout the first two are
 # `unknown`.
-#   cmake -D SOURCE=... -D HEADER=... -P provenance.cmake
+# FOLDERS has those of the models, with commas between.
+#   cmake -D SOURCE=... -D FOLDERS=... -D HEADER=... -P provenance.cmake
 set(commit unknown)
 set(changed unknown)
 find_program(GIT git)
@@ -25,8 +26,8 @@ endif()
 
 # Of other folders none has a say in a run's numbers.
 set(patterns ${SOURCE}/CMakeLists.txt ${SOURCE}/bench/truth/truth_level.c)
-foreach(folder models iga fem_ref mass_spring position_based projective_dynamics shell_ref
-        triangles bench/harness)
+string(REPLACE "," ";" FOLDERS ${FOLDERS})
+foreach(folder models bench/harness ${FOLDERS})
   list(APPEND patterns ${SOURCE}/${folder}/*.c ${SOURCE}/${folder}/*.h)
 endforeach()
 file(GLOB_RECURSE sources RELATIVE ${SOURCE} ${patterns})

@@ -114,7 +114,8 @@ struct scene {
     char *name;   /* [a-z0-9_]+                                             owned     */
     char *source; /* where the numbers come from                            owned     */
     char *about;  /* the events, a line for lists; NULL: none               owned     */
-    char *text;   /* the file as read, with the settings applied below it   owned     */
+    char *text;   /* the file as read, with the settings applied below it and sums of
+                     the meshes that it names: the same text, the same scene  owned    */
 
     double length, width, thickness; /*                                       [m] > 0 */
     int sheets;                      /* 0, 1: one                                    */

@@ -2,9 +2,9 @@ cmake_minimum_required(VERSION 3.25)
 
 # cmake/provenance.cmake tells the commit and how many files differ from it: none, one that
 # was changed, one more that is new; and does not touch a header that says so already. The
-# digest of the solvers is another when one of them is, is named otherwise, or goes, and not
-# when anything else is.
-#   cmake -D SOURCE=... -D SCRATCH=... -P provenance_commit.cmake
+# digest of the solvers is another when one of them is, whichever model's it is, is named
+# otherwise, or goes, and not when anything else is.
+#   cmake -D SOURCE=... -D FOLDERS=... -D SCRATCH=... -P provenance_commit.cmake
 find_program(GIT git)
 set(header ${SCRATCH}.h)
 set(ENV{GIT_CONFIG_GLOBAL} /dev/null)
@@ -20,7 +20,7 @@ function(run)
 endfunction()
 
 function(expect commit changed)
-  run(${CMAKE_COMMAND} -D SOURCE=${SCRATCH} -D HEADER=${header}
+  run(${CMAKE_COMMAND} -D SOURCE=${SCRATCH} -D FOLDERS=${FOLDERS} -D HEADER=${header}
     -P ${SOURCE}/cmake/provenance.cmake)
   file(READ ${header} text)
   string(REGEX REPLACE "#define PROVENANCE_SOLVERS \"([0-9a-f]+)\"\n$" "" text "${text}")
@@ -66,13 +66,17 @@ expect(${commit} 3)
 if(NOT solvers STREQUAL seen)
   message(FATAL_ERROR "words made other solvers")
 endif()
-foreach(what "iga/a.c;one" "iga/a.c;two" "iga/b.c;two" "models/linalg/a.h;three"
-        "bench/harness/run.c;four")
+string(REPLACE "," "/new.c=five " each "${FOLDERS}/new.c=five")
+separate_arguments(each)
+foreach(what iga/a.c=one iga/a.c=two iga/b.c=two models/linalg/a.h=three
+        bench/harness/run.c=four ${each})
+  string(REPLACE "=" ";" what ${what})
   list(GET what 0 name)
   list(GET what 1 content)
   file(REMOVE_RECURSE ${SCRATCH}/iga)
   file(WRITE ${SCRATCH}/${name} ${content})
-  run(${CMAKE_COMMAND} -D SOURCE=${SCRATCH} -D HEADER=${header} -P ${SOURCE}/cmake/provenance.cmake)
+  run(${CMAKE_COMMAND} -D SOURCE=${SCRATCH} -D FOLDERS=${FOLDERS} -D HEADER=${header}
+    -P ${SOURCE}/cmake/provenance.cmake)
   file(READ ${header} text)
   string(REGEX MATCH "PROVENANCE_SOLVERS \"([0-9a-f]+)\"" match "${text}")
   if(CMAKE_MATCH_1 IN_LIST seen)

@@ -11,7 +11,6 @@
 #include "bench/harness/timing.h"
 #include "bench/experiment/bench_solid.h"
 #include "bench/ui/table.h"
-#include "models/reader/scene_file.h"
 
 /* Frames of a repeat, where a frame costs the same all along the motion. */
 enum { FRAMES = 20, QUICK_FRAMES = 5, WARMUP = 2 };
@@ -137,8 +136,8 @@ static enum status sum_of_program(unsigned long *sum, struct message *why)
     return st;
 }
 
-/* Writes the key of a case: a sum of the scene's text, the settings, what is kept and what
- * is timed. */
+/* Writes the key of a case: a sum of the scene's text, which has its settings and what its
+ * meshes are, of what is kept and of what is timed. */
 static enum status key_of(const struct measurement_options *o,
                           const struct measurement_case *c, unsigned long sum,
                           char key[MADE_FOR], struct message *why)
@@ -147,22 +146,18 @@ static enum status key_of(const struct measurement_options *o,
                               c->keep.doubles, c->keep.packed, c->keep.intersections,
                               c->rest,         c->timed,       c->repeats,
                               c->phases,       o->quick};
-    char *path = NULL, *text = NULL;
-    size_t size;
-    enum status st;
+    struct run run;
+    const enum status st = run_read(&run, &c->plan, why);
 
-    TRY(scene_file_find(c->plan.path, &path, why));
-    TRY(named_file_read(&scene_file_kind, path, &text, &size, why));
-    sum = seal_text_sum(sum, text, size);
-    add_text(&sum, c->plan.contestant->name);
-    for (int n = 0; c->plan.settings && n < c->plan.settings->count; n++)
-        add_text(&sum, c->plan.settings->text[n]);
-    sum = seal_text_sum(sum, numbers, sizeof numbers);
-    sum = seal_text_sum(sum, c->keep.time, (size_t)c->keep.times * sizeof *c->keep.time);
-    snprintf(key, MADE_FOR, "a case of %08lx", sum);
-out:
-    free(path);
-    free(text);
+    if (st == STATUS_OK) {
+        add_text(&sum, run.scene.text);
+        add_text(&sum, c->plan.contestant->name);
+        sum = seal_text_sum(sum, numbers, sizeof numbers);
+        sum =
+            seal_text_sum(sum, c->keep.time, (size_t)c->keep.times * sizeof *c->keep.time);
+        snprintf(key, MADE_FOR, "a case of %08lx", sum);
+    }
+    run_close(&run);
     return st;
 }
 

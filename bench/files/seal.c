@@ -108,7 +108,7 @@ enum { SEAL_MOST = 64, SIZE_MOST = 1 << 16 };
 
 unsigned long seal_text_sum(unsigned long before, const void *bytes, size_t size)
 {
-    return crc32(before, bytes, (unsigned)size);
+    return size ? crc32(before, bytes, (unsigned)size) : before; /* of NULL it is 0 */
 }
 
 enum status seal_text_program(unsigned long *sum, struct message *why)

@@ -18,8 +18,8 @@
 /* --- The folder (sweep_folder.c), in which a sweep keeps what it has done, so that it can
  * go on after anything.
  *
- *   manifest.txt       the plan and the scenes, as they were read at the beginning, and the
- *                      program
+ *   manifest.txt       the plan and the scenes, as they were read at the beginning, sums of
+ *                      their truths and meshes, and the program
  *   case_000001.h5     the result file of a case (run_file.h), or
  *   case_000001.txt    one sentence: why there is none (time limit, signal, no such scene);
  *                      both are sealed and carry sums of the case, of the plan with its

@@ -15,7 +15,28 @@
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
 #include "bench/files/seal.h"
+#include "bench/truth/truth.h"
+#include "models/contact/contact_mesh.h"
 #include "models/reader/scene_file.h"
+
+/* Adds the sum of the truth, if one is stored, that cases of a scene tell their distance
+ * from: of its beginning, where it is sealed. */
+static void add_truth(const char *path, FILE *text)
+{
+    struct discretization unused = {0};
+    struct scene scene;
+    char *truth = NULL, *bytes = NULL;
+    size_t size;
+
+    if (scene_file_read(path, 0, NULL, &scene, &unused, NULL) == STATUS_OK &&
+        named_file_find(&truth_file_kind, scene.name, &truth, NULL) == STATUS_OK &&
+        named_file_read(&truth_file_kind, truth, &bytes, &size, NULL) == STATUS_OK)
+        fprintf(text, "--- its truth, file with the sum %08lx\n",
+                seal_text_sum(0, bytes, size));
+    scene_clear(&scene);
+    free(truth);
+    free(bytes);
+}
 
 /* Adds the texts of the scenes among these settings. */
 static enum status add_scenes(const struct plan *plan, const struct plan_settings *settings,
@@ -35,11 +56,41 @@ static enum status add_scenes(const struct plan *plan, const struct plan_setting
         TRY(named_file_read(&scene_file_kind, path, &bytes, &size, why));
         fprintf(text, "\n--- scene %s\n", s->value);
         fwrite(bytes, 1, size, text);
+        add_truth(path, text);
     }
 out:
     free(path);
     free(bytes);
     return st;
+}
+
+/* Adds the sum of all meshes that scenes and settings of the cases name. A case that cannot
+ * be opened has none: its own run says why. */
+static enum status add_meshes(const struct plan *plan, FILE *text)
+{
+    const long count = plan_case_count(plan);
+    unsigned long sum = 0;
+
+    for (long n = 0; n < count; n++) {
+        struct plan_case c = {0};
+        struct scene scene = {0};
+        enum status st = plan_case_open(plan, n, &c, NULL);
+
+        if (st == STATUS_OK)
+            st = plan_case_scene(&c, &scene, NULL);
+        for (int k = 0; st == STATUS_OK && k < scene.obstacle_count; k++)
+            if (scene.obstacles[k].mesh) {
+                const struct contact_mesh_view mesh =
+                    contact_mesh_view(scene.obstacles[k].mesh);
+                sum = seal_text_sum(sum, &mesh.mark, sizeof mesh.mark);
+            }
+        scene_clear(&scene);
+        plan_case_clear(&c);
+        if (st == STATUS_MEMORY)
+            return st;
+    }
+    fprintf(text, "\n--- meshes with the sum %08lx\n", sum);
+    return STATUS_OK;
 }
 
 /* Writes the plan and its scenes, on which all results depend. */
@@ -68,6 +119,9 @@ enum status sweep_folder_identify(struct sweep_folder *folder, const struct plan
     if (!memory)
         return STATUS_MEMORY;
     TRY(write_plan(plan, memory, why));
+    TRY(fflush(memory) == 0 ? STATUS_OK : STATUS_MEMORY);
+    if (strstr(folder->manifest, ".obj")) /* else no case is read here */
+        TRY(add_meshes(plan, memory));
     TRY(fflush(memory) == 0 ? STATUS_OK : STATUS_MEMORY);
     folder->plan = seal_text_sum(0, folder->manifest, size);
     TRY(seal_text_program(&folder->program, why));

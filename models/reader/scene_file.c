@@ -1,9 +1,11 @@
 /* scene_file.c - makes scenes from files and settings. scene_schema.c has the keys. */
 #include "models/reader/scene_file.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/contact/contact_mesh.h"
 #include "models/reader/scene_schema.h"
 
 static bool is_numerics(const char *setting)
@@ -14,29 +16,25 @@ static bool is_numerics(const char *setting)
            (setting[length] == '.' || setting[length] == '=');
 }
 
-/* Makes the text with the settings below it as comments. */
+/* Writes the scene's text: the file's, below it the settings and sums of meshes as
+ * comments. */
 static enum status annotate(const char *text, size_t size, int setting_count,
-                            const char *const *settings, char **annotated)
+                            const char *const *settings, struct scene *scene)
 {
-    const char *mark = "# --set ";
-    size_t room = size + 2;
-    char *end;
+    FILE *out = open_memstream(&scene->text, &(size_t){0});
 
-    for (int i = 0; i < setting_count; i++)
-        room += strlen(mark) + strlen(settings[i]) + 1;
-    *annotated = malloc(room);
-    if (!*annotated)
+    if (!out)
         return STATUS_MEMORY;
-    memcpy(*annotated, text, size);
-    end = *annotated + size;
-    if (size > 0 && end[-1] != '\n')
-        *end++ = '\n';
-    for (int i = 0; i < setting_count; i++) {
-        end = stpcpy(stpcpy(end, mark), settings[i]);
-        *end++ = '\n';
-    }
-    *end = '\0';
-    return STATUS_OK;
+    fwrite(text, 1, size, out);
+    if (size > 0 && text[size - 1] != '\n')
+        fputc('\n', out);
+    for (int i = 0; i < setting_count; i++)
+        fprintf(out, "# --set %s\n", settings[i]);
+    for (int n = 0; n < scene->obstacle_count; n++)
+        if (scene->obstacles[n].mesh)
+            fprintf(out, "# mesh %s, sum %016llx\n", scene->obstacles[n].file,
+                    (unsigned long long)contact_mesh_view(scene->obstacles[n].mesh).mark);
+    return fclose(out) == 0 ? STATUS_OK : STATUS_MEMORY;
 }
 
 /* Applies settings to the scene's tree, or to that of the discretization. */
@@ -76,7 +74,7 @@ static enum status parse(const char *name, bool files, const char *text, size_t 
     TRY(apply(setting_count, settings, root, &numerics, why));
     TRY(scene_schema_read(root, files, scene, why));
     TRY(scene_schema_read_numerics(&numerics, &work, why));
-    TRY(annotate(text, size, setting_count, settings, &scene->text));
+    TRY(annotate(text, size, setting_count, settings, scene));
 out:
     if (st == STATUS_OK) {
         struct discretization old = *d;

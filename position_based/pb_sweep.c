@@ -18,6 +18,7 @@ struct pb_sweep {
     size_t size;         /* bytes of a number                                       */
     bool used[PB_KINDS]; /* any strength                                            */
     bool back;           /* the next iteration's way through the kinds              */
+    double origin[PB_W]; /* of places and ways: plan.origin                         */
     void *field[PB_FIELDS];
     void *half[HALVES], *third[THIRDS]; /* as fields, 1 or 0                           */
     void *pull[3];                      /* as fields, of the constraints of a point    */
@@ -156,9 +157,22 @@ void pb_sweep_predict(struct pb_sweep *s, bool recalls)
     BY_PRECISION(s, predict, s);
 }
 
+bool pb_sweep_follow(struct pb_sweep *s, const double *x, const double *v, double way[3])
+{
+    struct net_origin *o = &s->plan.origin;
+    const bool followed = net_origin_follow(o, s->plan.n * s->plan.m, x, v);
+
+    for (int i = 0; i < 3; i++) {
+        s->origin[PB_X + i] = o->at[i];
+        s->origin[PB_D + i] = way[i] = s->plan.dt * o->velocity[i];
+    }
+    return followed;
+}
+
 void pb_sweep_hold(struct pb_sweep *s, int node, int component, double x)
 {
-    BY_PRECISION(s, hold, s, node / s->plan.m * s->pitch + node % s->plan.m, component, x);
+    BY_PRECISION(s, hold, s, node / s->plan.m * s->pitch + node % s->plan.m, component,
+                 x - s->origin[PB_X + component] - s->origin[PB_D + component]);
 }
 
 void pb_sweep_project(struct pb_sweep *s, int iterations, bool bends, bool recalls)
@@ -172,4 +186,6 @@ void pb_sweep_project(struct pb_sweep *s, int iterations, bool bends, bool recal
 void pb_sweep_finish(struct pb_sweep *s)
 {
     BY_PRECISION(s, finish, s);
+    for (int i = 0; i < 3; i++)
+        s->plan.origin.at[i] = s->origin[PB_X + i] += s->origin[PB_D + i];
 }

@@ -24,6 +24,7 @@
 #include <stddef.h>
 
 #include "models/discretization.h"
+#include "models/net/net_origin.h"
 #include "models/status.h"
 
 /* Springs go from a point to the next along u, along v, (i+1, j+1) and (i+1, j-1); bending
@@ -71,9 +72,11 @@ struct pb_plan {
     int n, m;  /* points                                                                */
     int sheet; /* rows after which another sheet begins; n: there is one               */
     enum precision precision;
-    double rest[PB_SPRINGS]; /* lengths                                         [m]    */
-    double mean[2];          /* spring_plate_mean                                      */
-    double gain;             /* 1 + gamma                                              */
+    double rest[PB_SPRINGS];  /* lengths                                         [m]    */
+    double mean[2];           /* spring_plate_mean                                      */
+    double gain;              /* 1 + gamma                                              */
+    double dt;                /* of a step                                       [s]    */
+    struct net_origin origin; /* from which places and ways are counted                 */
     int odd_count;
     struct pb_odd *odd; /* borrowed; lambda and place are written */
 };
@@ -90,6 +93,12 @@ void pb_sweep_form(double s, double gain, double sum, double *strength, double *
 /* Put and get `count` fields from the first one on, values[nodes][count], rounded. */
 void pb_sweep_put(struct pb_sweep *sweep, int first, int count, const double *values);
 void pb_sweep_get(const struct pb_sweep *sweep, int first, int count, double *values);
+
+/* Lets the origin follow x and v. Returns whether it did: places, ways and kicks must be
+ * put again then, and kicks have (keep - 1) times its way in a step, which is `way`,
+ * besides. */
+bool pb_sweep_follow(struct pb_sweep *sweep, const double *x, const double *v,
+                     double way[3]);
 
 /* Do the parts of a step: d <- keep d + kick, lambda <- 0 if `recalls`; held components to
  * where they shall be; iterations, with bending or with springs alone; x <- x + d. */

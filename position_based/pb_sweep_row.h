@@ -309,19 +309,23 @@ static void NAME(hold)(struct pb_sweep *s, ptrdiff_t at, int component, double x
 
 static void NAME(put)(struct pb_sweep *s, int first, int count, const double *values)
 {
-    for (int f = 0; f < count; f++)
+    for (int f = 0; f < count; f++) {
+        const double from = first + f < PB_W ? s->origin[first + f] : 0;
         for (int i = 0; i < s->plan.n; i++)
             for (int j = 0; j < s->plan.m; j++)
                 NAME(at)
-    (s, first + f, i)[j] = (REAL)values[count * (i * s->plan.m + j) + f];
+        (s, first + f, i)[j] = (REAL)(values[count * (i * s->plan.m + j) + f] - from);
+    }
 }
 
 static void NAME(get)(const struct pb_sweep *s, int first, int count, double *values)
 {
-    for (int f = 0; f < count; f++)
+    for (int f = 0; f < count; f++) {
+        const double to = first + f < PB_W ? 0 - s->origin[first + f] : 0;
         for (int i = 0; i < s->plan.n; i++)
             for (int j = 0; j < s->plan.m; j++)
-                values[count * (i * s->plan.m + j) + f] = NAME(at)(s, first + f, i)[j];
+                values[count * (i * s->plan.m + j) + f] = NAME(at)(s, first + f, i)[j] - to;
+    }
 }
 
 static void NAME(mask)(const struct pb_sweep *s, void *mask, int period, int place)

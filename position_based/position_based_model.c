@@ -54,7 +54,8 @@ static double free_inverse_mass(const struct pb_motion *m, int a)
     return place[0] >= 0 || place[1] >= 0 || place[2] >= 0 ? inverse_mass(m, a) : 0;
 }
 
-static void put_points(struct pb_motion *m)
+/* Puts what points have of their own; the sweep's origin goes a way in a step. */
+static void put_points(struct pb_motion *m, const double way[3])
 {
     double *w = m->work, *kick = w + count(m), *keep = kick + count(m);
 
@@ -67,6 +68,8 @@ static void put_points(struct pb_motion *m)
             bool held = m->supports.free_index[c] < 0;
             w[c] = held ? 0 : inverse;
             kick[c] = w[c] * m->dt * m->dt * m->points.load[c];
+            if (way[c % 3] != 0)
+                kick[c] += (keep[a] - 1) * way[c % 3];
         }
     }
     pb_sweep_put(m->sweep, PB_W, 3, w);
@@ -152,6 +155,20 @@ static int list_clamps(struct pb_motion *m)
     return clamps;
 }
 
+/* Lets the sweep's origin follow, and puts what depends on it; `new`: in any case. */
+static void follow(struct pb_motion *m, bool new)
+{
+    double way[3];
+
+    if (!pb_sweep_follow(m->sweep, m->x, m->v, way) && !new)
+        return;
+    put_points(m, way);
+    for (size_t n = 0; n < count(m); n++)
+        m->work[n] = m->dt * m->v[n];
+    pb_sweep_put(m->sweep, PB_X, 3, m->x);
+    pb_sweep_put(m->sweep, PB_D, 3, m->work);
+}
+
 static enum status make_sweep(struct pb_motion *m, enum precision precision)
 {
     enum status st;
@@ -162,18 +179,18 @@ static enum status make_sweep(struct pb_motion *m, enum precision precision)
                            .precision = precision,
                            .rest = {cell[0], cell[1], diagonal, diagonal},
                            .gain = 1 + m->points.beta / m->dt,
+                           .dt = m->dt,
+                           .origin.length =
+                               precision == PRECISION_SINGLE ? m->scene->length : 0,
+                           .origin.carried = m->supports.held_count == 0,
                            .odd = m->odd,
                            .odd_count = list_clamps(m)};
 
     spring_plate_mean(m->scene, cell, plan.mean);
     TRY(pb_sweep_make(&plan, &m->sweep));
-    put_points(m);
     put_springs(m);
     put_forms(m);
-    for (size_t n = 0; n < count(m); n++)
-        m->work[n] = m->dt * m->v[n];
-    pb_sweep_put(m->sweep, PB_X, 3, m->x);
-    pb_sweep_put(m->sweep, PB_D, 3, m->work);
+    follow(m, true);
 out:
     return st;
 }
@@ -464,6 +481,7 @@ enum status pb_motion_frame(void *motion, struct counters *counters)
     }
     if (m->points.keep != 1)
         pb_sweep_put(m->sweep, PB_D, 3, m->work);
+    follow(m, false);
 out:
     return st;
 }

@@ -112,17 +112,22 @@ static void get(const struct spring_leapfrog *l, double *x, double *v)
         x[n] -= l->body.load->beta * v[n];
 }
 
-/* Starts from the present x and v: v becomes that of half a step ago. */
+/* Starts from the present x and v: v becomes that of half a step ago. The kick is found
+ * from the origin's velocity, beside which it would be rounded away. */
 static void start(struct spring_leapfrog *l, const double *x, const double *now)
 {
-    memset(l->kicked, 0, count(l) * sizeof *l->kicked);
+    const double *base = spring_sweep_origin(l->sweep)->velocity;
+
+    for (size_t n = 0; n < count(l); n++)
+        l->kicked[n] = base[n % 3];
     put(l, x, now, l->kicked);
     spring_sweep_run(l->sweep, 0, 1);
     spring_sweep_get(l->sweep, NULL, l->kicked);
     for (size_t n = 0; n < count(l); n++) {
         bool held = l->body.supports->free_index[n] < 0;
+        const double keep = l->c[n / 3][SWEEP_KEEP];
         l->v[n] =
-            held ? now[n] : (2 * now[n] - l->kicked[n]) / (1 + l->c[n / 3][SWEEP_KEEP]);
+            held ? now[n] : (2 * now[n] - (l->kicked[n] - keep * base[n % 3])) / (1 + keep);
     }
     if (l->body.load->beta > 0) /* the kick has moved x + beta v */
         put(l, x, l->v, l->v);
@@ -171,12 +176,15 @@ static enum status make_sweep(const struct spring_leapfrog *l, enum precision pr
                               struct spring_sweep **sweep)
 {
     const struct spring_net *net = l->net;
-    const struct spring_sweep_plan plan = {.n = net->points[0],
-                                           .m = net->points[1],
-                                           .sheet = net->rows,
-                                           .precision = precision,
-                                           .lag = l->body.load->beta,
-                                           .cells = l->body.cells};
+    const struct spring_sweep_plan plan = {
+        .n = net->points[0],
+        .m = net->points[1],
+        .sheet = net->rows,
+        .precision = precision,
+        .lag = l->body.load->beta,
+        .cells = l->body.cells,
+        .origin.length = precision == PRECISION_SINGLE ? l->scene->length : 0,
+        .origin.carried = l->body.supports->held_count == 0};
 
     return spring_sweep_make(&plan, sweep);
 }
@@ -250,6 +258,7 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
     TRY(net_contact_make(l->scene, l->net, body->supports, &l->contact));
     l->limit = frequency_limit(omega, body->load->beta);
     TRY(frequency_steps(l->scene->step, l->limit, CHOSEN, substeps, &substeps, why));
+    spring_sweep_follow(l->sweep, x, v);
     set_step(l, substeps);
     start(l, x, v);
     *leapfrog = l, l = NULL;
@@ -352,6 +361,16 @@ static void scale(struct spring_leapfrog *l, double factor, const double *x)
     start(l, x, l->now);
 }
 
+/* Lets the sweep's origin follow the net at x. */
+static void follow(struct spring_leapfrog *l, const double *x)
+{
+    if (net_origin_stays(spring_sweep_origin(l->sweep), l->net->nodes, x))
+        return;
+    spring_sweep_get(l->sweep, l->ahead, l->v);
+    if (spring_sweep_follow(l->sweep, l->ahead, l->v))
+        spring_sweep_set(l->sweep, (const double(*)[SWEEP_COUNT])l->c);
+}
+
 struct model_contact spring_leapfrog_contact(const struct spring_leapfrog *l)
 {
     return net_contact_report(l->contact);
@@ -385,6 +404,7 @@ enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x,
         return STATUS_NAN;
     if (l->body.load->keep != 1)
         scale(l, l->body.load->keep, x);
+    follow(l, x);
     watch(l, x);
 out:
     return st;

@@ -50,6 +50,7 @@ struct spring_sweep {
     ptrdiff_t pitch, count, first; /* from row to row, from strip to strip, to point 0 */
     double lag;                    /* beta                                       [s]   */
     int now; /* which of the sets 0 and 1 holds the positions                          */
+    struct net_origin origin; /* of places and velocities in the fields                */
     size_t strip_bytes;
     void *field[SWEEP_SETS][3]; /* arrays by component; positions, positions, velocities */
     void **strip;               /* [strips] coefficients of a strip                    */
@@ -176,7 +177,7 @@ enum status spring_sweep_make(const struct spring_sweep_plan *plan,
     if (!s)
         return STATUS_MEMORY;
     s->n = plan->n, s->m = plan->m, s->precision = plan->precision, s->lag = plan->lag;
-    s->celled = plan->cells, s->sheet = plan->sheet;
+    s->celled = plan->cells, s->sheet = plan->sheet, s->origin = plan->origin;
     lay_out(s);
     TRY(allocate(s));
     if (s->celled) {
@@ -202,17 +203,30 @@ void spring_sweep_set(struct spring_sweep *s, const double (*c)[SWEEP_COUNT])
 void spring_sweep_put(struct spring_sweep *s, const double *x, const double *v)
 {
     if (x)
-        BY_PRECISION(s, put, s, s->now, x);
+        BY_PRECISION(s, put, s, s->now, s->origin.at, x);
     if (v)
-        BY_PRECISION(s, put, s, SWEEP_V, v);
+        BY_PRECISION(s, put, s, SWEEP_V, s->origin.velocity, v);
 }
 
 void spring_sweep_get(const struct spring_sweep *s, double *x, double *v)
 {
     if (x)
-        BY_PRECISION(s, get, s, s->now, x);
+        BY_PRECISION(s, get, s, s->now, s->origin.at, x);
     if (v)
-        BY_PRECISION(s, get, s, SWEEP_V, v);
+        BY_PRECISION(s, get, s, SWEEP_V, s->origin.velocity, v);
+}
+
+bool spring_sweep_follow(struct spring_sweep *s, const double *x, const double *v)
+{
+    if (!net_origin_follow(&s->origin, s->n * s->m, x, v))
+        return false;
+    spring_sweep_put(s, x, v);
+    return true;
+}
+
+const struct net_origin *spring_sweep_origin(const struct spring_sweep *s)
+{
+    return &s->origin;
 }
 
 void spring_sweep_hold(struct spring_sweep *s, int node, int component, double x, double v)
@@ -220,6 +234,7 @@ void spring_sweep_hold(struct spring_sweep *s, int node, int component, double x
     ptrdiff_t at = place_of(s, node);
     void *place = s->field[s->now][component], *velocity = s->field[SWEEP_V][component];
 
+    x -= s->origin.at[component], v -= s->origin.velocity[component];
     if (s->precision == PRECISION_SINGLE)
         ((float *)place)[at] = (float)x, ((float *)velocity)[at] = (float)v;
     else
@@ -248,4 +263,6 @@ void spring_sweep_run(struct spring_sweep *s, double dt, int count)
 #pragma omp parallel
         run_share(s, dt, count, omp_get_thread_num(), omp_get_num_threads());
     s->now ^= count & 1;
+    for (int i = 0; i < 3; i++)
+        s->origin.at[i] += count * dt * s->origin.velocity[i];
 }

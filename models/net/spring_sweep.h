@@ -16,6 +16,7 @@
 #define SPRING_SWEEP_H
 
 #include "models/discretization.h"
+#include "models/net/net_origin.h"
 #include "models/status.h"
 
 /* The coefficients of a point, in the order of spring_stencil_step. */
@@ -50,6 +51,7 @@ struct spring_sweep_plan {
     enum precision precision;
     double lag; /* beta [s]                                                            */
     const struct spring_cells *cells; /* NULL: springs in squares of lengths           */
+    struct net_origin origin;         /* from which places are counted                 */
 };
 
 /* Makes a sweep, at rest at the origin. *sweep is owned by the caller. */
@@ -67,6 +69,14 @@ void spring_sweep_get(const struct spring_sweep *sweep, double *x, double *v);
 /* Sets one component of x + lag v [m] and v [m/s] of one point. */
 void spring_sweep_hold(struct spring_sweep *sweep, int node, int component, double x,
                        double v);
+
+/* Lets the origin follow x + lag v and v, as they were got. Returns whether it did: they
+ * are put again then, and coefficients must be set again, whose kicks depend on its
+ * velocity. */
+bool spring_sweep_follow(struct spring_sweep *sweep, const double *x, const double *v);
+
+/* Returns the origin. */
+const struct net_origin *spring_sweep_origin(const struct spring_sweep *sweep);
 
 /* Runs `count` steps of dt [s]. dt = 0 is a kick without a drift. */
 void spring_sweep_run(struct spring_sweep *sweep, double dt, int count);

@@ -113,7 +113,8 @@ static void NAME(strips)(struct spring_sweep *s, double dt, int now, int from, i
     }
 }
 
-static void NAME(put)(struct spring_sweep *s, int set, const double *values)
+static void NAME(put)(struct spring_sweep *s, int set, const double from[3],
+                      const double *values)
 {
     REAL *x = (REAL *)s->field[set][0] + s->first, *y = (REAL *)s->field[set][1] + s->first,
          *z = (REAL *)s->field[set][2] + s->first;
@@ -122,14 +123,16 @@ static void NAME(put)(struct spring_sweep *s, int set, const double *values)
 
     for (ptrdiff_t i = 0; i < rows; i++, values += 3 * points)
         for (ptrdiff_t j = 0; j < points; j++) {
-            x[i * s->pitch + j] = (REAL)values[3 * j];
-            y[i * s->pitch + j] = (REAL)values[3 * j + 1];
-            z[i * s->pitch + j] = (REAL)values[3 * j + 2];
+            x[i * s->pitch + j] = (REAL)(values[3 * j] - from[0]);
+            y[i * s->pitch + j] = (REAL)(values[3 * j + 1] - from[1]);
+            z[i * s->pitch + j] = (REAL)(values[3 * j + 2] - from[2]);
         }
 }
 
-static void NAME(get)(const struct spring_sweep *s, int set, double *values)
+static void NAME(get)(const struct spring_sweep *s, int set, const double from[3],
+                      double *values)
 {
+    const double to[3] = {0 - from[0], 0 - from[1], 0 - from[2]}; /* less 0 is as it was */
     const REAL *x = (const REAL *)s->field[set][0] + s->first,
                *y = (const REAL *)s->field[set][1] + s->first,
                *z = (const REAL *)s->field[set][2] + s->first;
@@ -138,9 +141,9 @@ static void NAME(get)(const struct spring_sweep *s, int set, double *values)
 
     for (ptrdiff_t i = 0; i < rows; i++, values += 3 * points)
         for (ptrdiff_t j = 0; j < points; j++) {
-            values[3 * j] = x[i * s->pitch + j];
-            values[3 * j + 1] = y[i * s->pitch + j];
-            values[3 * j + 2] = z[i * s->pitch + j];
+            values[3 * j] = x[i * s->pitch + j] - to[0];
+            values[3 * j + 1] = y[i * s->pitch + j] - to[1];
+            values[3 * j + 2] = z[i * s->pitch + j] - to[2];
         }
 }
 
@@ -156,5 +159,11 @@ static void NAME(coefficients)(const struct spring_sweep *s, int strip,
             const double *from = c[(strip * s->rows + i) * s->m + j];
             for (int n = 0; n < SWEEP_COUNT; n++)
                 to[n * s->count + j] = (REAL)from[n];
+            for (int k = 0; k < 3; k++) { /* what the origin's velocity keeps */
+                const double v = from[SWEEP_FREE + k] * s->origin.velocity[k];
+                if (v != 0)
+                    to[(SWEEP_KICK + k) * s->count + j] =
+                        (REAL)(from[SWEEP_KICK + k] + (from[SWEEP_KEEP] - 1) * v);
+            }
         }
 }

@@ -36,6 +36,9 @@ static const struct row {
     {"mass_spring_momentum", "edge_drop", {"discretization.points=[31,22]"}},
     {"position_based", "edge_drop", {NET, "discretization.substeps=9"}},
     {"mass_spring_single", "edge_drop", {NET, "discretization.substeps=9"}},
+    {"mass_spring_single",
+     "drag_fall", /* with a point that goes with it (net_origin.h) */
+     {NET, "discretization.substeps=9", "pose.origin=[-9000,500,-7000]"}},
     {"mass_spring_leapfrog", "edge_drop", {NET, "discretization.substeps=8"}},
     {"vbd", "edge_drop", {"discretization.points=[81,62]"}},
     {"vbd", "edge_drop", {"discretization.points=[81,62]", "discretization.bending=hinge"}},

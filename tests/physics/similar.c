@@ -1,0 +1,232 @@
+/* A motion is the same far away, turned, mirrored, and in other units: every contestant, on
+ * scenes without contact. What is exactly alike:
+ *
+ *   moved     all places by the same way; a velocity at the start that is that of a turn
+ *             about the scene's origin less what the way adds to it
+ *   turned    all places and directions, the gravity's, too
+ *   mirrored  the same across a plane; the axis of a turn is no arrow, and is turned round
+ *   scaled    lengths by s, times by sqrt(s), the gravity as it is: then accelerations are
+ *             as they were, velocities go with sqrt(s), rates with 1 / sqrt(s), forces with
+ *             s^3 and stresses with s, at the same density
+ *
+ * And single precision falls for a hundred seconds as double does.
+ */
+#include <float.h>
+
+#include "tests/opened_run.h"
+#include "tests/run_fixture.h"
+
+enum { FRAMES = 20, SIDE = 7, NODES = SIDE * SIDE };
+
+enum kind { MOVED, TURNED, MIRRORED, SMALLER, LARGER, KINDS };
+static const char *const kind_name[KINDS] = {"moved", "turned", "mirrored", "smaller",
+                                             "larger"};
+
+/* How far places may be from where they should be, over the length. In double precision:
+ * round-off, as far as FRAMES frames let it grow. */
+static const double SAME = 1e-12;
+
+/* Ten kilometres away: so many roundings of a place as the steps and sweeps of FRAMES
+ * frames have, all one way. */
+#define AWAY 1e4 /* [m] */
+static const double FAR_ROUNDINGS = 4096;
+
+/* In single precision: a hundred times its last digit. */
+static const double SINGLE = 1e-5;
+
+/* The fall, over the length. The first four lengths are counted from the scene's origin
+ * (net_origin.h): within .9 s velocities come to 9 m/s, where rounding is 4.8e-7 m/s, in
+ * 900 steps of a millisecond, and the fall goes on for a hundred seconds. */
+static const double FALLEN = 0.05;
+
+#define SHEET                                                                              \
+    "sheet={length: 1, width: 0.8, thickness: 0.02};material={young: 2e4, poisson: 0.3, "  \
+    "density: 20};time={step: 0.004, end: 0.1};snapshots=[];"
+static const struct {
+    const char *name, *settings;
+} scenes[] = {
+    {"held", SHEET "damping={kind: mass, value: 1}"},
+    {"loaded", SHEET "damping={kind: rayleigh, alpha: 0.5, beta: 0.001};"
+                     "loads=[{at: {u: 1}, force: [0.2, 0.5, 1]}]"},
+    {"thrown",
+     SHEET "damping={kind: none};supports=[];drag={coefficient: 10, wind: [2, 1, 1]};"
+           "motion={velocity: [1, 2, 3], spin: [0.5, -1, 2]}"},
+    {"carried", SHEET
+     "damping={kind: velocity_scale, value: 0.9};supports=[{at: {u: 0}, fix: xyz, path: "
+     "[[0, 0, 0, 0], [0.03, 0.02, 0.01, 0.05]]}]"},
+};
+
+static void map(const double M[3][3], double x[3])
+{
+    const double old[3] = {x[0], x[1], x[2]};
+
+    for (int i = 0; i < 3; i++)
+        x[i] = M[i][0] * old[0] + M[i][1] * old[1] + M[i][2] * old[2];
+}
+
+/* Maps all that has a direction; `mirror`: M turns it round. */
+static void direct(struct scene *s, const double M[3][3], double mirror)
+{
+    map(M, s->origin), map(M, s->axis_u), map(M, s->axis_v);
+    map(M, s->gravity), map(M, s->wind), map(M, s->velocity), map(M, s->spin);
+    for (int i = 0; i < 3; i++)
+        s->spin[i] *= mirror;
+    for (int n = 0; n < s->load_count; n++)
+        map(M, s->loads[n].force);
+    for (int n = 0; n < s->support_count; n++)
+        for (int k = 0; k < s->supports[n].motion.path_count; k++)
+            map(M, s->supports[n].motion.path[k] + 1);
+}
+
+static void scale(struct scene *s, double by)
+{
+    const double time = sqrt(by);
+
+    s->length *= by, s->width *= by, s->thickness *= by, s->young *= by;
+    s->step *= time, s->end *= time;
+    s->drag /= time, s->damping.alpha /= time, s->damping.beta *= time;
+    if (s->damping.kind != DAMPING_VELOCITY_SCALE)
+        s->damping.value /= time;
+    for (int i = 0; i < 3; i++) {
+        s->origin[i] *= by, s->wind[i] *= time, s->velocity[i] *= time, s->spin[i] /= time;
+        for (int n = 0; n < s->load_count; n++)
+            s->loads[n].force[i] *= by * by * by;
+        for (int n = 0; n < s->support_count; n++)
+            for (int k = 0; k < s->supports[n].motion.path_count; k++)
+                s->supports[n].motion.path[k][1 + i] *= by;
+    }
+    for (int n = 0; n < s->support_count; n++)
+        for (int k = 0; k < s->supports[n].motion.path_count; k++)
+            s->supports[n].motion.path[k][0] *= time;
+}
+
+static const double way[3] = {AWAY, -AWAY, AWAY};
+static const double turn[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
+static const double mirror[3][3] = {{0.28, -0.96, 0}, {-0.96, -0.28, 0}, {0, 0, 1}};
+static const double scales[2] = {1e-3, 1e3};
+
+static void change(struct scene *s, enum kind kind)
+{
+    if (kind == MOVED) {
+        const double *w = s->spin;
+        for (int i = 0; i < 3; i++) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            s->origin[i] += way[i];
+            s->velocity[i] -= w[j] * way[k] - w[k] * way[j];
+        }
+    } else if (kind == TURNED || kind == MIRRORED) {
+        direct(s, kind == TURNED ? turn : mirror, kind == TURNED ? 1 : -1);
+    } else {
+        scale(s, scales[kind - SMALLER]);
+    }
+}
+
+/* Maps a point as the scene was changed. */
+static void follow(double x[3], enum kind kind)
+{
+    if (kind == TURNED || kind == MIRRORED)
+        map(kind == TURNED ? turn : mirror, x);
+    for (int i = 0; i < 3; i++)
+        x[i] = kind == MOVED     ? x[i] + way[i]
+               : kind >= SMALLER ? x[i] * scales[kind - SMALLER]
+                                 : x[i];
+}
+
+/* Returns whether a contestant has a setting. */
+static bool has(const struct contestant *c, const char *setting)
+{
+    for (int n = 0; n < CONTESTANT_SETTINGS && c->settings[n]; n++)
+        if (strstr(c->settings[n], setting))
+            return true;
+    return false;
+}
+
+/* Moves a contestant through a scene with settings, changed so or as it is (KINDS), for so
+ * many frames. Returns false where it does not serve it; ends the test where it dies. */
+static bool move(const struct contestant *c, const char *settings, enum kind kind,
+                 int frames, double (*x)[3])
+{
+    struct settings set = {0};
+    struct run_plan plan = {DROP, c, &set, 0};
+    struct message why = {""};
+    struct run run;
+
+    set_words(&set, settings);
+    contestant_points(c, 6, 5, &set);
+    if (!CHECK(run_read(&run, &plan, &why) == STATUS_OK)) {
+        printf("%s: %s\n", c->name, why.text);
+        exit(1);
+    }
+    settings_clear(&set);
+    if (kind < KINDS)
+        change(&run.scene, kind);
+    const enum status st = run_build(&run, &why);
+    if (!CHECK(st == STATUS_OK || (st == STATUS_UNSUPPORTED && kind == KINDS)))
+        printf("%s: %s\n", c->name, why.text);
+    if (st == STATUS_OK)
+        opened_steps(&run, frames);
+    for (int n = 0; st == STATUS_OK && n < NODES; n++) {
+        const double uvw[3] = {n / SIDE / (SIDE - 1.), n % SIDE / (SIDE - 1.), 0.5};
+        run.model->probe(run.state, 1, uvw, x[n]);
+    }
+    run_close(&run);
+    return st == STATUS_OK;
+}
+
+static double apart(double (*x)[3], double (*y)[3])
+{
+    double most = 0;
+
+    for (int n = 0; n < 3 * NODES; n++)
+        if (!(fabs(x[n / 3][n % 3] - y[n / 3][n % 3]) <= most))
+            most = fabs(x[n / 3][n % 3] - y[n / 3][n % 3]);
+    return most;
+}
+
+/* The paper's set has the same numbers of stiffness and mass for every sheet: in other
+ * units they are others. */
+static void check_scene(const struct contestant *c, int scene)
+{
+    static double x[NODES][3], y[NODES][3];
+    const bool single = has(c, "precision=single");
+
+    if (!move(c, scenes[scene].settings, KINDS, FRAMES, x))
+        return;
+    for (int k = 0; k < (has(c, "parameters=paper") ? SMALLER : KINDS); k++) {
+        double want[NODES][3];
+        move(c, scenes[scene].settings, (enum kind)k, FRAMES, y);
+        memcpy(want, x, sizeof want);
+        for (int n = 0; n < NODES; n++)
+            follow(want[n], (enum kind)k);
+        const double off = apart(y, want) / (k >= SMALLER ? scales[k - SMALLER] : 1);
+        const double allowed = single       ? SINGLE
+                               : k == MOVED ? FAR_ROUNDINGS * DBL_EPSILON * AWAY
+                                            : SAME;
+        if (!CHECK_NEAR(off, 0, allowed))
+            printf("%s, %s, %s\n", c->name, scenes[scene].name, kind_name[k]);
+    }
+}
+
+static void check_fall(const struct contestant *c)
+{
+    static double x[NODES][3], y[NODES][3];
+    static const char fall[] = SHEET "damping={kind: none};supports=[];"
+                                     "time={step: 0.05, end: 100}";
+    char twice[sizeof fall + 64];
+
+    snprintf(twice, sizeof twice, "%s;discretization.precision=double", fall);
+    REQUIRE(move(c, fall, KINDS, 2000, x) && move(c, twice, KINDS, 2000, y));
+    if (!CHECK_NEAR(apart(x, y), 0, FALLEN))
+        printf("%s falls\n", c->name);
+}
+
+int main(void)
+{
+    for (const struct contestant *c = contestant_table; c->name; c++) {
+        for (int s = 0; s < LENGTH(scenes); s++)
+            check_scene(c, s);
+        if (has(c, "precision=single"))
+            check_fall(c);
+    }
+    return check_result();
+}

@@ -74,6 +74,8 @@ static bool put_contact(hid_t file, const struct scene *scene)
         {"contact_stiffness", self.stiffness},
         {"contact_friction", scene->contact.friction},
         {"contact_distance", contact_law_distance(&body, weight)},
+        {"contact_rebound", body.rebound},
+        {"contact_creep", body.creep},
         {"contact_edge", contact_law_edge(&body, scene_bending_stiffness(scene), weight)},
     };
     bool good = true;

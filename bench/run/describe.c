@@ -106,6 +106,13 @@ static void describe_contact(const struct run *run, FILE *file)
              "mid-surface",
              bodies, itself, self.stiffness);
     table_print_item("contact", 16, line.text, file);
+    snprintf(line.text, sizeof line.text,
+             "what touches a body leaves it at %.3g m/s at most%s, and creeps at %.3g m/s "
+             "at most where friction holds it",
+             body.rebound, scene->contact.self ? ", layers part twice as fast" : "",
+             body.creep);
+    if (isfinite(body.rebound))
+        table_print_item("", 16, line.text, file);
     if (!(weight > 0))
         return;
     snprintf(

@@ -4,22 +4,54 @@
 
 #include "models/vector.h"
 
-/* The two speeds, in lengths of the sheet a second. */
-static const double REBOUND = 1e-2, CREEP = 1e-3;
+/* The height to which a sheet leaps that leaves a body at the speed of rebound, over its
+ * length; the speed of creep, over that of the scene. */
+static const double LEAP = 5e-6, CREEP = 1e-3;
 
 static const double PI = 3.14159265358979323846;
 
-/* Returns the greatest speed along the path [m/s]. */
-static double fastest(const struct scene_motion *m)
+/* Returns the greatest speed along the path, and by the turn so far from its axis [m/s]. */
+static double fastest(const struct scene_motion *m, double arm)
 {
-    double most = 0;
+    double most = 0, turns = 0;
+
+    for (int n = 1; n < m->turn_count; n++)
+        turns = fmax(turns, fabs(m->turn[n][1] - m->turn[n - 1][1]) /
+                                (m->turn[n][0] - m->turn[n - 1][0]));
 
     for (int n = 1; n < m->path_count; n++) {
         double way[3];
         vector_between(m->path[n - 1] + 1, m->path[n] + 1, way);
         most = fmax(most, vector_length(way) / (m->path[n][0] - m->path[n - 1][0]));
     }
-    return most;
+    return most + arm * turns * PI / 180;
+}
+
+/* Returns the fastest speed that the scene gives: of the sheet at the start, a support, a
+ * body, or the wind [m/s]. */
+static double given_speed(const struct scene *s)
+{
+    const double L = s->length;
+    double most =
+        vector_length(s->velocity) + L * vector_length(s->spin) + vector_length(s->ripple);
+
+    for (int n = 0; n < s->support_count; n++)
+        most = fmax(most, fastest(&s->supports[n].motion, L));
+    for (int o = 0; o < s->obstacle_count; o++)
+        most = fmax(most, fastest(&s->obstacles[o].motion, L));
+    return s->drag > 0 ? fmax(most, vector_length(s->wind)) : most;
+}
+
+double contact_law_speed(const struct scene *s)
+{
+    const double g = vector_length(s->gravity), given = given_speed(s), L = s->length;
+    double load = fabs(s->pressure);
+
+    if (g > 0 || given > 0)
+        return g > 0 ? sqrt(g * L) : given;
+    for (int n = 0; n < s->load_count; n++)
+        load = fmax(load, vector_length(s->loads[n].force) / (L * s->width));
+    return sqrt(load * L / (s->density * s->thickness));
 }
 
 /* Returns the energy per area of a sheet that contact has to stop [J/m^2]: of a fall
@@ -31,7 +63,7 @@ static double energy_to_stop(const struct scene *s)
     double v = vector_length(s->velocity);
 
     for (int o = 0; o < s->obstacle_count; o++)
-        v = fmax(v, vector_length(s->velocity) + fastest(&s->obstacles[o].motion));
+        v = fmax(v, vector_length(s->velocity) + fastest(&s->obstacles[o].motion, 0));
     return areal * (vector_length(s->gravity) * s->length + v * v / 2) +
            scene_bending_stiffness(s) * round * round / 2;
 }
@@ -52,13 +84,14 @@ struct contact_law contact_law_self(const struct scene *scene)
 {
     const struct scene_contact *c = &scene->contact;
     const double t = c->thickness > 0 ? c->thickness : scene->thickness;
+    const double speed = contact_law_speed(scene), U = speed > 0 ? speed : INFINITY;
 
     return (struct contact_law){.start = t,
                                 .range = c->range > 0 ? c->range : t / 2,
                                 .stiffness = c->stiffness > 0 ? c->stiffness
                                                               : 4 * most_to_stop(scene) / t,
-                                .rebound = 2 * REBOUND * scene->length,
-                                .creep = CREEP * scene->length};
+                                .rebound = 2 * sqrt(2 * LEAP) * U,
+                                .creep = CREEP * U};
 }
 
 struct contact_law contact_law_body(const struct scene *scene)

@@ -8,11 +8,29 @@
  * once continuously differentiable. Below x = CONTACT_LAW_FLOOR, where motion that is not
  * resolved in time may end, it goes on as a straight line.
  *
- * Two speeds complete it. What moves apart is pushed by p (1 - rate / rebound), none beyond
- * the speed `rebound`: a sheet that falls flat on a table would else bounce for ever.
+ * Two speeds complete it. What moves at the rate dD/dt = v is pushed by p (1 - v / r), r
+ * the speed `rebound`, more while it comes and nothing beyond r: a sheet that falls flat on
+ * a table would else bounce for ever (Hunt and Crossley 1975, J. Appl. Mech. 42, 440). What
+ * an impact keeps follows. Of a mass m per area, m dv/dt = p(D) (1 - v/r); with w = v/r and
+ * dv/dt = v dv/dD,
+ *     m r^2 w/(1 - w) dw = p dD,   and   -w - ln(1 - w)   is the integral of w/(1 - w).
+ * From the start of contact inwards and back there p dD sums to zero, so that what comes at
+ * V r leaves at W r with -W - ln(1 - W) = V - ln(1 + V), whatever p, m and the range are.
+ * The restitution W/V is 1 - 2V/3 of the slowest and falls to 1/V of fast ones: W < 1, and
+ * W < V. It turns where the potential is m r^2 (V - ln(1 + V)), less than its energy of
+ * m r^2 V^2/2: a fast one is stopped as soon as the push has taken m V r, within a share of
+ * the range. The factor holds in both directions, since a law that had it on parting alone
+ * would have a kink at v = 0, where sheets rest.
+ *
  * Friction is Coulomb's, mu p (2 y - y^2) against the slip with y = |slip| / creep up to 1
  * (Li et al. 2020, ACM Trans. Graph. 39(4), for this smoothing): what sticks creeps, at
  * less than the speed `creep`.
+ *
+ * No speed of the law is one of its own, so that a scene in other units is the same scene.
+ * That of the scene is U = sqrt(g L), of a fall by half its length; without gravity the
+ * fastest that it prescribes or starts with; else sqrt(q L / (rho h)), of the largest load
+ * or pressure q per area. Creep is U/1000. Rebound is that at which a leap off a body rises
+ * by 5e-6 L: v^2/2 = g 5e-6 L, v = sqrt(1e-5) U.
  *
  * Rims, the edges of faces, press by the same pressure times a width of t (contact_rim.h).
  */
@@ -29,7 +47,7 @@ struct contact_law {
     double stiffness;    /* kappa                                      [Pa] > 0    */
     double rebound;      /* largest speed at which contact pushes apart  [m/s] > 0 */
     double creep;        /* speed from which friction is whole           [m/s] > 0 */
-};
+};                       /* both speeds INFINITY where nothing in the scene has one */
 
 /* Return the law of a scene between the sheet and itself, which starts at the contact
  * thickness t and has the range of the scene, t/2 unless it is given; and between the sheet
@@ -37,6 +55,9 @@ struct contact_law {
  * and its mirror image then meet as each meets a plane. */
 struct contact_law contact_law_self(const struct scene *scene);
 struct contact_law contact_law_body(const struct scene *scene);
+
+/* Returns the speed U of the scene [m/s]; 0: nothing has one. */
+double contact_law_speed(const struct scene *scene);
 
 /* Returns the pressure at distance D [Pa], and -dp/dD [Pa/m] where slope is not NULL. */
 double contact_law_pressure(const struct contact_law *law, double D, double *slope);

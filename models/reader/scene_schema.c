@@ -566,6 +566,20 @@ static enum status check_supports(const struct yaml_tree *root, const struct sce
     return STATUS_OK;
 }
 
+/* Refuses what rubs, which `section` tells, where no speed says how fast it creeps. */
+static enum status check_friction(const struct yaml_tree *section, double friction,
+                                  const struct scene *scene, struct message *why)
+{
+    if (friction > 0 && !(contact_law_speed(scene) > 0))
+        return yaml_tree_refuse(
+            yaml_tree_find(section, "friction"), why,
+            "friction is %g, but nothing in the scene has a speed that "
+            "tells how fast what sticks creeps: give gravity, a motion, "
+            "a load or a pressure, or no friction",
+            friction);
+    return STATUS_OK;
+}
+
 static enum status check_contact(const struct yaml_tree *root, const struct scene *scene,
                                  struct message *why)
 {
@@ -578,7 +592,8 @@ static enum status check_contact(const struct yaml_tree *root, const struct scen
                                 "contact has a range of %g m, but it must be %g m at least "
                                 "and less than its thickness of %g m, where contact starts",
                                 law.range, LEAST_RANGE, law.start);
-    return STATUS_OK;
+    return check_friction(section, scene->contact.self ? scene->contact.friction : 0, scene,
+                          why);
 }
 
 /* Reads the mesh that an obstacle names, if `files`; `section` is its own. */
@@ -618,6 +633,8 @@ static enum status check_obstacles(const struct yaml_tree *root, bool files,
                            why));
         if (o->kind == OBSTACLE_MESH)
             TRY(load_mesh(root, yaml_tree_find(node, "mesh"), files, o, why));
+        TRY(check_friction(yaml_tree_find(node, scene_schema_obstacles[o->kind].key),
+                           o->friction, scene, why));
         const double depth = contact_rest_depth(scene, o);
         if (depth > 0)
             return yaml_tree_refuse(

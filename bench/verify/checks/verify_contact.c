@@ -14,7 +14,7 @@ static const double UNEVEN = 0.1;
 static const double G = 9.81, SLOPE = 0.4, LENGTH = 0.5;
 static const double PRESSURE = 9.81 * 200 * 0.004, AREA = 0.5 * 0.4;
 /* The law: its range towards a body, half of the scene's; the pressure at half of it; the
- * speed below which what sticks creeps, in lengths a second. */
+ * speed below which what sticks creeps, over sqrt(g L). */
 static const double RANGE = 1e-3, KAPPA = 4000, CREEP = 1e-3;
 
 /* A solid swings through its thickness, and breathes, when its weight comes onto it: forces
@@ -84,8 +84,9 @@ static void judge(struct verify_subject *s, struct verify_trial *t, const struct
         t->row->truth = pull;
         verify_row_judge_error(t->row, fabs(t->row->value - pull) / G, 0);
     } else
-        verify_row_judge(t->row, (seen->along[2] - seen->along[1]) / (dt * LENGTH * CREEP),
-                         1 - sqrt(1 - tan(slope) / friction), 0);
+        verify_row_judge(
+            t->row, (seen->along[2] - seen->along[1]) / (dt * sqrt(G * LENGTH) * CREEP),
+            1 - sqrt(1 - tan(slope) / friction), 0);
 }
 
 /* Adds the rows of a sheet at rest on the level, and then of planes inclined by SLOPE

@@ -31,11 +31,12 @@ static const double G = 9.81, MASS = 0.8, LENGTH = 0.5, THICK = 0.004, RANGE = 2
                     LOWEST = 0.006, APART = 0.006, END = 0.15, STEP = 1e-4;
 
 /* Returns the pressure at a distance, from `share` of the contact thickness on and with
- * that share of its range, of what parts at a rate, or closes. */
+ * that share of its range, of what parts at a rate, or closes. A leap off a body rises by
+ * 5e-6 of the length, v^2 = 1e-5 g L; two sheets part with twice that. */
 static double push(double kappa, double share, double D, double rate)
 {
     const double x = fmax((D - share * (THICK - RANGE)) / (share * RANGE), 1.0 / 64),
-                 rebound = 0.02 * share * LENGTH;
+                 rebound = 2 * share * sqrt(1e-5 * G * LENGTH);
     const double p = x < 1 ? kappa * (1 / x - 1) * (1 / x - 1) : 0;
 
     return p * fmax(0, 1 - rate / rebound);

@@ -138,7 +138,8 @@ static void check_ringing(void)
  * rings, and the viscosity that it takes on then spares tangents, and goes again. */
 static void check_relief(void)
 {
-    const double SPARED = 0.7;
+    const double SPARED =
+        1; /* what passes the patch test rings less: some are left to spare */
     static const char *viscosity[] = {"discretization.viscosity=membrane",
                                       "discretization.viscosity=none"};
     struct counters work[2];

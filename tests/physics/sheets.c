@@ -9,7 +9,7 @@
 /* Positions of a sheet against those of its run alone [m]: round-off of its place at rest,
  * which the motion lets grow, or the tolerances of Newton's method and of conjugate
  * gradients, which see the largest of all sheets. */
-static const double SAME = 1e-11, SOLVED = 1e-9, STOPPED = 2e-7;
+static const double SAME = 1e-11, SOLVED = 1e-9, STOPPED = 5e-7;
 
 /* Energies of all against the sum of each [J]; they are some hundredths. */
 static const double ENERGY = 1e-6;
@@ -53,7 +53,7 @@ static const struct row {
     {"shell", "", STOPPED, 0, .own = true},
     {"shell", KEY "kinematics=linear", SAME, 0, .own = true},
     {"shell", KEY "kinematics=linear", SAME, 4},
-    {"shell", KEY "integrator=leapfrog;" KEY "substeps=24;" KEY "degree=[2,2,1]", SAME, 0},
+    {"shell", KEY "integrator=leapfrog;" KEY "substeps=24", SAME, 0},
     {"iga", "", STOPPED, 4},
     {"iga", KEY "remedy=reduced;" KEY "unknowns=points;" KEY "solver=cg", STOPPED, 0},
     {"iga", KEY "kinematics=linear;" KEY "degree=[2,2,1]", SAME, 4},

@@ -161,9 +161,9 @@ static struct bspline times_line(const struct bspline *s, double *V)
     return (struct bspline){.p = s->p + 1, .n = count - s->p - 2, .U = V};
 }
 
-/* What is missing to the integrals of e, [e->n], and its product with the transposed
- * Jacobian in the points' relative changes (of weights, and of places in weights); returns
- * the largest miss, in parts of an integral. */
+/* Computes what is missing to the integrals of e, [e->n], and its product with the
+ * transposed Jacobian in the points' relative changes (of weights, and of places in
+ * weights); returns the largest miss, in parts of an integral. */
 static double miss(const struct points *p, const struct bspline *e, double *A, double *F)
 {
     double T[2 * (BSPLINE_MAX_ORDER + 1)], worst = 0;

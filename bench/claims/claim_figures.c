@@ -332,8 +332,9 @@ const struct claim claim_artefacts[] = {
 /* --- contact -----------------------------------------------------------------------------
  */
 
-/* At rest a sheet is slower than what gravity gives in a step: the scheme has no other
- * speed for what it puts back on the ground in each step. */
+/* Judges whether the sheet has come to rest. There it is slower than what gravity gives in
+ * a step: the scheme has no other speed for what it puts back on the ground in each step.
+ */
 static enum judge comes_to_rest(const struct study_results *d, FILE *because)
 {
     const struct scene *s = &d->study[0].row[0].run.scene;

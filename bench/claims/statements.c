@@ -54,7 +54,7 @@ enum status statements_add(struct statements *s, const struct study_results *r)
     return claim_each(r, collect, s);
 }
 
-/* By section, then as the plans have them. */
+/* Sorts by section; statements of one section stay in the order of their plans. */
 static void sort(struct statements *s)
 {
     for (int n = 1; n < s->count; n++)

@@ -9,7 +9,7 @@
  * % is 1 % of the loads at most, wherever it acts. (Root mean squares are not: a load on a
  * line weighs more in them than what is left all over the sheet.)
  *
- * Without loads it is a share of the supports' forces.
+ * Without loads the measure is a share of the supports' forces.
  *
  * Forces that move the sheet by less than 1e-10 of its length in a step, or that rounded
  * positions have, are nothing: a sheet at rest without loads has nothing to compare them

@@ -35,7 +35,7 @@ struct telling {
     bool oblique; /* whether the sheet's edges lie along no coordinate axis            */
 };
 
-/* Of oblique edges. */
+/* The reason why nothing is claimed of oblique edges. */
 static const char CLAMP[] = "a clamp across no coordinate axis holds all of a shell's "
                             "second row, and so no stretch at the edge";
 

@@ -52,7 +52,7 @@ static enum judge equal_error(const struct study_results *d, FILE *because)
         const double cost =
             dataset_ratio(d, QUANTITY_FRAME, PRINTED("hex incompatible", net[n]),
                           PRINTED("iga", "10x10x2"));
-        if (hex <= iga && !(cost >= least))
+        if (hex <= iga && !isnan(cost) && !(cost >= least))
             least = cost, off = hex, cheapest = net[n];
     }
     fprintf(

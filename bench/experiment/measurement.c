@@ -8,6 +8,7 @@
 #include "bench/files/seal.h"
 #include "bench/files/store.h"
 #include "bench/harness/deadline.h"
+#include "bench/harness/pool.h"
 #include "bench/harness/timing.h"
 #include "bench/experiment/bench_solid.h"
 #include "bench/ui/table.h"
@@ -270,6 +271,7 @@ static enum status run_group(struct bar *bar, int count, struct measurement_case
 {
     const double start = clock_now(), room = fmin(GROUP, GROUP_SHARE * deadline_left());
     const int first = *next;
+    int followed = 0;
     double timing = 0;
     enum status st = STATUS_OK;
 
@@ -286,11 +288,11 @@ static enum status run_group(struct bar *bar, int count, struct measurement_case
                             &j->file, why));
         TRY(put_away(j, why));
         timing += expected(bar->options, j);
-        report(bar, *next - first + 1, 0);
+        report(bar, ++followed, 0);
     }
-    bar->before += *next - first;
+    bar->before += followed;
     TRY(time_all(bar, *next - first, &jobs[first], why));
-    bar->before += TIMING_REPEATS * (*next - first);
+    bar->before += TIMING_REPEATS * followed;
     for (int n = first; n < *next; n++) {
         struct run_file *file = jobs[n].file;
         jobs[n].file = NULL;
@@ -303,16 +305,91 @@ out:
     return st;
 }
 
+/* --- without timing ----------------------------------------------------------------------
+ */
+
+/* Cases whose time nobody asks for, which share the processors. */
+struct untimed {
+    struct bar *bar;
+    const struct measurement_case *cases;
+    struct job *jobs;
+};
+
+static enum status follow(void *context, long n, struct message *why)
+{
+    const struct untimed *u = context;
+    struct job *j = &u->jobs[n];
+    struct run_keep keep = u->cases[n].keep;
+    enum status st;
+
+    timing_apart();
+    keep.quick = u->bar->options->quick;
+    keep.made_for = j->made_for;
+    TRY(run_file_follow(&u->cases[n].plan, &keep, u->cases[n].rest, &j->run, &j->motion,
+                        &j->file, why));
+    TRY(run_file_end(j->file, why));
+    st = run_file_close(j->file, j->motion.model ? &j->motion : NULL, NULL, why);
+    j->file = NULL;
+out:
+    return st;
+}
+
+static enum status settle(void *context, long n, const struct child_end *end,
+                          struct message *why)
+{
+    const struct untimed *u = context;
+
+    u->bar->before += TIMING_REPEATS + 1;
+    report(u->bar, 0, 0);
+    if (end->outcome == CHILD_DONE)
+        return STATUS_OK;
+    return status_fail(why, deadline_left() < 0 ? STATUS_LATE : STATUS_LIBRARY, "%s: %s",
+                       u->cases[n].keep.file, end->why.text);
+}
+
+/* Follows the cases that are not done and are not timed, each in a process of its own. */
+static enum status run_untimed(struct bar *bar, int count, struct measurement_case *cases,
+                               struct job *jobs, struct message *why)
+{
+    struct untimed u = {bar, cases, jobs};
+    bool *done = calloc((size_t)count + 1, sizeof *done);
+    struct pool pool = {.count = count,
+                        .done = done,
+                        .slots = timing_processors(),
+                        .time_limit = INFINITY,
+                        .quiet = true,
+                        .context = &u,
+                        .work = follow,
+                        .settle = settle};
+    enum status st = done ? STATUS_OK : STATUS_MEMORY;
+
+    TRY(st);
+    for (int n = 0; n < count; n++)
+        done[n] = cases[n].done || cases[n].timed != MEASUREMENT_UNTIMED;
+    TRY(pool_run(&pool, why));
+    if (pool.stopped_by)
+        pool_raise(&pool);
+    for (int n = 0; n < count; n++)
+        cases[n].done = cases[n].done || !done[n];
+out:
+    free(done);
+    return st;
+}
+
 enum status measurement_run(const struct measurement_options *options, int count,
                             struct measurement_case *cases, struct message *why)
 {
     struct job *jobs = calloc((size_t)count + 1, sizeof *jobs);
-    struct bar bar = {options, 0, (TIMING_REPEATS + 1) * count};
+    struct bar bar = {options, 0, 0};
     enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
     int next = 0;
 
     TRY(st);
     TRY(take(options, count, cases, jobs, why));
+    for (int n = 0; n < count; n++)
+        bar.all += cases[n].done ? 0 : TIMING_REPEATS + 1;
+    if (isinf(deadline_left())) /* a budget's order is the caller's */
+        TRY(run_untimed(&bar, count, cases, jobs, why));
     while (next < count)
         TRY(run_group(&bar, count, cases, jobs, &next, why));
 out:

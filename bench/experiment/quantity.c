@@ -72,8 +72,6 @@ static double net(const struct discretization *d)
     return points;
 }
 
-OF_LEVEL(span, row->run.scene.length /
-                   (row->run.discretization.points[0] - row->run.discretization.degree[0]))
 OF_LEVEL(control_points, net(&row->run.discretization))
 OF_LEVEL(unknowns, r->unknowns)
 OF_LEVEL(factor_entries, r->factor_entries)

@@ -20,7 +20,6 @@ struct place;
 #define QUANTITY_LIST(X) \
     X(SIZE, size, "size", "size", NULL, 3, false,                                          \
       "what the plan calls the size of a level: a mesh width, a step [s], ...")            \
-    X(SPAN, span, "span", "span", "m", 3, false, "mean length of the net's spans along u")  \
     X(CONTROL_POINTS, control_points, "control_points", "points", NULL, 0, false,          \
       "points of the net")                                                                 \
     X(UNKNOWNS, unknowns, "unknowns", "unknowns", NULL, 0, false,                          \

@@ -43,7 +43,7 @@ void child_limit(double seconds)
         .it_value = {(time_t)seconds, lround(1e9 * fmod(seconds, 1))}};
     struct rlimit limit;
 
-    if (!my_note || getrlimit(RLIMIT_CPU, &limit) != 0)
+    if (!my_note || !isfinite(seconds) || getrlimit(RLIMIT_CPU, &limit) != 0)
         return;
     if (my_note->limit > 0)
         timer_delete(timer);

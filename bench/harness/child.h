@@ -43,7 +43,7 @@ void child_reached(double how_far);
 
 /* Ends the child after so many seconds of processor time: CHILD_FAILED, overdue. Time in
  * which it is suspended, or in which the machine sleeps or does something else, does not
- * count. Called in the child; another call may lower it. */
+ * count. INFINITY: no limit. Called in the child; another call may lower it. */
 void child_limit(double seconds);
 
 /* Returns whether it has ended, and how. Does not wait. */

@@ -14,7 +14,7 @@ struct pool {
     const bool *done;          /* [count] needs no run; NULL: all do          borrowed */
     int slots;                 /* jobs at a time in this process                       */
     const struct ranks *ranks; /* NULL: this process alone                    borrowed */
-    double time_limit;         /* of a job, processor time [s]                         */
+    double time_limit;         /* of a job, processor time [s]; INFINITY: none         */
     bool quiet;                /* no progress bar                                      */
 
     void *context; /* of the calls                                            borrowed */

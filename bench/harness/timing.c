@@ -29,6 +29,17 @@ void timing_alone(void)
     sched_setaffinity(0, sizeof here, &here);
 }
 
+void timing_apart(void)
+{
+    if (everywhere_known)
+        sched_setaffinity(0, sizeof everywhere, &everywhere);
+}
+
+int timing_processors(void)
+{
+    return everywhere_known ? CPU_COUNT(&everywhere) : omp_get_num_procs();
+}
+
 void timing_threads(int count)
 {
     if (count == 1) {
@@ -36,8 +47,7 @@ void timing_threads(int count)
         return;
     }
     omp_set_num_threads(count);
-    if (everywhere_known)
-        sched_setaffinity(0, sizeof everywhere, &everywhere);
+    timing_apart();
 }
 
 void timing_clear(struct timing_case *c)

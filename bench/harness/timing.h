@@ -42,6 +42,12 @@ void timing_clear(struct timing_case *c);
  * schedulers. */
 void timing_alone(void);
 
+/* Takes that back in a process of its own, which stays on one thread. */
+void timing_apart(void);
+
+/* Returns the number of processors that the program may use, before timing_alone or now. */
+int timing_processors(void);
+
 /* Allows so many threads, on any processor that was allowed before timing_alone. */
 void timing_threads(int count);
 

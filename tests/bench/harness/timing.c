@@ -197,7 +197,8 @@ static void test_measurement(void)
         REQUIRE(measurement_run(&(struct measurement_options){0}, 1, &c, &why) ==
                 STATUS_OK);
         check_seconds(path, want[n].repeats, want[n].columns);
-        CHECK(script_advances == 10 + (want[n].repeats == 9 ? 9 * 9 : 0));
+        /* what is not timed is followed in another process */
+        CHECK(script_advances == (want[n].repeats == 9 ? 10 + 9 * 9 : 0));
         struct run_result r;
         REQUIRE(run_result_read(path, true, &r, &why) == STATUS_OK);
         CHECK(r.outcome == STATUS_ESCAPED && r.death_time == 10 * 0.005);
@@ -242,6 +243,48 @@ static void test_together(void)
     script.create = STATUS_MEMORY, script.refuse_after = 1;
     CHECK(measurement_run(&options, 2, c, NULL) == STATUS_MEMORY);
     CHECK(scratch_files(scratch) == 0);
+}
+
+/* Those that are not timed share the processors: each is as it is alone, and who cannot be
+ * had is named. */
+static void test_untimed(void)
+{
+    enum { COUNT = 3 };
+    char name[COUNT][32];
+    struct calls calls = {0};
+    const struct measurement_options options = {
+        .what = "both", .progress = count_named, .context = &calls};
+    struct measurement_case c[COUNT];
+    struct message why = {""};
+    struct run_result r;
+
+    for (int n = 0; n < COUNT; n++) {
+        snprintf(name[n], sizeof name[n], "untimed%d.h5", n);
+        c[n] = (struct measurement_case){.plan = {DROP, &scripted, NULL, 0.05 * (n + 1)},
+                                         .keep = {.file = scratch_path(name[n])},
+                                         .timed = n == 2 ? MEASUREMENT_WHOLE
+                                                         : MEASUREMENT_UNTIMED,
+                                         .repeats = n == 2};
+    }
+    script_reset();
+    timing_alone();
+    REQUIRE(measurement_run(&options, COUNT, c, NULL) == STATUS_OK);
+    CHECK(calls.last == calls.total && calls.count >= COUNT);
+    for (int n = 0; n < COUNT; n++) {
+        REQUIRE(run_result_read(c[n].keep.file, true, &r, NULL) == STATUS_OK);
+        CHECK(r.steps == 10 * (n + 1) && c[n].done);
+        run_result_clear(&r);
+        unlink(c[n].keep.file);
+    }
+    calls = (struct calls){0};
+    script.dies = 3, script.death = STATUS_LIBRARY;
+    CHECK(measurement_run(&options, 2, c, &why) == STATUS_LIBRARY);
+    CHECK(strstr(why.text, ".h5: ") && scratch_files(scratch) == 0);
+    calls = (struct calls){0};
+    script_reset();
+    c[1].keep.file = "/proc/no/run.h5"; /* a file that cannot be written ends all */
+    CHECK(measurement_run(&options, 2, c, &why) == STATUS_FILE);
+    unlink(c[0].keep.file);
 }
 
 /* The line on the machine says how busy it was. */
@@ -384,6 +427,7 @@ int main(void)
     test_failure();
     test_measurement();
     test_together();
+    test_untimed();
     test_machine();
     test_phases();
     test_alone();

@@ -11,7 +11,7 @@ failures=0
 mkdir "$folder/tools" "$folder/bin"
 cp "$source/check" "$source/reproduce" "$folder"
 cp "$source/tools/setup.sh" "$folder/tools"
-for tool in bash cat dirname env flock mkdir nproc sed tail tee mv; do
+for tool in bash cat chmod dirname env flock mkdir mktemp nproc rm sed sleep tail tee mv; do
     ln -s "$(command -v "$tool")" "$folder/bin"
 done
 
@@ -39,6 +39,8 @@ expect_not_installed() { # CASE
     rm -f "$folder/installed"
 }
 
+mapfile -t names < <(bash "$folder/check" --help | sed -n 's/^  \([a-z0-9-]*\)  .*/\1/p' |
+    grep -v gnuplot)
 debian='ID=debian VERSION_ID="12"'
 # shellcheck disable=SC2016 # for the pretended command to expand
 pretend apt-get 'echo "$@" >>"${0%/*}/../installed"'
@@ -66,15 +68,44 @@ expect_not_installed 'sudo refuses'
 pretend id 'echo 0'
 pretend apt-get 'echo no such host; exit 100'
 run ./check
-expect 'no network' 1 'no such host' 'packages-update failed'
+expect 'no network' 1 'no such host' 'apt-get update failed' 'packages failed'
+
+# A source that has nothing to do with it is broken; nothing may be removed.
+# shellcheck disable=SC2016
+pretend apt-get '[[ " $* " != *" update "* ]] || exit 100; echo "$@" >>"${0%/*}/../installed"'
+pretend cmake 'exit 1'
+run ./check
+expect 'a broken source' 1 'apt-get update failed' 'configure failed'
+grep -q -- '--no-remove.* gcc libc6-dev' "$folder/installed" ||
+    { echo "nothing was installed without removing: $(cat "$folder/installed")" && ((++failures)); }
+rm -f "$folder/installed"
 
 # shellcheck disable=SC2016
 pretend apt-get 'echo "$@" >>"${0%/*}/../installed"'
-pretend dpkg-query 'printf installed'
+pretend dpkg-query "printf 'installed , gnuplot-qt, gnuplot, gnuplot-nox (= 5),\\n'
+    for name in $(printf '%s ' "${names[@]}"); do
+        printf 'installed , %s, ,\\n' \$name \$name # for two architectures
+    done"
 pretend cmake 'echo a clumsy compiler; exit 1'
 run ./check
 expect 'configuring fails' 1 'packages   all' 'a clumsy compiler' 'configure failed'
 expect_not_installed 'all packages there'
+
+# What a shell may have exported, and a build/ that something else made.
+# shellcheck disable=SC2016
+pretend cmake 'echo "$@" >>"${0%/*}/../asked"; env >|"${0%/*}/../environment"
+    [ "$1" != --build ]'
+mkdir -p "$folder/build"
+printf '%s\n' 'CMAKE_GENERATOR:INTERNAL=Unix Makefiles' \
+    "CMAKE_HOME_DIRECTORY:INTERNAL=$folder" >"$folder/build/CMakeCache.txt"
+run env SHELLOPTS=noclobber CDPATH=/ GIT_DIR=/nowhere CMAKE_C_COMPILER_LAUNCHER=nowhere \
+    TMPDIR=/nowhere ./check
+expect 'exported' 1 'no nowhere: built without it' 'build/tmp is taken' 'build failed'
+grep -q -- '--preset release .*BUILD_TESTING=ON.*--fresh' "$folder/asked" ||
+    { echo "not configured afresh: $(cat "$folder/asked")" && ((++failures)); }
+if grep -qE '^(GIT_DIR|CDPATH|CMAKE_C_COMPILER_LAUNCHER)=' "$folder/environment"; then
+    echo 'variables of another place are handed on' && ((++failures))
+fi
 
 run ./reproduce --fast
 expect 'unknown option' 2 'usage: ./reproduce'

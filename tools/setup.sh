@@ -5,6 +5,8 @@
 # configures and builds. Needs bash and what every Debian has. People see one line a phase;
 # the rest is in build/*.log.
 set -euo pipefail
+set +o noclobber # which a shell may have exported
+unset CDPATH GIT_DIR GIT_WORK_TREE GIT_INDEX_FILE # of another place
 
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$top/build
@@ -47,11 +49,29 @@ setup_print_packages() {
     done
 }
 
+# Shows how far a process is, from the last "[n/m]" of its log, until it ends: in place on a
+# terminal, else a line a minute.
+setup_follow() { # PID LOG
+    local ticks=0 far
+    while kill -0 "$1" 2>/dev/null; do
+        sleep 0.2
+        far=$(sed -n 's/^\[\([0-9]*\)\/\([0-9]*\)\].*/\1 of \2/p' "$2" | tail -n 1)
+        if [ -t 1 ]; then
+            printf '\r%-10s %s\033[K\r' "" "$far"
+        elif ((++ticks % 300 == 0)); then
+            printf '%-10s %d min%s\n' "" $((ticks / 300)) "${far:+, $far}"
+        fi
+    done
+    [ ! -t 1 ] || printf '\033[K'
+}
+
 # Runs a command with its output in build/NAME.log; on failure shows the end of the log.
 setup_logged() { # NAME COMMAND...
     local name=$1 log=$build/$1.log
     shift
-    "$@" >"$log" 2>&1 </dev/null && return
+    "$@" >"$log" 2>&1 </dev/null &
+    setup_follow $! "$log"
+    wait $! && return
     tail -n 30 "$log" >&2
     setup_fail "$name failed; the end of build/$name.log is above"
 }
@@ -83,12 +103,15 @@ setup_is_debian() {
     )
 }
 
-# Packages of the list that are not installed, a row each.
+# Packages of the list that nothing installed provides, a row each. A package may be there for
+# two architectures, and another may provide it.
 setup_missing() {
-    local row
+    local row there
+    # shellcheck disable=SC2016 # for dpkg-query to expand
+    there=$(dpkg-query -W -f '${db:Status-Status} , ${Package}, ${Provides},\n' 2>/dev/null |
+        sed -n 's/^installed //p' || true)
     for row in "${packages[@]}"; do
-        [ "$(dpkg-query -W -f '${db:Status-Status}' "${row%%:*}" 2>/dev/null)" = installed ] ||
-            printf '%s\n' "$row"
+        [[ $there == *", ${row%%:*}"[,\ ]* ]] || printf '%s\n' "$row"
     done
 }
 
@@ -120,20 +143,55 @@ apt-get install ${names[*]}"
         setup_fail "sudo refused; as root run: apt-get install ${names[*]}"
     local apt=("${become[@]}" env DEBIAN_FRONTEND=noninteractive
         apt-get -y -o DPkg::Lock::Timeout=600)
-    setup_logged packages-update "${apt[@]}" update
-    setup_logged packages "${apt[@]}" install --no-install-recommends "${names[@]}"
+    # A source that has nothing to do with these packages may be broken.
+    (setup_logged packages-update "${apt[@]}" update) 2>/dev/null ||
+        setup_say packages "apt-get update failed (build/packages-update.log); going on without"
+    setup_logged packages "${apt[@]}" install --no-install-recommends --no-remove "${names[@]}"
+}
+
+# The value of a variable in the cache of build/, nothing without one.
+setup_cached() { # NAME
+    sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt" 2>/dev/null || true
+}
+
+# Whether build/ was configured for another place, generator or launcher: it was moved or
+# copied, or made by hand.
+setup_is_stale() {
+    local launcher
+    [ -e "$build/CMakeCache.txt" ] || return 1
+    launcher=$(setup_cached CMAKE_C_COMPILER_LAUNCHER)
+    [ "$(setup_cached CMAKE_HOME_DIRECTORY)" != "$top" ] ||
+        [ "$(setup_cached CMAKE_GENERATOR)" != Ninja ] ||
+        { [ -n "$launcher" ] && ! command -v "${launcher%%;*}" >/dev/null; }
+}
+
+# Sets TMPDIR to a folder in build/ where its own does not let programs be run.
+setup_tmpdir() {
+    local try
+    if try=$(mktemp 2>/dev/null) && printf '#!/bin/sh\n' >"$try" && chmod +x "$try" &&
+        "$try" 2>/dev/null; then
+        rm -f "$try"
+        return
+    fi
+    [ -z "${try:-}" ] || rm -f "$try"
+    export TMPDIR=$build/tmp
+    mkdir -p "$TMPDIR"
+    setup_say configure "no program can be run in the folder for temporary files; build/tmp is taken"
 }
 
 # Configures build/ and builds TARGET of it.
 setup_build() { # TARGET
-    local home fresh=()
-    # A folder that was moved or copied has a build/ that names the old place.
-    home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt" 2>/dev/null ||
-        true)
-    [ -z "$home" ] || [ "$home" = "$top" ] || fresh=(--fresh)
+    local fresh=()
+    setup_tmpdir
+    ! setup_is_stale || fresh=(--fresh)
+    if [ -n "${CMAKE_C_COMPILER_LAUNCHER:-}" ] &&
+        ! command -v "${CMAKE_C_COMPILER_LAUNCHER%%;*}" >/dev/null; then
+        setup_say configure "there is no $CMAKE_C_COMPILER_LAUNCHER: built without it"
+        unset CMAKE_C_COMPILER_LAUNCHER
+    fi
     setup_say configure "Release, in build/"
     cd "$top"
-    setup_logged configure cmake --preset release "${fresh[@]}"
+    setup_logged configure cmake --preset release -D BUILD_TESTING=ON "${fresh[@]}"
     setup_say build "this takes a minute the first time"
     setup_logged build cmake --build --preset "$1"
 }

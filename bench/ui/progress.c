@@ -7,7 +7,7 @@
 
 enum { BAR_WIDTH = 30 };
 
-static const double redraw_seconds = 0.1;
+static const double redraw_seconds = 0.1, line_seconds = 60;
 
 struct progress progress_start(const char *label, long total, bool quiet)
 {
@@ -16,27 +16,36 @@ struct progress progress_start(const char *label, long total, bool quiet)
                              .total = total,
                              .start = now,
                              .shown = now,
-                             .on = !quiet && total > 0 && isatty(STDERR_FILENO)};
+                             .on = !quiet && total > 0,
+                             .terminal = isatty(STDERR_FILENO)};
 }
 
-void progress_update(struct progress *p, long done)
+static void draw(const char *label, double share, double left)
 {
-    if (!p->on || done <= 0)
-        return;
-    double now = clock_now();
-    if (now - p->shown < redraw_seconds)
-        return;
-    double share = (double)done / (double)p->total;
-    double left = (now - p->start) * (1 - share) / share;
-    int filled = (int)(share * BAR_WIDTH);
+    const int filled = (int)(share * BAR_WIDTH);
 
-    fprintf(stderr, "\r%s [", p->label);
+    fprintf(stderr, "\r%s [", label);
     for (int n = 0; n < BAR_WIDTH; n++)
         fputc(n < filled ? '#' : '.', stderr);
     fprintf(stderr, "] %3.0f %%, %.0f s left\033[K", 100 * share, left);
     fflush(stderr);
+}
+
+void progress_update(struct progress *p, long done)
+{
+    const double now = clock_now();
+
+    if (!p->on || done <= 0 || now - p->shown < (p->terminal ? redraw_seconds : line_seconds))
+        return;
+    const double share = (double)done / (double)p->total;
+    const double left = (now - p->start) * (1 - share) / share;
+
+    if (p->terminal)
+        draw(p->label, share, left);
+    else
+        fprintf(stderr, "%s: %.0f %%, %.0f s left\n", p->label, 100 * share, left);
     p->shown = now;
-    p->drawn = true;
+    p->drawn = p->terminal;
 }
 
 void progress_end(struct progress *p)

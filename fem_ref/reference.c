@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/reader/input_file.h"
 #include "models/reader/named_file.h"
 
 /* A line of cells, each with a NUL at its end, one behind the other. */
@@ -27,12 +28,13 @@ struct reference {
 /* Reads up to the first byte 0, which no table has. */
 static enum status slurp(const char *path, char **text, struct message *why)
 {
-    FILE *file = fopen(path, "rb");
+    const char *reason;
+    FILE *file = input_file_open(path, &reason);
     size_t room = 0;
     enum status st = STATUS_OK;
 
     if (!file)
-        return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
+        return status_fail(why, STATUS_FILE, "%s: %s", path, reason);
     const ssize_t size = getdelim(text, &room, '\0', file);
     if (size < 0 && !feof(file))
         st = status_fail(why, STATUS_FILE, "%s: cannot be read", path);

@@ -46,6 +46,22 @@ nul.yaml|byte 0x00
 empty.yaml|empty
 FILES
 
+# Folders that are read, and gone on with, may have pipes in them: nobody waits for one.
+plan=$(dirname "$scene")/../../bench/plans/feasibility.yaml
+for name in manifest.txt log.txt lock; do
+    mkdir waits && mkfifo "waits/$name"
+    ends 1 "$name" "$program" sweep "$plan" --out waits --resume
+    rm -r waits
+done
+mkdir waits && mkfifo waits/table.csv waits/run.h5 waits/table.png
+timeout 60 "$program" report waits >out 2>err </dev/null
+[ $? -lt 124 ] || fail 'report waits for a pipe'
+for command in score export; do
+    timeout 60 "$program" $command waits/run.h5 >out 2>err </dev/null
+    [ $? -lt 124 ] || fail "$command waits for a pipe"
+done
+rm -r waits
+
 # line ends and marks of other systems are read as ours are
 sed 's/$/\r/' "$scene" >crlf.yaml
 { printf '\xef\xbb\xbf' && cat "$scene"; } >bom.yaml

@@ -50,8 +50,8 @@ struct measurement_options {
  * taken if they were made for the same scene, settings and program, on this machine. Cases
  * are timed in turn in groups of some seconds, and a group's files are there as soon as it
  * is over: who stops it loses one group. Without a budget those that are not timed are
- * followed first, each in a process of its own, as many at a time as there are processors. STATUS_LATE: the budget was over (deadline.h)
- * before all were done. */
+ * followed first, each in a process of its own, as many at a time as there are processors.
+ * STATUS_LATE: the budget was over (deadline.h) before all were done. */
 enum status measurement_run(const struct measurement_options *options, int count,
                             struct measurement_case *cases, struct message *why);
 

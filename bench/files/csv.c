@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/reader/input_file.h"
+
 enum { MOST = 64 << 20 }; /* bytes of a file */
 
 /* The state of splitting a file into tables, in place. */
@@ -15,18 +17,20 @@ struct reader {
     struct csv_table *table; /* NULL: between two                                  */
     char *at, *end;
     char *caption; /* of the table to come                                         */
+    char *joined;  /* the end of the lines that are being joined                   */
     int line;
 };
 
 static enum status read_text(const char *path, char **text, size_t *size,
                              struct message *why)
 {
-    FILE *file = fopen(path, "rb");
+    const char *reason;
+    FILE *file = input_file_open(path, &reason);
     size_t room = 0;
     enum status st = STATUS_OK;
 
     if (!file)
-        return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
+        return status_fail(why, STATUS_FILE, "%s: %s", path, reason);
     const ssize_t read = getdelim(text, &room, '\0', file);
     *size = read < 0 ? 0 : (size_t)read;
     if (read < 0 && !feof(file))
@@ -47,13 +51,17 @@ out:
 
 /* Appends a `# ` line to `text` as one more line; both are in the bytes, the new one behind
  * the old, so that it can be moved there. */
-static char *join(char *text, char *line)
+static char *join(struct reader *r, char *text, char *line)
 {
-    if (!*text)
-        return line;
-    char *end = text + strlen(text);
-    *end++ = '\n';
-    memmove(end, line, strlen(line) + 1);
+    const size_t length = strlen(line);
+
+    if (*text) {
+        *r->joined++ = '\n';
+        memmove(r->joined, line, length + 1);
+    } else {
+        r->joined = text = line;
+    }
+    r->joined += length;
     return text;
 }
 
@@ -68,9 +76,9 @@ static void take_comment(struct reader *r)
     r->at += length + !last;
     r->line++;
     if (r->table)
-        r->table->notes = join(r->table->notes, line);
+        r->table->notes = join(r, r->table->notes, line);
     else
-        r->caption = join(r->caption, line);
+        r->caption = join(r, r->caption, line);
 }
 
 /* Takes the next cell, without its quotes, in place; *after is what ended it. False: a

@@ -1,7 +1,10 @@
 #include "bench/files/hdf5_file.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "models/reader/input_file.h"
 
 /* The reason of the last failure. It is stored at once: the library forgets its error stack
  * when the next call begins. */
@@ -119,19 +122,111 @@ void hdf5_file_drop(hid_t id)
         H5Idec_ref(id);
 }
 
+hid_t hdf5_file_open(const char *path, struct message *why)
+{
+    const char *reason;
+    FILE *probe = input_file_open(path, &reason);
+    hid_t file = H5I_INVALID_HID;
+
+    hdf5_file_start();
+    if (!probe) {
+        status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path, reason);
+        return file;
+    }
+    fclose(probe);
+    file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (file < 0)
+        hdf5_file_fail(path, "cannot be read", why);
+    return file;
+}
+
+/* Returns whether each part of a name, a/b/c, is in the file itself: other links may lead
+ * into any file. */
+static bool is_inside(hid_t file, const char *name)
+{
+    char part[256];
+    H5L_info_t link;
+
+    if (strlen(name) >= sizeof part)
+        return false;
+    strcpy(part, name);
+    for (char *end = part; end; *end++ = '/') {
+        end = strchr(end, '/');
+        if (end)
+            *end = '\0';
+        if (H5Lexists(file, part, H5P_DEFAULT) <= 0 ||
+            H5Lget_info(file, part, &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD)
+            return false;
+        if (!end)
+            break;
+    }
+    return true;
+}
+
+/* Returns whether pieces are not much more than an entry, and all are there. */
+static bool has_pieces(hid_t set, hid_t space, hid_t list, int rank, const hsize_t *size)
+{
+    static const double MOST = 1 << 20;      /* numbers of a piece */
+    double entry = 1, piece = 1, pieces = 1; /* products of any sizes */
+    hsize_t chunk[HDF5_FILE_RANK], there = 0;
+
+    if (H5Pget_chunk(list, HDF5_FILE_RANK, chunk) != rank)
+        return false;
+    for (int n = 0; n < rank; n++) {
+        entry *= n ? (double)size[n] : 1;
+        piece *= (double)chunk[n];
+        pieces *= ceil((double)size[n] / (double)chunk[n]);
+    }
+    return (piece <= entry || piece <= MOST) &&
+           H5Dget_num_chunks(set, space, &there) >= 0 && (double)there == pieces;
+}
+
+/* Returns whether a dataset's numbers stand in its own file, all of them. What was never
+ * written is read as zeros. */
+static bool is_whole(hid_t set, hid_t space, int rank, const hsize_t *size)
+{
+    const hid_t list = H5Dget_create_plist(set);
+    const H5D_layout_t layout = H5Pget_layout(list);
+    H5D_space_status_t written = H5D_SPACE_STATUS_ALLOCATED;
+    bool good = H5Pget_external_count(list) == 0, some = true;
+
+    for (int n = 0; n < rank; n++)
+        some = some && size[n];
+    if (layout == H5D_CHUNKED)
+        good = good && has_pieces(set, space, list, rank, size);
+    else if (layout == H5D_CONTIGUOUS && some)
+        good = good && H5Dget_space_status(set, &written) >= 0;
+    else
+        good = good && (layout == H5D_COMPACT || layout == H5D_CONTIGUOUS);
+    hdf5_file_drop(list);
+    return good && written == H5D_SPACE_STATUS_ALLOCATED;
+}
+
 hid_t hdf5_file_open_set(hid_t file, const char *name, int *rank,
                          hsize_t size[HDF5_FILE_RANK])
 {
-    hid_t set = H5Lexists(file, name, H5P_DEFAULT) > 0 ? H5Dopen2(file, name, H5P_DEFAULT)
-                                                       : H5I_INVALID_HID;
+    hid_t set = is_inside(file, name) ? H5Dopen2(file, name, H5P_DEFAULT) : H5I_INVALID_HID;
     hid_t space = H5Dget_space(set);
 
     *rank = H5Sget_simple_extent_ndims(space);
-    if (*rank < 1 || *rank > HDF5_FILE_RANK ||
-        H5Sget_simple_extent_dims(space, size, NULL) < 0)
+    if (*rank < 0 || *rank > HDF5_FILE_RANK ||
+        H5Sget_simple_extent_dims(space, size, NULL) < 0 ||
+        !is_whole(set, space, *rank, size)) {
+        hdf5_file_drop(set);
+        set = H5I_INVALID_HID;
         *rank = 0;
+    }
     hdf5_file_drop(space);
     return set;
+}
+
+enum status hdf5_file_refuse_set(const char *path, const char *name, struct message *why)
+{
+    return status_fail(
+        why, STATUS_INPUT,
+        "%s: %s: is no array that can be read: its numbers must stand in this "
+        "file, all of them, in one piece or in pieces of a frame",
+        path, name);
 }
 
 /* Selects entry n in the dataset's space, and makes the space of that entry in memory. */

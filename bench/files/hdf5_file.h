@@ -37,11 +37,20 @@ herr_t hdf5_file_put_array(hid_t file, const char *name, struct hdf5_file_meanin
 /* Releases any identifier of the library's; an invalid one is allowed. */
 void hdf5_file_drop(hid_t id);
 
-/* Opens a dataset and gets its sizes. *rank is 0 if there is none of that name, or if it
- * has no axis or too many. The receiver drops what is returned. */
+/* Opens a file for reading, which must be a regular one; the receiver drops it. Negative,
+ * with a sentence: it cannot. */
+hid_t hdf5_file_open(const char *path, struct message *why);
+
+/* Opens a dataset and gets its sizes. *rank is 0 if there is none of that name, if it has
+ * no axis or too many, or if it is not one that a reader may trust: reached by links out of
+ * the file, with numbers that stand elsewhere or nowhere, or in pieces of more than an entry
+ * of its first axis and a megabyte of numbers. The receiver drops what is returned. */
 enum { HDF5_FILE_RANK = 8 };
 hid_t hdf5_file_open_set(hid_t file, const char *name, int *rank,
                          hsize_t size[HDF5_FILE_RANK]);
+
+/* Fails with STATUS_INPUT and a sentence on a dataset that may not be trusted. */
+enum status hdf5_file_refuse_set(const char *path, const char *name, struct message *why);
 
 /* Read and write the n-th entry of a dataset's first axis, all doubles of its other axes.
  * False: failed. */

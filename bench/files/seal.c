@@ -8,6 +8,7 @@
 #include <zlib.h>
 
 #include "bench/files/output.h"
+#include "models/reader/input_file.h"
 
 /* The seal holds length and CRC-32 (ISO 3309) of what follows; the block's rest is zero. */
 #define SEAL      "clothbench result file, sealed: %ld bytes, crc32 %08lx\n"
@@ -17,20 +18,6 @@ static enum status fail(const char *path, const char *doing, struct message *why
 {
     return status_fail(why, STATUS_FILE, "%s: cannot be %s: %s", path, doing,
                        strerror(errno));
-}
-
-/* Opens a file for reading; NULL if it is no regular one: opening a pipe would wait for its
- * writer. */
-static enum status open_regular(const char *path, FILE **file, struct message *why)
-{
-    struct stat info;
-
-    *file = NULL;
-    if (stat(path, &info) != 0)
-        return fail(path, "read", why);
-    if (S_ISREG(info.st_mode) && !(*file = fopen(path, "rb")))
-        return fail(path, "read", why);
-    return STATUS_OK;
 }
 
 /* Computes length and checksum of the rest of a file. */
@@ -75,14 +62,12 @@ enum status seal_check(const char *path, long *size, struct message *why)
 {
     char block[SEAL_BLOCK], wanted[SEAL_BLOCK] = "";
     unsigned long crc;
-    FILE *file;
-    enum status st = open_regular(path, &file, why);
+    const char *reason;
+    FILE *file = input_file_open(path, &reason);
+    enum status st = STATUS_OK;
 
-    if (st != STATUS_OK)
-        return st;
     if (!file)
-        return status_fail(why, STATUS_INPUT, "%s: is not a result file, not even a file",
-                           path);
+        return status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path, reason);
     if (fread(block, sizeof block, 1, file) != 1 ||
         strncmp(block, SEAL_MARK, strlen(SEAL_MARK)) != 0)
         TRY(status_fail(why, STATUS_INPUT,
@@ -162,21 +147,21 @@ static bool unseal(char *text, size_t size)
 enum status seal_text_read(const char *path, char **text, struct message *why)
 {
     char *bytes = NULL;
-    FILE *file;
-    enum status st = open_regular(path, &file, why);
+    const char *reason;
+    FILE *file = input_file_open(path, &reason);
+    enum status st = STATUS_OK;
 
-    if (st != STATUS_OK)
-        return st;
+    if (!file)
+        return status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path, reason);
     bytes = malloc(SIZE_MOST + 1);
     TRY(bytes ? STATUS_OK : STATUS_MEMORY);
-    if (!unseal(bytes, file ? fread(bytes, 1, SIZE_MOST, file) : 0))
+    if (!unseal(bytes, fread(bytes, 1, SIZE_MOST, file)))
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: is damaged: it is no longer what its last line says it was",
                         path));
     *text = bytes, bytes = NULL;
 out:
-    if (file)
-        fclose(file);
+    fclose(file);
     free(bytes);
     return st;
 }

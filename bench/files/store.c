@@ -479,9 +479,8 @@ enum status store_read_open(const char *path, struct store_read **file, struct m
     f->path = strdup(path);
     TRY(f->path ? STATUS_OK : STATUS_MEMORY);
     TRY(seal_check(path, &f->size, why));
-    f->file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-    if (f->file < 0)
-        TRY(hdf5_file_fail(path, "cannot be read", why));
+    f->file = hdf5_file_open(path, why);
+    TRY(f->file < 0 ? STATUS_FILE : STATUS_OK);
     if (!open_xyz(f))
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: is not a result file (no xyz [frame][2][100][100][3])", path));
@@ -532,7 +531,7 @@ enum status store_read_array(const struct store_read *f, const char *name, doubl
         return status_fail(why, STATUS_INPUT, "%s: has no %s", f->path, name);
     hid_t set = hdf5_file_open_set(f->file, name, &rank, size);
     if (rank < 1 || rank > 2)
-        TRY(unreadable(f, name, why));
+        TRY(hdf5_file_refuse_set(f->path, name, why));
     if (size[1] == 0) /* readers expect a number in a row */
         TRY(status_fail(why, STATUS_INPUT, "%s: %s has rows of nothing", f->path, name));
     if (size[0] > most || size[1] > most || size[0] * size[1] > most)
@@ -556,8 +555,10 @@ enum status store_read_text(const struct store_read *f, const char *group, const
                             char **text, struct message *why)
 {
     const bool set = H5Aexists_by_name(f->file, group, key, H5P_DEFAULT) <= 0;
+    hsize_t none[HDF5_FILE_RANK];
+    int rank;
     hid_t object = !set ? H5Aopen_by_name(f->file, group, key, H5P_DEFAULT, H5P_DEFAULT)
-                   : !strcmp(group, "/") ? H5Dopen2(f->file, key, H5P_DEFAULT)
+                   : !strcmp(group, "/") ? hdf5_file_open_set(f->file, key, &rank, none)
                                          : H5I_INVALID_HID;
     hid_t type = set ? H5Dget_type(object) : H5Aget_type(object);
     hid_t space = set ? H5Dget_space(object) : H5Aget_space(object);

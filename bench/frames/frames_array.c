@@ -179,23 +179,17 @@ static bool read_numpy(struct frames_array *a, size_t count, double *values)
 
 /* --- HDF5 --- */
 
-static enum status begin_hdf5(struct frames_array *a, const char *name)
+static enum status begin_hdf5(struct frames_array *a, const char *name, struct message *why)
 {
-    hsize_t size[RANK] = {0};
+    hsize_t size[HDF5_FILE_RANK] = {0};
 
     if (H5Lexists(a->hdf5, name, H5P_DEFAULT) <= 0)
         return STATUS_UNSUPPORTED;
-    a->set = H5Dopen2(a->hdf5, name, H5P_DEFAULT);
-    if (a->set < 0)
-        return STATUS_UNSUPPORTED;
-    const hid_t space = H5Dget_space(a->set);
-    a->rank = space < 0 ? 0 : H5Sget_simple_extent_ndims(space);
-    if (a->rank < 1 || a->rank > RANK || H5Sget_simple_extent_dims(space, size, NULL) < 0)
-        a->rank = 1, size[0] = 0; /* what is no array has no numbers */
+    a->set = hdf5_file_open_set(a->hdf5, name, &a->rank, size);
+    if (a->rank < 1 || a->rank > RANK)
+        return hdf5_file_refuse_set(a->path, name, why);
     for (int n = 0; n < RANK; n++)
         a->size[n] = size[n];
-    if (space >= 0)
-        H5Idec_ref(space);
     return STATUS_OK;
 }
 
@@ -240,9 +234,8 @@ enum status frames_array_open(const char *path, struct frames_array **file,
         TRY(frames_file_open(path, &a->file, why));
         TRY(zip ? open_zip(a, why) : STATUS_OK);
     } else {
-        hdf5_file_start();
-        a->hdf5 = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-        TRY(a->hdf5 < 0 ? hdf5_file_fail(path, "cannot be read", why) : STATUS_OK);
+        a->hdf5 = hdf5_file_open(path, why);
+        TRY(a->hdf5 < 0 ? STATUS_FILE : STATUS_OK);
     }
     *file = a, a = NULL;
 out:
@@ -269,7 +262,8 @@ enum status frames_array_begin(struct frames_array *a, const char *name,
 {
     end_array(a);
     memset(a->size, 0, sizeof a->size);
-    const enum status st = a->hdf5 < 0 ? begin_numpy(a, name, why) : begin_hdf5(a, name);
+    const enum status st =
+        a->hdf5 < 0 ? begin_numpy(a, name, why) : begin_hdf5(a, name, why);
     memcpy(size, a->size, sizeof a->size);
     if (st == STATUS_UNSUPPORTED)
         status_fail(why, st, "%s: has no array %s", a->path, name);

@@ -6,6 +6,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "models/reader/input_file.h"
+
 static enum status fail(const char *path, struct message *why)
 {
     return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
@@ -14,20 +16,19 @@ static enum status fail(const char *path, struct message *why)
 enum status frames_file_open(const char *path, struct frames_file *f, struct message *why)
 {
     struct stat about;
+    const char *reason;
     enum status st = STATUS_OK;
 
     *f = (struct frames_file){.path = strdup(path)};
     TRY(f->path ? STATUS_OK : STATUS_MEMORY);
-    if (stat(path, &about))
+    f->file = input_file_open(path, &reason);
+    if (!f->file)
+        TRY(status_fail(why, STATUS_FILE, "%s: %s", path, reason));
+    if (fstat(fileno(f->file), &about))
         TRY(fail(path, why));
-    if (!S_ISREG(about.st_mode)) /* a pipe would wait, and is read but once */
-        TRY(status_fail(why, STATUS_FILE, "%s: is no regular file", path));
     if (about.st_size == 0)
         TRY(status_fail(why, STATUS_INPUT, "%s: is empty", path));
     f->size = about.st_size;
-    f->file = fopen(path, "rbe");
-    if (!f->file)
-        TRY(fail(path, why));
 out:
     if (st != STATUS_OK)
         frames_file_close(f);

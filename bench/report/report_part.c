@@ -10,6 +10,7 @@
 #include "bench/experiment/judge.h"
 #include "bench/experiment/kept.h"
 #include "bench/report/report_json.h"
+#include "models/reader/input_file.h"
 
 enum { PATH = 4096, TABLE_MOST = 300000 /* bytes of a table's words */ };
 enum { PICTURE_MOST = 4 << 20 };
@@ -257,14 +258,15 @@ static enum status read_picture(const char *path, unsigned char **bytes, size_t 
 {
     static const unsigned char sign[8] = "\x89PNG\r\n\x1a\n",
                                end[8] = "IEND\xae\x42\x60\x82";
-    FILE *file = fopen(path, "rb");
+    const char *reason;
+    FILE *file = input_file_open(path, &reason);
     enum status st = STATUS_OK;
 
     *bytes = NULL, *size = 0;
     if (!file && errno == ENOENT)
         return st;
     if (!file)
-        return status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
+        return status_fail(why, STATUS_FILE, "%s: %s", path, reason);
     *bytes = malloc(PICTURE_MOST);
     if (!*bytes)
         TRY(STATUS_MEMORY);

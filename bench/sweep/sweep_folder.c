@@ -17,6 +17,7 @@
 #include "bench/files/seal.h"
 #include "bench/truth/truth.h"
 #include "models/contact/contact_mesh.h"
+#include "models/reader/input_file.h"
 #include "models/reader/scene_file.h"
 
 /* Adds the sum of the truth, if one is stored, that cases of a scene tell their distance
@@ -171,7 +172,10 @@ static enum status settle_manifest(const struct sweep_folder *folder, bool resum
     enum status st;
 
     snprintf(path, sizeof path, "%s/manifest.txt", folder->path);
-    FILE *file = fopen(path, "r");
+    const char *reason;
+    FILE *file = input_file_open(path, &reason);
+    if (!file && errno != ENOENT)
+        return status_fail(why, STATUS_FILE, "%s: %s", path, reason);
     if (!file) {
         TRY(output_create(path, &out, why));
         output_print(out, "%s", folder->manifest);
@@ -194,7 +198,9 @@ static enum status open_file(const struct sweep_folder *folder, const char *name
     char path[SWEEP_FOLDER_PATH + 16];
 
     snprintf(path, sizeof path, "%s/%s", folder->path, name);
-    *file = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
+    /* a pipe without a reader would be waited for */
+    *file = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK,
+                 0666);
     return *file >= 0 ? STATUS_OK
                       : status_fail(why, STATUS_FILE, "%s: cannot be opened: %s", path,
                                     strerror(errno));

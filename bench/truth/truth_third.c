@@ -6,6 +6,7 @@
 #include "bench/frames/frames.h"
 #include "bench/truth/truth_parts.h"
 #include "models/grid.h"
+#include "models/reader/input_file.h"
 
 enum { LAYER = GRID_U * GRID_V, NETS = 3, DEGREE = 2, PATH = 4096 };
 static const double SAME_TIME = 1e-6, SAME_PLACE = 1e-6; /* [s]; of u and v */
@@ -111,9 +112,10 @@ static enum status read_note(const char *folder, struct truth *third, struct mes
     char path[PATH];
 
     snprintf(path, sizeof path, "%s/note.txt", folder);
-    FILE *file = fopen(path, "r");
+    const char *reason;
+    FILE *file = input_file_open(path, &reason);
     if (!file)
-        return status_fail(why, STATUS_INPUT, "%s: cannot be read", path);
+        return status_fail(why, STATUS_INPUT, "%s: cannot be read: %s", path, reason);
     if (!fgets(third->source, sizeof third->source, file))
         third->source[0] = '\0';
     third->source[strcspn(third->source, "\n")] = '\0';

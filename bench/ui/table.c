@@ -459,12 +459,21 @@ static void print_comment(const char *text, FILE *file)
     print_escaped("# ", text, "\n", escaped, file);
 }
 
+/* Returns whether a spreadsheet would run a text instead of showing it: it may come from a
+ * file of somebody else. */
+static bool is_formula(const char *text)
+{
+    return strchr("=@\t\r", *text) ? *text != '\0'
+                                   : strchr("+-", *text) && isalpha((unsigned char)text[1]);
+}
+
 static void print_field(const char *text, FILE *file)
 {
     static const char *const escaped[128] = {['"'] = "\"\""};
     const char *quote = text[strcspn(text, ",\"\n\r")] || *text == '#' ? "\"" : "";
 
-    print_escaped(quote, text, quote, escaped, file);
+    fputs(quote, file);
+    print_escaped(is_formula(text) ? "'" : "", text, quote, escaped, file);
 }
 
 static void print_cell(const struct table *t, const struct table_line *line, int row,

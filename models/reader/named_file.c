@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "models/reader/input_file.h"
 #include "models/reader/yaml_tree.h"
 
 static enum status refuse_file(const struct named_file_kind *kind, const char *path,
@@ -27,19 +28,14 @@ enum status named_file_read(const struct named_file_kind *kind, const char *path
     size_t most = kind->most ? kind->most : YAML_TREE_MAX_TEXT;
     enum status st = STATUS_OK;
     struct stat about;
-    FILE *file;
+    const char *reason;
+    FILE *file = input_file_open(path, &reason);
 
     *bytes = NULL;
-    if (stat(path, &about) != 0)
-        return refuse_file(kind, path, strerror(errno), why);
-    if (S_ISDIR(about.st_mode))
-        return refuse_file(kind, path, "it is a directory", why);
-    if (S_ISFIFO(about.st_mode)) /* it would be waited for, and is gone once read */
-        return refuse_file(kind, path, "it is a pipe, which can be read only once", why);
-    file = fopen(path, "rb");
     if (!file)
-        return refuse_file(kind, path, strerror(errno), why);
-    if (about.st_size > 0 && (size_t)about.st_size < most)
+        return refuse_file(kind, path, reason, why);
+    if (fstat(fileno(file), &about) == 0 && about.st_size > 0 &&
+        (size_t)about.st_size < most)
         most = (size_t)about.st_size;
     *bytes = malloc(most + 2);
     if (!*bytes)

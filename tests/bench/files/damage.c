@@ -136,10 +136,10 @@ static const struct made {
 } made[] = {
     {"outcome", ": has no text outcome", 1, {4000}, 't', true},
     {"unknowns", ": has no number unknowns", 1, {4000}, 'a', true},
-    {"time", ": time is larger than the file", 2, {1ul << 32, 1ul << 32}}, /* product 0  */
-    {"time", ": time is larger than the file", 2, {0, 3}}, /* neither side is; see below */
+    {"time", ": time: is no array", 2, {1ul << 32, 1ul << 32}}, /* product 0           */
+    {"time", ": time: is no array", 2, {0, 3}}, /* neither side is so long; see below  */
     {"time", ": cannot read time: ", 1, {5}, 'c', true},
-    {"time", ": cannot read time: ", 3, {5, 1, 1}, 0, true},
+    {"time", ": time: is no array", 3, {5, 1, 1}, 0, true},
     {"xyz", ": is not a result file", 5, {6000, 2, 100, 100, 3}}, /* 2.9 GB */
     {"xyz", ": is not a result file", 5, {1, 3, 100, 100, 3}, 0, true},
     {"xyz", ": is not a result file", 5, {1, 2, 101, 100, 3}, 0, true},

@@ -320,7 +320,7 @@ static void test_reading_what_is_none(void)
         enum status status;
     } row[] = {{scratch_path("text.h5"), STATUS_INPUT},
                {scratch_path("absent.h5"), STATUS_FILE},
-               {scratch, STATUS_INPUT}};
+               {scratch, STATUS_FILE}};
     FILE *text = fopen(row[0].path, "w");
 
     REQUIRE(text && fputs("not HDF5", text) >= 0 && fclose(text) == 0);

@@ -194,6 +194,20 @@ static void check_wide(void)
     table_destroy(t);
 }
 
+/* What a spreadsheet would run is text; numbers and signs that stand for something stay. */
+static void check_formulas(void)
+{
+    static const char *const text[] = {"=cmd|x", "@x", "+x", "-x", "\tx",
+                                       "-",      "-1", "+1", "a=b"};
+    static const struct table_column one[] = {{"name"}};
+    struct table *t = table_create(1, one, NULL);
+
+    for (size_t n = 0; n < sizeof text / sizeof *text; n++)
+        table_line(t, "%s", text[n]);
+    PRINT(t, TABLE_CSV, "name\n'=cmd|x\n'@x\n'+x\n'-x\n'\tx\n-\n-1\n+1\na=b\n");
+    table_destroy(t);
+}
+
 /* Ninety-six characters are a line, one more are not. */
 static void check_sentences(void)
 {
@@ -244,6 +258,7 @@ int main(void)
     check_files();
     check_failures_told();
     check_wide();
+    check_formulas();
     check_sentences();
     return check_result();
 }

@@ -261,7 +261,7 @@ static void check_files(void)
     CHECK(st == STATUS_FILE && *why.text);
 
     st = read_scene("/dev/zero", &scene, &why);
-    check_refusal("endless", st, STATUS_INPUT, &scene, &why, "/dev/zero:1: ");
+    check_refusal("endless", st, STATUS_FILE, &scene, &why, "/dev/zero: ");
     st = read_scene("", &scene, &why);
     check_refusal("no name", st, STATUS_FILE, &scene, &why, "");
 }

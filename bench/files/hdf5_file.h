@@ -43,8 +43,9 @@ hid_t hdf5_file_open(const char *path, struct message *why);
 
 /* Opens a dataset and gets its sizes. *rank is 0 if there is none of that name, if it has
  * no axis or too many, or if it is not one that a reader may trust: reached by links out of
- * the file, with numbers that stand elsewhere or nowhere, or in pieces of more than an entry
- * of its first axis and a megabyte of numbers. The receiver drops what is returned. */
+ * the file, with numbers that stand elsewhere or nowhere, or in pieces of more than an
+ * entry of its first axis and a megabyte of numbers. The receiver drops what is returned.
+ */
 enum { HDF5_FILE_RANK = 8 };
 hid_t hdf5_file_open_set(hid_t file, const char *name, int *rank,
                          hsize_t size[HDF5_FILE_RANK]);

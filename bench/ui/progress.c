@@ -35,7 +35,8 @@ void progress_update(struct progress *p, long done)
 {
     const double now = clock_now();
 
-    if (!p->on || done <= 0 || now - p->shown < (p->terminal ? redraw_seconds : line_seconds))
+    if (!p->on || done <= 0 ||
+        now - p->shown < (p->terminal ? redraw_seconds : line_seconds))
         return;
     const double share = (double)done / (double)p->total;
     const double left = (now - p->start) * (1 - share) / share;

@@ -163,17 +163,23 @@ out:
 /* The most threads: more overrun the stacks of the libraries that start them. */
 enum { THREADS_MOST = 1024 };
 
+/* Returns whether OMP_NUM_THREADS, if it is set, is a number, or one a level (4,2): what
+ * the library cannot read it takes for all processors. */
 static bool threads_are_few(struct message *why)
 {
-    static const char *const names[] = {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"};
+    const char *text = getenv("OMP_NUM_THREADS"), *at = text;
+    char *end;
 
-    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
-        const char *text = getenv(names[n]);
-        if (text && strtol(text, NULL, 10) > THREADS_MOST) {
-            status_fail(why, STATUS_INPUT, "%s=%.32s: at most %d threads can be had",
-                        names[n], text, THREADS_MOST);
+    while (at && *at) {
+        const long count = strtol(at, &end, 10);
+        if (end == at || count < 1 || count > THREADS_MOST || (*end && *end != ',')) {
+            status_fail(why, STATUS_INPUT,
+                        "OMP_NUM_THREADS=%.32s: a number from 1 to %d "
+                        "would be right",
+                        text, THREADS_MOST);
             return false;
         }
+        at = end + (*end == ',');
     }
     return true;
 }
@@ -195,21 +201,20 @@ static char *kernel_for_cpu(void)
     return NULL;
 }
 
-/* Answers the C library's getenv, also when OpenBLAS calls it while it is loaded. Without a
- * given number of threads OpenBLAS then starts one a core, and waits for ever for those
- * that a limit on memory does not allow; without a given kernel it takes a slow one on CPUs
- * newer than itself. In main it would be too late for both; the program uses one thread of
- * OpenBLAS. */
+/* Answers the C library's getenv, also when OpenBLAS calls it while it is loaded: in main
+ * it would be too late. The program uses one thread of OpenBLAS, which else starts more,
+ * and waits for ever for those that a limit on memory does not allow; without a given
+ * kernel it takes a slow one on CPUs newer than itself. */
 char *getenv(const char *name)
 {
     static char one[] = "1";
     const size_t length = strlen(name);
 
+    if (!strcmp(name, "OPENBLAS_NUM_THREADS"))
+        return one;
     for (char **at = environ; at && *at; at++)
         if (!strncmp(*at, name, length) && (*at)[length] == '=')
             return *at + length + 1;
-    if (!strcmp(name, "OPENBLAS_NUM_THREADS"))
-        return one;
     return strcmp(name, "OPENBLAS_CORETYPE") ? NULL : kernel_for_cpu();
 }
 
@@ -222,7 +227,8 @@ int main(int argc, char **argv)
         return EXIT_USAGE;
     }
     blas_kernel_set_threads(1);
-    if (!getenv("OMP_NUM_THREADS"))
+    const char *threads = getenv("OMP_NUM_THREADS");
+    if (!threads || !*threads)
         omp_set_num_threads(1); /* timings use one thread unless set otherwise */
     /* Output is buffered by line, so that no standard error stands inside a line of
      * results. */

@@ -89,11 +89,14 @@ for out in none/a.h5 '' "$(printf '%0300d' 0).h5"; do
 done
 
 # --- the machine --------------------------------------------------------------------------
-for variable in OMP_NUM_THREADS OPENBLAS_NUM_THREADS; do
-    ends 2 "$variable=99999: at most 1024" env $variable=99999 "$program" help
+for threads in 99999 none 0 -1 2,x; do
+    ends 2 "OMP_NUM_THREADS=$threads: a number from 1 to 1024" \
+        env OMP_NUM_THREADS=$threads "$program" help
 done
+ends 0 '' env OMP_NUM_THREADS=2,1 "$program" help
 # memory that is short from the start: whatever is left, the program says so or does it
-unset OPENBLAS_NUM_THREADS OPENBLAS_CORETYPE
+export OPENBLAS_NUM_THREADS=2 # of which the library would wait for what it cannot have
+unset OPENBLAS_CORETYPE
 emulated=${QEMU_LD_PREFIX-} # it takes more memory for itself; /proc/cpuinfo is not its CPU's
 nm -D "$program" | grep __asan_init >/dev/null || [ "$emulated" ] || for limit in $(seq 70000 8000 180000); do
     timeout 20 bash -c "ulimit -v $limit && exec \"\$@\"" - "$program" help >out 2>err

@@ -9,6 +9,9 @@
 
 /* The most of `start` between two points of a rim. */
 static const double SPACING = 0.25;
+
+/* More chords than these an edge of a sheet that holds together does not have. */
+static const double MOST_POINTS = 1e6;
 /* How much farther than `start` the chords of curved rims are looked at, over start. */
 static const double SLACK = 0.5;
 /* The step of differences along an edge; the change at which a foot is found. */
@@ -294,7 +297,10 @@ static enum status meet_edge(struct contact_rim *r, int edge, int count,
 
     ends_of(r->search->sheet.surface, edge, point.end);
     const double length = length_of(&r->search->tree, point.end);
-    const int points = (int)ceil(length / (SPACING * r->search->start));
+    const double wanted = ceil(length / (SPACING * r->search->start));
+    if (!(wanted < MOST_POINTS)) /* an edge that long has burst */
+        return STATUS_ESCAPED;
+    const int points = (int)wanted;
     for (int n = 0; n < points; n++) {
         point.at = (n + 0.5) / points;
         TRY(meet(r, &point, length / points, count, visit, context));

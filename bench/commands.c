@@ -8,7 +8,9 @@
 #include "bench/harness/contestant.h"
 #include "bench/ui/table.h"
 #include "models/law/law_fabrics.h"
+#include "models/reader/near.h"
 #include "models/reader/scene_file.h"
+#include "models/reader/yaml_tree.h"
 
 static void print_item(const char *name, const char *text)
 {
@@ -166,11 +168,17 @@ const struct command *const commands[] = {
 enum status commands_find(const char *name, const struct command **command,
                           struct message *why)
 {
-    for (int n = 0; commands[n]; n++)
+    struct near near = near_start(name);
+    char meant[80];
+
+    for (int n = 0; commands[n]; n++) {
         if (!strcmp(commands[n]->name, name)) {
             *command = commands[n];
             return STATUS_OK;
         }
-    return status_fail(why, STATUS_INPUT,
-                       "there is no command '%s'; clothbench help lists them", name);
+        near_try(&near, commands[n]->name);
+    }
+    return status_fail(
+        why, STATUS_INPUT, "there is no command %s%s", yaml_tree_quote(name).text,
+        near.best ? near_text(&near, meant) : "; clothbench help lists them");
 }

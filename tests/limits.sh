@@ -77,6 +77,25 @@ for name in 'a\nb' 'a\e[2J' 'a\x9b2J' 'a\u0007'; do
     ends 2 'plan.yaml:4: name is' "$program" sweep plan.yaml --out sweep
 done
 
+# --- what people write otherwise, or meant ------------------------------------------------
+while IFS='|' read -r text setting; do
+    ends 2 "$text" "$program" run edge_drop --set "$setting"
+done <<'SETTINGS'
+decimals stand after a point|time.end=0,5
+numbers stand without their unit|sheet.length=30cm
+numbers stand without their unit|gravity=[0, 0, 9.81 m]
+its minus sign is not '-'|gravity=[0, 0, −9.81]
+did you mean 'young'?|material.E=1e5
+did you mean 'poisson'?|material.nu=0.3
+did you mean 'step'?|time.dt=0.01
+SETTINGS
+ends 2 "no scene 'edge_dorp'; did you mean 'edge_drop'?" "$program" run edge_dorp
+ends 2 "did you mean '--model'?" "$program" run edge_drop --modle iga
+ends 2 "did you mean 'shell_linear'?" "$program" run edge_drop --model shell_liner
+ends 2 "there is no command 'swep'; did you mean 'sweep'?" "$program" swep
+ends 2 'a name with .h5 would be right' "$program" run edge_drop --out drop.csv
+[ ! -e drop.csv ] || fail 'a refused name is left behind'
+
 # --- what is written ----------------------------------------------------------------------
 short=(run edge_drop --quiet --set time.end=0.02)
 ends 1 'cannot be a device' "$program" "${short[@]}" --out /dev/full

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "models/reader/near.h"
 #include "models/reader/scene_file.h"
 
 const struct model *contestant_model(int n)
@@ -35,18 +36,25 @@ enum { LONGEST = 80 };
 static enum status find(const char *name, size_t length, const struct contestant **found,
                         struct message *why)
 {
-    char models[256];
+    char models[256], word[LONGEST + 1], meant[80];
 
-    for (const struct contestant *c = contestant_table; c->name; c++)
+    snprintf(word, sizeof word, "%.*s", length < LONGEST ? (int)length : LONGEST, name);
+    struct near near = near_start(word);
+    for (const struct contestant *c = contestant_table; c->name; c++) {
         if (is(name, length, c->name)) {
             *found = c;
             return STATUS_OK;
         }
+        near_try(&near, c->name);
+    }
+    if (near.best)
+        return status_fail(why, STATUS_INPUT, "there is no model or contestant '%s'%s",
+                           word, near_text(&near, meant));
     list_models(models, sizeof models);
     return status_fail(why, STATUS_INPUT,
-                       "there is no model or contestant '%.*s'; models: %s; contestants: "
+                       "there is no model or contestant '%s'; models: %s; contestants: "
                        "clothbench list contestants",
-                       length < LONGEST ? (int)length : LONGEST, name, models);
+                       word, models);
 }
 
 enum status contestant_find(const char *name, const struct contestant **found,

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/reader/near.h"
+
 static int option_count(const struct command *command)
 {
     int count = 0;
@@ -24,6 +26,22 @@ static int option_index(const struct command *command, const char *name, size_t 
     return -1;
 }
 
+static enum status refuse_option(const struct command *command, const char *text,
+                                 size_t size, struct message *why)
+{
+    char word[64], meant[80];
+
+    snprintf(word, sizeof word, "%.*s", (int)size, text);
+    struct near near = near_start(word);
+    for (int n = 0; n < option_count(command); n++)
+        near_try(&near, command->options[n].name);
+    return near.best ? status_fail(why, STATUS_INPUT, "%s has no option %s%s",
+                                   command->name, word, near_text(&near, meant))
+                     : status_fail(why, STATUS_INPUT,
+                                   "%s has no option %s; see clothbench help %s",
+                                   command->name, word, command->name);
+}
+
 /* Reads the option in argv[*at] and, if it takes one, its value, there or in the next. */
 static enum status read_option(struct command_line *line, int argc, char **argv, int *at,
                                struct message *why)
@@ -34,9 +52,7 @@ static enum status read_option(struct command_line *line, int argc, char **argv,
     int n = option_index(command, text, size);
 
     if (n < 0)
-        return status_fail(why, STATUS_INPUT,
-                           "%s has no option %.*s; see clothbench help %s", command->name,
-                           (int)size, text, command->name);
+        return refuse_option(command, text, size, why);
     const struct command_option *option = &command->options[n];
     if (equals)
         value = equals + 1;

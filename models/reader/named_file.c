@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "models/reader/input_file.h"
+#include "models/reader/near.h"
 #include "models/reader/yaml_tree.h"
 
 static enum status refuse_file(const struct named_file_kind *kind, const char *path,
@@ -209,14 +210,21 @@ static enum status refuse_name(const struct named_file_kind *kind, const char *a
 {
     enum status st = STATUS_OK;
     struct named_file_entry *entries = NULL;
+    struct near near = near_start(argument);
     struct message names = {""};
+    char meant[80];
     int count = 0;
 
     TRY(named_file_names(kind, &entries, &count, why));
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
         TEXT_JOIN(names.text, ", ", "%s", entries[i].name);
-    st = status_fail(why, STATUS_INPUT, "no %s %s; give the path of a file, or one of %s",
-                     kind->what, yaml_tree_quote(argument).text, names.text);
+        near_try(&near, entries[i].name);
+    }
+    st = near.best ? status_fail(why, STATUS_INPUT, "no %s %s%s", kind->what,
+                                 yaml_tree_quote(argument).text, near_text(&near, meant))
+                   : status_fail(why, STATUS_INPUT,
+                                 "no %s %s; give the path of a file, or one of %s",
+                                 kind->what, yaml_tree_quote(argument).text, names.text);
 out:
     named_file_list_free(entries, count);
     return st;

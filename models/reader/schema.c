@@ -2,11 +2,14 @@
 #include "models/reader/schema.h"
 
 #include <assert.h>
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "models/reader/near.h"
 
 #define NO_WORD "unknown"
 
@@ -77,11 +80,33 @@ static struct wanted wanted(const struct schema_key *key)
     return w;
 }
 
+/* Returns what makes a text no number, as people write numbers elsewhere; "": another
+ * thing.
+ */
+static const char *slip_of(const struct schema_key *key, const struct yaml_tree *node)
+{
+    static const char minus[] = "\xe2\x88\x92";
+    char *end;
+
+    if (key->type > SCHEMA_COUNTS || node->kind != YAML_TREE_SCALAR)
+        return "";
+    if (!strncmp(node->text, minus, strlen(minus)))
+        return "; its minus sign is not '-'";
+    strtod(node->text, &end);
+    if (end == node->text)
+        return "";
+    return *end == ',' && isdigit((unsigned char)end[1]) ? "; decimals stand after a point"
+           : isalpha((unsigned char)end[*end == ' '])
+               ? "; numbers stand without their unit, which is the SI's"
+               : "";
+}
+
 enum status schema_refuse(const struct schema_key *key, const struct yaml_tree *node,
                           struct message *why)
 {
-    return yaml_tree_refuse(node, why, "%s is %s, but must be %s", key->key,
-                            yaml_tree_describe(node).text, wanted(key).text);
+    return yaml_tree_refuse(node, why, "%s is %s, but must be %s%s", key->key,
+                            yaml_tree_describe(node).text, wanted(key).text,
+                            slip_of(key, node));
 }
 
 enum status schema_lacks(const struct schema_key *key, const struct yaml_tree *node,
@@ -95,8 +120,9 @@ enum status schema_lacks(const struct schema_key *key, const struct yaml_tree *n
 static enum status refuse_inside(const struct schema_key *key, const struct yaml_tree *node,
                                  struct message *why)
 {
-    return yaml_tree_refuse(node, why, "%s holds %s, but must be %s", key->key,
-                            yaml_tree_describe(node).text, wanted(key).text);
+    return yaml_tree_refuse(node, why, "%s holds %s, but must be %s%s", key->key,
+                            yaml_tree_describe(node).text, wanted(key).text,
+                            slip_of(key, node));
 }
 
 /* Parses a decimal number as YAML and C both write it: no hexadecimal, inf, nan, spaces. */
@@ -305,51 +331,28 @@ enum status schema_value(const struct schema_key *key, const struct yaml_tree *n
     return STATUS_INPUT;
 }
 
-/* Counts edits (insert, delete, exchange) from a to b; words over 31 letters are far. */
-static int distance(const char *a, const char *b)
-{
-    enum { FAR = 99, MOST = 32 };
-    int row[MOST + 1];
-    const int m = (int)strlen(a), n = (int)strlen(b);
-
-    if (m >= MOST || n >= MOST)
-        return FAR;
-    for (int j = 0; j <= n; j++)
-        row[j] = j;
-    for (int i = 1; i <= m; i++) {
-        int diagonal = row[0]; /* value of the row above */
-
-        row[0] = i;
-        for (int j = 1; j <= n; j++) {
-            const int above = row[j];
-            int best = diagonal + (a[i - 1] != b[j - 1]);
-
-            best = above + 1 < best ? above + 1 : best;
-            best = row[j - 1] + 1 < best ? row[j - 1] + 1 : best;
-            row[j] = best;
-            diagonal = above;
-        }
-    }
-    return row[n];
-}
+/* Letters of formulas, and the keys that have these quantities. */
+static const char *const letters[][2] = {
+    {"E", "young"}, {"nu", "poisson"},  {"rho", "density"}, {"L", "length"},
+    {"W", "width"}, {"h", "thickness"}, {"g", "gravity"},   {"dt", "step"}};
 
 static enum status refuse_key(const struct schema_key *keys, const struct yaml_tree *node,
                               const char *name, struct message *why)
 {
     const struct schema_key all = {.type = SCHEMA_SECTION, .keys = keys};
-    const char *nearest = NULL;
+    struct near near = near_start(node->key);
     struct wanted known = {""};
-    int least = ((int)strlen(node->key) + 1) / 3; /* one slip in three letters */
+    char meant[80];
 
     for (const struct schema_key *k = keys; k->key; k++) {
-        const int edits = distance(node->key, k->key);
-
-        if (edits <= least)
-            nearest = k->key, least = edits - 1;
+        for (size_t n = 0; n < sizeof letters / sizeof *letters; n++)
+            if (!strcmp(node->key, letters[n][0]) && !strcmp(k->key, letters[n][1]))
+                near.best = k->key, near.least = -1;
+        near_try(&near, k->key);
     }
-    if (nearest)
-        return yaml_tree_refuse(node, why, "%s has no key %s; did you mean '%s'?", name,
-                                yaml_tree_quote(node->key).text, nearest);
+    if (near.best)
+        return yaml_tree_refuse(node, why, "%s has no key %s%s", name,
+                                yaml_tree_quote(node->key).text, near_text(&near, meant));
     write_names(known.text, sizeof known.text, &all);
     return yaml_tree_refuse(node, why, "%s has no key %s; it knows%s", name,
                             yaml_tree_quote(node->key).text, known.text);

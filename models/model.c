@@ -16,7 +16,7 @@ void matrix_clear(struct matrix *m)
 
 static enum status refuse(unsigned missing, const char *which, struct message *why)
 {
-    char text[256];
+    char text[SCENE_NEEDS_TEXT];
 
     if (!missing)
         return STATUS_OK;

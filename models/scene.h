@@ -200,6 +200,7 @@ enum { SCENE_NEED_ALL = SCENE_NEED_LIST(SCENE_NEED_ALL_OF) 0 };
 unsigned scene_needs(const struct scene *scene);
 
 /* Writes the names of the bits, comma-separated, into text[size]. */
+enum { SCENE_NEEDS_TEXT = 1024 }; /* room for all of them */
 void scene_needs_text(unsigned needs, char *text, int size);
 
 /* Makes the scene that tests and the file reader start from: a flat sheet in the x-y plane,

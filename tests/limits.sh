@@ -92,6 +92,7 @@ SETTINGS
 ends 2 "no scene 'edge_dorp'; did you mean 'edge_drop'?" "$program" run edge_dorp
 ends 2 "did you mean '--model'?" "$program" run edge_drop --modle iga
 ends 2 "did you mean 'shell_linear'?" "$program" run edge_drop --model shell_liner
+ends 2 'these models have it: iga, shell' "$program" run drape --model triangles
 ends 2 "there is no command 'swep'; did you mean 'sweep'?" "$program" swep
 ends 2 'a name with .h5 would be right' "$program" run edge_drop --out drop.csv
 [ ! -e drop.csv ] || fail 'a refused name is left behind'

@@ -104,9 +104,9 @@ struct verdict verdict_of(const struct verdict_rules *rules, const struct run_re
         else if (rule->above ? value > rule->bound : value < rule->bound)
             v.rules |= 1u << n;
     }
-    v.kind = v.rules || v.died ? VERDICT_INFEASIBLE
-             : v.unmeasured    ? VERDICT_UNJUDGED
-                               : VERDICT_FEASIBLE;
+    v.kind = v.rules || v.died               ? VERDICT_INFEASIBLE
+             : v.unmeasured || !rules->count ? VERDICT_UNJUDGED
+                                             : VERDICT_FEASIBLE;
     return v;
 }
 
@@ -148,11 +148,12 @@ const char *verdict_text(const struct verdict_rules *rules, struct verdict v, ch
                          int size)
 {
     snprintf(text, (size_t)size, "%s",
-             v.kind == VERDICT_FEASIBLE ? "feasible"
-             : v.kind == VERDICT_NONE   ? "unsupported"
-             : v.quick                  ? "not judged: quick"
-             : v.died && !v.rules       ? "died"
-                                        : "");
+             v.kind == VERDICT_FEASIBLE                    ? "feasible"
+             : v.kind == VERDICT_NONE                      ? "unsupported"
+             : v.quick                                     ? "not judged: quick"
+             : v.kind == VERDICT_UNJUDGED && !rules->count ? "not judged: no rules"
+             : v.died && !v.rules                          ? "died"
+                                                           : "");
     add_labels(rules, v.rules, 0, "", text, size);
     add_labels(rules, v.unmeasured, v.rules,
                *text ? "; not judged: " : "not judged: ", text, size);

@@ -5,11 +5,11 @@
  *     - {label: over-stretched, measure: stretch_max, above: 1.1, why: "Provot 1995: ..."}
  *
  * with one of `above` and `below`, the value in the measure's unit (measures.h), and the
- * reason for it. A case gets every label that matches; it is feasible if all its rules
- * could be judged and none matches. What was not measured (a measure that is NaN: nobody
- * counted crossings, the scheme has no energy) neither matches nor passes: the case is then
- * not judged, unless another rule has found something. A time that did not come is above
- * every value and below none.
+ * reason for it. A case gets every label that matches; it is feasible if there are
+ * rules, all could be judged and none matches. What was not measured (a measure that is
+ * NaN: nobody counted crossings, the scheme has no energy) neither matches nor passes: the
+ * case is then not judged, unless another rule has found something. A time that did not
+ * come is above every value and below none.
  */
 #ifndef VERDICT_H
 #define VERDICT_H
@@ -61,9 +61,10 @@ struct verdict {
 /* Applies the rules to a result; one of a quick run is never judged. */
 struct verdict verdict_of(const struct verdict_rules *rules, const struct run_result *r);
 
-/* Writes into text[size], and returns, "feasible", "unsupported", "not judged: quick" or
- * the labels, each once, in the order of the rules ("died" where a run died and no rule has
- * a word for it), and behind "not judged:" those that could not be judged. */
+/* Writes into text[size], and returns, "feasible", "unsupported", "not judged: quick",
+ * "not judged: no rules" or the labels, each once, in the order of the rules ("died" where
+ * a run died and no rule has a word for it), and behind "not judged:" those that could not
+ * be judged. */
 const char *verdict_text(const struct verdict_rules *rules, struct verdict verdict,
                          char *text, int size);
 

@@ -118,7 +118,7 @@ void contestant_settings(const struct contestant *c, struct settings *s)
 
 void contestant_tell_model(const struct model *model, char text[CONTESTANT_TEXT])
 {
-    char not_served[256];
+    char not_served[SCENE_NEEDS_TEXT];
 
     scene_needs_text(SCENE_NEED_ALL & ~model->serves, not_served, sizeof not_served);
     snprintf(text, CONTESTANT_TEXT, "%s; serves %s%s (%s)", model->title,

@@ -63,7 +63,7 @@ void contestant_settings(const struct contestant *c, struct settings *s);
 
 /* Tell what a model is, which scenes it serves and whose it is; what a contestant is, where
  * it enters and what its readers should know. */
-enum { CONTESTANT_TEXT = 512 };
+enum { CONTESTANT_TEXT = 2048 };
 void contestant_tell_model(const struct model *model, char text[CONTESTANT_TEXT]);
 void contestant_tell(const struct contestant *c, char text[CONTESTANT_TEXT]);
 

@@ -124,6 +124,9 @@ static void describe_contact(const struct run *run, FILE *file)
     table_print_item("", 16, line.text, file);
 }
 
+/* What bends a sheet besides its weight, of which Gamma knows nothing. */
+enum { BENDS_TOO = SCENE_NEED_LOADS | SCENE_NEED_PRESSURE };
+
 /* Returns how far its weight bends a cantilever of this Gamma, in words. */
 static const char *bending(double gamma)
 {
@@ -163,8 +166,10 @@ void describe_setup(const struct run *run, FILE *file)
         model->describe(run->state, &note);
     describe_scene(&run->scene, file);
     describe_contact(run, file);
-    fprintf(file, "Gamma           %.4g (weight against bending: %s)\n",
-            scene_gamma(&run->scene), bending(scene_gamma(&run->scene)));
+    fprintf(file, "Gamma           %.4g (weight against bending%s: %s)\n",
+            scene_gamma(&run->scene),
+            scene_needs(&run->scene) & BENDS_TOO ? ", without loads and pressure" : "",
+            bending(scene_gamma(&run->scene)));
     fprintf(file, "model           %s: %s\n", model->name, model->title);
     describe_discretization(&run->discretization, file);
     fprintf(

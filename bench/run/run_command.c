@@ -308,6 +308,20 @@ static enum status run_task(struct job *j, struct message *why)
                                    : run_motion(j, why);
 }
 
+/* Adds to a refusal the models that serve what the scene needs. */
+static enum status tell_who_serves(const struct job *j, struct message *why)
+{
+    const unsigned needs = scene_needs(&j->run.scene);
+    char names[256] = "";
+
+    for (int n = 0; needs & ~j->run.model->serves && contestant_model(n); n++)
+        if (!(needs & ~contestant_model(n)->serves))
+            TEXT_JOIN(names, ", ", "%s", contestant_model(n)->name);
+    const struct message refusal = *why;
+    return status_fail(why, STATUS_UNSUPPORTED,
+                       *names ? "%s; these models have it: %s" : "%s", refusal.text, names);
+}
+
 static enum status run(const struct command_line *line, struct message *why)
 {
     enum status st = STATUS_OK;
@@ -316,7 +330,8 @@ static enum status run(const struct command_line *line, struct message *why)
 
     TRY(read_options(&j, line, why));
     TRY(read_scene(&j, line, why));
-    TRY(run_build(&j.run, why));
+    st = run_build(&j.run, why);
+    TRY(st == STATUS_UNSUPPORTED ? tell_who_serves(&j, why) : st);
     TRY(open_file(&j, command_value(line, "--out"), why));
     if (folder)
         TRY(statics_matrices(folder, &j.plan, why));

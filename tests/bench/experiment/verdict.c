@@ -119,6 +119,23 @@ static void test_verdicts(void)
     CHECK(rules.count == 0);
 }
 
+/* Without rules nothing is feasible; a death is a death. */
+static void test_no_rules(void)
+{
+    const struct verdict_rules none = {0};
+    struct run_result r = sound();
+    char text[64];
+
+    r.outcome = STATUS_OK;
+    const struct verdict lived = verdict_of(&none, &r);
+    CHECK(lived.kind == VERDICT_UNJUDGED);
+    CHECK(!strcmp(verdict_text(&none, lived, text, sizeof text), "not judged: no rules"));
+    r.outcome = STATUS_NAN;
+    const struct verdict died = verdict_of(&none, &r);
+    CHECK(died.kind == VERDICT_INFEASIBLE);
+    CHECK(!strcmp(verdict_text(&none, died, text, sizeof text), "died"));
+}
+
 static void test_rules(void)
 {
     struct verdict_rules rules;
@@ -220,6 +237,7 @@ int main(void)
 {
     turns();
     test_rules();
+    test_no_rules();
     test_verdicts();
     test_refusals();
     return check_result();

@@ -127,6 +127,67 @@ static void check_independence(const struct model *model, const struct scene *sc
     free(other);
 }
 
+/* What a free sheet does after FRAMES steps of h, over each component: gravity alone, an
+ * initial velocity alone, and that under either damping. */
+static const struct motion {
+    const char *name;
+    double gravity[3], velocity[3];
+    enum damping_kind damping;
+    double value, reach; /* of the damping; what is left of the way by the velocity */
+} motions[] = {
+    {"gravity", {1, -2, -3}, {0}, DAMPING_NONE, 0, 1},
+    {"velocity", {0}, {0.3, 0.2, -0.1}, DAMPING_NONE, 0, 1},
+    /* sum of mu^k over 12 steps, k = 0 to 11, over 12 */
+    {"scaled", {0}, {0.3, 0.2, -0.1}, DAMPING_VELOCITY_SCALE, 0.9, 0.598},
+    /* (1 - exp(-a t)) / a t of a t = 1.2 */
+    {"rate", {0}, {0.3, 0.2, -0.1}, DAMPING_MASS, 20, 0.582},
+};
+
+/* Returns the mean of a component over the grid. */
+static double mean(const double *xyz, int i)
+{
+    double sum = 0;
+
+    for (int n = 0; n < GRID_POINTS; n++)
+        sum += xyz[3 * n + i];
+    return sum / GRID_POINTS;
+}
+
+/* A sheet that nothing holds goes as a body does, within what one step more or less
+ * changes, which is what schemes of first order are off. */
+static void check_free_motion(const struct model *model, const struct motion *m)
+{
+    struct discretization d = small_net(model);
+    double *first = new_field(), *last = new_field();
+    struct scene scene;
+    void *state = NULL;
+
+    fill_scene(&scene);
+    scene.support_count = 0;
+    scene.damping.kind = m->damping;
+    scene.damping.value = m->value;
+    memcpy(scene.gravity, m->gravity, sizeof scene.gravity);
+    memcpy(scene.velocity, m->velocity, sizeof scene.velocity);
+    const double h = scene.step, t = FRAMES * h;
+    const enum status st = model_create(model, &scene, &d, &state, NULL);
+    CHECK(st == STATUS_OK || st == STATUS_UNSUPPORTED);
+    if (st == STATUS_OK) {
+        model_sample(model, state, first);
+        advance(model, state, FRAMES);
+        model_sample(model, state, last);
+    }
+    for (int i = 0; i < 3 && st == STATUS_OK; i++) {
+        const double want = m->velocity[i] * t * m->reach + m->gravity[i] * t * t / 2;
+        const double step = fabs(m->velocity[i]) * h + fabs(m->gravity[i]) * t * h;
+        if (!CHECK_NEAR(mean(last, i) - mean(first, i), want, step))
+            printf("  %s, component %d\n", m->name, i);
+    }
+    model_destroy(model, state);
+    scene_clear(&scene);
+    free(first);
+    free(last);
+}
+
 static void check_counters(const struct model *model, const struct scene *scene,
                            const struct discretization *d)
 {
@@ -277,6 +338,8 @@ static void check_model(const struct model *model)
     check_fields(model);
     check_size(model, &scene, &d);
     check_kinematics(model, &scene);
+    for (size_t n = 0; n < sizeof motions / sizeof *motions; n++)
+        check_free_motion(model, &motions[n]);
     set_rest_kinematics(model, &d);
     check_equilibrium(model, &scene, &d);
     check_modes(model, &scene, &d);

@@ -108,7 +108,7 @@ class Scene:
 
     def hinges(self, triangles):
         """Where two triangles meet that are not both held: edge a b, corners c and d off it, k of
-        k theta^2 / 2 as exported, twice as large where one is held, and the inverse mass of theta,
+        k theta^2 / 2 as exported, another where one is held, and the inverse mass of theta,
         sum over vertices of |d theta / d x|^2 / m, of the flat sheet."""
         met = {}
         for t in triangles:

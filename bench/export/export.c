@@ -12,6 +12,7 @@
 #include "models/damping.h"
 #include "models/mechanics/dead_load.h"
 #include "models/mechanics/supports.h"
+#include "models/net/hinge_rule.h"
 #include "models/net/spring_net.h"
 #include "models/reader/scene_file.h"
 #include "models/reader/scene_schema.h"
@@ -561,30 +562,29 @@ static void put_material(const struct scene *scene, const struct taker *t)
     put(t, "areal mass", scene->density * scene->thickness, "kg/m^2");
 }
 
-/* Passes on the hinges' stiffness D |e|^2 / (A1 + A2) of an edge with triangles on both
- * sides, half a cell each (Grinspun et al. 2003, their stiffness matched to a plate's). A
- * triangle that is held does not bend and counts as no area: at a clamp one is left. A
- * fabric's edges along u and v bend with B22 and B11. In a cylinder along u or v diagonals
- * do not fold; in a twist they alone do, and hold B66. */
+static struct hinge_rule hinges_of(const struct export_sheet *s)
+{
+    const struct law law = scene_law(s->scene);
+
+    return hinge_rule_of(law.matrix[LAW_BENDING], s->scene->length / (s->points[0] - 1),
+                         s->scene->width / (s->points[1] - 1));
+}
+
 static void put_hinges(const struct export_sheet *s, const struct taker *t)
 {
-    static const char *const name[] = {"hinge u", "hinge v", "hinge diagonal",
-                                       "hinge u held", "hinge v held"};
-    const double a = s->scene->length / (s->points[0] - 1),
-                 b = s->scene->width / (s->points[1] - 1);
-    const double square[] = {a * a, b * b, a * a + b * b};
-    const struct law law = scene_law(s->scene);
-    const double *B = law.matrix[LAW_BENDING], D = B[LAW_11];
-    const double bending[] = {law.isotropic ? D : B[LAW_22], D,
-                              law.isotropic ? D
-                                            : 4 * B[LAW_33] * square[0] * square[1] /
-                                                  (square[2] * square[2])};
+    const struct hinge_rule k = hinges_of(s);
+    const struct {
+        const char *name;
+        double k;
+    } hinge[] = {{"hinge u", k.u},
+                 {"hinge v", k.v},
+                 {"hinge diagonal", k.diagonal},
+                 {"hinge u held", k.held_u},
+                 {"hinge v held", k.held_v}};
 
-    for (int n = 0; n < 5; n++) {
-        const double area = n < 3 ? a * b : a * b / 2;
-        const double k = bending[n % 3] * square[n % 3] / area;
-        t->take(t->context, &(struct number){name[n], -1, -1, k, "N m", NAN, 1 / k});
-    }
+    for (size_t n = 0; n < sizeof hinge / sizeof *hinge; n++)
+        t->take(t->context, &(struct number){hinge[n].name, -1, -1, hinge[n].k, "N m", NAN,
+                                             1 / hinge[n].k});
 }
 
 /* Returns our number of a node of the springs' net, which counts along v first. */
@@ -621,9 +621,7 @@ out:
 }
 
 /* Passes on, one by one, all numbers of a net of points: the material; the mass of each
- * vertex a; on a flat sheet the stiffness of a hinge between two triangles over an inner
- * edge along u, along v and along a diagonal, D |e|^2 / (A1 + A2) (theta^2 / 2 times it is
- * the energy; Grinspun et al. 2003), and twice that where one of the two is held; and each
+ * vertex a; on a flat sheet the stiffnesses of hinges (models/net/hinge_rule.h); and each
  * matched spring from a to b (models/net/spring_net.h). *misfit says what those springs
  * cannot represent; empty: nothing. */
 static enum status each(const struct export_sheet *s, const struct taker *t,
@@ -1530,7 +1528,7 @@ static void put_held(const struct export_held *h, struct output *out)
             "is a hinge: add these, held\nlikewise, and elements between them and the held "
             "row, without mass; leave them out of your\nframes. The angle over the held "
             "row "
-            "stands for half a cell of the sheet: its stiffness is doubled\n(Parameters). "
+            "stands for half a cell of the sheet: its stiffness is another\n(Parameters). "
             "A "
             "simulator with rotations holds those of the held vertices instead and needs "
             "none.",
@@ -1558,6 +1556,16 @@ static void put_softening(const struct export_job *j, struct output *out)
 }
 
 /* Says what each kind of simulator takes of a fabric, and what is lost on the way. */
+/* Says where no rule for hinges is right in every direction. */
+static void tell_long_cells(const struct export_job *j, struct output *out)
+{
+    if (j->scene.shape == SCENE_FLAT && !hinges_of(&j->sheet).everywhere)
+        output_print(out,
+                     "\nNo stiffnesses of hinges are right for bending askew to u and v "
+                     "on this mesh: its cells are too long,\nor the fabric is too "
+                     "unlike along warp and weft. Along u and v they are.\n");
+}
+
 static void put_fabric_parameters(const struct export_job *j, struct output *out)
 {
     const struct law_fabric *f = &j->scene.fabric;
@@ -1591,7 +1599,7 @@ static void put_fabric_parameters(const struct export_job *j, struct output *out
     output_print(
         out,
         "- angles between two triangles, k theta^2 / 2: k along u, v and diagonals. Lost: "
-        "B12%s;\n"
+        "what tells B12\n  from B66 in double curvature%s;\n"
         "- simulators with isotropic values only: E, nu, rho, h of the mean over all "
         "directions. Lost: the\n  weft's membrane is %.3g times, its bending %.3g times as "
         "stiff as the warp's, and shear is %.3g\n  times as stiff as this mean's. "
@@ -1599,6 +1607,7 @@ static void put_fabric_parameters(const struct export_job *j, struct output *out
         law_is_aligned(&law) ? "" : ", B13 and B23, which couple bending to twist",
         Y[LAW_WEFT] / Y[LAW_WARP], B[LAW_WEFT] / B[LAW_WARP],
         Y[LAW_SHEAR] * 2 * (1 + law.poisson) / (law.young * law.thickness));
+    tell_long_cells(j, out);
     if (*j->misfit.text)
         output_print(out, "\nSprings are no plane stress: %s.\n", j->misfit.text);
     output_print(out, "\n");
@@ -1626,15 +1635,19 @@ static void put_parameters(const struct export_job *j, struct output *out)
     else
         output_print(out,
                      "- springs: none are told; the matched ones are for flat sheets;\n");
-    output_print(
-        out,
-        "- bending by the angle between two triangles, k theta^2 / 2: k = D |e|^2 "
-        "/ (A1 + A2) [N m],\n  e their edge, A1, A2 their areas%s.\n  A triangle whose "
-        "three vertices are held does not bend and counts as no area: at a clamp\n  k is D "
-        "|e|^2 / A, twice as much%s. With the plain k\n  a clamp is too soft, by an error "
-        "of first order in the cell; with this one of second.\n",
-        flat ? " (`hinge u`, `hinge v`, `hinge diagonal`)" : "",
-        flat ? " (`hinge u held`, `hinge v held`)" : "");
+    output_print(out, "- bending by the angle between two triangles, k theta^2 / 2%s.\n",
+                 flat ? ": k [N m] of edges along u, along\n  v and along diagonals "
+                        "(`hinge u`, `hinge v`, "
+                        "`hinge diagonal`). They are right for these\n  triangles, whose "
+                        "diagonals alternate, "
+                        "and not the usual D |e|^2 / (A1 + A2), with which this\n  net is "
+                        "up to a third too "
+                        "stiff or too soft. At a clamp, where the three vertices of a "
+                        "triangle are\n  held, k "
+                        "is that of `hinge u held`, `hinge v held`"
+                      : ": none are told, those known are for "
+                        "flat sheets");
+    tell_long_cells(j, out);
     if (*j->misfit.text)
         output_print(out, "\nSprings are no plane stress: %s.\n", j->misfit.text);
     output_print(out, "\n");

@@ -1,7 +1,7 @@
 // Jolt Physics (WebAssembly, positions in single precision): its soft body is XPBD, a step split
 // into `iterations` substeps. Its compliance is 1/k [m/N] of the exported springs; with bend=yes
-// every pair of triangles is a dihedral of 1/k [1/(N m)], k = D |e|^2 / (A1 + A2), the pairs
-// about the held edge with those outside the sheet among them, with A2 = 0: a clamp.
+// every pair of triangles is a dihedral of 1/k [1/(N m)], k of the exported hinges, the pairs
+// about the held edge with those outside the sheet among them: a clamp.
 // Mass damping is its mLinearDamping [1/s]; vertices are balls of radius h/2 against a ball.
 import initJolt from 'jolt-physics';
 import { drive, versionOf } from '../lib.mjs';

@@ -3,7 +3,7 @@
 // material=own     what it comes with (30 Hz); E maps to nothing
 // material=matched f = sqrt(k/m)/(2 pi) of each spring, 1/m = 1/m1 + 1/m2. Hinges can but share a
 //                  frequency: that by which the sum of their stiffnesses is the sum of the
-//                  k = D |e|^2 / (A1 + A2), of free triangles. The damping ratio, which may not be
+//                  k of the exported hinges, of free triangles. The damping ratio, which may not be
 //                  nought, is RATIO.
 // Mass damping is its linear damping [1/s]. Against a ball the triangles are a surface of particles
 // of radius h/2; friction of a pair is the mean of both.

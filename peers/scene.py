@@ -134,7 +134,7 @@ class Scene:
         along = [p == q for p, q in zip(self.uv[a], self.uv[b])]  # whether u, v stay
         kind = "v" if along[0] else "u" if along[1] else "diagonal"
         clamped = any({a, b, corner} <= self.held for corner in (c, d))
-        return (self.bends[kind] * (1 + clamped),
+        return (self.bends[kind + " held" * clamped],
                 sum(g * g / self.mass[v] for v, g in slopes if v not in self.held))
 
 

@@ -126,12 +126,13 @@ def handed_over():
              for line in (drop.folder / "plain.txt").read_text().splitlines()}
     check("vertices, held ones and those outside", len(plain["x"]) == 3 * 30 and
           plain["count"] == [25] and len(plain["held"]) == 10)
-    # Along y between rows of cells, and along x of the clamp: D e / (height + height) / 2 on each.
+    # Square cells: 4/3 D on each edge, 24 D / (9 + 3^(1/2)) over a clamp (models/net/hinge_rule.h).
+    clamp = 24 / (9 + 3 ** .5)
     stiffness = {round(k / drop.D, 9) for k in plain["hinges"][4::6]}
-    check("hinges bend with D", stiffness == {1.0, 2.0})
+    check("hinges bend with D", stiffness == {round(4 / 3, 9), round(clamp, 9)})
     row = [h for h in zip(*[iter(plain["hinges"])] * 6) if drop.held >= set(map(int, h[:2]))]
-    check("a clamp's are doubled", len(row) == 4 and
-          all(abs(h[4] / drop.D - 2) < 1e-9 for h in row))
+    check("a clamp's are its own", len(row) == 4 and
+          all(abs(h[4] / drop.D - clamp) < 1e-9 for h in row))
     check("a ball", ball.ball == [[0.5, 0.5, -0.3505885, 0.3, 0.3]] and ball.damping == 2)
     check("at rest or not", rest.at_rest and not drop.at_rest and rest.damping == 20)
     for name, words in (("ground", "one ball"), ("moving_edge", "no paths"),

@@ -19,6 +19,7 @@
 #include "models/mechanics/pencil.h"
 #include "models/mechanics/supports.h"
 #include "models/room.h"
+#include "models/vector.h"
 #include "shell_ref/shell_space.h"
 
 /* The mass of the shell's explicit steps.
@@ -253,7 +254,7 @@ static enum status press(struct shell_motion *m)
 /* Returns the components that a clamp holds of the row beside an edge, whose nodes begin at
  * `first` and come every `way`, `step` from those of the edge: all but the one along the
  * sheet across the edge, in which the sheet may stretch. All where that is no coordinate
- * axis, or where the clamp turns it. */
+ * axis, or where the clamp turns it: these get frames (release). */
 static int held_beside(const struct shell_motion *m, const struct scene_support *s,
                        int first, int way, int count, int step)
 {
@@ -309,6 +310,7 @@ static enum status clamp_edges(struct shell_motion *m, struct message *why)
     if (!supports)
         return STATUS_MEMORY;
     held->supports = supports;
+    m->slopes = scene->support_count;
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &held->supports[n];
         if (s->lo[2] > 0.5 || s->hi[2] < 0.5)
@@ -349,6 +351,55 @@ static void carry(struct shell_motion *m)
     }
 }
 
+/* Returns whether two nodes lie the same way from a, or opposite ways. */
+static bool in_line(const struct shell_motion *m, int a, int b, int c)
+{
+    const double ALONG = 1e-9; /* round-off of a direction */
+    const double *x = m->space->rest;
+    double to_b[3], to_c[3], across[3];
+
+    vector_between(x + 3 * a, x + 3 * b, to_b);
+    vector_between(x + 3 * a, x + 3 * c, to_c);
+    vector_cross(to_b, to_c, across);
+    return vector_length(across) <= ALONG * vector_length(to_b) * vector_length(to_c);
+}
+
+/* Finds, for nodes beside clamped edges, the edge's node that the way from it is free of:
+ * beside[nodes]; -1: none, as beside two edges that meet. */
+static void find_ways(const struct shell_motion *m, const double (*uvw)[3], int *beside)
+{
+    enum { NONE = -1, TWO = -2 };
+    const int rows = bspline_points(&m->space->basis[1]), nodes = m->space->nodes;
+
+    for (int a = 0; a < nodes; a++)
+        beside[a] = NONE;
+    for (int n = m->slopes; n < m->held_scene.support_count; n++) {
+        const struct scene_support *s = &m->held_scene.supports[n];
+        const int d = s->lo[0] < s->hi[0], step = d ? 1 : rows,
+                  count = bspline_part(&m->space->basis[d], 0).n;
+        for (int a = 0; a < nodes; a++) {
+            const int edge = (d ? a % rows : a / rows % count) == 1 ? a - step : a + step;
+            if (beside[a] != TWO && supports_covers(s, uvw[a]))
+                beside[a] =
+                    beside[a] == NONE || in_line(m, a, beside[a], edge) ? edge : TWO;
+        }
+    }
+}
+
+/* Lets the sheet stretch across clamped edges whose row beside them is held in all. */
+static enum status release(struct shell_motion *m, const double (*uvw)[3])
+{
+    int *beside = malloc((size_t)m->space->nodes * sizeof *beside);
+    enum status st = STATUS_MEMORY;
+
+    if (beside) {
+        find_ways(m, uvw, beside);
+        st = supports_release(&m->supports, m->slopes, beside, m->space->rest);
+    }
+    free(beside);
+    return st;
+}
+
 static enum status hold(struct shell_motion *m, struct message *why)
 {
     int nodes = m->space->nodes, rows = bspline_points(&m->space->basis[1]);
@@ -365,14 +416,15 @@ static enum status hold(struct shell_motion *m, struct message *why)
     TRY(clamp_edges(m, why));
     TRY(supports_init(&m->supports, m->scene, nodes, uvw, m->space->rest, why));
     carry(m);
+    TRY(release(m, (const double(*)[3])uvw));
 out:
     free(uvw);
     return st;
 }
 
 /* Finds the parity under linear kinematics of a flat sheet whose normal is a coordinate
- * axis: bending and stretching do not couple; m->parity is 1 for components along the
- * normal, NULL elsewhere. */
+ * axis and that has no frames: bending and stretching do not couple; m->parity is 1 for
+ * components along the normal, NULL elsewhere. */
 static enum status find_parity(struct shell_motion *m)
 {
     const struct scene *s = m->scene;
@@ -382,7 +434,7 @@ static enum status find_parity(struct shell_motion *m)
     for (int i = 0; i < 3 && s->shape == SCENE_FLAT && s->sheets < 2; i++)
         if (s->axis_u[i] == 0 && s->axis_v[i] == 0)
             normal = i;
-    if (normal < 0)
+    if (normal < 0 || m->supports.frame_count)
         return STATUS_OK;
     m->parity = malloc((size_t)count);
     for (int t = 0; m->parity && t < count; t++)
@@ -677,7 +729,7 @@ static enum status rest_linear(struct shell_motion *m, struct counters *counters
     memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
     supports_shift(&m->supports, m->scene, m->time, m->held);
     for (int h = 0; h < m->supports.held_count; h++)
-        n->d[m->supports.held[h]] = m->held[h];
+        supports_set(&m->supports, h, n->d, m->held[h]);
     TRY(system_factor(&m->system, 1, K, 0, NULL));
     counters->factorisations++;
     for (int pass = 0; pass < 2; pass++) {
@@ -740,6 +792,7 @@ static enum status shell_motion_modes(void *state, int count, double *omega,
     if (m->large.rested)
         return large_rest_modes(&m->large, count, omega, why);
     enum status st = make_stiffness(m, &K);
+    supports_turn_back(&m->supports);
     if (st == STATUS_OK)
         st = pencil_modes(
             &(struct pencil){&m->assembly.graph, (const double(*)[9])K, m->assembly.M},

@@ -21,7 +21,7 @@
  * the sheet has there at rest: it may stretch into the sheet. (Where all of the second row
  * is held the strain at the clamp is none: a strip that is pulled was 2 % of its strain too
  * short on 10 points.) Where that direction is no coordinate axis, or turns with the clamp,
- * all is held. An edge that a scene fixes in xyz over a stretch of the thickness
+ * the row's nodes have frames of their own (supports_frame). An edge that a scene fixes in xyz over a stretch of the thickness
  * is clamped that way; an edge of which only some components or only the line w = 1/2 is
  * held is a hinge, its first row alone. A corner is a point: it holds one control point and
  * no slope (a slope held at one point has no limit under refinement). An area holds all
@@ -36,6 +36,7 @@ struct shell_motion {
     enum kinematics kinematics;
     struct scene held_scene; /* the scene with clamped edges two rows wide; its supports
                                                                                owned   */
+    int slopes; /* the first of these that holds a direction, not an edge             */
     struct shell_assembly assembly;
     struct supports supports;
     struct system system;

@@ -233,7 +233,8 @@ bool contact_system_tangent(const struct contact *c, const double *x,
 }
 
 void contact_system_land(struct contact *c, const struct blocks *graph, const double *M,
-                         const int *held, const double *x, double *v, double *work)
+                         const struct supports *held, const double *x, double *v,
+                         double *work)
 {
     const size_t count = 3 * (size_t)graph->nodes;
     double *change = work, *y = work + count, along = 0, square = 0;
@@ -241,8 +242,7 @@ void contact_system_land(struct contact *c, const struct blocks *graph, const do
     if (!c->count)
         return;
     contact_landing(c, x, v, change);
-    for (size_t k = 0; k < count; k++)
-        change[k] = held[k] < 0 ? 0 : change[k];
+    supports_zero(held, change);
     blocks_multiply_mass(graph, M, change, y);
     for (size_t k = 0; k < count; k++)
         along -= y[k] * v[k], square += y[k] * change[k];

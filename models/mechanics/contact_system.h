@@ -4,6 +4,7 @@
 
 #include "models/contact/contact.h"
 #include "models/linalg/blocks.h"
+#include "models/mechanics/supports.h"
 
 /* Adds the stiffness of the touches of the last contact_find to K[pairs]: of the pressure
  * along the normals and of friction across them; with x NULL without the normals' turning,
@@ -22,6 +23,6 @@ bool contact_system_tangent(const struct contact *c, const double *x,
 /* Changes v[nodes][3] by contact_landing, and the contact's force with it, as far as that
  * takes kinetic energy from the mass M. work[6 nodes]. */
 void contact_system_land(struct contact *c, const struct blocks *graph, const double *M,
-                         const int *held, const double *x, double *v, double *work);
+                         const struct supports *held, const double *x, double *v, double *work);
 
 #endif

@@ -34,7 +34,9 @@ static void scaled(const struct operator* o,
 {
     for (size_t t = 0; t < count_of(o); t++)
         o->work[t] = o->scale[t] * x[t];
+    supports_from_frames(o->supports, o->work);
     product(o->body->self, o->work, y);
+    supports_to_frames(o->supports, y);
     for (size_t t = 0; t < count_of(o); t++)
         y[t] *= o->scale[t];
 }

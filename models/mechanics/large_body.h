@@ -92,7 +92,7 @@ struct large_motion {
                              less this, below 2 M; NULL: M itself               [kg]    */
     const double *rest;   /* [nodes][3]                                          [m]     */
     const double *load;   /* [nodes][3]                                          [N]     */
-    const struct supports *supports;
+    struct supports *supports;
     struct system *system;
     struct newmark *newmark; /* v and the mean acceleration a of the last step         */
     double (*K)[9];          /* [pairs] room for tangents                      [N/m]   */

@@ -37,6 +37,8 @@ struct large_leapfrog {
                         an edge is free                                                 [J]   */
     double stored;   /* elastic energy, and the loads' potential, at x    [J]   */
     double *inverse; /* [nodes][3] row sums: 1/mass, 0 of held unknowns         */
+    int *fixed; /* [nodes][3] with contact: negative where it moves nothing: held unknowns,
+                   and all of nodes with frames                                       */
     double *a;       /* [nodes][3] acceleration at x, 0 of held unknowns        */
     double *x_start, *v_start; /* [nodes][3] where the frame began                      */
     double *before;            /* [nodes][3] with contact                                 */
@@ -85,6 +87,10 @@ static void make_mass(struct large_leapfrog *l)
     for (size_t t = 0; t < count_of(l); t++) {
         double mass = m->M[m->graph->start[t / 3]];
         l->inverse[t] = m->supports->free_index[t] < 0 ? 0 : 1 / mass;
+        if (l->fixed)
+            l->fixed[t] = m->supports->frame_count && m->supports->framed[t / 3] >= 0
+                              ? -1
+                              : m->supports->free_index[t];
     }
 }
 
@@ -126,6 +132,7 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
         ROOM(l->image, m->beyond ? count : 0),
         ROOM(l->krylov, m->beyond ? krylov_cg_work((int)count) : 0),
         ROOM(l->before, meets ? count : 0), ROOM(l->compliance, meets ? count / 3 : 0),
+        ROOM(l->fixed, meets ? count : 0),
         ROOM(l->blow, m->pressure ? count : 0), ROOM(l->pull, held), ROOM(l->shift, held)));
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
@@ -138,12 +145,22 @@ out:
     return st;
 }
 
-/* Adds to a = D^-1 F, D the row sums, what the mass lacks of them: D^-1 beyond a. */
+/* Computes D^-1 F of the free unknowns in place of F, D the row sums. */
+static void divide(const struct large_leapfrog *l, double *F)
+{
+    supports_to_frames(l->m->supports, F);
+    for (size_t t = 0; t < count_of(l); t++)
+        F[t] *= l->inverse[t];
+    supports_from_frames(l->m->supports, F);
+}
+
+/* Adds to a = D^-1 F what the mass lacks of D: D^-1 beyond a. */
 static void add_beyond(const struct large_leapfrog *l, double *a)
 {
     blocks_multiply_mass(l->m->graph, l->m->beyond, a, l->image);
+    divide(l, l->image);
     for (size_t t = 0; t < count_of(l); t++)
-        a[t] += l->inverse[t] * l->image[t];
+        a[t] += l->image[t];
 }
 
 /* Computes the velocity v of a momentum. */
@@ -151,8 +168,8 @@ static void velocity_of(void *self, const double *momentum, double *v)
 {
     const struct large_leapfrog *l = self;
 
-    for (size_t t = 0; t < count_of(l); t++)
-        v[t] = l->inverse[t] * momentum[t];
+    memcpy(v, momentum, count_of(l) * sizeof *v);
+    divide(l, v);
     add_beyond(l, v);
 }
 
@@ -161,8 +178,11 @@ static enum status heavy(void *self, const double *v, double *momentum)
 {
     const struct large_leapfrog *l = self;
 
+    memcpy(momentum, v, count_of(l) * sizeof *v);
+    supports_to_frames(l->m->supports, momentum);
     for (size_t t = 0; t < count_of(l); t++)
-        momentum[t] = l->inverse[t] > 0 ? v[t] / l->inverse[t] : 0;
+        momentum[t] = l->inverse[t] > 0 ? momentum[t] / l->inverse[t] : 0;
+    supports_from_frames(l->m->supports, momentum);
     return STATUS_OK;
 }
 
@@ -187,8 +207,9 @@ static double kinetic(const struct large_leapfrog *l, double tolerance)
     } else {
         blocks_multiply_mass(m->graph, m->M, v, y);
     }
+    supports_zero(m->supports, y);
     for (size_t t = 0; t < count_of(l); t++)
-        sum += m->supports->free_index[t] < 0 ? 0 : v[t] * y[t] / 2;
+        sum += v[t] * y[t] / 2;
     return sum;
 }
 
@@ -211,10 +232,12 @@ static enum status accelerate(struct large_leapfrog *l, struct counters *counter
     if (rate > 0)
         TRY(large_body_strain(&m->body, m->x, m->strain_old));
     for (int h = 0; m->supports->moving && h < m->supports->held_count; h++)
-        l->pull[h] = a[m->supports->held[h]] - m->load[m->supports->held[h]];
+        l->pull[h] =
+            supports_get(m->supports, h, a) - supports_get(m->supports, h, m->load);
     counters->assemblies++;
     for (size_t t = 0; t < count_of(l); t++)
-        a[t] = l->inverse[t] * (m->load[t] - a[t]);
+        a[t] = m->load[t] - a[t];
+    divide(l, a);
     if (m->beyond)
         add_beyond(l, a);
 out:
@@ -264,14 +287,18 @@ out:
 static void move_supports(struct large_leapfrog *l, double t, double dt)
 {
     struct large_motion *m = l->m;
-    struct newmark_held held = newmark_follow(m->supports, m->scene, t, dt, m->held);
+    struct supports *s = m->supports;
+    double *v = m->newmark->v;
 
-    for (int h = 0; h < m->supports->held_count; h++) {
-        int u = m->supports->held[h];
-        double from = m->x[u] - dt * m->newmark->v[u]; /* before the drift */
-        m->x[u] = m->rest[u] + held.d[h];
-        m->newmark->v[u] = held.v[h];
-        l->shift[h] = m->x[u] - from;
+    supports_turn(s, m->scene, t, m->x);
+    struct newmark_held held = newmark_follow(s, m->scene, t, dt, m->held);
+    for (int h = 0; h < s->held_count; h++) {
+        const double x = supports_get(s, h, m->rest) + held.d[h];
+        const double from = supports_get(s, h, m->x) -
+                            dt * supports_get(s, h, v); /* before the drift */
+        supports_set(s, h, m->x, x);
+        supports_set(s, h, v, held.v[h]);
+        l->shift[h] = x - from;
     }
 }
 
@@ -297,9 +324,9 @@ static enum status meet(struct large_leapfrog *l, double t, double dt)
         l->compliance[a] = dt * dt / share / m->M[m->graph->start[a]];
     contact_begin(m->contact, t, dt, l->before);
     enum status st =
-        contact_project(m->contact, l->compliance, m->supports->free_index, m->x);
+        contact_project(m->contact, l->compliance, l->fixed, m->x);
     for (size_t k = 0; m->contact->count && k < count_of(l); k++)
-        if (m->supports->free_index[k] >= 0)
+        if (l->fixed[k] >= 0)
             m->newmark->v[k] = (m->x[k] - l->before[k]) / dt;
     for (int i = 0; i < 3; i++)
         m->push[i] += m->contact->force[i] / l->substeps;
@@ -309,10 +336,15 @@ static enum status meet(struct large_leapfrog *l, double t, double dt)
 /* Computes v <- keep v + push a where nothing is held. */
 static void kick(struct large_leapfrog *l, double keep, double push)
 {
+    const struct supports *s = l->m->supports;
     double *v = l->m->newmark->v;
 
+    supports_to_frames(s, v);
+    supports_to_frames(s, l->a);
     for (size_t t = 0; t < count_of(l); t++)
         v[t] = l->inverse[t] > 0 ? keep * v[t] + push * l->a[t] : v[t];
+    supports_from_frames(s, v);
+    supports_from_frames(s, l->a);
 }
 
 /* Runs a frame from time t. */

@@ -60,16 +60,19 @@ static void move_supports(struct large_motion *m, double t, double dt, double ma
                           const double *x_old, double *hat)
 {
     struct newmark *n = m->newmark;
-    struct newmark_held held = newmark_follow(m->supports, m->scene, t + dt, dt, m->held);
+    struct supports *s = m->supports;
 
-    for (int h = 0; h < m->supports->held_count; h++) {
-        int u = m->supports->held[h];
-        m->x[u] = m->rest[u] + held.d[h];
-        double rate = (m->x[u] - x_old[u]) / dt;
-        hat[u] = m->x[u] - ((held.v[h] - n->v[u]) / dt + n->alpha * rate) / mass;
+    supports_turn(s, m->scene, t + dt, x_old);
+    struct newmark_held held = newmark_follow(s, m->scene, t + dt, dt, m->held);
+    for (int h = 0; h < s->held_count; h++) {
+        const double x = supports_get(s, h, m->rest) + held.d[h];
+        const double rate = (x - supports_get(s, h, x_old)) / dt;
+        const double kick = (held.v[h] - supports_get(s, h, n->v)) / dt;
+        supports_set(s, h, m->x, x);
+        supports_set(s, h, hat, x - (kick + n->alpha * rate) / mass);
     }
-    if (m->supports->moving)
-        supports_carry(m->supports, x_old, m->x);
+    if (s->moving)
+        supports_carry(s, x_old, m->x);
 }
 
 /* Computes new velocities; a keeps the step's mean acceleration for the next predictor. */
@@ -85,7 +88,7 @@ static void finish(struct large_motion *m, double dt, const double *x_old)
         n->v[t] = v;
     }
     for (int h = 0; h < m->supports->held_count; h++)
-        n->v[m->supports->held[h]] = v_held[h];
+        supports_set(m->supports, h, n->v, v_held[h]);
 }
 
 /* Ends a substep that may touch, and adds its share of the step's force. */
@@ -93,7 +96,7 @@ static enum status end_contact(struct large_motion *m, double dt)
 {
     enum status st = contact_find(m->contact, m->x);
 
-    contact_system_land(m->contact, m->graph, m->M, m->supports->free_index, m->x,
+    contact_system_land(m->contact, m->graph, m->M, m->supports, m->x,
                         m->newmark->v, m->newmark->work);
     for (int i = 0; i < 3; i++)
         m->push[i] += dt / m->newmark->dt * m->contact->force[i];

@@ -194,14 +194,13 @@ static void shorten(const struct large_motion *m, struct iteration *i)
         i->d[t] *= share;
 }
 
-/* Returns the work of r on d, both [nodes][3], at the free unknowns. */
+/* Returns the work of r on d, both [nodes][3]; d is zero at the held unknowns. */
 static double work_of(const struct large_motion *m, const double *r, const double *d)
 {
-    const int *place = m->supports->free_index;
     double sum = 0;
 
     for (size_t t = 0; t < count_of(m); t++)
-        sum += place[t] < 0 ? 0 : r[t] * d[t];
+        sum += r[t] * d[t];
     return sum;
 }
 

@@ -73,12 +73,9 @@ static enum status unbalanced(struct large_motion *m, double *share)
         contact_force(m->contact, f);
         left = sliding(m->contact);
     }
-    for (int t = 0; t < 3 * m->graph->nodes; t++) {
-        if (m->supports->free_index[t] >= 0)
-            continue;
-        borne += fabs(f[t]);
-        f[t] = 0;
-    }
+    for (int h = 0; h < m->supports->held_count; h++)
+        borne += fabs(supports_get(m->supports, h, f));
+    supports_zero(m->supports, f);
     for (int a = 0; a < m->graph->nodes; a++) {
         left += vector_length(f + 3 * (size_t)a);
         borne += vector_length(load + 3 * (size_t)a);
@@ -178,24 +175,26 @@ static void begin(struct large_motion *m)
 
     memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
     memcpy(m->x, m->rest, count * sizeof *m->x);
+    memcpy(m->room, m->rest, count * sizeof *m->x);
+    supports_turn_back(m->supports);
     m->started = m->rested = false;
     m->factored = -1;
     m->halvings = 0;
 }
 
-/* Places held unknowns for this part of the stage. */
+/* Places held unknowns for this part of the stage; m->room has the last shape. */
 static void place(struct large_motion *m, enum stage stage, double part)
 {
     double t = stage == MOVING ? part * m->scene->end : 0;
     double scale = stage == LOADING ? part : 1;
+    struct supports *s = m->supports;
 
-    supports_shift(m->supports, m->scene, t, m->held);
-    for (int h = 0; h < m->supports->held_count; h++) {
-        int u = m->supports->held[h];
-        m->x[u] = m->rest[u] + scale * m->held[h];
-    }
-    if (m->supports->moving)
-        supports_carry(m->supports, m->room, m->x);
+    supports_turn(s, m->scene, t, m->room);
+    supports_shift(s, m->scene, t, m->held);
+    for (int h = 0; h < s->held_count; h++)
+        supports_set(s, h, m->x, supports_get(s, h, m->rest) + scale * m->held[h]);
+    if (s->moving)
+        supports_carry(s, m->room, m->x);
 }
 
 /* Finds the shape at `part`, guessed `ahead` times as far beyond the last two shapes as

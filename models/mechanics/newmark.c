@@ -63,12 +63,13 @@ static void subtract_held(struct newmark *n, struct system *s, const double (*K)
 
     memset(x, 0, count * sizeof *x);
     for (int h = 0; h < s->held->held_count; h++)
-        x[s->held->held[h]] = held->a[h] + n->alpha * held->v[h] + n->gamma * held->d[h];
+        supports_set(s->held, h, x,
+                     held->a[h] + n->alpha * held->v[h] + n->gamma * held->d[h]);
     blocks_multiply_mass(s->graph, M, x, y);
     for (size_t t = 0; t < count; t++)
         rhs[t] -= y[t];
     for (int h = 0; h < s->held->held_count; h++)
-        x[s->held->held[h]] = held->d[h] + n->beta * held->v[h];
+        supports_set(s->held, h, x, held->d[h] + n->beta * held->v[h]);
     blocks_multiply(s->graph, K, x, y);
     for (size_t t = 0; t < count; t++)
         rhs[t] -= y[t];
@@ -79,19 +80,18 @@ enum status newmark_begin(struct newmark *n, struct system *s, const double (*K)
                           const struct newmark_held *held, struct counters *counters)
 {
     enum status st;
-    const int *unknown = s->held->held;
     int held_count = held ? s->held->held_count : 0;
     size_t count = 3 * (size_t)s->graph->nodes;
     double *x = n->work, *y = n->work + count;
 
     for (int h = 0; h < held_count; h++) {
-        n->d[unknown[h]] = held->d[h];
-        n->v[unknown[h]] = held->v[h];
+        supports_set(s->held, h, n->d, held->d[h]);
+        supports_set(s->held, h, n->v, held->v[h]);
     }
     for (size_t t = 0; t < count; t++)
         x[t] = n->alpha * n->v[t];
     for (int h = 0; h < held_count; h++)
-        x[unknown[h]] += held->a[h];
+        supports_set(s->held, h, x, supports_get(s->held, h, x) + held->a[h]);
     blocks_multiply_mass(s->graph, M, x, y);
     for (size_t t = 0; t < count; t++) {
         n->a[t] = load[t] - y[t];
@@ -103,7 +103,7 @@ enum status newmark_begin(struct newmark *n, struct system *s, const double (*K)
     TRY(system_factor(s, 0, K, 1, M));
     TRY(system_solve(s, n->a));
     for (int h = 0; h < held_count; h++)
-        n->a[unknown[h]] = held->a[h];
+        supports_set(s->held, h, n->a, held->a[h]);
     TRY(system_factor(s, newmark_k(n), K, newmark_m(n), M));
     counters->factorisations += 2;
     counters->solves++;
@@ -114,7 +114,6 @@ out:
 void newmark_predict(struct newmark *n, struct system *s, const double (*K)[9],
                      const double *M, const double *load, const struct newmark_held *held)
 {
-    const int *place = s->held->free_index;
     size_t count = 3 * (size_t)s->graph->nodes;
     double dt = n->dt, c = dt * dt / 4, k = newmark_k(n), m = newmark_m(n);
     double *w = n->work, *z = n->work + count;
@@ -122,8 +121,9 @@ void newmark_predict(struct newmark *n, struct system *s, const double (*K)[9],
     for (size_t t = 0; t < count; t++) {
         double p = n->d[t] + dt * n->v[t] + c * n->a[t];
         double q = n->v[t] + dt / 2 * n->a[t];
-        w[t] = place[t] < 0 ? 0 : m * ((p + n->beta * q) / k) - n->alpha * q - n->gamma * p;
+        w[t] = m * ((p + n->beta * q) / k) - n->alpha * q - n->gamma * p;
     }
+    supports_zero(s->held, w);
     blocks_multiply_mass(s->graph, M, w, z);
     for (size_t t = 0; t < count; t++)
         w[t] = z[t] + load[t];
@@ -134,22 +134,20 @@ void newmark_predict(struct newmark *n, struct system *s, const double (*K)[9],
 void newmark_correct(struct newmark *n, const struct system *s, const double *w,
                      const struct newmark_held *held)
 {
-    const int *place = s->held->free_index;
     size_t count = 3 * (size_t)s->graph->nodes;
     double dt = n->dt, c = dt * dt / 4, k = newmark_k(n);
 
     for (size_t t = 0; t < count; t++) {
         double p = n->d[t] + dt * n->v[t] + c * n->a[t];
         double q = n->v[t] + dt / 2 * n->a[t];
-        if (place[t] < 0)
-            continue;
         n->a[t] = w[t] - (p + n->beta * q) / k;
         n->d[t] = p + c * n->a[t];
         n->v[t] = q + dt / 2 * n->a[t];
     }
-    for (int h = 0; held && h < s->held->held_count; h++) {
-        int t = s->held->held[h];
-        n->d[t] = held->d[h], n->v[t] = held->v[h], n->a[t] = held->a[h];
+    for (int h = 0; h < s->held->held_count; h++) {
+        supports_set(s->held, h, n->d, held ? held->d[h] : 0);
+        supports_set(s->held, h, n->v, held ? held->v[h] : 0);
+        supports_set(s->held, h, n->a, held ? held->a[h] : 0);
     }
 }
 

@@ -37,7 +37,7 @@ enum supports_columns supports_columns(const struct scene *scene)
     return kind;
 }
 
-static bool holds(const struct scene_support *s, const double uvw[3])
+bool supports_covers(const struct scene_support *s, const double uvw[3])
 {
     return inside(uvw[0], s->lo[0], s->hi[0]) && inside(uvw[1], s->lo[1], s->hi[1]) &&
            (uvw[2] == SUPPORTS_DIFFERENCE ? !middle_only(s)
@@ -53,15 +53,15 @@ enum status supports_hinge(const struct scene *scene, int layers, const double (
     for (int n = 0; n < scene->support_count; n++) {
         int count = 0;
         for (int k = 0; k < layers; k++)
-            count += holds(&scene->supports[n], uvw[k]);
+            count += supports_covers(&scene->supports[n], uvw[k]);
         if (middle_only(&scene->supports[n]) && count < 2 &&
-            holds(&scene->supports[n], (const double[3]){uvw[0][0], uvw[0][1], 0.5}))
+            supports_covers(&scene->supports[n], (const double[3]){uvw[0][0], uvw[0][1], 0.5}))
             hinge = n;
     }
     *hinged = hinge >= 0;
     for (int n = 0; *hinged && n < scene->support_count; n++)
         if (!full_thickness(&scene->supports[n]) && !middle_only(&scene->supports[n]) &&
-            holds(&scene->supports[n], uvw[middle]))
+            supports_covers(&scene->supports[n], uvw[middle]))
             return status_fail(why, STATUS_UNSUPPORTED,
                                "support %d holds a part of the thickness that support %d "
                                "holds the middle of; use more layers",
@@ -80,8 +80,8 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
         int count = 0;
         bool layered = false; /* nodes above and below */
         for (int a = 0; a < nodes; a++) {
-            layered |= middle_only(s) && holds(s, (double[]){uvw[a][0], uvw[a][1], 0.5});
-            if (!holds(s, uvw[a]))
+            layered |= middle_only(s) && supports_covers(s, (double[]){uvw[a][0], uvw[a][1], 0.5});
+            if (!supports_covers(s, uvw[a]))
                 continue;
             if (uvw[a][2] < 0 && !full_thickness(s) && !middle_only(s))
                 return status_fail(why, STATUS_UNSUPPORTED,
@@ -159,6 +159,182 @@ enum status supports_allow_rest(const struct supports *s, const struct scene *sc
     return STATUS_OK;
 }
 
+/* --- frames ------------------------------------------------------------------------------
+ */
+
+/* Fills the rows of a frame: along the way, which has the length 1, and across it; one of
+ * these is a coordinate axis where that lies across the way. */
+static void make_axes(const double along[3], double axes[9])
+{
+    int least = 0;
+
+    for (int i = 1; i < 3; i++)
+        least = fabs(along[i]) < fabs(along[least]) ? i : least;
+    for (int i = 0; i < 3; i++) {
+        axes[i] = along[i];
+        axes[3 + i] = (i == least) - along[least] * along[i];
+    }
+    const double length = vector_length(axes + 3);
+    for (int i = 3; i < 6; i++)
+        axes[i] /= length;
+    vector_cross(axes, axes + 3, axes + 6);
+}
+
+static struct supports_frame make_frame(int node, int owner, int beside, const double *rest)
+{
+    struct supports_frame f = {.node = node, .owner = owner, .beside = beside};
+    double way[3];
+
+    memcpy(f.rest, rest + 3 * (size_t)node, sizeof f.rest);
+    vector_between(rest + 3 * (size_t)beside, f.rest, way);
+    f.length = vector_length(way);
+    for (int i = 0; i < 3; i++)
+        way[i] /= f.length;
+    make_axes(way, f.start);
+    memcpy(f.axes, f.start, sizeof f.axes);
+    return f;
+}
+
+/* Frees the first unknown of nodes with frames. */
+static void free_ways(struct supports *s)
+{
+    int count = 0;
+
+    for (int h = 0; h < s->held_count; h++) {
+        const int u = s->held[h];
+        if (u % 3 == 0 && s->framed[u / 3] >= 0) {
+            s->free_index[u] = 0;
+            continue;
+        }
+        s->held[count] = u, s->owner[count] = s->owner[h];
+        if (s->rest)
+            memcpy(s->rest[count], s->rest[h], sizeof *s->rest);
+        count++;
+    }
+    s->held_count = count;
+    s->free_count = 0;
+    for (int u = 0; u < 3 * s->nodes; u++)
+        if (s->free_index[u] >= 0)
+            s->free_index[u] = s->free_count++;
+}
+
+enum status supports_release(struct supports *s, int first, const int *beside,
+                             const double *rest)
+{
+    s->frame = malloc((size_t)s->nodes * sizeof *s->frame);
+    s->framed = malloc((size_t)s->nodes * sizeof *s->framed);
+    if (!s->frame || !s->framed)
+        return STATUS_MEMORY;
+    for (int a = 0; a < s->nodes; a++)
+        s->framed[a] = -1;
+    for (int h = 0; h + 2 < s->held_count; h++) {
+        const int u = s->held[h], a = u / 3, *owner = s->owner + h;
+        if (u % 3 || s->held[h + 2] != u + 2 || beside[a] < 0 || owner[0] < first ||
+            owner[1] != owner[0] || owner[2] != owner[0])
+            continue;
+        s->framed[a] = s->frame_count;
+        s->frame[s->frame_count++] = make_frame(a, owner[0], beside[a], rest);
+    }
+    free_ways(s);
+    return STATUS_OK;
+}
+
+static const struct supports_frame *frame_of(const struct supports *s, int node)
+{
+    return s->frame_count && s->framed[node] >= 0 ? &s->frame[s->framed[node]] : NULL;
+}
+
+/* Returns how long a frame's way is at x. */
+static double way_of(const struct supports_frame *f, const double *x)
+{
+    return vector_distance(x + 3 * (size_t)f->beside, x + 3 * (size_t)f->node);
+}
+
+void supports_turn(struct supports *s, const struct scene *scene, double t, const double *x)
+{
+    struct scene_placement place;
+
+    for (struct supports_frame *f = s->frame; f < s->frame + s->frame_count; f++) {
+        const struct scene_motion *motion = &scene->supports[f->owner].motion;
+        if (!motion->turn_count)
+            continue;
+        f->stretch = way_of(f, x) - f->length;
+        scene_motion_at(motion, t, &place);
+        for (int n = 0; n < 9; n += 3)
+            scene_placement_turn(&place, f->start + n, f->axes + n);
+    }
+}
+
+void supports_turn_back(struct supports *s)
+{
+    for (struct supports_frame *f = s->frame; f < s->frame + s->frame_count; f++) {
+        memcpy(f->axes, f->start, sizeof f->axes);
+        f->stretch = 0;
+    }
+}
+
+double supports_get(const struct supports *s, int h, const double *x)
+{
+    const int u = s->held[h];
+    const struct supports_frame *f = frame_of(s, u / 3);
+
+    return f ? vector_dot(f->axes + 3 * (u % 3), x + 3 * (u / 3)) : x[u];
+}
+
+void supports_set(const struct supports *s, int h, double *x, double value)
+{
+    const int u = s->held[h];
+    const struct supports_frame *f = frame_of(s, u / 3);
+
+    if (!f) {
+        x[u] = value;
+        return;
+    }
+    const double change = value - supports_get(s, h, x);
+    for (int i = 0; i < 3; i++)
+        x[3 * (u / 3) + i] += change * f->axes[3 * (u % 3) + i];
+}
+
+void supports_zero(const struct supports *s, double *x)
+{
+    for (int h = 0; h < s->held_count; h++)
+        supports_set(s, h, x, 0);
+}
+
+void supports_to_frames(const struct supports *s, double *x)
+{
+    for (const struct supports_frame *f = s->frame; f < s->frame + s->frame_count; f++) {
+        double *at = x + 3 * (size_t)f->node;
+        const double old[3] = {at[0], at[1], at[2]};
+        for (int i = 0; i < 3; i++)
+            at[i] = vector_dot(f->axes + 3 * i, old);
+    }
+}
+
+void supports_from_frames(const struct supports *s, double *x)
+{
+    for (const struct supports_frame *f = s->frame; f < s->frame + s->frame_count; f++) {
+        double *at = x + 3 * (size_t)f->node;
+        const double old[3] = {at[0], at[1], at[2]};
+        for (int i = 0; i < 3; i++)
+            at[i] = f->axes[i] * old[0] + f->axes[3 + i] * old[1] + f->axes[6 + i] * old[2];
+    }
+}
+
+void supports_turn_block(const struct supports *s, int a, int b, double block[9])
+{
+    const struct supports_frame *f = frame_of(s, a), *g = frame_of(s, b);
+    double half[9];
+
+    memcpy(half, block, sizeof half);
+    for (int n = 0; f && n < 9; n++)
+        half[n] = f->axes[n / 3 * 3] * block[n % 3] + f->axes[n / 3 * 3 + 1] * block[3 + n % 3] +
+                  f->axes[n / 3 * 3 + 2] * block[6 + n % 3];
+    memcpy(block, half, sizeof half);
+    for (int n = 0; g && n < 9; n++)
+        block[n] = vector_dot(half + n / 3 * 3, g->axes + n % 3 * 3);
+}
+
 void supports_initial_velocity(const struct supports *s, const struct scene *scene,
                                const double *rest, const double (*uvw)[3], double *v)
 {
@@ -172,21 +348,41 @@ void supports_initial_velocity(const struct supports *s, const struct scene *sce
         scene_initial_velocity(scene, rest + 3 * (size_t)a, v + 3 * (size_t)a);
         for (int i = 0; i < 3; i++) {
             const int u = 3 * a + i;
-            v[u] = s->free_index[u] < 0 ? 0 : difference ? v[u] - of_zero[i] : v[u];
+            v[u] = difference ? v[u] - of_zero[i] : v[u];
         }
     }
+    supports_zero(s, v);
 }
 
 void supports_clear(struct supports *s)
 {
     free(s->room);
+    free(s->frame);
+    free(s->framed);
     memset(s, 0, sizeof *s);
 }
 
 void supports_damp(const struct supports *s, double factor, double *v)
 {
-    for (int t = 0; factor != 1 && t < 3 * s->nodes; t++)
+    if (factor == 1)
+        return;
+    supports_to_frames(s, v);
+    for (int t = 0; t < 3 * s->nodes; t++)
         v[t] *= s->free_index[t] < 0 ? 1 : factor;
+    supports_from_frames(s, v);
+}
+
+/* Returns how far a frame's support takes its node along an axis. */
+static double shift_across(const struct supports_frame *f, const double *axis,
+                           const struct scene_placement *place)
+{
+    double X[3], x[3], way[3];
+
+    for (int i = 0; i < 3; i++)
+        X[i] = f->rest[i] + f->stretch * f->start[i];
+    scene_placement_point(place, X, x);
+    vector_between(f->rest, x, way);
+    return vector_dot(axis, way);
 }
 
 void supports_shift(const struct supports *s, const struct scene *scene, double t,
@@ -199,9 +395,14 @@ void supports_shift(const struct supports *s, const struct scene *scene, double 
         const bool difference = s->owner[n] < 0;
         const int owner = difference ? -1 - s->owner[n] : s->owner[n], i = s->held[n] % 3;
         const struct scene_motion *motion = &scene->supports[owner].motion;
+        const struct supports_frame *f = frame_of(s, s->held[n] / 3);
         if (owner != placed)
             scene_motion_at(motion, t, &place);
         placed = owner;
+        if (f) {
+            shift[n] = shift_across(f, f->axes + 3 * i, &place);
+            continue;
+        }
         shift[n] = difference ? 0 : place.shift[i];
         if (motion->turn_count)
             shift[n] += vector_dot(place.turn[i], s->rest[n]) - s->rest[n][i];
@@ -213,6 +414,13 @@ void supports_carry(const struct supports *s, const double *x_old, double *x)
     for (int u = 0; u < 3 * s->nodes; u++)
         if (s->carrier[u] >= 0)
             x[u] = x_old[u] + x[s->carrier[u]] - x_old[s->carrier[u]];
+    for (const struct supports_frame *f = s->frame; f < s->frame + s->frame_count; f++) {
+        double way[3];
+        vector_between(x + 3 * (size_t)f->beside, x + 3 * (size_t)f->node, way);
+        const double lacks = way_of(f, x_old) - vector_dot(f->axes, way);
+        for (int i = 0; i < 3; i++)
+            x[3 * f->node + i] += lacks * f->axes[i];
+    }
 }
 
 double supports_rest_time(const struct supports *s, const struct scene *scene)

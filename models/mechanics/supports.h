@@ -14,8 +14,24 @@
  * changes. */
 enum { SUPPORTS_MIDDLE = -1, SUPPORTS_DIFFERENCE = -2 };
 
+/* A node whose unknowns are not its components along x, y, z but those in a frame: beside a
+ * clamped edge the sheet's direction is held, but not how far it stretches that way (a skew
+ * support). */
+struct supports_frame {
+    int node, owner;  /* owner: the support n that it follows                             */
+    int beside;       /* the edge's node, whence the way goes that is free                */
+    double rest[3];   /* the node's place at rest                                   [m]   */
+    double length;    /* of the way at rest                                         [m]   */
+    double start[9];  /* rows at rest: along the way; two across it, which are held       */
+    double axes[9];   /* the same at present, turned as the support is                    */
+    double stretch;   /* what the way is longer by at present, where frames turn    [m]   */
+};
+
+/* Unknowns are 3 node + component: along x, y, z, or in the node's frame where it has one.
+ * Vectors [nodes][3] have components along x, y, z throughout: what is held of them is had
+ * by supports_get and supports_set. */
 struct supports {
-    int nodes, free_count, held_count;
+    int nodes, free_count, held_count, frame_count;
     void *room;      /* memory of the arrays                                   owned   */
     int *free_index; /* [3 nodes] place among the free unknowns, -1 if held            */
     int *held;       /* [held_count] unknown 3 node + component, ascending             */
@@ -24,6 +40,8 @@ struct supports {
                         of a free one, -1: none; all -1 unless set after init           */
     bool moving;     /* any of them moves                                              */
     double (*rest)[3]; /* [held_count] the node's rest [m] if any turns, else NULL     */
+    struct supports_frame *frame; /* [frame_count]                             owned   */
+    int *framed; /* [nodes] the node's frame, -1: none; NULL if frame_count == 0  owned  */
 };
 
 /* Finds the held unknowns. uvw[nodes][3] and rest[nodes][3] [m]: parameters of the nodes
@@ -34,6 +52,35 @@ struct supports {
 enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
                           double (*uvw)[3], const double *rest, struct message *why);
 void supports_clear(struct supports *s);
+
+/* Returns whether a support's region has a node of these parameters. */
+bool supports_covers(const struct scene_support *s, const double uvw[3]);
+
+/* Gives frames to nodes that support `first` or a later one holds in all components: the
+ * way from beside[node] (negative: none), of the same support, stays free. beside[nodes],
+ * rest[nodes][3]. STATUS_MEMORY. */
+enum status supports_release(struct supports *s, int first, const int *beside,
+                             const double *rest);
+
+/* Turns the frames to where their supports are at time t. x[nodes][3]: a shape of then or
+ * of a moment before, which tells how far the ways are stretched. */
+void supports_turn(struct supports *s, const struct scene *scene, double t,
+                   const double *x);
+
+/* Turns them back to rest. */
+void supports_turn_back(struct supports *s);
+
+/* Return and set the h-th held component of x[nodes][3]; set all to zero. */
+double supports_get(const struct supports *s, int h, const double *x);
+void supports_set(const struct supports *s, int h, double *x, double value);
+void supports_zero(const struct supports *s, double *x);
+
+/* Turn x[nodes][3] into the components that unknowns have, and back. */
+void supports_to_frames(const struct supports *s, double *x);
+void supports_from_frames(const struct supports *s, double *x);
+
+/* Turns the block of a matrix that couples nodes a (rows) and b. */
+void supports_turn_block(const struct supports *s, int a, int b, double block[9]);
 
 /* Refuses, with STATUS_INPUT or STATUS_UNSUPPORTED and a sentence, where a scene has no
  * static equilibrium that the model can find: nothing is held and there are no obstacles;
@@ -60,14 +107,17 @@ enum supports_columns supports_columns(const struct scene *scene);
 enum status supports_hinge(const struct scene *scene, int layers, const double (*uvw)[3],
                            int middle, bool *hinged, struct message *why);
 
-/* Moves the free unknowns that have a carrier as far from x_old as it moved. */
+/* Moves the free unknowns that have a carrier as far from x_old as it moved; nodes with
+ * frames go along with the edge, the way from it as long as in x_old. */
 void supports_carry(const struct supports *s, const double *x_old, double *x);
 
 /* Multiplies the velocities v[nodes][3] of what is not held; held unknowns have that of
  * their support. */
 void supports_damp(const struct supports *s, double factor, double *v);
 
-/* Computes the shift of each held unknown from rest at time t, shift[held_count] [m]. */
+/* Computes the shift of each held unknown from rest at time t, shift[held_count] [m]: in a
+ * frame that of the place as far along the way as supports_turn found, by the present axes.
+ */
 void supports_shift(const struct supports *s, const struct scene *scene, double t,
                     double *shift);
 

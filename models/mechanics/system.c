@@ -217,18 +217,29 @@ struct model_size system_size(const struct system *s, const char *unknown_basis)
                                .unknown_basis = unknown_basis};
 }
 
+/* Sums a block of k K + m M, n of node a's, as the unknowns have it. */
+static void sum_block(const struct supports *held, const struct blocks *g, int a, long n,
+                      double k, const double (*K)[9], double m, const double *M,
+                      double A[9])
+{
+    const double mass = M ? m * M[n] : 0;
+
+    for (int t = 0; t < 9; t++)
+        A[t] = k * K[n][t] + (t % 4 ? 0 : mass);
+    if (held->frame_count)
+        supports_turn_block(held, a, g->node[n], A);
+}
+
 /* Sums k K + m M into A, to iterate on. */
 static enum status update(struct system *s, bool keep, double k, const double (*K)[9],
                           double m, const double *M)
 {
-    long pairs = s->graph->start[s->graph->nodes];
+    const struct blocks *g = s->graph;
     double(*A)[9] = iterative_matrix(s->iterative);
 
-    for (long n = 0; n < pairs; n++) {
-        double mass = M ? m * M[n] : 0;
-        for (int t = 0; t < 9; t++)
-            A[n][t] = k * K[n][t] + (t % 4 ? 0 : mass);
-    }
+    for (int a = 0; a < g->nodes; a++)
+        for (long n = g->start[a]; n < g->start[a + 1]; n++)
+            sum_block(s->held, g, a, n, k, K, m, M, A[n]);
     return iterative_update(s->iterative, keep);
 }
 
@@ -270,22 +281,26 @@ enum status system_factor(struct system *s, double k, const double (*K)[9], doub
 {
     if (s->iterative)
         return update(s, false, k, K, m, M);
-    long pairs = s->graph->start[s->graph->nodes];
-    double *value = factor_values(s->factor);
+    const struct blocks *g = s->graph;
+    double *value = factor_values(s->factor), A[9];
 
     factor_clear_values(s->factor);
-    for (long n = 0; n < pairs; n++) {
-        const ptrdiff_t *slot = s->slot + 9 * n;
-        double mass = M ? m * M[n] : 0;
-        for (int t = 0; t < 9; t++)
-            value[slot[t]] = k * K[n][t] + (t % 4 ? 0 : mass);
-    }
+    for (int a = 0; a < g->nodes; a++)
+        for (long n = g->start[a]; n < g->start[a + 1]; n++) {
+            sum_block(s->held, g, a, n, k, K, m, M, A);
+            for (int t = 0; t < 9; t++)
+                value[s->slot[9 * n + t]] = A[t];
+        }
     return factor_refactor(s->factor);
 }
 
 enum status system_solve(struct system *s, double *x)
 {
-    return s->iterative ? iterative_solve(s->iterative, x) : solve_factored(s, x);
+    supports_to_frames(s->held, x);
+    const enum status st =
+        s->iterative ? iterative_solve(s->iterative, x) : solve_factored(s, x);
+    supports_from_frames(s->held, x);
+    return st;
 }
 
 enum status system_columns(const struct blocks *graph, const struct supports *held,
@@ -295,15 +310,19 @@ enum status system_columns(const struct blocks *graph, const struct supports *he
 {
     enum status st;
     struct pattern p = {NULL};
-    double *v = NULL;
+    double *v = NULL, A[9];
 
     TRY(pattern_init(&p, graph, held, parity));
     v = malloc(((size_t)p.start[held->free_count] + 1) * sizeof *v);
     if (!v)
         TRY(STATUS_MEMORY);
-    for (long t = 0; t < 9 * graph->start[graph->nodes]; t++)
-        if (p.entry[t] >= 0)
-            v[p.entry[t]] = k * K[t / 9][t % 9] + (t % 9 % 4 == 0 && M ? m * M[t / 9] : 0);
+    for (int a = 0; a < graph->nodes; a++)
+        for (long n = graph->start[a]; n < graph->start[a + 1]; n++) {
+            sum_block(held, graph, a, n, k, K, m, M, A);
+            for (int t = 0; t < 9; t++)
+                if (p.entry[9 * n + t] >= 0)
+                    v[p.entry[9 * n + t]] = A[t];
+        }
     *start = p.start, *row = p.row, *value = v;
     p.start = NULL, p.row = NULL;
 out:

@@ -13,7 +13,7 @@ struct spring_large_plan {
     const struct spring_load *load;
     const struct blocks *graph; /* couplings that elements reach, 2 rows at most       */
     const struct large_body *body;
-    const struct supports *supports;
+    struct supports *supports;
     const struct discretization *d; /* integrator, substeps, iterations, solver        */
     double *x;                      /* [nodes][3] present points                 [m]   */
 };

@@ -110,7 +110,7 @@ void large_body_follow(struct large_motion *m, double t)
 {
     if (!m->supports->moving)
         return;
-    supports_turn(m->supports, m->scene, t, m->x);
+    supports_turn(m->supports, m->scene, t, t, m->x);
     struct newmark_held held =
         newmark_follow(m->supports, m->scene, t, m->newmark->dt, m->held);
     for (int h = 0; h < m->supports->held_count; h++)

@@ -8,6 +8,7 @@
 #include "models/linalg/krylov.h"
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
+#include "models/vector.h"
 
 /* The chosen step, as a share of the greatest stable one about rest. */
 static const double CHOSEN = 0.95;
@@ -283,14 +284,30 @@ out:
     return st;
 }
 
-/* Moves held unknowns to time t. */
+/* Returns the kinetic energy of what is free of nodes with frames. */
+static double kinetic_along(const struct large_leapfrog *l)
+{
+    const struct large_motion *m = l->m;
+    const struct supports_frame *f = m->supports->frame;
+    double sum = 0;
+
+    for (int n = 0; n < m->supports->frame_count; n++) {
+        const double v = vector_dot(f[n].axes, m->newmark->v + 3 * (size_t)f[n].node);
+        sum += m->M[m->graph->start[f[n].node]] * v * v / 2;
+    }
+    return sum;
+}
+
+/* Moves held unknowns to time t. What frames gain as they turn is the supports' work. */
 static void move_supports(struct large_leapfrog *l, double t, double dt)
 {
     struct large_motion *m = l->m;
     struct supports *s = m->supports;
     double *v = m->newmark->v;
 
-    supports_turn(s, m->scene, t, m->x);
+    l->work -= kinetic_along(l);
+    supports_turn(s, m->scene, t, t, m->x);
+    l->work += kinetic_along(l);
     struct newmark_held held = newmark_follow(s, m->scene, t, dt, m->held);
     for (int h = 0; h < s->held_count; h++) {
         const double x = supports_get(s, h, m->rest) + held.d[h];

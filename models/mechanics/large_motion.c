@@ -62,7 +62,7 @@ static void move_supports(struct large_motion *m, double t, double dt, double ma
     struct newmark *n = m->newmark;
     struct supports *s = m->supports;
 
-    supports_turn(s, m->scene, t + dt, x_old);
+    supports_turn(s, m->scene, t, t + dt, x_old);
     struct newmark_held held = newmark_follow(s, m->scene, t + dt, dt, m->held);
     for (int h = 0; h < s->held_count; h++) {
         const double x = supports_get(s, h, m->rest) + held.d[h];

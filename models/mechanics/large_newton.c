@@ -57,13 +57,14 @@ static enum status residual(struct large_motion *m, const struct large_equation 
         contact_force(m->contact, r);
     }
     if (q->mass == 0)
-        return STATUS_OK;
+        return STATUS_OK; /* at rest: ways are their means */
     double *inertia = m->newmark->work;
     for (size_t t = 0; t < count; t++)
         work[t] = q->mass * (x[t] - q->hat[t]);
     blocks_multiply_mass(m->graph, m->M, work, inertia);
     for (size_t t = 0; t < count; t++)
         r[t] -= inertia[t];
+    supports_lean(m->supports, r);
     return STATUS_OK;
 }
 

@@ -189,7 +189,7 @@ static void place(struct large_motion *m, enum stage stage, double part)
     double scale = stage == LOADING ? part : 1;
     struct supports *s = m->supports;
 
-    supports_turn(s, m->scene, t, m->room);
+    supports_turn(s, m->scene, t, t, m->room);
     supports_shift(s, m->scene, t, m->held);
     for (int h = 0; h < s->held_count; h++)
         supports_set(s, h, m->x, supports_get(s, h, m->rest) + scale * m->held[h]);

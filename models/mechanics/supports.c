@@ -192,6 +192,7 @@ static struct supports_frame make_frame(int node, int owner, int beside, const d
         way[i] /= f.length;
     make_axes(way, f.start);
     memcpy(f.axes, f.start, sizeof f.axes);
+    memcpy(f.mean, f.start, sizeof f.mean);
     return f;
 }
 
@@ -250,7 +251,8 @@ static double way_of(const struct supports_frame *f, const double *x)
     return vector_distance(x + 3 * (size_t)f->beside, x + 3 * (size_t)f->node);
 }
 
-void supports_turn(struct supports *s, const struct scene *scene, double t, const double *x)
+void supports_turn(struct supports *s, const struct scene *scene, double from, double t,
+                   const double *x)
 {
     struct scene_placement place;
 
@@ -259,9 +261,13 @@ void supports_turn(struct supports *s, const struct scene *scene, double t, cons
         if (!motion->turn_count)
             continue;
         f->stretch = way_of(f, x) - f->length;
+        scene_motion_at(motion, from, &place);
+        scene_placement_turn(&place, f->start, f->mean);
         scene_motion_at(motion, t, &place);
         for (int n = 0; n < 9; n += 3)
             scene_placement_turn(&place, f->start + n, f->axes + n);
+        for (int i = 0; i < 3; i++)
+            f->mean[i] = (f->mean[i] + f->axes[i]) / 2;
     }
 }
 
@@ -269,6 +275,7 @@ void supports_turn_back(struct supports *s)
 {
     for (struct supports_frame *f = s->frame; f < s->frame + s->frame_count; f++) {
         memcpy(f->axes, f->start, sizeof f->axes);
+        memcpy(f->mean, f->start, sizeof f->mean);
         f->stretch = 0;
     }
 }
@@ -299,6 +306,16 @@ void supports_zero(const struct supports *s, double *x)
 {
     for (int h = 0; h < s->held_count; h++)
         supports_set(s, h, x, 0);
+}
+
+void supports_lean(const struct supports *s, double *f)
+{
+    for (const struct supports_frame *k = s->frame; k < s->frame + s->frame_count; k++) {
+        double *at = f + 3 * (size_t)k->node;
+        const double lacks = vector_dot(k->mean, at) - vector_dot(k->axes, at);
+        for (int i = 0; i < 3; i++)
+            at[i] += lacks * k->axes[i];
+    }
 }
 
 void supports_to_frames(const struct supports *s, double *x)

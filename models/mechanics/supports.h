@@ -24,6 +24,7 @@ struct supports_frame {
     double length;    /* of the way at rest                                         [m]   */
     double start[9];  /* rows at rest: along the way; two across it, which are held       */
     double axes[9];   /* the same at present, turned as the support is                    */
+    double mean[3];   /* of the way's directions now and when the step began              */
     double stretch;   /* what the way is longer by at present, where frames turn    [m]   */
 };
 
@@ -62,9 +63,10 @@ bool supports_covers(const struct scene_support *s, const double uvw[3]);
 enum status supports_release(struct supports *s, int first, const int *beside,
                              const double *rest);
 
-/* Turns the frames to where their supports are at time t. x[nodes][3]: a shape of then or
- * of a moment before, which tells how far the ways are stretched. */
-void supports_turn(struct supports *s, const struct scene *scene, double t,
+/* Turns the frames to where their supports are at time t, the end of a step that began at
+ * `from`, or t itself. x[nodes][3]: a shape of one of these times, or between, which tells
+ * how far the ways are stretched. */
+void supports_turn(struct supports *s, const struct scene *scene, double from, double t,
                    const double *x);
 
 /* Turns them back to rest. */
@@ -74,6 +76,11 @@ void supports_turn_back(struct supports *s);
 double supports_get(const struct supports *s, int h, const double *x);
 void supports_set(const struct supports *s, int h, double *x, double value);
 void supports_zero(const struct supports *s, double *x);
+
+/* Replaces the components of f[nodes][3] along ways by those along the ways' means over the
+ * step: across these do supports push, whose force then does no work as a way grows. (By
+ * the ways at the end a step would be of first order.) */
+void supports_lean(const struct supports *s, double *f);
 
 /* Turn x[nodes][3] into the components that unknowns have, and back. */
 void supports_to_frames(const struct supports *s, double *x);

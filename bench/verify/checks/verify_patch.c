@@ -124,6 +124,24 @@ static struct state turned_longer(struct verify_trial *t)
     return (struct state){{0, 0, -STRETCH}, {0, 1}};
 }
 
+/* The same between two clamps, where no edge lies along a coordinate axis. */
+static struct state skew(struct verify_trial *t)
+{
+    const double u[3] = {0.36, -0.8, 0.48}, v[3] = {0.48, 0.6, 0.64},
+                 way = LENGTH * (STRETCH - 1);
+    struct state s;
+
+    for (int i = 0; i < 3; i++)
+        s.u[i] = STRETCH * u[i], s.v[i] = v[i];
+    verify_trial_set(t,
+                     "pose={origin: [0,0,0], u: [%.17g,%.17g,%.17g], v: [%.17g,%.17g,"
+                     "%.17g]}; supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz, "
+                     "path: [[0,0,0,0],[1,%.17g,%.17g,%.17g]]}]",
+                     u[0], u[1], u[2], v[0], v[1], v[2], way * u[0], way * u[1],
+                     way * u[2]);
+    return s;
+}
+
 static const struct {
     const char *name;
     struct state (*set)(struct verify_trial *t);
@@ -133,7 +151,8 @@ static const struct {
               {"sheared by 1e-3, free", sheared},
               {"longer by half, both ends clamped", half_longer},
               {"turned by 90 degrees by its clamp", turned},
-              {"turned and pulled by 5 % by both clamps", turned_longer}};
+              {"turned and pulled by 5 % by both clamps", turned_longer},
+              {"askew, pulled by 5 % by both clamps", skew}};
 
 /* Sets the sheet; returns the error of places over its length. */
 static double measure(struct verify_trial *t, void *context)

@@ -21,11 +21,12 @@
  * the sheet has there at rest: it may stretch into the sheet. (Where all of the second row
  * is held the strain at the clamp is none: a strip that is pulled was 2 % of its strain too
  * short on 10 points.) Where that direction is no coordinate axis, or turns with the clamp,
- * the row's nodes have frames of their own (supports_frame). An edge that a scene fixes in xyz over a stretch of the thickness
- * is clamped that way; an edge of which only some components or only the line w = 1/2 is
- * held is a hinge, its first row alone. A corner is a point: it holds one control point and
- * no slope (a slope held at one point has no limit under refinement). An area holds all
- * that does not vanish on it (support_knots.h), and so its border's slopes as well.
+ * the row's nodes have frames of their own (supports_frame). An edge that a scene fixes in
+ * xyz over a stretch of the thickness is clamped that way; an edge of which only some
+ * components or only the line w = 1/2 is held is a hinge, its first row alone. A corner is
+ * a point: it holds one control point and no slope (a slope held at one point has no limit
+ * under refinement). An area holds all that does not vanish on it (support_knots.h), and so
+ * its border's slopes as well.
  *
  * Obstacles: samples of the mid-surface meet them (contact.h), in nonlinear kinematics.
  */

@@ -40,7 +40,7 @@ struct large_leapfrog {
     double *inverse; /* [nodes][3] row sums: 1/mass, 0 of held unknowns         */
     int *fixed; /* [nodes][3] with contact: negative where it moves nothing: held unknowns,
                    and all of nodes with frames                                       */
-    double *a;       /* [nodes][3] acceleration at x, 0 of held unknowns        */
+    double *a;  /* [nodes][3] acceleration at x, 0 of held unknowns        */
     double *x_start, *v_start; /* [nodes][3] where the frame began                      */
     double *before;            /* [nodes][3] with contact                                 */
     double *compliance;        /* [nodes] with contact: dt^2 / mass               [m/N]   */
@@ -133,8 +133,8 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
         ROOM(l->image, m->beyond ? count : 0),
         ROOM(l->krylov, m->beyond ? krylov_cg_work((int)count) : 0),
         ROOM(l->before, meets ? count : 0), ROOM(l->compliance, meets ? count / 3 : 0),
-        ROOM(l->fixed, meets ? count : 0),
-        ROOM(l->blow, m->pressure ? count : 0), ROOM(l->pull, held), ROOM(l->shift, held)));
+        ROOM(l->fixed, meets ? count : 0), ROOM(l->blow, m->pressure ? count : 0),
+        ROOM(l->pull, held), ROOM(l->shift, held)));
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
                            (struct large_foresight){0}, m->K));
@@ -311,8 +311,8 @@ static void move_supports(struct large_leapfrog *l, double t, double dt)
     struct newmark_held held = newmark_follow(s, m->scene, t, dt, m->held);
     for (int h = 0; h < s->held_count; h++) {
         const double x = supports_get(s, h, m->rest) + held.d[h];
-        const double from = supports_get(s, h, m->x) -
-                            dt * supports_get(s, h, v); /* before the drift */
+        const double from =
+            supports_get(s, h, m->x) - dt * supports_get(s, h, v); /* before the drift */
         supports_set(s, h, m->x, x);
         supports_set(s, h, v, held.v[h]);
         l->shift[h] = x - from;
@@ -340,8 +340,7 @@ static enum status meet(struct large_leapfrog *l, double t, double dt)
     for (int a = 0; a < m->graph->nodes; a++)
         l->compliance[a] = dt * dt / share / m->M[m->graph->start[a]];
     contact_begin(m->contact, t, dt, l->before);
-    enum status st =
-        contact_project(m->contact, l->compliance, l->fixed, m->x);
+    enum status st = contact_project(m->contact, l->compliance, l->fixed, m->x);
     for (size_t k = 0; m->contact->count && k < count_of(l); k++)
         if (l->fixed[k] >= 0)
             m->newmark->v[k] = (m->x[k] - l->before[k]) / dt;

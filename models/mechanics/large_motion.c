@@ -62,7 +62,7 @@ static void move_supports(struct large_motion *m, double t, double dt, double ma
     struct newmark *n = m->newmark;
     struct supports *s = m->supports;
 
-    supports_turn(s, m->scene, t, t + dt, x_old);
+    supports_turn(s, m->scene, t, t + dt, m->x);
     struct newmark_held held = newmark_follow(s, m->scene, t + dt, dt, m->held);
     for (int h = 0; h < s->held_count; h++) {
         const double x = supports_get(s, h, m->rest) + held.d[h];
@@ -75,17 +75,22 @@ static void move_supports(struct large_motion *m, double t, double dt, double ma
         supports_carry(s, x_old, m->x);
 }
 
-/* Computes new velocities; a keeps the step's mean acceleration for the next predictor. */
-static void finish(struct large_motion *m, double dt, const double *x_old)
+/* Computes new velocities; a keeps the step's mean acceleration for the next predictor.
+ * Those of supports that turn grow with the way that the sheet is stretched in them. */
+static void finish(struct large_motion *m, double t, double dt, const double *x_old)
 {
     struct newmark *n = m->newmark;
     size_t count = count_of(m);
-    double *v_held = m->held + m->supports->held_count;
+    const double *v_held = m->held + m->supports->held_count;
 
-    for (size_t t = 0; t < count; t++) {
-        double mean = (m->x[t] - x_old[t]) / dt, v = m->euler ? mean : 2 * mean - n->v[t];
-        n->a[t] = (v - n->v[t]) / dt;
-        n->v[t] = v;
+    if (m->supports->moving && m->supports->frame_count) {
+        supports_turn(m->supports, m->scene, t, t + dt, m->x);
+        v_held = newmark_follow(m->supports, m->scene, t + dt, dt, m->held).v;
+    }
+    for (size_t k = 0; k < count; k++) {
+        double mean = (m->x[k] - x_old[k]) / dt, v = m->euler ? mean : 2 * mean - n->v[k];
+        n->a[k] = (v - n->v[k]) / dt;
+        n->v[k] = v;
     }
     for (int h = 0; h < m->supports->held_count; h++)
         supports_set(m->supports, h, n->v, v_held[h]);
@@ -96,8 +101,8 @@ static enum status end_contact(struct large_motion *m, double dt)
 {
     enum status st = contact_find(m->contact, m->x);
 
-    contact_system_land(m->contact, m->graph, m->M, m->supports, m->x,
-                        m->newmark->v, m->newmark->work);
+    contact_system_land(m->contact, m->graph, m->M, m->supports, m->x, m->newmark->v,
+                        m->newmark->work);
     for (int i = 0; i < 3; i++)
         m->push[i] += dt / m->newmark->dt * m->contact->force[i];
     return st;
@@ -168,7 +173,7 @@ static enum status substep(struct large_motion *m, double t, double dt,
     }
     move_supports(m, t, dt, mass, x_old, hat);
     TRY(large_newton_solve(m, &equation, m->x, counters));
-    finish(m, dt, x_old);
+    finish(m, t, dt, x_old);
     if (m->contact)
         TRY(end_contact(m, dt));
     TRY(keep_strains(m, dt));

@@ -55,7 +55,8 @@ enum status supports_hinge(const struct scene *scene, int layers, const double (
         for (int k = 0; k < layers; k++)
             count += supports_covers(&scene->supports[n], uvw[k]);
         if (middle_only(&scene->supports[n]) && count < 2 &&
-            supports_covers(&scene->supports[n], (const double[3]){uvw[0][0], uvw[0][1], 0.5}))
+            supports_covers(&scene->supports[n],
+                            (const double[3]){uvw[0][0], uvw[0][1], 0.5}))
             hinge = n;
     }
     *hinged = hinge >= 0;
@@ -80,7 +81,8 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
         int count = 0;
         bool layered = false; /* nodes above and below */
         for (int a = 0; a < nodes; a++) {
-            layered |= middle_only(s) && supports_covers(s, (double[]){uvw[a][0], uvw[a][1], 0.5});
+            layered |=
+                middle_only(s) && supports_covers(s, (double[]){uvw[a][0], uvw[a][1], 0.5});
             if (!supports_covers(s, uvw[a]))
                 continue;
             if (uvw[a][2] < 0 && !full_thickness(s) && !middle_only(s))
@@ -219,22 +221,37 @@ static void free_ways(struct supports *s)
             s->free_index[u] = s->free_count++;
 }
 
+/* Tells whether the h-th held component is the first of three that one support holds, not
+ * before `first`. */
+static bool holds_all(const struct supports *s, int h, int first)
+{
+    const int *held = s->held + h, *owner = s->owner + h;
+
+    return h + 2 < s->held_count && held[0] % 3 == 0 && held[2] == held[0] + 2 &&
+           owner[0] >= first && owner[1] == owner[0] && owner[2] == owner[0];
+}
+
 enum status supports_release(struct supports *s, int first, const int *beside,
                              const double *rest)
 {
-    s->frame = malloc((size_t)s->nodes * sizeof *s->frame);
+    int count = 0;
+
+    for (int h = 0; h < s->held_count; h++)
+        count += holds_all(s, h, first) && beside[s->held[h] / 3] >= 0;
+    if (!count)
+        return STATUS_OK;
+    s->frame = malloc((size_t)count * sizeof *s->frame);
     s->framed = malloc((size_t)s->nodes * sizeof *s->framed);
     if (!s->frame || !s->framed)
         return STATUS_MEMORY;
     for (int a = 0; a < s->nodes; a++)
         s->framed[a] = -1;
-    for (int h = 0; h + 2 < s->held_count; h++) {
-        const int u = s->held[h], a = u / 3, *owner = s->owner + h;
-        if (u % 3 || s->held[h + 2] != u + 2 || beside[a] < 0 || owner[0] < first ||
-            owner[1] != owner[0] || owner[2] != owner[0])
+    for (int h = 0; h < s->held_count; h++) {
+        const int a = s->held[h] / 3;
+        if (!holds_all(s, h, first) || beside[a] < 0)
             continue;
         s->framed[a] = s->frame_count;
-        s->frame[s->frame_count++] = make_frame(a, owner[0], beside[a], rest);
+        s->frame[s->frame_count++] = make_frame(a, s->owner[h], beside[a], rest);
     }
     free_ways(s);
     return STATUS_OK;
@@ -345,7 +362,8 @@ void supports_turn_block(const struct supports *s, int a, int b, double block[9]
 
     memcpy(half, block, sizeof half);
     for (int n = 0; f && n < 9; n++)
-        half[n] = f->axes[n / 3 * 3] * block[n % 3] + f->axes[n / 3 * 3 + 1] * block[3 + n % 3] +
+        half[n] = f->axes[n / 3 * 3] * block[n % 3] +
+                  f->axes[n / 3 * 3 + 1] * block[3 + n % 3] +
                   f->axes[n / 3 * 3 + 2] * block[6 + n % 3];
     memcpy(block, half, sizeof half);
     for (int n = 0; g && n < 9; n++)

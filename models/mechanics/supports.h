@@ -18,14 +18,14 @@ enum { SUPPORTS_MIDDLE = -1, SUPPORTS_DIFFERENCE = -2 };
  * clamped edge the sheet's direction is held, but not how far it stretches that way (a skew
  * support). */
 struct supports_frame {
-    int node, owner;  /* owner: the support n that it follows                             */
-    int beside;       /* the edge's node, whence the way goes that is free                */
-    double rest[3];   /* the node's place at rest                                   [m]   */
-    double length;    /* of the way at rest                                         [m]   */
-    double start[9];  /* rows at rest: along the way; two across it, which are held       */
-    double axes[9];   /* the same at present, turned as the support is                    */
-    double mean[3];   /* of the way's directions now and when the step began              */
-    double stretch;   /* what the way is longer by at present, where frames turn    [m]   */
+    int node, owner; /* owner: the support n that it follows                             */
+    int beside;      /* the edge's node, whence the way goes that is free                */
+    double rest[3];  /* the node's place at rest                                   [m]   */
+    double length;   /* of the way at rest                                         [m]   */
+    double start[9]; /* rows at rest: along the way; two across it, which are held       */
+    double axes[9];  /* the same at present, turned as the support is                    */
+    double mean[3];  /* of the way's directions now and when the step began              */
+    double stretch;  /* what the way is longer by at present, where frames turn    [m]   */
 };
 
 /* Unknowns are 3 node + component: along x, y, z, or in the node's frame where it has one.

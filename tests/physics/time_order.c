@@ -19,7 +19,11 @@ enum { FRAMES = 12, EXTRA = 4 };
 #define ONCE         "discretization.substeps=1"
 #define HINGES       "discretization.bending=hinge"
 #define STIFF_DAMPED "damping={kind: rayleigh, alpha: 0, beta: 5e-3}"
-#define MEMBRANE(m)  "discretization.membrane=" #m
+#define TURNED                                                                             \
+    "supports=[{at: {u: 0}, fix: xyz, turn: {axis: [0, 1, 0], about: [0, 0, 0], angles: "  \
+    "[[-1, -900], [1, 900]]}}]",                                                           \
+        "motion={spin: [0, 15.707963267948966, 0]}"
+#define MEMBRANE(m) "discretization.membrane=" #m
 /* clang-format off */
 static const struct row {
     const char *name, *points;
@@ -31,6 +35,8 @@ static const struct row {
     {"iga_nonlinear", SOLID, 40, 2, false, {0}},
     {"shell_3", NET, 10, 2, false, {"discretization.viscosity=none"}},
     {"shell_3", NET, 10, 2, true, {0}},
+    {"shell_3", NET, 80, 2, false, {TURNED, "discretization.newton=full"}},
+    {"shell_3", NET, 40, 2, false, {TURNED, EXPLICIT}},
     {"iga_explicit_3", SOLID, 40, 2, false, {0}},
     {"hex_explicit", SOLID, 40, 2, false, {0}},
     {"shell_explicit_3", NET, 40, 2, false, {0}},

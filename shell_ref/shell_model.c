@@ -351,7 +351,7 @@ static void carry(struct shell_motion *m)
     }
 }
 
-/* Returns whether two nodes lie the same way from a, or opposite ways. */
+/* Returns whether nodes a, b and c lie on a straight line at rest. */
 static bool in_line(const struct shell_motion *m, int a, int b, int c)
 {
     const double ALONG = 1e-9; /* round-off of a direction */
@@ -364,8 +364,8 @@ static bool in_line(const struct shell_motion *m, int a, int b, int c)
     return vector_length(across) <= ALONG * vector_length(to_b) * vector_length(to_c);
 }
 
-/* Finds, for nodes beside clamped edges, the edge's node that the way from it is free of:
- * beside[nodes]; -1: none, as beside two edges that meet. */
+/* Finds, for each node beside a clamped edge, the edge's node next to it: beside[nodes];
+ * negative: none, or two, where edges meet that leave different ways free. */
 static void find_ways(const struct shell_motion *m, const double (*uvw)[3], int *beside)
 {
     enum { NONE = -1, TWO = -2 };

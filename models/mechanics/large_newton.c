@@ -57,7 +57,7 @@ static enum status residual(struct large_motion *m, const struct large_equation 
         contact_force(m->contact, r);
     }
     if (q->mass == 0)
-        return STATUS_OK; /* at rest: ways are their means */
+        return STATUS_OK;
     double *inertia = m->newmark->work;
     for (size_t t = 0; t < count; t++)
         work[t] = q->mass * (x[t] - q->hat[t]);

@@ -6,6 +6,7 @@
 #include "bench/harness/deadline.h"
 #include "bench/ui/progress.h"
 #include "models/clock.h"
+#include "models/contact/contact.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 
@@ -109,8 +110,19 @@ out:
     return st;
 }
 
+/* Returns what to try against a death. */
+static const char *cure(const struct motion *m)
+{
+    if (m->death != STATUS_DIVERGED)
+        return "";
+    return contact_wanted(m->scene)
+               ? "; try more points where it bends most (discretization.points), or explicit "
+                 "steps (discretization.integrator=leapfrog)"
+               : "; try half the step (time.step)";
+}
+
 enum status motion_tell_death(const struct motion *m, struct message *why)
 {
-    return status_fail(why, m->death, "%s on %s died at t = %.6g s: %s", m->model->name,
-                       m->scene->name, m->death_time, status_text(m->death));
+    return status_fail(why, m->death, "%s on %s died at t = %.6g s: %s%s", m->model->name,
+                       m->scene->name, m->death_time, status_text(m->death), cure(m));
 }

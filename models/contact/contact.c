@@ -33,10 +33,9 @@ static enum status make_room(struct contact *c, int weights)
     return STATUS_OK;
 }
 
-/* Empties the list and the totals. */
-static void clear_touches(struct contact *c)
+/* Empties the totals. */
+static void clear_totals(struct contact *c)
 {
-    c->count = c->weights = 0;
     c->energy = 0;
     c->least = INFINITY;
     memset(c->force, 0, sizeof c->force);
@@ -105,6 +104,39 @@ static enum status add_rim(void *context, const struct contact_rim_foot *foot)
     return STATUS_OK;
 }
 
+/* Appends the places that cut a change short, from the first on, and forgets those that
+ * have parted. */
+static enum status add_meetings(struct contact *c, int first)
+{
+    const struct contact_surface *s = &c->surface;
+    int kept = first;
+
+    for (int n = first; n < c->meetings; n++) {
+        const struct contact_meeting *m = &c->meeting[n];
+        struct contact_touch touch = {.sample = -1, .obstacle = -1, .first = c->weights};
+        double weight[4];
+        touch.D = contact_search_between(&c->search, m, weight, touch.normal);
+        if (touch.D >= c->self.start)
+            continue;
+        touch.area = INFINITY;
+        for (int k = 0; k < 4; k++) {
+            touch.count += s->used[m->sample[k]];
+            touch.area = fmin(touch.area, s->area[m->sample[k]]);
+        }
+        c->meeting[kept++] = *m;
+        const enum status st = make_room(c, touch.count);
+        if (st != STATUS_OK)
+            return st;
+        for (int k = 0; k < 4; k++) {
+            const size_t row = (size_t)m->sample[k] * s->width;
+            append(c, s->used[m->sample[k]], s->node + row, s->shape + row, weight[k]);
+        }
+        c->touch[c->count++] = touch;
+    }
+    c->meetings = kept;
+    return STATUS_OK;
+}
+
 /* Appends the touches of the sheet with itself at x[nodes][3]. Each of the two sides has
  * half of the law at samples of its own. STATUS_NAN, STATUS_MEMORY. */
 static enum status add_own(struct contact *c, const double *x)
@@ -126,6 +158,7 @@ static enum status add_own(struct contact *c, const double *x)
         TRY(add(c, touch, f->count, s->node + f->first, s->weight + f->first));
     }
     TRY(contact_rim_find(&c->rim, add_rim, c));
+    TRY(add_meetings(c, 0));
 out:
     return st;
 }
@@ -297,7 +330,7 @@ enum status contact_init(struct contact *c, const struct scene *scene,
     TRY(room_cut(&c->arrays, ROOM(c->pose, bodies), ROOM(c->pose_old, bodies),
                  ROOM(c->x_old, 3 * nodes), ROOM(c->area, nodes),
                  ROOM(c->spare, 4 * samples), ROOM(c->near, samples),
-                 ROOM(c->pressed, nodes)));
+                 ROOM(c->pressed, nodes), ROOM(c->meeting, samples)));
     for (int n = 0; n < s->count; n++)
         for (int k = n * s->width; k < n * s->width + s->used[n]; k++)
             c->area[s->node[k]] += s->shape[k] * s->area[n];
@@ -318,8 +351,8 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
 {
     const double end = isfinite(dt) ? t + dt : t;
 
-    c->dt = dt, c->rests = false;
-    c->finds = 0, c->error = 0;
+    c->dt = dt, c->rests = c->held = false;
+    c->error = 0;
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
     for (int o = 0; o < c->scene->obstacle_count; o++) {
         scene_motion_at(&c->scene->obstacles[o].motion, t, &c->pose_old[o]);
@@ -351,12 +384,14 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     t->push = t->area * contact_law_push(law, t->D, D_old, c->rests ? INFINITY : c->dt,
                                          &t->stiffness);
     t->stiffness *= t->area;
+    if (!c->held || t->bound == 0)
+        t->bound = t->push;
     if (mu == 0)
         return;
     const double size = vector_length(slip);
     const double share = contact_law_friction(law, size, c->dt);
-    const double stick = 2 * mu * t->push / (law->creep * c->dt);
-    t->drag = size > 0 ? mu * t->push * share / size : stick;
+    const double stick = 2 * mu * t->bound / (law->creep * c->dt);
+    t->drag = size > 0 ? mu * t->bound * share / size : stick;
     t->grip = stick * fmax(0, 1 - size / (law->creep * c->dt));
     for (int i = 0; i < 3; i++)
         t->rub[i] = -t->drag * slip[i];
@@ -371,14 +406,57 @@ static double body_distance(const struct contact *c, int obstacle, const double 
                               c->body.start + fmax(c->least, 0), normal);
 }
 
-enum status contact_find(struct contact *c, const double *x)
+/* Returns a touch's distance at x, along the normal that it had where it was found. */
+static double distance_now(const struct contact *c, const struct contact_touch *t,
+                           const double *x)
 {
-    enum status st = c->failed;
+    double way[3];
 
-    c->failed = STATUS_OK;
-    c->finds++;
-    clear_touches(c);
-    TRY(st);
+    way_of(c, t, x, way);
+    return t->D_flat + vector_dot(way, t->normal);
+}
+
+/* Notes where a touch that was found at x was when the step began. */
+static void look_back(const struct contact *c, struct contact_touch *t, const double *x)
+{
+    double way[3];
+
+    way_of(c, t, x, way);
+    const double along = vector_dot(way, t->normal);
+    t->D_old = distance_before(c, t, along);
+    t->D_flat = t->D - along;
+}
+
+/* The iterations after which touches are held, and while changes are cut short. Most steps
+ * need fewer; what still goes on then goes round in circles. */
+enum { HOLD = 4, HOLD_CUT = 12 };
+
+/* Tells whether a held touch is that of a sample with a body; *at: a body's touch before or
+ * at it, of touches that are ascending up to listed[0]. */
+static bool is_held(const struct contact *c, int sample, int obstacle, int *at)
+{
+    const struct contact_touch *t = c->touch;
+
+    while (*at < c->listed[0] && t[*at].obstacle >= 0 && t[*at].sample < sample)
+        ++*at;
+    for (int n = *at; n < c->listed[0] && t[n].obstacle >= 0 && t[n].sample == sample; n++)
+        if (t[n].obstacle == obstacle)
+            return true;
+    for (int n = c->listed[0]; n < c->count; n++)
+        if (t[n].sample == sample && t[n].obstacle == obstacle)
+            return true;
+    return false;
+}
+
+/* Lists the touches at x; adds those that are new to held ones. */
+static enum status list_touches(struct contact *c, const double *x)
+{
+    enum status st = STATUS_OK;
+    int at = 0;
+
+    if (!c->held)
+        c->count = c->weights = 0;
+    const int old = c->count;
     for (int n = 0; n < c->surface.count; n++) {
         double y[3], normal[3];
         contact_surface_at(&c->surface, n, x, y);
@@ -390,17 +468,45 @@ enum status contact_find(struct contact *c, const double *x)
                 D = distance_met(c, n, o, y, D, normal);
             if (D - c->body.start < c->least)
                 c->least = D - c->body.start;
-            if (D < c->body.start)
+            if (D < c->body.start && !(c->held && is_held(c, n, o, &at)))
                 TRY(add_body(c, n, o, D, normal));
         }
     }
-    TRY(add_own(c, x));
+    if (!c->held)
+        return add_own(c, x);
+    TRY(add_meetings(c, c->listed[1]));
+    c->listed[1] = c->meetings;
+    for (int n = old; n < c->count; n++)
+        look_back(c, &c->touch[n], x);
+out:
+    return st;
+}
+
+enum status contact_find(struct contact *c, const double *x)
+{
+    enum status st = c->failed;
+
+    c->failed = STATUS_OK;
+    clear_totals(c);
+    TRY(st);
+    for (int n = 0; c->held && n < c->count; n++)
+        c->touch[n].D = distance_now(c, &c->touch[n], x);
+    TRY(list_touches(c, x));
     for (int n = 0; n < c->count; n++) {
         press(c, &c->touch[n], x);
         add_total(c, &c->touch[n]);
     }
 out:
     return st;
+}
+
+void contact_hold(struct contact *c, const double *x, int iteration, bool whole)
+{
+    if (c->held || iteration < (whole ? HOLD : HOLD_CUT))
+        return;
+    for (struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
+        look_back(c, t, x);
+    c->held = true, c->listed[0] = c->count, c->listed[1] = c->meetings;
 }
 
 void contact_force(const struct contact *c, double *force)
@@ -462,11 +568,6 @@ void contact_report(const struct contact *c, struct model_contact *report)
  * change, and Newton's method, which knows its slope only, is not thrown back far. */
 static const double LEFT = 0.5;
 
-/* The calls of contact_find in a step after which no change turns a slip round: it ends
- * where there is none. What slips has no stiffness along its way, so that Newton's steps
- * may go from one way of slipping to the other for ever. */
-enum { CAREFUL = 9 };
-
 /* Returns a bound of the least distance on a way whose ends have these distances and
  * slopes: distances to convex bodies lie over their tangents. */
 static double lowest(const double distance[2], const double slope[2])
@@ -514,8 +615,9 @@ static double limit_sample(const struct contact *c, int sample, int obstacle,
     return share;
 }
 
-/* Returns the share of a change d that ends the slip of a touch instead of turning it
- * round. */
+/* Returns the share of a change d that ends the slip of a held touch instead of turning it
+ * round. What slips has no stiffness along its way, so that Newton's steps may go from one
+ * way of slipping to the other for ever. */
 static double limit_slip(const struct contact *c, const struct contact_touch *t,
                          const double *d)
 {
@@ -532,15 +634,36 @@ static double limit_slip(const struct contact *c, const struct contact_touch *t,
     return back > size * size ? size * size / back : 1;
 }
 
+/* Notes places that cut a change short, unless a sample presses there about as much. */
+static void note(struct contact *c, const struct contact_meeting *met)
+{
+    const double wall = c->self.start - c->self.range;
+    double weight[4], normal[3];
+
+    if (met->sample[0] < 0 || c->meetings == c->surface.count)
+        return;
+    const double most = 2 * contact_search_between(&c->search, met, weight, normal) - wall;
+    for (int n = 0; !met->edges && n < c->count; n++)
+        if (c->touch[n].obstacle < 0 && c->touch[n].sample == met->sample[0] &&
+            c->touch[n].D < most)
+            return;
+    for (int n = 0; n < c->meetings; n++)
+        if (!memcmp(c->meeting[n].sample, met->sample, sizeof met->sample) &&
+            c->meeting[n].edges == met->edges)
+            return;
+    c->meeting[c->meetings++] = *met;
+}
+
 /* Returns the share of a change that keeps the sheet from coming through itself; 0 with
  * c->failed. */
-static double limit_own(struct contact *c, const double *x, const double *d)
+static double limit_own(struct contact *c, const double *x, const double *d,
+                        struct contact_meeting *met)
 {
     double share = 1;
 
     if (c->scene->contact.self)
         c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
-                                         c->self.range, &share);
+                                         c->self.range, &share, met);
     return c->failed == STATUS_OK ? share : 0;
 }
 
@@ -555,9 +678,12 @@ double contact_limit(struct contact *c, const double *x, const double *d)
         for (int o = 0; o < c->scene->obstacle_count; o++)
             share = limit_sample(c, n, o, y, way, share);
     }
-    for (int n = 0; c->finds > CAREFUL && n < c->count; n++)
+    for (int n = 0; c->held && n < c->count; n++)
         share = fmin(share, limit_slip(c, &c->touch[n], d));
-    return fmin(share, limit_own(c, x, d));
+    struct contact_meeting met = {.sample = {-1}};
+    share = fmin(share, limit_own(c, x, d, &met));
+    note(c, &met);
+    return share;
 }
 
 void contact_lead(struct contact *c, double *x)
@@ -587,7 +713,7 @@ bool contact_shorten(struct contact *c, const double *x, double *d)
             for (int i = 0; i < 3; i++)
                 d[3 * (size_t)s->node[(size_t)n * s->width + k] + i] *= share;
     }
-    const double own = limit_own(c, x, d);
+    const double own = limit_own(c, x, d, NULL);
     for (int k = 0; own < 1 && k < 3 * s->nodes; k++)
         d[k] *= own;
     return any || own < 1;
@@ -652,16 +778,6 @@ static void yield_to(const struct contact *c, const struct contact_touch *t, dou
         }
 }
 
-/* Returns a touch's distance at x, along the normal that it had where it was found. */
-static double distance_now(const struct contact *c, const struct contact_touch *t,
-                           const double *x)
-{
-    double way[3];
-
-    way_of(c, t, x, way);
-    return t->D_flat + vector_dot(way, t->normal);
-}
-
 /* Tells whether a touch's push is less than the law has at x, by more than round-off. */
 static bool lacks(const struct contact *c, const struct contact_touch *t, const double *x)
 {
@@ -718,17 +834,6 @@ static void settle(struct contact *c, int first, const double *compliance, const
     for (struct contact_touch *t = from; t < end; t++)
         yield_to(c, t, 1, compliance, held, x);
     relieve(c, first, compliance, held, x);
-}
-
-/* Notes where a touch that was found at x was when the step began. */
-static void look_back(const struct contact *c, struct contact_touch *t, const double *x)
-{
-    double way[3];
-
-    way_of(c, t, x, way);
-    const double along = vector_dot(way, t->normal);
-    t->D_old = distance_before(c, t, along);
-    t->D_flat = t->D - along;
 }
 
 /* Tells whether a sample at y has come less far from where it was looked at than the bodies
@@ -821,7 +926,8 @@ out:
 enum status contact_project_bodies(struct contact *c, const double *compliance,
                                    const int *held, double *x)
 {
-    clear_touches(c);
+    clear_totals(c);
+    c->count = c->weights = 0;
     return project_bodies(c, compliance, held, x);
 }
 
@@ -830,7 +936,8 @@ enum status contact_project(struct contact *c, const double *compliance, const i
 {
     enum status st = STATUS_OK;
 
-    clear_touches(c);
+    clear_totals(c);
+    c->count = c->weights = 0;
     TRY(add_own(c, x));
     for (int n = 0; n < c->count; n++)
         look_back(c, &c->touch[n], x);

@@ -27,6 +27,7 @@ struct contact_touch {
     int first, count;     /* its nodes and weights in contact's lists                  */
     double D, normal[3];  /* distance [m]; the gradient of D by the sample's place     */
     double at[2];         /* u and v of the sheet's own place, where a sample meets it */
+    double bound;         /* the push that bounds friction                   [N]     */
     double D_old, D_flat; /* when the step began; D less its way along the normal  [m]   */
     double area;          /* [m^2]                                                     */
     double push, stiffness; /* area times pressure [N] and its slope [N/m]             */
@@ -41,12 +42,15 @@ struct contact {
     struct contact_law body, self;
     struct contact_search search; /* with contact.self                       owned     */
     struct contact_rim rim;       /* the same                                owned     */
+    int meetings;                 /* places that cut a change short and have no sample */
+    struct contact_meeting *meeting; /* [samples]                                    */
     enum status failed; /* of contact_limit: the next contact_find returns it          */
     void *arrays; /* memory of those that are not owned by themselves      owned     */
     struct scene_placement *pose, *pose_old; /* [obstacles]                          */
-    int finds;       /* calls of contact_find in the step                             */
     double error;    /* how far x may be from the solution, 0: not told           [m]    */
     double dt;       /* of the step; INFINITY: no rates                     [s]    */
+    bool held;       /* by contact_hold                                              */
+    int listed[2];   /* touches and meetings then                                    */
     bool rests;      /* the pressure has no rate, only friction                      */
     double *x_old;   /* [nodes][3] where it starts                                   */
     double *area;    /* [nodes] their shares of the samples'       [m^2]              */
@@ -91,12 +95,21 @@ void contact_begin_rest(struct contact *c, double t, double dt, const double *x_
  * STATUS_MEMORY. */
 enum status contact_find(struct contact *c, const double *x);
 
+/* Holds the touches that contact_find found at x, after so many iterations of Newton's
+ * method; whole: contact_limit did not cut the last change. Until the step ends, or `held`
+ * is false, each keeps its places, its normal and what bounds its friction, and new ones
+ * are added. What is left then has a solution and, but for the pressure's rate, a convex
+ * potential, while feet and normals of a folded net may jump, back and forth, between two
+ * states that are none. */
+void contact_hold(struct contact *c, const double *x, int iteration, bool whole);
+
 /* Adds the forces of the touches to force[nodes][3]. */
 void contact_force(const struct contact *c, double *force);
 
 /* Returns the largest share, at most 1, of a change d of x that leaves each sample half of
- * its distance to the wall, or half of the range where that is less; after some calls of
- * contact_find in a step, one that turns no slip round, too. */
+ * its distance to the wall, or half of the range where that is less. Places of the sheet
+ * that allow no more, and that no sample presses apart, as two edges, are touches from
+ * then on. */
 double contact_limit(struct contact *c, const double *x, const double *d);
 
 /* Shortens the way from the step's start to x[nodes][3], where a step is thought to end, by

@@ -545,6 +545,7 @@ struct change {
     const double *y, *d; /* [samples][3]                                             */
     double apart;        /* pairs nearer along the sheet are left out             [m] */
     double wall, range, share;
+    struct contact_meeting met; /* allows no more                                    */
 };
 
 /* The least part that is used up of a distance over the wall, or of the range above it:
@@ -567,15 +568,9 @@ static double beside_bends(const struct contact_surface *s)
     return s->width > 1 ? CELLS * hypot(most[0], most[1]) : 0;
 }
 
-/* Four samples: one and a triangle, or two edges. */
-struct meeting {
-    int sample[4];
-    bool edges;
-};
-
 /* Returns their distance after a share of the change, and whether they are so near along
  * the sheet that contact leaves them out. */
-static double distance_after(const struct change *c, const struct meeting *m, double share,
+static double distance_after(const struct change *c, const struct contact_meeting *m, double share,
                              bool *near)
 {
     double y[4][3], at[3];
@@ -608,7 +603,7 @@ static double distance_after(const struct change *c, const struct meeting *m, do
 }
 
 /* Returns how far points of both move relative to each other, at most. */
-static double motion_between(const struct change *c, const struct meeting *m)
+static double motion_between(const struct change *c, const struct contact_meeting *m)
 {
     const int split = m->edges ? 2 : 1;
     double most = 0;
@@ -624,7 +619,7 @@ static double motion_between(const struct change *c, const struct meeting *m)
 }
 
 /* Tells whether both have a sample in common. */
-static bool joined(const struct meeting *m)
+static bool joined(const struct contact_meeting *m)
 {
     const int split = m->edges ? 2 : 1;
 
@@ -637,7 +632,7 @@ static bool joined(const struct meeting *m)
 
 /* Cuts the share to one that is safe for two at a distance: a bound by their motion, from
  * where it leads to looked for again. */
-static void cut(struct change *c, const struct meeting *m, double distance)
+static void cut(struct change *c, const struct contact_meeting *m, double distance)
 {
     bool ignored;
     const double floor = distance > c->wall ? c->wall : 0, clear = distance - floor;
@@ -650,6 +645,7 @@ static void cut(struct change *c, const struct meeting *m, double distance)
             return;
         left = distance_after(c, m, at, &ignored) - floor - kept;
     }
+    c->met = *m;
     c->share = at;
     c->search.share = at / spent;
 }
@@ -664,7 +660,7 @@ static void cut_samples(struct change *c, int samples, int cell)
         contact_foot_corners(c->tree->surface, contact_tree_triangle(c->tree, cell) + k,
                              corner);
         for (int n = 0; n < count; n++) {
-            const struct meeting m = {
+            const struct contact_meeting m = {
                 .sample = {sample[n], corner[0], corner[1], corner[2]}};
             struct contact_face face = contact_foot_face(c->y, sample[n], corner);
             contact_face_nearest(&face);
@@ -687,7 +683,7 @@ static enum status cut_cells(struct contact_tree_search *search, int cell, int o
         cut_samples(c, other, cell);
     for (int k = 0; k < count; k++)
         for (int l = cell == other ? k + 1 : 0; l < others; l++) {
-            const struct meeting m = {
+            const struct contact_meeting m = {
                 {of_cell[k][0], of_cell[k][1], of_other[l][0], of_other[l][1]}, true};
             bool near;
             if (joined(&m))
@@ -702,7 +698,8 @@ static enum status cut_cells(struct contact_tree_search *search, int cell, int o
 /* Computes the share, 0 to 1, of the change d[samples][3] of y[samples][3]; wall >= 0 [m].
  * Fits the tree. STATUS_NAN. */
 static enum status safe_share(struct contact_tree *tree, const double *y, const double *d,
-                              double wall, double range, double *share)
+                              double wall, double range, double *share,
+                              struct contact_meeting *met)
 {
     struct change c = {{wall, 1 / spent, &c, cut_cells},
                        tree,
@@ -711,7 +708,8 @@ static enum status safe_share(struct contact_tree *tree, const double *y, const 
                        .apart = tree->apart + beside_bends(tree->surface),
                        .wall = wall,
                        .range = range,
-                       .share = 1};
+                       .share = 1,
+                       .met = {.sample = {-1}}};
     enum status st = STATUS_OK;
 
     for (long n = 0; n < 3L * tree->surface->count; n++)
@@ -720,12 +718,15 @@ static enum status safe_share(struct contact_tree *tree, const double *y, const 
     contact_tree_fit(tree, y, d);
     TRY(contact_tree_visit(tree, &c.search));
     *share = c.share;
+    if (met)
+        *met = c.met;
 out:
     return st;
 }
 
 enum status contact_search_limit(struct contact_search *s, const double *x, const double *d,
-                                 double wall, double range, double *share)
+                                 double wall, double range, double *share,
+                                 struct contact_meeting *met)
 {
     enum status st = STATUS_OK;
     double *own = NULL, way;
@@ -733,8 +734,35 @@ enum status contact_search_limit(struct contact_search *s, const double *x, cons
     TRY(place_samples(s, x, &way));
     if (!s->plain)
         TRY(room_cut((void **)&own, ROOM(own, 3 * (size_t)s->sheet.surface->count)));
-    st = safe_share(&s->tree, s->sheet.y, at_samples(s, d, own), wall, range, share);
+    st = safe_share(&s->tree, s->sheet.y, at_samples(s, d, own), wall, range, share, met);
 out:
     free(own);
     return st;
+}
+
+double contact_search_between(const struct contact_search *s,
+                              const struct contact_meeting *m, double weight[4],
+                              double normal[3])
+{
+    const double *p[4];
+    double at[3];
+
+    for (int k = 0; k < 4; k++)
+        p[k] = s->sheet.y + 3 * (long)m->sample[k];
+    if (m->edges) {
+        contact_foot_between(p, at);
+        weight[0] = 1 - at[0], weight[1] = at[0], weight[2] = at[1] - 1, weight[3] = -at[1];
+    } else {
+        contact_foot_nearest(p[0], p + 1, at);
+        weight[0] = 1, weight[1] = -at[0], weight[2] = -at[1], weight[3] = -at[2];
+    }
+    for (int i = 0; i < 3; i++) {
+        normal[i] = 0;
+        for (int k = 0; k < 4; k++)
+            normal[i] += weight[k] * p[k][i];
+    }
+    const double distance = vector_length(normal);
+    for (int i = 0; i < 3; i++)
+        normal[i] = distance > 0 ? normal[i] / distance : i == 2;
+    return distance;
 }

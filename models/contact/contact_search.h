@@ -18,6 +18,12 @@
 #include "models/contact/contact_foot.h"
 #include "models/contact/contact_tree.h"
 
+/* Two places of a sheet: a sample and the triangle of three others, or two edges. */
+struct contact_meeting {
+    int sample[4]; /* -1 first: none                                                   */
+    bool edges;
+};
+
 struct contact_search {
     int count;                 /* feet of the last search                                */
     struct contact_foot *foot; /* [count] ascending by sample; above before below        */
@@ -64,9 +70,16 @@ void contact_search_forget(struct contact_search *s);
 enum status contact_search_find_all(struct contact_search *s, const double *x);
 
 /* Computes the share, 0 to 1, of a change d[nodes][3] of x that a sheet can take without
- * coming through itself, with the wall >= 0 and the range [m] of the law. STATUS_NAN,
- * STATUS_MEMORY. */
+ * coming through itself, with the wall >= 0 and the range [m] of the law, and which places
+ * allow no more, where met is not NULL. STATUS_NAN, STATUS_MEMORY. */
 enum status contact_search_limit(struct contact_search *s, const double *x, const double *d,
-                                 double wall, double range, double *share);
+                                 double wall, double range, double *share,
+                                 struct contact_meeting *met);
+
+/* Returns the distance of two places where the last search looked [m], the unit normal from
+ * the second to the first, and the weights of their samples in the way between them. */
+double contact_search_between(const struct contact_search *s,
+                              const struct contact_meeting *m, double weight[4],
+                              double normal[3]);
 
 #endif

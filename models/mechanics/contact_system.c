@@ -149,15 +149,12 @@ static bool add_slip(const struct contact *c, const struct contact_touch *t,
  * is whole. */
 static const double CLOSE = 0.1;
 
-/* The calls of contact_find in a step whose error nobody tells after which friction has the
- * stiffness that ends the slip. */
-enum { CAREFUL = 9 };
-
-/* Tells whether x is near enough to the solution for friction's tangent. */
+/* Tells whether x is near enough to the solution for friction's tangent, or its touches are
+ * held, when friction is the gradient of a convex potential. */
 static bool is_close(const struct contact *c, double slip)
 {
-    return c->error > 0 ? c->error <= CLOSE * fmax(slip, c->body.creep * c->dt)
-                        : c->finds <= CAREFUL;
+    return c->held || c->error == 0 ||
+           c->error <= CLOSE * fmax(slip, c->body.creep * c->dt);
 }
 
 /* Computes the stiffness of a touch's relative motion; x NULL: without turning. */

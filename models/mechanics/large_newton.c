@@ -19,12 +19,9 @@ static const double FIRST_CHORD = 0.03;
  * all. (edge_drop, undamped, no viscosity, to 2 s, shell 16x16, p = 3: .96 of the
  * assemblies.) */
 static const double RINGING_CHORD = 0.8;
-/* The least share that is taken of steps under contact that go back and forth. */
-static const double SMALLEST_SHARE = 0.1;
-/* The change under contact, in ranges of the law, and the iterations after which it will
- * do. */
+/* The change under contact, in ranges of the law, that ends the iteration once the touches
+ * are held: they are no better known. */
 static const double LEEWAY = 1e-3;
-enum { LEEWAY_AFTER = 12 };
 /* The most halvings of a step that leads to a surface without normals or to NaN. */
 enum { HALVINGS = 6 };
 /* Steps in time that do not halve in so many iterations creep about a tangent without
@@ -136,10 +133,8 @@ struct iteration {
     double *d, size;  /* the last step, its largest move [m]                           */
     double *r, *next; /* right-hand side at x; the step from there                     */
     double *work;
-    double tolerance; /* [m]                                                           */
     double chord; /* the tangent is kept if the next step is so much shorter           */
     double gain;  /* ratio of steps at the last new tangent                            */
-    double share; /* of the last d that was taken where it overshot                    */
     bool whole;   /* contact did not cut d short                                       */
 };
 
@@ -168,29 +163,12 @@ out:
     return st;
 }
 
-/* Returns the share of d that makes good what the last step, i->next, overshot: along it, d
- * goes back by so much (Aitken). */
-static double relax(const struct large_motion *m, const struct iteration *i)
-{
-    double along = 0, square = 0;
-
-    for (size_t t = 0; t < count_of(m); t++) {
-        along += i->d[t] * i->next[t];
-        square += i->next[t] * i->next[t];
-    }
-    return square > 0 ? fmin(1, i->share / (1 - i->share * along / square)) : 1;
-}
-
-/* Cuts d short of what contact forbids, and where steps go back and forth. */
+/* Cuts d short of what contact forbids. */
 static void shorten(const struct large_motion *m, struct iteration *i)
 {
-    double share = m->contact ? contact_limit(m->contact, i->x, i->d) : 1;
+    const double share = m->contact ? contact_limit(m->contact, i->x, i->d) : 1;
 
     i->whole = share == 1;
-    i->share = touches(m) ? relax(m, i) : 1;
-    if (!(i->share > SMALLEST_SHARE))
-        i->share = SMALLEST_SHARE;
-    share = fmin(share, i->share);
     for (size_t t = 0; share < 1 && t < count_of(m); t++)
         i->d[t] *= share;
 }
@@ -317,20 +295,15 @@ static bool settled(const struct large_motion *m, double size, double before)
     return m->added == 0 || size <= shrink * before || size <= round_off * m->scene->length;
 }
 
-/* Returns the change at which the n-th iteration may end: a touch that comes and goes with
- * the last digits, at the end of what counts as contact, keeps it from any smaller. */
-static double leeway(const struct large_motion *m, const struct large_equation *q, int n)
-{
-    const bool exact = q->tolerance > 0;
-
-    return touches(m) && !exact && n >= LEEWAY_AFTER ? LEEWAY * m->contact->body.range : 0;
-}
-
+/* Returns the change that ends the iteration. */
 static double tolerance(const struct large_motion *m, const struct large_equation *q)
 {
     const double most = STEP_TOLERANCE * m->scene->length;
+    const bool held = m->contact && m->contact->held;
 
-    return q->tolerance > 0 ? fmin(most, q->tolerance) : most;
+    if (q->tolerance > 0)
+        return fmin(most, q->tolerance);
+    return held ? fmax(most, LEEWAY * m->contact->body.range) : most;
 }
 
 enum status large_newton_solve(struct large_motion *m, const struct large_equation *q,
@@ -346,11 +319,9 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
                           .r = room + count,
                           .next = room + 2 * count,
                           .work = room + 3 * count,
-                          .tolerance = tolerance(m, q),
                           .size = INFINITY,
                           .chord = q->chord,
-                          .gain = 1,
-                          .share = 1};
+                          .gain = 1};
 
     m->stressless = false;
     TRY(residual(m, q, x, i.r, i.work, false));
@@ -369,19 +340,21 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
     shorten(m, &i);
     for (int n = 0; n < q->limit; n++) {
         counters->iterations++;
+        if (m->contact)
+            contact_hold(m->contact, x, n, i.whole);
         if (i.size < best / 2)
             best = i.size, since = n;
         if (q->mass > 0 && !touches(m) && n - since > PATIENCE) {
             st = STATUS_DIVERGED;
             goto out;
         }
-        bool calm = i.size <= fmax(i.tolerance, leeway(m, q, n)) && i.whole &&
+        bool calm = i.size <= tolerance(m, q) && i.whole &&
                     settled(m, i.size, before);
         before = i.size;
         if (calm || n + 1 == q->enough) {
             for (size_t t = 0; t < count; t++)
                 x[t] += i.d[t];
-            return STATUS_OK;
+            goto out;
         }
         TRY(take_step(m, q, &i));
         TRY(next_step(m, q, &i, counters));
@@ -389,5 +362,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
     }
     st = STATUS_DIVERGED;
 out:
+    if (m->contact)
+        m->contact->held = false;
     return st;
 }

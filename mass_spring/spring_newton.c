@@ -221,7 +221,6 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
     const bool once = limits->iterations == 1;
     const int most = once || !limits->iterations ? MOST_ITERATIONS : limits->iterations;
     double before = 0, moved = INFINITY; /* since K was made */
-    bool cut = false;
     const double still = STILL * fmin(s->net->cell[0], s->net->cell[1]);
 
     if (!s->supports.free_count)
@@ -229,7 +228,7 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
     TRY(residual(s, p, x, d, r));
     for (int n = 0; n < most; n++) {
         if (p->contact)
-            contact_hold(p->contact, x, n, !cut);
+            contact_hold(p->contact, x, n, before);
         const bool touches = p->contact && p->contact->count;
         const bool make = touches || !(moved <= still);
         if (make) {
@@ -241,6 +240,7 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
                   n ? NEAR * limits->tolerance : 0, make, x, r, d, counters));
         counters->iterations++;
         double size = blocks_longest(s->net->nodes, d), part;
+        bool cut;
         if (!isfinite(size))
             TRY(STATUS_NAN);
         if (once ? !(p->contact && (touches || contact_limit(p->contact, x, d) < 1))

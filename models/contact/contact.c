@@ -427,9 +427,8 @@ static void look_back(const struct contact *c, struct contact_touch *t, const do
     t->D_flat = t->D - along;
 }
 
-/* The iterations after which touches are held, and while changes are cut short. Most steps
- * need fewer; what still goes on then goes round in circles. */
-enum { HOLD = 4, HOLD_CUT = 12 };
+/* The iterations after which touches are held, and while changes exceed the range. */
+enum { HOLD = 4, HOLD_FAR = 16 };
 
 /* Tells whether a held touch is that of a sample with a body; *at: a body's touch before or
  * at it, of touches that are ascending up to listed[0]. */
@@ -500,9 +499,9 @@ out:
     return st;
 }
 
-void contact_hold(struct contact *c, const double *x, int iteration, bool whole)
+void contact_hold(struct contact *c, const double *x, int iteration, double change)
 {
-    if (c->held || iteration < (whole ? HOLD : HOLD_CUT))
+    if (c->held || iteration < (change <= c->body.range ? HOLD : HOLD_FAR))
         return;
     for (struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
         look_back(c, t, x);

@@ -96,12 +96,12 @@ void contact_begin_rest(struct contact *c, double t, double dt, const double *x_
 enum status contact_find(struct contact *c, const double *x);
 
 /* Holds the touches that contact_find found at x, after so many iterations of Newton's
- * method; whole: contact_limit did not cut the last change. Until the step ends, or `held`
+ * method, of which the next would change x by so much [m]. Until the step ends, or `held`
  * is false, each keeps its places, its normal and what bounds its friction, and new ones
  * are added. What is left then has a solution and, but for the pressure's rate, a convex
  * potential, while feet and normals of a folded net may jump, back and forth, between two
  * states that are none. */
-void contact_hold(struct contact *c, const double *x, int iteration, bool whole);
+void contact_hold(struct contact *c, const double *x, int iteration, double change);
 
 /* Adds the forces of the touches to force[nodes][3]. */
 void contact_force(const struct contact *c, double *force);

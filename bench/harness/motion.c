@@ -115,10 +115,10 @@ static const char *cure(const struct motion *m)
 {
     if (m->death != STATUS_DIVERGED)
         return "";
-    return contact_wanted(m->scene)
-               ? "; try more points where it bends most (discretization.points), or explicit "
-                 "steps (discretization.integrator=leapfrog)"
-               : "; try half the step (time.step)";
+    return contact_wanted(m->scene) ? "; try more points where it bends most "
+                                      "(discretization.points), or explicit "
+                                      "steps (discretization.integrator=leapfrog)"
+                                    : "; try half the step (time.step)";
 }
 
 enum status motion_tell_death(const struct motion *m, struct message *why)

@@ -106,7 +106,7 @@ static enum status add_rim(void *context, const struct contact_rim_foot *foot)
 
 /* Appends the places that cut a change short, from the first on, and forgets those that
  * have parted. */
-static enum status add_meetings(struct contact *c, int first)
+static enum status add_meetings(struct contact *c, int first, const double *x)
 {
     const struct contact_surface *s = &c->surface;
     int kept = first;
@@ -115,7 +115,7 @@ static enum status add_meetings(struct contact *c, int first)
         const struct contact_meeting *m = &c->meeting[n];
         struct contact_touch touch = {.sample = -1, .obstacle = -1, .first = c->weights};
         double weight[4];
-        touch.D = contact_search_between(&c->search, m, weight, touch.normal);
+        touch.D = contact_search_between(&c->search, x, m, weight, touch.normal);
         if (touch.D >= c->self.start)
             continue;
         touch.area = INFINITY;
@@ -158,7 +158,7 @@ static enum status add_own(struct contact *c, const double *x)
         TRY(add(c, touch, f->count, s->node + f->first, s->weight + f->first));
     }
     TRY(contact_rim_find(&c->rim, add_rim, c));
-    TRY(add_meetings(c, 0));
+    TRY(add_meetings(c, 0, x));
 out:
     return st;
 }
@@ -473,7 +473,7 @@ static enum status list_touches(struct contact *c, const double *x)
     }
     if (!c->held)
         return add_own(c, x);
-    TRY(add_meetings(c, c->listed[1]));
+    TRY(add_meetings(c, c->listed[1], x));
     c->listed[1] = c->meetings;
     for (int n = old; n < c->count; n++)
         look_back(c, &c->touch[n], x);
@@ -634,14 +634,15 @@ static double limit_slip(const struct contact *c, const struct contact_touch *t,
 }
 
 /* Notes places that cut a change short, unless a sample presses there about as much. */
-static void note(struct contact *c, const struct contact_meeting *met)
+static void note(struct contact *c, const double *x, const struct contact_meeting *met)
 {
     const double wall = c->self.start - c->self.range;
     double weight[4], normal[3];
 
     if (met->sample[0] < 0 || c->meetings == c->surface.count)
         return;
-    const double most = 2 * contact_search_between(&c->search, met, weight, normal) - wall;
+    const double most =
+        2 * contact_search_between(&c->search, x, met, weight, normal) - wall;
     for (int n = 0; !met->edges && n < c->count; n++)
         if (c->touch[n].obstacle < 0 && c->touch[n].sample == met->sample[0] &&
             c->touch[n].D < most)
@@ -681,7 +682,7 @@ double contact_limit(struct contact *c, const double *x, const double *d)
         share = fmin(share, limit_slip(c, &c->touch[n], d));
     struct contact_meeting met = {.sample = {-1}};
     share = fmin(share, limit_own(c, x, d, &met));
-    note(c, &met);
+    note(c, x, &met);
     return share;
 }
 

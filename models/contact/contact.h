@@ -40,9 +40,9 @@ struct contact {
     const struct scene *scene; /*                                            borrowed  */
     struct contact_surface surface; /*                            owned     */
     struct contact_law body, self;
-    struct contact_search search; /* with contact.self                       owned     */
-    struct contact_rim rim;       /* the same                                owned     */
-    int meetings;                 /* places that cut a change short and have no sample */
+    struct contact_search search;    /* with contact.self                       owned     */
+    struct contact_rim rim;          /* the same                                owned     */
+    int meetings;                    /* places that cut a change short and have no sample */
     struct contact_meeting *meeting; /* [samples]                                    */
     enum status failed; /* of contact_limit: the next contact_find returns it          */
     void *arrays; /* memory of those that are not owned by themselves      owned     */

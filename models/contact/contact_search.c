@@ -570,8 +570,8 @@ static double beside_bends(const struct contact_surface *s)
 
 /* Returns their distance after a share of the change, and whether they are so near along
  * the sheet that contact leaves them out. */
-static double distance_after(const struct change *c, const struct contact_meeting *m, double share,
-                             bool *near)
+static double distance_after(const struct change *c, const struct contact_meeting *m,
+                             double share, bool *near)
 {
     double y[4][3], at[3];
     const double *p[4];
@@ -740,15 +740,15 @@ out:
     return st;
 }
 
-double contact_search_between(const struct contact_search *s,
+double contact_search_between(const struct contact_search *s, const double *x,
                               const struct contact_meeting *m, double weight[4],
                               double normal[3])
 {
-    const double *p[4];
-    double at[3];
+    double y[4][3], at[3];
+    const double *const p[4] = {y[0], y[1], y[2], y[3]};
 
     for (int k = 0; k < 4; k++)
-        p[k] = s->sheet.y + 3 * (long)m->sample[k];
+        contact_surface_at(s->sheet.surface, m->sample[k], x, y[k]);
     if (m->edges) {
         contact_foot_between(p, at);
         weight[0] = 1 - at[0], weight[1] = at[0], weight[2] = at[1] - 1, weight[3] = -at[1];
@@ -756,11 +756,9 @@ double contact_search_between(const struct contact_search *s,
         contact_foot_nearest(p[0], p + 1, at);
         weight[0] = 1, weight[1] = -at[0], weight[2] = -at[1], weight[3] = -at[2];
     }
-    for (int i = 0; i < 3; i++) {
-        normal[i] = 0;
-        for (int k = 0; k < 4; k++)
-            normal[i] += weight[k] * p[k][i];
-    }
+    for (int i = 0; i < 3; i++)
+        normal[i] = weight[0] * y[0][i] + weight[1] * y[1][i] + weight[2] * y[2][i] +
+                    weight[3] * y[3][i];
     const double distance = vector_length(normal);
     for (int i = 0; i < 3; i++)
         normal[i] = distance > 0 ? normal[i] / distance : i == 2;

@@ -76,9 +76,9 @@ enum status contact_search_limit(struct contact_search *s, const double *x, cons
                                  double wall, double range, double *share,
                                  struct contact_meeting *met);
 
-/* Returns the distance of two places where the last search looked [m], the unit normal from
- * the second to the first, and the weights of their samples in the way between them. */
-double contact_search_between(const struct contact_search *s,
+/* Returns the distance of two places at x[nodes][3] [m], with the unit normal from the
+ * second to the first, and the weights of their samples in the way between them. */
+double contact_search_between(const struct contact_search *s, const double *x,
                               const struct contact_meeting *m, double weight[4],
                               double normal[3]);
 

@@ -348,8 +348,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
             st = STATUS_DIVERGED;
             goto out;
         }
-        bool calm = i.size <= tolerance(m, q) && i.whole &&
-                    settled(m, i.size, before);
+        bool calm = i.size <= tolerance(m, q) && i.whole && settled(m, i.size, before);
         before = i.size;
         if (calm || n + 1 == q->enough) {
             for (size_t t = 0; t < count; t++)

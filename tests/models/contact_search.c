@@ -386,7 +386,8 @@ static void test_not_a_number(void)
     place[99][1] = NAN;
     CHECK(contact_search_find(&search, place[0]) == STATUS_NAN && search.count == 0);
     CHECK(contact_search_find_all(&search, place[0]) == STATUS_NAN);
-    CHECK(contact_search_limit(&search, place[0], place[0], 0, 1, &share, NULL) == STATUS_NAN);
+    CHECK(contact_search_limit(&search, place[0], place[0], 0, 1, &share, NULL) ==
+          STATUS_NAN);
     place[99][1] = old;
     REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
     CHECK(count > 300 && search.count == count);
@@ -476,8 +477,8 @@ static void test_limit(void)
                 for (int i = 0; i < 3; i++)
                     change[p][i] = size * (sin(5 * place[p][(i + 1) % 3] + i + 7 * round) +
                                            noise * random_about_0());
-            REQUIRE(contact_search_limit(&search, place[0], change[0], 0, 1, &share, NULL) ==
-                    STATUS_OK);
+            REQUIRE(contact_search_limit(&search, place[0], change[0], 0, 1, &share,
+                                         NULL) == STATUS_OK);
             for (int p = 0; p < n[0] * n[1]; p++)
                 for (int i = 0; i < 3; i++)
                     place[p][i] += share * change[p][i];
@@ -524,12 +525,13 @@ static void test_sheets_alone(void)
             CHECK_NEAR(a->strength, b->strength, far_rounding);
         }
         first += alone.count;
-        REQUIRE(contact_search_limit(&alone, at[0], change[k * COUNT], 0, 1, &share, NULL) ==
-                STATUS_OK);
+        REQUIRE(contact_search_limit(&alone, at[0], change[k * COUNT], 0, 1, &share,
+                                     NULL) == STATUS_OK);
         least = fmin(least, share);
     }
     CHECK(first == all.count && least < 1);
-    REQUIRE(contact_search_limit(&all, place[0], change[0], 0, 1, &share, NULL) == STATUS_OK);
+    REQUIRE(contact_search_limit(&all, place[0], change[0], 0, 1, &share, NULL) ==
+            STATUS_OK);
     CHECK(share == least);
     close_search(&surface, &all);
     close_search(&lone, &alone);

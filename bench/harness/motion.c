@@ -113,7 +113,7 @@ out:
 /* Returns what to try against a death. */
 static const char *cure(const struct motion *m)
 {
-    if (m->death != STATUS_DIVERGED)
+    if (m->death != STATUS_DIVERGED && m->death != STATUS_INVERTED)
         return "";
     return contact_wanted(m->scene) ? "; try more points where it bends most "
                                       "(discretization.points), or explicit "

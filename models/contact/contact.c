@@ -211,10 +211,11 @@ static double split(const double way[3], const double n[3], double slip[3])
     return along;
 }
 
-/* Returns the distance of a touch when the step began. A body's is measured: the way along
- * the normal would take a sheet that slides on a ball for one that leaves it. */
+/* Returns the distance of a touch when the step began. A body's is measured, with the
+ * normal there (NULL: unwanted): the way along the normal would take a sheet that slides on
+ * a ball for one that leaves it. */
 static double distance_before(const struct contact *c, const struct contact_touch *t,
-                              double along)
+                              double along, double normal[3])
 {
     double y[3];
 
@@ -222,7 +223,26 @@ static double distance_before(const struct contact *c, const struct contact_touc
         return t->D - along;
     contact_surface_at(&c->surface, t->sample, c->x_old, y);
     return contact_shape_distance(&c->scene->obstacles[t->obstacle],
-                                  &c->pose_old[t->obstacle], y, NULL);
+                                  &c->pose_old[t->obstacle], y, normal);
+}
+
+/* Replaces the normal of a touch with a body by the mean one of the part of the step in
+ * which the law acted: between that at the step's start, or at the place on the way where
+ * contact started, and that at its end. Opposite faces of a thin body have no mean. */
+static void take_mean(const struct contact_law *law, double D_old, const double before[3],
+                      struct contact_touch *t)
+{
+    const double acted = D_old > law->start ? (law->start - t->D) / (D_old - t->D) : 1;
+    double mean[3];
+
+    if (!(vector_dot(before, t->normal) > 0))
+        return;
+    t->mean = true;
+    for (int i = 0; i < 3; i++)
+        mean[i] = t->normal[i] + acted / 2 * (before[i] - t->normal[i]);
+    const double size = vector_length(mean);
+    for (int i = 0; i < 3; i++)
+        t->normal[i] = mean[i] / size;
 }
 
 /* Adds a touch's pressure and friction to the totals. */
@@ -351,7 +371,7 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
 {
     const double end = isfinite(dt) ? t + dt : t;
 
-    c->dt = dt, c->rests = c->held = false;
+    c->dt = dt, c->rests = c->held = c->middle = false;
     c->error = 0;
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
     for (int o = 0; o < c->scene->obstacle_count; o++) {
@@ -371,7 +391,7 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
 {
     const struct contact_law *law = law_of(c, t);
     const double mu = friction_of(c, t);
-    double way[3], slip[3];
+    double way[3], slip[3], before[3];
 
     if (!isfinite(c->dt)) {
         t->push = t->area * contact_law_pressure(law, t->D, &t->stiffness);
@@ -379,8 +399,10 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
         return;
     }
     way_of(c, t, x, way);
-    const double along = split(way, t->normal, slip);
-    const double D_old = distance_before(c, t, along);
+    const double D_old = distance_before(c, t, vector_dot(way, t->normal), before);
+    if (c->middle && t->obstacle >= 0 && !t->mean)
+        take_mean(law, D_old, before, t);
+    split(way, t->normal, slip);
     t->push = t->area * contact_law_push(law, t->D, D_old, c->rests ? INFINITY : c->dt,
                                          &t->stiffness);
     t->stiffness *= t->area;
@@ -423,7 +445,7 @@ static void look_back(const struct contact *c, struct contact_touch *t, const do
 
     way_of(c, t, x, way);
     const double along = vector_dot(way, t->normal);
-    t->D_old = distance_before(c, t, along);
+    t->D_old = distance_before(c, t, along, NULL);
     t->D_flat = t->D - along;
 }
 
@@ -517,10 +539,20 @@ void contact_force(const struct contact *c, double *force)
                     c->weight[k] * (t->push * t->normal[i] + t->rub[i]);
 }
 
-/* Computes by how much the velocity of a touch is to change: to the mean one along the
+/* Returns the share of the step's bounce that the velocity of a touch loses, by the
+ * stiffness [N/m] of its force and the area whose mass it moves (contact.h). */
+static double bounced(const struct contact *c, double stiffness, double area)
+{
+    const double mass = c->scene->density * c->scene->thickness * area;
+    const double a = stiffness * c->dt * c->dt / (2 * mass);
+
+    return 1 - 1 / (1 + a * a);
+}
+
+/* Computes by how much the velocity of a touch is to change towards the mean one: along the
  * normal, if it opens faster, and across, if it sticks. */
-static void land(const struct contact *c, const struct contact_touch *t, const double *x,
-                 const double *v, double by[3])
+static void land(const struct contact *c, const struct contact_touch *t, double area,
+                 const double *x, const double *v, double by[3])
 {
     double more[3] = {0}, across[3];
 
@@ -530,8 +562,9 @@ static void land(const struct contact *c, const struct contact_touch *t, const d
             more[i] += c->weight[k] * ((x[u] - c->x_old[u]) / c->dt - v[u]);
         }
     const double along = fmin(0, split(more, t->normal, across));
+    const double opens = bounced(c, t->stiffness, area), slips = bounced(c, t->grip, area);
     for (int i = 0; i < 3; i++)
-        by[i] = along * t->normal[i] + (t->grip > 0 ? across[i] : 0);
+        by[i] = opens * along * t->normal[i] + slips * across[i];
 }
 
 void contact_landing(const struct contact *c, const double *x, const double *v,
@@ -543,7 +576,7 @@ void contact_landing(const struct contact *c, const double *x, const double *v,
         double by[3];
         if (!(t->push > 0))
             continue;
-        land(c, t, x, v, by);
+        land(c, t, area, x, v, by);
         for (int k = t->first; k < t->first + t->count; k++)
             for (int i = 0; i < 3; i++)
                 change[3 * (size_t)c->node[k] + i] +=

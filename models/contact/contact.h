@@ -26,6 +26,7 @@ struct contact_touch {
     int sample, obstacle; /* obstacle -1: the sheet itself; sample -1: a rim's point   */
     int first, count;     /* its nodes and weights in contact's lists                  */
     double D, normal[3];  /* distance [m]; the gradient of D by the sample's place     */
+    bool mean;            /* the normal is the mean one of the step                    */
     double at[2];         /* u and v of the sheet's own place, where a sample meets it */
     double bound;         /* the push that bounds friction                   [N]     */
     double D_old, D_flat; /* when the step began; D less its way along the normal  [m]   */
@@ -52,6 +53,7 @@ struct contact {
     bool held;       /* by contact_hold                                              */
     int listed[2];   /* touches and meetings then                                    */
     bool rests;      /* the pressure has no rate, only friction                      */
+    bool middle;     /* bodies press along the step's mean normal, not that of its end */
     double *x_old;   /* [nodes][3] where it starts                                   */
     double *area;    /* [nodes] their shares of the samples'       [m^2]              */
     int count, room; /* touches; of the last contact_find or contact_project         */
@@ -136,9 +138,15 @@ enum status contact_project_bodies(struct contact *c, const double *compliance,
 /* Computes change[nodes][3], which takes from v[nodes][3], the velocity at x after
  * contact_find at the end of a step of the trapezoidal rule, the bounce that is the rule's:
  * it ends with twice the mean velocity less that of its start, so that it throws back what
- * a body stops within a step, and what sticks trembles. Touches are led to open no faster
- * than in the mean of the step, and what sticks to slip so; the nodes have a change by
- * their shares of the samples' areas. */
+ * a body stops within a step, and what sticks trembles. Touches that open faster than in
+ * the mean of the step, and what sticks, lose a share of the difference; the nodes have a
+ * change by their shares of the samples' areas.
+ *
+ * The share is a^2 / (1 + a^2), a = k dt^2 / 2m of the touch's stiffness k and the mass m
+ * of its area. The rule makes (1 - a) / (1 + a) of a velocity v_0 that should become
+ * e^(-2a) v_0, its mean being v_0 / (1 + a); with the share it makes (1 - a / (1 + a^2)) /
+ * (1 + a), which is right to a^2, as the rule is, and never negative. So what a step
+ * resolves keeps the order of the rule, and what it does not resolve ends in the step. */
 void contact_landing(const struct contact *c, const double *x, const double *v,
                      double *change);
 

@@ -169,6 +169,7 @@ static enum status substep(struct large_motion *m, double t, double dt,
     }
     if (m->contact) {
         contact_begin(m->contact, t, dt, x_old);
+        m->contact->middle = !m->euler;
         contact_lead(m->contact, m->x);
     }
     move_supports(m, t, dt, mass, x_old, hat);

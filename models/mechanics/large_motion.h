@@ -23,8 +23,11 @@
  *
  * Explicit steps: large_leapfrog.h.
  *
- * Contact adds its force at x_1: what it stores in a step is no more than the work that the
- * motion does on it, whatever the step.
+ * Contact adds the pressure at x_1: what it stores in a step is no more than the work that
+ * the motion does on it, whatever the step. It acts along the mean normal of the step. The
+ * normal at x_1 leans forward by half the turn that a sheet makes in a step as it slides
+ * over a round body, and would push it on by p v dt / 2R: of first order, and large beside
+ * friction (.04 p over a rod of 30 mm at .5 m/s in steps of 5 ms).
  */
 #ifndef LARGE_MOTION_H
 #define LARGE_MOTION_H

@@ -76,12 +76,23 @@ static const struct {
      0,
      0.025,
      0.03},
-    /* slips: e^(mu pi) < 1.4; first order in the step, at 1 ms 3 % */
+    /* slips: e^(mu pi) < 1.4; Euler's steps are of first order, at 1 ms 3 % */
     {"capstan",
      NET "[49,3]",
      {"time.step=0.001"},
-     NETS & ~BIT(SPRINGS),
-     BIT(TRIANGLES),
+     BIT(VBD) | BIT(PROJECTIVE) | BIT(XPBD),
+     0,
+     {0.5, 0.5, 0.5},
+     2,
+     -0.2725,
+     0.04},
+    /* the others' are of second order, at 5 ms; pressed along the normals of their ends
+     * the strip slips by 27 % too far */
+    {"capstan",
+     "",
+     {NET "[41,4]"},
+     BIT(SHELL) | BIT(TRIANGLES) | BIT(SPRINGS),
+     BIT(SHELL) | BIT(TRIANGLES) | BIT(SPRINGS),
      {0.5, 0.5, 0.5},
      2,
      -0.2725,
@@ -121,7 +132,7 @@ static void check_case(int n, int c)
     struct message told;
 
     snprintf(path, sizeof path, CASES "%s.yaml", cases[n].scene);
-    if (BIT(c) & NETS)
+    if (BIT(c) & NETS && *cases[n].points)
         settings_set(&set, cases[n].points);
     settings_list(&set, 2, cases[n].settings);
     const double way = way_of(&plan, cases[n].uvw, cases[n].component, NULL, &r, &told),

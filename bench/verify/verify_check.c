@@ -97,6 +97,12 @@ void verify_subject_last(struct verify_subject *s, int count)
     memmove(s->across, s->across + first, (size_t)s->nets * sizeof *s->across);
 }
 
+void verify_subject_only(struct verify_subject *s, int n)
+{
+    s->nets = n + 1;
+    verify_subject_last(s, 1);
+}
+
 void verify_subject_claim(struct verify_subject *s, double tolerance, const char *reason)
 {
     if (!isnan(s->tolerance)) {

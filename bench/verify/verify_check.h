@@ -137,9 +137,10 @@ struct verify_field {
     .settings = {"discretization.acceleration=chebyshev",                                  \
                  "discretization.iterations=100000", "discretization.tolerance=1e-9"}
 
-/* Sets two square nets; keeps the last `count` nets alone. */
+/* Sets two square nets; keeps the last `count` nets alone; the n-th alone. */
 void verify_subject_square(struct verify_subject *s, int coarse, int fine);
 void verify_subject_last(struct verify_subject *s, int count);
+void verify_subject_only(struct verify_subject *s, int n);
 
 /* Replaces tolerance and reason (or NULL) where something is claimed. */
 void verify_subject_claim(struct verify_subject *s, double tolerance, const char *reason);

@@ -8,7 +8,8 @@
 #define ASKED 0.02, NULL
 static const struct verify_subject entries[] = {
     {"iga,hex,shell", ASKED, .dear = true},
-    {"shell_explicit_3,triangles,triangles_explicit", ASKED},
+    {"shell_explicit_3", ASKED, {11, 21}, {5, 8}, .dear = true}, /* 22 s a row on 33 */
+    {"triangles,triangles_explicit", ASKED},
     {"mass_spring,mass_spring_explicit,mass_spring_momentum,mass_spring_leapfrog", ASKED},
     {"position_based,projective_dynamics,projective_dynamics_admm", ASKED},
     {"projective_dynamics_bdf2,vbd", ASKED},
@@ -58,12 +59,14 @@ static double way_of(double slope, double friction, double belt)
 
 static void add_row(struct verify_subject *s)
 {
-    const int net = s->at % NETS, n = s->at / NETS;
+    const int n = s->at / NETS;
     const double slope = cases[n].slope, friction = cases[n].friction;
     const double belt = cases[n].belt, speed = 1e-3 * sqrt(G * LENGTH); /* of creep */
     struct seen seen = {.half = NAN};
 
-    s->along[0] = s->along[net], s->across[0] = s->across[net], s->nets = 1;
+    if (s->at % NETS >= s->nets)
+        return;
+    verify_subject_only(s, s->at % NETS);
     struct verify_trial t = verify_trial_of(s, "ground", "%s", cases[n].quantity);
     verify_trial_set(
         &t,

@@ -27,7 +27,8 @@
  * the motion does on it, whatever the step. It acts along the mean normal of the step. The
  * normal at x_1 leans forward by half the turn that a sheet makes in a step as it slides
  * over a round body, and would push it on by p v dt / 2R: of first order, and large beside
- * friction (.04 p over a rod of 30 mm at .5 m/s in steps of 5 ms).
+ * friction (.04 p over a rod of 30 mm at .5 m/s in steps of 5 ms). Where the sheet meets
+ * itself the normal is that at x_1: a place's own slip hides the turn of the pair.
  */
 #ifndef LARGE_MOTION_H
 #define LARGE_MOTION_H

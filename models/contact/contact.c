@@ -169,24 +169,47 @@ static bool is_still(const struct scene_obstacle *o)
     return !SCENE_MOVES(o->motion);
 }
 
+/* Computes how far the body of a touch has moved there since the step began. */
+static void body_way(const struct contact *c, const struct contact_touch *t,
+                     const double *x, double way[3])
+{
+    double y[3], before[3];
+
+    way[0] = way[1] = way[2] = 0;
+    if (t->obstacle < 0 || is_still(&c->scene->obstacles[t->obstacle]))
+        return;
+    contact_surface_at(&c->surface, t->sample, x, y);
+    contact_shape_carry(&c->pose[t->obstacle], &c->pose_old[t->obstacle], y, before);
+    vector_between(before, y, way);
+}
+
+double contact_body_work(const struct contact *c, const double *x)
+{
+    double work = 0, way[3];
+
+    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++) {
+        body_way(c, t, x, way);
+        work += t->push * vector_dot(t->normal, way) + vector_dot(t->rub, way);
+    }
+    return work;
+}
+
 /* Computes how far the touch's places have moved against each other since the step began.
  */
 static void way_of(const struct contact *c, const struct contact_touch *t, const double *x,
                    double way[3])
 {
+    double of_body[3];
+
     way[0] = way[1] = way[2] = 0;
     for (int k = t->first; k < t->first + t->count; k++)
         for (int i = 0; i < 3; i++) {
             size_t u = 3 * (size_t)c->node[k] + i;
             way[i] += c->weight[k] * (x[u] - c->x_old[u]);
         }
-    if (t->obstacle >= 0 && !is_still(&c->scene->obstacles[t->obstacle])) {
-        double y[3], before[3];
-        contact_surface_at(&c->surface, t->sample, x, y);
-        contact_shape_carry(&c->pose[t->obstacle], &c->pose_old[t->obstacle], y, before);
-        for (int i = 0; i < 3; i++)
-            way[i] -= y[i] - before[i];
-    }
+    body_way(c, t, x, of_body);
+    for (int i = 0; i < 3; i++)
+        way[i] -= of_body[i];
 }
 
 static const struct contact_law *law_of(const struct contact *c,

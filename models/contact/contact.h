@@ -105,6 +105,9 @@ enum status contact_find(struct contact *c, const double *x);
  * states that are none. */
 void contact_hold(struct contact *c, const double *x, int iteration, double change);
 
+/* Returns the work that bodies that move did in the step to x[nodes][3] [J]. */
+double contact_body_work(const struct contact *c, const double *x);
+
 /* Adds the forces of the touches to force[nodes][3]. */
 void contact_force(const struct contact *c, double *force);
 

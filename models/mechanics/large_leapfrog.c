@@ -34,10 +34,10 @@ struct large_leapfrog {
     int asked, substeps, doublings;
     double limit;       /* greatest stable step about rest                   [s]   */
     double least, most; /* energy so far, see judge                          [J]   */
-    double work;     /* of supports that move and of pressure, which has no potential where
-                        an edge is free                                                 [J]   */
-    double stored;   /* elastic energy, and the loads' potential, at x    [J]   */
-    double *inverse; /* [nodes][3] row sums: 1/mass, 0 of held unknowns         */
+    double work;        /* of what moves: supports and bodies; and of pressure, which has no
+                           potential where an edge is free                          [J]   */
+    double stored;      /* elastic energy, and the loads' potential, at x    [J]   */
+    double *inverse;    /* [nodes][3] row sums: 1/mass, 0 of held unknowns         */
     int *fixed; /* [nodes][3] with contact: negative where it moves nothing: held unknowns,
                    and all of nodes with frames                                       */
     double *a;  /* [nodes][3] acceleration at x, 0 of held unknowns        */
@@ -344,6 +344,7 @@ static enum status meet(struct large_leapfrog *l, double t, double dt)
     for (size_t k = 0; m->contact->count && k < count_of(l); k++)
         if (l->fixed[k] >= 0)
             m->newmark->v[k] = (m->x[k] - l->before[k]) / dt;
+    l->work += contact_body_work(m->contact, m->x);
     for (int i = 0; i < 3; i++)
         m->push[i] += m->contact->force[i] / l->substeps;
     return st;

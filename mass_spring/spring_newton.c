@@ -251,8 +251,12 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
         }
         TRY(search(s, p, d, x, r, &part, &cut));
         moved = touches ? INFINITY : moved + part * size; /* contact's K changes fast */
-        if (!cut && part * size * (part == 1 ? left(size, before) : 1) <= limits->tolerance)
-            goto out;
+        if (!cut &&
+            part * size * (part == 1 ? left(size, before) : 1) <= limits->tolerance) {
+            if (!p->contact || !contact_release(p->contact))
+                goto out;
+            TRY(residual(s, p, x, d, r));
+        }
         before = size;
     }
     st = most == MOST_ITERATIONS ? STATUS_DIVERGED : STATUS_OK;

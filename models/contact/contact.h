@@ -51,6 +51,7 @@ struct contact {
     double error;    /* how far x may be from the solution, 0: not told           [m]    */
     double dt;       /* of the step; INFINITY: no rates                     [s]    */
     bool held;       /* by contact_hold                                              */
+    int releases;    /* of held touches in this step                                 */
     int listed[2];   /* touches and meetings then                                    */
     bool rests;      /* the pressure has no rate, only friction                      */
     bool middle;     /* bodies press along the step's mean normal, not that of its end */
@@ -104,6 +105,11 @@ enum status contact_find(struct contact *c, const double *x);
  * potential, while feet and normals of a folded net may jump, back and forth, between two
  * states that are none. */
 void contact_hold(struct contact *c, const double *x, int iteration, double change);
+
+/* Lets held touches go, so that contact_find finds them anew at the x that they led to:
+ * what bounds their friction was that of an earlier x. False: none are held, or
+ * what they led to is to be taken. */
+bool contact_release(struct contact *c);
 
 /* Returns the work that bodies that move did in the step to x[nodes][3] [J]. */
 double contact_body_work(const struct contact *c, const double *x);

@@ -350,6 +350,8 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
         }
         bool calm = i.size <= tolerance(m, q) && i.whole && settled(m, i.size, before);
         before = i.size;
+        if (calm && m->contact && contact_release(m->contact))
+            calm = false;
         if (calm || n + 1 == q->enough) {
             for (size_t t = 0; t < count; t++)
                 x[t] += i.d[t];

@@ -315,7 +315,7 @@ static void check_files(void)
     CHECK(mesh_file_read("no/such.obj", (double[3]){0}, 1, &mesh, &why) == STATUS_INPUT);
     CHECK(strstr(why.text, "no/such.obj: cannot be read as a mesh: No such file"));
     CHECK(mesh_file_read("/dev/zero", (double[3]){0}, 1, &mesh, &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "/dev/zero: longer than 268435456 bytes"));
+    CHECK(strstr(why.text, "it is no regular file"));
 }
 
 int main(void)

@@ -44,6 +44,8 @@ struct model_contact {
                          without obstacles                                       [m]   */
     double energy;    /* stored in the pressure                                  [J]   */
     double force[3];  /* force on the sheet, mean over the last step             [N]   */
+    long crossed;     /* steps so far that ended with part of an obstacle through the sheet:
+                         a line, a corner, that is thinner than the net (contact_thin.h)    */
 };
 
 /* Sparse symmetric matrix handed out for inspection; coordinates, lower triangle, 0-based,

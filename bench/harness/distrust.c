@@ -53,16 +53,23 @@ bool distrust(const struct scene *scene, const double value[MEASURES],
                  weight = value[MEASURE_HANGING_STRAIN],
                  depth = value[MEASURE_PENETRATION_MAX],
                  begin = value[MEASURE_INTERSECTION_TIME],
-                 left = value[MEASURE_NOT_ARRIVED];
+                 left = value[MEASURE_NOT_ARRIVED], through = value[MEASURE_THROUGH_MAX];
     const bool stretched = stretch > pulled(scene) * fmax(DISTRUST_STRETCH, 1 + 2 * weight),
                deep = depth > DISTRUST_DEPTH * scene->thickness,
                crossed = value[MEASURE_INTERSECTIONS_MAX] > 0, moved = begin > 0,
-               missed = left > 0, coarse = stretched || deep || (crossed && !moved);
+               missed = left > 0, passed = through > 0,
+               coarse = stretched || deep || passed || (crossed && !moved);
 
     sentence->text[0] = '\0';
-    if (!stretched && !deep && !crossed && !missed)
+    if (!stretched && !deep && !crossed && !missed && !passed)
         return false;
     message_add(sentence, "Do not trust this result: ");
+    if (passed)
+        message_add(sentence,
+                    "a body thinner than the net came through it, first up to %.3g s, in "
+                    "%.0f steps%s",
+                    value[MEASURE_THROUGH_TIME], through,
+                    missed || stretched || deep || crossed ? ", " : "");
     if (missed)
         message_add(sentence,
                     "iterations ended at their limit with up to %.2g %% of a step's loads "
@@ -81,8 +88,9 @@ bool distrust(const struct scene *scene, const double value[MEASURES],
         message_add(sentence, "%sit passes through itself", stretched || deep ? ", " : "");
     if (crossed && moved)
         message_add(sentence, " from %.3g s on", begin);
-    message_add(sentence, "; try %s%s%s", missed ? "smaller steps" : "",
-                coarse ? missed ? ", a finer net" : "a finer net" : "",
+    const bool smaller = missed || passed;
+    message_add(sentence, "; try %s%s%s", smaller ? "smaller steps" : "",
+                coarse ? smaller ? ", a finer net" : "a finer net" : "",
                 stretched ? ", another model beside it" : "");
     if (crossed && moved)
         message_add(sentence,
@@ -90,7 +98,7 @@ bool distrust(const struct scene *scene, const double value[MEASURES],
                         ? "%san end before %.3g s"
                         : "%san end before %.3g s, as nothing keeps this sheet off itself "
                           "(section contact)",
-                    coarse || missed ? ", or " : "", begin);
+                    coarse || smaller ? ", or " : "", begin);
     message_add(sentence, ".");
     return true;
 }

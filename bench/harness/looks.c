@@ -24,6 +24,7 @@ const struct looks_series looks_series[LOOKS_SERIES] = {
                              MEASURE_INTERSECTIONS_END},
     [LOOKS_SPEED] = {"speed", "m/s", NULL, MEASURE_SPEED_MAX, MEASURE_SPEED_END},
     [LOOKS_LOAD] = {"load", "1", NULL, MEASURE_LOAD_MAX, MEASURE_LOAD_END},
+    [LOOKS_THROUGH] = {"through", "1", NULL, MEASURE_THROUGH_MAX, -1},
 };
 
 enum status looks_init(struct looks *l, int room)
@@ -90,9 +91,10 @@ static double mean_of_end(const struct looks *l, const double *value)
     return count ? sum / count : NAN;
 }
 
-static double first_crossing(const struct looks *l)
+/* Returns when a series is above 0 for the first time; NaN: it does not exist. */
+static double first_time(const struct looks *l, int series)
 {
-    const double *crossings = l->series[LOOKS_INTERSECTIONS];
+    const double *crossings = l->series[series];
 
     if (l->count == 0 || isnan(crossings[0]))
         return NAN;
@@ -113,7 +115,8 @@ static void reduce_series(const struct looks *l, const struct scene *scene, doub
     if (!scene->obstacle_count)
         value[MEASURE_PENETRATION_MAX] = NAN;
     value[MEASURE_LOAD_END] = mean_of_end(l, l->series[LOOKS_LOAD]);
-    value[MEASURE_INTERSECTION_TIME] = first_crossing(l);
+    value[MEASURE_INTERSECTION_TIME] = first_time(l, LOOKS_INTERSECTIONS);
+    value[MEASURE_THROUGH_TIME] = first_time(l, LOOKS_THROUGH);
     value[MEASURE_END_TIME] = last(l->count, l->time);
 }
 

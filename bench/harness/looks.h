@@ -18,6 +18,7 @@ enum {
     LOOKS_INTERSECTIONS, /* NaN: not counted                                           */
     LOOKS_SPEED, /* rms over the grid since the look before; NaN at the first    [m/s] */
     LOOKS_LOAD,  /* force of obstacles against gravity, over the weight; NaN without them */
+    LOOKS_THROUGH, /* steps so far that ended with part of an obstacle through the sheet  */
     LOOKS_SERIES
 };
 

@@ -23,6 +23,10 @@
     X(INTERSECTION_TIME, intersection_time, "s",                                           \
       "first look at which the sheet crosses"                                              \
       " itself")                                                                           \
+    X(THROUGH_MAX, through_max, "1",                                                       \
+      "steps that ended with part of an obstacle, thinner than the net, through the "      \
+      "sheet")                                                                             \
+    X(THROUGH_TIME, through_time, "s", "first look after such a step")                     \
     X(SPEED_MAX, speed_max, "m/s", "largest rms speed between two looks")                  \
     X(SPEED_END, speed_end, "m/s", "the same between the last two")                        \
     X(ENERGY_DRIFT_MAX, energy_drift_max, "1", "largest share of the energy in play won")  \

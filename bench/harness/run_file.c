@@ -24,6 +24,7 @@ struct run_file {
     double time;
     struct energy energy; /* NaN: the model has none                               */
     double load;          /* carried by obstacles, over the weight */
+    double through;       /* steps that ended with part of an obstacle through the sheet */
     struct counters work;
     double seconds; /* spent looking                                           */
     bool ended;
@@ -106,21 +107,20 @@ static void measure(struct run_file *f)
         l->series[LOOKS_SPEED][n] =
             metric_rmse(f->xyz, f->before) / (l->time[n] - l->time[n - 1]);
     l->series[LOOKS_LOAD][n] = f->load;
+    l->series[LOOKS_THROUGH][n] = f->through;
     l->energy[n] = f->energy;
 }
 
 /* Returns the share of the sheet's weight that obstacles carry; NaN without either. */
-static double load_of(const struct run *run)
+static double load_of(const struct run *run, const struct model_contact *c)
 {
     const struct scene *s = &run->scene;
     const double *g = s->gravity;
     const double pull = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    struct model_contact c;
 
-    if (!s->obstacle_count || !run->model->contact || !(pull > 0))
+    if (!(pull > 0))
         return NAN;
-    run->model->contact(run->state, &c);
-    return -(c.force[0] * g[0] + c.force[1] * g[1] + c.force[2] * g[2]) /
+    return -(c->force[0] * g[0] + c->force[1] * g[1] + c->force[2] * g[2]) /
            (pull * pull * s->density * s->length * s->width * s->thickness);
 }
 
@@ -134,7 +134,13 @@ static void sample(struct run_file *f, double time, const struct counters *work)
     f->energy = (struct energy){NAN, NAN, NAN};
     if (run->model->energy)
         run->model->energy(run->state, &f->energy);
-    f->load = load_of(run);
+    f->load = f->through = NAN;
+    if (run->scene.obstacle_count && run->model->contact) {
+        struct model_contact c;
+        run->model->contact(run->state, &c);
+        f->load = load_of(run, &c);
+        f->through = (double)c.crossed;
+    }
     f->time = time;
     f->work = *work;
 }

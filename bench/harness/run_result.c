@@ -60,7 +60,8 @@ static enum status read_looks(const struct store_read *file, const char *path,
     TRY(read_numbers(file, path, "time", count, 1, l->time, why));
     for (int n = 0; n < LOOKS_SERIES; n++) {
         snprintf(name, sizeof name, "metrics/%s", looks_series[n].name);
-        if (n == LOOKS_LOAD && !store_read_has(file, name)) /* older files have none */
+        const bool added = n == LOOKS_LOAD || n == LOOKS_THROUGH;
+        if (added && !store_read_has(file, name)) /* older files have none */
             for (int k = 0; k < count; k++)
                 l->series[n][k] = NAN;
         else

@@ -137,6 +137,41 @@ static enum status add_meetings(struct contact *c, int first, const double *x)
     return STATUS_OK;
 }
 
+/* Returns the step up to x, among bodies at its end. */
+static struct contact_thin_step step_to(const struct contact *c, const double *x)
+{
+    return (struct contact_thin_step){c->pose_old, c->pose, c->x_old, x};
+}
+
+/* Appends the touches of thin bodies' features at x; *passed: how many the step has carried
+ * through the sheet. STATUS_MEMORY. */
+static enum status add_features(struct contact *c, const double *x, int *passed)
+{
+    const struct contact_thin_step step = step_to(c, x);
+    struct contact_thin_foot f;
+    enum status st;
+
+    TRY(contact_thin_look(&c->thin, &step, passed));
+    for (int n = 0; n < c->thin.pairs; n++) {
+        if (!contact_thin_foot(&c->thin, n, &step, &f))
+            continue;
+        TRY(make_room(c, f.count));
+        c->touch[c->count++] =
+            (struct contact_touch){.sample = -1,
+                                   .obstacle = f.obstacle,
+                                   .first = c->weights,
+                                   .count = f.count,
+                                   .D = f.distance,
+                                   .D_old = f.before,
+                                   .normal = {f.normal[0], f.normal[1], f.normal[2]},
+                                   .area = f.area};
+        append(c, f.count, f.node, f.weight, 1);
+        c->least = fmin(c->least, f.distance - c->body.start);
+    }
+out:
+    return st;
+}
+
 /* Appends the touches of the sheet with itself at x[nodes][3]. Each of the two sides has
  * half of the law at samples of its own. STATUS_NAN, STATUS_MEMORY. */
 static enum status add_own(struct contact *c, const double *x)
@@ -173,12 +208,14 @@ static bool is_still(const struct scene_obstacle *o)
 static void body_way(const struct contact *c, const struct contact_touch *t,
                      const double *x, double way[3])
 {
-    double y[3], before[3];
+    double y[3] = {0}, before[3];
 
     way[0] = way[1] = way[2] = 0;
     if (t->obstacle < 0 || is_still(&c->scene->obstacles[t->obstacle]))
         return;
-    contact_surface_at(&c->surface, t->sample, x, y);
+    for (int k = t->first; k < t->first + t->count; k++)
+        for (int i = 0; i < 3; i++)
+            y[i] += c->weight[k] * x[3 * (size_t)c->node[k] + i];
     contact_shape_carry(&c->pose[t->obstacle], &c->pose_old[t->obstacle], y, before);
     vector_between(before, y, way);
 }
@@ -244,6 +281,11 @@ static double distance_before(const struct contact *c, const struct contact_touc
 
     if (t->obstacle < 0)
         return t->D - along;
+    if (t->sample < 0) { /* of a feature, as it was found */
+        if (normal)
+            memcpy(normal, t->normal, sizeof t->normal);
+        return t->D_old;
+    }
     contact_surface_at(&c->surface, t->sample, c->x_old, y);
     return contact_shape_distance(&c->scene->obstacles[t->obstacle],
                                   &c->pose_old[t->obstacle], y, normal);
@@ -349,6 +391,7 @@ void contact_clear(struct contact *c)
 {
     contact_rim_clear(&c->rim);
     contact_search_clear(&c->search);
+    contact_thin_clear(&c->thin);
     contact_surface_clear(&c->surface);
     free(c->arrays);
     free(c->touch);
@@ -377,6 +420,7 @@ enum status contact_init(struct contact *c, const struct scene *scene,
     for (int n = 0; n < s->count; n++)
         for (int k = n * s->width; k < n * s->width + s->used[n]; k++)
             c->area[s->node[k]] += s->shape[k] * s->area[n];
+    TRY(contact_thin_init(&c->thin, scene, s, c->body.start));
     if (scene->contact.self) {
         TRY(contact_search_init(&c->search, &c->surface, c->self.start));
         TRY(contact_rim_init(&c->rim, &c->search));
@@ -390,10 +434,28 @@ out:
 /* --- forces --------------------------------------------------------------------------
  */
 
+/* Counts the last step if it has ended at x with a body through the sheet. */
+static void count_crossing(struct contact *c, double t, const double *x)
+{
+    const struct contact_thin_step step = step_to(c, x);
+    int passed;
+
+    if (!c->thin.count)
+        return;
+    for (int o = 0; o < c->scene->obstacle_count; o++)
+        scene_motion_at(&c->scene->obstacles[o].motion, t, &c->pose[o]);
+    if (c->dt > 0 && isfinite(c->dt)) {
+        c->failed = contact_thin_look(&c->thin, &step, &passed);
+        c->crossed += c->failed == STATUS_OK && passed;
+    }
+    memset(c->thin.passed, 0, (size_t)c->thin.count * sizeof *c->thin.passed);
+}
+
 void contact_begin(struct contact *c, double t, double dt, const double *x_old)
 {
     const double end = isfinite(dt) ? t + dt : t;
 
+    count_crossing(c, t, x_old);
     c->dt = dt, c->rests = c->held = c->middle = false;
     c->releases = 0;
     c->error = 0;
@@ -504,7 +566,7 @@ static bool is_held(const struct contact *c, int sample, int obstacle, int *at)
 static enum status list_touches(struct contact *c, const double *x)
 {
     enum status st = STATUS_OK;
-    int at = 0;
+    int at = 0, passed;
 
     if (!c->held)
         c->count = c->weights = 0;
@@ -524,6 +586,8 @@ static enum status list_touches(struct contact *c, const double *x)
                 TRY(add_body(c, n, o, D, normal));
         }
     }
+    if (!c->held)
+        TRY(add_features(c, x, &passed));
     if (!c->held)
         return add_own(c, x);
     TRY(add_meetings(c, c->listed[1], x));
@@ -631,7 +695,8 @@ void contact_landing(const struct contact *c, const double *x, const double *v,
 
 void contact_report(const struct contact *c, struct model_contact *report)
 {
-    *report = (struct model_contact){.least_gap = c->least, .energy = c->energy};
+    *report = (struct model_contact){
+        .least_gap = c->least, .energy = c->energy, .crossed = c->crossed};
     for (int n = 0; n < c->count; n++)
         report->nodes += c->touch[n].push > 0;
     memcpy(report->force, c->force, sizeof report->force);
@@ -732,6 +797,22 @@ static void note(struct contact *c, const double *x, const struct contact_meetin
     c->meeting[c->meetings++] = *met;
 }
 
+/* Lists the features that a change d of x brings near triangles; returns how many pairs
+ * there are, 0 with c->failed. */
+static int list_features(struct contact *c, const double *x, const double *d)
+{
+    c->failed = contact_thin_near(&c->thin, c->pose, x, d);
+    return c->failed == STATUS_OK ? c->thin.pairs : 0;
+}
+
+/* Returns the share of a change that leaves enough before the n-th of these pairs. */
+static double limit_feature(struct contact *c, int n, const double *x, const double *d,
+                            double share, int samples[3])
+{
+    return contact_thin_limit(&c->thin, n, x, d, c->body.start - c->body.range,
+                              c->body.range, share, samples);
+}
+
 /* Returns the share of a change that keeps the sheet from coming through itself; 0 with
  * c->failed. */
 static double limit_own(struct contact *c, const double *x, const double *d,
@@ -739,7 +820,7 @@ static double limit_own(struct contact *c, const double *x, const double *d,
 {
     double share = 1;
 
-    if (c->scene->contact.self)
+    if (c->scene->contact.self && c->failed == STATUS_OK)
         c->failed = contact_search_limit(&c->search, x, d, c->self.start - c->self.range,
                                          c->self.range, &share, met);
     return c->failed == STATUS_OK ? share : 0;
@@ -748,6 +829,7 @@ static double limit_own(struct contact *c, const double *x, const double *d,
 double contact_limit(struct contact *c, const double *x, const double *d)
 {
     double share = 1;
+    int samples[3];
 
     for (int n = 0; n < c->surface.count; n++) {
         double y[3], way[3];
@@ -756,6 +838,8 @@ double contact_limit(struct contact *c, const double *x, const double *d)
         for (int o = 0; o < c->scene->obstacle_count; o++)
             share = limit_sample(c, n, o, y, way, share);
     }
+    for (int n = list_features(c, x, d) - 1; n >= 0; n--)
+        share = limit_feature(c, n, x, d, share, samples);
     for (int n = 0; c->held && n < c->count; n++)
         share = fmin(share, limit_slip(c, &c->touch[n], d));
     struct contact_meeting met = {.sample = {-1}};
@@ -790,6 +874,13 @@ bool contact_shorten(struct contact *c, const double *x, double *d)
         for (int k = 0; share < 1 && k < s->used[n]; k++)
             for (int i = 0; i < 3; i++)
                 d[3 * (size_t)s->node[(size_t)n * s->width + k] + i] *= share;
+    }
+    for (int n = list_features(c, x, d) - 1; n >= 0; n--) {
+        int samples[3];
+        const double share = limit_feature(c, n, x, d, 1, samples);
+        any |= share < 1;
+        for (int k = 0; share < 1 && k < 9; k++)
+            d[3 * (size_t)s->node[samples[k / 3]] + k % 3] *= share;
     }
     const double own = limit_own(c, x, d, NULL);
     for (int k = 0; own < 1 && k < 3 * s->nodes; k++)
@@ -979,6 +1070,27 @@ out:
     return st;
 }
 
+/* Ends the step of the places that meet features. Where some have come through, normals
+ * hold on a part of the way only: they are found *again. */
+static enum status meet_features(struct contact *c, const double *compliance,
+                                 const int *held, double *x, bool *again)
+{
+    enum { TIMES = 4 };
+    enum status st = STATUS_OK;
+    int passed = 1;
+
+    for (int n = 0; n < TIMES && passed > 0; n++) {
+        *again = n > 0;
+        const int first = c->count;
+        TRY(add_features(c, x, &passed));
+        for (int k = first; k < c->count; k++)
+            look_back(c, &c->touch[k], x);
+        settle(c, first, compliance, held, x);
+    }
+out:
+    return st;
+}
+
 /* The rounds in which bodies that close from two sides find how each presses against the
  * other, and layers on a body how it bears them; their forces rise to those of the law,
  * from below. */
@@ -993,7 +1105,11 @@ static enum status project_bodies(struct contact *c, const double *compliance,
 
     for (int o = 0; o < c->scene->obstacle_count; o++)
         TRY(meet_body(c, o, near, compliance, held, x));
-    int rounds = c->scene->obstacle_count > 1 || (own && c->count > own) ? ROUNDS : 0;
+    const int thin = c->count;
+    bool again;
+    TRY(meet_features(c, compliance, held, x, &again));
+    const bool several = c->scene->obstacle_count > 1 || c->count > thin;
+    int rounds = !again && (several || (own && c->count > own)) ? ROUNDS : 0;
     while (rounds-- > 0 && relieve(c, 0, compliance, held, x))
         ;
     take(c, 0, x);

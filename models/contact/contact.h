@@ -20,10 +20,12 @@
 #include "models/contact/contact_search.h"
 #include "models/contact/contact_shape.h"
 #include "models/contact/contact_surface.h"
+#include "models/contact/contact_thin.h"
 #include "models/model.h"
 
 struct contact_touch {
-    int sample, obstacle; /* obstacle -1: the sheet itself; sample -1: a rim's point   */
+    int sample, obstacle; /* obstacle -1: the sheet itself; sample -1: a rim's point, or a
+                             place that meets a body's feature (contact_thin.h)         */
     int first, count;     /* its nodes and weights in contact's lists                  */
     double D, normal[3];  /* distance [m]; the gradient of D by the sample's place     */
     bool mean;            /* the normal is the mean one of the step                    */
@@ -45,6 +47,8 @@ struct contact {
     struct contact_rim rim;          /* the same                                owned     */
     int meetings;                    /* places that cut a change short and have no sample */
     struct contact_meeting *meeting; /* [samples]                                    */
+    struct contact_thin thin;        /*                                         owned     */
+    long crossed; /* steps that ended with a feature of a body through the sheet        */
     enum status failed; /* of contact_limit: the next contact_find returns it          */
     void *arrays; /* memory of those that are not owned by themselves      owned     */
     struct scene_placement *pose, *pose_old; /* [obstacles]                          */

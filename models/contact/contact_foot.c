@@ -423,9 +423,8 @@ static void point_along(const double n[3], struct contact_foot *foot)
         foot->normal[i] = length > 0 ? n[i] * per_length : i == 2;
 }
 
-/* Computes the parameters of a point of a triangle. */
-static void place_at(const struct contact_surface *s, int triangle, const double share[3],
-                     double *u, double *v)
+void contact_foot_place(const struct contact_surface *s, int triangle,
+                        const double share[3], double *u, double *v)
 {
     const double *line_u = s->line[0] + triangle / 2 / s->points[1];
     const double *line_v = s->line[1] + triangle / 2 % s->points[1];
@@ -503,7 +502,7 @@ static void fill(const struct contact_sheet *sheet, const struct contact_place *
     int corner[3];
 
     contact_foot_corners(s, triangle, corner);
-    place_at(s, triangle, face->share, &foot->u, &foot->v);
+    contact_foot_place(s, triangle, face->share, &foot->u, &foot->v);
     foot->strength =
         strength(sheet, place, foot,
                  contact_tree_near(sheet->tree, surely_apart * sheet->tree->apart,
@@ -657,7 +656,7 @@ static void refine_smooth(const struct contact_sheet *sheet,
     double u, v, from[3], way[3], normal[3];
     struct bend b = {.low = *end, .high = end[s->rows - 1]};
 
-    place_at(s, place->triangle, place->share, &u, &v);
+    contact_foot_place(s, place->triangle, place->share, &u, &v);
     const double start_u = u, start_v = v;
     for (int turn = 0; turn < MOST_BENDS; turn++) {
         const double u_old = u, v_old = v;

@@ -85,6 +85,10 @@ static inline struct contact_face contact_foot_face(const double *y, int sample,
  * the closest point, as contact_face_nearest does. */
 double contact_foot_nearest(const double y[3], const double *const p[3], double share[3]);
 
+/* Computes the parameters of a point of a triangle. */
+void contact_foot_place(const struct contact_surface *s, int triangle,
+                        const double share[3], double *u, double *v);
+
 /* Returns the distance of the segments p[0] p[1] and p[2] p[3], and the parameters of the
  * closest points on them; segments may be points. */
 double contact_foot_between(const double *const p[4], double at[2]);

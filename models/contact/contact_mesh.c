@@ -332,6 +332,7 @@ struct contact_mesh_view contact_mesh_view(const struct obstacle_mesh *mesh)
                                      .triangles = mesh->triangles,
                                      .vertex = (const double(*)[3])mesh->vertex,
                                      .triangle = (const int(*)[3])mesh->corner,
+                                     .bend = (const double(*)[3])mesh->bend,
                                      .mark = 14695981039346656037u}; /* FNV-1a, 64 bits */
     const struct {
         const void *bytes;
@@ -344,6 +345,15 @@ struct contact_mesh_view contact_mesh_view(const struct obstacle_mesh *mesh)
             view.mark =
                 (view.mark ^ ((const unsigned char *)part[p].bytes)[n]) * 1099511628211u;
     return view;
+}
+
+bool contact_mesh_edge(const struct obstacle_mesh *mesh, int side, double normal[3])
+{
+    const int t = side / 3, beside = mesh->beside[t][side % 3];
+
+    for (int i = 0; i < 3; i++)
+        normal[i] = beside < 0 ? 0 : mesh->face[t][i] + mesh->face[beside][i];
+    return beside < t;
 }
 
 /* --- the distance ----------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #ifndef CONTACT_MESH_H
 #define CONTACT_MESH_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "models/status.h"
@@ -42,8 +43,13 @@ struct contact_mesh_view {
     int vertices, triangles;
     const double (*vertex)[3]; /* [vertices]                                    [m]   */
     const int (*triangle)[3];  /* [triangles]                                          */
+    const double (*bend)[3];   /* [vertices] along their pseudonormals; 0 on a rim     */
     uint64_t mark;             /* a number made from all of these                      */
 };
 struct contact_mesh_view contact_mesh_view(const struct obstacle_mesh *mesh);
+
+/* Computes a vector along the pseudonormal of the edge from corner side % 3 of the triangle
+ * side / 3 to the next, 0 on a rim; false: the edge is told by its other triangle. */
+bool contact_mesh_edge(const struct obstacle_mesh *mesh, int side, double normal[3]);
 
 #endif

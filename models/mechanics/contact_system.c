@@ -24,7 +24,7 @@ static void add_turning(const struct contact *c, const struct contact_touch *t,
 
     for (int k = 0; k < 9 && meets_smooth(c, t); k++)
         B[k] -= t->push / t->D * ((k % 4 == 0) - t->normal[k / 3] * t->normal[k % 3]);
-    if (t->obstacle < 0)
+    if (t->obstacle < 0 || t->sample < 0) /* a feature's place slides with its normal */
         return;
     contact_surface_at(&c->surface, t->sample, x, y);
     for (int j = 0; j < 3; j++) {

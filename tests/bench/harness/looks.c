@@ -82,7 +82,8 @@ static void test_series(void)
     for (int s = 0; s < LOOKS_SERIES; s++) {
         const struct looks_series *l = &looks_series[s];
         CHECK(l->value == metric[s] && is_called(l->most, l->name, "max"));
-        CHECK(l->end < 0 ? s == LOOKS_PENETRATION : is_called(l->end, l->name, "end"));
+        CHECK(l->end < 0 ? (s == LOOKS_PENETRATION || s == LOOKS_THROUGH)
+                         : is_called(l->end, l->name, "end"));
         CHECK(value[l->most] == 1.5 * (s + 1));
         CHECK(l->end < 0 || value[l->end] == 1.25 * (s + 1));
         CHECK(!strcmp(l->unit, measure_unit(l->most)));

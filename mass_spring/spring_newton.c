@@ -228,7 +228,7 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
     TRY(residual(s, p, x, d, r));
     for (int n = 0; n < most; n++) {
         if (p->contact)
-            contact_hold(p->contact, x, n, before);
+            contact_hold(p->contact, x, n);
         const bool touches = p->contact && p->contact->count;
         const bool make = touches || !(moved <= still);
         if (make) {

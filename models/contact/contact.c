@@ -535,13 +535,13 @@ static void look_back(const struct contact *c, struct contact_touch *t, const do
     t->D_flat = t->D - along;
 }
 
-/* The iterations after which touches are held, and while changes exceed the range: what
- * converges by itself, as sliding over a rod does, is to do so. */
-enum { HOLD = 8, HOLD_FAR = 16 };
+/* The iterations after which touches are held: what converges by itself, as sliding over a
+ * rod does, is to do so. */
+enum { HOLD = 16 };
 
 /* How often a step's held touches are found anew once it has converged, while the pushes
- * differ by more than this share from those that bound their friction. Of the slip over a
- * rod 3 % is left by it, 1 % without; a towel that is folded needs an end. */
+ * differ by more than this share from those that bound their friction. Without an end a
+ * towel that is folded does not get through. */
 enum { RELEASES = 4 };
 static const double ALIKE = 1e-2;
 
@@ -616,9 +616,9 @@ out:
     return st;
 }
 
-void contact_hold(struct contact *c, const double *x, int iteration, double change)
+void contact_hold(struct contact *c, const double *x, int iteration)
 {
-    if (c->held || iteration < (change <= c->body.range ? HOLD : HOLD_FAR))
+    if (c->held || iteration < HOLD)
         return;
     for (struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
         look_back(c, t, x);

@@ -103,12 +103,11 @@ void contact_begin_rest(struct contact *c, double t, double dt, const double *x_
 enum status contact_find(struct contact *c, const double *x);
 
 /* Holds the touches that contact_find found at x, after so many iterations of Newton's
- * method, of which the next would change x by so much [m]. Until the step ends, or `held`
- * is false, each keeps its places, its normal and what bounds its friction, and new ones
- * are added. What is left then has a solution and, but for the pressure's rate, a convex
- * potential, while feet and normals of a folded net may jump, back and forth, between two
- * states that are none. */
-void contact_hold(struct contact *c, const double *x, int iteration, double change);
+ * method. Until the step ends, or `held` is false, each keeps its places, its normal and
+ * what bounds its friction, and new ones are added. What is left then has a solution and,
+ * but for the pressure's rate, a convex potential, while feet and normals of a folded net
+ * may jump, back and forth, between two states that are none. */
+void contact_hold(struct contact *c, const double *x, int iteration);
 
 /* Lets held touches go, so that contact_find finds them anew at the x that they led to:
  * what bounds their friction was that of an earlier x. False: none are held, or

@@ -341,7 +341,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
     for (int n = 0; n < q->limit; n++) {
         counters->iterations++;
         if (m->contact)
-            contact_hold(m->contact, x, n, i.size);
+            contact_hold(m->contact, x, n);
         if (i.size < best / 2)
             best = i.size, since = n;
         if (q->mass > 0 && !touches(m) && n - since > PATIENCE) {

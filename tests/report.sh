@@ -197,7 +197,7 @@ trouble = [p["trouble"] for p in data["pictures"]]
 assert len(trouble) == 3 and all(p["data"] is None for p in data["pictures"]), trouble
 assert trouble[0].endswith("table2/cost.png: is cut short"), trouble
 assert trouble[1].endswith("table3/cost.png: is no PNG"), trouble
-assert "cures.png: cannot be read" in trouble[2], trouble
+assert "cures.png: it is a directory" in trouble[2], trouble
 SCRIPT
 # more frames than there is room for: every so many of them, never beyond 10 MB
 for n in {1..20}; do cp "$sound" "moves/run_edge_drop/more_$n.h5"; done

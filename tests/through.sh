@@ -17,11 +17,11 @@ work() { # WORD: how many of it the last run counted
 
 good run "$scene" --model "$model"
 grep -q 'of itself' err && fail "$2, $model: the sheet has passed through itself"
-touching=($(work factorisations) $(work iterations))
+read -ra touching <<<"$(work factorisations) $(work iterations)"
 sed '/^contact:/d; /^obstacles:/,/^[a-np-z]/{/^obstacles:/d; /^ /d}' "$scene" >free.yaml
 if grep -q '^supports:' free.yaml; then
     "$program" run free.yaml --model "$model" >out 2>err </dev/null
-    free=($(work factorisations) $(work iterations))
+    read -ra free <<<"$(work factorisations) $(work iterations)"
     echo "$2, $model: ${touching[*]} factorisations and iterations, ${free[*]} without contact"
     ((touching[0] <= MOST * free[0] || touching[1] <= MOST * free[1])) ||
         fail "$2, $model: more than $MOST times the work of a free sheet"

@@ -42,6 +42,7 @@ enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
                  ROOM(c->compliance, nodes)));
     TRY(contact_surface_init_net(&surface, scene, (int[2]){net->n, net->m}));
     TRY(contact_init(&c->law, scene, &surface));
+    c->law.thin.count = 0; /* its fixed matrix does not arrive where they act */
     return STATUS_OK;
 out:
     pd_contact_clear(c);

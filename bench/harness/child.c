@@ -40,7 +40,8 @@ void child_limit(double seconds)
     static timer_t timer;
     struct sigevent event = {.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGXCPU};
     const struct itimerspec after = {
-        .it_value = {(time_t)seconds, lround(1e9 * fmod(seconds, 1))}};
+        .it_value = {(time_t)fmin(seconds, 1e9),
+                     lround(1e9 * fmod(fmin(seconds, 1e9), 1))}};
     struct rlimit limit;
 
     if (!my_note || !isfinite(seconds) || getrlimit(RLIMIT_CPU, &limit) != 0)

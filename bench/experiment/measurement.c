@@ -192,6 +192,9 @@ static enum status take(const struct measurement_options *o, int count,
     TRY(sum_of_program(&program, why));
     for (int n = 0; n < count; n++) {
         TRY(key_of(o, &cases[n], program, jobs[n].made_for, why));
+        jobs[n].keep = cases[n].keep;
+        jobs[n].keep.quick = o->quick;
+        jobs[n].keep.made_for = jobs[n].made_for;
         cases[n].done = !o->again && is_kept(&cases[n], jobs[n].made_for);
         here.taken += cases[n].done;
     }
@@ -278,9 +281,6 @@ static enum status run_group(struct bar *bar, int count, struct measurement_case
     for (; *next < count && (*next == first || clock_now() - start + timing < room);
          ++*next) {
         struct job *j = &jobs[*next];
-        j->keep = cases[*next].keep;
-        j->keep.quick = bar->options->quick;
-        j->keep.made_for = j->made_for;
         if (cases[*next].done)
             continue;
         j->asked = &cases[*next];
@@ -319,15 +319,11 @@ static enum status follow(void *context, long n, struct message *why)
 {
     const struct untimed *u = context;
     struct job *j = &u->jobs[n];
-    struct run_keep keep = u->cases[n].keep;
     enum status st;
 
     timing_apart();
-    keep.quick = u->bar->options->quick;
-    keep.made_for = j->made_for;
-    TRY(run_file_follow(&u->cases[n].plan, &keep, u->cases[n].rest, &j->run, &j->motion,
+    TRY(run_file_follow(&u->cases[n].plan, &j->keep, u->cases[n].rest, &j->run, &j->motion,
                         &j->file, why));
-    TRY(run_file_end(j->file, why));
     st = run_file_close(j->file, j->motion.model ? &j->motion : NULL, NULL, why);
     j->file = NULL;
 out:

@@ -39,13 +39,12 @@ void child_limit(double seconds)
 {
     static timer_t timer;
     struct sigevent event = {.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGXCPU};
-    const struct itimerspec after = {
-        .it_value = {(time_t)fmin(seconds, 1e9),
-                     lround(1e9 * fmod(fmin(seconds, 1e9), 1))}};
+    struct itimerspec after = {{0}};
     struct rlimit limit;
 
     if (!my_note || !isfinite(seconds) || getrlimit(RLIMIT_CPU, &limit) != 0)
         return;
+    after.it_value = (struct timespec){(time_t)seconds, lround(1e9 * fmod(seconds, 1))};
     if (my_note->limit > 0)
         timer_delete(timer);
     my_note->limit = seconds;

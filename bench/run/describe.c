@@ -124,7 +124,7 @@ static void describe_contact(const struct run *run, FILE *file)
     table_print_item("", 16, line.text, file);
 }
 
-/* What bends a sheet besides its weight, of which Gamma knows nothing. */
+/* Gamma knows the weight, and nothing of what else may bend a sheet. */
 enum { BENDS_TOO = SCENE_NEED_LOADS | SCENE_NEED_PRESSURE };
 
 /* Returns how far its weight bends a cantilever of this Gamma, in words. */

@@ -586,10 +586,10 @@ static enum status list_touches(struct contact *c, const double *x)
                 TRY(add_body(c, n, o, D, normal));
         }
     }
-    if (!c->held)
+    if (!c->held) {
         TRY(add_features(c, x, &passed));
-    if (!c->held)
         return add_own(c, x);
+    }
     TRY(add_meetings(c, c->listed[1], x));
     c->listed[1] = c->meetings;
     for (int n = old; n < c->count; n++)

@@ -14,11 +14,11 @@
  *     P - P^2/S = A = B11 b^4,   Q - Q^2/S = C = B22 a^4,
  *     R - 2 P Q/S = G = (2 B12 + 4 B33) a^2 b^2,   S = P + Q + R.
  *
- * By star and triangle (z = P Q/S, A = z + P R/S, C = z + Q R/S): 3 z^2 + G z = A C, and
+ * A star of P, Q, R is a triangle of z = P Q/S, A - z and C - z, so that 3 z^2 + G z = A C,
  * P = (A C - z^2)/(C - z), Q = (A C - z^2)/(A - z), R = (A C - z^2)/z. Isotropic and
  * square: 4/3 D along edges, 4/3 D over diagonals, where the usual rule has D and 2 D. What
  * is doubly curved, a rim or a sheet that stretches, has a Poisson's ratio of -1/3 instead
- * of its own: no hinges do better.
+ * of its own; that of hinges is always below 0.
  */
 #ifndef HINGE_RULE_H
 #define HINGE_RULE_H
@@ -31,7 +31,7 @@
  * between a triangle of the sheet and one that is held, at a clamp. */
 struct hinge_rule {
     double u, v, diagonal, held_u, held_v;
-    /* Every direction is right. In cells longer than 1.7 (of an isotropic sheet) it would
+    /* Every direction is right. In cells longer than 1.6 (of an isotropic sheet) it would
      * take stiffnesses below 0: u and v are right, directions between them are not. */
     bool everywhere;
 };

@@ -30,7 +30,7 @@ static const double CREEP = 9e-3;
  * of a push. */
 static const double ROUNDED = 1e-9, LEFT_OUT = 1e-3;
 
-/* What may be left of a lean of first order on a rod. */
+/* This may be left of a lean of first order on a rod. */
 static const double LEAN = 0.1;
 
 /* Energy that an impact may add, of the energy that the sheet fell with. Explicit steps

@@ -127,7 +127,7 @@ static void check_independence(const struct model *model, const struct scene *sc
     free(other);
 }
 
-/* What a free sheet does after FRAMES steps of h, over each component: gravity alone, an
+/* A free sheet goes this way in FRAMES steps of h, over each component: gravity alone, an
  * initial velocity alone, and that under either damping. */
 static const struct motion {
     const char *name;

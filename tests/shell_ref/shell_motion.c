@@ -62,7 +62,7 @@ static void check_held(void)
     }
 }
 
-/* What a clamped sheet does is the same askew: its motion, modes and rest, by each solver,
+/* A clamped sheet does the same askew: its motion, modes and rest agree, by each solver,
  * with contact. Relative, and over the length: round-off, of a stiffness whose membrane is
  * (L/h)^2 = 2500 times its bending; what iterations leave (tests/physics/solvers.c); in
  * contact Newton's steps end at 1e-7 of the length, and frames carry that on. */

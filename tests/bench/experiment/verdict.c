@@ -119,7 +119,7 @@ static void test_verdicts(void)
     CHECK(rules.count == 0);
 }
 
-/* Without rules nothing is feasible; a death is a death. */
+/* A case without rules is not feasible; a death stays one. */
 static void test_no_rules(void)
 {
     const struct verdict_rules none = {0};

@@ -120,29 +120,23 @@ static void read_triangles(const char *folder)
     NEED(triangles);
 }
 
-/* Returns whether diagonals meet at a vertex: they join those of one colour. */
+/* Returns whether diagonals meet at a vertex: they join those of one colour, of which the
+ * first inside the sheet has eight neighbours, or else four. */
 static bool has_diagonals(int n)
 {
-    static int inside; /* neighbours of a vertex inside: 8 or 4 */
     const int first = columns + 1;
+    int neighbours = 0;
 
-    for (int t = 0; !inside || t < triangles; t++) {
-        if (t == triangles)
-            break;
+    for (int t = 0; t < triangles; t++)
         for (int i = 0; i < 3; i++)
-            inside += triangle[t][i] == first;
-    }
-    const bool same =
-        ((n % columns + n / columns) - (first % columns + first / columns)) % 2;
-    return (inside == 8) != same;
+            neighbours += triangle[t][i] == first;
+    const bool same = (n % columns + n / columns) % 2 == 0; /* as first, at 1, 1 */
+    return (neighbours == 8) == same;
 }
 
 /* Cells between a held row and the vertices outside. */
 static void add_outside(void)
 {
-    const int all = triangles;
-
-    (void)all;
     for (int p = sheet; p < vertices; p++)
         for (int q = p + 1; q < vertices; q++) {
             const int a = beside[p], b = beside[q];

@@ -194,7 +194,7 @@ static void check_wide(void)
     table_destroy(t);
 }
 
-/* What a spreadsheet would run is text; numbers and signs that stand for something stay. */
+/* Cells that a spreadsheet would run become text; numbers and lone signs stay. */
 static void check_formulas(void)
 {
     static const char *const text[] = {"=cmd|x", "@x", "+x", "-x", "\tx",

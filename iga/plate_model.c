@@ -629,56 +629,68 @@ static enum status find_grid(struct plate *p)
     return find_parameters(p, GRID_POINTS, p->uvw);
 }
 
+/* Sums over the functions along u, of each function along w and v that lives at a point:
+ * the three coordinates, weighted, and the weight. */
+typedef double plate_rows[BSPLINE_MAX_ORDER][BSPLINE_MAX_ORDER][4];
+
+static void sum_over_u(const struct plate *p, const int first[3], const double *N,
+                       plate_rows rows)
+{
+    const double *weight = p->patch.weight, *x = p->sheet.motion.x;
+    const struct bspline *v = &p->patch.basis[1];
+    const int m = bspline_points(v), l = p->patch.basis[2].n;
+
+    for (int c = 0; c <= p->patch.basis[2].p; c++)
+        for (int b = 0; b <= v->p; b++) {
+            double *sum = memset(rows[c][b], 0, sizeof rows[c][b]);
+            for (int a = 0; a <= p->patch.basis[0].p; a++) {
+                int node = ((first[0] + a) * m + bspline_point(v, first[1] + b)) * l +
+                           first[2] + c;
+                double share = weight ? N[a] * weight[node] : N[a];
+                for (int i = 0; i < 3; i++)
+                    sum[i] += share * solid_hinge_point(&p->sheet.space, x, node, i);
+                sum[3] += share;
+            }
+        }
+}
+
 /* Computes the position at one tensor-product point: sums over u, then v, then w, so that a
  * grid point comes out the same for all callers. Rational if the patch has weights; the sum
  * of the functions through the thickness is then that of all or, in the thickness basis,
  * the first. */
-static void evaluate(const struct plate *p, const int first[3], const double *const N[3],
-                     double *xyz)
+static void sum_over_rows(const struct plate *p, const plate_rows rows, const double *Nv,
+                          const double *Nw, double *xyz)
 {
-    const double *weight = p->patch.weight, *x = p->sheet.motion.x;
-    const struct bspline *v = &p->patch.basis[1];
-    int m = bspline_points(v), l = p->patch.basis[2].n;
-    int orders[3] = {p->patch.basis[0].p + 1, p->patch.basis[1].p + 1,
-                     p->patch.basis[2].p + 1};
     double sum[3] = {0}, total = 0;
 
-    for (int c = 0; c < orders[2]; c++) {
-        double over_v[3] = {0}, weight_v = 0;
-        for (int b = 0; b < orders[1]; b++) {
-            double over_u[3] = {0}, weight_u = 0;
-            for (int a = 0; a < orders[0]; a++) {
-                int node = ((first[0] + a) * m + bspline_point(v, first[1] + b)) * l +
-                           first[2] + c;
-                double share = weight ? N[0][a] * weight[node] : N[0][a];
-                weight_u += share;
-                for (int i = 0; i < 3; i++)
-                    over_u[i] += share * solid_hinge_point(&p->sheet.space, x, node, i);
-            }
-            weight_v += N[1][b] * weight_u;
-            for (int i = 0; i < 3; i++)
-                over_v[i] += N[1][b] * over_u[i];
-        }
+    for (int c = 0; c <= p->patch.basis[2].p; c++) {
+        double over_v[4] = {0};
+        for (int b = 0; b <= p->patch.basis[1].p; b++)
+            for (int i = 0; i < 4; i++)
+                over_v[i] += Nv[b] * rows[c][b][i];
         if (c == 0 || !p->sheet.space.thickness_basis)
-            total += N[2][c] * weight_v;
+            total += Nw[c] * over_v[3];
         for (int i = 0; i < 3; i++)
-            sum[i] += N[2][c] * over_v[i];
+            sum[i] += Nw[c] * over_v[i];
     }
     for (int i = 0; i < 3; i++)
-        xyz[i] = weight ? sum[i] / total : sum[i];
+        xyz[i] = p->patch.weight ? sum[i] / total : sum[i];
 }
 
 /* Computes the position at parameters of the patch. */
 static void evaluate_at(const struct plate *p, const double uvw[3], double *xyz)
 {
     double N[3][BSPLINE_MAX_ORDER];
+    plate_rows rows;
     int first[3];
 
     for (int i = 0; i < 3; i++)
         first[i] = alive(p, i, uvw[i], N[i]);
-    evaluate(p, first, (const double *const[3]){N[0], N[1], N[2]}, xyz);
+    sum_over_u(p, first, N[0], rows);
+    sum_over_rows(p, rows, N[1], N[2], xyz);
 }
 
+/* Points of a line along v in the same span share their sums over u. */
 static void sample(const void *state, double *xyz)
 {
     enum { LINE = GRID_U > GRID_V ? GRID_U : GRID_V };
@@ -686,6 +698,7 @@ static void sample(const void *state, double *xyz)
     const struct plate *p = state;
     double value[3][LINE][BSPLINE_MAX_ORDER]; /* of the lines along u, v and w */
     int first[3][LINE];
+    plate_rows rows;
 
     for (int n = 0; p->uvw && n < GRID_POINTS; n++)
         evaluate_at(p, p->uvw[n], xyz + 3 * (size_t)n);
@@ -695,11 +708,15 @@ static void sample(const void *state, double *xyz)
         for (int n = 0; n < counts[d]; n++)
             first[d][n] = alive(p, d, n / (counts[d] - 1.0), value[d][n]);
     for (int k = 0; k < GRID_W; k++)
-        for (int j = 0; j < GRID_V; j++)
-            for (int i = 0; i < GRID_U; i++, xyz += 3)
-                evaluate(p, (const int[]){first[0][i], first[1][j], first[2][k]},
-                         (const double *const[]){value[0][i], value[1][j], value[2][k]},
-                         xyz);
+        for (int i = 0; i < GRID_U; i++)
+            for (int j = 0; j < GRID_V; j++) {
+                if (j == 0 || first[1][j] != first[1][j - 1])
+                    sum_over_u(p, (const int[]){first[0][i], first[1][j], first[2][k]},
+                               value[0][i], rows);
+                sum_over_rows(
+                    p, rows, value[1][j], value[2][k],
+                    xyz + 3 * (((size_t)k * GRID_V + (size_t)j) * GRID_U + (size_t)i));
+            }
 }
 
 static void clear(void *state)

@@ -55,10 +55,8 @@ enum status spring_newton_system(struct spring_newton *s)
     if (st != STATUS_OK || s->system.factor || s->system.iterative ||
         !s->supports.free_count)
         return st;
-    int *order = malloc((size_t)s->net->nodes * sizeof *order);
-    if (!order)
-        return STATUS_MEMORY;
-    order_nested(points[0], points[1], 1, spring_net_reach(s->net), order);
+    int *order = NULL;
+    TRY(order_wide(points[0], points[1], 1, &order));
     TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
     system_single(&s->system);
     st = iterative_follow(s->system.iterative, frames, s, false);

@@ -36,8 +36,7 @@ enum solver {
                           long, conjugate gradients on an earlier factor               */
     SOLVER_DIRECT,     /* a new factor of each matrix: the cheaper of the next two     */
     SOLVER_BANDED,     /* a band of tiles                                              */
-    SOLVER_SUPERNODAL, /* multifrontal, in CHOLMOD's order                             */
-    SOLVER_CHOLMOD,    /* CHOLMOD's own factorisation                                  */
+    SOLVER_CHOLMOD,    /* CHOLMOD's supernodes                                         */
     SOLVER_CG,         /* conjugate gradients                                          */
     SOLVER_GMRES,      /* generalised minimal residuals                                */
 };

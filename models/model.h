@@ -32,7 +32,7 @@ struct model_size {
     long nodes;          /* control points or nodes                                    */
     long unknowns;       /* 3 nodes - held components                                  */
     long factor_entries; /* numbers stored in the factor; 0 if none                    */
-    const char *solver;  /* "banded", "supernodal", ...; static storage                   */
+    const char *solver;  /* "banded", "cholmod" or "mixed"; static storage            */
     const char *unknown_basis; /* "control points", "thickness"; static storage        */
 };
 

@@ -18,7 +18,6 @@ const char *const option_remedy[] = {
     [REMEDY_CLAMPED] = "clamped", [REMEDY_AUTO] = "auto", NULL};
 const char *const option_solver[] = {
     [SOLVER_AUTO] = "auto", [SOLVER_DIRECT] = "direct", [SOLVER_BANDED] = "banded",
-    [SOLVER_SUPERNODAL] = "supernodal",
     [SOLVER_CHOLMOD] = "cholmod", [SOLVER_CG] = "cg", [SOLVER_GMRES] = "gmres", NULL};
 
 const struct schema_key option_shared[] = {

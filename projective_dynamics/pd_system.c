@@ -136,7 +136,7 @@ static enum status make_group(struct pd_system *s, const struct factor_pattern *
         most += held[k] ? 24 : 0; /* 5 x 5 less itself */
     TRY(room_cut(&g->room, ROOM(g->coupling_free, most), ROOM(g->coupling_held, most),
                  ROOM(g->coupling, most)));
-    /* A band solves three sides together: up to 80 x 80 points as fast as supernodes. */
+    /* A band solves three sides together: up to 80 x 80 points that is the faster. */
     TRY(factor_create(pattern, solver == SOLVER_AUTO ? SOLVER_BANDED : solver, &g->factor));
     fill(s, g, held);
     TRY(factor_refactor(g->factor));

@@ -130,41 +130,26 @@ static double flops_of(const struct factor_part *part)
     return info.flops;
 }
 
-/* The choice: the band, unless supernodes save enough arithmetic: its tiles run faster.
- * Measured: the least of two runs of 9 to 201 turns, one thread of a Zen 4 EPYC (57
- * Gflop/s) with others at work beside it; supernodes in order_nested's
- * order; p: reach of the couplings.
+/* The choice: the band, unless supernodes cost less. Measured, the least of many turns, on
+ * one thread of an EPYC with AVX2: both run at some 18 to 20 Gflop/s, and CHOLMOD takes
+ * 0.75 us more for each unknown, whose columns it gathers and scatters: as long as 13,500
+ * operations.
  *
  *                          Mflop            factor [ms]        solve [ms]
- *   net         p      band  supern.       band   supern.     band   supern.
- *   5x5x2       2       0.4      0.4      0.013     0.015   0.0013    0.0015
- *   10x10x2     2       8.6      9.5      0.198     0.277   0.0104    0.0134
- *   10x10x2 *   2       2.5      2.8      0.074     0.103   0.0067    0.0084
- *   14x14x2     2        34       31      0.717     0.815    0.032     0.036
- *   20x20x2     2       141      127       2.81      3.24    0.102     0.108
- *   20x20x2 *   2        37       34       0.86      1.03    0.052     0.061
- *   32x32x2     2       923      644       18.3      18.3     0.50      0.41
- *   50x50x2     2      5486     2959        140       102      4.6       3.4
- *   100x100x2   2               27272                 722               24.2
- *   100x100x2 * 2                7023                 198               13.7
- *   10x10x2     1       2.8      2.5      0.081     0.099   0.0066    0.0085
- *   16x16x2     1        17       12      0.405     0.411    0.027     0.031
- *   20x20x2     1        40       27      0.904     0.850    0.056     0.056
- *   24x24x2     1        80       48       1.76      1.47    0.096     0.091
- *   32x32x2     1       248      111       5.28      3.60    0.232     0.192
- *   40x40x2     1       595      233       13.4      8.18     0.62      0.33
- *   100x100x2   1                3910                 112               10.6
- *   60x6x2      2        16       48      0.431      1.21    0.034     0.068
- *   * membrane and bending uncoupled: two parts
+ *   net         p      band  CHOLMOD       band  CHOLMOD       band  CHOLMOD
+ *   10x10x2     2       9.7      7.7       0.45     0.96      0.018    0.048
+ *   20x20x2     2       149      135        9.0      9.4       0.31     0.45
+ *   32x32x2     2       954      675         47       39        1.7      2.5
+ *   50x50x2     2      5600     3010        295      184        7.7      8.5
+ *   16x16x2     1        18       11       0.86      1.8       0.05     0.11
+ *   32x32x2     1       256      109       12.2     11.5       0.84     0.96
+ *   p: reach of the couplings
  */
-static const double arithmetic_saved = 1.45; /* where the two factors cost the same       */
-static const double never_below = 15e6; /* flops: 0.4 ms, not worth CHOLMOD's analysis */
+static const double operations_of_unknown = 13500;
 
 static const struct factor_method *method_of(enum solver method)
 {
-    return method == SOLVER_CHOLMOD      ? &factor_cholmod
-           : method == SOLVER_SUPERNODAL ? &factor_supernodal
-                                         : &factor_banded;
+    return method == SOLVER_CHOLMOD ? &factor_cholmod : &factor_banded;
 }
 
 /* Creates by the method asked for, or the cheaper one; position[n], spare[n]: work. */
@@ -172,13 +157,14 @@ static enum status create_by_method(const struct factor_pattern *a, enum solver 
                                     int *position, int *spare, struct factor_part *part)
 {
     enum status st;
-    struct factor_part other = {.method = &factor_supernodal, .n = part->n};
+    struct factor_part other = {.method = &factor_cholmod, .n = part->n};
     part->method = method_of(method);
     st = part->method->create(a, position, part);
-    if (st != STATUS_OK || method > SOLVER_DIRECT || flops_of(part) < never_below)
+    const double gathering = operations_of_unknown * part->n;
+    if (st != STATUS_OK || method > SOLVER_DIRECT || flops_of(part) < gathering)
         return st;
     st = other.method->create(a, spare, &other);
-    if (st == STATUS_OK && flops_of(part) > arithmetic_saved * flops_of(&other)) {
+    if (st == STATUS_OK && flops_of(part) > gathering + flops_of(&other)) {
         memcpy(position, spare, a->n * sizeof *position);
         const struct factor_part band = *part;
         *part = other, other = band;

@@ -1,12 +1,11 @@
 /* factor.h - Cholesky factorisation of a symmetric positive definite matrix whose pattern
  * never changes: analyse once, fill values, refactor, solve.
  *
- * Three ways behind one face: a band of tiles for small nets, nested dissection and
- * supernodes for large ones, and CHOLMOD itself to hold them against. Independent
- * sub-systems (connected components of the pattern, such as membrane and bending of a flat
- * sheet) are found and factored one by one, each with its own band or order: leave
- * couplings that are always zero out of the pattern. One thread inside; the result does not
- * depend on any thread count.
+ * Two ways behind one face: a band of tiles for small nets, CHOLMOD for large ones.
+ * Independent sub-systems (connected components of the pattern, such as membrane and
+ * bending of a flat sheet) are found and factored one by one, each with its own band or
+ * order: leave couplings that are always zero out of the pattern. One thread inside; the
+ * result does not depend on any thread count.
  *
  * The caller fills the numbers in place: slot = factor_slot(f, i, j) once at set-up, then
  * factor_values(f)[slot] += a_ij after factor_clear_values, before every factor_refactor.
@@ -28,9 +27,8 @@ struct factor_pattern {
     const long *start; /* [n + 1]       borrowed during create                         */
     const int *row;    /* [start[n]]                                                   */
     const int *order;  /* [n] an order of elimination, order[new] = old, or NULL. The band
-                          takes the narrower of this and the natural order; supernodes the
-                          best of this (order_nested's, say), AMD's and METIS's; CHOLMOD
-                          orders by itself.                                            */
+                          takes the narrower of this and the natural order; CHOLMOD orders
+                          by itself.                                                   */
 };
 
 struct factor;
@@ -72,7 +70,7 @@ enum status factor_solve(struct factor *f, double *b);
 enum status factor_solve_many(struct factor *f, int count, double *b, ptrdiff_t stride);
 
 struct factor_info {
-    const char *method; /* "banded", "supernodal", "cholmod" or "mixed"; static       */
+    const char *method; /* "banded", "cholmod" or "mixed"; static storage            */
     long entries;       /* numbers stored in L, padding included                       */
     double flops;       /* operations of one factorisation                             */
     int parts;          /* independent sub-systems                                       */

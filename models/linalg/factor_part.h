@@ -57,7 +57,6 @@ struct factor_part {
 double *factor_numbers(ptrdiff_t count);
 
 extern const struct factor_method factor_banded;
-extern const struct factor_method factor_supernodal;
 extern const struct factor_method factor_cholmod;
 
 #endif

@@ -7,9 +7,6 @@
 #include "models/linalg/order.h"
 #include "models/room.h"
 
-/* The rows that an element reaches. */
-enum { REACH = 2 };
-
 static enum status make_arrays(struct spring_large *l, const struct spring_large_plan *plan)
 {
     const struct blocks *graph = plan->graph;
@@ -25,13 +22,11 @@ static enum status make_arrays(struct spring_large *l, const struct spring_large
 static enum status make_systems(struct spring_large *l,
                                 const struct spring_large_plan *plan)
 {
-    enum status st = STATUS_OK;
+    enum status st;
     const int *points = plan->load->net->points;
-    int *order = malloc((size_t)plan->load->net->nodes * sizeof *order);
+    int *order = NULL;
 
-    if (!order)
-        TRY(STATUS_MEMORY);
-    order_nested(points[0], points[1], 1, REACH, order);
+    TRY(order_wide(points[0], points[1], 1, &order));
     TRY(system_init(&l->system, plan->graph, plan->supports, NULL, order, plan->d));
 out:
     free(order);

@@ -247,8 +247,3 @@ out:
     spring_net_clear(&new);
     return st;
 }
-
-int spring_net_reach(const struct spring_net *net)
-{
-    return net->hinge_count ? 2 : 1;
-}

@@ -67,7 +67,4 @@ int spring_net_beside(const struct spring_net *net, int i, int j, int di, int dj
 /* Tells whether the node (i, j) lies on a rim of its sheet along u (0) or v (1). */
 bool spring_net_on_rim(const struct spring_net *net, int i, int j, int along);
 
-/* Returns how far a hinge reaches, in nodes: 2, or 1 without hinges. */
-int spring_net_reach(const struct spring_net *net);
-
 #endif

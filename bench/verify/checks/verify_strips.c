@@ -31,7 +31,7 @@ static const struct verify_subject entries[] = {
     {"triangles", ASKED, {80, 160}, {3, 3}},
     {"mass_spring", 0, "springs bend as a plate only in the limit", {20, 40}, {3, 5}},
     {"position_based", 0, "no statics: damped motion", {20}, {3}, .dear = true},
-    {"projective_dynamics", 0, "no statics: damped motion", {20, 40}, {3, 5}},
+    {"projective_dynamics,vbd", 0, "no statics: damped motion", {20, 40}, {3, 5}, .dear = true},
     {NULL}};
 /* clang-format on */
 

@@ -221,6 +221,13 @@ static bool comes_in(const struct verify_sheet *sheet, const struct verify_field
            contestant_chosen(c, sheet->models, left_out ? NOWHERE : field->enters);
 }
 
+/* Returns whether a quick run leaves a subject out: a dear one, or one of whom nothing is
+ * claimed. */
+static bool is_left(const struct verify_subject *s)
+{
+    return s->sheet->quick && (s->dear || (isnan(s->tolerance) && isnan(s->second)));
+}
+
 int verify_sheet_subjects(struct verify_sheet *sheet, const struct verify_field *field,
                           struct verify_subject *all)
 {
@@ -238,12 +245,12 @@ int verify_sheet_subjects(struct verify_sheet *sheet, const struct verify_field 
             if (!verify_sheet_holds(sheet, contestant_find(name, &c, &sheet->why)))
                 return 0;
             named[c - contestant_table] = true;
-            if (contestant_chosen(c, sheet->models, 0) && !(row->dear && sheet->quick))
-                all[count++] = filled(row, field, sheet, c);
+            if (contestant_chosen(c, sheet->models, 0))
+                all[count] = filled(row, field, sheet, c), count += !is_left(&all[count]);
         }
     for (c = contestant_table; c->name && count < VERIFY_MOST; c++)
         if (!named[c - contestant_table] && comes_in(sheet, field, c))
-            all[count++] = filled(&nothing, field, sheet, c);
+            all[count] = filled(&nothing, field, sheet, c), count += !is_left(&all[count]);
     return sheet->status == STATUS_OK ? count : 0;
 }
 

@@ -99,7 +99,8 @@ struct verify_subject {
     const char *settings[VERIFY_SETTINGS]; /* KEY=VALUE; NULL ends                        */
     int layers;                            /* through the thickness; 0: a surface         */
     int degree;                            /* along u                                     */
-    bool dear;                             /* --quick leaves it out                       */
+    bool dear;                             /* --quick leaves it out, as it does those of
+                                              whom nothing is claimed                     */
     bool mark;                             /* its meaning is the check's                  */
     const char *changed; /* the claim before a result changed it; NULL: none was          */
     double second;       /* tolerance of a check's second row, as `tolerance`             */

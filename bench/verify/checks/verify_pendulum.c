@@ -51,7 +51,7 @@ static const struct verify_subject entries[] = {
     {"triangles", SOLID, {40, 80}, {3, 3}},
     {"mass_spring", 0, EULER, {40, 80}, {3, 3}},
     {"position_based", 0, EULER, {20, 40}, {3, 3}},
-    {"projective_dynamics", 0, EULER, {40, 40}, {5, 5}, VERIFY_TO_THE_END, .dear = true},
+    {"projective_dynamics", 0, EULER, {40, 40}, {5, 5}, VERIFY_TO_THE_END},
     {NULL}};
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, "iga_nonlinear,hex_nonlinear", {40, 80}};

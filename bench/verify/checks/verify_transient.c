@@ -41,7 +41,7 @@ static const struct verify_subject entries[] = {
     {"iga_reduced_linear,iga_selective_linear", SOLID, EVERY_EIGHTH},
     {"iga_linear_32", SOLID, THREE},
     {"iga_reduced", SOLID, EVERY_EIGHTH, .dear = true},
-    {"hex_linear", 0, "locks", MANY, .dear = true},
+    {"hex_linear", 0, "locks", MANY},
     {"hex_incompatible_linear", SOLID, MANY},
     {"hex_incompatible", SOLID, MANY, .dear = true},
     {"shell_linear_3", SHELL, THREE},
@@ -49,7 +49,7 @@ static const struct verify_subject entries[] = {
     {"triangles", SOLID, THREE},
     {"mass_spring", 0, EULER, {21, 41}, .settings = {"discretization.tolerance=1e-9"}},
     {"position_based", 0, EULER, {11, 21}},
-    {"projective_dynamics", 0, EULER, {11, 21}, TO_THE_END, {ITERATED, CHEBYSHEV}, .dear = true},
+    {"projective_dynamics", 0, EULER, {11, 21}, TO_THE_END, {ITERATED, CHEBYSHEV}},
     {"projective_dynamics_bdf2", SOLID, {21, 41}, TO_THE_END, {ITERATED}, .dear = true,
      .changed = LEFT},
     {NULL}};

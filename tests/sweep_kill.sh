@@ -15,10 +15,8 @@ echo "SEED=${SEED:-$$}"
 
 sweep plan.yaml --out whole --quiet || fail "undisturbed: exit $?"
 
-ended() { # cases that the log says have ended
-    local count
-    count=$(grep -cs '^end' killed/log.txt)
-    echo "${count:-0}"
+ended() { # cases that have a file
+    find killed -name '*.h5' 2>/dev/null | wc -l
 }
 
 # A sweep that has come to its end, however often it was killed on the way.
@@ -26,15 +24,6 @@ check_end() {
     cmp whole/table.csv killed/table.csv || fail 'the tables differ'
     [ "$(wc -l <killed/table.csv)" -eq $((cases + 1)) ] || fail "not $cases rows"
     [ -z "$(find killed -name '*.part')" ] || fail 'left behind: a half-written file'
-    awk -v cases="$cases" '
-        $1 == "start" && ended[$2] { print "case", $2, "is run again"; bad = 1 }
-        $1 == "start" { started[$2]++; lives++ }
-        $1 == "end" { ended[$2] = 1 }
-        END { for (n = 1; n <= cases; n++) if (!started[n]) { print "lost:", n; bad = 1 }
-              print lives, "starts of", cases, "cases"
-              exit bad }' killed/log.txt || fail 'the log is not as it should be'
-    starts=$((starts + $(grep -c '^start' killed/log.txt)))
-    sweeps=$((sweeps + 1))
     # a file that was there after any of the lives is the very same in the end
     stat -c '%n %i' killed/case_*.h5 | sort >ids.end
     sort -u ids | comm -23 - ids.end | grep . && fail 'a finished case was written again'
@@ -59,10 +48,11 @@ live() {
     while kill -0 -- "-$group" 2>/dev/null; do sleep 0.002; done
     [ ! -s err ] || fail "a life says: $(<err)"
     stat -c '%n %i' killed/case_*.h5 >>ids 2>/dev/null
+    cut=$((cut + $(find killed -name '*.part' 2>/dev/null | wc -l)))
 }
 
 : >ids
-starts=0 sweeps=0 killed=0
+cut=0 killed=0
 while ((killed < kills && failures == 0)); do
     live
     if [ -e killed/table.csv ]; then # on a fast machine it comes to its end before
@@ -73,6 +63,6 @@ while ((killed < kills && failures == 0)); do
 done
 sweep plan.yaml --out killed --quiet --resume || fail "the last life: exit $?"
 check_end
-echo "$killed kills, $sweeps sweeps"
-((starts > sweeps * cases)) || fail 'no case was ever cut short'
+echo "$killed kills, $cut cases cut short"
+((cut > 0)) || fail 'no case was ever cut short'
 [ "$failures" -eq 0 ]

@@ -13,7 +13,6 @@
 #include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
 #include "bench/ui/chart.h"
-#include "bench/ui/progress.h"
 #include "models/clock.h"
 #include "models/damping.h"
 #include "models/reader/scene_file.h"
@@ -157,35 +156,20 @@ static void plan_row(struct compare_job *j, const struct contest_row *row, int t
     c->keep.time = j->time;
     c->keep.fields = RUN_FIELDS_TIMES;
     c->timed = row->probe ? MEASUREMENT_UNTIMED : MEASUREMENT_WHOLE;
-    settings_append(batch_settings(batch),
+    settings_append(&c->settings,
                     contestant_is_paper_scheme(at->contestant) ? &j->user : &j->truth);
     /* again: the user's settings do not change what defines it */
-    contestant_settings(at->contestant, batch_settings(batch));
-    contest_settings(&j->contest, at, batch_settings(batch));
-}
-
-static void show(void *context, const char *what, int done, int total)
-{
-    struct progress *bar = context;
-
-    (void)what;
-    bar->total = total;
-    progress_update(bar, done);
+    contestant_settings(at->contestant, &c->settings);
+    contest_settings(&j->contest, at, &c->settings);
 }
 
 static enum status run_batch(struct compare_job *j, struct batch *batch,
                              struct message *why)
 {
-    struct progress bar = progress_start("compare", 1, false);
-    const struct measurement_options options = {.what = "compare",
-                                                .quick = j->contest.quick,
-                                                .progress = show,
-                                                .context = &bar,
-                                                .taken = &j->taken};
-    const enum status st = batch_run(batch, &options, why);
-
-    progress_end(&bar);
-    return st;
+    return batch_run(batch,
+                     &(struct measurement_options){
+                         .what = "compare", .quick = j->contest.quick, .taken = &j->taken},
+                     why);
 }
 
 enum status compare_job_rows(void *job, int first, struct message *why)
@@ -205,13 +189,14 @@ enum status compare_job_rows(void *job, int first, struct message *why)
     if (late != STATUS_LATE && late != STATUS_OK)
         TRY(status_fail(why, late, "%s", said.text));
     for (int n = first; n < c->count; n++) {
+        const struct measurement_case *of = &batch.cases[n - first];
         struct run_result r = {0};
-        if ((late && !batch.cases[n - first].done) ||
-            (!needed && j->read_only && access(batch.files[n - first], F_OK) != 0)) {
+        if ((late && !of->done) ||
+            (!needed && j->read_only && access(of->keep.file, F_OK) != 0)) {
             contest_set_absent(&c->rows[n]);
             continue;
         }
-        TRY(batch_read(&batch, n - first, true, &r, why));
+        TRY(run_result_read(of->keep.file, true, &r, why));
         contest_fill(c, &r, &c->rows[n]);
         run_result_clear(&r);
     }
@@ -240,9 +225,10 @@ static enum status measure_team(struct compare_job *j, int team, struct message 
         struct run_result r = {0};
         if (!contest_is_best(c, &c->rows[n]))
             continue;
-        if (j->read_only && access(batch.files[at], F_OK) != 0)
-            TRY(status_fail(why, STATUS_LATE, "%s is not there", batch.files[at]));
-        TRY(batch_read(&batch, at++, true, &r, why));
+        const char *file = batch.cases[at++].keep.file;
+        if (j->read_only && access(file, F_OK) != 0)
+            TRY(status_fail(why, STATUS_LATE, "%s is not there", file));
+        TRY(run_result_read(file, true, &r, why));
         contest_fill_team(c, team, &r, &c->rows[n]);
         run_result_clear(&r);
     }

@@ -5,9 +5,9 @@
  *     TRY(batch_init(&b, folder, 2));
  *     struct measurement_case *c = batch_add(&b, path, contestant, "iga_paper_10");
  *     c->timed = MEASUREMENT_WHOLE;
- *     settings_number(batch_settings(&b), "time.step", 0.005);
+ *     settings_number(&c->settings, "time.step", 0.005);
  *     TRY(batch_run(&b, &options, why));
- *     TRY(batch_read(&b, 0, true, &result, why));
+ *     TRY(run_result_read(c->keep.file, true, &result, why));
  *     out: batch_clear(&b);
  */
 #ifndef BATCH_H
@@ -19,8 +19,6 @@ struct batch {
     const char *folder; /*                                                     borrowed */
     int count, room;
     struct measurement_case *cases; /* [room]                                     owned */
-    struct settings *settings;      /* [room]                                     owned */
-    char **files, **paths; /* [room] of results and scenes; NULL: no memory       owned */
 };
 
 /* Makes room for `most` cases. *b is overwritten. */
@@ -28,21 +26,14 @@ enum status batch_init(struct batch *b, const char *folder, int most);
 void batch_clear(struct batch *b); /* all-zero is allowed */
 
 /* Adds a case, to be filled: it keeps no fields and is not timed unless told so. `c` is
- * borrowed until the end, path and name are copied. */
+ * borrowed until the end, path and name are copied. Its settings come on top of the
+ * contestant's. */
 struct measurement_case *batch_add(struct batch *b, const char *path,
                                    const struct contestant *c, const char *name);
-
-/* Returns the settings of the case added last, on top of the contestant's. */
-struct settings *batch_settings(struct batch *b);
 
 /* Makes the folder and measures all cases; says how many were taken from earlier calls
  * unless options->taken is there. Errors as measurement_run. */
 enum status batch_run(struct batch *b, const struct measurement_options *options,
                       struct message *why);
-
-/* Reads the result of the n-th case (run_result_read). STATUS_MEMORY: its file had no name.
- */
-enum status batch_read(const struct batch *b, int n, bool fields, struct run_result *r,
-                       struct message *why);
 
 #endif

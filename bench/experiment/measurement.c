@@ -11,6 +11,7 @@
 #include "bench/harness/pool.h"
 #include "bench/harness/timing.h"
 #include "bench/experiment/bench_solid.h"
+#include "bench/ui/progress.h"
 #include "bench/ui/table.h"
 
 /* Frames of a repeat, where a frame costs the same all along the motion. */
@@ -19,8 +20,6 @@ enum { FRAMES = 20, QUICK_FRAMES = 5, WARMUP = 2 };
 /* Seconds of cases that are timed in turn, and their share of the rest of a budget. */
 static const double GROUP = 10, GROUP_SHARE = 0.1;
 
-enum { MADE_FOR = 32 };
-
 /* A case that is being measured. */
 struct job {
     const struct measurement_case *asked;
@@ -28,7 +27,7 @@ struct job {
     struct run run;
     struct motion motion;
     struct run_file *file;
-    char made_for[MADE_FOR]; /* what its file is of                                     */
+    char key[MEASUREMENT_KEY];
     struct timing_case *timing; /* NULL: it is not timed                                */
 };
 
@@ -122,44 +121,35 @@ static void add_text(unsigned long *sum, const char *text)
     *sum = seal_text_sum(*sum, text, strlen(text) + 1);
 }
 
-/* Sums what a case's file depends on besides the case: the program, its commit and the
- * machine. */
-static enum status sum_of_program(unsigned long *sum, struct message *why)
+unsigned long measurement_program(bool timed)
 {
-    static const char *const keys[] = {"commit", "changed_files", "cpu", "omp_threads",
-                                       "blas_threads"};
+    static const char *const keys[] = {"solvers", "compiler",    "flags",
+                                       "cpu",     "omp_threads", "blas_threads"};
+    enum { BITS = 3, ALL = sizeof keys / sizeof *keys };
     struct provenance here;
-    const enum status st = seal_text_program(sum, why);
+    unsigned long sum = 0;
 
     provenance_collect(&here);
-    for (size_t n = 0; n < sizeof keys / sizeof *keys; n++)
-        add_text(sum, provenance_value(&here, keys[n]));
-    return st;
+    for (int n = 0; n < (timed ? ALL : BITS); n++)
+        add_text(&sum, provenance_value(&here, keys[n]));
+    return sum;
 }
 
-/* Writes the key of a case: a sum of the scene's text, which has its settings and what its
- * meshes are, of what is kept and of what is timed. */
-static enum status key_of(const struct measurement_options *o,
-                          const struct measurement_case *c, unsigned long sum,
-                          char key[MADE_FOR], struct message *why)
+void measurement_key(const struct measurement_case *c, bool quick,
+                     const struct scene *scene, unsigned long before,
+                     char key[MEASUREMENT_KEY])
 {
     const double numbers[] = {c->plan.end,     c->keep.every,  c->keep.fields,
                               c->keep.doubles, c->keep.packed, c->keep.intersections,
                               c->rest,         c->timed,       c->repeats,
-                              c->phases,       o->quick};
-    struct run run;
-    const enum status st = run_read(&run, &c->plan, why);
+                              c->phases,       quick};
 
-    if (st == STATUS_OK) {
-        add_text(&sum, run.scene.text);
-        add_text(&sum, c->plan.contestant->name);
-        sum = seal_text_sum(sum, numbers, sizeof numbers);
-        sum =
-            seal_text_sum(sum, c->keep.time, (size_t)c->keep.times * sizeof *c->keep.time);
-        snprintf(key, MADE_FOR, "a case of %08lx", sum);
-    }
-    run_close(&run);
-    return st;
+    add_text(&before, scene->text);
+    add_text(&before, c->plan.contestant->name);
+    before = seal_text_sum(before, numbers, sizeof numbers);
+    before =
+        seal_text_sum(before, c->keep.time, (size_t)c->keep.times * sizeof *c->keep.time);
+    snprintf(key, MEASUREMENT_KEY, "a case of %08lx", before);
 }
 
 static bool is_kept(const struct measurement_case *c, const char *key)
@@ -186,16 +176,20 @@ static enum status take(const struct measurement_options *o, int count,
                         struct message *why)
 {
     struct measurement_taken here = {0, count};
-    unsigned long program;
-    enum status st;
+    const unsigned long program = measurement_program(true);
+    enum status st = STATUS_OK;
 
-    TRY(sum_of_program(&program, why));
     for (int n = 0; n < count; n++) {
-        TRY(key_of(o, &cases[n], program, jobs[n].made_for, why));
+        struct run run;
+        st = run_read(&run, &cases[n].plan, why);
+        if (st == STATUS_OK)
+            measurement_key(&cases[n], o->quick, &run.scene, program, jobs[n].key);
+        run_close(&run);
+        TRY(st);
         jobs[n].keep = cases[n].keep;
         jobs[n].keep.quick = o->quick;
-        jobs[n].keep.made_for = jobs[n].made_for;
-        cases[n].done = !o->again && is_kept(&cases[n], jobs[n].made_for);
+        jobs[n].keep.made_for = jobs[n].key;
+        cases[n].done = !o->again && is_kept(&cases[n], jobs[n].key);
         here.taken += cases[n].done;
     }
     if (o->taken)
@@ -210,17 +204,16 @@ out:
 /* One progress bar for all: a case counts for its followed run and for its repeats. */
 struct bar {
     const struct measurement_options *options;
-    int before, all;
+    struct progress progress;
+    int before;
 };
 
 static void report(void *context, int done, int total)
 {
-    const struct bar *bar = context;
-    const struct measurement_options *o = bar->options;
+    struct bar *bar = context;
 
     (void)total;
-    if (o->progress)
-        o->progress(o->context, o->what, bar->before + done, bar->all);
+    progress_update(&bar->progress, bar->before + done);
 }
 
 static enum status time_all(struct bar *bar, int count, struct job *jobs,
@@ -376,19 +369,21 @@ enum status measurement_run(const struct measurement_options *options, int count
                             struct measurement_case *cases, struct message *why)
 {
     struct job *jobs = calloc((size_t)count + 1, sizeof *jobs);
-    struct bar bar = {options, 0, 0};
+    struct bar bar = {.options = options};
     enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
-    int next = 0;
+    int next = 0, all = 0;
 
     TRY(st);
     TRY(take(options, count, cases, jobs, why));
     for (int n = 0; n < count; n++)
-        bar.all += cases[n].done ? 0 : TIMING_REPEATS + 1;
+        all += cases[n].done ? 0 : TIMING_REPEATS + 1;
+    bar.progress = progress_start(options->what, all, !options->what);
     if (isinf(deadline_left())) /* a budget's order is the caller's */
         TRY(run_untimed(&bar, count, cases, jobs, why));
     while (next < count)
         TRY(run_group(&bar, count, cases, jobs, &next, why));
 out:
+    progress_end(&bar.progress);
     for (int n = 0; jobs && n < count; n++) {
         run_file_discard(jobs[n].file);
         motion_clear(&jobs[n].motion);

@@ -30,7 +30,21 @@ struct measurement_case {
     int repeats; /* 0: as timing.h has it                                              */
     bool phases; /* a solid that is rebuilt: also its phases, apart                    */
     bool done;   /* out: its file is there                                             */
+    struct settings settings; /* of a case in a batch (batch.h), as plan.settings; owned  */
 };
+
+enum { MEASUREMENT_KEY = 32 };
+
+/* Returns a sum of what the bits of results depend on besides their cases: the sources of
+ * the models, compiler and flags; for what is `timed` also the machine. */
+unsigned long measurement_program(bool timed);
+
+/* Writes the key of a case: a sum of all that its file depends on. The scene, read with the
+ * case's settings, has them and what its meshes are in its text; `before` is the sum of
+ * what else counts, such as measurement_program. */
+void measurement_key(const struct measurement_case *c, bool quick,
+                     const struct scene *scene, unsigned long before,
+                     char key[MEASUREMENT_KEY]);
 
 /* Numbers of cases: those that an earlier call had finished, and all. */
 struct measurement_taken {
@@ -38,16 +52,14 @@ struct measurement_taken {
 };
 
 struct measurement_options {
-    const char *what; /* for the progress bar                                          */
+    const char *what; /* words for the progress bar; NULL: none is shown               */
     bool quick;       /* fewer repeats and frames                                      */
-    void (*progress)(void *context, const char *what, int done, int total); /* or NULL */
-    void *context;
-    bool again; /* files of earlier calls are not taken                                */
+    bool again;       /* files of earlier calls are not taken                          */
     struct measurement_taken *taken; /* is added to; NULL: not told                    */
 };
 
 /* Runs and times all cases. Deaths and refusals are results. Files of an earlier call are
- * taken if they were made for the same scene, settings and program, on this machine. Cases
+ * taken if their key is that of the case. Cases
  * are timed in turn in groups of some seconds, and a group's files are there as soon as it
  * is over: who stops it loses one group. Without a budget those that are not timed are
  * followed first, each in a process of its own, as many at a time as there are processors.

@@ -112,7 +112,7 @@ static enum status add_level(const struct plan *plan, const struct plan_study *s
     TRY(plan_case_level(plan, study, level, quick_run, &c, why));
     snprintf(name, sizeof name, "%s_%s", study->name, level->name);
     struct measurement_case *m = batch_add(batch, c.path, c.contestant, name);
-    settings_append(batch_settings(batch), &c.settings);
+    settings_append(&m->settings, &c.settings);
     m->plan.end = times ? time[times - 1] : 0;
     m->keep.every = plan->look;
     m->keep.intersections = plan->intersections;

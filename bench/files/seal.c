@@ -96,19 +96,6 @@ unsigned long seal_text_sum(unsigned long before, const void *bytes, size_t size
     return size ? crc32(before, bytes, (unsigned)size) : before; /* of NULL it is 0 */
 }
 
-enum status seal_text_program(unsigned long *sum, struct message *why)
-{
-    static const char path[] = "/proc/self/exe";
-    FILE *file = fopen(path, "rb");
-    long length;
-
-    if (!file)
-        return fail(path, "read", why);
-    const enum status st = sum_rest(path, file, &length, sum, why);
-    fclose(file);
-    return st;
-}
-
 /* Writes the last line for text[size]. */
 static void seal_of(const char *text, size_t size, char seal[SEAL_MOST])
 {

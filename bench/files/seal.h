@@ -24,10 +24,6 @@ enum status seal_check(const char *path, long *size, struct message *why);
  * `before` is that of the preceding bytes, 0 at first. */
 unsigned long seal_text_sum(unsigned long before, const void *bytes, size_t size);
 
-/* Computes the checksum of the program's own file: two builds of the same commit may
- * differ. STATUS_FILE. */
-enum status seal_text_program(unsigned long *sum, struct message *why);
-
 /* Writes a text, which ends in a line's end, and its seal, as output.h does.
  * STATUS_FILE. */
 enum status seal_text_write(const char *path, const char *text, struct message *why);

@@ -150,8 +150,6 @@ static enum status hand_out(struct work *w, struct message *why)
             continue;
         if ((job = take(w)) < 0)
             break;
-        if (p->begin)
-            TRY(p->begin(p->context, job, why));
         w->running++;
         if (rank < 1) {
             TRY(start(&w->slots[n], job, why));

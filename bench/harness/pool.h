@@ -20,9 +20,8 @@ struct pool {
     void *context; /* of the calls                                            borrowed */
     /* Does a job in a process of its own; its results go to files. */
     enum status (*work)(void *context, long job, struct message *why);
-    /* Called before a job is handed out (NULL: nothing), and after its end, CHILD_DONE,
-     * CHILD_FAILED or CHILD_CUT. Anything but STATUS_OK ends the pool. */
-    enum status (*begin)(void *context, long job, struct message *why);
+    /* Called after a job's end, CHILD_DONE, CHILD_FAILED or CHILD_CUT. Anything but
+     * STATUS_OK ends the pool. */
     enum status (*settle)(void *context, long job, const struct child_end *end,
                           struct message *why);
 

@@ -7,7 +7,6 @@
 #include "bench/experiment/bench_solid.h"
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
-#include "bench/ui/progress.h"
 #include "fem_ref/reference.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/reader/scene_file.h"
@@ -43,7 +42,7 @@ static struct measurement_case *add_run(struct bench *b, const struct contestant
     snprintf(name, sizeof name, "%s_%d", who->name, b->batch.count);
     struct measurement_case *c = batch_add(&b->batch, b->path, who, name);
     c->plan.end = end;
-    settings_list(batch_settings(&b->batch), count, settings);
+    settings_list(&c->settings, count, settings);
     return c;
 }
 
@@ -186,7 +185,7 @@ static enum status plan_contestants(struct bench *b, struct message *why)
         run->timed = MEASUREMENT_WHOLE;
         run->keep.times = 1;
         run->keep.time = end; /* the work up to there */
-        contestant_points(c, usual_side(c), usual_side(c), batch_settings(&b->batch));
+        contestant_points(c, usual_side(c), usual_side(c), &run->settings);
     }
     return st;
 }
@@ -244,30 +243,16 @@ const struct bench_part bench_part_contestants = {
 static const struct command_item *const items[] = {
     &bench_part_solids.item, &bench_part_contact.item, &bench_part_contestants.item, NULL};
 
-static void show(void *context, const char *what, int done, int total)
-{
-    struct progress *bar = context;
-
-    (void)what;
-    bar->total = total;
-    progress_update(bar, done);
-}
-
 static enum status measure(const struct bench_part *part, struct bench *b,
                            struct message *why)
 {
-    struct progress bar = progress_start(part->item.name, 1, false);
-    const struct measurement_options options = {.what = part->item.name,
-                                                .quick = b->quick,
-                                                .progress = show,
-                                                .context = &bar,
-                                                .again = true};
+    const struct measurement_options options = {
+        .what = part->item.name, .quick = b->quick, .again = true};
     enum status st;
 
     TRY(folder_make(b->folder, why));
     TRY(batch_run(&b->batch, &options, why));
 out:
-    progress_end(&bar);
     return st;
 }
 
@@ -289,10 +274,10 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
     b->result = calloc((size_t)b->batch.count + 1, sizeof *b->result);
     TRY(b->result ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < b->batch.count; n++)
-        TRY(batch_read(&b->batch, n, false, &b->result[n], why));
+        TRY(run_result_read(b->batch.cases[n].keep.file, false, &b->result[n], why));
     TRY(part->print(b, why));
     if (table_format_is_prose(b->format)) {
-        measurement_machine(b->batch.files[0], b->file);
+        measurement_machine(b->batch.cases->keep.file, b->file);
         fprintf(b->file, "\n");
     }
 out:

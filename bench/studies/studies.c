@@ -7,7 +7,6 @@
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
 #include "bench/ui/command.h"
-#include "bench/ui/progress.h"
 
 /* Tables are plans and the claims on them; that of all statements is of many plans. */
 static const struct table_plan {
@@ -144,31 +143,10 @@ out:
 /* --- what is done ------------------------------------------------------------------------
  */
 
-struct bar {
-    struct progress progress;
-    const char *what;
-};
-
-static void show(void *context, const char *what, int done, int total)
-{
-    struct bar *bar = context;
-
-    if (bar->what != what) {
-        progress_end(&bar->progress);
-        bar->progress = progress_start(what, total, false);
-        bar->what = what;
-    }
-    progress_update(&bar->progress, done);
-    if (done == total)
-        progress_end(&bar->progress);
-}
-
 /* Runs all cases on one thread and one processor: models are compared, not schedulers. */
 static enum status measure(const struct asked *a, struct message *why)
 {
-    struct bar bar = {{0}, NULL};
-    const struct measurement_options how = {
-        .quick = a->quick, .progress = show, .context = &bar};
+    const struct measurement_options how = {.quick = a->quick};
     enum status st;
 
     TRY(folder_make(a->folder, why));
@@ -178,7 +156,6 @@ static enum status measure(const struct asked *a, struct message *why)
     TRY(study_measure(&a->plan, a->folder, &how, why));
     judge_mark(a->folder, a->quick);
 out:
-    progress_end(&bar.progress);
     return st;
 }
 

@@ -6,8 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/experiment/measurement.h"
+#include "bench/files/seal.h"
 #include "bench/harness/looks.h"
-#include "bench/harness/run_file.h"
 #include "bench/truth/truth.h"
 #include "models/metric/metric.h"
 
@@ -18,6 +19,7 @@ struct sweep {
     bool resume, quiet;
     struct plan plan;
     struct sweep_folder folder;
+    unsigned long program; /* measurement_program                                       */
     struct pool pool;
 };
 
@@ -43,95 +45,136 @@ static enum status look(void *context, const struct motion *m, const double *xyz
     return STATUS_OK;
 }
 
-/* Runs a case and leaves its file. */
-static enum status work(void *context, long number, struct message *why)
+/* A case as it is run, or looked for in the folder. */
+struct opened {
+    struct plan_case c;
+    struct scene scene;
+    struct measurement_case run;
+    char path[SWEEP_FOLDER_PATH], key[MEASUREMENT_KEY];
+};
+
+/* Adds the stored truth of a scene, if there is one, to a sum: its cases keep their
+ * distance from it. Its beginning, where it is sealed, is enough. */
+static unsigned long add_truth(unsigned long sum, const struct scene *scene)
 {
-    const struct sweep *s = context;
-    struct plan_case c = {0};
-    struct scene scene = {0};
-    struct known truth = {{0}};
-    struct run_own own[LOOKS_TRUTH];
-    char path[SWEEP_FOLDER_PATH], made_for[SWEEP_FOLDER_MADE_FOR];
+    char *path = NULL, *bytes = NULL;
+    size_t size;
+
+    if (named_file_find(&truth_file_kind, scene->name, &path, NULL) == STATUS_OK &&
+        named_file_read(&truth_file_kind, path, &bytes, &size, NULL) == STATUS_OK)
+        sum = seal_text_sum(sum, bytes, size);
+    free(path);
+    free(bytes);
+    return sum;
+}
+
+/* Errors as plan_case_open; close it in any case. */
+static enum status open_case(const struct sweep *s, long number, struct opened *o,
+                             struct message *why)
+{
+    unsigned long sum;
     enum status st;
 
-    TRY(plan_case_open(&s->plan, number, &c, why));
-    TRY(plan_case_scene(&c, &scene, why));
-    truth.length = scene.length;
-    /* A factor a step is no physics that a truth could have: nothing needs to be read. */
-    if (!truth_plan_damping(&scene))
-        TRY(truth_judged(&scene, &truth.made, why));
-    const struct run_plan run = plan_case_run(&c);
-    sweep_folder_file(&s->folder, number, "h5", path);
-    sweep_folder_made_for(&s->folder, &s->plan, &c, made_for);
-    struct run_keep keep = {.file = path,
-                            .made_for = made_for,
-                            .every = s->plan.look ? s->plan.look : 10,
-                            .times = scene.snapshot_count,
-                            .time = scene.snapshots,
-                            .fields = s->plan.keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES
-                                                                          : RUN_FIELDS_NONE,
-                            .intersections = s->plan.intersections,
-                            .own_count = truth.made.claimed ? LOOKS_TRUTH : 0,
-                            .own = own,
-                            .own_look = look,
-                            .context = &truth};
-    for (int n = 0; n < LOOKS_TRUTH; n++)
-        own[n] = (struct run_own){looks_truth[n], "1"};
-    st = run_file_write(&run, &keep, NULL, why);
+    *o = (struct opened){.key = "not read"};
+    TRY(plan_case_open(&s->plan, number, &o->c, why));
+    TRY(plan_case_scene(&o->c, &o->scene, why));
+    sweep_folder_file(&s->folder, number, "h5", o->path);
+    o->run = (struct measurement_case){
+        .plan = plan_case_run(&o->c),
+        .keep = {.file = o->path,
+                 .every = s->plan.look ? s->plan.look : 10,
+                 .times = o->scene.snapshot_count,
+                 .time = o->scene.snapshots,
+                 .fields = s->plan.keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES
+                                                               : RUN_FIELDS_NONE,
+                 .intersections = s->plan.intersections,
+                 .made_for = o->key},
+        .timed = MEASUREMENT_UNTIMED};
+    sum = seal_text_sum(s->program, &s->plan.time_limit, sizeof s->plan.time_limit);
+    measurement_key(&o->run, false, &o->scene, add_truth(sum, &o->scene), o->key);
 out:
-    truth_clear(&truth.made);
-    scene_clear(&scene);
-    plan_case_clear(&c);
     return st;
 }
 
-static enum status begin(void *context, long number, struct message *why)
+static void close_case(struct opened *o)
 {
-    const struct sweep *s = context;
-
-    return sweep_folder_log(&s->folder, "start", number, why);
+    scene_clear(&o->scene);
+    plan_case_clear(&o->c);
 }
 
-/* Logs the end of a case, and keeps why it came to no result. */
+/* Runs a case and leaves its file. */
+static enum status work(void *context, long number, struct message *why)
+{
+    struct opened o;
+    struct known truth = {{0}};
+    struct run_own own[LOOKS_TRUTH];
+    struct run_keep *keep = &o.run.keep;
+    enum status st;
+
+    TRY(open_case(context, number, &o, why));
+    truth.length = o.scene.length;
+    /* A factor a step is no physics that a truth could have: nothing needs to be read. */
+    if (!truth_plan_damping(&o.scene))
+        TRY(truth_judged(&o.scene, &truth.made, why));
+    keep->own_count = truth.made.claimed ? LOOKS_TRUTH : 0;
+    keep->own = own;
+    keep->own_look = look;
+    keep->context = &truth;
+    for (int n = 0; n < LOOKS_TRUTH; n++)
+        own[n] = (struct run_own){looks_truth[n], "1"};
+    st = run_file_write(&o.run.plan, keep, NULL, why);
+out:
+    truth_clear(&truth.made);
+    close_case(&o);
+    return st;
+}
+
+/* Keeps why a case came to no result. */
 static enum status settle(void *context, long number, const struct child_end *end,
                           struct message *why)
 {
     const struct sweep *s = context;
-    struct plan_case c = {0};
-    char made_for[SWEEP_FOLDER_MADE_FOR];
-    enum status st;
+    struct opened o;
+    enum status st = STATUS_OK;
 
     if (end->outcome == CHILD_DONE)
-        return sweep_folder_log(&s->folder, "end", number, why);
-    TRY(plan_case_given(&s->plan, number, &c));
-    sweep_folder_made_for(&s->folder, &s->plan, &c, made_for);
-    TRY(sweep_folder_write(&s->folder, number, made_for, end->outcome == CHILD_CUT,
-                           end->why.text, why));
-    st = sweep_folder_log(&s->folder, "failed", number, why);
-out:
-    plan_case_clear(&c);
+        return st;
+    open_case(s, number, &o, NULL);
+    st = sweep_folder_write(&s->folder, number, o.key, end->outcome == CHILD_CUT,
+                            end->why.text, why);
+    close_case(&o);
     return st;
 }
 
 /* --- the process that leads -------------------------------------------------------------
  */
 
-/* Finds the cases that are done, and removes the files of the others. */
-static enum status scan(const struct sweep *s, bool **done, struct message *why)
+/* Finds the cases that are done, and removes the files of the others. STATUS_INPUT: some
+ * are done, and the sweep is not to be resumed. */
+static enum status scan(const struct sweep *s, bool *done, struct message *why)
 {
-    struct sweep_rows rows = {0};
-    enum status st;
+    struct run_result result;
+    struct message sentence;
+    enum sweep_state state;
+    struct opened o;
+    enum status st = STATUS_OK;
 
-    TRY(sweep_rows_read(&rows, &s->plan, &s->folder, why));
-    *done = calloc((size_t)rows.count, sizeof **done);
-    TRY(*done ? STATUS_OK : STATUS_MEMORY);
-    for (long n = 0; n < rows.count; n++) {
-        (*done)[n] = rows.row[n].state != SWEEP_OPEN;
-        if (!(*done)[n])
+    for (long n = 0; n < plan_case_count(&s->plan) && st == STATUS_OK; n++) {
+        if (!sweep_folder_has(&s->folder, n))
+            continue;
+        if (!s->resume)
+            return status_fail(why, STATUS_INPUT,
+                               "%s has a sweep already; --resume goes on with it, --out "
+                               "DIR begins another",
+                               s->folder.path);
+        open_case(s, n, &o, NULL);
+        st = sweep_folder_read(&s->folder, n, o.key, false, &state, &result, &sentence);
+        done[n] = state != SWEEP_OPEN;
+        if (!done[n])
             sweep_folder_remove(&s->folder, n);
+        run_result_clear(&result);
+        close_case(&o);
     }
-out:
-    sweep_rows_clear(&rows);
     return st;
 }
 
@@ -150,8 +193,10 @@ static enum status run_all(struct sweep *s, struct message *why)
     bool *done = NULL;
     enum status st;
 
-    TRY(scan(s, &done, why));
     pool->count = plan_case_count(&s->plan);
+    done = calloc((size_t)pool->count, sizeof *done);
+    TRY(done ? STATUS_OK : STATUS_MEMORY);
+    TRY(scan(s, done, why));
     pool->done = done;
     pool->time_limit = s->plan.time_limit;
     st = pool_run(pool, &reason);
@@ -249,7 +294,8 @@ static enum status lead(struct sweep *s, struct message *why)
     enum status st;
 
     TRY(sweep_rows_check(&s->plan, why));
-    TRY(sweep_folder_open(&s->folder, folder_of(s, path), &s->plan, s->resume, why));
+    s->program = measurement_program(false);
+    TRY(sweep_folder_open(&s->folder, folder_of(s, path), why));
     s->pool.quiet = s->quiet;
     TRY(run_all(s, why));
     st = collect(s, why);
@@ -268,7 +314,8 @@ static enum status prepare(void *context, struct message *why)
         return st;
     s->pool.time_limit = s->plan.time_limit;
     snprintf(s->folder.path, sizeof s->folder.path, "%s", folder_of(s, path));
-    return sweep_folder_identify(&s->folder, &s->plan, why);
+    s->program = measurement_program(false);
+    return st;
 }
 
 static enum status run(const struct command_line *line, struct message *why)
@@ -277,8 +324,8 @@ static enum status run(const struct command_line *line, struct message *why)
                       .out = command_value(line, "--out"),
                       .resume = command_given(line, "--resume"),
                       .quiet = command_given(line, "--quiet"),
-                      .folder = {.lock = -1, .log = -1},
-                      .pool = {.work = work, .begin = begin, .settle = settle}};
+                      .folder = {.lock = -1},
+                      .pool = {.work = work, .settle = settle}};
     const struct ranks *ranks = NULL;
     char *path = NULL;
     long jobs = 0;
@@ -356,8 +403,8 @@ const struct command sweep_command = {
         "\n" SWEEP_PLAN "\n"
         "Ctrl-C, SIGKILL or a full disk cost only the cases that are running; --resume\n"
         "continues. It repeats cases that were killed or suspended, ran out of memory,\n"
-        "or have a damaged file, and refuses files of another plan or of another build\n"
-        "of the program. Under mpirun the ranks share the cases; on several machines\n"
+        "or have a damaged file, and those whose scene, settings or models' sources are\n"
+        "not what they were. Under mpirun the ranks share the cases; on several machines\n"
         "they need the same folder.\n",
     .examples = "sweep feasibility\nsweep mine.yaml --jobs 4 --out results/mine\n"
                 "sweep feasibility --resume\n",

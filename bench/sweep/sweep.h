@@ -18,14 +18,10 @@
 /* --- The folder (sweep_folder.c), in which a sweep keeps what it has done, so that it can
  * go on after anything.
  *
- *   manifest.txt       the plan and the scenes, as they were read at the beginning, sums of
- *                      their truths and meshes, and the program
  *   case_000001.h5     the result file of a case (run_file.h), or
  *   case_000001.txt    one sentence: why there is none (time limit, signal, no such scene);
- *                      both are sealed and carry sums of the case, of the plan with its
- *                      scenes and of the program: a damaged one is run again, one of
- *                      another sweep is refused
- *   log.txt            `start N`, `end N`, `failed N`: a line each, in the order of events
+ *                      both are sealed and have the case's key (measurement.h): a damaged
+ *                      one, and one with another key, is run again
  *   lock               held while a sweep is at work
  *   table.csv, seconds.csv, falls.csv, map.png      made from the cases in the end
  *
@@ -36,24 +32,14 @@ enum { SWEEP_FOLDER_PATH = 1000 }; /* fits a message */
 
 struct sweep_folder {
     char path[SWEEP_FOLDER_PATH];
-    int lock, log;               /* files of the process that leads; -1: closed         */
-    char *manifest;              /* of this plan and program                     owned */
-    unsigned long plan, program; /* sums of the plan with its scenes, of the program    */
+    int lock; /* a file of the process that leads; -1: closed                          */
 };
 
-/* Fills in manifest and sums, for a process that works in a folder that another one leads;
- * free with sweep_folder_close. STATUS_INPUT: a scene cannot be read; STATUS_FILE: nor can
- * the program's own file. */
-enum status sweep_folder_identify(struct sweep_folder *folder, const struct plan *plan,
-                                  struct message *why);
-
-/* Makes the folder and its manifest, or, to resume, compares it: STATUS_INPUT with a
- * sentence if it belongs to another plan or program, or has results and is not to be
- * resumed; STATUS_FILE: it cannot be written, or another sweep is at work in it. Removes
- * files that a killed sweep left half done. *folder is overwritten; close it in any case.
- */
+/* Makes the folder and locks it. STATUS_FILE: it cannot be written, or another sweep is at
+ * work in it. Removes files that a killed sweep left half done. *folder is overwritten;
+ * close it in any case. */
 enum status sweep_folder_open(struct sweep_folder *folder, const char *path,
-                              const struct plan *plan, bool resume, struct message *why);
+                              struct message *why);
 void sweep_folder_close(struct sweep_folder *folder);
 
 /* Removes the files that killed processes left half done, when none is at work any more,
@@ -64,38 +50,28 @@ void sweep_folder_tidy(const struct sweep_folder *folder);
 void sweep_folder_file(const struct sweep_folder *folder, long number, const char *ending,
                        char path[SWEEP_FOLDER_PATH]);
 
-/* Adds a line to the log: "start", "end" or "failed". STATUS_FILE. */
-enum status sweep_folder_log(const struct sweep_folder *folder, const char *event,
-                             long number, struct message *why);
-
-enum { SWEEP_FOLDER_MADE_FOR = 80 };
-
-/* Writes what the files of a case (its `given` is enough) are made for: sums of case, plan
- * and program; returns text. */
-const char *sweep_folder_made_for(const struct sweep_folder *folder,
-                                  const struct plan *plan, const struct plan_case *c,
-                                  char text[SWEEP_FOLDER_MADE_FOR]);
+/* Returns whether case `number` has a file. */
+bool sweep_folder_has(const struct sweep_folder *folder, long number);
 
 enum sweep_state {
-    SWEEP_OPEN,   /* there is no file, it is damaged, or the case was cut short: killed,
-                      suspended, out of memory; a sweep that is resumed runs it          */
+    SWEEP_OPEN,   /* there is no file, it is damaged or another case's, or the case was
+                     cut short: killed, suspended, out of memory; a sweep that is resumed
+                     runs it                                                             */
     SWEEP_FAILED, /* no result: timed out, crashed, impossible to set up               */
     SWEEP_RAN,    /* there is a result                                                 */
 };
 
 /* Reads case `number`: its result, empty unless it ran (free with run_result_clear), with
- * its fields or without, and the sentence on how it ended or why there is nothing.
- * STATUS_INPUT with a sentence: the file is made for something else than `made_for` (NULL:
- * anything); STATUS_MEMORY: nothing is known of it. */
+ * its fields or without, and the sentence on how it ended or why there is nothing. `key`:
+ * the case's; NULL: it is not compared. STATUS_MEMORY: nothing is known of it. */
 enum status sweep_folder_read(const struct sweep_folder *folder, long number,
-                              const char *made_for, bool fields, enum sweep_state *state,
-                              struct run_result *result, struct message *sentence,
-                              struct message *why);
+                              const char *key, bool fields, enum sweep_state *state,
+                              struct run_result *result, struct message *sentence);
 
 /* Keeps the sentence of a case that came to no result, or was `cut` short. STATUS_FILE.
  */
 enum status sweep_folder_write(const struct sweep_folder *folder, long number,
-                               const char *made_for, bool cut, const char *sentence,
+                               const char *key, bool cut, const char *sentence,
                                struct message *why);
 
 /* Removes the files of a case that is to be run again. */
@@ -132,8 +108,7 @@ enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_stat
 enum status sweep_rows_check(const struct plan *plan, struct message *why);
 
 /* Reads all rows from the files of their cases, and compares each with its reference if
- * the plan has one. STATUS_INPUT: one is of another sweep.
- * *rows is overwritten; clear it in any case. */
+ * the plan has one. *rows is overwritten; clear it in any case. */
 enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
                             const struct sweep_folder *folder, struct message *why);
 

@@ -117,8 +117,7 @@ static enum status read_reference(struct reference *ref, const struct plan *plan
     run_result_clear(&ref->result);
     free(ref->rest), ref->rest = NULL;
     ref->number = number;
-    TRY(sweep_folder_read(folder, number, NULL, true, &state, &ref->result, &sentence,
-                          why));
+    TRY(sweep_folder_read(folder, number, NULL, true, &state, &ref->result, &sentence));
     ref->died = state == SWEEP_FAILED || status_is_death(ref->result.outcome);
     if (state != SWEEP_RAN || ref->result.outcome != STATUS_OK) {
         run_result_clear(&ref->result);
@@ -157,23 +156,18 @@ static enum status read_row(struct sweep_rows *rows, long number,
     const struct plan *plan = rows->plan;
     const bool compared = plan->reference.count > 0;
     const long other = compared ? reference_of(plan, number) : -1;
-    char made_for[SWEEP_FOLDER_MADE_FOR];
-    struct plan_case c = {0};
     struct run_result r = {0};
     struct message sentence = {""};
     enum sweep_state state;
     enum status st;
 
-    TRY(plan_case_given(plan, number, &c));
-    sweep_folder_made_for(folder, plan, &c, made_for);
-    TRY(sweep_folder_read(folder, number, made_for, compared, &state, &r, &sentence, why));
+    TRY(sweep_folder_read(folder, number, NULL, compared, &state, &r, &sentence));
     if (compared && ref->number != other)
         TRY(read_reference(ref, plan, other, folder, why));
     if (compared && state == SWEEP_RAN)
         r.value[MEASURE_REFERENCE_ERROR_MAX] = compare(&r, ref);
     st = sweep_rows_set(rows, number, state, &r, sentence.text);
 out:
-    plan_case_clear(&c);
     run_result_clear(&r);
     return st;
 }

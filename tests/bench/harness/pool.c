@@ -17,7 +17,7 @@ static const double TOL_SUM = 1e-12;
 enum { JOBS = 12, CRASHES = 3, FAILS = 5, KILLED = 7, DONE_BEFORE = 9, HANGS = 10 };
 
 static struct notes {
-    int begun[JOBS], ended[JOBS], running, most;
+    int ended[JOBS];
     struct child_end end[JOBS];
     int fd; /* of a file in which every job leaves a byte                              */
 } notes;
@@ -35,27 +35,16 @@ static enum status work(void *context, long job, struct message *why)
     return job == FAILS ? status_fail(why, STATUS_INPUT, "no such case") : STATUS_OK;
 }
 
-static enum status begin(void *context, long job, struct message *why)
-{
-    (void)context, (void)why;
-    notes.begun[job]++;
-    notes.running++;
-    notes.most = notes.running > notes.most ? notes.running : notes.most;
-    return STATUS_OK;
-}
-
 static enum status settle(void *context, long job, const struct child_end *end,
                           struct message *why)
 {
     (void)context, (void)why;
-    CHECK(notes.begun[job] == 1);
     notes.ended[job]++;
-    notes.running--;
     notes.end[job] = *end;
     return STATUS_OK;
 }
 
-/* All jobs, with notes of who begins and settles them. */
+/* All jobs, with notes of who settles them. */
 static struct pool pool_of(int slots, enum status (*what)(void *, long, struct message *))
 {
     notes = (struct notes){.fd = notes.fd};
@@ -64,7 +53,6 @@ static struct pool pool_of(int slots, enum status (*what)(void *, long, struct m
                          .time_limit = 3600,
                          .quiet = true,
                          .work = what,
-                         .begin = begin,
                          .settle = settle};
 }
 
@@ -89,7 +77,7 @@ static void check_ends(void)
         seconds += notes.end[n].seconds;
     }
     CHECK(!strcmp(notes.end[FAILS].why.text, "no such case"));
-    CHECK(pool.ran == JOBS - 1 && pool.hands == 3 && notes.most == 3 && !pool.stopped_by);
+    CHECK(pool.ran == JOBS - 1 && pool.hands == 3 && !pool.stopped_by);
     CHECK(pool.wall > 0 && pool.wall <= clock_now() - begun);
     CHECK_NEAR(pool.seconds, seconds, TOL_SUM);
     CHECK(lseek(notes.fd, 0, SEEK_END) == JOBS - 1); /* the children ran, each once */
@@ -117,12 +105,6 @@ static enum status fail_beside_hanger(void *context, long job, struct message *w
     return job == 0 ? hang(context, job, why) : fail_second(context, job, why);
 }
 
-static enum status begin_first(void *context, long job, struct message *why)
-{
-    begin(context, job, why);
-    return fail_second(context, job, why);
-}
-
 static enum status settle_first(void *context, long job, const struct child_end *end,
                                 struct message *why)
 {
@@ -144,32 +126,30 @@ static enum status ask_to_stop(void *context, long job, struct message *why)
     return STATUS_OK;
 }
 
-/* Whoever cannot write, be it a job, who hands out or who keeps, ends the pool; a child
- * that is asked to end stops it. No job is begun after that, and none is left running. */
+/* Whoever cannot write, be it a job or who keeps, ends the pool; a child
+ * that is asked to end stops it. No job ends after that, and none is left running. */
 static void check_stops(void)
 {
     static const struct {
         enum status (*work)(void *, long, struct message *);
-        bool begin, settle; /* fail */
+        bool settle; /* fails */
         int slots, ended[2];
-    } all[] = {{fail_second, false, false, 1, {1, 0}},
-               {fail_beside_hanger, false, false, 2, {0, 0}},
-               {pass, true, false, 1, {1, 0}},
-               {pass, false, true, 1, {1, 1}},
-               {ask_to_stop, false, false, 1, {1, 0}}};
+    } all[] = {{fail_second, false, 1, {1, 0}},
+               {fail_beside_hanger, false, 2, {0, 0}},
+               {pass, true, 1, {1, 1}},
+               {ask_to_stop, false, 1, {1, 0}}};
 
     for (size_t n = 0; n < sizeof all / sizeof *all; n++) {
         struct message why = {""};
         struct pool pool = pool_of(all[n].slots, all[n].work);
         const bool asked = all[n].work == ask_to_stop;
-        pool.begin = all[n].begin ? begin_first : begin;
         pool.settle = all[n].settle ? settle_first : settle;
         CHECK(pool_run(&pool, &why) == (asked ? STATUS_OK : STATUS_FILE));
         CHECK(!strcmp(why.text, asked ? "" : "no room"));
         CHECK(pool.stopped_by == (asked ? SIGTERM : 0));
         for (int job = 0; job < 2; job++)
             CHECK(notes.ended[job] == all[n].ended[job]);
-        CHECK(!notes.begun[2] && !notes.ended[2]);
+        CHECK(!notes.ended[2]);
         CHECK(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD);
     }
 }

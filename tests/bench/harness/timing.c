@@ -44,12 +44,6 @@ static void count_call(void *context, int done, int total)
     calls->total = total;
 }
 
-static void count_named(void *context, const char *what, int done, int total)
-{
-    CHECK(!strcmp(what, "both"));
-    count_call(context, done, total);
-}
-
 /* Nine of what is short, three of what is not, in turn as long as both go on. */
 static void test_rule(void)
 {
@@ -209,15 +203,12 @@ static void test_measurement(void)
     settings_clear(&newton);
 }
 
-/* Two that are measured together: each is as it was asked for, and the bar ends at its end.
- */
+/* Two that are measured together: each is as it was asked for. */
 static void test_together(void)
 {
     const char *const path[] = {scratch_path("first.h5"), scratch_path("second.h5")};
     const double time[] = {0.005, 0.01, 0.015};
-    struct calls calls = {0};
-    const struct measurement_options options = {
-        .what = "both", .quick = true, .progress = count_named, .context = &calls};
+    const struct measurement_options options = {.quick = true};
     struct measurement_case c[2];
     struct run_result r;
 
@@ -229,7 +220,6 @@ static void test_together(void)
             .repeats = n};
     script_reset();
     REQUIRE(measurement_run(&options, 2, c, NULL) == STATUS_OK);
-    CHECK(calls.last == calls.total && calls.count > 2);
     for (int n = 0; n < 2; n++) {
         check_seconds(path[n], n ? 1 : TIMING_REPEATS_QUICK, n ? 5 : 10);
         REQUIRE(run_result_read(path[n], true, &r, NULL) == STATUS_OK);
@@ -238,7 +228,6 @@ static void test_together(void)
         unlink(path[n]);
         unlink(scratch_path(n ? "second.xdmf" : "first.xdmf"));
     }
-    calls = (struct calls){0};
     script_reset(); /* the second cannot be had: nothing is left of either */
     script.create = STATUS_MEMORY, script.refuse_after = 1;
     CHECK(measurement_run(&options, 2, c, NULL) == STATUS_MEMORY);
@@ -251,9 +240,7 @@ static void test_untimed(void)
 {
     enum { COUNT = 3 };
     char name[COUNT][32];
-    struct calls calls = {0};
-    const struct measurement_options options = {
-        .what = "both", .progress = count_named, .context = &calls};
+    const struct measurement_options options = {0};
     struct measurement_case c[COUNT];
     struct message why = {""};
     struct run_result r;
@@ -269,18 +256,15 @@ static void test_untimed(void)
     script_reset();
     timing_alone();
     REQUIRE(measurement_run(&options, COUNT, c, NULL) == STATUS_OK);
-    CHECK(calls.last == calls.total && calls.count >= COUNT);
     for (int n = 0; n < COUNT; n++) {
         REQUIRE(run_result_read(c[n].keep.file, true, &r, NULL) == STATUS_OK);
         CHECK(r.steps == 10 * (n + 1) && c[n].done);
         run_result_clear(&r);
         unlink(c[n].keep.file);
     }
-    calls = (struct calls){0};
     script.dies = 3, script.death = STATUS_LIBRARY;
     CHECK(measurement_run(&options, 2, c, &why) == STATUS_LIBRARY);
     CHECK(strstr(why.text, ".h5: ") && scratch_files(scratch) == 0);
-    calls = (struct calls){0};
     script_reset();
     c[1].keep.file = "/proc/no/run.h5"; /* a file that cannot be written ends all */
     CHECK(measurement_run(&options, 2, c, &why) == STATUS_FILE);

@@ -62,14 +62,13 @@ static void make_case(const struct sweep_folder *folder, const struct plan *plan
     static const double times[] = {0.1, 0.2, 0.3};
     struct model model = scripted_model;
     const struct contestant contestant = {.name = "made up", .model = &model, .degree = 1};
-    char path[SWEEP_FOLDER_PATH], made_for[SWEEP_FOLDER_MADE_FOR];
+    char path[SWEEP_FOLDER_PATH];
     struct plan_case c;
 
     REQUIRE(plan_case_open(plan, n, &c, NULL) == STATUS_OK);
-    sweep_folder_made_for(folder, plan, &c, made_for);
     if (cases[n].kind == FAILED || cases[n].kind == CUT)
-        REQUIRE(sweep_folder_write(folder, n, made_for, cases[n].kind == CUT, "ended",
-                                   NULL) == STATUS_OK);
+        REQUIRE(sweep_folder_write(folder, n, "key", cases[n].kind == CUT, "ended", NULL) ==
+                STATUS_OK);
     script_reset();
     model.sample = sample;
     off = cases[n].off;
@@ -79,13 +78,11 @@ static void make_case(const struct sweep_folder *folder, const struct plan *plan
     settings_set(&c.settings, "discretization.points=[4,4]");
     sweep_folder_file(folder, n, "h5", path);
     if (cases[n].kind < FAILED || cases[n].kind == DAMAGED)
-        REQUIRE(run_file_write(&(struct run_plan){c.path, &contestant, &c.settings, 0},
-                               &(struct run_keep){.file = path,
-                                                  .made_for = made_for,
-                                                  .times = 3,
-                                                  .time = times,
-                                                  .doubles = true},
-                               NULL, NULL) == STATUS_OK);
+        REQUIRE(
+            run_file_write(&(struct run_plan){c.path, &contestant, &c.settings, 0},
+                           &(struct run_keep){
+                               .file = path, .times = 3, .time = times, .doubles = true},
+                           NULL, NULL) == STATUS_OK);
     if (cases[n].kind == DAMAGED)
         REQUIRE(truncate(path, 4000) == 0);
     plan_case_clear(&c);
@@ -103,13 +100,12 @@ static void plan_of(const char *text, struct plan *plan)
 
 static void check_errors(void)
 {
-    struct sweep_folder folder = {.path = ".", .lock = -1, .log = -1};
+    const struct sweep_folder folder = {.path = ".", .lock = -1};
     struct sweep_rows rows;
     struct plan plan;
 
     plan_of(PLAN "keep: snapshots\nreference: {time.step: 0.01}\n", &plan);
     REQUIRE(sweep_rows_check(&plan, NULL) == STATUS_OK);
-    REQUIRE(sweep_folder_identify(&folder, &plan, NULL) == STATUS_OK);
     for (int n = 0; n < CASES; n++)
         make_case(&folder, &plan, n);
     REQUIRE(sweep_rows_read(&rows, &plan, &folder, NULL) == STATUS_OK);
@@ -123,7 +119,6 @@ static void check_errors(void)
             printf("  case %d: %s, %g: %s\n", n, rows.row[n].label, is, rows.row[n].why);
     }
     sweep_rows_clear(&rows);
-    sweep_folder_close(&folder);
     plan_clear(&plan);
 }
 

@@ -166,7 +166,7 @@ static void check_table(void)
 }
 
 /* Checks files that are sealed but hold no sentence of a sweep. (sweep_ends.sh: files of
- * other cases, plans and builds, damaged and missing ones.) */
+ * other cases and builds, damaged and missing ones.) */
 static void check_sentences(void)
 {
     static const char *const text[] = {"", "case\n", "case\nfailed\n",
@@ -178,8 +178,8 @@ static void check_sentences(void)
 
     for (size_t n = 0; n < sizeof text / sizeof *text; n++) {
         REQUIRE(seal_text_write("case_000001.txt", text[n], NULL) == STATUS_OK);
-        REQUIRE(sweep_folder_read(&here, 0, NULL, false, &state, &result, &sentence,
-                                  NULL) == STATUS_OK);
+        REQUIRE(sweep_folder_read(&here, 0, NULL, false, &state, &result, &sentence) ==
+                STATUS_OK);
         CHECK(state == (n == 2 ? SWEEP_FAILED : SWEEP_OPEN));
     }
     sweep_folder_remove(&here, 0);

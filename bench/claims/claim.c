@@ -234,23 +234,24 @@ enum status claim_each(const struct study_results *d, taker *take, void *context
     return st;
 }
 
-static enum status print_claim(void *file, const struct judge_told *told)
+static enum status tell(void *printer, const struct judge_told *told)
 {
-    judge_print(file, told);
+    kept_told(printer, told);
     return STATUS_OK;
 }
 
-enum status claim_tell(const struct study_results *d, const char *folder,
-                       enum table_format format, FILE *file, struct message *why)
+enum status claim_tell(const struct study_results *d, const char *folder, struct printer *p,
+                       struct message *why)
 {
     enum status st;
 
-    TRY(dataset_print(d, folder, format, file, why));
+    TRY(dataset_print(d, folder, p, why));
     if (claim_find(d->plan->name) == claim_table4)
-        TRY(claim_table4_print(d, format, file));
-    if (table_format_is_prose(format)) {
-        TRY(claim_each(d, print_claim, file));
-        measurement_machine(d->machine, file);
+        TRY(claim_table4_print(d, p));
+    if (table_format_is_prose(p->format)) {
+        TRY(claim_each(d, tell, p));
+        if (p->file)
+            measurement_machine(d->machine, p->file);
     }
 out:
     return st;

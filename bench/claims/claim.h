@@ -13,7 +13,6 @@
 #define CLAIM_H
 
 #include "bench/experiment/dataset.h"
-#include "bench/experiment/judge.h"
 
 /* Rows that a statement is judged by, where its predicate names none on their axes. */
 struct claim_reading {
@@ -65,12 +64,11 @@ enum status claim_each(const struct study_results *d,
                        void *context);
 
 /* Prints the plan's tables (dataset_print) and, for people, the claims and the machine. */
-enum status claim_tell(const struct study_results *d, const char *folder,
-                       enum table_format format, FILE *file, struct message *why);
+enum status claim_tell(const struct study_results *d, const char *folder, struct printer *p,
+                       struct message *why);
 
 /* Prints what the paper's Table 4 has besides: its words beside those of the rules. */
-enum status claim_table4_print(const struct study_results *d, enum table_format format,
-                               FILE *file);
+enum status claim_table4_print(const struct study_results *d, const struct printer *p);
 
 /* The plans with claims: name and list. */
 #define CLAIM_PLANS(X)                                                                     \

@@ -195,16 +195,15 @@ static struct table *hindsight_table(const struct study_results *d)
     return t;
 }
 
-enum status claim_table4_print(const struct study_results *d, enum table_format format,
-                               FILE *file)
+enum status claim_table4_print(const struct study_results *d, const struct printer *p)
 {
     enum status st = STATUS_OK;
 
     if (d->quick) /* whose runs are given no verdicts */
         return STATUS_OK;
-    TRY(table_finish(words_table(d), format, file));
-    TRY(table_finish(counts_table(d), format, file));
-    TRY(table_finish(hindsight_table(d), format, file));
+    TRY(kept_table(p, words_table(d)));
+    TRY(kept_table(p, counts_table(d)));
+    TRY(kept_table(p, hindsight_table(d)));
 out:
     return st;
 }

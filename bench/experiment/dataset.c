@@ -698,9 +698,9 @@ static enum status draw_some(const struct view *v, const char *folder, struct me
 }
 
 static enum status print_view(const struct view *v, const char *folder,
-                              enum table_format format, FILE *file, struct message *why)
+                              const struct printer *p, struct message *why)
 {
-    const bool people = !table_format_is_data(format);
+    const bool people = !table_format_is_data(p->format);
     const bool apart =
         people && v->timed && has_part(v, PART_RUN) && has_part(v, PART_TIMES);
     struct table *all = fill(v, PART_ALL, false, v->caption), *t;
@@ -710,13 +710,13 @@ static enum status print_view(const struct view *v, const char *folder,
     snprintf(cost, sizeof cost, "%s%s", v->caption, v->alone ? ": cost" : "");
     TRY(table_save(all, folder, v->name, why));
     if (apart)
-        TRY(table_finish(fill(v, PART_RUN, people, cost), format, file));
+        TRY(kept_table(p, fill(v, PART_RUN, people, cost)));
     t = !apart || v->alone ? fill(v, apart ? PART_TIMES : PART_ALL, people, v->caption)
                            : fill(v, PART_TIMES, people,
                                   v->d->plan->table.last ? "The same at the last time"
                                                          : "The same at the times");
     add_notes(t, v);
-    TRY(table_finish(t, format, file));
+    TRY(kept_table(p, t));
     if (v->alone)
         TRY(chart_save(chart_alone(v), folder, v->name, why));
     TRY(draw_some(v, folder, why));
@@ -726,7 +726,7 @@ out:
 }
 
 enum status dataset_print(const struct study_results *d, const char *folder,
-                          enum table_format format, FILE *file, struct message *why)
+                          const struct printer *p, struct message *why)
 {
     const struct plan *plan = d->plan;
     const char *what = plan->what ? plan->what : plan->source;
@@ -737,13 +737,13 @@ enum status dataset_print(const struct study_results *d, const char *folder,
     if (plan->chart.x)
         TRY(chart_save(chart_of(d, &plan->chart, what), folder, name, why));
     if (!v.alone)
-        return print_view(&v, folder, format, file, why);
+        return print_view(&v, folder, p, why);
     for (int n = 0; n < d->count; n++) {
         struct study_results one = *d;
         one.study += n;
         one.count = 1;
         v = view_of(&one);
-        TRY(print_view(&v, folder, format, file, why));
+        TRY(print_view(&v, folder, p, why));
     }
 out:
     return st;

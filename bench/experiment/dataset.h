@@ -10,9 +10,8 @@
 #ifndef DATASET_H
 #define DATASET_H
 
-#include "bench/experiment/judge.h"
+#include "bench/experiment/kept.h"
 #include "bench/experiment/study.h"
-#include "bench/ui/table.h"
 
 /* Returns the label of a level on an axis; NULL: its study has no such axis. */
 const char *dataset_label(const struct study *s, int level, const char *axis);
@@ -70,6 +69,6 @@ enum status dataset_check(const struct plan *plan, struct message *why);
  * plan without a table are printed one by one, under their names: cost and differences of
  * the levels, with observed orders, and error over seconds as the chart. */
 enum status dataset_print(const struct study_results *d, const char *folder,
-                          enum table_format format, FILE *file, struct message *why);
+                          const struct printer *p, struct message *why);
 
 #endif

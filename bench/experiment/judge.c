@@ -60,12 +60,6 @@ enum judge judge_both(enum judge a, enum judge b)
     return a == JUDGE_FAILS || b == JUDGE_FAILS ? JUDGE_FAILS : a == JUDGE_HOLDS ? b : a;
 }
 
-const char *judge_words(enum judge turn, const char *holds, const char *fails,
-                        const char *open)
-{
-    return turn == JUDGE_HOLDS ? holds : turn == JUDGE_FAILS ? fails : open;
-}
-
 const char *judge_verdict(enum judge turn)
 {
     static const char *const word[JUDGES] = {"does not hold", "holds", "cannot be judged",
@@ -73,13 +67,6 @@ const char *judge_verdict(enum judge turn)
                                              "not judged: the machine was busy"};
 
     return word[turn];
-}
-
-static struct table *kept;
-
-void judge_keep(struct table *rows)
-{
-    kept = rows;
 }
 
 struct table *judge_table(const char *caption)
@@ -112,8 +99,6 @@ void judge_print(FILE *file, const struct judge_told *told)
              *told->turns ? " " : "", told->turns, *told->ours ? " " : "", told->ours,
              *told->reading ? " Reading: " : "", told->reading);
     table_print_wrapped(text, file);
-    if (kept)
-        judge_add(kept, told);
 }
 
 static void path_of(const char *folder, char path[4096])

@@ -40,10 +40,6 @@ enum judge judge_exponent(double ours, double paper);
 /* Joins two judgements, both of which must hold. */
 enum judge judge_both(enum judge a, enum judge b);
 
-/* Returns the word for a judgement: holds, fails or open. */
-const char *judge_words(enum judge turn, const char *holds, const char *fails,
-                        const char *open);
-
 /* A statement that was judged. */
 struct judge_told {
     const char *source; /* section of the paper; "": the statement is ours                */
@@ -65,9 +61,6 @@ void judge_add(struct table *rows, const struct judge_told *told);
 
 /* Prints `- SOURCE: QUOTE: holds. HERE TURNS OURS Reading: READING`. */
 void judge_print(FILE *file, const struct judge_told *told);
-
-/* Adds whatever is printed from now on to this table, too; NULL: no more. */
-void judge_keep(struct table *rows);
 
 /* Mark a folder as that of a quick run, by FOLDER/quick.txt, and tell whether it is marked.
  * The mark is set before the first run of a quick job and removed after the last run of a

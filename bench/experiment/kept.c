@@ -2,23 +2,45 @@
 
 #include <stdlib.h>
 
-#include "bench/experiment/judge.h"
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
-#include "bench/ui/table.h"
 
 struct kept {
     struct output *file;
     struct table *sentences;
 };
 
-static void end(struct kept **kept)
+enum status kept_table(const struct printer *p, struct table *t)
 {
-    table_keep(NULL);
-    judge_keep(NULL);
+    enum status st = STATUS_OK;
+
+    if (p->kept) {
+        st = table_print(t, TABLE_CSV, output_stream(p->kept->file));
+        fputc('\n', output_stream(p->kept->file));
+    }
+    if (st == STATUS_OK && p->file)
+        return table_finish(t, p->format, p->file);
+    table_destroy(t);
+    return st;
+}
+
+void kept_told(const struct printer *p, const struct judge_told *told)
+{
+    if (p->kept)
+        judge_add(p->kept->sentences, told);
+    if (p->file)
+        judge_print(p->file, told);
+}
+
+/* Frees it, and returns its file. */
+static struct output *end(struct kept **kept)
+{
+    struct output *file = (*kept)->file;
+
     table_destroy((*kept)->sentences);
     free(*kept);
     *kept = NULL;
+    return file;
 }
 
 void kept_open(const char *folder, const char *command, const char *word,
@@ -39,8 +61,6 @@ void kept_open(const char *folder, const char *command, const char *word,
                  *word ? " " : "", word, provenance_value(&p, "commit"),
                  provenance_value(&p, "cpu"), provenance_value(&p, "date"));
     k->sentences = judge_table(KEPT_SENTENCES);
-    table_keep(output_stream(k->file));
-    judge_keep(k->sentences);
     *kept = k;
 }
 
@@ -51,11 +71,9 @@ enum status kept_close(struct kept **kept, struct message *why)
 
     if (!k)
         return STATUS_OK;
-    struct output *file = k->file;
-    table_keep(NULL);
     if (!k->sentences || table_rows(k->sentences))
-        st = table_print(k->sentences, TABLE_CSV, output_stream(file));
-    end(kept);
+        st = table_print(k->sentences, TABLE_CSV, output_stream(k->file));
+    struct output *file = end(kept);
     if (st == STATUS_OK)
         return output_close(&file, why);
     output_discard(file);
@@ -64,9 +82,6 @@ enum status kept_close(struct kept **kept, struct message *why)
 
 void kept_discard(struct kept **kept)
 {
-    if (!*kept)
-        return;
-    struct output *file = (*kept)->file;
-    end(kept);
-    output_discard(file);
+    if (*kept)
+        output_discard(end(kept));
 }

@@ -1,19 +1,33 @@
-/* kept.h - keeps the tables of a command in its folder for the report: FOLDER/printed.csv
- * has its tables with captions and notes (csv.h) and, as a last one, the statements that
- * were judged (judge.h).
+/* kept.h - prints what a command has to tell, and keeps it in its folder for the report:
+ * FOLDER/printed.csv has its tables with captions and notes (csv.h) and, as a last one, the
+ * statements that were judged (judge.h).
  */
 #ifndef KEPT_H
 #define KEPT_H
 
-#include "models/status.h"
+#include "bench/experiment/judge.h"
+#include "bench/ui/table.h"
 
 #define KEPT_NAME      "printed.csv"
 #define KEPT_SENTENCES "Sentences of the paper"
 
 struct kept;
 
-/* Starts to keep all tables that are printed. In a folder that cannot be written to nothing
- * is kept: *kept is NULL then. */
+/* Where tables and sentences go; all borrowed. */
+struct printer {
+    enum table_format format;
+    FILE *file;        /* NULL: nothing is printed                                     */
+    struct kept *kept; /* NULL: nothing is kept                                        */
+};
+
+/* Prints a table as one of several (table_finish), keeps it and destroys it. */
+enum status kept_table(const struct printer *p, struct table *t);
+
+/* Prints a statement that was judged, and keeps it. */
+void kept_told(const struct printer *p, const struct judge_told *told);
+
+/* Starts a file. In a folder that cannot be written to nothing is kept: *kept is NULL then.
+ */
 void kept_open(const char *folder, const char *command, const char *word,
                struct kept **kept);
 

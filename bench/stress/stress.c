@@ -1,3 +1,4 @@
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "bench/stress/stress.h"
 
 #include <math.h>
@@ -6,10 +7,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
-#include "bench/experiment/kept.h"
+#include "bench/files/csv.h"
 #include "bench/files/folder.h"
-#include "bench/files/seal.h"
 #include "bench/harness/child.h"
 #include "bench/harness/derived_key.h"
 #include "bench/harness/motion.h"
@@ -276,60 +277,6 @@ enum stress_end stress_result_end(double error, double bound)
                             : STRESS_DEGRADED;
 }
 
-static void find_file(const char *folder, const struct stress_case *c,
-                      const struct contestant *contestant, char path[PATH])
-{
-    snprintf(path, PATH, "%s/%s.%s.txt", folder, c->item.name, contestant->name);
-}
-
-enum status stress_result_write(const char *folder, const struct stress_case *c,
-                                const struct contestant *contestant,
-                                const struct stress_result *r, struct message *why)
-{
-    char path[PATH], text[sizeof r->sentence.text + 256];
-
-    find_file(folder, c, contestant, path);
-    snprintf(text, sizeof text,
-             "end %s\nerror %.17g\ntime %.17g\nseconds %.17g\nsentence %s\n",
-             stress_end_name[r->end], r->error, r->time, r->seconds, r->sentence.text);
-    return seal_text_write(path, text, why);
-}
-
-/* Reads the text of stress_result_write; returns whether it is one. */
-static bool read_text(const char *text, struct stress_result *r)
-{
-    char word[16];
-    int end = 0, used = 0;
-
-    if (sscanf(text, "end %15s error %lf time %lf seconds %lf sentence%n", word, &r->error,
-               &r->time, &r->seconds, &used) != 4 ||
-        text[used] != ' ')
-        return false;
-    while (end < STRESS_ENDS && strcmp(stress_end_name[end], word))
-        end++;
-    r->end = (enum stress_end)end;
-    snprintf(r->sentence.text, sizeof r->sentence.text, "%.*s",
-             (int)strcspn(text + used + 1, "\n"), text + used + 1);
-    return end < STRESS_ENDS;
-}
-
-enum status stress_result_read(const char *folder, const struct stress_case *c,
-                               const struct contestant *contestant, struct stress_result *r,
-                               struct message *why)
-{
-    char path[PATH], *text = NULL;
-    enum status st;
-
-    *r = (struct stress_result){.error = NAN, .time = NAN, .seconds = NAN};
-    find_file(folder, c, contestant, path);
-    TRY(seal_text_read(path, &text, why));
-    if (!read_text(text, r))
-        st = status_fail(why, STATUS_INPUT, "%s is no result of this `stress`", path);
-out:
-    free(text);
-    return st;
-}
-
 /* Measures the errors of hard cases. */
 
 /* The worst of what a run has touched. */
@@ -359,13 +306,13 @@ struct judged {
 
 /* The judge of a truth: it measures the error at rest, at the end of the motion, or at all
  * frames, of which the largest counts. NULL: nothing to do. */
-struct judge {
+struct truth_judge {
     enum { AT_REST, AT_END, AT_FRAMES } when;
     enum status (*begin)(struct judged *r);
     double (*error)(struct judged *r);
     enum status (*end)(struct judged *r);
 };
-static const struct judge judges[STRESS_TRUTHS];
+static const struct truth_judge judges[STRESS_TRUTHS];
 
 /* --- runs -------------------------------------------------------------------------------
  */
@@ -471,7 +418,7 @@ static void note(struct judged *r, double time, double error)
 static enum status watch(void *context, const struct motion *m, struct message *why)
 {
     struct judged *r = context;
-    const struct judge *judge = &judges[r->job->c->truth];
+    const struct truth_judge *judge = &judges[r->job->c->truth];
 
     (void)why;
     child_reached(m->time); /* in case that it was the last */
@@ -726,13 +673,11 @@ out:
 
 static enum status begin_shell(struct judged *r)
 {
-    const struct message *lost = r->job->no_truth;
     struct message missing = {""};
 
     if (find_truth(r->job, false, &r->truth, &missing) != STATUS_OK)
         return status_fail(r->why, STATUS_UNSUPPORTED,
-                           "no truth to hold it against: %.900s",
-                           lost && *lost->text ? lost->text : missing.text);
+                           "no truth to hold it against: %.900s", missing.text);
     snprintf(r->result->sentence.text, sizeof r->result->sentence.text,
              "the truth's error bar is %.2g",
              r->truth->error[r->truth->times - 1] / r->run.scene.length);
@@ -855,7 +800,7 @@ static enum status end_contact(struct judged *r)
     return STATUS_OK;
 }
 
-static const struct judge judges[STRESS_TRUTHS] = {
+static const struct truth_judge judges[STRESS_TRUTHS] = {
     [STRESS_PLATE] = {AT_REST, make_plate, measure_plate, NULL},
     [STRESS_ELASTICA] = {AT_REST, NULL, measure_elastica, NULL},
     [STRESS_VIBRATION] = {AT_FRAMES, make_plate, measure_vibration, NULL},
@@ -875,7 +820,7 @@ static const struct judge judges[STRESS_TRUTHS] = {
 
 static enum status judge(struct judged *r)
 {
-    const struct judge *j = &judges[r->job->c->truth];
+    const struct truth_judge *j = &judges[r->job->c->truth];
     struct stress_result *result = r->result;
     enum status st;
 
@@ -942,11 +887,11 @@ out:
 
 /* --- what is printed --- */
 
-/* A contestant's result of a case, as the folder has it. */
+/* A contestant's result of a case, as the file has it. */
 struct row {
     const struct contestant *contestant;
-    enum { ABSENT, DAMAGED, READ } file;
-    struct stress_result r; /* DAMAGED: its sentence alone */
+    bool there;
+    struct stress_result r;
 };
 
 /* The tables: how all ended, a row a case; what each case is held against; everything, a
@@ -955,18 +900,10 @@ enum { OVERVIEW, TRUTHS, DETAILS, TABLES };
 struct tables {
     struct table *table[TABLES];
     int count[STRESS_ENDS]; /* runs by their end                                       */
-    int damaged;            /* files that could not be read                            */
 };
 
-/* Makes the tables; those for which there is no memory are NULL, as table_finish expects.
- */
-static struct tables create_tables(int contestants, const struct row *rows)
+static struct table *create_details(void)
 {
-    static const struct table_column truths[] = {
-        {"case", NULL, TABLE_LEFT},   {"what is hard", NULL, TABLE_LEFT},
-        {"bound", NULL, TABLE_RIGHT}, {"its reason", NULL, TABLE_LEFT},
-        {"error", NULL, TABLE_LEFT},
-    };
     static const struct table_column details[] = {
         {"case", NULL, TABLE_LEFT},
         {"model", NULL, TABLE_LEFT},
@@ -976,6 +913,19 @@ static struct tables create_tables(int contestants, const struct row *rows)
         {"until", "s", TABLE_RIGHT},
         {"took", "s", TABLE_RIGHT},
         {"in words", NULL, TABLE_LEFT},
+    };
+
+    return TABLE_OF(details, "How each run ended");
+}
+
+/* Makes the tables; those for which there is no memory are NULL, as table_finish expects.
+ */
+static struct tables create_tables(int contestants, const struct row *rows)
+{
+    static const struct table_column truths[] = {
+        {"case", NULL, TABLE_LEFT},   {"what is hard", NULL, TABLE_LEFT},
+        {"bound", NULL, TABLE_RIGHT}, {"its reason", NULL, TABLE_LEFT},
+        {"error", NULL, TABLE_LEFT},
     };
     struct table_column *columns = calloc((size_t)contestants + 1, sizeof *columns);
     struct table *overview = NULL;
@@ -988,9 +938,9 @@ static struct tables create_tables(int contestants, const struct row *rows)
         overview = table_create(contestants + 1, columns, "Hard cases");
     }
     free(columns);
-    return (struct tables){{overview, TABLE_OF(truths, "What each case is held against"),
-                            TABLE_OF(details, "How each run ended")},
-                           {0}};
+    return (struct tables){.table = {overview,
+                                     TABLE_OF(truths, "What each case is held against"),
+                                     create_details()}};
 }
 
 /* Fills the next cell of the overview. */
@@ -998,10 +948,8 @@ static void add_word(struct table *t, const struct row *row)
 {
     const struct stress_result *r = &row->r;
 
-    if (row->file == ABSENT)
+    if (!row->there)
         table_add(t, "-");
-    else if (row->file == DAMAGED)
-        table_add(t, "damaged");
     else if (r->end == STRESS_ACCURATE || r->end == STRESS_DEGRADED)
         table_add(t, "%s %.0e", r->end == STRESS_ACCURATE ? "ok" : "off", r->error);
     else if (r->end == STRESS_DIED && isfinite(r->time))
@@ -1010,12 +958,24 @@ static void add_word(struct table *t, const struct row *row)
         table_add(t, "%s", stress_end_name[r->end]);
 }
 
-static void add_details(struct table *t, const struct stress_case *c, const struct row *row)
+static void add_details(struct table *t, const struct stress_case *c,
+                        const struct contestant *contestant, const struct stress_result *r)
 {
-    table_line(t, "%s|%s|%.1g|%s|%.3g|%.3g|%.2f|%s", c->item.name, row->contestant->name,
-               c->bound, row->file == READ ? stress_end_name[row->r.end] : "damaged",
-               isfinite(row->r.error) ? row->r.error : NAN, row->r.time, row->r.seconds,
-               row->r.sentence.text);
+    table_line(t, "%s|%s|%.1g|%s|%.3g|%.3g|%.2f|%s", c->item.name, contestant->name,
+               c->bound, stress_end_name[r->end], isfinite(r->error) ? r->error : NAN,
+               r->time, r->seconds, r->sentence.text);
+}
+
+enum status stress_save(const char *folder, long count, const struct stress_job *jobs,
+                        struct message *why)
+{
+    struct table *t = create_details();
+
+    for (const struct stress_job *j = jobs; j < jobs + count; j++)
+        add_details(t, j->c, j->contestant, j->result);
+    const enum status st = table_save(t, folder, "stress", why);
+    table_destroy(t);
+    return st;
 }
 
 static void add_truth(struct table *t, const struct stress_case *c)
@@ -1024,21 +984,37 @@ static void add_truth(struct table *t, const struct stress_case *c)
                stress_truth_text[c->truth]);
 }
 
-/* Reads what contestants left of a case; returns how many have left something. */
-static int read_case(const char *folder, const struct stress_case *c, int contestants,
-                     struct row *rows)
+/* Reads the row of a case and a contestant, if there is one. */
+static void read_row(const struct csv_table *t, const struct stress_case *c,
+                     struct row *row)
 {
-    struct message why;
+    row->there = false;
+    for (int n = 0; n < t->rows && !row->there; n++) {
+        int end = 0;
+        if (strcmp(csv_words_of(t, n, "case"), c->item.name) ||
+            strcmp(csv_words_of(t, n, "model"), row->contestant->name))
+            continue;
+        while (end < STRESS_ENDS && strcmp(csv_words_of(t, n, "end"), stress_end_name[end]))
+            end++;
+        row->there = end < STRESS_ENDS;
+        row->r = (struct stress_result){.end = (enum stress_end)end,
+                                        .error = csv_number_of(t, n, "error"),
+                                        .time = csv_number_of(t, n, "until_s"),
+                                        .seconds = csv_number_of(t, n, "took_s")};
+        snprintf(row->r.sentence.text, sizeof row->r.sentence.text, "%s",
+                 csv_words_of(t, n, "in_words"));
+    }
+}
+
+/* Reads the rows of a case; returns how many there are. */
+static int read_case(const struct csv_table *t, const struct stress_case *c,
+                     int contestants, struct row *rows)
+{
     int count = 0;
 
     for (struct row *row = rows; row < rows + contestants; row++) {
-        const enum status st =
-            stress_result_read(folder, c, row->contestant, &row->r, &why);
-        row->file = st == STATUS_OK ? READ : st == STATUS_FILE ? ABSENT : DAMAGED;
-        if (row->file == DAMAGED)
-            row->r = (struct stress_result){
-                .error = NAN, .time = NAN, .seconds = NAN, .sentence = why};
-        count += row->file != ABSENT;
+        read_row(t, c, row);
+        count += row->there;
     }
     return count;
 }
@@ -1049,11 +1025,10 @@ static void add_case(struct tables *t, const struct stress_case *c, int contesta
     table_line(t->table[OVERVIEW], "%s", c->item.name);
     for (const struct row *row = rows; row < rows + contestants; row++) {
         add_word(t->table[OVERVIEW], row);
-        if (row->file == ABSENT)
+        if (!row->there)
             continue;
-        add_details(t->table[DETAILS], c, row);
-        t->damaged += row->file == DAMAGED;
-        t->count[row->r.end] += row->file == READ;
+        add_details(t->table[DETAILS], c, row->contestant, &row->r);
+        t->count[row->r.end]++;
     }
     add_truth(t->table[TRUTHS], c);
     table_rule(t->table[DETAILS]);
@@ -1073,46 +1048,46 @@ static int add_notes(const struct tables *t)
                "degraded: the error is beyond it. %d runs: %d accurate, %d degraded, %d "
                "refused, %d died.",
                runs, count[0], count[1], count[2], count[3]);
-    if (t->damaged)
-        table_note(overview,
-                   "Damaged files, no longer as they were written: %d. Run "
-                   "their cases again.",
-                   t->damaged);
     table_note(t->table[DETAILS],
                "The column `until` is the time in the scene at which the run died, or "
                "at which its error first exceeded the bound.");
-    return runs + t->damaged;
+    return runs;
 }
 
 enum status stress_print(const char *folder, const struct stress_choice *choice,
-                         enum table_format format, FILE *file, struct message *why)
+                         const struct printer *p, struct message *why)
 {
-    const bool data = table_format_is_data(format);
+    const bool data = table_format_is_data(p->format);
     const struct contestant *at = NULL;
+    struct csv csv = {0};
+    char path[PATH];
     int contestants = 0;
-    enum status st = STATUS_OK;
+    enum status st;
 
+    snprintf(path, PATH, "%s/stress.csv", folder);
+    TRY(csv_read(path, &csv, why));
     while ((at = stress_choice_next(choice, at)))
         contestants++;
     struct row *rows = calloc((size_t)contestants + 1, sizeof *rows);
-    if (!rows)
-        return STATUS_MEMORY;
+    TRY(rows ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; (at = stress_choice_next(choice, at)); n++)
         rows[n].contestant = at;
     struct tables t = create_tables(contestants, rows);
     for (int n = 0; stress_case_at(n); n++)
         if (stress_choice_case(choice, stress_case_at(n)) &&
-            read_case(folder, stress_case_at(n), contestants, rows))
+            read_case(csv.table, stress_case_at(n), contestants, rows))
             add_case(&t, stress_case_at(n), contestants, rows);
     const int runs = add_notes(&t);
     for (int n = 0; n < TABLES; n++) /* a machine gets one: that with everything */
         if (st == STATUS_OK && runs && (!data || n == DETAILS))
-            st = table_finish(t.table[n], format, file);
+            st = kept_table(p, t.table[n]);
         else
             table_destroy(t.table[n]);
     free(rows);
     if (st == STATUS_OK && !runs)
-        st = status_fail(why, STATUS_INPUT, "%s holds no such results of `stress`", folder);
+        st = status_fail(why, STATUS_INPUT, "%s holds no such results of `stress`", path);
+out:
+    csv_clear(&csv);
     return st;
 }
 
@@ -1165,27 +1140,15 @@ enum status stress_choice_check(const struct stress_choice *choice, struct messa
 /* --- jobs -------------------------------------------------------------------------------
  */
 
-/* Does a job in a process of its own: a run, or with no contestant the case's truth. */
+/* Does a job in a process of its own. */
 static enum status work(void *context, long number, struct message *why)
 {
     const struct stress_job *job = (const struct stress_job *)context + number;
-    struct stress_result result;
-    struct truth *truth = NULL;
-    enum status st;
 
-    if (!job->contestant) {
-        TRY(find_truth(job, true, &truth, why));
-        truth_destroy(truth);
-        return STATUS_OK;
-    }
-    TRY(stress_judge(job, &result, why));
-    st = stress_result_write(job->folder, job->c, job->contestant, &result, why);
-out:
-    return st;
+    return stress_judge(job, job->result, why);
 }
 
-/* Ends a job: a run that came to no result of its own has died; runs without a truth will
- * say why there is none. */
+/* Ends a job: a run that came to no result of its own has died. */
 static enum status end_job(void *context, long number, const struct child_end *end,
                            struct message *why)
 {
@@ -1196,86 +1159,79 @@ static enum status end_job(void *context, long number, const struct child_end *e
                                        .seconds = end->seconds,
                                        .sentence = end->why};
 
-    if (end->outcome == CHILD_DONE)
-        return STATUS_OK;
-    if (!job->contestant) {
-        *job->no_truth = end->why;
-        return STATUS_OK;
-    }
-    return stress_result_write(job->folder, job->c, job->contestant, &dead, why);
+    (void)why;
+    if (end->outcome != CHILD_DONE)
+        *job->result = dead;
+    return STATUS_OK;
 }
 
-/* Lists the jobs of the chosen cases: for each its truth, if it must be made, then its
- * runs. Returns their number; list NULL: the number alone. no_truth[]: room for as many. */
-static long list_jobs(const struct options *o, const char *path, struct message *no_truth,
-                      struct stress_job *list)
+/* Lists the jobs of the chosen cases. Returns their number; list NULL: the number alone.
+ * result[]: room for as many. */
+static long list_jobs(const struct options *o, const char *path,
+                      struct stress_result *result, struct stress_job *list)
 {
     struct stress_job job = {.path = path, .folder = o->folder};
     long count = 0;
 
-    for (int n = 0; (job.c = stress_case_at(n)); n++) {
-        if (!stress_choice_case(&o->choice, job.c))
-            continue;
-        job.no_truth = no_truth ? &no_truth[count] : NULL;
-        do {
-            if (!job.contestant && job.c->truth != STRESS_SHELL)
-                continue;
-            if (list)
+    for (int n = 0; (job.c = stress_case_at(n)); n++)
+        while (stress_choice_case(&o->choice, job.c) &&
+               (job.contestant = stress_choice_next(&o->choice, job.contestant))) {
+            if (list) {
                 list[count] = job;
+                list[count].result = &result[count];
+            }
             count++;
-        } while ((job.contestant = stress_choice_next(&o->choice, job.contestant)));
-    }
+        }
     return count;
 }
 
-/* Makes the truths, then does the runs. */
-static enum status run_jobs(const struct options *o, long count, struct stress_job *list,
-                            bool *done, struct message *why)
+/* Makes the truths of the cases that need one; runs without one say that there is none. */
+static enum status make_truths(long count, const struct stress_job *list)
 {
     enum status st = STATUS_OK;
 
-    for (int runs = 0; runs < 2 && st == STATUS_OK; runs++) {
-        struct pool pool = {
-            .count = count,
-            .done = done,
-            .context = list,
-            .slots = o->jobs,
-            .time_limit = TIME_LIMIT,
-            .work = work,
-            .settle = end_job,
-        };
-        long open = 0;
-
-        for (long n = 0; n < count; n++) {
-            done[n] = (list[n].contestant != NULL) != runs;
-            open += !done[n];
-        }
-        if (open)
-            st = pool_run(&pool, why);
-        if (pool.stopped_by)
-            pool_raise(&pool);
+    for (long n = 0; n < count && st != STATUS_MEMORY; n++) {
+        struct truth *truth = NULL;
+        struct message said = {""};
+        if (list[n].c->truth != STRESS_SHELL || (n && list[n].c == list[n - 1].c))
+            continue;
+        st = find_truth(&list[n], true, &truth, &said);
+        if (st != STATUS_OK)
+            fprintf(stderr, "stress %s: no truth: %s\n", list[n].c->item.name, said.text);
+        truth_destroy(truth);
     }
-    return st;
+    return st == STATUS_MEMORY ? st : STATUS_OK;
 }
 
 static enum status measure(const struct options *o, struct message *why)
 {
-    const long count = list_jobs(o, NULL, NULL, NULL);
-    struct stress_job *list = calloc((size_t)count + 1, sizeof *list);
-    bool *done = calloc((size_t)count + 1, sizeof *done);
-    struct message *no_truth = calloc((size_t)count + 1, sizeof *no_truth);
+    struct pool pool = {.count = list_jobs(o, NULL, NULL, NULL),
+                        .slots = o->jobs,
+                        .time_limit = TIME_LIMIT,
+                        .work = work,
+                        .settle = end_job};
+    const size_t size = ((size_t)pool.count + 1) * sizeof(struct stress_result);
+    struct stress_result *result =
+        mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    struct stress_job *list = calloc((size_t)pool.count + 1, sizeof *list);
     char *path = NULL;
     enum status st;
 
-    TRY(list && done && no_truth ? STATUS_OK : STATUS_MEMORY);
+    TRY(list && result != MAP_FAILED ? STATUS_OK : STATUS_MEMORY);
     TRY(folder_make(o->folder, why));
     TRY(scene_file_find(stress_case_scene, &path, why));
-    list_jobs(o, path, no_truth, list);
-    st = run_jobs(o, count, list, done, why);
+    pool.context = list;
+    list_jobs(o, path, result, list);
+    omp_set_num_threads(1);
+    TRY(make_truths(pool.count, list));
+    TRY(pool_run(&pool, why));
+    if (pool.stopped_by)
+        pool_raise(&pool);
+    st = stress_save(o->folder, pool.count, list, why);
 out:
+    if (result != MAP_FAILED)
+        munmap(result, size);
     free(list);
-    free(done);
-    free(no_truth);
     free(path);
     return st;
 }
@@ -1288,24 +1244,23 @@ static enum status run(const struct command_line *line, struct message *why)
                                    .words = line->words,
                                    .models = command_value(line, "--models"),
                                    .quick = command_given(line, "--quick")}};
-    enum table_format format = TABLE_TEXT;
+    struct printer p = {TABLE_TEXT, stdout, NULL};
     long jobs = omp_get_num_procs();
-    struct kept *kept = NULL;
     enum status st = STATUS_OK;
 
     TRY(command_folder(line, &o.folder, &from, why));
-    TRY(command_format(line, &format, why));
+    TRY(command_format(line, &p.format, why));
     TRY(command_integer(line, "--jobs", 1, 1024, &jobs, why));
     TRY(stress_choice_check(&o.choice, why));
     o.jobs = (int)jobs;
     if (!from)
         TRY(measure(&o, why));
     if (!o.choice.word_count)
-        kept_open(o.folder, "stress", "", &kept);
-    TRY(stress_print(o.folder, &o.choice, format, stdout, why));
-    TRY(kept_close(&kept, why));
+        kept_open(o.folder, "stress", "", &p.kept);
+    TRY(stress_print(o.folder, &o.choice, &p, why));
+    TRY(kept_close(&p.kept, why));
 out:
-    kept_discard(&kept);
+    kept_discard(&p.kept);
     return st;
 }
 
@@ -1314,8 +1269,8 @@ static const struct command_option options[] = {
     {"--quick", NULL, false, "some of the cases, in less than a minute"},
     {"--jobs", "N", false, "runs at a time (the number of processors)"},
     {"--format", TABLE_FORMATS, false, "output format (text)"},
-    {"--out", "DIR", false, "folder of the results (results/stress)"},
-    {"--from", "DIR", false, "print again from the results of an earlier run"},
+    {"--out", "DIR", false, "folder of stress.csv (results/stress)"},
+    {"--from", "DIR", false, "print again from stress.csv of an earlier run"},
     {NULL, NULL, false, NULL},
 };
 

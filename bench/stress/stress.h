@@ -9,16 +9,16 @@
  *   died       at a time and for a cause: numerical death, crash, or time limit
  *
  * The error is against a truth that the case names; the bound is one number a case, the
- * same for every contestant. Each run is a process of its own (pool.h) and leaves a text
- * file FOLDER/CASE.CONTESTANT.txt; tables are printed from these files alone.
+ * same for every contestant. Each run is a process of its own (pool.h). All runs together
+ * leave FOLDER/stress.csv, a row each; tables are printed from it alone.
  */
 #ifndef STRESS_H
 #define STRESS_H
 
+#include "bench/experiment/kept.h"
 #include "bench/harness/contestant.h"
 #include "bench/truth/truth.h"
 #include "bench/ui/command.h"
-#include "bench/ui/table.h"
 
 /* --- Cases. */
 
@@ -99,24 +99,14 @@ struct stress_result {
  * is a death. */
 enum stress_end stress_result_end(double error, double bound);
 
-/* Write and read its file, FOLDER/CASE.CONTESTANT.txt. STATUS_FILE: it cannot be written,
- * there is none; STATUS_INPUT: it is damaged, or none of ours. */
-enum status stress_result_write(const char *folder, const struct stress_case *c,
-                                const struct contestant *contestant,
-                                const struct stress_result *r, struct message *why);
-enum status stress_result_read(const char *folder, const struct stress_case *c,
-                               const struct contestant *contestant, struct stress_result *r,
-                               struct message *why);
-
 /* --- Jobs: a contestant on a case. */
 
 struct stress_job {
     const struct stress_case *c;         /*                            borrowed           */
-    const struct contestant *contestant; /* NULL: the job makes the case's truth          */
+    const struct contestant *contestant; /*                            borrowed           */
     const char *path;   /* of stress_case_scene's file                 borrowed           */
     const char *folder; /* for truths that are kept                    borrowed           */
-    struct message *no_truth; /* why none could be made, empty: it was; NULL: nobody
-                                 tried                                 borrowed           */
+    struct stress_result *result; /* where its process leaves it       borrowed           */
 };
 
 /* Runs one job in this process: refusals and deaths are results. Anything
@@ -144,8 +134,13 @@ enum status stress_choice_check(const struct stress_choice *choice, struct messa
 
 /* --- Output. */
 
-/* Prints the tables of the chosen results in the folder. */
+/* Writes FOLDER/stress.csv, the results of the jobs. STATUS_FILE. */
+enum status stress_save(const char *folder, long count, const struct stress_job *jobs,
+                        struct message *why);
+
+/* Prints the tables of the chosen results in FOLDER/stress.csv. STATUS_FILE: there is none;
+ * STATUS_INPUT: it has no row of these. */
 enum status stress_print(const char *folder, const struct stress_choice *choice,
-                         enum table_format format, FILE *file, struct message *why);
+                         const struct printer *p, struct message *why);
 
 #endif

@@ -159,36 +159,23 @@ out:
     return st;
 }
 
-/* Makes what a report reads in the folder, and nothing for people. */
-static enum status keep(const struct asked *a, const struct study_results *r,
-                        struct message *why)
-{
-    FILE *nowhere = fopen("/dev/null", "w");
-    const enum status st =
-        nowhere ? claim_tell(r, a->folder, TABLE_TEXT, nowhere, why) : STATUS_OK;
-
-    if (nowhere)
-        fclose(nowhere);
-    return st;
-}
-
 /* Prints to standard output, and into the folder what a report reads: always tables and
  * sentences, though machines are printed no sentences. */
 static enum status print(const struct command_line *line, const struct asked *a,
                          struct message *why)
 {
-    const bool prose = table_format_is_prose(a->format);
+    struct printer out = {a->format, stdout, NULL}, folder = {.format = TABLE_TEXT};
+    struct printer *keep = table_format_is_prose(a->format) ? &out : &folder;
     struct study_results r = {0};
     struct kept *kept = NULL;
     enum status st = STATUS_OK;
 
     kept_open(a->folder, line->command->name, line->words[0], &kept);
     TRY(study_read(&a->plan, a->folder, &r, why));
-    if (kept && !prose) {
-        TRY(keep(a, &r, why));
-        TRY(kept_close(&kept, why));
-    }
-    TRY(claim_tell(&r, a->folder, a->format, stdout, why));
+    keep->kept = kept;
+    if (kept && keep != &out)
+        TRY(claim_tell(&r, a->folder, keep, why));
+    TRY(claim_tell(&r, a->folder, &out, why));
     TRY(kept_close(&kept, why));
 out:
     kept_discard(&kept);
@@ -246,7 +233,8 @@ static enum status add_plan(const char *path, const struct asked *all, struct st
     TRY(study_read(&a->plan, a->folder, &r, why));
     kept_open(a->folder, "study", a->plan.name, &kept);
     if (kept)
-        TRY(keep(a, &r, why));
+        TRY(claim_tell(&r, a->folder, &(struct printer){.format = TABLE_TEXT, .kept = kept},
+                       why));
     TRY(kept_close(&kept, why));
     TRY(statements_add(s, &r));
 out:

@@ -910,13 +910,6 @@ static void print_html(const struct table *t, FILE *file)
         print_escaped("<p class=\"soft\">", t->notes[n], "</p>\n", html_escaped, file);
 }
 
-static FILE *kept;
-
-void table_keep(FILE *copy)
-{
-    kept = copy;
-}
-
 enum status table_print(const struct table *t, enum table_format format, FILE *file)
 {
     static void (*const print[])(const struct table *, FILE *) = {
@@ -928,10 +921,6 @@ enum status table_print(const struct table *t, enum table_format format, FILE *f
     if (!t || t->failed)
         return STATUS_MEMORY;
     print[format](t, file);
-    if (kept) {
-        print_csv(t, kept);
-        fputc('\n', kept);
-    }
     return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
 

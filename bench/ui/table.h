@@ -111,10 +111,6 @@ void table_note(struct table *t, const char *format, ...)
  * flushed). */
 enum status table_print(const struct table *t, enum table_format format, FILE *file);
 
-/* Prints every table from now on to this stream, too, as CSV with its caption and notes and
- * an empty line below it, to be read back by csv.h; NULL: no more. */
-void table_keep(FILE *copy);
-
 /* Print a table and destroy it; _finish: with an empty line after it, as one of several. In
  * JSON a table is an object {"caption", "units": {KEY: UNIT}, "rows": [{KEY: VALUE}],
  * "notes"}. */

@@ -87,7 +87,8 @@ static char *print(const struct plan *plan, struct study *s, enum table_format f
     FILE *file = open_memstream(&text, &size);
 
     REQUIRE(file);
-    CHECK(dataset_print(&d, folder, format, file, NULL) == STATUS_OK);
+    CHECK(dataset_print(&d, folder, &(struct printer){format, file, NULL}, NULL) ==
+          STATUS_OK);
     REQUIRE(fclose(file) == 0);
     return text;
 }

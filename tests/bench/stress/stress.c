@@ -1,11 +1,8 @@
-/* Tests hard cases. unit: ends, files, tables, the cases as data; run: ends that are known
+/* Tests hard cases. unit: ends, tables, the cases as data; run: ends that are known
  * beforehand. */
 #include "bench/stress/stress.h"
 
-#include <unistd.h>
-
 #include "bench/files/folder.h"
-#include "bench/files/seal.h"
 #include "models/reader/scene_file.h"
 #include "tests/said.h"
 
@@ -38,67 +35,6 @@ static void check_ends(void)
     CHECK(stress_result_end(1e300, bound) == STRESS_DEGRADED);
     CHECK(stress_result_end(INFINITY, bound) == STRESS_DIED);
     CHECK(stress_result_end(NAN, bound) == STRESS_DIED);
-}
-
-static void check_file(const char *folder)
-{
-    const struct stress_result all[] = {
-        {STRESS_DEGRADED, 1 / 3., NAN, 0.1, {"the truth's error bar is 1e-3"}},
-        {STRESS_ACCURATE, 1e-300, 0.25, 0, {""}},
-        {STRESS_REFUSED, NAN, NAN, 0, {"unsupported: no contact"}},
-        {STRESS_DIED, NAN, 1e-3, 1e3, {"crashed: signal 11"}},
-    };
-    const struct contestant *at = contestant_of("iga"), *other = contestant_of("shell");
-    const struct stress_case *c = case_of("still");
-    struct stress_result r;
-    struct message why = {""};
-
-    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
-    for (size_t n = 0; n < sizeof all / sizeof *all; n++) {
-        REQUIRE(stress_result_write(folder, c, at, &all[n], NULL) == STATUS_OK);
-        REQUIRE(stress_result_read(folder, c, at, &r, NULL) == STATUS_OK);
-        CHECK(r.end == all[n].end && !strcmp(r.sentence.text, all[n].sentence.text));
-        CHECK(r.error == all[n].error || (isnan(r.error) && isnan(all[n].error)));
-        CHECK(r.time == all[n].time || (isnan(r.time) && isnan(all[n].time)));
-        CHECK(r.seconds == all[n].seconds);
-    }
-    CHECK(stress_result_read(folder, c, other, &r, &why) == STATUS_FILE && *why.text);
-}
-
-/* Checks files that are sealed but no results, and damaged ones: a byte changed, the end
- * cut off. */
-static void check_broken(const char *folder)
-{
-    static const char *const sealed[] = {
-        "", "end slept\nerror 1\ntime 1\nseconds 1\nsentence \n",
-        "end accurate\nerror x\ntime 1\nseconds 1\nsentence \n",
-        "end accurate\nerror 1\ntime 1\nsentence \n",
-        "end accurate\nerror 1\ntime 1\nseconds 1\nsentence\n"};
-    enum { SEALED = sizeof sealed / sizeof *sealed };
-    const struct stress_case *broken = case_of("thrown");
-    const struct contestant *at = contestant_of("iga");
-    char path[512];
-    struct stress_result r = {.end = STRESS_ACCURATE, .error = 1, .sentence = {"well"}};
-
-    snprintf(path, sizeof path, "%s/%s.%s.txt", folder, broken->item.name, at->name);
-    for (int n = 0; n < SEALED + 2; n++) {
-        struct message why = {""};
-        if (n < SEALED) {
-            REQUIRE(seal_text_write(path, sealed[n], NULL) == STATUS_OK);
-        } else {
-            REQUIRE(stress_result_write(folder, broken, at, &r, NULL) == STATUS_OK);
-            FILE *file = fopen(path, "r+");
-            REQUIRE(file && (n > SEALED || (putc('O', file) == 'O')) && fclose(file) == 0);
-            REQUIRE(n == SEALED || truncate(path, 9) == 0);
-        }
-        r = (struct stress_result){
-            .end = STRESS_ACCURATE, .error = 1, .sentence = {"well"}};
-        if (!CHECK(stress_result_read(folder, broken, at, &r, &why) == STATUS_INPUT))
-            printf("  change %d is believed\n", n);
-        CHECK(strstr(why.text, path) &&
-              strstr(why.text, n < SEALED ? "is no result of this" : "is damaged"));
-    }
-    unlink(path);
 }
 
 /* Checks that a case can be read and says all that it needs; otherwise all models would
@@ -191,21 +127,28 @@ static void check_print(const char *folder)
     const struct stress_choice choice = {1, &name, "iga_paper,shell_2", false};
     char line[256];
 
+    REQUIRE(folder_make(folder, NULL) == STATUS_OK);
     for (size_t n = 0; n < sizeof told / sizeof *told; n++) {
         struct said text;
-        REQUIRE(stress_result_write(folder, c, contestant_of("shell_2"), &told[n].r,
-                                    NULL) == STATUS_OK);
+        struct stress_result r = told[n].r;
+        const struct stress_job job = {
+            .c = c, .contestant = contestant_of("shell_2"), .result = &r};
+        REQUIRE(stress_save(folder, 1, &job, NULL) == STATUS_OK);
         said_open(&text);
-        CHECK(stress_print(folder, &choice, TABLE_CSV, text.file, NULL) == STATUS_OK);
-        CHECK(stress_print(folder, &choice, TABLE_TEXT, text.file, NULL) == STATUS_OK);
+        CHECK(stress_print(folder, &choice, &(struct printer){TABLE_CSV, text.file, NULL},
+                           NULL) == STATUS_OK);
+        CHECK(stress_print(folder, &choice, &(struct printer){TABLE_TEXT, text.file, NULL},
+                           NULL) == STATUS_OK);
         said_close(&text, true);
         snprintf(line, sizeof line, "still,shell_2,%.17g,%s\n", c->bound, told[n].details);
         said_has(&text, name, line);
         said_has(&text, name, ends[told[n].r.end]);
         said_clear(&text);
     }
-    snprintf(line, sizeof line, "%s/still.shell_2.txt", folder);
-    unlink(line);
+    const struct printer nowhere = {TABLE_CSV, NULL, NULL};
+    CHECK(stress_print(folder, &(struct stress_choice){.models = "iga_paper"}, &nowhere,
+                       NULL) == STATUS_INPUT);
+    CHECK(stress_print("nowhere", &choice, &nowhere, NULL) == STATUS_FILE);
 }
 
 /* Runs a case and checks its end, and that a refusal or a death says why. */
@@ -312,8 +255,6 @@ int main(int argc, char **argv)
     if (!strcmp(argv[1], "unit")) {
         check_ends();
         check_choice();
-        check_file(argv[2]);
-        check_broken(argv[2]);
         check_print(argv[2]);
         for (int n = 0; stress_case_at(n); n++)
             check_case(stress_case_at(n), path);

@@ -25,7 +25,8 @@ if(GIT AND EXISTS ${SOURCE}/.git)
 endif()
 
 # Of other folders none has a say in a run's numbers.
-set(patterns ${SOURCE}/CMakeLists.txt ${SOURCE}/bench/truth/truth_level.c)
+set(patterns ${SOURCE}/CMakeLists.txt ${SOURCE}/bench/truth/truth_level.c
+  ${SOURCE}/bench/experiment/measurement.c ${SOURCE}/bench/sweep/sweep.c)
 string(REPLACE "," ";" FOLDERS ${FOLDERS})
 foreach(folder models bench/harness ${FOLDERS})
   list(APPEND patterns ${SOURCE}/${folder}/*.c ${SOURCE}/${folder}/*.h)

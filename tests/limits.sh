@@ -49,7 +49,7 @@ FILES
 # Folders that are read, and gone on with, may have pipes in them: nobody waits for one.
 plan=$(dirname "$scene")/../../bench/plans/feasibility.yaml
 mkdir waits && mkfifo waits/lock
-ends 1 lock "$program" sweep "$plan" --out waits --resume
+ends 1 lock "$program" sweep "$plan" --out waits
 rm -r waits
 mkdir waits && mkfifo waits/table.csv waits/run.h5 waits/table.png
 timeout 60 "$program" report waits >out 2>err </dev/null

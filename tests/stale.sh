@@ -48,7 +48,7 @@ sed -e 's/swept/named/' -e 's/key: material.young.*/key: "obstacles[0].mesh.file
 same() { # WHAT: it changed nothing
     "$program" study studied.yaml --out study >out 2>err || fail "$1: study: $(<err)"
     grep -q '2 of 2 cases were taken' err || fail "$1: the study runs again"
-    run swept.yaml --out sweep --resume
+    run swept.yaml --out sweep
     grep -q 'Nothing was left to run' out || fail "$1: the sweep runs again: $(<err)"
 }
 anew() { # WHAT: it is no result of this any more
@@ -56,7 +56,7 @@ anew() { # WHAT: it is no result of this any more
     [ "$(grep -o '[12] of 2 cases were taken' err)" = "$still" ] ||
         fail "$1: of the study is taken: $(<err)"
     for plan in "${plans[@]}"; do
-        run "$plan.yaml" --out "${plan/swept/sweep}" --resume
+        run "$plan.yaml" --out "${plan/swept/sweep}"
         { [ "$code" -eq 0 ] && grep -q '^[12] cases run now' out; } ||
             fail "$1: the sweep $plan says $(<out) $(<err)"
     done
@@ -90,12 +90,12 @@ anew 'a setting'
 sed -i 's/mass_spring_leapfrog/triangles/' swept.yaml named.yaml studied.yaml
 anew 'a model'
 sed -i 's/-0.05$/-0.06/' lower.obj
-run named.yaml --out named --resume
+run named.yaml --out named
 grep -q '^1 cases run now' out || fail "a mesh that a value of an axis names: $(<out)"
-run swept.yaml --out sweep --resume
+run swept.yaml --out sweep
 grep -q 'Nothing was left to run' out || fail "the mesh of another sweep: $(<err)"
 # what a case of a sweep keeps its distance from; a study looks at its truth when it prints
 cp "$source_folder/tests/truths/flag.h5" truths/laid.h5
-run swept.yaml --out sweep --resume
+run swept.yaml --out sweep
 grep -q '^2 cases run now' out || fail "a truth that is stored now: $(<out)"
 [ "$failures" -eq 0 ]

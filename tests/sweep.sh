@@ -28,7 +28,7 @@ run plan.yaml --out one --jobs 1
 run plan.yaml --out three --jobs 3 --quiet
 { [ "$code" -eq 0 ] && [ ! -s out ]; } || fail "--quiet says $(<out)"
 cmp one/table.csv three/table.csv || fail 'the table depends on the number of jobs'
-run plan.yaml --out three --resume
+run plan.yaml --out three
 grep -q 'Nothing was left to run' out || fail "a finished sweep runs again: $(<out)"
 cmp one/table.csv three/table.csv || fail 'the table changes when made again'
 # the first axis changes slowest, the last fastest
@@ -53,14 +53,12 @@ if command -v gnuplot >/dev/null; then
 fi
 
 # --- the folder -------------------------------------------------------------------------
-run plan.yaml --out one
-ends 2
 sed 's/scene: edge_drop/scene: .\/here.yaml/' plan.yaml >here_plan.yaml
 cp "$source_folder/models/scenes/edge_drop.yaml" here.yaml
 run here_plan.yaml --out here --quiet
 [ "$code" -eq 0 ] || fail "a scene beside the plan: $(<err)"
 sed -i 's/density: .*}/density: 0.6}/' here.yaml
-run here_plan.yaml --out here --resume
+run here_plan.yaml --out here
 grep -q '^24 cases run now' out || fail "another scene: $(<out)"
 run plan.yaml --out plan.yaml
 ends 1
@@ -116,8 +114,8 @@ awk -F, -v bar="$bar" 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
     falls/falls.csv || fail "the bar of strip_swing is $bar: $(<falls/falls.csv)"
 # the other way round it grows, by the exit code, also where nothing is left to run
 sed 's/\[\[6, 6\], \[11, 11\]\]/[[11, 11], [6, 6]]/' falls.yaml >grows.yaml
-for more in '' --resume; do
-    run grows.yaml --out grows ${more:+"$more"}
+for _ in once again; do
+    run grows.yaml --out grows
     ends 1
     grep -q 'mass_spring_leapfrog .* \[6,6\]$' out || fail "an error that grows: $(<out)"
 done
@@ -203,7 +201,7 @@ gone "${cases[1]}" || fail 'a child outlives SIGTERM'
 # two sweeps in one folder; the leader alone is killed
 rm -r long
 begin_long
-"$toy" sweep long.yaml --out long --resume >out 2>err </dev/null
+"$toy" sweep long.yaml --out long >out 2>err </dev/null
 code=$?
 ends 1
 kill -KILL "$leader"
@@ -216,7 +214,7 @@ wait "$leader" 2>/dev/null
 code=$?
 ends 1
 [ -z "$(find full -name '*.part' -o -name '*.h5')" ] || fail "left: $(ls full)"
-run plan.yaml --out full --resume --quiet
+run plan.yaml --out full --quiet
 [ "$code" -eq 0 ] || fail "after a full disk: exit $code: $(<err)"
 cmp one/table.csv full/table.csv || fail 'the table is another after a full disk'
 mkdir small
@@ -225,7 +223,7 @@ if mount -t tmpfs -o size=300k none small 2>/dev/null; then
     ends 1
     [ -n "$(find small -name '*.h5')" ] || fail 'nothing was kept before the disk was full'
     mount -o remount,size=4m small
-    run plan.yaml --out small/full --resume --quiet
+    run plan.yaml --out small/full --quiet
     [ "$code" -eq 0 ] || fail "with room again: exit $code: $(<err)"
     cmp one/table.csv small/full/table.csv || fail 'the table is another with room again'
     umount small

@@ -33,7 +33,7 @@ check_end() {
 live() {
     local wanted=$((RANDOM % 3)) pause=$((RANDOM % 60)) group before until
     before=$(ended)
-    setsid "$program" sweep plan.yaml --out killed --quiet --resume </dev/null 2>err &
+    setsid "$program" sweep plan.yaml --out killed --quiet </dev/null 2>err &
     group=$!
     until=$((${EPOCHREALTIME/./} + 10000000))
     if ((wanted > 0)); then
@@ -61,7 +61,7 @@ while ((killed < kills && failures == 0)); do
         : >ids
     fi
 done
-sweep plan.yaml --out killed --quiet --resume || fail "the last life: exit $?"
+sweep plan.yaml --out killed --quiet || fail "the last life: exit $?"
 check_end
 echo "$killed kills, $cut cases cut short"
 ((cut > 0)) || fail 'no case was ever cut short'

@@ -69,7 +69,7 @@ kill -TERM "$group"
 wait "$group" 2>/dev/null
 [ ! -e killed/table.csv ] || fail 'it was not stopped'
 stat -c '%n %i' killed/case_*.h5 | sort >ids
-ranks 2 plan.yaml --out killed --resume --quiet 2>err || fail "resumed: exit $?: $(<err)"
+ranks 2 plan.yaml --out killed --quiet 2>err || fail "resumed: exit $?: $(<err)"
 cmp alone/table.csv killed/table.csv || fail 'another table after being stopped'
 stat -c '%n %i' killed/case_*.h5 | sort | comm -13 - ids | grep . &&
     fail 'a case that had ended is run again'

@@ -139,10 +139,9 @@ void measurement_key(const struct measurement_case *c, bool quick,
                      const struct scene *scene, unsigned long before,
                      char key[MEASUREMENT_KEY])
 {
-    const double numbers[] = {c->plan.end,     c->keep.every,  c->keep.fields,
-                              c->keep.doubles, c->keep.packed, c->keep.intersections,
-                              c->rest,         c->timed,       c->repeats,
-                              c->phases,       quick};
+    const double numbers[] = {
+        c->plan.end, c->keep.every, c->keep.fields, c->keep.doubles, c->keep.intersections,
+        c->rest,     c->timed,      c->repeats,     c->phases,       quick};
 
     add_text(&before, scene->text);
     add_text(&before, c->plan.contestant->name);

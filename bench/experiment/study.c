@@ -97,8 +97,7 @@ static bool has_none(enum status st)
 /* Adds a level to what is measured together. */
 static enum status add_level(const struct plan *plan, const struct plan_study *study,
                              const struct plan_level *level, bool quick_run,
-                             const struct provenance *provenance, struct batch *batch,
-                             struct message *why)
+                             struct batch *batch, struct message *why)
 {
     const bool quick = quick_run && study->quick_count;
     const int times = quick ? study->quick_count : study->time_count;
@@ -120,7 +119,6 @@ static enum status add_level(const struct plan *plan, const struct plan_study *s
     m->keep.time = time;
     m->keep.fields = RUN_FIELDS_TIMES;
     m->keep.doubles = plan->reference.count > 0; /* differences may be small */
-    m->keep.provenance = provenance;
     m->rest = times == 0;
     m->timed = timed ? MEASUREMENT_FAIR : MEASUREMENT_UNTIMED;
     m->repeats = most < timed ? most : timed;
@@ -153,7 +151,6 @@ enum status study_measure(const struct plan *plan, const char *folder,
                           const struct measurement_options *options, struct message *why)
 {
     struct measurement_options how = *options;
-    struct provenance provenance;
     struct batch batch;
     int most = 0;
     enum status st;
@@ -161,13 +158,12 @@ enum status study_measure(const struct plan *plan, const char *folder,
     for (int n = 0; n < plan->study_count; n++)
         most += plan->studies[n].level_count;
     how.what = plan->name;
-    provenance_collect(&provenance);
     TRY(batch_init(&batch, folder, most));
     for (int n = 0; n < plan->study_count; n++)
         for (int k = 0; k < plan->studies[n].level_count; k++)
             if (!options->quick || !plan->studies[n].levels[k].slow)
                 TRY(add_level(plan, &plan->studies[n], &plan->studies[n].levels[k],
-                              options->quick, &provenance, &batch, why));
+                              options->quick, &batch, why));
     TRY(batch_run(&batch, &how, why));
     TRY(measure_truths(plan, folder, options->quick, why));
 out:

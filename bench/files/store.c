@@ -12,6 +12,7 @@
 
 #include "bench/files/atomic_file.h"
 #include "bench/files/hdf5_file.h"
+#include "bench/files/provenance.h"
 #include "bench/files/seal.h"
 #include "bench/files/xdmf.h"
 #include "models/contact/contact.h"
@@ -119,14 +120,15 @@ static enum status put_run(struct store *s, const struct store_run *run,
                    why);
 }
 
-static enum status put_provenance(struct store *s, const struct provenance *p,
-                                  struct message *why)
+static enum status put_provenance(struct store *s, struct message *why)
 {
+    struct provenance p;
     hid_t group = H5Gcreate2(s->file, "provenance", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     bool good = group >= 0;
 
-    for (int i = 0; good && i < p->count; i++)
-        good = hdf5_file_put_text(group, p->entry[i].key, p->entry[i].value) >= 0;
+    provenance_collect(&p);
+    for (int i = 0; good && i < p.count; i++)
+        good = hdf5_file_put_text(group, p.entry[i].key, p.entry[i].value) >= 0;
     if (group >= 0)
         good = H5Gclose(group) >= 0 && good;
     return written(s, good, why);
@@ -185,7 +187,7 @@ enum status store_create(const char *path, const struct store_run *run,
     H5Pclose(create);
     TRY(written(s, s->file >= 0, why));
     TRY(put_run(s, run, why));
-    TRY(put_provenance(s, run->provenance, why));
+    TRY(put_provenance(s, why));
     TRY(create_xyz(s, why));
     *store = s, s = NULL;
 out:

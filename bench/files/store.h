@@ -45,7 +45,6 @@
 
 #include <stdbool.h>
 
-#include "bench/files/provenance.h"
 #include "models/model.h"
 
 #define STORE_NOT_ARRIVED "not_arrived" /* the outcome */
@@ -57,7 +56,6 @@ struct store_run {
     const struct scene *scene;
     const struct model *model;
     const struct discretization *discretization;
-    const struct provenance *provenance;
     bool single; /* positions as 32-bit floats: 1e-8 m on a 1 m sheet, half the file */
     bool packed; /* shuffled and deflated: a quarter of a smooth field's bytes */
 };

@@ -18,7 +18,7 @@ struct run_file {
     struct looks looks;
     struct store *store;  /* NULL: none                                              */
     double *xyz, *before; /* this look's field and the last one's                    */
-    double *own;          /* [looks' room][own_count], and room for one of all looks */
+    double *truth;        /* [LOOKS_TRUTH][looks' room]; NULL: none is known         */
     int next;             /* of keep->time                                           */
     bool waits;           /* xyz is of a frame that is no look, at:                  */
     double time;
@@ -42,28 +42,21 @@ void run_file_discard(struct run_file *f)
     looks_clear(&f->looks);
     free(f->xyz);
     free(f->before);
-    free(f->own);
+    free(f->truth);
     free(f);
 }
 
 static enum status open_store(struct run_file *f, struct message *why)
 {
     const struct run *run = f->run;
-    struct provenance here;
-    struct store_run what = {.scene = &run->scene,
-                             .model = run->model,
-                             .discretization = &run->discretization,
-                             .provenance = f->keep->provenance,
-                             .single = !f->keep->doubles,
-                             .packed = f->keep->packed};
+    const struct store_run what = {.scene = &run->scene,
+                                   .model = run->model,
+                                   .discretization = &run->discretization,
+                                   .single = !f->keep->doubles};
     enum status st;
 
     if (!f->keep->file)
         return STATUS_OK;
-    if (!what.provenance) {
-        provenance_collect(&here);
-        what.provenance = &here;
-    }
     TRY(store_create(f->keep->file, &what, &f->store, why));
     if (f->keep->made_for)
         TRY(store_text(f->store, "made_for", f->keep->made_for, why));
@@ -88,8 +81,9 @@ enum status run_file_open(const struct run *run, const struct run_keep *keep,
     TRY(f->xyz && f->before ? STATUS_OK : STATUS_MEMORY);
     TRY(looks_init(&f->looks,
                    (keep->every ? (int)(frames / keep->every) : 0) + keep->times + 2));
-    f->own = calloc((size_t)(f->looks.room * (keep->own_count + 1)) + 1, sizeof *f->own);
-    TRY(f->own ? STATUS_OK : STATUS_MEMORY);
+    if (keep->truth)
+        f->truth = calloc(LOOKS_TRUTH * (size_t)f->looks.room, sizeof *f->truth);
+    TRY(f->truth || !keep->truth ? STATUS_OK : STATUS_MEMORY);
     TRY(open_store(f, why));
     *file = f, f = NULL;
 out:
@@ -178,10 +172,10 @@ enum status run_file_watch(void *context, const struct motion *m, struct message
     sample(f, m->time, &m->counters);
     f->waits = true;
     f->next += timed;
-    if (due && keep->own_count)
-        st = keep->own_look(keep->context, m, f->xyz,
-                            f->own + f->looks.count * keep->own_count);
-    if (due && st == STATUS_OK)
+    if (due && keep->truth)
+        keep->truth(keep->context, m->time, f->xyz, f->truth + f->looks.count,
+                    f->truth + f->looks.room + f->looks.count);
+    if (due)
         st = take(f, all || (timed && keep->fields == RUN_FIELDS_TIMES), why);
     f->seconds += clock_now() - start;
     return st;
@@ -208,22 +202,6 @@ enum status run_file_bytes(struct run_file *f, double bytes, struct message *why
     return f->store ? store_number(f->store, "model_bytes", bytes, why) : STATUS_OK;
 }
 
-/* Stores the caller's numbers, through the room behind them. */
-static enum status store_own(struct run_file *f, struct message *why)
-{
-    const int count = f->keep->own_count, looks = f->looks.count;
-    double *value = f->own + f->looks.room * count;
-    enum status st = STATUS_OK;
-
-    for (int i = 0; i < count && st == STATUS_OK; i++) {
-        for (int n = 0; n < looks; n++)
-            value[n] = f->own[n * count + i];
-        st = store_metric(f->store, f->keep->own[i].name, f->keep->own[i].unit, value,
-                          looks, why);
-    }
-    return st;
-}
-
 static enum status store_series(struct run_file *f, struct message *why)
 {
     const struct looks *l = &f->looks;
@@ -232,8 +210,9 @@ static enum status store_series(struct run_file *f, struct message *why)
     for (int n = 0; n < LOOKS_SERIES && st == STATUS_OK; n++)
         st = store_metric(f->store, looks_series[n].name, looks_series[n].unit,
                           l->series[n], l->count, why);
-    if (st == STATUS_OK)
-        st = store_own(f, why);
+    for (int n = 0; n < LOOKS_TRUTH && f->truth && st == STATUS_OK; n++)
+        st = store_metric(f->store, looks_truth[n], "1", f->truth + n * l->room, l->count,
+                          why);
     if (st == STATUS_OK && f->run->model->energy)
         st = store_metric(f->store, "energy_drift", "1", l->drift, l->count, why);
     return st;

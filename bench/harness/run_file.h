@@ -10,7 +10,6 @@
 #ifndef RUN_FILE_H
 #define RUN_FILE_H
 
-#include "bench/files/provenance.h"
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
 #include "bench/harness/run_result.h"
@@ -19,11 +18,6 @@ enum run_fields {
     RUN_FIELDS_TIMES, /* of the looks at `time` alone                                  */
     RUN_FIELDS_ALL,   /* of all looks; the last survived frame becomes one */
     RUN_FIELDS_NONE,
-};
-
-/* A number of the caller's own at every look in motion, kept as metrics/NAME (store.h). */
-struct run_own {
-    const char *name, *unit;
 };
 
 /* The choice of what to keep of a run; all borrowed. */
@@ -35,17 +29,15 @@ struct run_keep {
     enum run_fields fields;
     bool intersections;   /* count self-intersections at every look                      */
     bool doubles;         /* fields as 64-bit numbers, not 32                            */
-    bool packed;          /* and deflated (store.h)                                      */
     bool quick;           /* of --quick: noted in the file; no verdict rests on it       */
     const char *made_for; /* one line, noted in the file; NULL: none                   */
-    const struct provenance *provenance; /* NULL: as things stand                      */
 
-    /* Fills value[own_count] from the moment and its field. */
-    int own_count;
-    const struct run_own *own;
-    enum status (*own_look)(void *context, const struct motion *m, const double *xyz,
-                            double *value);
-    void *context;
+    /* Finds, at every look in motion, the distance of the field from the truth at that time
+     * and the truth's error bar, both over the length, which are kept as metrics (looks.h);
+     * NULL: none is known. */
+    void (*truth)(const void *context, double time, const double *xyz, double *error,
+                  double *bar);
+    const void *context;
 };
 
 struct run_file;

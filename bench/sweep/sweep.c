@@ -8,7 +8,6 @@
 
 #include "bench/experiment/measurement.h"
 #include "bench/files/seal.h"
-#include "bench/harness/looks.h"
 #include "bench/truth/truth.h"
 #include "models/metric/metric.h"
 
@@ -16,7 +15,7 @@
 struct sweep {
     const char *word; /* the plan, as the command line has it                           */
     const char *out;  /* the folder that was asked for; NULL: results/sweep_NAME        */
-    bool resume, quiet;
+    bool quiet;
     struct plan plan;
     struct sweep_folder folder;
     unsigned long program; /* measurement_program                                       */
@@ -26,32 +25,26 @@ struct sweep {
 /* --- a case in its own process ----------------------------------------------------------
  */
 
-/* The truth of a case's scene, to which the case keeps its distance, look by look. */
-struct known {
-    struct truth made; /* it claims nothing where no truth is known                     */
-    double length;     /* of the scene [m]                                              */
-};
-
-/* Fills in distance and bar (LOOKS_TRUTH) where the truth is known at this time. */
-static enum status look(void *context, const struct motion *m, const double *xyz,
-                        double *value)
-{
-    const struct known *truth = context;
-    const struct truth *made = &truth->made;
-    const int n = truth_index(made, made->claimed, m->time);
-
-    value[LOOKS_TRUTH_ERROR] = n < 0 ? NAN : metric_rmse(xyz, made->xyz[n]) / truth->length;
-    value[LOOKS_TRUTH_BAR] = n < 0 ? NAN : made->error[n] / truth->length;
-    return STATUS_OK;
-}
-
 /* A case as it is run, or looked for in the folder. */
 struct opened {
     struct plan_case c;
     struct scene scene;
     struct measurement_case run;
+    struct truth truth; /* of its scene; it claims nothing where none is known, or read  */
     char path[SWEEP_FOLDER_PATH], key[MEASUREMENT_KEY];
 };
+
+/* Finds the distance from the truth, look by look. */
+static void look(const void *context, double time, const double *xyz, double *error,
+                 double *bar)
+{
+    const struct opened *o = context;
+    const struct truth *made = &o->truth;
+    const int n = truth_index(made, made->claimed, time);
+
+    *error = n < 0 ? NAN : metric_rmse(xyz, made->xyz[n]) / o->scene.length;
+    *bar = n < 0 ? NAN : made->error[n] / o->scene.length;
+}
 
 /* Adds the stored truth of a scene, if there is one, to a sum: its cases keep their
  * distance from it. Its beginning, where it is sealed, is enough. */
@@ -98,6 +91,7 @@ out:
 
 static void close_case(struct opened *o)
 {
+    truth_clear(&o->truth);
     scene_clear(&o->scene);
     plan_case_clear(&o->c);
 }
@@ -106,25 +100,16 @@ static void close_case(struct opened *o)
 static enum status work(void *context, long number, struct message *why)
 {
     struct opened o;
-    struct known truth = {{0}};
-    struct run_own own[LOOKS_TRUTH];
-    struct run_keep *keep = &o.run.keep;
     enum status st;
 
     TRY(open_case(context, number, &o, why));
-    truth.length = o.scene.length;
     /* A factor a step is no physics that a truth could have: nothing needs to be read. */
     if (!truth_plan_damping(&o.scene))
-        TRY(truth_judged(&o.scene, &truth.made, why));
-    keep->own_count = truth.made.claimed ? LOOKS_TRUTH : 0;
-    keep->own = own;
-    keep->own_look = look;
-    keep->context = &truth;
-    for (int n = 0; n < LOOKS_TRUTH; n++)
-        own[n] = (struct run_own){looks_truth[n], "1"};
-    st = run_file_write(&o.run.plan, keep, NULL, why);
+        TRY(truth_judged(&o.scene, &o.truth, why));
+    o.run.keep.truth = o.truth.claimed ? look : NULL;
+    o.run.keep.context = &o;
+    st = run_file_write(&o.run.plan, &o.run.keep, NULL, why);
 out:
-    truth_clear(&truth.made);
     close_case(&o);
     return st;
 }
@@ -149,9 +134,8 @@ static enum status settle(void *context, long number, const struct child_end *en
 /* --- the process that leads -------------------------------------------------------------
  */
 
-/* Finds the cases that are done, and removes the files of the others. STATUS_INPUT: some
- * are done, and the sweep is not to be resumed. */
-static enum status scan(const struct sweep *s, bool *done, struct message *why)
+/* Finds the cases that are done, and removes the files of the others. STATUS_MEMORY. */
+static enum status scan(const struct sweep *s, bool *done)
 {
     struct run_result result;
     struct message sentence;
@@ -162,11 +146,6 @@ static enum status scan(const struct sweep *s, bool *done, struct message *why)
     for (long n = 0; n < plan_case_count(&s->plan) && st == STATUS_OK; n++) {
         if (!sweep_folder_has(&s->folder, n))
             continue;
-        if (!s->resume)
-            return status_fail(why, STATUS_INPUT,
-                               "%s has a sweep already; --resume goes on with it, --out "
-                               "DIR begins another",
-                               s->folder.path);
         open_case(s, n, &o, NULL);
         st = sweep_folder_read(&s->folder, n, o.key, false, &state, &result, &sentence);
         done[n] = state != SWEEP_OPEN;
@@ -196,7 +175,7 @@ static enum status run_all(struct sweep *s, struct message *why)
     pool->count = plan_case_count(&s->plan);
     done = calloc((size_t)pool->count, sizeof *done);
     TRY(done ? STATUS_OK : STATUS_MEMORY);
-    TRY(scan(s, done, why));
+    TRY(scan(s, done));
     pool->done = done;
     pool->time_limit = s->plan.time_limit;
     st = pool_run(pool, &reason);
@@ -204,8 +183,7 @@ static enum status run_all(struct sweep *s, struct message *why)
         sweep_folder_tidy(&s->folder);
     if (st != STATUS_OK)
         TRY(status_fail(why, st,
-                        "%s; what is done is kept, and clothbench sweep %s "
-                        "--resume goes on",
+                        "%s; what is done is kept, and clothbench sweep %s goes on",
                         reason.text, s->word));
 out:
     free(done);
@@ -213,7 +191,7 @@ out:
         return st;
     fprintf(stderr,
             "clothbench: stopped by signal %d after %ld cases; what is done is kept: "
-            "clothbench sweep %s --resume goes on\n",
+            "clothbench sweep %s goes on\n",
             pool->stopped_by, pool->ran, s->word);
     pool_raise(pool);
     return st;
@@ -322,7 +300,6 @@ static enum status run(const struct command_line *line, struct message *why)
 {
     struct sweep s = {.word = line->words[0],
                       .out = command_value(line, "--out"),
-                      .resume = command_given(line, "--resume"),
                       .quiet = command_given(line, "--quiet"),
                       .folder = {.lock = -1},
                       .pool = {.work = work, .settle = settle}};
@@ -377,9 +354,6 @@ out:
     "      - {key: material.density, values: [0.3, 0.5, 0.7]}\n"
 
 static const struct command_option options[] = {
-    {"--resume", NULL, false,
-     "continue with what is in the folder; cases that ended\n"
-     "are not repeated"},
     {"--jobs", "N", false, "cases that run at a time (the number of processors)"},
     {"--out", "DIR", false, "folder of the results (results/sweep_NAME)"},
     {"--quiet", NULL, false, "print no progress bar and no summary"},
@@ -401,13 +375,12 @@ const struct command sweep_command = {
         "code is 1 where it grows. This plan has two by three cases; `clothbench help\n"
         "plan` has all keys:\n"
         "\n" SWEEP_PLAN "\n"
-        "Ctrl-C, SIGKILL or a full disk cost only the cases that are running; --resume\n"
-        "continues. It repeats cases that were killed or suspended, ran out of memory,\n"
-        "or have a damaged file, and those whose scene, settings or models' sources are\n"
-        "not what they were. Under mpirun the ranks share the cases; on several machines\n"
-        "they need the same folder.\n",
-    .examples = "sweep feasibility\nsweep mine.yaml --jobs 4 --out results/mine\n"
-                "sweep feasibility --resume\n",
+        "Ctrl-C, SIGKILL or a full disk cost only the cases that are running. The same\n"
+        "command continues: it repeats cases that were killed or suspended, ran out of\n"
+        "memory, or have a damaged file, and those whose scene, settings or models'\n"
+        "sources are not what they were. Under mpirun the ranks share the cases; on\n"
+        "several machines they need the same folder.\n",
+    .examples = "sweep feasibility\nsweep mine.yaml --jobs 4 --out results/mine\n",
     .least = 1,
     .most = 1,
     .options = options,

@@ -55,8 +55,7 @@ bool sweep_folder_has(const struct sweep_folder *folder, long number);
 
 enum sweep_state {
     SWEEP_OPEN,   /* there is no file, it is damaged or another case's, or the case was
-                     cut short: killed, suspended, out of memory; a sweep that is resumed
-                     runs it                                                             */
+                     cut short: killed, suspended, out of memory; the next sweep runs it  */
     SWEEP_FAILED, /* no result: timed out, crashed, impossible to set up               */
     SWEEP_RAN,    /* there is a result                                                 */
 };

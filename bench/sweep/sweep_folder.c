@@ -121,7 +121,7 @@ static void take_sentence(char *text, const char *key, enum sweep_state *state,
         return; /* it is damaged, or another case's */
     *state = cut ? SWEEP_OPEN : SWEEP_FAILED;
     snprintf(sentence->text, sizeof sentence->text, "%s%s", words,
-             cut ? "; --resume runs it again" : "");
+             cut ? "; the next sweep runs it again" : "");
 }
 
 enum status sweep_folder_read(const struct sweep_folder *folder, long number,
@@ -134,7 +134,7 @@ enum status sweep_folder_read(const struct sweep_folder *folder, long number,
     *result = (struct run_result){0};
     *state = SWEEP_OPEN;
     snprintf(sentence->text, sizeof sentence->text,
-             "its file is %s; --resume runs it again",
+             "its file is %s; the next sweep runs it again",
              sweep_folder_has(folder, number) ? "damaged" : "gone");
     sweep_folder_file(folder, number, "h5", path);
     if (access(path, F_OK) == 0) {

@@ -326,7 +326,7 @@ void sweep_rows_print(const struct sweep_rows *rows, FILE *file)
         {"died", "the numerics ended the run", 0},
         {"unsupported", "the model leaves something out", 0},
         {"no result", "timed out, crashed or refused: see table.csv", 0},
-        {"run again", "cut short, or damaged since: --resume does it", 0},
+        {"run again", "cut short, or damaged since: the next sweep does it", 0},
     };
 
     for (const struct sweep_row *row = rows->row; row < rows->row + rows->count; row++) {

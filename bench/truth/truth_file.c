@@ -5,7 +5,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "bench/files/provenance.h"
 #include "bench/files/store.h"
 #include "bench/harness/run.h"
 #include "bench/truth/truth_parts.h"
@@ -230,26 +229,25 @@ enum status truth_physics_check(const char *text, const struct scene *scene,
 
 /* --- Writing and reading --- */
 
+/* The columns of a file; some that others lack: what is not packed, and of
+ * truth_crossing_judge, whose search of all that come with the program takes a second. */
 static const struct {
+    int column; /* enum truth_column; -1: the error */
     const char *name, *unit;
+    bool some;
 } columns[] = {
-#define TRUTH_COLUMN_ROW(code, name, unit) {name, unit},
+#define TRUTH_COLUMN_ROW(code, name, unit)                                                 \
+    {TRUTH_##code, name, unit, TRUTH_##code == TRUTH_PACKING},
     TRUTH_COLUMN_LIST(TRUTH_COLUMN_ROW)
 #undef TRUTH_COLUMN_ROW
-        {"error", "m"}};
+        {-1, "error", "m", false},
+    {TRUTH_CROSSINGS, "crossing_pairs", "1", true},
+    {TRUTH_CROSSING_DEPTH, "crossing_depth", "m", true}};
 enum { COLUMNS = sizeof columns / sizeof *columns };
-
-/* The finds of truth_crossing_judge, for files that have it: a search of all that come with
- * the program takes a second. */
-static const struct {
-    enum truth_column column;
-    const char *name, *unit;
-} crossings[] = {{TRUTH_CROSSINGS, "crossing_pairs", "1"},
-                 {TRUTH_CROSSING_DEPTH, "crossing_depth", "m"}};
 
 static double *cell(const struct truth *t, int n, int column)
 {
-    return column < TRUTH_STORED ? &t->value[n][column] : &t->error[n];
+    return column < 0 ? &t->error[n] : &t->value[n][column];
 }
 
 void truth_pack(struct truth *t, double length)
@@ -282,16 +280,10 @@ static enum status put_columns(struct store *store, const struct truth *made,
 
     for (int c = 0; c < COLUMNS && st == STATUS_OK; c++) {
         for (int n = 0; n < made->times; n++)
-            column[n] = *cell(made, n, c);
-        st =
-            store_metric(store, columns[c].name, columns[c].unit, column, made->times, why);
-    }
-    for (int c = 0; c < 2 && st == STATUS_OK && made->claimed; c++) {
-        for (int n = 0; n < made->times; n++)
-            column[n] = made->value[n][crossings[c].column];
-        if (!isnan(column[0]))
-            st = store_metric(store, crossings[c].name, crossings[c].unit, column,
-                              made->times, why);
+            column[n] = *cell(made, n, columns[c].column);
+        if (!columns[c].some || (made->claimed && !isnan(*column)))
+            st = store_metric(store, columns[c].name, columns[c].unit, column, made->times,
+                              why);
     }
     free(column);
     return st;
@@ -345,19 +337,16 @@ enum status truth_file_write(const char *path, const struct truth_runs *runs,
                                          .title = "somebody else's program",
                                          .source = "bench/truth/truth_third.h"};
     struct run run = {0};
-    struct provenance provenance;
     struct store *store = NULL, *done;
     enum status st;
 
     TRY(read_run(runs, made, &run, why));
-    provenance_collect(&provenance);
     TRY(store_create(path,
                      &(struct store_run){.scene = &run.scene,
                                          .model = made->closed    ? &none
                                                   : made->foreign ? &foreign
                                                                   : run.model,
                                          .discretization = &run.discretization,
-                                         .provenance = &provenance,
                                          .single = is_single(made),
                                          .packed = true},
                      &store, why));
@@ -379,37 +368,13 @@ static enum status read_columns(const struct store_read *file, struct truth *mad
     for (int c = 0; c < COLUMNS; c++) {
         char name[64];
         snprintf(name, sizeof name, "metrics/%s", columns[c].name);
-        if (c == TRUTH_PACKING && !store_read_has(file, name))
-            continue; /* of before truths were packed */
-        TRY(store_read_array(file, name, &column, &rows, &width, NULL));
-        if (rows != made->times || width != 1)
-            TRY(STATUS_INPUT);
-        for (int n = 0; n < rows; n++)
-            *cell(made, n, c) = column[n];
-        free(column), column = NULL;
-    }
-out:
-    free(column);
-    return st;
-}
-
-/* Reads the crossings that the file has. */
-static enum status read_crossings(const struct store_read *file, struct truth *made)
-{
-    enum status st = STATUS_OK;
-    double *column = NULL;
-    int rows, width;
-
-    for (int c = 0; c < 2; c++) {
-        char name[64];
-        snprintf(name, sizeof name, "metrics/%s", crossings[c].name);
-        if (!store_read_has(file, name))
+        if (columns[c].some && !store_read_has(file, name))
             continue;
         TRY(store_read_array(file, name, &column, &rows, &width, NULL));
         if (rows != made->times || width != 1)
             TRY(STATUS_INPUT);
         for (int n = 0; n < rows; n++)
-            made->value[n][crossings[c].column] = column[n];
+            *cell(made, n, columns[c].column) = column[n];
         free(column), column = NULL;
     }
 out:
@@ -442,7 +407,6 @@ static enum status read_made(const struct store_read *file, struct truth *made,
     TRY(store_read_array(file, "time", &time, &times, &width, NULL));
     TRY(claimed > times ? STATUS_INPUT : truth_init(made, times, claimed, time));
     TRY(read_columns(file, made));
-    TRY(read_crossings(file, made));
     for (int n = 0; n < claimed; n++)
         TRY(store_read_frame(file, n, made->xyz[n], NULL));
     TRY(read_text(file, "/", "note", NULL, made->source, sizeof made->source));

@@ -1,6 +1,7 @@
 /* Result files: what was written is read back bit for bit, and ParaView is told of it;
  * whatever stops the writing of any file of ours gives one sentence and leaves nothing
  * behind. */
+#include "bench/files/provenance.h"
 #include "bench/files/store.h"
 
 #include <float.h>
@@ -65,8 +66,7 @@ static void fixture_init(struct fixture *f)
     f->scene.text[100000] = '\0';
     f->discretization = (struct discretization){.points = {10, 11, 2}, .degree = {2, 3, 1}};
     provenance_collect(&f->provenance);
-    f->run =
-        (struct store_run){&f->scene, &nothing, &f->discretization, &f->provenance, 0, 0};
+    f->run = (struct store_run){&f->scene, &nothing, &f->discretization, 0, 0};
     f->xyz = malloc(FRAMES * COUNT * sizeof *f->xyz);
     REQUIRE(f->xyz);
     for (int n = 0; n < FRAMES; n++)

@@ -10,6 +10,7 @@
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
 #include "bench/files/store.h"
+#include "bench/harness/looks.h"
 #include "models/metric/metric.h"
 #include "tests/run_fixture.h"
 #include "tests/scratch.h"
@@ -472,42 +473,31 @@ static void test_misfits(void)
     }
 }
 
-static enum status look(void *context, const struct motion *m, const double *xyz,
-                        double *value)
+static void look(const void *context, double time, const double *xyz, double *error,
+                 double *bar)
 {
-    value[0] = m->frames;
-    value[1] = -10 * m->frames;
-    value[2] = xyz == NULL ? NAN : *(const double *)context;
-    return STATUS_OK;
+    *error = xyz ? 100 * time : NAN;
+    *bar = *(const double *)context;
 }
 
-/* Numbers of the caller's own, each under its name with its unit. */
-static void test_own(void)
+/* Distances from a truth and its bars, under their names. */
+static void test_truth(void)
 {
-    static const struct run_own own[] = {{"ups", "m"}, {"downs", "s"}, {"same", "kg"}};
-    static const double want[3][3] = {{0, 10, 20}, {0, -100, -200}, {7, 7, 7}};
+    static const double want[LOOKS_TRUTH][3] = {{0, 5, 10}, {7, 7, 7}};
     double context = 7;
     const struct run_keep keep = {.file = file,
                                   .every = 10,
                                   .fields = RUN_FIELDS_NONE,
-                                  .own_count = LENGTH(own),
-                                  .own = own,
-                                  .own_look = look,
+                                  .truth = look,
                                   .context = &context};
 
     script_reset();
     REQUIRE(run_file_write(&(struct run_plan){DROP, &scripted, NULL, 0.1}, &keep, NULL,
                            NULL) == STATUS_OK);
-    for (int n = 0; n < LENGTH(own); n++) {
-        char name[64], *unit = NULL;
-        struct store_read *store = NULL;
-        snprintf(name, sizeof name, "metrics/%s", own[n].name);
+    for (int n = 0; n < LOOKS_TRUTH; n++) {
+        char name[64];
+        snprintf(name, sizeof name, "metrics/%s", looks_truth[n]);
         check_array(name, 3, want[n]);
-        REQUIRE(store_read_open(file, &store, NULL) == STATUS_OK);
-        CHECK(store_read_text(store, name, "unit", &unit, NULL) == STATUS_OK);
-        CHECK(unit && !strcmp(unit, own[n].unit));
-        free(unit);
-        store_read_close(store);
     }
 }
 
@@ -532,7 +522,7 @@ int main(int argc, char **argv)
     test_seconds();
     test_series();
     test_misfits();
-    test_own();
+    test_truth();
     CHECK(scratch_files(scratch) <= 2);
     return check_result();
 }

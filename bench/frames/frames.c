@@ -245,6 +245,7 @@ void frames_close(struct frames *f)
     free(f->state);
     frames_folder_clear(&f->files);
     free(f->path);
+    free(f->scene);
     free(f->net.uv);
     free(f->net.rest);
     free(f->net.triangle);
@@ -260,6 +261,11 @@ const char *frames_name(const struct frames *f)
 const struct frames_net *frames_net(const struct frames *f)
 {
     return &f->net;
+}
+
+const char *frames_scene(const struct frames *f)
+{
+    return f->scene;
 }
 
 static enum status check_frame(struct frames *f, double t, struct message *why)

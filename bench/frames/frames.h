@@ -12,8 +12,9 @@
  *                passed over), rows in any order; lines that begin with # are comments
  *   .obj .ply    a file a frame: a folder, or several files, in the order of the numbers in
  *                their names. uv from `vt`, or from properties u,v, s,t, texture_u, ...
- *   .npz         xyz [frames][n][3], uv [n][2], t [frames] (32 or 64-bit, C order, stored
- *                or deflated); .npy: xyz alone
+ *   .npz         xyz [frames][n][3], uv [n][2], t [frames], faces [m][3 or 4], of floats or
+ *                whole numbers, stored or deflated (Fortran's order: as a whole in memory);
+ *                .npy: xyz alone
  *   .h5 .hdf5    data sets of the same names; or the program's own result files and truths
  *   .mdd .pc2    point caches
  *
@@ -46,7 +47,11 @@ struct frames_net {
 };
 
 /* The most vertices of a net and times of a file: a larger count is taken for damage. */
-enum { FRAMES_MOST_VERTICES = 4000000, FRAMES_MOST_TIMES = 10000000 };
+enum {
+    FRAMES_MOST_VERTICES = 4000000,
+    FRAMES_MOST_TIMES = 10000000,
+    FRAMES_MOST_FACES = 8000000
+};
 
 /* Opens paths[count]: one file or folder, or several files, each a frame. */
 enum status frames_open(int count, const char *const *paths, const struct frames_look *look,
@@ -57,6 +62,9 @@ void frames_close(struct frames *f); /* NULL is allowed */
 const char *frames_name(const struct frames *f);
 
 const struct frames_net *frames_net(const struct frames *f);
+
+/* Returns the name of the scene that a result file is of; NULL: it is nobody's run here. */
+const char *frames_scene(const struct frames *f);
 
 /* Reads the next frame: its time [s], later than the one before, and positions
  * [vertices][3], all finite, borrowed until the next call; *xyz is NULL after the last. */

@@ -1,5 +1,6 @@
 #include "bench/frames/frames_array.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <zip.h>
@@ -16,9 +17,12 @@ struct frames_array {
     struct frames_file file; /* NumPy's: the array itself                               */
     zip_t *archive;          /* or NULL                                       owned     */
     zip_file_t *member;      /* the array in it, or NULL                      owned     */
-    int bytes;               /* 4 or 8 a number                                         */
+    char type;               /* of its numbers: f, i (whole), u (without a sign), b      */
+    int bytes;               /* of each                                                  */
+    bool big, by_columns;    /* first byte highest; first index fastest (Fortran's order) */
+    double *all;             /* all numbers in C's order; NULL: they are read on  owned */
     hid_t hdf5, set;         /* HDF5: the file, the array; negative: none     owned     */
-    hsize_t row;             /* that is read next                                       */
+    hsize_t row;             /* that is read next; of `all` the number                  */
 };
 
 /* Returns the product of the sizes; 1e15 where it is larger. */
@@ -38,6 +42,8 @@ static void end_array(struct frames_array *a)
         zip_fclose(a->member);
     if (a->set >= 0)
         H5Idec_ref(a->set);
+    free(a->all);
+    a->all = NULL;
     a->member = NULL;
     a->set = H5I_INVALID_HID;
     a->row = 0;
@@ -120,16 +126,27 @@ static bool take_shape(const char *text, struct frames_array *a)
     return true;
 }
 
-static int take_type(const char *text)
+/* Reads the text of 'descr', such as '<f8', and of 'fortran_order'. */
+static bool take_type(const char *text, struct frames_array *a)
 {
     const char *p = strstr(text, "'descr':");
+    char order, end;
 
+    a->by_columns = strstr(text, "'fortran_order': True");
     p = p ? strchr(p + 8, '\'') : NULL;
-    return p && !strncmp(p, "'<f4'", 5) ? 4 : p && !strncmp(p, "'<f8'", 5) ? 8 : 0;
+    if (!p || sscanf(p, "'%c%c%1d%c", &order, &a->type, &a->bytes, &end) != 4)
+        return false;
+    a->big = order == '>';
+    return end == '\'' && strchr("<>|=", order) && strchr("fiub", a->type) &&
+           (a->bytes == 8 || a->bytes == 4 || a->bytes == 2 ||
+            (a->bytes == 1 && a->type != 'f'));
 }
 
-/* Reads the header of an array: little-endian floats in C order, of which there are as many
- * as its shape says. */
+/* Reads all of an array whose first index is fastest, so that it can be had by rows. */
+static enum status turn_numpy(struct frames_array *a, const char *name,
+                              struct message *why);
+
+/* Reads the header of an array of numbers, of which there are as many as its shape says. */
 static enum status begin_numpy(struct frames_array *a, const char *name,
                                struct message *why)
 {
@@ -148,24 +165,42 @@ static enum status begin_numpy(struct frames_array *a, const char *name,
         return status_fail(why, STATUS_INPUT, "%s: %s.npy: its header is damaged", a->path,
                            name);
     text[head] = '\0';
-    a->bytes = take_type(text);
-    if (!a->bytes || strstr(text, "'fortran_order': True") || !take_shape(text, a))
+    if (!take_type(text, a) || !take_shape(text, a))
         return status_fail(why, STATUS_INPUT,
-                           "%s: %s.npy: is %.100s; 32 or 64-bit floats, little-endian and "
-                           "in C order (numpy.ascontiguousarray(x, '<f8')), would be right",
+                           "%s: %s.npy: is %.100s; floats of 16, 32 or 64 bits or whole "
+                           "numbers (x.astype('<f8')) would be right",
                            a->path, name, text);
     if (size < 10 + head || count_of(a) > (size - 10 - head) / (unsigned)a->bytes)
         return status_fail(
             why, STATUS_INPUT,
             "%s: %s.npy: is cut off: its shape needs more numbers than there are", a->path,
             name);
+    if (a->by_columns && a->rank > 1)
+        st = turn_numpy(a, name, why);
 out:
     return st;
+}
+
+static double number_of(const struct frames_array *a, const unsigned char *p)
+{
+    const double size = (double)frames_file_whole(p, a->bytes, a->big);
+
+    if (a->type == 'f')
+        return frames_file_float(p, a->bytes, a->big);
+    return a->type == 'i' && p[a->big ? 0 : a->bytes - 1] >> 7
+               ? size - ldexp(1, 8 * a->bytes)
+               : size;
 }
 
 static bool read_numpy(struct frames_array *a, size_t count, double *values)
 {
     const size_t bytes = (size_t)a->bytes;
+
+    if (a->all) {
+        memcpy(values, a->all + a->row, count * sizeof *values);
+        a->row += count;
+        return true;
+    }
     /* The bytes go to the array's end, so that widening from its front does not
      * overtake. */
     unsigned char *at = (unsigned char *)values + count * (8 - bytes);
@@ -173,8 +208,35 @@ static bool read_numpy(struct frames_array *a, size_t count, double *values)
     if (!read_bytes(a, at, count * bytes))
         return false;
     for (size_t n = 0; n < count; n++)
-        values[n] = frames_file_float(at + n * bytes, a->bytes, false);
+        values[n] = number_of(a, at + n * bytes);
     return true;
+}
+
+static enum status turn_numpy(struct frames_array *a, const char *name, struct message *why)
+{
+    const size_t count = (size_t)count_of(a);
+    double *by_columns = malloc((count + 1) * sizeof *by_columns),
+           *by_rows = malloc((count + 1) * sizeof *by_rows);
+    enum status st = STATUS_OK;
+
+    TRY(by_columns && by_rows ? STATUS_OK : STATUS_MEMORY);
+    if (!read_numpy(a, count, by_columns))
+        TRY(status_fail(why, STATUS_INPUT, "%s: %s.npy: is cut off or damaged", a->path,
+                        name));
+    for (size_t n = 0; n < count; n++) { /* n counts by rows, `at` by columns */
+        size_t left = n, step = count, at = 0;
+        for (int k = a->rank - 1; k >= 0; k--) {
+            step /= a->size[k];
+            at += left % a->size[k] * step;
+            left /= a->size[k];
+        }
+        by_rows[n] = by_columns[at];
+    }
+    a->all = by_rows, by_rows = NULL;
+out:
+    free(by_columns);
+    free(by_rows);
+    return st;
 }
 
 /* --- HDF5 --- */

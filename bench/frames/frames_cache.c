@@ -1,5 +1,7 @@
 /* Point caches: MDD (LightWave; big-endian: frames, points, times, positions) and PC2 (3ds
- * Max; little-endian: POINTCACHE2, version, points, start, rate, samples, positions). */
+ * Max; little-endian: POINTCACHE2, version, points, start, rate, samples, positions). A
+ * rate between 0 and 1 is the seconds from sample to sample; 1 counts frames, and tells no
+ * time. */
 #include "bench/frames/frames_parts.h"
 
 #include <stdlib.h>
@@ -10,6 +12,7 @@ struct cache {
     unsigned char *times;    /* [frames][4]; NULL: none                           owned   */
     unsigned char *bytes;    /* [vertices][3][4] of a frame                       owned   */
     bool big;
+    double rate; /* [s] of PC2; 0: not told                                               */
 };
 
 static void close_cache(void *state)
@@ -31,6 +34,8 @@ static enum status next_cache(struct frames *f, double *t, struct message *why)
                            f->number);
     if (c->times)
         *t = frames_file_float(c->times + 4L * (f->number - 1), 4, c->big);
+    else if (c->rate > 0)
+        *t = (f->number - 1) * c->rate;
     for (size_t n = 0; n < count; n++)
         f->xyz[n] = frames_file_float(c->bytes + 4 * n, 4, c->big);
     return STATUS_OK;
@@ -59,7 +64,10 @@ static enum status open_cache(struct frames *f, struct message *why)
                         "%s: counts %lu frames of %lu points, and has %lld bytes; as many "
                         "as it counts would be right",
                         f->path, frames, points, c->file.size));
-    f->timed = c->big;
+    if (!c->big)
+        c->rate = frames_file_float(head + 24, 4, false);
+    c->rate = c->rate > 0 && c->rate < 1 ? c->rate : 0;
+    f->timed = c->big || c->rate > 0;
     f->count = (int)frames;
     TRY(frames_room(f, (long)points, why));
     c->bytes = malloc(12 * (size_t)points);

@@ -1,4 +1,5 @@
-/* Reads lines t,u,v,x,y,z. A first pass over the times finds runs of rows of one time,
+/* Reads lines t,u,v,x,y,z; also with semicolons between numbers that have decimal commas.
+ * A first pass over the times finds runs of rows of one time,
  * which alone stay in memory; the runs of a frame are then read wherever they stand. */
 #define _DEFAULT_SOURCE /* strsep */
 #include "bench/frames/frames_parts.h"
@@ -27,6 +28,7 @@ struct key { /* a vertex by its uv, rounded */
 
 struct csv {
     struct frames_file file;
+    bool semicolons;   /* stand between the cells, and numbers may have decimal commas   */
     int cell[COLUMNS]; /* which one of a line each is, from 0                            */
     int runs, room;
     struct run *run; /* [runs] by time, then place                              owned   */
@@ -56,6 +58,9 @@ static enum status next_line(struct csv *c, bool *more, struct message *why)
         if (!*more)
             break;
     } while (strchr("#", c->file.text[strspn(c->file.text, " \t")]));
+    c->semicolons = c->semicolons || (*more && !c->runs && strchr(c->file.text, ';'));
+    for (char *p = c->file.text; *more && c->semicolons && *p; p++)
+        *p = (char)(*p == ',' ? '.' : *p == ';' ? ',' : *p);
 out:
     return st;
 }

@@ -1,6 +1,7 @@
 #include "bench/frames/frames_file.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,6 +59,8 @@ enum status frames_file_line(struct frames_file *f, bool *more, struct message *
     length -= f->text[length - 1] == '\n';
     length -= length > 0 && f->text[length - 1] == '\r';
     f->text[length] = '\0';
+    if (f->line == 1 && length >= 3 && !memcmp(f->text, "\xEF\xBB\xBF", 3))
+        memmove(f->text, f->text + 3, (size_t)(length -= 3) + 1); /* a byte-order mark */
     for (char *zero = f->text;
          (zero = memchr(zero, '\0', (size_t)(f->text + length - zero)));)
         *zero = '?';
@@ -112,6 +115,17 @@ unsigned long frames_file_whole(const unsigned char *p, int size, bool big)
     return x;
 }
 
+/* Returns the number of IEEE 754's 16 bits: sign, 5 bits of exponent, 10 of fraction. */
+static double half_float(unsigned long bits)
+{
+    const int exponent = (int)(bits >> 10 & 31), fraction = (int)(bits & 1023);
+    const double size = exponent == 31 ? (fraction ? NAN : INFINITY)
+                        : exponent     ? ldexp(1024 + fraction, exponent - 25)
+                                       : ldexp(fraction, -24);
+
+    return bits >> 15 ? -size : size;
+}
+
 double frames_file_float(const unsigned char *p, int size, bool big)
 {
     const uint64_t bits = frames_file_whole(p, size, big);
@@ -121,5 +135,5 @@ double frames_file_float(const unsigned char *p, int size, bool big)
 
     memcpy(&x, &bits, sizeof x);
     memcpy(&single, &half, sizeof single);
-    return size == 8 ? x : (double)single;
+    return size == 8 ? x : size == 4 ? (double)single : half_float(bits);
 }

@@ -22,8 +22,8 @@ struct frames_file {
 enum status frames_file_open(const char *path, struct frames_file *f, struct message *why);
 void frames_file_close(struct frames_file *f); /* all-zero is allowed, and left */
 
-/* Reads a line; *more is false at the end. Bytes 0 become '?', which no reader takes.
- * STATUS_MEMORY, or STATUS_FILE with a sentence. */
+/* Reads a line, without a byte-order mark; *more is false at the end. Bytes 0 become '?',
+ * which no reader takes. STATUS_MEMORY, or STATUS_FILE with a sentence. */
 enum status frames_file_line(struct frames_file *f, bool *more, struct message *why);
 
 /* Goes to a place where a line begins, so that the next one has the number `line`. */
@@ -40,7 +40,8 @@ bool frames_file_number(char **p, double *x);
  * `count`. NULL: no memory, and the array is as it was. */
 void *frames_file_grow(void *array, int *room, int count, size_t size);
 
-/* Return the number of `size` bytes at p (4 or 8 of a float, 1, 2, 4 of a whole number). */
+/* Return the number of `size` bytes at p (2, 4 or 8 of a float, 1 to 8 of a whole number).
+ */
 double frames_file_float(const unsigned char *p, int size, bool big);
 unsigned long frames_file_whole(const unsigned char *p, int size, bool big);
 

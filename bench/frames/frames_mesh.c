@@ -1,6 +1,7 @@
 /* Reads meshes, .obj or .ply, and sequences of them; count and faces are the first's. */
 #include "bench/frames/frames_parts.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -93,6 +94,49 @@ out:
     return st;
 }
 
+/* Finds the last number in a file's name, and where it begins. */
+static bool number_of(const char *path, long *number, size_t *begin)
+{
+    const char *base = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
+    const char *end = base + strlen(base);
+
+    while (end > base && !isdigit((unsigned char)end[-1]))
+        end--;
+    const char *at = end;
+    while (at > base && isdigit((unsigned char)at[-1]) && end - at < 9)
+        at--;
+    *begin = (size_t)(at - path);
+    *number = strtol(at, NULL, 10);
+    return at < end;
+}
+
+/* Refuses a sequence whose numbers do not go on evenly: a file is missing, and --dt would
+ * give wrong times to those behind it. Names that differ in more than a number are left. */
+static enum status check_numbers(const struct frames *f, struct message *why)
+{
+    long before = 0, step = 0, number;
+    size_t begin = 0, at;
+
+    for (int pass = 0; pass < 2; pass++)
+        for (int n = 0; n < f->count; n++, before = number) {
+            const char *path = f->files.path[n];
+            if (!number_of(path, &number, &at) ||
+                (n && (at != begin || strncmp(path, f->files.path[0], at) != 0 ||
+                       number <= before)))
+                return STATUS_OK;
+            begin = at;
+            if (n && (!step || number - before < step))
+                step = number - before;
+            if (n && pass && number - before != step)
+                return status_fail(
+                    why, STATUS_INPUT,
+                    "%s: comes after number %ld, and others are %ld apart: a "
+                    "frame is missing; all of them would be right",
+                    path, before, step);
+        }
+    return STATUS_OK;
+}
+
 static enum status open_sequence(struct frames *f, struct message *why)
 {
     struct sequence *s = f->state;
@@ -100,6 +144,7 @@ static enum status open_sequence(struct frames *f, struct message *why)
     enum status st;
 
     f->count = f->files.count;
+    TRY(check_numbers(f, why));
     TRY(frames_mesh_read(f->files.path[0], &mesh, why));
     s->triangles = mesh.triangles;
     f->net.uv = mesh.uv, mesh.uv = NULL;

@@ -1,6 +1,7 @@
-/* Reads arrays xyz [frames][n][3] (or [frames][rows][columns][3]), uv [n][2], t [frames] of
- * NumPy's files and HDF5; and the program's own result files (bench/files/store.h), of
- * whose layers the middle is taken. */
+/* Reads arrays xyz [frames][n][3] (or [frames][rows][columns][3]), uv [n][2], t [frames],
+ * faces [m][3] of NumPy's files and HDF5; and the program's own result files
+ * (bench/files/store.h), of whose layers the middle is taken. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -90,6 +91,49 @@ static enum status take_small(struct frames_array *file, const char *name, int r
     return st == STATUS_UNSUPPORTED ? STATUS_OK : st;
 }
 
+/* Reads faces[m][3 or more], whole numbers of vertices from 0, where there are any. */
+static enum status take_faces(struct frames *f, struct frames_array *file,
+                              struct message *why)
+{
+    enum { CORNERS = 64 };
+    struct frames_mesh mesh = {.vertices = f->net.vertices};
+    unsigned long long size[8];
+    double *number = NULL;
+    long vertex[CORNERS];
+    enum status st = frames_array_begin(file, "faces", size, why);
+
+    if (st == STATUS_UNSUPPORTED)
+        return STATUS_OK;
+    TRY(st);
+    if (size[0] < 1 || size[0] > FRAMES_MOST_FACES || size[1] < 3 || size[1] > CORNERS ||
+        size[2])
+        TRY(status_fail(
+            why, STATUS_INPUT,
+            "%s: faces: has %llu rows of %llu; [faces][3] or [faces][4], one or "
+            "more, would be right",
+            f->path, size[0], size[1]));
+    const int corners = (int)size[1];
+    TRY(frames_array_load(file, "faces", (size_t)size[0], (size_t)corners, &number, why));
+    for (size_t n = 0; n < size[0]; n++) {
+        for (int k = 0; k < corners; k++) {
+            const double x = number[n * (size_t)corners + (size_t)k];
+            if (!(x >= 0 && x < mesh.vertices && x == floor(x)))
+                TRY(status_fail(why, STATUS_INPUT,
+                                "%s: faces: face %zu has a vertex %g; whole numbers from 0 "
+                                "to %d would be right",
+                                f->path, n, x, mesh.vertices - 1));
+            vertex[k] = (long)x;
+        }
+        TRY(frames_mesh_face(&mesh, corners, vertex));
+    }
+    f->net.triangles = mesh.triangles;
+    f->net.triangle = mesh.triangle, mesh.triangle = NULL;
+out:
+    free(number);
+    frames_mesh_clear(&mesh);
+    return st;
+}
+
 static enum status open_arrays(struct frames *f, struct message *why)
 {
     struct moving *m = f->state;
@@ -101,6 +145,7 @@ static enum status open_arrays(struct frames *f, struct message *why)
     TRY(frames_room(f, vertices, why));
     TRY(take_small(m->file, "uv", f->net.vertices, 2, &f->net.uv, why));
     TRY(take_small(m->file, "t", f->count, 1, &m->t, why));
+    TRY(take_faces(f, m->file, why));
     TRY(begin_xyz(f, m->file, &vertices, why)); /* from the start again */
 out:
     return st;
@@ -118,6 +163,7 @@ static enum status open_own(struct frames *f, struct message *why)
     if (rows != f->count || columns != 1)
         TRY(status_fail(why, STATUS_INPUT, "%s: xyz_time: has %d times of %d frames",
                         f->path, rows, f->count));
+    TRY(store_read_text(m->own, "/", "scene_name", &f->scene, why));
     TRY(frames_room(f, GRID_U * GRID_V, why));
     m->field = malloc(3 * GRID_POINTS * sizeof *m->field);
     f->net.uv = malloc(2 * GRID_U * GRID_V * sizeof *f->net.uv);

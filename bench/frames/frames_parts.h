@@ -29,6 +29,7 @@ struct frames {
     int count;   /* of frames                                                           */
     int number;  /* number of the frame last read, from 1                               */
     double time; /* of it                                                               */
+    char *scene; /* frames_scene                                                owned   */
     bool timed;  /* the file has times                                                  */
     const struct frames_reader *reader;
     void *state; /*                                                             owned   */

@@ -537,6 +537,9 @@ enum status score_read(const char *scene, int count, const char *const *paths,
     TRY(score_ladder_read(&s->truth.scene, &s->ladder, why));
     TRY(begin(s));
     TRY(frames_open(count, paths, &look->frames, &frames, why));
+    if (frames_scene(frames) && strcmp(frames_scene(frames), s->truth.scene.name) != 0)
+        TRY(status_fail(why, STATUS_INPUT, "%s: is a run of %s; one of %s would be right",
+                        paths[0], frames_scene(frames), s->truth.scene.name));
     TRY(read_frames(s, frames, look, &window, why));
     TRY(check_times(s, paths[0], why));
     TRY(judge(s));

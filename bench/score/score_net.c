@@ -13,8 +13,9 @@
 #define SAME_LINE 1e-6
 #define EDGE      1e-3
 
-/* A row outside of the sheet lies at most its one cell (and rounding) beyond the edge. */
-#define OUTSIDE 1.001
+/* One row may lie outside of the sheet, by a cell: half the sheet (and rounding) at most.
+ */
+#define OUTSIDE 0.501
 
 /* A vertex lies on the rest shape to this share of the length. */
 #define ON_REST 2e-3
@@ -275,6 +276,7 @@ static void map_triangle(const struct score_net *net, const struct scene *scene,
                          const int *vertex, double *inside, struct score_map *map)
 {
     const double *corner[3];
+    double height[3];
     int i0, i1, j0, j1;
 
     for (int k = 0; k < 3; k++)
@@ -282,6 +284,10 @@ static void map_triangle(const struct score_net *net, const struct scene *scene,
     const double area = cross(corner[0], corner[1], corner[2]);
     if (fabs(area) < SAME_LINE * SAME_LINE)
         return;
+    for (int k = 0; k < 3; k++) {
+        const double *a = corner[(k + 1) % 3], *b = corner[(k + 2) % 3];
+        height[k] = fabs(area) / hypot(b[0] - a[0], b[1] - a[1]);
+    }
     span(corner, 0, map->nu, &i0, &i1);
     if (scene->sheets > 1) /* and those in the void beside it */
         i0 = i0 > 0 ? i0 - 1 : 0, i1 = i1 < map->nu - 1 ? i1 + 1 : i1;
@@ -293,7 +299,9 @@ static void map_triangle(const struct score_net *net, const struct scene *scene,
             const double w[3] = {cross(x, corner[1], corner[2]) / area,
                                  cross(corner[0], x, corner[2]) / area,
                                  cross(corner[0], corner[1], x) / area};
-            const double least = fmin(w[0], fmin(w[1], w[2]));
+            double least = INFINITY; /* distance from the nearest side, inside */
+            for (int k = 0; k < 3; k++)
+                least = fmin(least, w[k] * height[k]);
             const int n = j * map->nu + i;
             if (!(least > inside[n]))
                 continue;
@@ -317,7 +325,7 @@ static enum status map_triangles(const struct score_net *net,
     if (!inside)
         return STATUS_MEMORY;
     for (int n = 0; n < points; n++)
-        inside[n] = -EDGE; /* a point may lie so far out of a triangle */
+        inside[n] = -EDGE; /* a point may lie so far out of a triangle, in u and v */
     for (int n = 0; n < frames->triangles; n++)
         map_triangle(net, scene, frames->triangle[n], inside, map);
     for (int n = 0; n < points && bare < 0; n++)
@@ -357,12 +365,16 @@ static enum status check_span(const struct score_net *net, const char *name,
                               struct message *why)
 {
     for (int d = 0; d < 2; d++) {
-        double first = INFINITY, last = -INFINITY;
+        double first = INFINITY, last = -INFINITY, beyond = INFINITY, before = -INFINITY;
         for (int n = 0; n < net->vertices; n++) {
-            first = fmin(first, net->uv[2 * n + d]);
-            last = fmax(last, net->uv[2 * n + d]);
+            const double x = net->uv[2 * n + d];
+            first = fmin(first, x);
+            last = fmax(last, x);
+            beyond = x > 1 + EDGE ? fmin(beyond, x) : beyond;
+            before = x < -EDGE ? fmax(before, x) : before;
         }
-        if (first < -OUTSIDE || last > 1 + OUTSIDE)
+        if (first < -OUTSIDE || last > 1 + OUTSIDE || last > beyond + SAME_LINE ||
+            first < before - SAME_LINE)
             return status_fail(
                 why, STATUS_INPUT,
                 "%s: %c runs from %.6g to %.6g; uv of the sheet must run from "

@@ -110,6 +110,7 @@ static void found(void)
         {"rest_vt", "vt/f0.obj", {.told = false}, 1},
         {"outside", NULL, {.told = true, .outside = true}, 2},
         {"triangles", NULL, {.told = true, .jitter = true, .faces = true}, 2},
+        {"inset", NULL, {.told = true, .jitter = true, .faces = true, .span = .9999}, 2},
         {"triangles_shuffled", NULL, {.jitter = true, .faces = true, .shuffle = true}, 2},
     };
 
@@ -143,6 +144,8 @@ static void refused(void)
     } row[] = {
         {"late", NULL, {.first = 3}},
         {"half", NULL, {.told = true, .span = .5}},
+        {"double", NULL, {.told = true, .span = 2}},
+        {"beyond", NULL, {.told = true, .span = 1.4}},
         {"loose", NULL, {.told = true, .jitter = true}},
         {"other", "grid.obj", {.told = true}},
         {"holed", NULL, {.told = true, .jitter = true, .faces = true, .holed = true}},

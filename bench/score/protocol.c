@@ -278,11 +278,13 @@ static enum status keep(const struct score *s, struct protocol_run *run)
         struct score_time *row = &run->row[run->times];
         double *got = run->got + numbers * (size_t)run->times;
         *row = s->row[run->times];
-        memcpy(got, row->got, numbers * sizeof *got);
-        row->truth = row->seen = NULL;
+        for (size_t n = 0; n < numbers; n++) /* moved on to the same time as others' */
+            got[n] = row->got[n] + (row->known[n] - row->truth[n]);
+        row->known = row->truth = row->seen = NULL;
         row->got = got;
     }
-    score_diagnosis_make(s, &run->diagnosis);
+    if (score_diagnosis_make(s, &run->diagnosis) != STATUS_OK)
+        return STATUS_MEMORY;
     score_print_say(s, &run->diagnosis, &run->said);
     if (score_diagnosis_has_place(&run->diagnosis))
         score_stiffness_make(s, &run->stiffness);

@@ -6,6 +6,7 @@
 
 #include "bench/frames/frames_array.h"
 #include "bench/harness/settings.h"
+#include "bench/score/score_start.h"
 #include "bench/truth/truth.h"
 #include "models/metric/metric_rest.h"
 #include "models/reader/named_file.h"
@@ -97,6 +98,8 @@ enum status score_truth_read(const char *scene, struct score_truth *t, struct me
     TRY(choose_times(t));
     for (int n = 0; n < t->known.claimed; n++)
         flatten(t->known.xyz[n]);
+    /* what nothing holds falls as one body, on parabolas or nearly so */
+    t->moves = t->known.claimed > 2 && (t->moves || t->known.closed);
     t->rest = metric_rest_field(&t->scene);
     TRY(t->rest ? STATUS_OK : STATUS_MEMORY);
     flatten(t->rest);
@@ -223,27 +226,12 @@ const double *score_ladder_flaw(const struct score_ladder *l, int flaw, int time
     return l->flaw + 3L * LADDER_POINTS * (flaw * l->times + time);
 }
 
-/* A frame is at a time to within this [s]: a sheet at 10 m/s moves by 1e-5 m in it. */
-#define SAME_TIME 1e-6
-
-/* Positions are not interpolated between frames farther apart than this [s] (24 frames a
- * second): a cubic through four frames is off by h^4 / 43 times the fourth derivative,
- * where a sheet whips 0.1 % of its length. */
-#define MOST_GAP 0.042
+/* A frame stands for a time of the truth that is so far from it at most [s]: half of what
+ * 20 frames a second leave. */
+#define REACH 0.025
 
 /* An interpolation error below this is rounding and counts as none. */
 #define ROUNDING 1e-12
-
-enum { WINDOW = 4 };
-
-/* Degrees to which frames determine the positions at a time: not at all, by frames to one
- * side of it, by frames to both sides, by a frame of that very time. */
-enum { TELLS_NOT, TELLS_BESIDE, TELLS_BETWEEN, TELLS_ITSELF };
-
-struct window { /* the frames last read, the newest last */
-    int count;
-    double time[WINDOW], *xyz[WINDOW]; /* [vertices][3] [m] owned */
-};
 
 double score_rms(int points, const double *a, const double *b)
 {
@@ -266,31 +254,21 @@ static void turn(const struct score_look *look, int vertices, const double *from
     }
 }
 
-void score_cubic(const double t[4], double time, double weight[4])
+int score_window(int count, const double *time, double t, double weight[4])
 {
+    double at[4];
+    int first = -1;
+
+    while (first + 4 < count && time[first + 2] < t)
+        first++;
+    for (int a = 0; a < 4; a++)
+        at[a] = first + a < 0 ? 0 : time[first + a];
     for (int a = 0; a < 4; a++) {
         weight[a] = 1;
         for (int b = 0; b < 4; b++)
-            weight[a] *= a == b ? 1 : (time - t[b]) / (t[a] - t[b]);
+            weight[a] *= a == b ? 1 : (t - at[b]) / (at[a] - at[b]);
     }
-}
-
-/* Sets the weights of the window's frames at a time; returns how well they determine it. */
-static int weigh(const struct window *w, double time, double weight[WINDOW])
-{
-    const double *t = w->time, newest = t[WINDOW - 1];
-
-    for (int a = 0; a < WINDOW; a++)
-        weight[a] = a == WINDOW - 1;
-    if (fabs(newest - time) <= SAME_TIME)
-        return TELLS_ITSELF;
-    if (w->count < WINDOW || time > newest || time < t[0])
-        return TELLS_NOT;
-    for (int a = 1; a < WINDOW; a++)
-        if (t[a] - t[a - 1] > MOST_GAP)
-            return TELLS_NOT;
-    score_cubic(t, time, weight);
-    return t[1] < time && time < t[2] ? TELLS_BETWEEN : TELLS_BESIDE;
+    return first;
 }
 
 static enum status view_init(struct score_view *v, int times, int nu, int nv)
@@ -299,16 +277,18 @@ static enum status view_init(struct score_view *v, int times, int nu, int nv)
 
     v->times = times;
     v->time = calloc(count, sizeof *v->time);
-    v->tells = calloc(count, sizeof *v->tells);
+    v->when = calloc(count, sizeof *v->when);
     v->field = malloc(count * numbers * sizeof *v->field);
-    return v->time && v->tells && v->field ? STATUS_OK : STATUS_MEMORY;
+    for (int n = 0; v->when && n < times; n++)
+        v->when[n] = NAN;
+    return v->time && v->when && v->field ? STATUS_OK : STATUS_MEMORY;
 }
 
 static void view_clear(struct score_view *v)
 {
     score_map_clear(&v->map);
     free(v->time);
-    free(v->tells);
+    free(v->when);
     free(v->field);
 }
 
@@ -317,41 +297,17 @@ double *score_view_field(const struct score_view *v, int n)
     return v->field + 3L * v->map.nu * v->map.nv * n;
 }
 
-/* Interpolates the positions at each time for which this window is better than those
- * before. */
-static void view_take(struct score_view *v, const struct window *w)
+/* Keeps a frame for the times to which none is nearer. */
+static void view_take(struct score_view *v, double t, const double *xyz)
 {
-    const int numbers = 3 * v->map.nu * v->map.nv;
-    double weight[WINDOW], *part = score_view_field(v, v->times);
-
     for (int n = 0; n < v->times; n++) {
-        double *field = score_view_field(v, n);
-        const int tells = weigh(w, v->time[n], weight);
-        if (tells <= v->tells[n])
+        const double far = fabs(t - v->time[n]);
+        const bool near = far <= v->reach || (v->after && t > v->time[v->times - 1]);
+        if (!near || far >= fabs(v->when[n] - v->time[n])) /* false where there is none */
             continue;
-        v->tells[n] = tells;
-        memset(field, 0, (size_t)numbers * sizeof *field);
-        for (int a = 0; a < WINDOW; a++) {
-            if (weight[a] == 0)
-                continue;
-            score_map_apply(&v->map, w->xyz[a], part);
-            for (int k = 0; k < numbers; k++)
-                field[k] += weight[a] * part[k];
-        }
+        v->when[n] = t;
+        score_map_apply(&v->map, xyz, score_view_field(v, n));
     }
-}
-
-static void push(struct window *w, double t)
-{
-    double *oldest = w->xyz[0];
-
-    for (int a = 1; a < WINDOW; a++) {
-        w->xyz[a - 1] = w->xyz[a];
-        w->time[a - 1] = w->time[a];
-    }
-    w->xyz[WINDOW - 1] = oldest;
-    w->time[WINDOW - 1] = t;
-    w->count++;
 }
 
 void score_coarse_rest(const struct score *s, double *rest)
@@ -364,16 +320,29 @@ void score_coarse_rest(const struct score *s, double *rest)
     }
 }
 
-/* Measures how far the first frame is from the sheet at rest. */
-static void take_start(struct score *s, const double *xyz)
+void score_path(const struct score *s, double time, double *field)
 {
-    double rest[3 * LADDER_POINTS], *part = score_view_field(&s->coarse, s->coarse.times);
+    double weight[4];
+    const int first = score_window(s->fine.times, s->fine.time, time, weight);
+    const double *four = s->path + 3L * LADDER_POINTS * (first + 1);
 
-    score_coarse_rest(s, rest);
-    score_map_apply(&s->coarse.map, xyz, part);
-    for (int n = 0; n < 3 * LADDER_POINTS; n++)
-        s->begin[n % 3] += (part[n] - rest[n]) / LADDER_POINTS;
-    s->start = fabs(s->first) <= SAME_TIME ? score_rms(LADDER_POINTS, part, rest) : NAN;
+    for (int n = 0; n < 3 * LADDER_POINTS; n++) {
+        field[n] = 0;
+        for (int a = 0; a < 4; a++)
+            field[n] += weight[a] * four[3L * LADDER_POINTS * a + n];
+    }
+}
+
+static enum status make_path(struct score *s)
+{
+    const struct truth *known = &s->truth.known;
+    const size_t size = 3 * (size_t)LADDER_POINTS;
+
+    s->path = malloc(((size_t)known->claimed + 1) * size * sizeof *s->path);
+    for (int n = 0; s->path && n <= known->claimed; n++)
+        score_seen(s, &s->fine.map, GRID_U, GRID_V, n ? known->xyz[n - 1] : s->truth.rest,
+                   s->path + size * (size_t)n);
+    return s->path ? STATUS_OK : STATUS_MEMORY;
 }
 
 /* Makes the net and both views of it from the first frame. */
@@ -394,44 +363,43 @@ static enum status make_net(struct score *s, const struct frames *frames,
     }
     TRY(score_net_make(net, scene, name, rest, xyz, &s->net, why));
     TRY(score_net_map(&s->net, net, scene, name, GRID_U, GRID_V, &s->grid.map, why));
-    TRY(score_net_map(&s->net, net, scene, name, LADDER_U, LADDER_V, &s->coarse.map, why));
+    TRY(score_net_map(&s->net, net, scene, name, LADDER_U, LADDER_V, &s->fine.map, why));
     TRY(score_contact_begin(&s->contact, scene, net, &s->net));
-    take_start(s, xyz);
+    TRY(make_path(s));
+    st = score_start_find(s, xyz);
 out:
     free(rest);
     return st;
 }
 
 static enum status read_frames(struct score *s, struct frames *frames,
-                               const struct score_look *look, struct window *w,
-                               struct message *why)
+                               const struct score_look *look, struct message *why)
 {
     const int vertices = frames_net(frames)->vertices;
     const size_t bytes = 3 * (size_t)vertices * sizeof(double);
+    double *newest = malloc(bytes), *before = malloc(bytes);
     const double *xyz;
-    double t;
+    double t, step = 0;
     enum status st = STATUS_OK;
 
-    for (int a = 0; a < WINDOW; a++) {
-        w->xyz[a] = malloc(bytes);
-        TRY(w->xyz[a] ? STATUS_OK : STATUS_MEMORY);
-    }
+    TRY(newest && before ? STATUS_OK : STATUS_MEMORY);
     for (;; s->frames++, s->last = t) {
         TRY(frames_next(frames, &t, &xyz, why));
         if (!xyz)
             break;
-        push(w, t);
-        double *newest = w->xyz[WINDOW - 1];
+        double *const oldest = before;
+        before = newest, newest = oldest;
         turn(look, vertices, xyz, newest);
         if (!s->frames) {
             s->first = t;
             TRY(make_net(s, frames, look, newest, why));
         } else {
-            s->interval = fmin(s->interval, t - s->last);
-            s->repeats += !memcmp(w->xyz[WINDOW - 2], newest, bytes);
+            step = t - s->last;
+            s->interval = fmin(s->interval, step);
+            s->repeats += !memcmp(before, newest, bytes);
         }
-        view_take(&s->grid, w);
-        view_take(&s->coarse, w);
+        view_take(&s->grid, t, newest);
+        view_take(&s->fine, t, newest);
         st = score_contact_take(&s->contact, t, newest);
         if (st == STATUS_NAN)
             st = status_fail(why, STATUS_INPUT,
@@ -440,16 +408,17 @@ static enum status read_frames(struct score *s, struct frames *frames,
         TRY(st);
     }
     if (s->frames > 1)
-        score_contact_end(&s->contact, s->last, w->time[WINDOW - 1] - w->time[WINDOW - 2],
-                          w->xyz[WINDOW - 2], w->xyz[WINDOW - 1]);
+        score_contact_end(&s->contact, s->last, step, before, newest);
     if (!s->frames)
         st = status_fail(why, STATUS_INPUT, "%s: has no frames", frames_name(frames));
 out:
+    free(newest);
+    free(before);
     return st;
 }
 
-void score_seen(const struct score *s, const struct score_map *map, const double *field,
-                double *seen)
+void score_seen(const struct score *s, const struct score_map *map, int nu, int nv,
+                const double *field, double *seen)
 {
     memset(seen, 0, 3 * (size_t)map->nu * (size_t)map->nv * sizeof *seen);
     for (int p = 0; p < map->nu * map->nv; p++)
@@ -458,37 +427,61 @@ void score_seen(const struct score *s, const struct score_map *map, const double
             double x[3];
             if (weight == 0)
                 continue;
-            score_net_sample(s->truth.scene.sheets, map->nu, map->nv, field,
+            score_net_sample(s->truth.scene.sheets, nu, nv, field,
                              s->net.uv + 2L * map->vertex[p][k], x);
             for (int c = 0; c < 3; c++)
                 seen[3 * p + c] += weight * x[c];
         }
 }
 
-/* Makes a row of each time that frames determine. */
+/* Fills truth[SCORE_POINTS][3] at any time. */
+static void truth_at(const struct score_truth *t, double time, double *truth)
+{
+    const struct truth *known = &t->known;
+    double weight[4];
+    const int first = score_window(known->claimed, known->time, time, weight);
+
+    memset(truth, 0, 3 * SCORE_POINTS * sizeof *truth);
+    for (int a = 0; a < 4; a++) {
+        const double *field = first + a < 0 ? t->rest : known->xyz[first + a];
+        for (int n = 0; n < 3 * SCORE_POINTS; n++)
+            truth[n] += weight[a] * field[n];
+    }
+}
+
+/* Makes a row of each time that has a frame. */
 static enum status judge(struct score *s)
 {
     const struct truth *known = &s->truth.known;
     const double length = s->truth.scene.length;
     const size_t times = (size_t)s->truth.times;
 
+    for (int n = s->fine.times - 1; n > 0; n--) /* a frame counts once */
+        if (s->fine.when[n] == s->fine.when[n - 1])
+            s->fine.when[n] = NAN;
     s->row = calloc(times, sizeof *s->row);
-    s->seen = malloc(times * 3 * SCORE_POINTS * sizeof *s->seen);
-    if (!s->row || !s->seen)
+    s->truths = malloc(times * 6 * SCORE_POINTS * sizeof *s->truths);
+    if (!s->row || !s->truths)
         return STATUS_MEMORY;
     for (int n = 0; n < s->truth.times; n++) {
         const int at = s->truth.at[n];
-        double *seen = s->seen + 3L * SCORE_POINTS * s->times;
-        if (!s->grid.tells[n])
+        double *truth = s->truths + 6L * SCORE_POINTS * s->times,
+               *seen = truth + 3L * SCORE_POINTS;
+        const double when = s->grid.when[n];
+        if (isnan(when))
             continue;
-        score_seen(s, &s->grid.map, known->xyz[at], seen);
+        const bool moved = s->truth.moves && fabs(when - known->time[at]) > SCORE_SAME_TIME;
+        if (moved)
+            truth_at(&s->truth, when, truth);
         struct score_time *row = &s->row[s->times++];
         *row = (struct score_time){.time = known->time[at],
-                                   .between = s->grid.tells[n] < TELLS_ITSELF,
+                                   .moved = moved,
                                    .bar = known->error[at] / length,
-                                   .truth = known->xyz[at],
+                                   .known = known->xyz[at],
+                                   .truth = moved ? truth : known->xyz[at],
                                    .seen = seen,
                                    .got = score_view_field(&s->grid, n)};
+        score_seen(s, &s->grid.map, GRID_U, GRID_V, row->truth, seen);
         row->error = score_rms(SCORE_POINTS, row->got, row->truth) / length;
         row->floor = score_rms(SCORE_POINTS, seen, row->truth) / length;
         row->floor = row->floor < ROUNDING ? 0 : row->floor;
@@ -501,12 +494,17 @@ static enum status begin(struct score *s)
 {
     enum status st;
 
+    const struct truth *known = &s->truth.known;
+
     TRY(view_init(&s->grid, s->truth.times, GRID_U, GRID_V));
-    TRY(view_init(&s->coarse, s->ladder.times, LADDER_U, LADDER_V));
+    TRY(view_init(&s->fine, known->claimed, LADDER_U, LADDER_V));
     for (int n = 0; n < s->grid.times; n++)
-        s->grid.time[n] = s->truth.known.time[s->truth.at[n]];
-    for (int n = 0; n < s->coarse.times; n++)
-        s->coarse.time[n] = s->ladder.time[n];
+        s->grid.time[n] = known->time[s->truth.at[n]];
+    memcpy(s->fine.time, known->time, (size_t)known->claimed * sizeof *known->time);
+    s->grid.after = known->closed && !s->truth.moves;
+    s->grid.reach = s->truth.moves || s->grid.after ? REACH : SCORE_SAME_TIME;
+    s->fine.reach = known->time[known->claimed - 1] / known->claimed / 2 + SCORE_SAME_TIME;
+    s->fine.reach = s->truth.moves ? fmin(s->fine.reach, REACH) : SCORE_SAME_TIME;
 out:
     return st;
 }
@@ -516,7 +514,9 @@ static enum status check_times(const struct score *s, const char *path, struct m
 {
     const double from = s->grid.time[0], to = s->grid.time[s->grid.times - 1];
 
-    if (from <= s->last + SAME_TIME && to >= s->first - SAME_TIME)
+    if (s->times)
+        return STATUS_OK;
+    if (from <= s->last + SCORE_SAME_TIME && to >= s->first - SCORE_SAME_TIME)
         return STATUS_OK;
     return status_fail(why, STATUS_INPUT,
                        "%s: its frames run from %g to %g s, the truth of %s from %g to %g "
@@ -528,7 +528,6 @@ enum status score_read(const char *scene, int count, const char *const *paths,
                        const struct score_look *look, struct score *s, struct message *why)
 {
     struct frames *frames = NULL;
-    struct window window = {0};
     enum status st;
 
     memset(s, 0, sizeof *s);
@@ -540,18 +539,16 @@ enum status score_read(const char *scene, int count, const char *const *paths,
     if (frames_scene(frames) && strcmp(frames_scene(frames), s->truth.scene.name) != 0)
         TRY(status_fail(why, STATUS_INPUT, "%s: is a run of %s; one of %s would be right",
                         paths[0], frames_scene(frames), s->truth.scene.name));
-    TRY(read_frames(s, frames, look, &window, why));
-    TRY(check_times(s, paths[0], why));
+    TRY(read_frames(s, frames, look, why));
     TRY(judge(s));
+    TRY(check_times(s, paths[0], why));
     if (!s->times)
         TRY(status_fail(why, STATUS_INPUT,
-                        "%s: no frame is at a time of the truth, or near enough to go "
-                        "between (1/24 s); frames at the times of clothbench truth %s "
+                        "%s: no frame is at a time of the truth, or within 25 ms of one "
+                        "at which it moves; frames at the times of clothbench truth %s "
                         "--stored would be right",
                         paths[0], scene));
 out:
-    for (int a = 0; a < WINDOW; a++)
-        free(window.xyz[a]);
     frames_close(frames);
     if (st != STATUS_OK)
         score_clear(s);
@@ -565,8 +562,9 @@ void score_clear(struct score *s)
     score_net_clear(&s->net);
     score_contact_clear(&s->contact);
     view_clear(&s->grid);
-    view_clear(&s->coarse);
+    view_clear(&s->fine);
+    free(s->path);
     free(s->row);
-    free(s->seen);
+    free(s->truths);
     memset(s, 0, sizeof *s);
 }

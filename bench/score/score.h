@@ -49,6 +49,9 @@ const double *score_ladder_flaw(const struct score_ladder *l, int flaw, int time
 
 enum { SCORE_POINTS = GRID_U * GRID_V };
 
+/* A frame is at a time to within this [s]: a sheet at 10 m/s moves by 1e-5 m in it. */
+#define SCORE_SAME_TIME 1e-6
+
 /* A few of the grid's points, every ninth each way, for trying many motions. */
 enum { SCORE_EVERY = 9, SCORE_SIDE = (GRID_U - 1) / SCORE_EVERY + 1 };
 enum { SCORE_FEW = SCORE_SIDE * SCORE_SIDE };
@@ -58,7 +61,7 @@ struct score_truth {
     bool undamped;      /* the scene is damped, and its truth is not                    */
     int times;          /* at which frames are judged                                   */
     int *at;            /* [times] their indices in `known`                   owned     */
-    bool moves;         /* the motion between those times is known, too                 */
+    bool moves;         /* cubics through the known times are its motion between them   */
     struct truth known; /* the first layer of each field is the middle surface,
                            [SCORE_POINTS][3] [m]                                        */
     double *rest;       /* the same of the sheet at rest                      owned     */
@@ -71,6 +74,10 @@ enum status score_truth_read(const char *scene, struct score_truth *truth,
                              struct message *why);
 void score_truth_clear(struct score_truth *truth); /* all-zero is allowed, and left */
 
+/* Finds the four of the times 0, time[0], time[1], ... whose cubic is used at t, and their
+ * weights; returns the index of the first, -1: time 0. count >= 3. */
+int score_window(int count, const double *time, double t, double weight[4]);
+
 /* Returns the grid's index of the n-th of the few points. */
 int score_truth_few(int n);
 
@@ -81,26 +88,46 @@ struct score_look {
     double scale; /* times their positions [m]                                           */
 };
 
-/* The frames at the points of a map, at given times. */
+/* The frames nearest to given times, at the points of a map. Nothing is interpolated
+ * between frames, whose interval may be any: the truth is, which is known. */
 struct score_view {
     struct score_map map;
     int times;
+    double reach;  /* the farthest that a frame may be from a time [s]                   */
+    bool after;    /* or any time behind the last: the truth is at rest there             */
     double *time;  /* [times] [s]                                               owned   */
-    int *tells;    /* [times] how well frames determine the positions; 0: not   owned   */
-    double *field; /* [times + 1][nu nv][3] [m], the last is room for sums      owned   */
+    double *when;  /* [times] time of the nearest frame [s]; NaN: none          owned   */
+    double *field; /* [times + 1][nu nv][3] [m], the last is room               owned   */
 };
 
-/* A time of the truth at which frames determine the positions. Fields are mid-surfaces
- * [SCORE_POINTS][3] [m], borrowed from the score; numbers are divided by the length. */
+/* A time of the truth with a frame at or near it, which is compared with the truth at the
+ * frame's own time. Fields are mid-surfaces [SCORE_POINTS][3] [m], borrowed from the score;
+ * numbers are divided by the length. */
 struct score_time {
     double time;         /* [s]                                                         */
-    bool between;        /* two frames                                                  */
+    bool moved;          /* the frame is of another time                                */
     double error;        /* rms over the material grid                                  */
     double bar;          /* of the truth                                                */
     double floor;        /* of the truth itself, bilinear between the net's vertices    */
-    const double *truth; /* the truth                                                   */
+    const double *known; /* the truth at `time`                                         */
+    const double *truth; /* the truth at the frame's own time                           */
     const double *seen;  /* the truth, bilinear between the net's vertices              */
     const double *got;   /* the frames                                                  */
+};
+
+/* Vertices of the first frame that are where no others are, far from their material points.
+ */
+struct score_strays {
+    int count;      /* 0: none, or too many to be strays                                 */
+    int vertex[2];  /* the two that are farthest off                                     */
+    bool exchanged; /* all of them stand at each other's points                          */
+    double off, others; /* largest distance; of the others the median, over the length   */
+};
+
+/* The rigid motion that turns the sheet at rest into the first frame. */
+struct score_turn {
+    double angle; /* [degrees]; 0: it is not turned, or not only                          */
+    double axis[3];
 };
 
 struct score {
@@ -108,10 +135,15 @@ struct score {
     struct score_ladder ladder;
     struct score_net net;
     struct score_contact contact;
-    struct score_view grid, coarse; /* on the material grid, and on the ladder's points  */
+    struct score_view grid; /* on the material grid, near the times that are judged */
+    struct score_view fine; /* on the ladder's points, near all times that are known */
+    double *path; /* [1 + fine.times][LADDER_POINTS][3] the truth at rest and at the
+                     times of `fine`, bilinear between the net's vertices [m]    owned   */
+    struct score_strays strays;
+    struct score_turn turn;
     int times;
     struct score_time *row; /* [times]                                          owned   */
-    double *seen;           /* of all rows                                      owned   */
+    double *truths;         /* of all rows, `truth` and `seen`                  owned   */
     int frames, repeats;    /* count; those equal to the one before                     */
     double first, last, interval; /* frames' times, shortest interval [s]                */
     double start;    /* rms displacement at t = 0 [m]; NaN: no such frame               */
@@ -128,12 +160,14 @@ void score_clear(struct score *score); /* all-zero is allowed, and left */
 /* Returns the field of the n-th time. */
 double *score_view_field(const struct score_view *view, int n);
 
-/* Samples a field at the map's points, bilinearly between the net's vertices. */
-void score_seen(const struct score *score, const struct score_map *map, const double *field,
-                double *seen);
+/* Samples a field [nv][nu][3] at the map's points, bilinearly between the net's vertices.
+ */
+void score_seen(const struct score *score, const struct score_map *map, int nu, int nv,
+                const double *field, double *seen);
 
-/* Sets the weights at a time of the cubic through values at four times t. */
-void score_cubic(const double t[4], double time, double weight[4]);
+/* Fills field[LADDER_POINTS][3] with the truth at any time, between the net's vertices;
+ * truth.moves holds. */
+void score_path(const struct score *score, double time, double *field);
 
 /* Fills rest[LADDER_POINTS][3] with the sheet at rest on the ladder's points. */
 void score_coarse_rest(const struct score *score, double *rest);

@@ -41,7 +41,7 @@ static enum status score_one(struct job *j, const char *scene, int count,
     enum status st;
 
     TRY(score_read(scene, count, paths, &j->look, &s, why));
-    score_diagnosis_make(&s, &d);
+    TRY(score_diagnosis_make(&s, &d));
     score_print_add(&j->sheet, &s, &d);
 out:
     score_clear(&s);

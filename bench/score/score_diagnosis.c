@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "bench/score/score.h"
@@ -61,6 +62,9 @@ static const int first_column[FIT_KINDS] = {LEAD, GRAVITY, DAMPING, HINGE, STRET
 #define TIMES_NOISE 2
 #define ROUNDING    1e-4
 
+/* Velocities are differences over two moments [s]. */
+#define MOMENT 0.005
+
 /* Flaws are believed where they leave at most LEFT_MOST of the squared difference, each of
  * them where MUST_MATTER times as much would be left without it; one more flaw than
  * explains most of it is believed where it halves the rms difference. */
@@ -95,53 +99,58 @@ static void add_time(struct sums *s, int points, double weight, double noise)
 
 /* --- on the ladder --- */
 
-/* Fills rate[LADDER_POINTS][3] with the velocity of the ladder's base [m/s]. */
-static void find_rate(const struct score_ladder *l, int time, const double *rest,
-                      double *rate)
+/* Fills a field at any time up to the ladder's last, from fields[times][LADDER_POINTS][3].
+ */
+static void ladder_at(const struct score_ladder *l, const double *fields,
+                      const double *rest, double t, double *field)
 {
-    const int last = time + 1 < l->times ? time + 1 : time;
-    const double *before = time ? score_ladder_rung(l, LADDER_BASE, time - 1) : rest,
-                 *after = score_ladder_rung(l, LADDER_BASE, last);
-    const double step = l->time[0], span = last == time ? step : 2 * step;
+    double weight[4];
+    const int first = score_window(l->times, l->time, t, weight);
 
-    for (int n = 0; n < 3 * LADDER_POINTS; n++)
-        rate[n] = (after[n] - before[n]) / span;
-    if (last == time) /* the end: half a step before it, and on by the acceleration */
-        for (int n = 0; n < 3 * LADDER_POINTS; n++)
-            rate[n] += .5 *
-                       (after[n] - 2 * before[n] +
-                        score_ladder_rung(l, LADDER_BASE, time - 2)[n]) /
-                       step;
+    for (int n = 0; n < 3 * LADDER_POINTS; n++) {
+        field[n] = 0;
+        for (int a = 0; a < 4; a++)
+            field[n] +=
+                weight[a] *
+                (first + a < 0 ? rest : fields + 3L * LADDER_POINTS * (first + a))[n];
+    }
 }
 
-/* Fills a column with the effect of something that turns the base into `field`. */
-static void fill_effect(const struct score *s, const double *field, const double *base,
-                        double size, double *column)
+/* Fills a column with the effect of something that turns the base into `fields`. */
+static void fill_effect(const struct score *s, const double *fields, const double *rest,
+                        double t, const double *base, double size, double *column)
 {
-    score_seen(s, &s->coarse.map, field, column);
+    double field[3 * LADDER_POINTS];
+
+    ladder_at(&s->ladder, fields, rest, t, field);
+    score_seen(s, &s->fine.map, LADDER_U, LADDER_V, field, column);
     for (int n = 0; n < 3 * LADDER_POINTS; n++)
         column[n] = (column[n] - base[n]) / size;
 }
 
-static void add_ladder_time(const struct score *s, int time, const double *rest,
+static void add_ladder_time(const struct score *s, int frame, const double *rest,
                             const double shift[3], struct sums *sums)
 {
     static const int flaws[LADDER_FLAWS] = {DAMPING, GRAVITY, STRETCH, HINGE};
+    static const double none[3 * LADDER_POINTS];
     const struct score_ladder *l = &s->ladder;
-    const double size[LADDER_FLAWS] = {l->size[LADDER_DAMPING], l->size[LADDER_GRAVITY] - 1,
-                                       1, 1};
-    const double *truth = score_ladder_rung(l, LADDER_BASE, time),
-                 *got = score_view_field(&s->coarse, time), length = s->truth.scene.length;
-    double base[3 * LADDER_POINTS], rate[3 * LADDER_POINTS];
+    const double
+        size[LADDER_FLAWS] = {l->size[LADDER_DAMPING], l->size[LADDER_GRAVITY] - 1, 1, 1},
+        t = s->fine.when[frame], *got = score_view_field(&s->fine, frame),
+        *fields = score_ladder_rung(l, LADDER_BASE, 0), length = s->truth.scene.length,
+        bar = l->bar[LADDER_BASE * l->times + (int)fmin(t / l->time[0], l->times - 1)];
+    double truth[3 * LADDER_POINTS], base[3 * LADDER_POINTS], before[3 * LADDER_POINTS];
 
-    score_seen(s, &s->coarse.map, truth, base);
-    find_rate(l, time, rest, rate);
-    score_seen(s, &s->coarse.map, rate, sums->column[LEAD]);
+    ladder_at(l, fields, rest, t, truth);
+    fill_effect(s, fields, rest, t, none, 1, base);
+    fill_effect(s, fields, rest, t - MOMENT, none, 1, before);
+    fill_effect(s, fields, rest, t + MOMENT, before, 2 * MOMENT, sums->column[LEAD]);
     for (int f = 0; f < LADDER_FLAWS; f++)
-        fill_effect(s, score_ladder_flaw(l, f, time), base, size[f],
+        fill_effect(s, score_ladder_flaw(l, f, 0), rest, t, base, size[f],
                     sums->column[flaws[f]]);
     for (int r = 0; r < LADDER_RUNGS; r++)
-        fill_effect(s, score_ladder_rung(l, r, time), base, 1, sums->column[RUNG + r]);
+        fill_effect(s, score_ladder_rung(l, r, 0), rest, t, base, 1,
+                    sums->column[RUNG + r]);
     for (int n = 0; n < 3 * LADDER_POINTS; n++) {
         const int edge = n / (3 * LADDER_U) * 3 * LADDER_U + n % 3;
         sums->column[Y][n] = got[n] - shift[n % 3] - base[n];
@@ -149,19 +158,19 @@ static void add_ladder_time(const struct score *s, int time, const double *rest,
     }
     add_time(sums, LADDER_POINTS,
              1 / (score_rms(LADDER_POINTS, truth, rest) + SMALL * length),
-             (l->bar[LADDER_BASE * l->times + time] + ROUNDING) * length +
-                 score_rms(LADDER_POINTS, base, truth));
+             (bar + ROUNDING) * length + score_rms(LADDER_POINTS, base, truth));
 }
 
 static void add_ladder(const struct score *s, const double shift[3], struct sums *sums)
 {
+    const double last = s->ladder.time[s->ladder.times - 1] + MOMENT;
     double rest[3 * LADDER_POINTS];
 
     score_coarse_rest(s, rest);
     sums->ladder = true;
-    for (int time = 0; time < s->ladder.times; time++)
-        if (s->coarse.tells[time])
-            add_ladder_time(s, time, rest, shift, sums);
+    for (int n = 0; n < s->fine.times; n++)
+        if (s->fine.when[n] > 0 && s->fine.when[n] <= last)
+            add_ladder_time(s, n, rest, shift, sums);
 }
 
 /* --- in free fall --- */
@@ -181,25 +190,26 @@ static bool falls_free(const struct scene *scene)
 
 static void add_fall(const struct score *s, const double shift[3], struct sums *sums)
 {
-    const double length = s->truth.scene.length, *rest = s->truth.rest;
+    const double length = s->truth.scene.length, *rest = s->path;
+    double truth[3 * LADDER_POINTS];
 
-    for (const struct score_time *row = s->row; row < s->row + s->times; row++) {
-        const double t = row->time;
-        if (t <= 0)
+    for (int frame = 0; frame < s->fine.times; frame++) {
+        const double t = s->fine.when[frame], *got = score_view_field(&s->fine, frame);
+        if (!(t > 0))
             continue;
-        for (int n = 0; n < 3 * SCORE_FEW; n++) {
-            const int at = 3 * score_truth_few(n / 3) + n % 3;
-            const double fall = row->truth[at] - rest[at];
-            sums->column[Y][n] = row->got[at] - shift[n % 3] - row->truth[at];
+        score_path(s, t, truth);
+        for (int n = 0; n < 3 * LADDER_POINTS; n++) {
+            const double fall = truth[n] - rest[n];
+            sums->column[Y][n] = got[n] - shift[n % 3] - truth[n];
             sums->column[LEAD][n] = 2 * fall / t;
             sums->column[GRAVITY][n] = fall;
             sums->column[DAMPING][n] = -fall * t / 3;
             sums->column[SCALE][n] =
-                rest[at] - .5 * (rest[n % 3] + rest[3 * (SCORE_POINTS - 1) + n % 3]);
+                rest[n] - .5 * (rest[n % 3] + rest[3 * (LADDER_POINTS - 1) + n % 3]);
         }
-        add_time(sums, SCORE_FEW,
-                 1 / (score_rms(SCORE_POINTS, row->truth, rest) + SMALL * length),
-                 row->bar * length + ROUNDING * length + row->floor * length);
+        add_time(sums, LADDER_POINTS,
+                 1 / (score_rms(LADDER_POINTS, truth, rest) + SMALL * length),
+                 ROUNDING * length);
     }
 }
 
@@ -351,6 +361,9 @@ static void score_fit_make(const struct score *score, const double shift[3],
     fit->rest = sqrt(t.left);
     fit->left = set ? sqrt(t.left / sums.gram[Y][Y]) : 1;
 }
+
+/* A sheet begins turned from this angle on [degrees]. */
+#define TURNED_LEAST 0.5
 
 /* Frames that move by less than this share of what the truth does are still. */
 #define STILL_MOST 0.01
@@ -520,11 +533,12 @@ static struct turned best_turn(const struct score *s)
     return changes(&best) && is_better(best.error, as_is.error) ? best : as_is;
 }
 
-/* --- another pace --- */
+/* --- another clock --- */
 
-struct pace {
-    double speed; /* frames show at t what the truth does at t times this; 1: no other   */
-    double error; /* rms over the times at which both are known, over the length         */
+/* Frames show at t what the truth does at `speed` t + `shift`. */
+struct clock {
+    double speed, shift;
+    double error; /* rms over the frames for which both are known, over the length       */
     double as_is; /* the same of the frames as they are                                  */
 };
 
@@ -535,87 +549,179 @@ enum { STEPS = 210, HALVINGS = 20 };
 /* A single time would be met by many speeds. */
 enum { TIMES_LEAST = 2 };
 
-/* Interpolates the truth at the few points at any time up to its last frame: by the cubic
- * through four frames, of which the first is the sheet at rest. */
-static void truth_at(const struct score_truth *t, double time, double (*xyz)[3])
+/* Returns the clock with its errors, which stay NaN where too few frames have a truth. */
+static struct clock compare(const struct score *s, double speed, double shift)
 {
-    const struct truth *known = &t->known;
-    double at[4], weight[4];
-    int first = -1; /* of the stored frames; -1: at rest */
-
-    while (first + 4 < known->claimed && known->time[first + 2] < time)
-        first++;
-    for (int a = 0; a < 4; a++)
-        at[a] = first + a < 0 ? 0 : known->time[first + a];
-    score_cubic(at, time, weight);
-    memset(xyz, 0, SCORE_FEW * sizeof *xyz);
-    for (int a = 0; a < 4; a++) {
-        const double *field = first + a < 0 ? t->rest : known->xyz[first + a];
-        for (int p = 0; p < SCORE_FEW; p++)
-            for (int c = 0; c < 3; c++)
-                xyz[p][c] += weight[a] * field[3 * score_truth_few(p) + c];
-    }
-}
-
-/* Compares the frames with the truth at another speed and at its own, at the same times;
- * both rms errors stay NaN where these are too few. */
-static struct pace compare(const struct score *s, double speed)
-{
-    const struct truth *known = &s->truth.known;
-    const double length = s->truth.scene.length;
-    struct pace pace = {speed, NAN, NAN};
-    double sum[2] = {0, 0}, there[SCORE_FEW][3];
+    const double last = s->fine.time[s->fine.times - 1], length = s->truth.scene.length;
+    struct clock clock = {speed, shift, NAN, NAN};
+    double sum[2] = {0, 0}, field[3 * LADDER_POINTS];
     int times = 0;
 
-    for (int n = 0; n < s->times; n++) {
-        const struct score_time *row = &s->row[n];
-        const double time = speed * row->time;
-        if (time > known->time[known->claimed - 1])
+    for (int n = 0; n < s->fine.times; n++) {
+        const double t = s->fine.when[n], then = fmax(speed * t + shift, 0),
+                     *got = score_view_field(&s->fine, n);
+        if (!(then <= last))
             continue;
         times++;
-        truth_at(&s->truth, time, there);
-        for (int p = 0; p < SCORE_FEW; p++)
-            for (int c = 0; c < 3; c++) {
-                const int at = 3 * score_truth_few(p) + c;
-                const double off[2] = {row->got[at] - there[p][c],
-                                       row->got[at] - row->truth[at]};
-                sum[0] += off[0] * off[0];
-                sum[1] += off[1] * off[1];
-            }
+        score_path(s, then, field);
+        sum[0] += pow(score_rms(LADDER_POINTS, got, field), 2);
+        score_path(s, t, field);
+        sum[1] += pow(score_rms(LADDER_POINTS, got, field), 2);
     }
     if (times < TIMES_LEAST)
-        return pace;
-    pace.error = sqrt(sum[0] / (times * SCORE_FEW)) / length;
-    pace.as_is = sqrt(sum[1] / (times * SCORE_FEW)) / length;
-    return pace;
+        return clock;
+    clock.error = sqrt(sum[0] / times) / length;
+    clock.as_is = sqrt(sum[1] / times) / length;
+    return clock;
 }
 
-/* Returns the share of the error that another pace leaves; 1: there is none. */
-static double share(const struct pace *p)
+/* Returns the share of the error that another clock leaves; 1: there is none. */
+static double share(const struct clock *c)
 {
-    return p->as_is > 0 ? p->error / p->as_is : 1;
+    return c->as_is > 0 ? c->error / c->as_is : 1;
 }
 
-/* Returns the best speed between an eighth and eight; 1, if no other is much better. */
-static struct pace best_pace(const struct score *s)
+/* Returns the best speed between an eighth and eight. */
+static struct clock best_pace(const struct score *s)
 {
-    struct pace best = {1, 0, 0};
+    struct clock best = {1, 0, 0, 0};
     double step = STEP;
 
-    if (!s->truth.moves || s->truth.known.claimed < 3)
-        return best;
     for (int n = -STEPS; n <= STEPS; n++) {
-        const struct pace p = compare(s, pow(STEP, n));
+        const struct clock p = compare(s, pow(STEP, n), 0);
         best = share(&p) < share(&best) ? p : best;
     }
     for (int n = 0; n < HALVINGS; n++, step = sqrt(step)) {
-        const struct pace less = compare(s, best.speed / step),
-                          more = compare(s, best.speed * step);
+        const struct clock less = compare(s, best.speed / step, 0),
+                           more = compare(s, best.speed * step, 0);
         best = share(&less) < share(&best) ? less : best;
         best = share(&more) < share(&best) ? more : best;
     }
-    return is_better(best.error, best.as_is) ? best
-                                             : (struct pace){1, best.as_is, best.as_is};
+    return best;
+}
+
+/* --- how far each frame leads ---
+ *
+ * A frame leads by the time at which the truth comes nearest to it. A lost frame makes all
+ * behind it lead by as much, one that stands twice makes them lag: the lead jumps between
+ * two frames. What else is wrong changes it little from frame to frame, whatever their
+ * interval.
+ */
+
+/* A jump is so many times what is left of the distance, and so many times as fast as the
+ * lead changes before and after it; it moves the sheet by this share of the length; frames
+ * are asked that move at this share of the largest speed. */
+#define JUMP_TIMES 3
+#define JUMP_LEAST 0.005
+#define FAST_LEAST 0.25
+
+enum { NEWTON = 20, LEADS_LEAST = 4 };
+
+struct lead {
+    double time, lead, speed; /* [s]; rms [m/s] of the truth then                        */
+    double left;              /* rms distance from the truth then [m]                    */
+    bool on;                  /* the truth's way: it comes near                         */
+};
+
+/* Finds how far a frame leads, by Newton's iterations from `lead`; NaN: beyond the truth.
+ */
+static struct lead find_lead(const struct score *s, int frame, double lead)
+{
+    const double t = s->fine.when[frame], *got = score_view_field(&s->fine, frame),
+                 last = s->fine.time[s->fine.times - 1];
+    double at[3 * LADDER_POINTS], ahead[3 * LADDER_POINTS], dot = 0, square = 0;
+
+    for (int k = 0; k < NEWTON && t + lead <= last + MOMENT; k++) {
+        dot = square = 0;
+        score_path(s, t + lead, at);
+        score_path(s, t + lead + MOMENT, ahead);
+        for (int n = 0; n < 3 * LADDER_POINTS; n++) {
+            const double v = (ahead[n] - at[n]) / MOMENT;
+            dot += v * (got[n] - at[n]);
+            square += v * v;
+        }
+        if (square == 0)
+            break;
+        lead = fmax(lead + dot / square, -t);
+    }
+    const double left = score_rms(LADDER_POINTS, got, at),
+                 way = score_rms(LADDER_POINTS, got, s->path);
+    return (struct lead){t, lead, sqrt(square / LADDER_POINTS), left,
+                         t + lead <= last && left <= SOUND_MOST * s->truth.scene.length +
+                                                         SOUND_SHARE * way};
+}
+
+/* Fills lead[fine.times] with those of frames that move, in their order; returns how many.
+ */
+static int find_leads(const struct score *s, struct lead *lead)
+{
+    double most = 0;
+    int count = 0, kept = 0;
+
+    for (int n = 0; n < s->fine.times; n++) {
+        if (!(s->fine.when[n] > 0))
+            continue;
+        lead[count] = find_lead(s, n, count ? lead[count - 1].lead : 0);
+        count += lead[count].on;
+    }
+    for (int n = 0; n < count; n++)
+        most = fmax(most, lead[n].speed);
+    for (int n = 0; n < count; n++)
+        if (lead[n].speed >= FAST_LEAST * most)
+            lead[kept++] = lead[n];
+    return kept;
+}
+
+/* Returns by how much the lead changes in a second from frame n - 1 to n; 0: there is none.
+ */
+static double drift(const struct lead *lead, int count, int n)
+{
+    return n < 1 || n >= count
+               ? 0
+               : fabs(lead[n].lead - lead[n - 1].lead) / (lead[n].time - lead[n - 1].time);
+}
+
+/* Returns the first lead behind the jump that stands out most; -1: none does. */
+static int find_jump(const struct score *s, const struct lead *lead, int count)
+{
+    const double least = JUMP_LEAST * s->truth.scene.length;
+    double most = JUMP_TIMES;
+    int at = -1;
+
+    for (int n = 1; n < count && count >= LEADS_LEAST; n++) {
+        const double moved = fabs(lead[n].lead - lead[n - 1].lead) * lead[n].speed,
+                     over = moved / fmax(lead[n].left, lead[n - 1].left),
+                     beside = fmax(drift(lead, count, n - 1), drift(lead, count, n + 1));
+        if (moved >= least && over >= most && drift(lead, count, n) >= JUMP_TIMES * beside)
+            most = over, at = n;
+    }
+    return at;
+}
+
+/* What frames say of their times. */
+struct times {
+    double jump, from;      /* [s] the lead jumps at this time; 0: it does not           */
+    struct clock lag, pace; /* one lead of all, one speed                                */
+};
+
+static enum status find_times(const struct score *s, struct times *times)
+{
+    struct lead *lead = malloc((size_t)s->fine.times * sizeof *lead);
+
+    *times = (struct times){.lag = {1, 0, 0, 0}, .pace = {1, 0, 0, 0}};
+    if (!lead)
+        return STATUS_MEMORY;
+    if (s->truth.moves) {
+        const int count = find_leads(s, lead), at = find_jump(s, lead, count);
+        if (at > 0)
+            times->jump = lead[at].lead - lead[at - 1].lead, times->from = lead[at].time;
+        if (count)
+            times->lag = compare(s, 1, lead[count / 2].lead);
+        if (!s->truth.known.closed) /* in a free fall it is another gravity */
+            times->pace = best_pace(s);
+    }
+    free(lead);
+    return STATUS_OK;
 }
 
 /* --- lengths of lines --- */
@@ -827,7 +933,7 @@ bool score_diagnosis_has_place(const struct score_diagnosis *d)
 {
     for (int n = 0; n < d->count; n++)
         if (d->finding[n].kind == SCORE_AXES || d->finding[n].kind == SCORE_UNITS ||
-            d->finding[n].kind == SCORE_ORDER)
+            d->finding[n].kind == SCORE_ORDER || d->finding[n].kind == SCORE_TURNED)
             return false;
     return true;
 }
@@ -876,8 +982,44 @@ static void axes_text(const struct turned *t, char text[32])
     *at = '\0';
 }
 
+/* Reports two vertices in each other's place, or some elsewhere. */
+static bool say_strays(const struct score *s, struct score_diagnosis *d)
+{
+    const struct score_strays *w = &s->strays;
+
+    if (!w->count)
+        return false;
+    if (w->exchanged)
+        say(d, SCORE_ORDER, w->off,
+            "%d vertices stand in each other's place, vertices %d and %d to begin with: "
+            "does each have its own uv?",
+            w->count, w->vertex[0] + 1, w->vertex[1] + 1);
+    else
+        say(d, SCORE_ORDER, w->off,
+            "%d of %d vertices begin elsewhere than their uv say: vertex %d is %.2g %% of "
+            "the length off, where most are %.2g %% off.",
+            w->count, s->net.vertices, w->vertex[0] + 1, 100 * w->off, 100 * w->others);
+    return true;
+}
+
+/* Reports that the first frame is the sheet at rest, but turned. */
+static bool say_turn(const struct score *s, struct score_diagnosis *d)
+{
+    const struct score_turn *t = &s->turn;
+
+    if (!(t->angle > TURNED_LEAST))
+        return false;
+    say(d, SCORE_TURNED, t->angle,
+        "Begins turned by %.3g degrees about (%.2g, %.2g, %.2g): is the sheet's pose the "
+        "scene's, and gravity along -z?",
+        t->angle, t->axis[0], t->axis[1], t->axis[2]);
+    return true;
+}
+
 static bool say_turned(const struct score *s, struct score_diagnosis *d)
 {
+    if (s->turn.angle > 0 && fabs(s->turn.angle - 90 * round(s->turn.angle / 90)) > 1)
+        return say_turn(s, d);
     const struct turned t = best_turn(s);
     const double now = 100 * t.as_is, then = 100 * t.error;
     char axes[32];
@@ -902,7 +1044,7 @@ static bool say_turned(const struct score *s, struct score_diagnosis *d)
             "of %.2g %% with %s%s%s.",
             then, now, t.order & 1 ? "rows and columns exchanged" : "the same rows",
             t.order & 2 ? ", u reversed" : "", t.order & 4 ? ", v reversed" : "");
-    return d->count > 0;
+    return d->count > 0 || say_turn(s, d);
 }
 
 static void stretch_text(const struct lines *l, double when, struct score_diagnosis *d)
@@ -985,36 +1127,73 @@ static void say_lead(const struct score *s, double lead, const double shift[3],
                        "rest (explicit Euler).");
 }
 
-/* Reports another pace where it explains far more than the fitted flaws. Nothing else is
- * then reported, as the fit compared the frames with wrong times. */
-static bool say_pace(const struct score *s, const struct pace *pace,
-                     const struct score_fit *fit, struct score_diagnosis *d)
+/* Returns the error that sound frames may have, over the length, beside bar and floor. */
+static double sound_most(const struct score *s)
 {
+    double way = 0;
+
+    for (int n = 0; n < s->times; n++)
+        way = fmax(way, score_rms(SCORE_POINTS, s->row[n].truth, s->truth.rest));
+    return fmin(SOUND_MOST, SOUND_SHARE * way / s->truth.scene.length);
+}
+
+/* Returns whether another clock explains the error, and far better than the fit does: it
+ * leaves a small share, or no more than sound frames may have. */
+static bool is_clock(const struct score *s, const struct clock *c,
+                     const struct score_fit *fit)
+{
+    const double better = c->speed != 1        ? PACE_BETTER
+                          : fit->has[FIT_LEAD] ? 1
+                                               : PACE_BETTER;
+
+    return is_better(c->error, c->as_is) && better * share(c) <= fit->left &&
+           (c->speed == 1 || share(c) <= PACE_MOST || c->error <= sound_most(s));
+}
+
+/* Reports a jump of the lead, another pace or another start. Nothing else is then reported,
+ * as the fit compared the frames with wrong times. */
+static bool say_times(const struct score *s, const struct times *times,
+                      const struct score_fit *fit, struct score_diagnosis *d)
+{
+    const struct clock *pace = &times->pace;
     const bool slow = pace->speed < 1;
     char repeats[64] = "", gravity[64] = "";
 
-    if (share(pace) > PACE_MOST || PACE_BETTER * share(pace) > fit->left)
-        return false;
+    if (times->jump != 0) {
+        say(d, times->jump > 0 ? SCORE_LOST_FRAME : SCORE_DOUBLED_FRAME, times->from,
+            "From %.4g s on it %s the truth by %.3g ms more than before: %s there?",
+            times->from, times->jump > 0 ? "is ahead of" : "lags behind",
+            1e3 * fabs(times->jump),
+            times->jump > 0 ? "is a frame missing" : "does a frame stand twice");
+        return true;
+    }
     if (s->repeats)
         snprintf(repeats, sizeof repeats, " (%d are as the one before)", s->repeats);
     if (!s->ladder.times) /* no fit distinguishes them */
         snprintf(gravity, sizeof gravity, ", or is gravity %.3g times the scene's",
                  pace->speed * pace->speed);
-    say(d, SCORE_TIME, pace->speed,
-        "Runs %.2f times as %s as the truth: at t frames show what happens at %.4g t, and "
-        "fit to %.2g %% in place of %.2g %%; do frames stand twice%s, are some left out, "
-        "or is the time from one to the next another%s?",
-        slow ? 1 / pace->speed : pace->speed, slow ? "slow" : "fast", pace->speed,
-        100 * pace->error, 100 * pace->as_is, repeats, gravity);
+    if (is_clock(s, pace, fit) && !(PACE_BETTER * share(&times->lag) < share(pace))) {
+        say(d, SCORE_TIME, pace->speed,
+            "Runs %.2f times as %s as the truth: at t frames show what happens at %.4g t, "
+            "and fit to %.2g %% in place of %.2g %%; do frames stand twice%s, are some "
+            "left "
+            "out, or is the time from one to the next another%s?",
+            slow ? 1 / pace->speed : pace->speed, slow ? "slow" : "fast", pace->speed,
+            100 * pace->error, 100 * pace->as_is, repeats, gravity);
+        return true;
+    }
+    if (!is_clock(s, &times->lag, fit))
+        return false;
+    say_lead(s, times->lag.shift, (double[3]){0}, d);
     return true;
 }
 
 /* Reports another gravity, which in a free fall looks like another pace, elsewhere
  * hardly. */
-static void say_gravity(const struct score *s, double g, const struct pace *pace,
+static void say_gravity(const struct score *s, double g, const struct clock *pace,
                         const struct score_fit *fit, struct score_diagnosis *d)
 {
-    const double speed = !s->truth.moves ? sqrt(fmax(g, 0))
+    const double speed = s->truth.known.closed ? sqrt(fmax(g, 0))
                          : share(pace) < PACE_BETTER * fit->left && fit->count == 1
                              ? pace->speed
                              : 1;
@@ -1028,7 +1207,7 @@ static void say_gravity(const struct score *s, double g, const struct pace *pace
 }
 
 static void say_fit(const struct score *s, const struct score_fit *fit,
-                    const struct held_off *support, const struct pace *pace,
+                    const struct held_off *support, const struct clock *pace,
                     struct score_diagnosis *d)
 {
     const double *value = fit->value;
@@ -1103,64 +1282,71 @@ static void fit_either(const struct score *s, struct held_off *off, struct score
         memset(off->shift, 0, sizeof off->shift);
 }
 
-/* Returns the error that sound frames may have, over the length. */
-static double sound_most(const struct score *s)
+/* Returns whether all errors are within `most` and twice the truth's bar and the floor. */
+static bool is_sound(const struct score *s, double most)
 {
-    double way = 0;
+    bool sound = true;
 
-    for (int n = 0; n < s->times; n++)
-        way = fmax(way, score_rms(SCORE_POINTS, s->row[n].truth, s->truth.rest));
-    return fmin(SOUND_MOST, SOUND_SHARE * way / s->truth.scene.length);
+    for (const struct score_time *row = s->row; row < s->row + s->times; row++)
+        sound = sound && row->error <= most + TIMES_FLOOR * (row->bar + row->floor);
+    return sound;
 }
 
 static void say_sound(const struct score *s, struct score_diagnosis *d)
 {
-    const struct score_time *last = &s->row[s->times - 1];
-    const double most = sound_most(s);
-    double error = 0, floor = 0;
-    bool sound = true;
+    const struct score_time *worst = s->row;
 
-    for (const struct score_time *row = s->row; row <= last; row++) {
-        error = fmax(error, row->error);
-        floor = fmax(floor, row->floor);
-        sound = sound && row->error <= most + TIMES_FLOOR * (row->bar + row->floor);
-    }
-    if (last->floor > last->bar && last->error < TIMES_FLOOR * last->floor)
-        say(d, SCORE_FLOOR, last->floor,
+    for (const struct score_time *row = s->row; row < s->row + s->times; row++)
+        worst = row->error > worst->error ? row : worst;
+    if (worst->floor > worst->bar && worst->error < TIMES_FLOOR * worst->floor)
+        say(d, SCORE_FLOOR, worst->floor,
             "Is at its net's floor: the truth itself between these vertices is off by "
-            "%.2g %% at %g s; only a finer net can do better.",
-            100 * last->floor, last->time);
-    if (sound && last->bar > SOUND_MOST && error > SOUND_MOST)
-        say(d, SCORE_SOUND, error,
+            "%.2g %% at %g s, which explains the error; only a finer net can do better.",
+            100 * worst->floor, worst->time);
+    if (worst->bar > SOUND_MOST && worst->error > SOUND_MOST)
+        say(d, SCORE_SOUND, worst->error,
             "Nothing can be said against it: at most %.2g %% off, where the truth itself "
             "has an error bar of up to %.2g %%.",
-            100 * error, 100 * last->bar);
-    else if (sound)
-        say(d, SCORE_SOUND, error,
-            "Nothing wrong was found: at most %.2g %% off, the net's floor at most %.2g "
-            "%%.",
-            100 * error, 100 * floor);
+            100 * worst->error, 100 * worst->bar);
+    else
+        say(d, SCORE_SOUND, worst->error,
+            "Nothing wrong was found: at most %.2g %% off, the net's floor there %.2g %%.",
+            100 * worst->error, 100 * worst->floor);
 }
 
-void score_diagnosis_make(const struct score *s, struct score_diagnosis *d)
+enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *d)
 {
     struct score_fit fit;
+    struct times times;
+    enum status st = STATUS_OK;
 
     memset(d, 0, sizeof *d);
-    if (!s->times || say_still(s, d) || say_turned(s, d) || say_scattered(s, d))
-        return;
+    if (!s->times || say_still(s, d) || say_turned(s, d) || say_strays(s, d) ||
+        say_scattered(s, d))
+        return st;
     struct held_off support = find_support(s);
+    const bool falls = falls_free(&s->truth.scene); /* any net does that exactly */
+    if (support.most == 0)
+        say_stretch(s, d);
+    if (!d->count && support.most == 0 &&
+        is_sound(s, falls ? TIMES_NOISE * ROUNDING : sound_most(s))) {
+        say_sound(s, d);
+        return st;
+    }
+    d->count = 0;
     fit_either(s, &support, &fit);
-    const struct pace pace = best_pace(s);
-    if (say_pace(s, &pace, &fit, d))
-        return;
+    TRY(find_times(s, &times));
+    if (say_times(s, &times, &fit, d))
+        return st;
     if (support.steady)
         say_support(s, &support, d);
     say_stretch(s, d);
-    say_fit(s, &fit, &support, &pace, d);
+    say_fit(s, &fit, &support, &times.pace, d);
     d->left = fit.left < 1 ? fit.left : 0;
     if (!d->count && support.most > 0)
         say_support(s, &support, d);
-    if (!d->count)
+    if (!d->count && is_sound(s, sound_most(s)))
         say_sound(s, d);
+out:
+    return st;
 }

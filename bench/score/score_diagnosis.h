@@ -14,6 +14,9 @@
     X(CLAMP, "clamp")                       /* 1: gives way as a hinge, 0: not at all */   \
     X(TIME, "time")                         /* the truth's time over the frames' */        \
     X(LAG, "lag")                           /* behind by [s]; ahead: negative */           \
+    X(LOST_FRAME, "lost_frame")             /* the time from which frames are ahead [s] */ \
+    X(DOUBLED_FRAME, "doubled_frame")       /* the time from which they lag [s] */         \
+    X(TURNED, "turned")                     /* by so many degrees */                       \
     X(AXES, "axes")                         /* error with them set right [L] */            \
     X(UNITS, "units")                       /* what positions are to be multiplied by */   \
     X(ORDER, "order")                       /* error with them set right [L] */            \
@@ -49,7 +52,8 @@ const char *score_diagnosis_name(enum score_kind kind);
  * where they belong: else nothing is to be said of its contact or its stiffness. */
 bool score_diagnosis_has_place(const struct score_diagnosis *diagnosis);
 
-/* Diagnoses a score; finds nothing where it has no times. */
-void score_diagnosis_make(const struct score *score, struct score_diagnosis *diagnosis);
+/* Diagnoses a score; finds nothing where it has no times. STATUS_MEMORY. */
+enum status score_diagnosis_make(const struct score *score,
+                                 struct score_diagnosis *diagnosis);
 
 #endif

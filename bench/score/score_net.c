@@ -259,16 +259,15 @@ static double cross(const double *a, const double *b, const double *c)
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/* Finds the map's points between the triangle's least and greatest u (d = 0) or v. */
+/* Finds the map's points between the triangle's least and greatest u (d = 0) or v, and next
+ * to them. */
 static void span(const double *const corner[3], int d, int count, int *from, int *to)
 {
     const double low = fmin(corner[0][d], fmin(corner[1][d], corner[2][d])),
                  high = fmax(corner[0][d], fmax(corner[1][d], corner[2][d]));
 
-    *from = (int)ceil(fmin(fmax(low, 0), 1) * (count - 1) - EDGE);
-    *to = (int)floor(fmin(fmax(high, 0), 1) * (count - 1) + EDGE);
-    *from = *from < 0 ? 0 : *from;
-    *to = *to > count - 1 ? count - 1 : *to;
+    *from = (int)ceil(fmin(fmax(low - EDGE, 0), 1) * (count - 1));
+    *to = (int)floor(fmin(fmax(high + EDGE, 0), 1) * (count - 1));
 }
 
 /* Fills the points that lie in the triangle and not deeper in an earlier one. */

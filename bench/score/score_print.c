@@ -29,19 +29,19 @@ static struct table *begin_rows(struct score_print *p)
 static void range_text(const struct score *s, size_t size, char *text)
 {
     const struct score_view *grid = &s->grid;
-    int between = 0;
+    int moved = 0;
 
     for (int n = 0; n < s->times; n++)
-        between += s->row[n].between;
+        moved += s->row[n].moved;
     int used = snprintf(text, size,
                         "%d frames of %d vertices from %g to %g s; truth at %d times from "
                         "%g to %g s; judged at the %d where both exist",
                         s->frames, s->net.vertices, s->first, s->last, grid->times,
                         grid->time[0], grid->time[grid->times - 1], s->times);
-    if (between)
-        used +=
-            snprintf(text + used, size - (size_t)used,
-                     ", at %d of them between frames, by a cubic through four", between);
+    if (moved)
+        used += snprintf(text + used, size - (size_t)used,
+                         ", at %d of them by the nearest frame, compared at its own time",
+                         moved);
     snprintf(text + used, size - (size_t)used, "%s%s",
              s->net.by_position ? "; vertices were matched by their rest positions" : "",
              s->truth.undamped ? "; the scene moves undamped here, as its truth does" : "");
@@ -82,7 +82,8 @@ void score_print_say(const struct score *s, const struct score_diagnosis *d,
                  100 * d->left);
     if (!d->count)
         snprintf(next(said), sizeof *said->text,
-                 "No flaw that is known here explains the difference.");
+                 "No flaw that is known here explains the error; frames on a finer net "
+                 "would show whether the net does.");
     if (!score_diagnosis_has_place(d))
         return;
     score_stiffness_make(s, &stiffness);

@@ -169,7 +169,7 @@ static void printed(void)
 {
     static struct score_time times[] = {
         {.time = .1, .error = .01, .bar = .02, .floor = .03},
-        {.time = .3, .between = true, .error = .07, .bar = .08, .floor = .09},
+        {.time = .3, .moved = true, .error = .07, .bar = .08, .floor = .09},
         {.time = .4}};
     static const char *const rows =
         "drop,0.10000000000000001,0.01,0.02,0.029999999999999999\n"

@@ -560,7 +560,7 @@ static struct clock compare(const struct score *s, double speed, double shift)
     for (int n = 0; n < s->fine.times; n++) {
         const double t = s->fine.when[n], then = fmax(speed * t + shift, 0),
                      *got = score_view_field(&s->fine, n);
-        if (!(then <= last))
+        if (!(t >= 0 && then <= last)) /* NaN: no frame */
             continue;
         times++;
         score_path(s, then, field);
@@ -1137,17 +1137,17 @@ static double sound_most(const struct score *s)
     return fmin(SOUND_MOST, SOUND_SHARE * way / s->truth.scene.length);
 }
 
-/* Returns whether another clock explains the error, and far better than the fit does: it
- * leaves a small share, or no more than sound frames may have. */
+/* Returns whether another clock explains the error, and far better than the fit does, or
+ * better than its own lead: another pace leaves a small share, or no more than sound frames
+ * may have. */
 static bool is_clock(const struct score *s, const struct clock *c,
                      const struct score_fit *fit)
 {
-    const double better = c->speed != 1        ? PACE_BETTER
-                          : fit->has[FIT_LEAD] ? 1
-                                               : PACE_BETTER;
+    const bool lag = c->speed == 1;
+    const double better = lag && fit->has[FIT_LEAD] ? 1 : PACE_BETTER;
 
     return is_better(c->error, c->as_is) && better * share(c) <= fit->left &&
-           (c->speed == 1 || share(c) <= PACE_MOST || c->error <= sound_most(s));
+           (lag || share(c) <= PACE_MOST || c->error <= sound_most(s));
 }
 
 /* Reports a jump of the lead, another pace or another start. Nothing else is then reported,
@@ -1282,9 +1282,10 @@ static void fit_either(const struct score *s, struct held_off *off, struct score
         memset(off->shift, 0, sizeof off->shift);
 }
 
-/* Returns whether all errors are within `most` and twice the truth's bar and the floor. */
-static bool is_sound(const struct score *s, double most)
+/* Returns whether all errors are within those of sound frames. */
+static bool is_sound(const struct score *s)
 {
+    const double most = sound_most(s);
     bool sound = true;
 
     for (const struct score_time *row = s->row; row < s->row + s->times; row++)
@@ -1325,15 +1326,6 @@ enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *
         say_scattered(s, d))
         return st;
     struct held_off support = find_support(s);
-    const bool falls = falls_free(&s->truth.scene); /* any net does that exactly */
-    if (support.most == 0)
-        say_stretch(s, d);
-    if (!d->count && support.most == 0 &&
-        is_sound(s, falls ? TIMES_NOISE * ROUNDING : sound_most(s))) {
-        say_sound(s, d);
-        return st;
-    }
-    d->count = 0;
     fit_either(s, &support, &fit);
     TRY(find_times(s, &times));
     if (say_times(s, &times, &fit, d))
@@ -1341,11 +1333,13 @@ enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *
     if (support.steady)
         say_support(s, &support, d);
     say_stretch(s, d);
-    say_fit(s, &fit, &support, &times.pace, d);
-    d->left = fit.left < 1 ? fit.left : 0;
+    if (!is_sound(s) || d->count || fit.left <= MUCH_BETTER) {
+        say_fit(s, &fit, &support, &times.pace, d);
+        d->left = fit.left < 1 ? fit.left : 0;
+    }
     if (!d->count && support.most > 0)
         say_support(s, &support, d);
-    if (!d->count && is_sound(s, sound_most(s)))
+    if (!d->count && is_sound(s))
         say_sound(s, d);
 out:
     return st;

@@ -353,7 +353,7 @@ static void truths(void)
         check_truth(scene[n], 20, (struct change){1, 1},
                     (struct want){SCORE_SOUND, 0, .02});
     check_truth("edge_drop", 7, (struct change){1, 1},
-                (struct want){SCORE_FLOOR, .013, .002});
+                (struct want){SCORE_FLOOR, .0157, .001});
     CHECK(score_truth_read("corners_drop", &t, &why) == STATUS_INPUT);
     CHECK(strstr(why.text, "corners_drop has no truth: support 0 holds a point"));
 }

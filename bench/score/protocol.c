@@ -27,12 +27,12 @@ static const struct protocol_scene *protocol_find(const struct protocol *p,
     return NULL;
 }
 
-/* Returns whether a run of a scene is the first on its net, no repeat of one. */
+/* Returns whether a run of a scene is the first of its name, no repeat of one. */
 static bool protocol_is_first(const struct protocol_scene *scene, int run)
 {
     const struct protocol_run *r = &scene->run[run];
 
-    return !run || memcmp(r->net, r[-1].net, sizeof r->net) != 0;
+    return !run || strcmp(r->label, r[-1].label) != 0;
 }
 
 /* Returns the first run on the finest net. */
@@ -97,8 +97,10 @@ static const struct csv_table *next_table(const struct protocol *p, const char *
 }
 
 /* Returns the largest error of a row of the table, or of the engine where the row is -1, at
- * the times that both have; NaN: there are none, or the row has not all of them. */
-static double error_of(const struct csv_table *t, int row, const struct protocol_run *run)
+ * the times that both have, the last of which is *until where it is later; NaN: there are
+ * none, or the row has not all of them. */
+static double error_of(const struct csv_table *t, int row, const struct protocol_run *run,
+                       double *until)
 {
     double worst = -1, time;
 
@@ -108,6 +110,7 @@ static double error_of(const struct csv_table *t, int row, const struct protocol
             if (fabs(run->row[m].time - time) < SAME_TIME) {
                 const double error = row < 0 ? run->row[m].error : csv_number(t, row, n);
                 worst = error > worst ? error : error >= 0 ? worst : NAN;
+                *until = fmax(*until, time);
             }
     return worst >= 0 ? worst : NAN;
 }
@@ -167,7 +170,7 @@ static void enter_table(const struct csv_table *t, const struct protocol_run *ru
     for (int row = 0; row < t->rows; row++) {
         const double side = csv_number_of(t, row, "side"),
                      across = csv_number_of(t, row, "across");
-        r.error = error_of(t, row, run);
+        r.error = error_of(t, row, run, &r.until);
         if (!(side * across <= (double)run->net[0] * run->net[1]) || isnan(r.error))
             continue;
         r.net[0] = (int)side, r.net[1] = (int)across;
@@ -189,7 +192,7 @@ static enum status list_rivals(const struct protocol *p, const struct protocol_s
 
     *count = 0;
     *rivals = NULL;
-    if (!first || isnan(own.error = error_of(first, -1, run)))
+    if (!first || isnan(own.error = error_of(first, -1, run, &own.until)))
         return STATUS_OK;
     for (const struct csv_table *t = first; t; t = next_table(p, scene->name, t))
         rows += (size_t)t->rows;
@@ -291,23 +294,24 @@ static enum status keep(const struct score *s, struct protocol_run *run)
     return STATUS_OK;
 }
 
-/* Reads `NxM`, or `NxM-REPEAT`, up to the ending. */
-static bool parse_name(const char *name, struct protocol_run *run)
+/* Reads a name up to the ending: NAME, NAME-REPEAT, NAME-dtSECONDS, NAME-dtSECONDS-REPEAT.
+ */
+static void parse_name(const char *name, struct protocol_run *run)
 {
-    const size_t size = strcspn(name, ".");
-    int used = 0;
+    const char *ending = frames_is_name(name) ? strrchr(name, '.') : name + strlen(name);
+    char *last;
 
     run->repeat = 1;
-    if (strspn(name, "0123456789x-") < size ||
-        sscanf(name, "%4dx%4d%n", &run->net[0], &run->net[1], &used) != 2)
-        return false;
-    if (name[used] == '-') {
-        int more = 0;
-        if (sscanf(name + used, "-%4d%n", &run->repeat, &more) != 1)
-            return false;
-        used += more;
+    snprintf(run->label, sizeof run->label, "%.*s", (int)(ending - name), name);
+    last = strrchr(run->label, '-');
+    if (last && last > run->label && last[1] &&
+        strspn(last + 1, "0123456789") == strlen(last + 1)) {
+        run->repeat = (int)strtol(last + 1, NULL, 10);
+        *last = '\0';
+        last = strrchr(run->label, '-');
     }
-    return (size_t)used == size && run->net[0] > 1 && run->net[1] > 1 && run->repeat > 0;
+    if (last && !strncmp(last, "-dt", 3))
+        run->dt = strtod(last + 3, NULL);
 }
 
 /* Returns whether a path in a scene's folder may have frames. */
@@ -328,12 +332,13 @@ static enum status read_run(const char *path, const char *scene,
     run->file = malloc(room);
     TRY(run->file ? STATUS_OK : STATUS_MEMORY);
     snprintf(run->file, room, "%s/%s", to->name, base_of(path));
-    if (!parse_name(base_of(path), run))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: its name says no net; 21x21.csv, the points along u and v, or "
-                        "21x21-2.csv for a repeat would be right",
-                        path));
-    TRY(score_read(scene, 1, &path, look, &s, why));
+    parse_name(base_of(path), run);
+    struct score_look own = *look;
+    own.frames.dt = run->dt > 0 ? run->dt : look->frames.dt;
+    TRY(score_read(scene, 1, &path, &own, &s, why));
+    const int side = (int)lround(sqrt(s.net.vertices));
+    run->net[0] = s.net.columns ? s.net.columns : side;
+    run->net[1] = s.net.columns ? s.net.rows : side;
     to->length = s.truth.scene.length;
     TRY(keep(&s, run));
 out:
@@ -346,11 +351,14 @@ out:
 static int compare_runs(const void *a, const void *b)
 {
     const struct protocol_run *left = a, *right = b;
+    const int points[2] = {left->net[0] * left->net[1], right->net[0] * right->net[1]},
+              names = strcmp(left->label, right->label);
 
-    for (int d = 0; d < 2; d++)
-        if (left->net[d] != right->net[d])
-            return left->net[d] < right->net[d] ? -1 : 1;
-    return (left->repeat > right->repeat) - (left->repeat < right->repeat);
+    if (points[0] != points[1])
+        return points[0] < points[1] ? -1 : 1;
+    if (left->dt != right->dt)
+        return left->dt > right->dt ? -1 : 1;
+    return names ? names : (left->repeat > right->repeat) - (left->repeat < right->repeat);
 }
 
 static enum status read_scene(const char *path, const struct score_look *look,
@@ -380,7 +388,7 @@ static enum status read_scene(const char *path, const struct score_look *look,
     for (int n = 1; n < to->runs; n++)
         if (!compare_runs(&to->run[n - 1], &to->run[n]))
             TRY(status_fail(why, STATUS_INPUT,
-                            "%s: %s and %s are the same run; another number, NxM-2, for a "
+                            "%s: %s and %s are the same run; another number, NAME-2, for a "
                             "repeat would be right",
                             path, base_of(to->run[n - 1].file), base_of(to->run[n].file)));
 out:
@@ -609,6 +617,21 @@ static const struct motion_flaw motion_flaws[] = {
      "The held edge is a clamp, and nothing of a hinge is seen"},
 };
 
+/* Tells of each scene why a flaw of the motion is not known from it. */
+static void tell_hidden(const struct judge *j, const struct motion_flaw *f)
+{
+    char why[200] = "";
+
+    for (int k = 0; k < 2 && f->scene[k]; k++)
+        TEXT_JOIN(
+            why, "; ", "%s %s", f->scene[k],
+            protocol_find(j->p, f->scene[k])
+                ? "has frames whose error is not explained, or other flaws that hide it"
+                : "has no frames here");
+    tell(j, f->subject, PROTOCOL_UNKNOWN, "not known", "It would be seen on %s%s: %s.",
+         f->scene[0], f->scene[1] ? " or edge_drop" : "", why);
+}
+
 static void tell_motion_flaw(const struct judge *j, const struct motion_flaw *f)
 {
     const struct protocol_run *clean = NULL;
@@ -630,9 +653,7 @@ static void tell_motion_flaw(const struct judge *j, const struct motion_flaw *f)
     if (!found && clean)
         tell(j, f->subject, PROTOCOL_GOOD, f->without, "%s: %s.", clean->file, f->sentence);
     else if (!found)
-        tell(j, f->subject, PROTOCOL_UNKNOWN, "not known",
-             "It would be seen on %s%s, which %s no frames here, or flaws that hide it.",
-             f->scene[0], f->scene[1] ? " or edge_drop" : "", f->scene[1] ? "have" : "has");
+        tell_hidden(j, f);
 }
 
 static void tell_stiffness(const struct judge *j)
@@ -657,12 +678,15 @@ static void tell_stiffness(const struct judge *j)
                                  : PROTOCOL_NEUTRAL,
              s->found ? s->part == LAW_MEMBRANE ? "membrane" : "bending" : "none fits",
              "%s: %s", run->file, s->text);
-        known[s->part != LAW_MEMBRANE][strstr(s->along, "weft") != NULL] |=
-            strcmp(s->along, "u") != 0;
+        for (int weft = 0; weft < 2 && s->found; weft++) /* along u: the same along both */
+            known[s->part != LAW_MEMBRANE][weft] |=
+                !strcmp(s->along, "u") || weft == (strstr(s->along, "weft") != NULL);
     }
-    if (bends)
+    if (bends) {
         tell(j, PROTOCOL_STIFFNESS, PROTOCOL_NEUTRAL, "bending", "%s: %s", drop->file,
              bends->text);
+        known[1][0] = known[1][1] = true;
+    }
     for (int n = 0; n < 4; n++)
         if (!known[n / 2][n % 2])
             TEXT_JOIN(missing, ", ", "%s", part[n]);
@@ -716,7 +740,8 @@ static int last_nets(const struct protocol_scene *scene, const struct protocol_r
     int count = 0;
 
     for (int n = 0; n < scene->runs; n++) {
-        if (!protocol_is_first(scene, n))
+        if (!protocol_is_first(scene, n) || /* another step on the same net */
+            (count && !memcmp(net[count - 1]->net, scene->run[n].net, sizeof net[0]->net)))
             continue;
         if (count == 3)
             net[0] = net[1], net[1] = net[2], count = 2;
@@ -898,8 +923,9 @@ static enum status tell_place(const struct judge *j, const struct protocol_scene
     if (count > 1)
         tell(j, PROTOCOL_PLACE, PROTOCOL_NEUTRAL, word,
              "On %s %d of %d contestants come nearer to the truth with as many points or "
-             "fewer; its own error is %.3g %% at the same times.%s",
-             scene->name, before, count - 1, 100 * rival[before].error, best);
+             "fewer; its own error is %.3g %% up to %.4g s, the last time that all have.%s",
+             scene->name, before, count - 1, 100 * rival[before].error, rival[before].until,
+             best);
     *any = *any || count > 1;
     free(rival);
     return st;

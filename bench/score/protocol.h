@@ -2,8 +2,9 @@
  * them, and what they show together: `score --protocol DIR`.
  *
  *     DIR/engine.yaml              optional: name, version, step
- *     DIR/SCENE/NxM.ENDING         a run on N x M points; or NxM/, a file a frame
- *     DIR/SCENE/NxM-2.ENDING       the same run once more
+ *     DIR/SCENE/NAME.ENDING        a run on some net; or NAME/, a file a frame
+ *     DIR/SCENE/NAME-dt0.01.ENDING a run with so many seconds from frame to frame
+ *     DIR/SCENE/NAME-2.ENDING      the same run once more
  *     DIR/SCENE/scene.yaml         optional: the scene, where SCENE is no scene's name
  *
  * Each file is read and diagnosed as `score SCENE FILE` does it; sentences on several files
@@ -18,8 +19,11 @@
 
 /* One file's score. */
 struct protocol_run {
-    char *file; /* SCENE/NxM-REPEAT.ENDING                                        owned  */
-    int net[2], repeat; /* points along u and v; from 1                                  */
+    char *file; /* SCENE/NAME-REPEAT.ENDING                                       owned  */
+    char label[64]; /* NAME, with its -dt                                                */
+    double dt;      /* of the name [s]; 0: none                                          */
+    int net[2]; /* points along u and v; of a net without rows the root of all          */
+    int repeat; /* from 1                                                               */
     int vertices;
     int times;
     struct score_time *row; /* [times], `got` alone has its field; over the length owned */
@@ -95,6 +99,7 @@ struct protocol_rival {
     int net[2];
     bool own;     /* the engine's                                                        */
     double error; /* at the worst of the times that all have, over the length            */
+    double until; /* the last of them [s]                                                */
 };
 
 /* Calls say() with each verdict, by subject. STATUS_MEMORY. */

@@ -155,12 +155,15 @@ static void rest_text(const struct score_contact_event *e, const char *what, dou
                       const char *share, char text[SCORE_CONTACT_TEXT])
 {
     const bool margin = e->value > MARGIN * start;
+    char off[48] = "touches";
 
+    if (e->value > CROSSING_TOLERANCE)
+        snprintf(off, sizeof off, "is at least %.3g mm off", 1e3 * e->value);
     snprintf(text, SCORE_CONTACT_TEXT,
-             "%s: at the end, %.4g s, what rests is at least %.3g mm off %s; the scene's "
-             "contact begins at %.3g mm, %s the contact thickness.",
-             margin ? "Rests on a margin" : "Rests without a margin", e->time,
-             1e3 * e->value, what, 1e3 * start, share);
+             "%s: at the end, %.4g s, what rests %s %s; the scene's contact begins at %.3g "
+             "mm, %s the contact thickness.",
+             margin ? "Rests on a margin" : "Rests without a margin", e->time, off, what,
+             1e3 * start, share);
 }
 
 void score_contact_text(const struct score_contact *c, enum score_contact_kind kind,

@@ -388,7 +388,7 @@ static enum status check_span(const struct score_net *net, const char *name,
     return STATUS_OK;
 }
 
-enum status score_net_map(const struct score_net *net, const struct frames_net *frames,
+enum status score_net_map(struct score_net *net, const struct frames_net *frames,
                           const struct scene *scene, const char *name, int nu, int nv,
                           struct score_map *map, struct message *why)
 {
@@ -405,9 +405,10 @@ enum status score_net_map(const struct score_net *net, const struct frames_net *
         p[n] = (struct point){{net->uv[2 * n], net->uv[2 * n + 1]}, n};
     const int columns = count_lines(p, net->vertices, 0),
               rows = count_lines(p, net->vertices, 1);
-    if (sort_rows(p, columns, rows, net->vertices))
+    if (sort_rows(p, columns, rows, net->vertices)) {
+        net->columns = columns, net->rows = rows;
         map_rows(scene, p, columns, rows, map);
-    else if (frames->triangles)
+    } else if (frames->triangles)
         TRY(map_triangles(net, frames, scene, name, map, why));
     else
         st = status_fail(why, STATUS_INPUT,

@@ -18,8 +18,9 @@ struct score_map {
 
 struct score_net {
     int vertices;
-    double *uv;       /* [vertices][2]                                          owned */
-    bool by_position; /* uv were found from rest positions                            */
+    int columns, rows; /* 0: it has none; set by score_net_map                        */
+    double *uv;        /* [vertices][2]                                          owned */
+    bool by_position;  /* uv were found from rest positions                            */
 };
 
 /* Finds material coordinates: the net's own; else those of its rest mesh; else, where each
@@ -34,7 +35,7 @@ void score_net_clear(struct score_net *net); /* all-zero is allowed */
 /* Makes the map of a net made of these frames; points between two sheets are taken from the
  * nearest one. STATUS_INPUT: vertices do not cover the sheet, or neither stand in rows and
  * columns nor have faces. */
-enum status score_net_map(const struct score_net *net, const struct frames_net *frames,
+enum status score_net_map(struct score_net *net, const struct frames_net *frames,
                           const struct scene *scene, const char *name, int nu, int nv,
                           struct score_map *map, struct message *why);
 void score_map_clear(struct score_map *map); /* all-zero is allowed */

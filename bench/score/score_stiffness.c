@@ -109,7 +109,7 @@ static void write_text(struct score_stiffness *s)
     if (!s->found)
         snprintf(s->text, sizeof s->text,
                  "No stiffness explains its last shape, which must be one at rest (%.2g %% "
-                 "is left): does it still move, or is a step iterated too little?",
+                 "is left, beside what the net leaves): does it still move?",
                  100 * s->left);
     else
         snprintf(s->text, sizeof s->text,
@@ -119,24 +119,34 @@ static void write_text(struct score_stiffness *s)
                  s->scene);
 }
 
+/* Returns the share of the squared strain that no stiffness explains. */
+static double unexplained(const struct sums *s)
+{
+    return fmax(0, 1 - s->fe * s->fe / (s->ff * s->ee));
+}
+
+/* The truth between the net's vertices is measured in the same way: what its cells make of
+ * the strain is no flaw of the frames, and cancels. */
 void score_stiffness_make(const struct score *score, struct score_stiffness *stiffness)
 {
     const struct scene *scene = &score->truth.scene;
     const struct law law = scene_law(scene);
-    struct line line;
+    struct line got, seen;
 
     *stiffness = (struct score_stiffness){0};
     if (!score->times || !score->truth.known.closed || !scene_is_cantilever(scene))
         return;
-    line_make(scene, score->row[score->times - 1].got, &line);
-    const bool hangs = vector_dot(line.down, scene->axis_u) > 0.5;
-    const struct sums s = hangs ? pull(&line) : bend(scene, &line);
+    line_make(scene, score->row[score->times - 1].got, &got);
+    line_make(scene, score->row[score->times - 1].seen, &seen);
+    const bool hangs = vector_dot(got.down, scene->axis_u) > 0.5;
+    const struct sums s = hangs ? pull(&got) : bend(scene, &got),
+                      net = hangs ? pull(&seen) : bend(scene, &seen);
     stiffness->applies = true;
     stiffness->part = hangs ? LAW_MEMBRANE : LAW_BENDING;
     stiffness->along = direction(scene, &law);
     stiffness->scene = law_narrow(law.matrix[stiffness->part]);
-    stiffness->value = s.ff / s.fe;
-    stiffness->left = sqrt(fmax(0, 1 - s.fe * s.fe / (s.ff * s.ee)));
+    stiffness->value = stiffness->scene * (s.ff / s.fe) / (net.ff / net.fe);
+    stiffness->left = sqrt(fmax(0, unexplained(&s) - unexplained(&net)));
     stiffness->found = stiffness->value > 0 && stiffness->left <= LEFT_MOST;
     write_text(stiffness);
 }

@@ -128,17 +128,12 @@ static void rests(void)
         double distance, speed;      /* [m], [m/s] */
         bool still, margin;
     } row[] = {
-        {&plane, 3e-3, 0, true, true},
-        {&plane, 3e-3, .009, true, true},
-        {&plane, 3e-3, .011, false},
-        {&plane, 5.6e-4, 0, true, true},
-        {&plane, 5.4e-4, 0, true, false},
-        {&plane, .019, 0, true, true},
-        {&plane, .021, 0, false},
-        {&ball, 3e-3, 0, true, true},
-        {NULL, 3e-3, 0, true, true},
-        {NULL, 1.05e-3, 0, true, false},
-        {NULL, .05, 0, false},
+        {&plane, 3e-3, 0, true, true},    {&plane, 3e-3, .009, true, true},
+        {&plane, 3e-3, .011, false},      {&plane, 5.6e-4, 0, true, true},
+        {&plane, 5.4e-4, 0, true, false}, {&plane, 1e-9, 0, true, false},
+        {&plane, .019, 0, true, true},    {&plane, .021, 0, false},
+        {&ball, 3e-3, 0, true, true},     {NULL, 3e-3, 0, true, true},
+        {NULL, 1.05e-3, 0, true, false},  {NULL, .05, 0, false},
     };
 
     for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
@@ -158,6 +153,8 @@ static void rests(void)
         char text[SCORE_CONTACT_TEXT] = "";
         score_contact_text(&contact, kind, text);
         CHECK(!row[n].still || !strstr(text, "without a margin") == row[n].margin);
+        CHECK(!row[n].still ||
+              !strstr(text, "touches") == (row[n].distance > CROSSING_TOLERANCE));
         check_event(SCORE_CONTACT_ITSELF, 0, 0, 0);
         score_contact_clear(&contact);
     }

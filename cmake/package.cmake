@@ -10,6 +10,6 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # libraries, of the program and of what mpirun loads
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, python3-numpy")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3, python3-numpy, python3-h5py, python3-matplotlib, python3-jinja2, python3-markdown")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/clothbench RENAME copyright)
 include(CPack)

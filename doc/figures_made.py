@@ -1,27 +1,77 @@
-"""Makes the tables of the pages from doc/results/: doc/figures fills them in.
+"""Makes the tables and charts of the pages from doc/results/: doc/figures fills them in.
 
-A function makes a table; BLOCKS at the end has their names.
+A function makes the table of its name; CHARTS at the end has those of charts.
+doc/results/NAME.csv is what a command printed with --format csv, behind a line that says which
+command, commit, processor and day (doc/refresh).
 """
-import csv
+import functools
 import itertools
 import math
+import pathlib
 import re
 import statistics
+import sys
 
-from figures_read import (RESULTS, TOP, digits, is_quick, markdown, number, part, percent, result, row,
-                          tables, whole)
+TOP = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(TOP / "python"))
+from clothbench import results  # noqa: E402
+from clothbench.results import number  # noqa: E402
 
-# --- the paper -------------------------------------------------------------------------------
+RESULTS = TOP / "doc" / "results"
 
+class Missing(Exception):
+    """A table that a result does not have: one of a quick run may lack it."""
+
+    def __init__(self, name, what):
+        super().__init__(f"doc/results/{name}.csv has no {what}")
+        self.quick = is_quick(RESULTS / f"{name}.csv")
+
+def is_quick(path):
+    return "--quick" in path.read_text().partition("\n")[0]
+
+def whole(name):
+    """Stops who needs more than a quick run has."""
+    if is_quick(RESULTS / f"{name}.csv"):
+        raise Missing(name, "row but those of a quick run")
+
+@functools.cache
+def tables(path):
+    """Of a file: [(caption, rows)], a row a dict of its cells."""
+    return [(t.caption, t.rows) for t in results.tables(path)]
+
+def result(name):
+    return tables(RESULTS / f"{name}.csv")
+
+def part(name, words, column):
+    """The rows of the table whose caption has these words and which has the column."""
+    for caption, rows in result(name):
+        if words in caption and rows and column in rows[0]:
+            return rows
+    raise Missing(name, f"table '{words}' with {column}")
+
+def row(rows, **cells):
+    for r in rows:
+        if all(r[key] == want for key, want in cells.items()):
+            return r
+    raise KeyError(f"no row {cells}")
+
+def digits(value, count):
+    """So many significant ones, without an exponent."""
+    text = f"{float(value):#.{count}g}"
+    return f"{float(text):.0f}" if "e+" in text else text.rstrip(".")
+
+def percent(value):
+    """Of a number in per cent; above 99 and below 100 the nines are told."""
+    return digits(value, 3 if 99 <= value < 100 else 2) + " %"
+
+def markdown(columns, rows):
+    lines = ["| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
+    return "\n".join(lines + ["| " + " | ".join(r) + " |" for r in rows]) + "\n"
 
 def paper():
     """{(table, row, column): value} of the second transcription."""
     path = TOP / "tests" / "reference" / "paper_tables.csv"
     return {(r["table"], r["row"], r["column"]): r["value"] for r in tables(path)[-1][1]}
-
-
-# --- Table 1 ---------------------------------------------------------------------------------
-
 
 def table1():
     rows = part("table1", "Table 1", "apart_most")
@@ -49,10 +99,6 @@ def table1():
     return markdown(["", "net", "ms a frame", "cost / IGA",
                      "RMSE to IGA at 0.1 ... 1 s [m]", "error"], made)
 
-
-# --- every statement --------------------------------------------------------------------------
-
-
 def statements():
     rows = part("paper", "statements of the paper", "verdict")
     return markdown(["section", "the paper states", "reading (and why)", "here", "verdict",
@@ -61,11 +107,9 @@ def statements():
                                                            "verdict", "turns", "ours")]
                      for r in rows])
 
-
 # The statements that README has, by how they begin.
 FIRST = ["mass-spring over", "hexahedra come within", "hexahedra of 32x32x2",
          "a frame grows as", "rows 14 and 15"]
-
 
 def first_statements():
     rows = part("paper", "statements of the paper", "verdict")
@@ -74,14 +118,9 @@ def first_statements():
          "yes" if r["turns"] else "no"]
         for begin in FIRST for r in rows if r["claim"].startswith(begin)])
 
-
-# --- Tables 2 and 3 --------------------------------------------------------------------------
-
-
 def frames(name, kinematics="printed"):
     return [r for r in part(name, "milliseconds a frame", "frame_ms")
             if r["kinematics"] == kinematics]
-
 
 def table23():
     """Each over the row Fig. 12b; of Table 3 the last row, which alone is new."""
@@ -106,7 +145,6 @@ def table23():
     return markdown(["", "degree", "net", "printed", "prefactored", "paper", "relative",
                      "paper's"], made[:-4] + made[-1:])
 
-
 def growth():
     """Exponents of the time over the control points, and ratios that can be compared."""
     nets = [r for r in frames("table2") if r["study"].startswith("fig12")]
@@ -129,10 +167,6 @@ def growth():
         ["a frame over ours, least and most in Table 2",
          f"{digits(min(times), 2)}, {digits(max(times), 3)}", "1"]])
 
-
-# --- Table 4 ---------------------------------------------------------------------------------
-
-
 def table4():
     shown = [("printed", "printed"), ("incremental", "incremental"), ("linear", "linear"),
              ("nonlinear solid", "nonlinear solid"), ("shell", "nonlinear shell")]
@@ -144,7 +178,6 @@ def table4():
                            for scene in ("flag", "edge_drop")) for _, reading in shown]
         rows.append([paper["answer"], str(18 - int(paper["always_no"]))] + cells)
     return markdown(["", "paper"] + [title for title, _ in shown], rows)
-
 
 def table4_verdicts():
     """How many rows get the paper's yes or no, and when row 7 blows up."""
@@ -161,10 +194,6 @@ def table4_verdicts():
         ["printed scheme, on `edge_drop`: row 7 blows up at",
          f"{float(row7['blowup_time']):.3f} s"]])
 
-
-# --- verification ----------------------------------------------------------------------------
-
-
 def worst(check, model, keep=lambda quantity: True):
     """The largest error of a check's rows of a model, whose title begins so."""
     errors = [abs(float(r["error"]))
@@ -174,16 +203,13 @@ def worst(check, model, keep=lambda quantity: True):
               and r["error"] not in ("", "inf")]
     return percent(100 * max(errors)) if errors else "-"
 
-
 def ratio(quantity):
     """h/L of a row of `cantilever`, and its nu."""
     found = re.search(r"h/L = ([\d.e-]+), nu = ([\d.]+)", quantity)
     return (float(found[1]), float(found[2])) if found else (0, 0)
 
-
 def thick(quantity, nu):
     return quantity.startswith("field") and ratio(quantity)[0] == 0.1 and nu(ratio(quantity)[1])
-
 
 def verify():
     whole("verify")
@@ -218,16 +244,10 @@ def verify():
                      "`sze`: end shear", "`cantilever`, h/L 1e-2 to 1e-5",
                      "h/L = 0.1, nu to 0.3", "nu = 0.49", "`frequencies`, 63 plates"], rows)
 
-
-# --- speed against error ---------------------------------------------------------------------
-
-
 def seconds(text):
     return "not reached" if not text else digits(text, 2)
 
-
 TARGETS = ("0.03", "0.02", "0.01", "0.005", "0.002")
-
 
 def contestants():
     """(title, model, seconds to each target, lowest error, what limits it)."""
@@ -239,17 +259,14 @@ def contestants():
         yield (time["title"], models[time["contestant"]], [time[f"seconds_{e}"] for e in TARGETS],
                number(best["lowest_rmse_over_length"]), best["sentence"].partition(":")[0])
 
-
 def compare_table(chosen):
     rows = [[title] + [seconds(t) for t in times] + [percent(100 * error), limit]
             for title, _, times, error, limit in chosen]
     return markdown([""] + [f"{100 * float(e):g} %" for e in TARGETS] + ["lowest", "limited by"],
                     rows)
 
-
 def compare():
     return compare_table(contestants())
-
 
 def best_contestants():
     """Of each model who is first to 1 %; where nobody gets there, who comes nearest."""
@@ -261,10 +278,8 @@ def best_contestants():
             best[one[1]] = key, one
     return [one for _, one in sorted(best.values(), key=lambda b: b[0])]
 
-
 def compare_models():
     return compare_table(best_contestants())
-
 
 def compare_threads():
     """Of each contestant its nearest run of those that were timed with two threads."""
@@ -277,7 +292,6 @@ def compare_threads():
         [r["title"], f"{r['side']}x{r['across']}", percent(100 * error),
          seconds(r["seconds_1_thread"]), seconds(r["seconds_2_threads"]),
          digits(r["times_2_threads"], 2), r["same_bits"]] for error, r in nearest.values()])
-
 
 def compare_plate():
     """The cured plate of degree 3 on two kinds of nets, beside the first and the shell."""
@@ -297,20 +311,17 @@ def compare_plate():
                      for net, time in [("on a strip", least("iga_selective_3")),
                                        ("on square cells", square)]])
 
-
 def scenes_titles():
     """{contestant: title}, in the order of the tables."""
     return {r["contestant"]: r["title"]
             for caption, rows in result("compare_scenes") if "Least seconds" in caption
             for r in rows}
 
-
 def won(scene):
     """First and next model's first of [(seconds, contestant, model)] of a scene."""
     rows = sorted((float(r["seconds"]), r["contestant"], r["model"]) for r in scene
                   if r["seconds"])
     return rows[:1] + [r for r in rows if r[2] != rows[0][2]][:1]
-
 
 def compare_scenes():
     cells = part("compare_scenes", "Contestants over scenes", "target_rmse_over_length")
@@ -344,18 +355,13 @@ def compare_scenes():
         RESULTS / "compare_scenes.csv") else ""
     return note + markdown([""] + [f"`{name}`" for name in by_scene], rows)
 
-
-# --- truths ----------------------------------------------------------------------------------
-
 def known_rows():
     return part("truths", "What is known", "truth")
-
 
 def why_none(scene):
     said = re.search(rf"^# {scene} has no truth: (.*)\.$", (RESULTS / "truths.csv").read_text(),
                      re.M)
     return said[1] if said else "not stored"
-
 
 def known():
     """A row for every scene that comes with the program."""
@@ -369,13 +375,11 @@ def known():
         rows.append([f"`{r['scene']}`", r["truth"], *cells])
     return markdown(["scene", "truth", "known to", "error bar there, or why there is none"], rows)
 
-
 def bars(scene):
     """[(time, bar in per cent)] of what is claimed."""
     rows = part(f"truth_{scene}", "error bars", "error_bar_over_length")
     return [(float(r["time_s"]), 100 * float(r["error_bar_over_length"])) for r in rows
             if r["error_bar_over_length"]]
-
 
 def horizon(scene):
     text = (RESULTS / f"truth_{scene}.csv").read_text()
@@ -385,7 +389,6 @@ def horizon(scene):
     how = {"has grown": "has grown {} at {} s", "grows at most": "at most {} up to {} s"}
     return how[grown[1]].format(many, grown[3])
 
-
 def third(scene):
     """Distance / own bar of the third mechanics, at times at which it is compared."""
     rows = part(f"truth_{scene}", "error bars", "error_bar_over_length")
@@ -393,7 +396,6 @@ def third(scene):
               for r in rows if r.get("third_over_length")]
     return ", ".join(f"{digits(off, 2 if off >= 0.1 else 1)} ({digits(bar, 2 if bar >= 0.1 else 1)})"
                      for off, bar in number) or "-"
-
 
 def truths():
     rows = []
@@ -406,23 +408,17 @@ def truths():
                      "error bar, % of the length, at 0.1, 0.2, ... s and where it ends",
                      "a third's distance (its bar)", "a change of 1e-6"], rows)
 
-
-# --- other people's simulators ---------------------------------------------------------------
-
-
 def said(diagnosis):
     """Its sentences up to the first explanation."""
     sentences = re.split(r"(?<=[.?]) (?=[A-Z])", diagnosis)
     short = [re.split(r"[:;(?]|[.]$", s)[0].strip() for s in sentences]
     return "; ".join(s[0].lower() + s[1:] for s in short)
 
-
 def by_case(rows):
     cases = {}
     for r in rows:
         cases.setdefault((r["simulator"], r["net"], r["step"]), []).append(r)
     return cases
-
 
 def scenes_of(rows):
     """{scene: rows}"""
@@ -431,10 +427,8 @@ def scenes_of(rows):
         scenes.setdefault(r["scene"], []).append(r)
     return scenes
 
-
 def baseline_rows():
     return tables(TOP / "peers" / "baselines.csv")[-1][1]
-
 
 def reached(rows):
     """The error at the last time, in per cent; bold where `score` has nothing to say against it."""
@@ -443,7 +437,6 @@ def reached(rows):
         return f"died, {float(last['time']):.2g} s" if last["time"] else "refused"
     said_sound = re.search(r"^Nothing |^Is at its net|\. Nothing ", last["diagnosis"])
     return f"**{part_of(last['error'])}**" if said_sound else part_of(last["error"])
-
 
 def peers():
     """A row a simulator, a column a scene."""
@@ -458,7 +451,6 @@ def peers():
         rows.append([title] + [cell[-1] if cell else "" for cell in cells])
     return markdown([""] + [f"`{name}`, {float(r['time']):g} s" for name, r in judged.items()],
                     rows)
-
 
 def peers_drop():
     """A row a case on edge_drop."""
@@ -475,7 +467,6 @@ def peers_drop():
                      "error at 0.1, 0.2, ... 0.5 s, % of the length", "seconds", "`score` says"],
                     rows)
 
-
 def peers_said():
     """What was found on the other scenes, of other people's simulators; refusals but once."""
     found = {}
@@ -489,7 +480,6 @@ def peers_said():
     return markdown(["", "", "`score`, or the driver, says"],
                     [[simulator, ", ".join(where), words]
                      for (simulator, words), where in sorted(found.items())])
-
 
 def protocol():
     """A row a simulator with the verdicts of `score --protocol`; what is not known stands where
@@ -511,7 +501,6 @@ def protocol():
                     [[name] + [cell(name, subject) for subject in subjects]
                      for name in dict.fromkeys(r["simulator"] for r in rows)])
 
-
 def tinyvbd():
     """A row a strand, in double precision; what single precision does beside it."""
     rows = result("tinyvbd")[-1][1]
@@ -524,7 +513,6 @@ def tinyvbd():
                      for single in [row(rows, strand=r["strand"], points=r["points"],
                                         iterations=r["iterations"], precision="float")]])
 
-
 def bullet_fold():
     """A row a net of the folded sheet, Bullet's times beside the program's."""
     rows = result("bullet_fold")[-1][1]
@@ -535,7 +523,6 @@ def bullet_fold():
                                    ("theirs_ms", "again_ms", "kept_ms", "again", "kept"))]
                      for r in rows])
 
-
 def contact_search():
     """A row a net: what looking for its contact with itself costs, in explicit steps."""
     rows = part("bench_contact", "Searching", "moving_over_step")
@@ -543,13 +530,9 @@ def contact_search():
                     [[r["net"], r["feet"], digits(r["over_step"], 2), digits(r["moving_over_step"], 2),
                       digits(r["steps_kept"], 2)] for r in rows])
 
-
 def part_of(error):
     """A fraction in per cent; of what is round-off, nought."""
     return digits(100 * float(error), 2) if float(error) > 1e-9 else "0"
-
-
-# --- hard cases ------------------------------------------------------------------------------
 
 STRESS = [("IGA, paper's", "iga_paper"), ("IGA", "iga_nonlinear"), ("IGA, reduced", "iga_reduced"),
           ("IGA, selective", "iga_selective"), ("hex", "hex_nonlinear"),
@@ -570,12 +553,10 @@ CASES = [("tip, h/L = 1e-2", ["thin_2"]), ("h/L = 1e-5", ["thin_5"]),
          ("dropped at 1000 g: energy", ["violent_drop"]),
          ("hung from two corners", ["two_corners"])]
 
-
 def ends():
     """{(case, model): (end, error)}"""
     return {(r["case"], r["model"]): (r["end"], number(r["error"]))
             for r in part("stress", "How each run ended", "in_words")}
-
 
 def end_of(runs):
     """The worst of some ends, in a word."""
@@ -584,7 +565,6 @@ def end_of(runs):
     far = worst[1] > 1
     return {"accurate": "ok", "degraded": "off" if far else f"off {percent(100 * worst[1])}",
             }.get(worst[0], worst[0])
-
 
 def stress():
     whole("stress")
@@ -596,7 +576,6 @@ def stress():
                 [str(sum(all_ends[c, model][0] == "accurate" for c in cases))
                  for _, model in STRESS])
     return markdown([""] + [title for title, _ in STRESS], rows)
-
 
 def stability():
     """The largest step up to which all are feasible."""
@@ -613,10 +592,6 @@ def stability():
             [str(sum(r["name"] == model and "died" in r["labels"] for r in runs))]
             for model in dict.fromkeys(r["name"] for r in runs)]
     return markdown(["E/rho"] + columns + ["died"], rows)
-
-
-# --- studies ---------------------------------------------------------------------------------
-
 
 def mesh():
     whole("study_mesh")
@@ -641,10 +616,8 @@ def mesh():
             [percent(100 * float(truth["error_bar_over_length"]))]]
     return markdown([""] + nets + ["truth"], rows)
 
-
 CURES = [("none", "IGA (2,2,1), none"), ("reduced", "IGA (2,2,1), reduced"),
          ("selective", "IGA (2,2,1), selective"), ("selective, degree 3", "IGA (3,3,1), selective")]
-
 
 def cures():
     found = part("study_cures", "the cures for locking", "tip_of_reference")
@@ -664,7 +637,6 @@ def cures():
         ["nonlinear, Gamma = 10"] + off(["gamma_10", "gamma_10_thick"]),
         ["nonlinear, Gamma = 100 (two spans bend)"] + off(["gamma_100"])])
 
-
 def locking():
     whole("study_locking")
     tips = part("study_locking", "tip of a cantilevered sheet", "tip")
@@ -677,7 +649,6 @@ def locking():
     return markdown(["10x10x2, 1 mm thick", "nu = 0", "nu = 0.3", "nu = 0.3 over nu = 0"], [
         [f"degree {degree}", kept(degree, "0", "tip"), kept(degree, "0.3", "tip"),
          kept(degree, "0.3", "tip_of_reference")] for degree in (2, 3, 4)])
-
 
 def timestep():
     whole("study_timestep")
@@ -713,19 +684,15 @@ def timestep():
         ["nonlinear sheet, velocities damped: order in the step", order("nonlinear_rate")],
         ["nonlinear sheet, damped by mass: order in the step", order("nonlinear_mass")]])
 
-
 SPLITS = [(1, 1), (1, 4), (1, 16), (1, 64), (4, 1), (4, 4), (4, 16), (16, 1), (16, 4)]
-
 
 def iteration_rows(**cells):
     return [r for r in result("study_iterations")[-1][1]
             if all(r[key] == want for key, want in cells.items())]
 
-
 def iterated():
     """The contestants of study iterations, in its order."""
     return list(dict.fromkeys(r["contestant"] for r in iteration_rows()))
-
 
 def softer(contestant, substeps, iterations):
     """How stiff a hanging strip seems, over what it seems after the most iterations; None: it was
@@ -734,7 +701,6 @@ def softer(contestant, substeps, iterations):
     found = [r for r in rows if r["iterations"] == str(iterations)]
     most = max(rows, key=lambda r: int(r["iterations"]))
     return number(found[0]["stiffness"]) / number(most["stiffness"]) if found else None
-
 
 def iterations_soft():
     """A row a contestant, a column a split: stiffness, and what is lost or won a second."""
@@ -749,7 +715,6 @@ def iterations_soft():
     lost = [[f"{title}, % lost a second"] + [loss(title, split) for split in SPLITS]
             for title in iterated()]
     return markdown(["substeps x iterations"] + heads, stiff + lost)
-
 
 def iterations_split():
     """At equal work, 64 sweeps of 121 points a frame or 16 of 441: error of each split."""
@@ -767,7 +732,6 @@ def iterations_split():
                 lines.append([f"`{scene}`", title] +
                              [f"**{c}**" if e == least else c for c, e in zip(cells, errors)])
     return markdown(["", ""] + [f"{net}, {s} x {n}" for net, s, n in splits], lines)
-
 
 def iterations_enough():
     """The fewest iterations whose error is at most a tenth, or the truth's bar, above that of the
@@ -787,7 +751,6 @@ def iterations_enough():
                                           for s in ("1", "4", "16")) for scene in scenes]
                      for title in iterated()])
 
-
 def vertex_block():
     """A row a method and iterations: the force that is left, and the way to Newton's steps."""
     rows = [r for r in result("study_vertex-block")[-1][1] if r["left"]]
@@ -804,87 +767,54 @@ def vertex_block():
                          [f"{number(r['apart']):.1e}" for r in found])
     return markdown(["iterations in a step"] + counts, lines)
 
-
-# --- sweeps ----------------------------------------------------------------------------------
-
-
-def falls(name):
-    """A row a contestant, a column a scene: errors in per cent from coarse to fine; in bold those
-    that are above a coarser net's by more than the truth's bar."""
+def errors_by_net(name, columns, bound):
+    """A row for each of `columns`, [(title, cells of its rows)], a column a scene: errors in per cent
+    from coarse to fine; in bold those above bound(row, key, errors of coarser nets)."""
     rows = result(name)[-1][1]
     nets = [key for key in rows[0] if re.fullmatch(r"at_\d+", key)]
     scenes = list(dict.fromkeys(r["name"] for r in rows))
 
     def cell(r):
-        shown, least = [], math.inf
-        for key in nets:
-            error = number(r[key])
-            text = "-" if math.isnan(error) else digits(100 * error, 2)
-            shown.append(f"**{text}**" if error > least + number(r["by"]) else text)
-            least = min(least, math.inf if math.isnan(error) else error)
-        return " ".join(shown)
+        errors = [number(r[key]) for key in nets]
+        texts = ["-" if math.isnan(e) else digits(100 * e, 2) for e in errors]
+        return " ".join(f"**{text}**" if e > bound(rows, r, nets[n], errors[:n]) else text
+                        for n, (text, e) in enumerate(zip(texts, errors)))
 
-    bars = [max(number(r["by"]) for r in rows if r["name"] == scene) for scene in scenes]
-    return markdown([""] + [f"`{scene}`" for scene in scenes],
-                    [["the truth's bar"] + [digits(100 * bar, 2) for bar in bars]] +
-                    [[f"`{model}`"] + [cell(row(rows, name=scene, model=model)) for scene in scenes]
-                     for model in dict.fromkeys(r["model"] for r in rows)])
+    bars = [digits(100 * max(number(r["by"]) for r in rows if r["name"] == scene), 2)
+            for scene in scenes]
+    return markdown([""] + [f"`{scene}`" for scene in scenes], [["the truth's bar"] + bars] + [
+        [title] + [cell(row(rows, name=scene, **cells)) for scene in scenes]
+        for title, cells in columns(dict.fromkeys(r["model"] for r in rows))])
 
+def falls(name):
+    """In bold: above a coarser net's error by more than the truth's bar."""
+    return errors_by_net(
+        name, lambda models: [(f"`{model}`", {"model": model}) for model in models],
+        lambda rows, r, key, before: min((e for e in before if e == e), default=math.inf) + number(r["by"]))
 
-def refinement():
-    return falls("refinement")
-
-
-def refinement_nets():
-    return falls("refinement_nets")
-
+refinement, refinement_nets = (functools.partial(falls, name) for name in ("refinement", "refinement_nets"))
 
 def remedies():
-    """A row a model, as it comes and uncured, a column a scene: errors in per cent from coarse to
-    fine; in bold those of the default that are above the uncured net's by more than the truth's
-    bar."""
-    rows = result("remedies")[-1][1]
-    nets = [key for key in rows[0] if re.fullmatch(r"at_\d+", key)]
-    scenes = list(dict.fromkeys(r["name"] for r in rows))
-    bars = [max(number(r["by"]) for r in rows if r["name"] == scene) for scene in scenes]
+    """As it comes and uncured; in bold: above the uncured net's error by more than the truth's bar."""
+    remedy = "discretization.remedy"
 
-    def at(scene, model, remedy):
-        return row(rows, **{"name": scene, "model": model, "discretization.remedy": remedy})
+    def bound(rows, r, key, before):
+        bare = row(rows, **{"name": r["name"], "model": r["model"], remedy: "none"})
+        return number(bare[key]) + number(bare["by"])
 
-    def cell(scene, model, remedy):
-        shown, bare = [], at(scene, model, "none")
-        for key in nets:
-            error = number(at(scene, model, remedy)[key])
-            text = "-" if math.isnan(error) else digits(100 * error, 2)
-            far = error > number(bare[key]) + number(bare["by"])
-            shown.append(f"**{text}**" if far else text)
-        return " ".join(shown)
-
-    return markdown([""] + [f"`{scene}`" for scene in scenes],
-                    [["the truth's bar"] + [digits(100 * bar, 2) for bar in bars]] +
-                    [[f"`{model}`" + (", uncured" if remedy == "none" else "")] +
-                     [cell(scene, model, remedy) for scene in scenes]
-                     for model in dict.fromkeys(r["model"] for r in rows)
-                     for remedy in ("auto", "none")])
-
-
-def own_rows(name):
-    return list(csv.DictReader((RESULTS / f"{name}.csv").read_text().splitlines()[1:]))
-
+    return errors_by_net("remedies", lambda models: [
+        (f"`{model}`" + (", uncured" if cure == "none" else ""), {"model": model, remedy: cure})
+        for model in models for cure in ("auto", "none")], bound)
 
 def supports():
     return markdown(["contestant", "median", "largest", "second largest"],
                     [[f"`{r['contestant']}`", r["median"], f"{r['largest']}, {r['sheet']}",
-                      f"{r['second']}, {r['second_sheet']}"] for r in own_rows("supports")])
-
+                      f"{r['second']}, {r['second_sheet']}"] for r in result("supports")[-1][1]])
 
 def supports_orders():
     return markdown(["", "strip across the middle", "strip along an edge", "two corner patches"],
                     [[f"`{r['contestant']}`", r["middle_strip"], r["edge_strip"], r["patches"]]
-                     for r in own_rows("supports_orders")])
-
-
-# --- which is which --------------------------------------------------------------------------
+                     for r in result("supports_orders")[-1][1]])
 
 def touching():
     """A row a run: its last error against the truth, and what holds to its end."""
@@ -912,7 +842,6 @@ def touching():
     return markdown(["scene", "contestant", "error", "truth's bar", "apart from the shell",
                      "body in the sheet [mm]", "crossings", "seconds"], made)
 
-
 def fabrics():
     """A row for each scene and model: its last error with the fabric's law and with the mean."""
     rows = part("study_fabrics", "law", "error")
@@ -926,7 +855,6 @@ def fabrics():
                     [percent(100 * float(r["error"])) if r["error"] else "-" for r in (own, mean)])
     return markdown(["scene", "model", "truth's bar", "fabric's law", "isotropic mean"], made)
 
-
 def fabrics_apart():
     """A row for each scene and fabric: how far the shell with the mean is from the shell."""
     rows = part("study_fabrics", "law", "apart")
@@ -935,7 +863,6 @@ def fabrics_apart():
         mean = [r for r in run if r["model"].startswith("shell") and r["law"] != "its own"][-1]
         made.append([study, f"{float(mean['time_s']):g} s", percent(100 * float(mean["apart"]))])
     return markdown(["scene and fabric", "at", "the mean is off by"], made)
-
 
 def denim():
     """A row for each table of CalculiX's: how far contestants are from it, and its own bar."""
@@ -950,18 +877,26 @@ def denim():
                     [percent(100 * float(off[t]["error"])) if t in off else "-" for t in titles])
     return markdown(["denim", "", "CalculiX's bar"] + titles, made)
 
+def speed_against_error():
+    """A model is better the lower and the further left its line is."""
+    runs = part("compare", "Every run", "front")
+    bar = max(number(r["error_bar_over_length"])
+              for r in part("truth_edge_drop", "Truth of edge_drop", "error_bar_over_length")
+              if number(r["time_s"]) <= 0.5)
+    drawn = [(title, row(runs, title=title)["model"],
+              [(number(r["seconds"]), 100 * number(r["worst_rmse_over_length"]))
+               for r in runs if r["title"] == title and r["front"] == "1"
+               and 5e-4 <= number(r["worst_rmse_over_length"]) <= 0.2])
+             for title, *_ in best_contestants()]
+    return {"title": "Half a second of motion of the paper’s sheet: error over seconds", "bar": 100 * bar,
+            "x": "seconds of work, one thread", "y": "RMSE / length [%]", "real_time": 0.5,
+            "drawn": drawn}
 
-BLOCKS = {"statements": statements, "first_statements": first_statements, "fabrics": fabrics, "denim": denim, "fabrics_apart": fabrics_apart, "touching": touching, "table1": table1, "table23": table23, "growth": growth, "table4": table4,
-          "table4_verdicts": table4_verdicts, "verify": verify,
-          "compare": compare, "compare_models": compare_models, "compare_plate": compare_plate,
-          "compare_threads": compare_threads, "compare_scenes": compare_scenes,
-          "known": known, "truths": truths, "stress": stress,
-          "stability": stability,
-          "iterations_soft": iterations_soft, "iterations_split": iterations_split,
-          "iterations_enough": iterations_enough, "vertex_block": vertex_block,
-          "mesh": mesh, "locking": locking, "cures": cures, "timestep": timestep,
-          "peers": peers, "peers_drop": peers_drop, "tinyvbd": tinyvbd,
-          "bullet_fold": bullet_fold, "contact_search": contact_search, "protocol": protocol,
-          "peers_said": peers_said, "refinement": refinement, "refinement_nets": refinement_nets,
-          "remedies": remedies,
-          "supports": supports, "supports_orders": supports_orders}
+def iterations():
+    """What a strip seems to be made of, by contestant: 1 is what it is made of."""
+    return {"title": "A hanging strip, steps of 5 ms: the stiffness that it seems to have",
+            "x": "iterations in a step", "y": "of the stiffness after the most",
+            "drawn": [(title, "", [(n, share) for n in (1, 4, 16, 64) if (share := softer(title, 1, n))])
+                      for title in iterated()]}
+
+CHARTS = {"speed_against_error": speed_against_error, "iterations": iterations}

@@ -15,10 +15,6 @@ light=(compare cantilever_transient --quick --until 0.005
     { cat "$folder.log"; fail "exit $?"; }
 [ -e "$folder/quick.txt" ] || fail "the folder is not marked as that of a quick run"
 
-# From here on nothing is drawn: it takes longer than the runs.
-mkdir -p "$folder/bin" && printf '#!/bin/sh\nexit 1\n' >"$folder/bin/gnuplot" && chmod +x "$folder/bin/gnuplot"
-PATH=$folder/bin:$PATH
-
 # Cells of compare.csv, by the names of their columns; a title has a comma, nothing else.
 # shellcheck disable=SC2016 # awk's own words
 rows='{ sub(/^"[^"]*"/, "") } NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }'

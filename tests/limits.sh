@@ -51,7 +51,7 @@ plan=$(dirname "$scene")/../../bench/plans/feasibility.yaml
 mkdir waits && mkfifo waits/lock
 ends 1 lock "$program" sweep "$plan" --out waits
 rm -r waits
-mkdir waits && mkfifo waits/table.csv waits/run.h5 waits/table.png
+mkdir waits && mkfifo waits/table.csv waits/run.h5
 timeout 60 "$program" report waits >out 2>err </dev/null
 [ $? -lt 124 ] || fail 'report waits for a pipe'
 for command in score export; do

@@ -40,7 +40,7 @@ expect_not_installed() { # CASE
 }
 
 mapfile -t names < <(bash "$folder/check" --help | sed -n 's/^  \([a-z0-9-]*\)  .*/\1/p' |
-    grep -v gnuplot)
+    grep -v python3-numpy)
 debian='ID=debian VERSION_ID="12"'
 # shellcheck disable=SC2016 # for the pretended command to expand
 pretend apt-get 'echo "$@" >>"${0%/*}/../installed"'
@@ -82,7 +82,7 @@ rm -f "$folder/installed"
 
 # shellcheck disable=SC2016
 pretend apt-get 'echo "$@" >>"${0%/*}/../installed"'
-pretend dpkg-query "printf 'installed , gnuplot-qt, gnuplot, gnuplot-nox (= 5),\\n'
+pretend dpkg-query "printf 'installed , numpy-qt, numpy, python3-numpy (= 5),\\n'
     for name in $(printf '%s ' "${names[@]}"); do
         printf 'installed , %s, ,\\n' \$name \$name # for two architectures
     done"

@@ -1,6 +1,5 @@
 /* study_fixture.h - made-up results of studies, every number of them another one, and what
- * is told of them: sentences, cells of tables, files. Nothing is simulated and, for want of
- * gnuplot, nothing drawn.
+ * is told of them: sentences, cells of tables, files. Nothing is simulated.
  */
 #ifndef STUDY_FIXTURE_H
 #define STUDY_FIXTURE_H
@@ -14,7 +13,7 @@
 
 static const char *study_folder;
 
-/* Chooses where files go and plans come from; gnuplot is not found. */
+/* Chooses where files go and plans come from. */
 static inline void study_begin(int count, char **arguments)
 {
     REQUIRE(count == 2);
@@ -22,8 +21,7 @@ static inline void study_begin(int count, char **arguments)
     fresh_folder(study_folder);
     REQUIRE(!setenv("CLOTHBENCH_SCENES", SOURCE_DIR "/models/scenes", 1));
     REQUIRE(!setenv("CLOTHBENCH_PLANS", SOURCE_DIR "/bench/plans", 1));
-    REQUIRE(!setenv("PATH", study_folder, 1));
-    REQUIRE(freopen("/dev/null", "w", stderr)); /* which says so of every chart */
+    REQUIRE(freopen("/dev/null", "w", stderr)); /* progress */
 }
 
 /* Any blanks and line ends as one blank. */

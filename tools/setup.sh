@@ -27,10 +27,12 @@ packages=(
     "zlib1g-dev: checksums of result files"
     "libzip-dev: reads frames in NumPy's .npz"
     "libyaml-dev: reads scene files"
-    "libmd4c-dev: reads the manual's pages for a site"
-    "libmd4c-html0-dev: makes them HTML"
-    "gnuplot-nox: draws the charts"
-    "python3: holds the figures of README.md and doc/ against doc/results (a test)"
+    "python3: makes pages, charts and pictures of results"
+    "python3-numpy: arrays for it"
+    "python3-h5py: reads result files"
+    "python3-matplotlib: draws charts and sheets"
+    "python3-jinja2: fills pages in"
+    "python3-markdown: makes the manual's pages HTML, for a site"
 )
 
 setup_say() { # PHASE SENTENCE

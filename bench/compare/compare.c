@@ -12,7 +12,7 @@
 #include "bench/files/folder.h"
 #include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
-#include "bench/ui/chart.h"
+#include "bench/ui/show.h"
 #include "models/clock.h"
 #include "models/damping.h"
 #include "models/reader/scene_file.h"
@@ -280,101 +280,9 @@ out:
     return st;
 }
 
-/* --- charts --- */
-
-/* Adds the runs of a contestant, or the best of them only. */
-static void add_points(struct chart *chart, const struct contest *c,
-                       const struct contestant *who, bool front)
-{
-    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++)
-        if (r->at.contestant == who && (!front || contest_on_front(c, r)))
-            chart_point(chart, r->seconds, r->worst);
-}
-
-/* Adds a line through the best runs of a contestant, and its others as open points. */
-static void add_series(struct chart *chart, const struct contest *c,
-                       const struct contestant *who, int colour)
-{
-    chart_series(chart,
-                 &(struct chart_series){who->title, .sorted = true, .colour = colour});
-    add_points(chart, c, who, true);
-    chart_series(chart, &(struct chart_series){NULL, CHART_POINTS, .colour = colour,
-                                               .second = true});
-    add_points(chart, c, who, false);
-}
-
-/* Creates a chart whose panels have the same axes, so that they can be compared; they hold
- * all runs and the bar. */
-static struct chart *create_chart(const struct contest *c, const char *of)
-{
-    const struct truth *truth = c->truth;
-    char title[256];
-    struct chart_axis x = {"set-up and stepping", "s", .log = true};
-    struct chart_axis y = {"RMSE / L at the worst time", .log = true};
-    double low = INFINITY, high = 0, error = contest_largest_bar(c), most = error;
-
-    for (int n = 0; n < c->count; n++)
-        if (!c->rows[n].probe && !isnan(c->rows[n].worst)) {
-            low = fmin(low, c->rows[n].seconds);
-            high = fmax(high, c->rows[n].seconds);
-            error = fmin(error, c->rows[n].worst);
-            most = fmax(most, c->rows[n].worst);
-        }
-    if (high > low)
-        x.low = pow(10, floor(log10(low))), x.high = pow(10, ceil(log10(high)));
-    y.low = error / 2, y.high = pow(10, ceil(log10(most)));
-    snprintf(title, sizeof title, "%s to %g s, Gamma = %.4g; lines join the best runs %s",
-             c->scene->name, truth->time[truth->times - 1], scene_gamma(c->scene), of);
-    struct chart *chart = chart_create(title);
-    chart_axes(chart, &x, &y);
-    return chart;
-}
-
-/* Finds the contestant of a model that comes nearest to the truth; NULL: none lived. */
-static const struct contestant *best_of(const struct contest *c, const struct model *model)
-{
-    const struct contest_row *best = NULL;
-    const struct contestant *who;
-
-    for (int k = 0; (who = contest_entrant(c, k)); k++) {
-        const struct contest_row *r = contest_nearest(c, who);
-        if (who->model == model && r && (!best || r->worst < best->worst))
-            best = r;
-    }
-    return best ? best->at.contestant : NULL;
-}
-
-/* Draws a line for each model's best contestant or, with a panel a model, for all. */
-static struct chart *draw(const struct contest *c, bool all)
-{
-    struct chart *chart =
-        create_chart(c, all ? "of each contestant" : "of each model's best contestant");
-    const struct model *model;
-    const struct contestant *who;
-    int colour = 0, lines = 0;
-
-    if (!all)
-        chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
-    for (int m = 0; (model = contestant_model(m)); m++) {
-        const struct contestant *best = best_of(c, model);
-        lines = all ? 0 : lines;
-        for (int k = 0; (who = contest_entrant(c, k)); k++) {
-            if (who->model != model || !(all || who == best) || lines == CHART_LINES_MOST)
-                continue;
-            if (all && !lines) {
-                chart_panel(chart, model->title);
-                chart_band(chart, "truth's error bar", 0, contest_largest_bar(c));
-            }
-            lines++;
-            add_series(chart, c, who, ++colour);
-        }
-    }
-    return chart;
-}
-
 /* --- all runs --- */
 
-enum { FIXED = 15, MOST_COLUMNS = FIXED + CONTEST_TIMES + 3 };
+enum { FIXED = 15, MOST_COLUMNS = FIXED + CONTEST_TIMES + 4 };
 
 /* Strings that the columns of the table of runs borrow. */
 struct words {
@@ -402,6 +310,7 @@ static struct table *create_runs(const struct contest *c, struct words *w)
     const struct table_column more[] = {
         {"RMSE / L at the worst time", NULL, .key = "worst_rmse_over_length",
          .readers = TABLE_MACHINES},
+        {"bar", NULL, .key = "bar_over_length", .readers = TABLE_MACHINES},
         {"front", .readers = TABLE_MACHINES},
         {"outcome", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
     int count = FIXED;
@@ -454,7 +363,8 @@ static void add_run(struct table *t, const struct contest *c, const struct conte
               timed ? r->seconds : NAN);
     for (int n = 0; n < c->truth->times; n++)
         table_add(t, "%.3g", r->error[n]);
-    table_add(t, "%.3g|%d|%s", r->worst, contest_on_front(c, r), r->result.sentence.text);
+    table_add(t, "%.3g|%.3g|%d|%s", r->worst, contest_largest_bar(c),
+              contest_on_front(c, r), r->result.sentence.text);
     note_end(t, c, r);
 }
 
@@ -502,10 +412,6 @@ static enum status print_runs(const struct contest *c, const char *folder,
                 add_run(t, c, &c->rows[n]);
     }
     TRY(table_save(t, folder, "compare", why));
-    if (c->truth->xyz) {
-        TRY(chart_save(draw(c, false), folder, "compare", why));
-        TRY(chart_save(draw(c, true), folder, "compare_models", why));
-    }
     add_bar(t, c);
 out:
     if (st == STATUS_OK)
@@ -890,6 +796,7 @@ static enum status run_scene(struct compare_job *j, const struct command_line *l
         table_say(stdout, "%s", j->contest.truth->unresolved);
     TRY(compare_job_measure(j, why));
     TRY(compare_print(&j->contest, folder, format, stdout, why));
+    show_tell(folder);
 out:
     j->folder = NULL;
     return st;
@@ -955,7 +862,7 @@ static const struct command_option options[] = {
     {"--threads", "N,N,...", false, "time the best runs again with so many threads (1)"},
     {"--format", TABLE_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false,
-     "folder of result files, CSV and plot\n"
+     "folder of result files and CSV\n"
      "(results/compare_SCENE)"},
     {"--from", "DIR", false, "print again from the result files of an earlier run"},
     {"--quick", NULL, false, "the cheap half of the nets, no search, three repeats"},

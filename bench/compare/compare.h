@@ -52,8 +52,7 @@ enum status compare_job_rows(void *job, int first, struct message *why);
 
 /* Prints the table of all runs, what each contestant needs for given errors, what limits
  * it, and the best rows with each number of threads, if there are any; as compare.csv,
- * compare_targets.csv, compare_limits.csv and compare_threads.csv in the folder, too, with
- * charts compare.png and compare_models.png. */
+ * compare_targets.csv, compare_limits.csv and compare_threads.csv in the folder, too. */
 enum status compare_print(const struct contest *c, const char *folder,
                           enum table_format format, FILE *file, struct message *why);
 

@@ -285,31 +285,15 @@ bool contest_is_best(const struct contest *c, const struct contest_row *row)
     return best;
 }
 
-/* Returns whether no timed row of the same contestant, or the same model, is cheaper and as
- * good. */
-static bool is_unbeaten(const struct contest *c, const struct contest_row *row, bool model)
-{
-    const struct contestant *who = row->at.contestant;
-
-    if (row->probe || isnan(row->worst))
-        return false;
-    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
-        const struct contestant *other = r->at.contestant;
-        if ((model ? other->model == who->model : other == who) && !r->probe &&
-            r->worst <= row->worst && r->seconds < row->seconds)
-            return false;
-    }
-    return true;
-}
-
 bool contest_on_front(const struct contest *c, const struct contest_row *row)
 {
-    return is_unbeaten(c, row, false);
-}
-
-bool contest_leads_model(const struct contest *c, const struct contest_row *row)
-{
-    return is_unbeaten(c, row, true);
+    if (row->probe || isnan(row->worst))
+        return false;
+    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++)
+        if (r->at.contestant == row->at.contestant && !r->probe && r->worst <= row->worst &&
+            r->seconds < row->seconds)
+            return false;
+    return true;
 }
 
 double contest_growth(const struct contest *c, const struct contestant *who)

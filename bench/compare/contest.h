@@ -135,10 +135,9 @@ const struct contest_row *contest_within(const struct contest *c,
  * cheapest within one of contest_target, and no longer than team_longest. */
 bool contest_is_best(const struct contest *c, const struct contest_row *row);
 
-/* Return whether no timed row of its contestant, or of any contestant of its model, is
- * cheaper and as good: the line that a plot draws. */
+/* Returns whether no timed row of its contestant is cheaper and as good: the line that a
+ * chart draws. */
 bool contest_on_front(const struct contest *c, const struct contest_row *row);
-bool contest_leads_model(const struct contest *c, const struct contest_row *row);
 
 /* Returns the power p of seconds ~ error^-p that fits a contestant's front best; NaN: fewer
  * than three rows on it. */

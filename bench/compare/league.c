@@ -3,8 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "bench/ui/chart.h"
-
 /* The error over the length that is compared where the truth is known to it. */
 static const double USUAL = 0.01;
 
@@ -191,43 +189,6 @@ static struct table *list_all(int count, const struct contest *const *contests)
     return t;
 }
 
-/* --- the chart --- */
-
-static void draw_model(struct chart *chart, const struct contest *c,
-                       const struct model *model)
-{
-    bool begun = false; /* a model with nothing to show is not in the legend */
-
-    for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
-        if (r->at.contestant->model != model || !contest_leads_model(c, r))
-            continue;
-        if (!begun)
-            chart_series(chart, &(struct chart_series){model->title, .sorted = true});
-        begun = true;
-        chart_point(chart, r->seconds, 100 * r->worst);
-    }
-}
-
-static enum status draw(int count, const struct contest *const *contests,
-                        const char *folder, struct message *why)
-{
-    struct chart *chart = chart_create("The best runs of each model on each scene");
-    const struct model *model;
-
-    chart_axes(chart, &(struct chart_axis){"set-up and stepping", "s", .log = true},
-               &(struct chart_axis){"RMSE / L at the worst time", "%", .log = true});
-    for (int s = 0; s < count; s++) {
-        const struct contest *c = contests[s];
-        const double bar = contest_largest_bar(c);
-        chart_panel(chart, c->scene->name);
-        if (!isnan(bar))
-            chart_band(chart, "truth's error bar", 0, 100 * bar);
-        for (int m = 0; (model = contestant_model(m)) && m < CHART_LINES_MOST; m++)
-            draw_model(chart, c, model);
-    }
-    return chart_save(chart, folder, "compare_scenes", why);
-}
-
 enum status league_print(int count, const struct contest *const *contests,
                          const char *folder, enum table_format format, FILE *file,
                          struct message *why)
@@ -236,7 +197,6 @@ enum status league_print(int count, const struct contest *const *contests,
     enum status st;
 
     TRY(table_save(t, folder, "compare_scenes", why));
-    TRY(draw(count, contests, folder, why));
     if (table_format_is_data(format))
         return table_finish(t, format, file);
     st = print_people(count, contests, format, file);

@@ -13,7 +13,7 @@ double league_target(double bar);
 
 /* Prints the contests of scenes side by side: for people a row a contestant and a column a
  * scene; for machines, and as compare_scenes.csv in the folder, a row for each of both.
- * Draws compare_scenes.png: a panel a scene, a line a model through its best runs. */
+ */
 enum status league_print(int count, const struct contest *const *contests,
                          const char *folder, enum table_format format, FILE *file,
                          struct message *why);

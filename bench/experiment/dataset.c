@@ -5,8 +5,6 @@
 #include <string.h>
 
 #include "bench/harness/fit.h"
-#include "bench/ui/chart.h"
-#include "bench/ui/picture.h"
 
 const char *dataset_label(const struct study *s, int level, const char *axis)
 {
@@ -253,16 +251,6 @@ enum status dataset_check(const struct plan *plan, struct message *why)
             TRY(check_quantity(plan, plan->statements[k].quantity.list[n].key,
                                plan->statements[k].line, "the quantity of a statement",
                                why));
-    for (int n = 0; n < plan->table.pictures.count; n++) {
-        const struct plan_setting *name = &plan->table.pictures.list[n];
-        int study = 0;
-        while (study < plan->study_count && strcmp(plan->studies[study].name, name->key))
-            study++;
-        if (study == plan->study_count)
-            return plan_case_refuse(plan, name->line, why,
-                                    "pictures of the table has %s, which is no study",
-                                    yaml_tree_quote(name->key).text);
-    }
 out:
     return st;
 }
@@ -531,12 +519,6 @@ static void add_notes(struct table *t, const struct view *v)
         note_study(t, v, &v->d->study[k]);
 }
 
-/* A level at its last time, as it stands in a chart. */
-struct dot {
-    double x, y;
-    char panel[128], line[128]; /* the labels that its panel and its line have          */
-};
-
 /* Writes "poisson 0.3, thickness 1 mm" behind `first`; of a single axis its label alone. */
 static void write_labels(const struct study *s, int level, const struct plan_settings *axes,
                          const char *first, char text[128])
@@ -551,149 +533,68 @@ static void write_labels(const struct study *s, int level, const struct plan_set
     }
 }
 
-/* Finds every level that has a place in the chart; freed by the receiver. */
-static struct dot *find_dots(const struct study_results *d, const struct plan_chart *plan,
-                             int *count)
+/* Adds the levels at their last times to the table of a chart. */
+static void add_points(struct table *t, const struct study_results *d,
+                       const struct plan_chart *plan)
 {
     const int x = quantity_find(plan->x); /* -1: the size of levels */
-    struct dot *dots = NULL;
-    size_t most = 1;
 
-    for (int k = 0; k < d->count; k++)
-        most += (size_t)d->study[k].plan->level_count;
-    dots = calloc(most * (size_t)plan->y.count, sizeof *dots);
-    for (int i = 0; dots && i < plan->y.count; i++)
+    for (int i = 0; i < plan->y.count; i++)
         for (int k = 0; k < d->count; k++)
             for (int n = 0; n < d->study[k].plan->level_count; n++) {
                 const struct study *s = &d->study[k];
                 const struct place at = {d, s, n, s->frames - 1};
                 const enum quantity of = quantity_of(&plan->y, i);
-                struct dot *dot = &dots[*count];
-                dot->x = x < 0 ? s->row[n].level->size : quantity_at(&at, (enum quantity)x);
-                dot->y = quantity_at(&at, of);
-                if (!isnan(plan->from))
-                    dot->y = fabs(dot->y - plan->from);
-                write_labels(s, n, &plan->panel, "", dot->panel);
+                char panel[128], line[128];
+                const double y = quantity_at(&at, of);
+                write_labels(s, n, &plan->panel, "", panel);
                 write_labels(s, n, &plan->line,
-                             plan->y.count > 1 ? quantity_table[of].head : "", dot->line);
-                *count += dot->x > 0 && dot->y > 0 && isfinite(dot->y);
+                             plan->y.count > 1 ? quantity_table[of].head : "", line);
+                table_row(t);
+                table_text(t, "%s", panel);
+                table_text(t, "%s", line);
+                table_add(t, "%.6g|%.6g",
+                          x < 0 ? s->row[n].level->size
+                                : quantity_at(&at, (enum quantity)x),
+                          isnan(plan->from) ? y : fabs(y - plan->from));
             }
-    return dots;
 }
 
-static bool are_alike(const struct dot *a, const struct dot *b, bool line)
+/* Writes the name of an axis: that of a quantity with its unit. */
+static void write_axis(const struct quantity_row *q, char title[128])
 {
-    return !strcmp(a->panel, b->panel) && (!line || !strcmp(a->line, b->line));
+    const bool pure = !q->unit || !strcmp(q->unit, "1");
+
+    snprintf(title, 128, "%s%s%s%s", q->head, pure ? "" : " [", pure ? "" : q->unit,
+             pure ? "" : "]");
 }
 
-/* Returns whether no dot before it is of the same panel or line. */
-static bool is_first(const struct dot *dots, const struct dot *dot, bool line)
+/* Writes the points of the plan's chart as FOLDER/NAME_chart.csv, under the names of its
+ * axes. */
+static enum status save_chart(const struct study_results *d, const char *folder,
+                              const char *name, struct message *why)
 {
-    while (!are_alike(dots, dot, line))
-        dots++;
-    return dots == dot;
-}
-
-static struct chart *chart_of(const struct study_results *d, const struct plan_chart *plan,
-                              const char *title)
-{
+    const struct plan_chart *plan = &d->plan->chart;
     const int column = quantity_find(plan->x);
     const struct quantity_row *q = &quantity_table[quantity_of(&plan->y, 0)];
-    const struct quantity_row *x = column < 0 ? NULL : &quantity_table[column];
-    struct chart *c = chart_create(title);
-    char y[128];
-    int count = 0;
-    struct dot *const dots = find_dots(d, plan, &count), *const end = dots + count;
+    char x[128], y[128], file[128];
 
-    snprintf(y, sizeof y, isnan(plan->from) ? "%s" : "|%s - %g|", q->head, plan->from);
-    chart_axes(c,
-               &(struct chart_axis){x ? x->head : plan->x, x ? x->unit : NULL, .log = true},
-               &(struct chart_axis){y, isnan(plan->from) ? q->unit : NULL, .log = true});
-    for (const struct dot *p = dots; p < end; p++) {
-        if (!is_first(dots, p, false))
-            continue;
-        if (plan->panel.count)
-            chart_panel(c, p->panel);
-        for (const struct dot *l = p; l < end; l++) {
-            if (!are_alike(p, l, false) || !is_first(dots, l, true))
-                continue;
-            chart_series(
-                c, &(struct chart_series){l->line, x ? CHART_POINTS : CHART_LINESPOINTS});
-            for (const struct dot *at = l; at < end; at++)
-                if (are_alike(l, at, true))
-                    chart_point(c, at->x, at->y);
-        }
-    }
-    free(dots);
-    return c;
-}
-
-/* Charts a study without a table at its last time: error, or the difference from the
- * finest level, over the seconds of stepping. */
-static struct chart *chart_alone(const struct view *v)
-{
-    struct plan_setting y = {"error", "", 0}, line = {"study", "", 0};
-    const struct plan_chart plan = {
-        .x = "stepping_s", .from = NAN, .y = {1, &y}, .line = {1, &line}};
-    const struct study *s = v->d->study;
-    const int last = (s->truth ? s->truth->times : s->frames) - 1;
-
-    if (!s->truth)
-        y.key = "to_finest";
-    struct chart *c = chart_of(v->d, &plan, v->caption);
-    for (int n = 0; n < s->plan->level_count; n++) {
-        const struct place p = {v->d, s, n, last};
-        chart_mark(c, quantity_at(&p, QUANTITY_SECONDS),
-                   quantity_at(&p, s->truth ? QUANTITY_ERROR : QUANTITY_FINEST),
-                   s->row[n].level->label);
-    }
-    if (s->truth)
-        chart_band(c, "truth's error bar", 0, s->truth->error[last] / s->length);
-    return c;
-}
-
-/* Draws the sheets of a study, a row for each time, a column for each level and one for the
- * truth, as NAME_sheets.png. */
-static enum status draw_sheets(const struct study *s, const char *folder,
-                               struct message *why)
-{
-    enum { MOST = PLAN_STUDY_TIMES * (PLAN_STUDY_LEVELS + 1) };
-    struct picture_panel panels[MOST];
-    char titles[MOST][96], name[128], when[32] = "at rest";
-    const int columns = s->plan->level_count + (s->truth != NULL);
-    int count = 0;
-
-    for (int time = 0; time < s->frames; time++)
-        for (int n = 0; n < columns; n++, count++) {
-            const double *xyz = s->row[n].xyz[time];
-            if (s->time)
-                snprintf(when, sizeof when, "t = %g s", s->time[time]);
-            snprintf(titles[count], sizeof titles[count], "%.50s\n%s%s",
-                     s->row[n].level->label,
-                     xyz                         ? ""
-                     : n == s->plan->level_count ? "not known at "
-                                                 : "none left at ",
-                     when);
-            panels[count] =
-                (struct picture_panel){titles[count], xyz, s->row[0].run.scene.sheets};
-        }
-    snprintf(name, sizeof name, "%s_sheets", s->plan->name);
-    return picture_save(folder, name, columns, count, panels, why);
-}
-
-/* Draws the studies that the plan names; it names none: those with listed levels. */
-static enum status draw_some(const struct view *v, const char *folder, struct message *why)
-{
-    const struct plan_settings *named = &v->d->plan->table.pictures;
-    enum status st = STATUS_OK;
-
-    for (int n = 0; n < v->d->count && st == STATUS_OK; n++) {
-        const struct study *s = &v->d->study[n];
-        if (v->alone ||
-            (named->count ? plan_settings_find(named, s->plan->name) != NULL
-                          : !strcmp(s->plan->axis->name, PLAN_LEVEL_AXIS) && s->time))
-            st = draw_sheets(s, folder, why);
-    }
+    snprintf(x, sizeof x, "%s", plan->x);
+    if (column >= 0)
+        write_axis(&quantity_table[column], x);
+    if (isnan(plan->from))
+        write_axis(q, y);
+    else
+        snprintf(y, sizeof y, "|%s - %g|", q->head, plan->from);
+    const struct table_column columns[] = {{"panel", NULL, TABLE_LEFT},
+                                           {"line", NULL, TABLE_LEFT},
+                                           {"x", .key = x},
+                                           {"y", .key = y}};
+    struct table *t = TABLE_OF(columns, NULL);
+    add_points(t, d, plan);
+    snprintf(file, sizeof file, "%.100s_chart", name);
+    const enum status st = table_save(t, folder, file, why);
+    table_destroy(t);
     return st;
 }
 
@@ -717,9 +618,6 @@ static enum status print_view(const struct view *v, const char *folder,
                                                          : "The same at the times");
     add_notes(t, v);
     TRY(kept_table(p, t));
-    if (v->alone)
-        TRY(chart_save(chart_alone(v), folder, v->name, why));
-    TRY(draw_some(v, folder, why));
 out:
     table_destroy(all);
     return st;
@@ -729,13 +627,12 @@ enum status dataset_print(const struct study_results *d, const char *folder,
                           const struct printer *p, struct message *why)
 {
     const struct plan *plan = d->plan;
-    const char *what = plan->what ? plan->what : plan->source;
     const char *name = plan->table.file ? plan->table.file : plan->name;
     struct view v = view_of(d);
     enum status st = STATUS_OK;
 
     if (plan->chart.x)
-        TRY(chart_save(chart_of(d, &plan->chart, what), folder, name, why));
+        TRY(save_chart(d, folder, name, why));
     if (!v.alone)
         return print_view(&v, folder, p, why);
     for (int n = 0; n < d->count; n++) {

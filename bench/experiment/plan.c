@@ -301,7 +301,7 @@ static const char *const TRUTHS[] = {"false", "true", "plate", NULL};
 
 /* clang-format off */
 static const struct schema_key LEVEL[] = {
-    {"label", "label in tables and pictures", SCHEMA_TEXT, .required = true, IN(plan_level, label)},
+    {"label", "label in tables and pages", SCHEMA_TEXT, .required = true, IN(plan_level, label)},
     {"name", "name of its file (made from the label)", SCHEMA_TEXT, IN(plan_level, name)},
     {"size", "mesh width, step, ..., for observed orders", SCHEMA_NUMBER, .low = 0,
      .high = 1e30, .open = true, IN(plan_level, size)},
@@ -716,9 +716,6 @@ static const struct schema_key TABLE[] = {
      .words = NO_OR_YES, IN(plan, table.last)},
     {"shown", "show only the levels with these labels", SCHEMA_SPECIAL,
      .read = read_chosen, IN(plan, table.shown), .want = "a map {AXIS: LABEL}"},
-    {"pictures", "studies whose sheets are drawn", SCHEMA_SPECIAL, .read = read_words,
-     .most = PLAN_TABLE_COLUMNS, IN(plan, table.pictures),
-     .want = "a list of 1 to 16 names of studies"},
     {"note", "note below the table", SCHEMA_TEXT, IN(plan, table.note)},
     {"file", "name of its CSV and chart (the plan's)", SCHEMA_TEXT, IN(plan, table.file)},
     {NULL}};
@@ -1106,8 +1103,8 @@ void plan_clear(struct plan *plan)
     for (int n = 0; n < plan->statement_count; n++)
         clear_statement(&plan->statements[n]);
     struct plan_settings *const settings[] = {
-        &plan->settings,       &plan->reference,   &plan->table.columns, &plan->table.shown,
-        &plan->table.pictures, &plan->chart.panel, &plan->chart.line,    &plan->chart.y};
+        &plan->settings,    &plan->reference,  &plan->table.columns, &plan->table.shown,
+        &plan->chart.panel, &plan->chart.line, &plan->chart.y};
     for (size_t n = 0; n < sizeof settings / sizeof *settings; n++)
         clear_settings(settings[n]);
     void *const owned[] = {plan->table.note, plan->table.file, plan->chart.x,

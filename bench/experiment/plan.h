@@ -73,7 +73,7 @@ enum {
 };
 
 struct plan_level {
-    char *label;     /* short, for tables and pictures                          owned  */
+    char *label;     /* short, for tables and pages                             owned  */
     char *name;      /* of its file, [a-z0-9_]+; made of the label if not given  owned  */
     double size;     /* mesh width, step, ...: observed orders are over it; 0: none     */
     double paper_ms; /* what somebody else's frame costs; NaN: unknown                  */
@@ -164,13 +164,12 @@ struct plan_falls {
 
 /* One table of all studies, a row for each level and time. */
 struct plan_table {
-    struct plan_settings columns;  /* names of quantities (dataset.h), as keys; none: a
-                                      plan's studies are printed one by one (study.h)   */
-    struct plan_settings pictures; /* names of studies whose sheets are drawn, as keys */
-    int last;                      /* 1: people see the last time of each study alone   */
-    char *file;                    /* of its CSV and chart; NULL: the plan's name owned */
-    struct plan_settings shown;    /* axis and label: people see levels with these alone */
-    char *note;                    /* below it, or NULL                         owned */
+    struct plan_settings columns; /* names of quantities (dataset.h), as keys; none: a
+                                     plan's studies are printed one by one (study.h)   */
+    int last;                     /* 1: people see the last time of each study alone   */
+    char *file;                   /* of its CSV and chart; NULL: the plan's name owned */
+    struct plan_settings shown;   /* axis and label: people see levels with these alone */
+    char *note;                   /* below it, or NULL                         owned */
 };
 
 /* A chart of all studies, both axes logarithmic: quantities at the last time over another,

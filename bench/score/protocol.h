@@ -107,8 +107,9 @@ enum status protocol_judge(const struct protocol *p,
                            void (*say)(void *context, const struct protocol_verdict *v),
                            void *context);
 
-/* Writes the page; nothing is left of it on failure. STATUS_FILE, STATUS_MEMORY. */
-enum status protocol_page_write(const char *path, const struct protocol *p,
-                                struct message *why);
+/* Writes the tables of the page as CSV: verdicts, places, errors, what `score` says of each
+ * file; nothing is left of it on failure. STATUS_FILE, STATUS_MEMORY. */
+enum status protocol_tables_write(const char *path, const struct protocol *p,
+                                  struct message *why);
 
 #endif

@@ -7,6 +7,7 @@
 
 #include "bench/frames/frames.h"
 #include "bench/score/protocol.h"
+#include "bench/ui/show.h"
 #include "models/reader/scene_file.h"
 
 struct job {
@@ -148,7 +149,8 @@ static enum status run_protocol(const struct command_line *line, const struct jo
     const char *folder = command_value(line, "--protocol"),
                *out = command_value(line, "--out");
     struct protocol p = {.scenes = 0};
-    char path[4096];
+    char page[4096], tables[4096];
+    struct message lack = {""};
     enum status st = STATUS_OK;
 
     if (line->word_count || command_given(line, "--rest"))
@@ -156,12 +158,22 @@ static enum status run_protocol(const struct command_line *line, const struct jo
                         "score --protocol %s: has no SCENE, FRAMES or --rest beside it; "
                         "frames are %s/SCENE/21x21.csv",
                         folder, folder));
-    if (snprintf(path, sizeof path, "%s/protocol.html", folder) >= (int)sizeof path)
+    if (snprintf(page, sizeof page, "%s/protocol.html", folder) >= (int)sizeof page)
         TRY(status_fail(why, STATUS_INPUT, "%.60s...: the path is too long", folder));
+    snprintf(tables, sizeof tables, "%.*scsv", (int)strlen(page) - 4, page);
+    out = out ? out : page;
     TRY(protocol_read(folder, &j->look, &p, why));
-    TRY(protocol_page_write(out ? out : path, &p, why));
+    TRY(protocol_tables_write(tables, &p, why));
     TRY(print_protocol(&p, j->sheet.format));
-    fprintf(stderr, "%s: one page\n", out ? out : path);
+    fflush(stdout);
+    st = show_run((const char *const[]){"protocol", tables, out, NULL}, &lack);
+    if (st == STATUS_LIBRARY) { /* what it printed is there */
+        fprintf(stderr, "%s: %s\n", tables, lack.text);
+        st = STATUS_OK;
+    } else {
+        TRY(st ? status_fail(why, st, "%s", lack.text) : st);
+        fprintf(stderr, "%s: one page\n", out);
+    }
 out:
     protocol_clear(&p);
     return st;
@@ -241,7 +253,8 @@ const struct command score_command = {
         "\n"
         "--protocol DIR takes the frames of one simulator on several scenes and nets, a\n"
         "file a run, DIR/SCENE/NxM.csv on N x M points and NxM-2.csv for a repeat, and\n"
-        "writes one page: errors with bars, order of the step, damping, stiffnesses, the\n"
+        "writes DIR/protocol.csv and one page: errors with bars, order of the step, "
+        "damping, stiffnesses, the\n"
         "clamp, whether finer nets converge and to what, whether two runs agree, whether\n"
         "the sheet passes through itself, and its place among the contestants.\n",
     .examples =

@@ -16,6 +16,7 @@
 #include "bench/harness/motion.h"
 #include "bench/harness/pool.h"
 #include "bench/harness/run.h"
+#include "bench/ui/show.h"
 #include "fem_ref/elastica.h"
 #include "fem_ref/kirchhoff.h"
 #include "models/clock.h"
@@ -1259,6 +1260,7 @@ static enum status run(const struct command_line *line, struct message *why)
         kept_open(o.folder, "stress", "", &p.kept);
     TRY(stress_print(o.folder, &o.choice, &p, why));
     TRY(kept_close(&p.kept, why));
+    show_tell(o.folder);
 out:
     kept_discard(&p.kept);
     return st;

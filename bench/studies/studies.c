@@ -7,6 +7,7 @@
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
 #include "bench/ui/command.h"
+#include "bench/ui/show.h"
 
 /* Tables are plans and the claims on them; that of all statements is of many plans. */
 static const struct table_plan {
@@ -264,6 +265,7 @@ static enum status run_all(const struct asked *all, struct message *why)
         TRY(st);
     }
     TRY(statements_print(s, all->format, stdout));
+    show_tell(all->folder);
 out:
     named_file_list_free(plans, count);
     statements_destroy(s);
@@ -287,6 +289,7 @@ static enum status run(const struct command_line *line, struct message *why)
     if (!a->from)
         TRY(measure(a, why));
     TRY(print(line, a, why));
+    show_tell(a->folder);
 out:
     if (a)
         plan_clear(&a->plan);
@@ -297,7 +300,7 @@ out:
 static const struct command_option options[] = {
     {"--format", TABLE_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false,
-     "folder of result files, plots and pictures\n"
+     "folder of result files and CSV\n"
      "(results/table1, results/study_mesh, ...)"},
     {"--from", "DIR", false, "print again from the result files of an earlier run"},
     {"--quick", NULL, false, "the same on smaller nets and shorter times"},
@@ -333,7 +336,7 @@ const struct command studies_command = {
         "Runs a scene at several levels of one parameter, stores a result file of each\n"
         "and prints from these files how the levels differ, their errors against the\n"
         "truth if there is one, their cost, and whether the paper's statement holds.\n"
-        "CSV, plots and pictures go into the folder. Studies are plans (YAML) with\n"
+        "CSV goes into the folder, which `report` draws. Studies are plans (YAML) with\n"
         "levels. A plan of yours is run and printed in the same way, without a\n"
         "statement; `clothbench help plan` has the keys.\n",
     .examples = "study mesh\nstudy mesh --quick --out mesh\n"

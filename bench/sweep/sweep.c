@@ -197,27 +197,7 @@ out:
     return st;
 }
 
-/* Draws the map; *plot says why there is no picture, which is no harm. */
-static enum status draw(const struct sweep_rows *rows, const char *folder,
-                        struct message *plot, struct message *why)
-{
-    struct chart *chart = NULL;
-    enum status st;
-
-    TRY(sweep_map(rows, &chart, why));
-    if (!chart)
-        return STATUS_OK;
-    st = chart_write(chart, folder, "map", plot);
-    if (st == STATUS_UNSUPPORTED || st == STATUS_LIBRARY)
-        st = STATUS_OK;
-    else if (st != STATUS_OK)
-        *why = *plot;
-out:
-    chart_destroy(chart);
-    return st;
-}
-
-static void print_cost(const struct sweep *s, const char *plot)
+static void print_cost(const struct sweep *s)
 {
     const struct pool *p = &s->pool;
 
@@ -228,11 +208,10 @@ static void print_cost(const struct sweep *s, const char *plot)
                100 * p->seconds / (p->wall * p->hands));
     else
         printf("Nothing was left to run.\n");
-    printf("%s: table.csv, seconds.csv, %s%sa file a case.\n", s->folder.path,
-           s->plan.falls.along ? "falls.csv, " : "",
-           s->plan.map.x && !*plot ? "map.png, " : "");
-    if (*plot)
-        printf("%s\n", plot);
+    printf("%s: table.csv, seconds.csv, %s%sa file a case; clothbench report %s draws "
+           "them.\n",
+           s->folder.path, s->plan.falls.along ? "falls.csv, " : "",
+           s->plan.map.x ? "map.csv, " : "", s->folder.path);
 }
 
 /* Writes tables and map from the files of the cases, and prints a summary. */
@@ -241,7 +220,6 @@ static enum status collect(const struct sweep *s, struct message *why)
     const char *folder = s->folder.path;
     struct sweep_rows rows = {0};
     struct sweep_falls falls = {0};
-    struct message plot = {""};
     enum status st;
 
     TRY(sweep_rows_read(&rows, &s->plan, &s->folder, why));
@@ -249,11 +227,11 @@ static enum status collect(const struct sweep *s, struct message *why)
     TRY(sweep_falls_judge(&falls, &rows));
     if (falls.table)
         TRY(table_save(falls.table, folder, "falls", why));
-    TRY(draw(&rows, folder, &plot, why));
+    TRY(sweep_map(&rows, folder, why));
     if (!s->quiet) {
         sweep_rows_print(&rows, stdout);
         TRY(sweep_falls_print(&falls, stdout));
-        print_cost(s, plot.text);
+        print_cost(s);
         TRY(ferror(stdout) ? STATUS_FILE : STATUS_OK);
     }
     if (falls.grown)
@@ -367,9 +345,10 @@ const struct command sweep_command = {
     .text =
         "Runs every case of a plan, each in a process of its own, judges them by the\n"
         "plan's rules, and writes one result file a case, table.csv with all keys and\n"
-        "measures, and map.png (needs gnuplot). PLAN is feasibility, stability, table4,\n"
-        "refinement, refinement_nets, remedies or a YAML file; the other plans of\n"
-        "`clothbench list plans` have levels and are for `clothbench study`. A case that\n"
+        "measures, and map.csv, the map that `clothbench report` draws. PLAN is\n"
+        "feasibility, stability, table4, refinement, refinement_nets, remedies or a YAML\n"
+        "file; the other plans of `clothbench list plans` have levels and are for\n"
+        "`clothbench study`. A case that\n"
         "dies, hangs or is refused is a row, too. If the plan names a measure that has\n"
         "to fall along an axis (refinement, remedies), falls.csv lists it, and the exit\n"
         "code is 1 where it grows. This plan has two by three cases; `clothbench help\n"

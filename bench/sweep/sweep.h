@@ -3,7 +3,7 @@
  *
  *     plan --> cases --> pool of processes --> a file a case in the folder (sweep_folder.c)
  *                                                            |
- *     table.csv, seconds.csv, falls.csv, map.png, summary <-- rows in memory (sweep_rows.c)
+ *     table.csv, seconds.csv, falls.csv, map.csv, summary <-- rows in memory (sweep_rows.c)
  */
 #ifndef SWEEP_H
 #define SWEEP_H
@@ -11,7 +11,6 @@
 #include "bench/experiment/plan.h"
 #include "bench/harness/pool.h"
 #include "bench/harness/run_result.h"
-#include "bench/ui/chart.h"
 #include "bench/ui/command.h"
 #include "bench/ui/table.h"
 
@@ -23,7 +22,7 @@
  *                      both are sealed and have the case's key (measurement.h): a damaged
  *                      one, and one with another key, is run again
  *   lock               held while a sweep is at work
- *   table.csv, seconds.csv, falls.csv, map.png      made from the cases in the end
+ *   table.csv, seconds.csv, falls.csv, map.csv      made from the cases in the end
  *
  * Other files in the folder are left alone. A link that stands where one of these is to be
  * written is replaced; its target is left alone, too.
@@ -138,11 +137,12 @@ void sweep_falls_clear(struct sweep_falls *f); /* all-zero is allowed */
 /* Prints the table and a sentence; nothing without a table. */
 enum status sweep_falls_print(const struct sweep_falls *f, FILE *file);
 
-/* --- The map (sweep_map.c): labels in colours over two keys or measures, a panel for each
- * value of a third, with the plan's marks on it.
+/* --- The map (sweep_map.c): labels over two keys or measures, a panel for each value of a
+ * third, with the plan's marks on it, as FOLDER/map.csv, which `report` draws.
  *
- * *chart is NULL for a plan that asks for none. STATUS_INPUT: a mark; STATUS_MEMORY. */
-enum status sweep_map(const struct sweep_rows *rows, struct chart **chart,
+ * Writes nothing for a plan without a map. STATUS_INPUT: a mark; STATUS_FILE,
+ * STATUS_MEMORY. */
+enum status sweep_map(const struct sweep_rows *rows, const char *folder,
                       struct message *why);
 
 #endif

@@ -1,5 +1,5 @@
 /* table.c - holds a table, and prints it for machines (CSV after RFC 4180, JSON) and for
- * people (text, Markdown, LaTeX, HTML). */
+ * people (text, Markdown, LaTeX). */
 #define _GNU_SOURCE /* vasprintf */
 #include "bench/ui/table.h"
 
@@ -877,45 +877,12 @@ static void print_latex(const struct table *t, FILE *file)
     fputs("\\end{table}\n", file);
 }
 
-/* --- HTML ----------------------------------------------------------------------------- */
-
-static const char *const html_escaped[128] = {
-    ['&'] = "&amp;", ['<'] = "&lt;", ['>'] = "&gt;", ['"'] = "&quot;", ['\''] = "&#39;"};
-
-void table_html_text(const char *text, FILE *file)
-{
-    print_escaped("", text, "", html_escaped, file);
-}
-
-static void print_html_cell(const struct table *t, const struct table_line *line, int row,
-                            int column, FILE *file)
-{
-    fprintf(file, "<t%c%s>", row == TABLE_HEADERS ? 'h' : 'd',
-            is_right(t, column) ? "" : " class=\"word\"");
-    print_shown(t, line, row, column, file);
-}
-
-static void print_html(const struct table *t, FILE *file)
-{
-    static const struct table_line line = {TABLE_PEOPLE, "<tr>",          "",
-                                           "\n",         print_html_cell, html_escaped};
-
-    fputs("<div class=\"scroll\"><table>\n", file);
-    if (t->caption)
-        print_escaped("<caption>", t->caption, "</caption>\n", html_escaped, file);
-    for (int row = TABLE_HEADERS; row < t->row_count; row++)
-        print_line(t, &line, row, file);
-    fputs("</table></div>\n", file);
-    for (int n = 0; n < t->note_count; n++)
-        print_escaped("<p class=\"soft\">", t->notes[n], "</p>\n", html_escaped, file);
-}
-
 enum status table_print(const struct table *t, enum table_format format, FILE *file)
 {
     static void (*const print[])(const struct table *, FILE *) = {
         [TABLE_TEXT] = print_text,         [TABLE_CSV] = print_csv,
         [TABLE_MARKDOWN] = print_markdown, [TABLE_LATEX] = print_latex,
-        [TABLE_JSON] = print_json,         [TABLE_HTML] = print_html,
+        [TABLE_JSON] = print_json,
     };
 
     if (!t || t->failed)

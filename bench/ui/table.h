@@ -1,5 +1,5 @@
 /* table.h - data of results in named columns: the one way out for people (aligned text,
- * Markdown, LaTeX), for machines (CSV, JSON) and to charts (chart.h).
+ * Markdown, LaTeX), for machines (CSV, JSON) and, as CSV, to charts.
  *
  * A table is filled row by row, cell by cell, and printed at the end. Running out of memory
  * on the way is remembered and reported by table_print, so that filling needs no checks:
@@ -22,14 +22,7 @@
 
 #include "models/status.h"
 
-enum table_format {
-    TABLE_TEXT,
-    TABLE_CSV,
-    TABLE_MARKDOWN,
-    TABLE_LATEX,
-    TABLE_JSON,
-    TABLE_HTML /* a <table> for the program's own pages; no value of --format           */
-};
+enum table_format { TABLE_TEXT, TABLE_CSV, TABLE_MARKDOWN, TABLE_LATEX, TABLE_JSON };
 
 /* The values of --format, for tables of options. */
 #define TABLE_FORMATS "text|csv|markdown|latex|json"
@@ -126,10 +119,6 @@ enum status table_json_close(void);
 
 /* Prints a text as JSON, with its quotes. */
 void table_json_string(const char *text, FILE *file);
-
-/* Prints a text for HTML: whatever it contains, it is text there, also in the value of an
- * attribute in double quotes. */
-void table_html_text(const char *text, FILE *file);
 
 /* Writes FOLDER/NAME.csv: a line of keys, a line each row, as many cells in each; no
  * caption and no notes. STATUS_FILE (as output.h), STATUS_MEMORY. */

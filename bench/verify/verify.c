@@ -11,6 +11,7 @@
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
 #include "bench/ui/progress.h"
+#include "bench/ui/show.h"
 #include "bench/ui/table.h"
 
 /* Statics first, then motions, then outside programs and stored truths. */
@@ -359,6 +360,7 @@ enum status verify_run(const struct verify_check *const *known,
     }
     progress_end(&progress);
     TRY(print(job));
+    show_tell(job->folder);
     TRY(tell_failures(job, why));
 out:
     progress_end(&progress);

@@ -7,7 +7,6 @@ import re
 
 import numpy
 
-
 class Exported:
     """A folder of `clothbench export`, in SI units; vertices count from 0.
 
@@ -57,7 +56,6 @@ class Exported:
             [(r["a"], r["b"], r["value"], r["rest_length"]) for r in springs],
             dtype=[("a", int), ("b", int), ("stiffness", float), ("length", float)])
         self.material = {r["quantity"]: float(r["value"]) for r in rows if not r["a"]}
-
 
 def _columns(rows, names):
     return numpy.array([[float(r[c]) for c in names] for r in rows]).reshape(-1, len(names))

@@ -8,7 +8,6 @@ import numpy
 
 Frames = collections.namedtuple("Frames", "t uv xyz")
 
-
 def _checked(t, uv, xyz):
     """The three as arrays of doubles; ValueError with a sentence if they do not fit."""
     t, uv, xyz = (numpy.asarray(a, dtype=float) for a in (t, uv, xyz))
@@ -29,7 +28,6 @@ def _checked(t, uv, xyz):
         raise ValueError("u and v are from 0 to 1; vertices outside the sheet are left out")
     return Frames(t, uv, xyz)
 
-
 def h5py():
     try:
         import h5py as module
@@ -37,13 +35,11 @@ def h5py():
         raise ImportError("an .h5 file needs h5py (Debian: python3-h5py); .npz does not") from None
     return module
 
-
 def _ending(path):
     ending = os.path.splitext(path)[1]
     if ending not in (".npz", ".h5"):
         raise ValueError("%s: the name must end in .npz or .h5" % path)
     return ending
-
 
 def write(path, t, uv, xyz):
     """Writes positions xyz[frames][vertices][3] [m] at t[frames] [s] of the vertices at
@@ -70,7 +66,6 @@ def write(path, t, uv, xyz):
     except BaseException:
         os.remove(aside)
         raise
-
 
 def read(path):
     """Reads what write wrote, as .t, .uv and .xyz."""

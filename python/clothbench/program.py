@@ -8,7 +8,6 @@ import tempfile
 
 from .exported import Exported
 
-
 def find():
     """Returns the program's path; FileNotFoundError with a sentence where there is none."""
     here = os.path.dirname(os.path.realpath(__file__))
@@ -19,7 +18,6 @@ def find():
         raise FileNotFoundError("no program clothbench on the PATH; $CLOTHBENCH may name it")
     return program
 
-
 def run(*words):
     """Returns what `clothbench WORDS...` prints; ValueError with its sentence if it fails."""
     command = [find(), *map(str, words)]
@@ -27,7 +25,6 @@ def run(*words):
     if done.returncode:
         raise ValueError(done.stderr.strip() or "%s failed" % " ".join(command))
     return done.stdout
-
 
 def export(scene, n, m, folder=None, settings=None):
     """Exports a scene on n x m points and returns it as read; into a new folder, if one is named.
@@ -37,7 +34,6 @@ def export(scene, n, m, folder=None, settings=None):
         changes = [w for key, value in (settings or {}).items() for w in ("--set", f"{key}={value}")]
         run("export", scene, "--points", f"{n},{m}", "--out", out, *changes)
         return Exported(out)
-
 
 def score(*words):
     """Returns what `clothbench score WORDS...` finds, a dictionary a scene."""

@@ -10,7 +10,6 @@ from .frames import h5py
 
 Truth = collections.namedtuple("Truth", "t uv xyz bar source")
 
-
 def read(source):
     """Reads the truth of a scene, or of a file, what `truth SCENE --out FILE.h5` wrote or
     `truth SCENE --stored --points 100,100` printed: times .t [K] s, their rms error bars .bar [K]
@@ -23,7 +22,6 @@ def read(source):
             return _read_csv(source, file)
     return _read_csv(source, program.run(
         "truth", source, "--stored", "--points", "100,100").splitlines())
-
 
 def _read_csv(name, lines):
     bars, source, rows = {}, "", []
@@ -46,7 +44,6 @@ def _read_csv(name, lines):
         raise ValueError("%s: is no truth of `clothbench truth SCENE --stored --points N,M`" % name)
     table = table.reshape(len(t), n, 6)
     return Truth(t, table[0, :, 1:3], table[:, :, 3:], numpy.array([bars[k] for k in t]), source)
-
 
 def _read_h5(path):
     with h5py().File(path, "r") as file:

@@ -162,6 +162,23 @@ static void check_without(void)
     plan_clear(&plan);
 }
 
+/* The chart's points stand under the names of its axes, at the last time. */
+static void check_chart(void)
+{
+    struct plan plan =
+        plan_of(PLAN "times: [0.125, 0.25]\ntable: {columns: [drop]}\n"
+                     "chart: {x: \"mesh, [m]\", y: [drop], from: 1, line: [level]}\n");
+    struct study s = study_of(&plan, plan.studies[0].times, 2);
+    char *text = print(&plan, &s, TABLE_CSV);
+
+    free(text);
+    text = fresh_text(folder, "told_chart.csv");
+    CHECK(!strncmp(text, "panel,line,\"mesh, [m]\",|drop - 1|\n", 34));
+    holds(text, "\n,5x5x2,0.5,0.5\n,7x7x2,0.25,0.5\n,9x9x2,0.125,1.5\n", true);
+    free(text);
+    plan_clear(&plan);
+}
+
 static void writes(const struct study_results *d, const char *at, const char *want)
 {
     char *text = NULL;
@@ -206,9 +223,9 @@ int main(int argc, char **argv)
     REQUIRE(argc == 2);
     folder = argv[1];
     fresh_folder(folder);
-    setenv("PATH", "/proc/nowhere", 1); /* no pictures */
     check_truth();
     check_without();
     check_words();
+    check_chart();
     return check_result();
 }

@@ -1,5 +1,5 @@
 /* The verdicts on folders of our own models' frames on small nets: each is turned round by
- * what the folder has, and its word changes. Names in a folder are text of the page, and
+ * what the folder has, and its word changes. Names in a folder are words of its tables, and
  * what is wrong in one is refused. */
 #include <sys/stat.h>
 
@@ -283,14 +283,14 @@ static void write_contestants(void)
     REQUIRE(setenv("CLOTHBENCH_CONTESTANTS", scratch, 1) == 0);
 }
 
-/* Names of files and of the engine are text of the page, whatever they hold. */
+/* Names of files and of the engine are words of the tables, whatever they hold. */
 static void hostile(void)
 {
     static const char name[] = "<script>alert('1')&\"<b>";
-    static char page[200000];
     const struct made fall = {FALL};
     struct protocol p;
     struct message why = {""};
+    struct csv csv;
     char *scene;
 
     fresh();
@@ -302,17 +302,16 @@ static void hostile(void)
     put_text("engine.yaml",
              "name: \"<script>\"\nversion: \"</title><img src=x>\"\nstep: 0.1\n");
     if (!CHECK(protocol_read(".", &look, &p, &why) == STATUS_OK) ||
-        !CHECK(protocol_page_write("page.html", &p, &why) == STATUS_OK)) {
+        !CHECK(protocol_tables_write("protocol.csv", &p, &why) == STATUS_OK)) {
         printf("%s\n", why.text);
         return;
     }
-    FILE *file = fopen("page.html", "r");
-    REQUIRE(file);
-    page[fread(page, 1, sizeof page - 1, file)] = '\0';
-    fclose(file);
-    CHECK(strstr(page, "&lt;script&gt;alert(&#39;1&#39;)&amp;&quot;&lt;b&gt;/4x4.csv"));
-    CHECK(strstr(page, "<h1>&lt;script&gt; &lt;/title&gt;&lt;img src=x&gt;</h1>"));
-    CHECK(!strstr(page, "<script") && !strstr(page, "<img") && strstr(page, "</html>"));
+    REQUIRE(csv_read("protocol.csv", &csv, NULL) == STATUS_OK && csv.count == 4);
+    CHECK(strstr(csv.table[0].caption, "<script> </title><img src=x>: its cloth"));
+    CHECK(csv_column(&csv.table[0], "verdict") == 1 && csv.table[0].rows > 5);
+    CHECK(!strcmp(csv_words_of(&csv.table[2], 0, "file"),
+                  "<script>alert('1')&\"<b>/4x4.csv"));
+    csv_clear(&csv);
     protocol_clear(&p);
 }
 

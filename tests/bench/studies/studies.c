@@ -145,7 +145,6 @@ int main(int argc, char **argv)
     REQUIRE(folder_make("plans", NULL) == STATUS_OK);
     REQUIRE(!setenv("CLOTHBENCH_PLANS", "plans", 1));
     REQUIRE(!setenv("CLOTHBENCH_SCENES", SOURCE_DIR "/models/scenes", 1));
-    REQUIRE(!setenv("PATH", "/proc/nowhere", 1)); /* no pictures */
     write_plans();
     check_refused();
     for (size_t n = 0; n < sizeof done / sizeof *done; n++)

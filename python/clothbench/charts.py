@@ -1,0 +1,269 @@
+"""Draws charts (SVG) and sheets (PNG) as bytes: the only engine for both.
+
+A model has one colour everywhere, a line its label at its end, a truth's error bar is a band, ticks
+are round, and nothing is cut. Infinite numbers and those that do not exist are left out.
+"""
+import io
+import math
+import textwrap
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+
+COLOURS = {"iga": "#2a84c4", "hex": "#555555", "shell": "#d98c00", "mass_spring": "#0a4f8f",
+           "triangles": "#d55e00", "position_based": "#00875f", "projective_dynamics": "#b8529a",
+           "vbd": "#7a6a00"}
+OTHERS = ["#2a84c4", "#d55e00", "#00875f", "#b8529a", "#0a4f8f", "#d98c00", "#7a6a00", "#555555",
+          "#9467bd", "#8c564b", "#17becf", "#e377c2"]
+WORDS = {"feasible": "#2a8a4a", "died": "#1b1b1b", "refused": "#c9c9c9", "degraded": "#e69f00"}
+SIZE, INK, SOFT, PALE = 10, "#1b1f24", "#5c6670", "#e4e8ec"
+LINES_MOST = 10  # in a panel; more of them stand in the next one
+
+plt.rcParams.update({
+    "font.size": SIZE, "font.family": "DejaVu Sans", "svg.fonttype": "none", "svg.hashsalt": "c",
+    "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": SOFT,
+    "axes.labelcolor": INK, "xtick.color": SOFT, "ytick.color": SOFT, "text.color": INK})
+
+def colour_of(label, n=0):
+    """The colour of a model by its name, of a word for how a case ended, else the n-th."""
+    return COLOURS.get(label) or WORDS.get(label) or OTHERS[n % len(OTHERS)]
+
+def saved(figure, kind, description=""):
+    data = io.BytesIO()
+    figure.savefig(data, format=kind,
+                   metadata={"Date": None, "Creator": None, "Description": description or None})
+    plt.close(figure)
+    return data.getvalue()
+
+# --- axes ------------------------------------------------------------------------------------
+
+def words_of(value):
+    """A tick's: 0.001, 20, 5e5."""
+    if value == 0 or 1e-3 <= abs(value) < 1e5:
+        return f"{value:g}"
+    digits, exponent = f"{value:.3e}".split("e")
+    return f"{float(digits):g}e{int(exponent)}"
+
+def is_log(values):
+    return min(values) > 0 and max(values) / min(values) > 20
+
+def ticks(values, log):
+    """(low, high, round ticks) so that all values lie inside, the ends being round numbers."""
+    low, high = min(values), max(values)
+    if log:
+        marks = [s * 10.0 ** n for n in range(math.floor(math.log10(low)) - 1,
+                                              math.ceil(math.log10(high)) + 2) for s in (1, 2, 5)]
+        low = max(m for m in marks if m <= low * (1 + 1e-9))
+        high = min(m for m in marks if m >= high * (1 - 1e-9))
+        marks = [m for m in marks if low <= m <= high]
+        decades = [m for m in marks if f"{m:e}"[0] == "1"]
+        return low, high, marks if len(decades) < 3 else decades[::-(-len(decades) // 7)]
+    span = high - low or abs(high) or 1
+    step = 10.0 ** math.floor(math.log10(span))
+    step *= next((s for s in (0.1, 0.2, 0.25, 0.5, 1, 2) if span / (step * s) <= 6), 2)
+    first, last = math.floor(low / step + 1e-9), math.ceil(high / step - 1e-9)
+    return first * step, max(last, first + 1) * step, [n * step for n in
+                                                       range(first, max(last, first + 1) + 1)]
+
+def set_axis(axis, values, log, tight=False):
+    """Scales an axis so that all values lie inside, or at its ends."""
+    low, high, marks = ticks(values, log)
+    if tight:
+        low, high = min(values), max(values)
+        marks = [m for m in marks if low <= m <= high]
+    axis.axes.set(**{f"{axis.axis_name}scale": "log" if log else "linear"})
+    axis.set_major_locator(FixedLocator(marks))
+    axis.set_minor_locator(NullLocator())
+    axis.set_major_formatter(FuncFormatter(lambda value, _: words_of(value)))
+    margin = (high / low) ** 0.02 if log else 0.02 * (high - low)
+    axis.axes.set(**{f"{axis.axis_name}lim": (low / margin, high * margin) if log else
+                     (low - margin, high + margin)})
+
+def set_words(axis, words):
+    axis.set_major_locator(FixedLocator(range(len(words))))
+    axis.set_minor_locator(NullLocator())
+    axis.set_major_formatter(FuncFormatter(lambda n, _: words[int(n)] if 0 <= n < len(words) else ""))
+    axis.axes.set(**{f"{axis.axis_name}lim": (-0.5, len(words) - 0.5)})
+
+def place_labels(axes, ends):
+    """Writes labels [(x, y, label, colour)] beside the ends of lines, one below the other."""
+    room = SIZE * 1.15 / 72 / PLACE[3]
+
+    def share(x, y):
+        return axes.transAxes.inverted().transform(axes.transData.transform((x, y)))
+
+    wrapped = sorted((*share(x, y)[::-1], "\n".join(textwrap.wrap(label, 24)[:3]), colour)
+                     for x, y, label, colour in ends)
+    heights = [room * (label.count("\n") + 1.15) for _, _, label, _ in wrapped]
+    at, below = [], -0.1
+    for (y, *_), height in zip(wrapped, heights):  # as near to the line's end as those below let
+        at.append(max(y, below + height / 2))
+        below = at[-1] + height / 2
+    above = max(1.05, sum(heights) - 0.1)
+    for n in range(len(at) - 1, -1, -1):
+        at[n] = min(at[n], above - heights[n] / 2)
+        above = at[n] - heights[n] / 2
+    for (y, x, label, colour), place in zip(wrapped, at):
+        axes.plot([x + 0.015, 1.035], [y, place], transform=axes.transAxes, clip_on=False, lw=0.6,
+                  color=colour, alpha=0.5)
+        axes.text(1.045, place, label, transform=axes.transAxes, color=colour, va="center",
+                  fontsize=SIZE - 0.5)
+
+SHAPE, PLACE = (6.1, 3.45), (0.84, 0.5, 3.3, 2.5)  # of a chart, and its axes: left, low, width, height [in]
+
+def new_axes(title, x, y):
+    figure = plt.figure(figsize=SHAPE)
+    axes = figure.add_axes([PLACE[k] / SHAPE[k % 2] for k in range(4)])
+    axes.set(xlabel=x, ylabel=y)
+    axes.set_title("\n".join(textwrap.wrap(title, 66)[:2]), fontsize=SIZE, loc="left", color=SOFT, x=-0.15)
+    axes.grid(color=PALE, lw=0.8)
+    axes.set_axisbelow(True)
+    return figure, axes
+
+# --- charts ----------------------------------------------------------------------------------
+
+def finite(points):
+    return [(x, y) for x, y in points if math.isfinite(x) and math.isfinite(y)]
+
+def lines(title, x, y, drawn, bar=None, others=(), joined=True, real_time=None, description=""):
+    """A chart of lines [(label, colour or None, [(x, y)])]; `bar` is the height of the truth's band,
+    `others` are open points of the same form. None: there is nothing to draw."""
+    drawn = [(label, colour, sorted(finite(points))) for label, colour, points in drawn]
+    drawn = [line for line in drawn if line[2]]
+    everything = [p for _, _, points in drawn + list(others) for p in finite(points)]
+    if not drawn:
+        return None
+    xs, ys = ([p[k] for p in everything] for k in (0, 1))
+    ys += [bar] if bar else []
+    figure, axes = new_axes(title, x, y)
+    log = [is_log(xs), is_log(ys)]
+    set_axis(axes.xaxis, xs, log[0])
+    set_axis(axes.yaxis, ys, log[1])
+    if bar:
+        axes.axhspan(axes.get_ylim()[0], bar, color="#c9cfd6", alpha=0.55, lw=0)
+        tall = axes.transAxes.inverted().transform(axes.transData.transform((xs[0], bar)))[1] > 0.1
+        axes.text(0.02, bar, "truth’s error bar", transform=axes.get_yaxis_transform(),
+                  va="top" if tall else "bottom", fontsize=SIZE - 1.5, color=SOFT)
+    if real_time and axes.get_xlim()[0] < real_time < axes.get_xlim()[1]:
+        axes.axvline(real_time, color=SOFT, lw=0.9, ls=(0, (5, 3)))
+        axes.text(real_time, 0.99, "real time ", transform=axes.get_xaxis_transform(), ha="right",
+                  va="top", fontsize=SIZE - 1.5, color=SOFT)
+    for _, colour, points in others:
+        axes.plot(*zip(*finite(points)), "o", ms=2.5, mfc="none", mec=colour, alpha=0.35)
+    ends = []
+    for n, (label, colour, points) in enumerate(drawn):
+        colour = colour or colour_of(label, n)
+        axes.plot(*zip(*points), "o-" if joined else "o", ms=3.5, lw=1.6, color=colour)
+        ends.append((*points[-1], label, colour))
+    place_labels(axes, [end for end in ends if end[2]])
+    return saved(figure, "svg", description)
+
+def edges(places, log):
+    """Half-way lines between places of cells, and beyond the ends as far as the next line."""
+    at = np.log(places) if log else np.array(places, float)
+    middle = (at[1:] + at[:-1]) / 2
+    ends = np.concatenate([[2 * at[0] - middle[0]], middle, [2 * at[-1] - middle[-1]]]) \
+        if len(at) > 1 else np.array([at[0] - 0.5, at[0] + 0.5])
+    return np.exp(ends) if log else ends
+
+def coded(values):
+    """([number], words or None): words stand at 0, 1, ..."""
+    words = list(dict.fromkeys(values))
+    try:
+        return [float(v) for v in values], None
+    except ValueError:
+        return [float(words.index(v)) for v in values], words
+
+def classes(title, x, y, cases, marks=()):
+    """A map of cases [(x, y, label)], as words; cells where they lie on a grid. Marks are
+    [(x, y, words)]. None: there is nothing to draw."""
+    cases = [c for c in cases if c[0] not in ("", "nan", "inf") and c[1] not in ("", "nan", "inf")]
+    if not cases:
+        return None
+    at, words = zip(*(coded([c[k] for c in cases]) for k in (0, 1)))
+    places = [sorted(set(values)) for values in at]
+    log = [not words[k] and is_log(places[k]) for k in (0, 1)]
+    grid = len(cases) == len(places[0]) * len(places[1]) or max(map(len, places)) <= 24
+    figure, axes = new_axes(title, x, y)
+    limits = [edges(p, g) for p, g in zip(places, log)]
+    count = {}
+    for label in (c[2] for c in cases):
+        count[label] = count.get(label, 0) + 1
+    colours = {label: colour_of(label, n) for n, label in enumerate(sorted(count))}
+    for k, axis in enumerate((axes.xaxis, axes.yaxis)):
+        if words[k]:
+            set_words(axis, words[k])
+        else:
+            set_axis(axis, list(limits[k]) if grid else places[k], log[k], grid)
+    if grid:
+        sides = [{p: (a, b) for p, a, b in zip(places[k], limits[k], limits[k][1:])} for k in (0, 1)]
+        boxes = [[(x0, y0), (x1, y0), (x1, y1), (x0, y1)] for cx, cy in zip(*at)
+                 for (x0, x1), (y0, y1) in [(sides[0][cx], sides[1][cy])]]
+        axes.add_collection(PolyCollection(boxes, facecolors=[colours[c[2]] for c in cases],
+                                           edgecolors="white", linewidths=0.8))
+    else:
+        axes.scatter(*at, c=[colours[c[2]] for c in cases], s=22, marker="s")
+    for mx, my, text in marks:
+        axes.plot(float(mx), float(my), "o", ms=4, mfc="white", mec="black")
+        axes.annotate(text, (float(mx), float(my)), xytext=(4, 3), textcoords="offset points",
+                      fontsize=SIZE - 2)
+    for n, (label, uses) in enumerate(sorted(count.items(), key=lambda c: -c[1])):
+        axes.text(1.04, 1 - 0.085 * n, "■ " + textwrap.shorten(f"{label}: {uses}", 28),
+                  transform=axes.transAxes, color=colours[label], va="top", fontsize=SIZE - 1)
+    return saved(figure, "svg")
+
+# --- sheets ----------------------------------------------------------------------------------
+
+TURN, TILT = 0.6, 0.35  # about z, then towards the eye [rad]
+WIDTH, HEIGHT = 280, 240  # of a picture [pixels]
+LIGHT = np.array([0.35, -0.5, 0.79])
+
+def seen(xyz):
+    """Points as (across, up, depth) of the picture's plane."""
+    x, y, z = np.moveaxis(xyz, -1, 0)
+    along, away = x * np.cos(TURN) - y * np.sin(TURN), x * np.sin(TURN) + y * np.cos(TURN)
+    return np.stack([along, z * np.cos(TILT) + away * np.sin(TILT),
+                     z * np.sin(TILT) - away * np.cos(TILT)], -1)
+
+def faces(sheet):
+    """Corners [n, 4, 3] of the quadrilaterals of a sheet [v, u, 3]."""
+    return np.stack([sheet[:-1, :-1], sheet[:-1, 1:], sheet[1:, 1:], sheet[1:, :-1]],
+                    2).reshape(-1, 4, 3)
+
+def shaded(corners, colour):
+    """A colour each, by how much light falls on it; the two sides of a sheet look alike."""
+    normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    size = np.linalg.norm(normal, axis=1, keepdims=True)
+    light = np.abs((normal / np.where(size > 0, size, 1)) @ LIGHT)[:, None]
+    base = 255 * np.array(matplotlib.colors.to_rgb(colour))
+    return np.clip(base * (0.62 + 0.45 * light) + 85 * light ** 3, 0, 255).astype(int)
+
+def sheets(fields):
+    """A picture each of fields [(colour, xyz [sheet, v, u, 3])], all in one view and scale."""
+    from PIL import Image, ImageDraw
+    fields = [(colour, xyz if np.isfinite(xyz).all() else xyz[:0]) for colour, xyz in fields]
+    flat = [seen(xyz)[..., :2].reshape(-1, 2) for _, xyz in fields if len(xyz)]
+    if not flat:
+        return []
+    low, high = np.concatenate(flat).min(0), np.concatenate(flat).max(0)
+    unit = max((high - low)[0] / (WIDTH - 12), (high - low)[1] / (HEIGHT - 12), 1e-9)
+    size = [int(n) for n in np.ceil((high - low) / unit) + 12]
+    made = []
+    for colour, xyz in fields:
+        corners = np.concatenate([faces(sheet) for sheet in xyz] or [np.zeros((0, 4, 3))])
+        plane = seen(corners)
+        at = 2 * ((plane[:, :, :2] - low) / unit + 6)  # twice as fine, for smooth edges
+        at[:, :, 1] = 2 * size[1] - at[:, :, 1]
+        places, paint = at.reshape(-1, 8).tolist(), [tuple(c) for c in shaded(corners, colour).tolist()]
+        picture = Image.new("RGB", (2 * size[0], 2 * size[1]), "white")
+        draw = ImageDraw.Draw(picture)
+        for n in plane[:, :, 2].mean(1).argsort():  # the far ones first
+            draw.polygon(places[n], fill=paint[n], outline=paint[n])
+        data = io.BytesIO()
+        picture.reduce(2).quantize(64, Image.FASTOCTREE).save(data, "PNG")
+        made.append(data.getvalue())
+    return made

@@ -1,0 +1,492 @@
+"""Makes one page from a folder of results: pictures, speed against error, statements, all else."""
+import base64
+import os
+import pathlib
+import re
+from dataclasses import dataclass, field
+
+import jinja2
+import numpy as np
+
+from . import charts, results
+from .results import Bad, number
+
+PAGE_MOST, PICTURES_MOST, ROWS_MOST, CELLS_MOST = 5_000_000, 2_600_000, 150, 600_000  # bytes, rows
+RUNS_MOST, TIMES_MOST, MOTIONS_MOST = 8, 4, 900_000
+FOLDERS_MOST, FILES_MOST = 400, 400
+
+# The paper's figures: number, the folder of the study, the names of its files, the times [s] at
+# which the paper shows them (none: those of the files), and what it shows.
+FIGURES = [
+    ("6", "study_fig6", ["fig6_springs", "fig6_projective", "fig6_plate", "fig6_shell_nonlinear"],
+     [0.5, 1, 1.5, 2], "mass-spring, projective dynamics and the plate, two corners held"),
+    ("7", "study_drops", ["edge_*"], [0.5, 1.5, 2, 3.25, 3.5, 4.25],
+     "an edge held: the sheet falls, swings through, and back"),
+    ("8", "study_drops", ["corners_*"], [0.5, 1.5, 2, 3.25, 3.5, 4.25], "two corners held"),
+    ("9", "study_contact", ["contact_printed", "contact_incremental", "contact_shell",
+                            "contact_springs", "contact_projective"], [],
+     "a sheet falls onto the ground, a corner first"),
+    ("10", "study_thickness", ["printed_1*", "printed_2*", "printed_5*"], [],
+     "a cloak of 1, 2 and 5 mm"),
+    ("12", "study_mesh", ["corners_*", "edge_*"], [1.025], "nets of 5, 10, 15 and 20 points a side"),
+    ("13", "study_degree", ["corners_*", "edge_*"], [1.7], "degrees 2, 3 and 4 on one net"),
+    ("14", "study_mesh-degree", ["corners_*", "edge_*"], [1.025, 1.7], "net and degree together"),
+    ("15", "study_flag", ["flag_*"], [0.75, 1, 2.075], "a flag sinks"),
+    ("16", "study_artefacts", ["flag_*", "drop_*"], [],
+     "normal, super-elongation, floating, penetration"),
+]
+RUN_KEYS = ("title", "contestant", "model", "seconds", "worst_rmse_over_length", "front")
+CLAIM_KEYS = ("claim", "verdict", "sentence")
+
+@dataclass
+class Strip:
+    """Pictures of one run, [(address, words below)]."""
+    label: str
+    pictures: list
+
+@dataclass
+class Part:
+    id: str
+    title: str
+    words: list = field(default_factory=list)
+    trouble: list = field(default_factory=list)
+    quick: bool = False
+    made: str = ""
+    charts: list = field(default_factory=list)  # [(address, words)]
+    strips: list = field(default_factory=list)
+    tables: list = field(default_factory=list)
+    claims: list = field(default_factory=list)
+
+# --- words -----------------------------------------------------------------------------------
+
+UNITS = {"s": "s", "ms": "ms", "m": "m", "pa": "Pa", "percent": "%", "degrees": "degrees", "l": "L",
+         "b": "B", "rad_per_s": "rad/s", "m_per_s": "m/s", "m_per_s2": "m/s²", "m2_per_s2": "m²/s²",
+         "kg_per_m3": "kg/m³"}
+UNIT = re.compile("(.*?[^_0-9])(?<!_and)_(" + "|".join(sorted(UNITS, key=len, reverse=True)) + ")$")
+
+def head(key):
+    """A column's, from its key: rmse_over_length_0.1_s is RMSE / length 0.1 [s]."""
+    found = UNIT.match(key)
+    name = (found[1] if found else key).replace("_over_", " / ").replace("_", " ")
+    return re.sub("^rmse", "RMSE", name) + (f" [{UNITS[found[2]]}]" if found else "")
+
+def short(words):
+    """A number to four digits, other words as they are."""
+    if len(words) < 7:
+        return words
+    value = number(words)
+    return words if value != value else f"{value:.4g}"
+
+def is_number(words):
+    return number(words) == number(words)
+
+def tone(words):
+    return {"holds": "yes", "met": "yes", "accurate": "yes", "does not hold": "no", "MISSED": "no",
+            "died": "no"}.get(words, "")
+
+def filled(table):
+    """The keys of columns in which something stands."""
+    return [k for k in table.keys if any(r[k] for r in table.rows)] or table.keys
+
+def round2(value):
+    return f"{float(f'{value:.1e}'):.15g}"
+
+def counted(rows, first, second, caption):
+    """How many rows have each pair of words, as a table."""
+    seconds = list(dict.fromkeys(r[second] for r in rows))
+    return results.Table(caption, ["", *seconds], [
+        {"": name, **{s: str(sum((r[first], r[second]) == (name, s) for r in rows)) for s in seconds}}
+        for name in dict.fromkeys(r[first] for r in rows)])
+
+def address(data, kind):
+    return f"data:image/{kind};base64,{base64.b64encode(data).decode()}"
+
+# --- charts of tables ------------------------------------------------------------------------
+
+def best(rows):
+    """Of each model the contestant that is first to 1 %, else the nearest: [(seconds or inf, lowest
+    error, title, model, contestant)], best first."""
+    found = {}
+    for r in rows:
+        seconds, error = number(r["seconds"]), number(r["worst_rmse_over_length"])
+        if seconds > 0 and error > 0:
+            near, low = found.get(r["contestant"], (float("inf"), float("inf"), None))[:2]
+            found[r["contestant"]] = (min(near, seconds if error <= 0.01 else near), min(low, error),
+                                      r["title"], r["model"], r["contestant"])
+    models = {}
+    for one in sorted(found.values()):
+        models.setdefault(one[3], one)
+    return list(models.values())
+
+def bar_of(table, scene):
+    """The truth's largest error bar over the length at the times of a table of runs, or None."""
+    given = [number(r.get("bar_over_length")) for r in table.rows] + [
+        number(v) for r in table.rows if not r["contestant"] for k, v in r.items()
+        if k.startswith("rmse_over_length")]
+    known = [v for v in given if v > 0]
+    return max(known) if known else None
+
+def speed_chart(table, title, everything=True):
+    """Error over seconds, a line for the best contestant of each model."""
+    bar = bar_of(table, title)
+
+    def points(rows):
+        return [(number(r["seconds"]), 100 * number(r["worst_rmse_over_length"])) for r in rows
+                if number(r["seconds"]) > 0 and number(r["worst_rmse_over_length"]) > 0]
+
+    drawn, others = [], []
+    for _, _, name, model, who in best(table.rows):
+        rows = [r for r in table.rows if r["contestant"] == who]
+        drawn.append((name, charts.colour_of(model), points([r for r in rows if r["front"] == "1"])))
+        others.append((name, charts.colour_of(model), points([r for r in rows if r["front"] != "1"])))
+    return charts.lines(title, "seconds of work, one thread", "RMSE / length [%]", drawn,
+                        bar and 100 * bar, others if everything else ())
+
+def line_charts(table, title):
+    """Charts of a table with panel, line, x and y: a line's words may name a model."""
+    x, y = table.keys[2:4]
+    made = []
+    for panel in dict.fromkeys(r["panel"] for r in table.rows):
+        rows = [r for r in table.rows if r["panel"] == panel]
+        names = list(dict.fromkeys(r["line"] for r in rows))
+        words = panel or title
+        for begin in range(0, len(names), charts.LINES_MOST):
+            part = names[begin:begin + charts.LINES_MOST]
+            made.append((charts.lines(words, x, y, [
+                (name, charts.colour_of(name, begin + n), [(number(r[x]), number(r[y])) for r in rows
+                                                           if r["line"] == name])
+                for n, name in enumerate(part)]), words))
+    return made
+
+def map_charts(table, title):
+    """Maps of a table with panel, label, x, y and mark."""
+    x, y = table.keys[2:4]
+    made = []
+    for panel in dict.fromkeys(r["panel"] for r in table.rows if not r["mark"]):
+        rows = [r for r in table.rows if r["panel"] in (panel, "*") or not r["panel"]]
+        words = panel or title
+        made.append((charts.classes(words, x, y, [(r[x], r[y], r["label"]) for r in rows
+                                                  if not r["mark"]],
+                                    [(r[x], r[y], r["mark"]) for r in rows if r["mark"]]), words))
+    return made
+
+def time_chart(table, title, key, bar=None):
+    """Errors over time in per cent of the length, a line for each file or level."""
+    of = next((k for k in ("file", "level", "model") if k in table.keys), None)
+    names, name = {}, ""
+    for r in table.rows:
+        name = (r[of] or name) if of else ""
+        names.setdefault(name, []).append((number(r["time_s"]), 100 * number(r[key])))
+    bars = {number(r["time_s"]): 100 * number(r[bar]) for r in table.rows} if bar else {}
+    drawn = [(n, None, points) for n, points in names.items() if n != "truth"]
+    drawn += [("truth’s error bar", charts.SOFT, list(bars.items()))] if bars else []
+    return charts.lines(title, "time [s]", "error / length [%]", drawn[-charts.LINES_MOST:])
+
+def charts_of(table, title):
+    """[(SVG, words)] of what a table can show."""
+    words = table.caption or title
+    if table.keys[:2] == ["panel", "line"] and len(table.keys) >= 4:
+        made = line_charts(table, title)
+    elif table.keys[:2] == ["panel", "label"] and len(table.keys) == 5:
+        made = map_charts(table, title)
+    elif table.has(*RUN_KEYS):  # those stand together, before all parts
+        made = []
+    elif table.has("level", "stepping_s", "to_finest_over_length"):
+        y = "error_over_length" if any(r.get("error_over_length") for r in table.rows) else \
+            "to_finest_over_length"
+        last = {r["level"]: r for r in table.rows if r["level"] != "truth" and number(r[y]) > 0}
+        made = [(charts.lines(words, "seconds of stepping",
+                              "error / length" if y[0] == "e" else "distance from the finest / length",
+                              [(level, None, [(number(r["stepping_s"]), number(r[y]))])
+                               for level, r in last.items()][:charts.LINES_MOST],
+                              number(table.rows[-1].get("error_bar_over_length"))
+                              if y[0] == "e" and number(table.rows[-1].get("error_bar_over_length")) > 0
+                              else None), words)]
+    elif table.has("time_s", "error_bar_over_length") and "growth" in table.keys:
+        made = [(time_chart(table, words, "error_bar_over_length"), words)]
+    elif table.has("file", "time_s", "error", "bar"):
+        made = [(time_chart(table, words, "error", "bar"), words)]
+    else:
+        made = []
+    return [(address(svg, "svg+xml"), words) for svg, words in made if svg]
+
+# --- pictures of runs ------------------------------------------------------------------------
+
+class Room:
+    """The bytes of pictures that a page has left, and the files whose pictures found none."""
+
+    def __init__(self):
+        self.left, self.without = PICTURES_MOST, []
+
+def label_of(run, prefix=""):
+    name = run.name.removeprefix(prefix).replace("_", " ").strip()
+    points = run.points.removesuffix("x1")
+    return f"{name}: {run.title or run.model}{', ' + points + ' points' if points else ''}"
+
+def by_number(file):
+    """Sorts files by name, and the numbers in it by size."""
+    return [int(n) if n.isdigit() else n for n in re.split(r"(\d+)", file.name)]
+
+def strips(files, times, room, trouble, prefix=""):
+    """A row of pictures for each result file, all in one view and scale."""
+    runs = []
+    for file in files[:RUNS_MOST]:
+        try:
+            run = results.run(file, TIMES_MOST, times)
+            if run:
+                runs.append(run)
+        except Bad as bad:
+            trouble.append(str(bad))
+    fields = [(charts.colour_of(run.model), xyz) for run in runs for xyz in run.xyz]
+    made = charts.sheets(fields)
+    size = sum(map(len, made)) * 4 // 3
+    if size > room.left:
+        room.without += [run.name for run in runs]
+        return []
+    room.left -= size
+    pictures = iter(made)
+    return [Strip(label_of(run, prefix), [(address(next(pictures), "png"), f"{t:g} s")
+                                          for t in run.time]) for run in runs] if made else []
+
+def figures(top, room):
+    """The paper's figures, recomputed, as far as the folder has them."""
+    made = []
+    for number_, folder, names, times, words in FIGURES:
+        place, trouble = top / folder, []
+        files = [f for name in names for f in sorted(place.glob(name + ".h5"), key=by_number)]
+        files = [f for f in files if "better" not in f.name]
+        begins = {f.name.split("_")[0] + "_" for f in files}
+        shown = strips(files, times, room, trouble, begins.pop() if len(begins) == 1 else "")
+        if shown or trouble:
+            made.append(Part(f"figure{number_}", f"Fig. {number_}: {words}", trouble=trouble,
+                             strips=shown, quick=(place / "quick.txt").exists()))
+    return made
+
+# --- what a folder holds ---------------------------------------------------------------------
+
+def listed(top):
+    """[(name, folder, [file])] of a folder and those in it, by name; links are not followed."""
+    found, ahead = [], [(pathlib.Path(top), "")]
+    while ahead and len(found) < FOLDERS_MOST:
+        folder, name = ahead.pop(0)
+        try:
+            with os.scandir(folder) as entries:
+                entries = sorted(entries, key=lambda e: e.name)
+        except OSError as error:
+            found.append((name, folder, [], [f"{folder}: {error.strerror}"]))
+            continue
+        files = [folder / e.name for e in entries if not e.is_dir(follow_symlinks=False)]
+        found.append((name, folder, files, []))
+        ahead += [(folder / e.name, f"{name}/{e.name}".strip("/")) for e in entries
+                  if e.is_dir(follow_symlinks=False) and name.count("/") < 2 and e.name[0] != "."]
+    return found
+
+def read_tables(part, files):
+    """Adds the tables of files to a part, and their charts; statements and runs go to their lists."""
+    for file in files:
+        try:
+            found = results.tables(file)
+        except Bad as bad:
+            part.trouble.append(str(bad))
+            continue
+        part.made = part.made or found[0].made
+        part.quick |= "--quick" in part.made
+        for table in found:
+            if table.has(*CLAIM_KEYS):
+                part.claims += table.rows
+                continue
+            if table.keys[:1] != ["panel"]:
+                part.tables.append(table)
+            part.charts += charts_of(table, part.title)
+
+def summaries(part):
+    for table in list(part.tables):
+        if table.has("check", "verdict"):
+            part.tables.insert(0, counted(table.rows, "check", "verdict",
+                                          "The number of comparisons of each check, by verdict"))
+        elif table.has("case", "model", "end"):
+            part.tables.insert(0, counted(table.rows, "model", "end", "How the runs of each ended"))
+
+def parts_of(top, room):
+    """A part for each file of tables in the folder itself, and for each folder in it."""
+    made = []
+    for name, folder, files, trouble in listed(top):
+        tables = [f for f in files if f.suffix == ".csv"][:FILES_MOST]
+        runs = sorted((f for f in files if f.suffix == ".h5"), key=by_number)
+        if not name:
+            groups = [(f.stem, [f], []) for f in tables] + ([("runs", [], runs)] if runs else [])
+        else:
+            printed = [f for f in tables if f.name == "printed.csv"]
+            own = [f for f in tables if f.stem.endswith("chart") or f.name == "map.csv"]
+            groups = [(name, printed + own if printed else tables, runs)]
+        for title, of, h5 in groups:
+            part = Part(re.sub(r"\W", "_", title), title.replace("_", " "), trouble=list(trouble),
+                        quick=(folder / "quick.txt").exists())
+            read_tables(part, of)
+            summaries(part)
+            if h5 and folder.name not in {f[1] for f in FIGURES}:
+                shown = {re.sub(r"(_\d+(x\d+)*)+$", "", f.stem): f for f in h5}  # the largest of each kind
+                shown = list(shown.values()) if len(shown) > 1 else h5
+                part.strips = strips(shown, None, room, part.trouble)
+                if part.strips and len(part.strips) < len(h5):
+                    part.words.append(f"Pictures of {len(part.strips)} of {len(h5)} result files.")
+            if part.tables or part.charts or part.strips or part.claims or part.trouble:
+                made.append(part)
+    return made
+
+# --- what it says ----------------------------------------------------------------------------
+
+def statements_of(parts):
+    """The paper's statements, each once, by section; those of ours have no source."""
+    found = {}
+    for part in parts:
+        for r in part.claims:
+            if r.get("source", "-"):
+                found.setdefault((r.get("source", ""), r["claim"], r.get("reading", "")),
+                                 r | {"quick": part.quick, "part": part})
+    def order(r):
+        return [int(n) for n in re.findall(r"\d+", r.get("source", ""))]
+    return sorted(found.values(), key=order)
+
+def said_of_statements(rows):
+    count = {word: sum(r["verdict"] == word for r in rows) for word in ("holds", "does not hold")}
+    left = len(rows) - sum(count.values())
+    return (f"Of the paper’s {len(rows)} statements on which there are runs here, {count['holds']} hold "
+            f"and {count['does not hold']} do not" + (f"; {left} cannot be judged from these runs."
+                                                      if left else ".")) if rows else \
+        "No statement of the paper was judged yet: clothbench table paper"
+
+def said_of_speed(table):
+    if not table:
+        return "Speed against error was not measured: clothbench compare edge_drop"
+    first = [one for one in best(table.rows) if one[0] < float("inf")]
+    if not first:
+        return "No run of edge_drop comes within 1 % of the length."
+    more = f"; the next model, {first[1][2]}, takes {round2(first[1][0] / first[0][0])} times as long" \
+        if len(first) > 1 else ""
+    return (f"The least time to an error of 1 % of the length on edge_drop is {round2(first[0][0])} s, "
+            f"by {first[0][2]}{more}.")
+
+def said_of_checks(tables):
+    words = [r["verdict"] for t in tables if t.has("check", "verdict") for r in t.rows]
+    return (f"Of the results that claim an accuracy and were compared with closed forms and other "
+            f"programs, {words.count('met')} have it and "
+            f"{words.count('MISSED') + words.count('died')} do not.") if words else \
+        "Nothing was compared with closed forms: clothbench verify"
+
+def speeds_of(parts):
+    """[(scene, table)] of what was compared, edge_drop first."""
+    found = {}
+    for part in parts:
+        for table in part.tables:
+            if table.has(*RUN_KEYS):
+                scene = re.match(r"Every run on (\w+)", table.caption)
+                scene = scene[1] if scene else part.title.split("/")[-1].replace("compare ", "", 1)
+                found.setdefault(scene.replace(" ", "_"), table)
+    found = {"edge_drop" if scene == "compare" else scene: table for scene, table in found.items()}
+    return sorted(found.items(), key=lambda s: (s[0] != "edge_drop", s[0]))
+
+def speed_part(speeds):
+    part = Part("speed", "Speed against error")
+    part.words = ["A line for each model: its best contestant on finer and finer nets with shorter and "
+                  "shorter steps. Lower is more accurate, further left is faster."]
+    for scene, table in speeds:
+        svg = speed_chart(table, scene, everything=scene == "edge_drop")
+        part.charts += [(address(svg, "svg+xml"), f"{scene}: error over seconds of work")] if svg else []
+    return part
+
+# --- the page --------------------------------------------------------------------------------
+
+def fit(parts):
+    """Cuts tables to the room of a page, and says what was left out."""
+    room = CELLS_MOST
+    for part in parts:
+        for table in part.tables:
+            size = sum(len(cell) + 10 for r in table.rows[:ROWS_MOST] for cell in r.values())
+            most = ROWS_MOST if size <= room else 10
+            room -= min(size, room)
+            if len(table.rows) > most:
+                table.notes.insert(0, f"{len(table.rows) - most} more rows are in the file.")
+                del table.rows[most:]
+    return parts
+
+def rendered(**what):
+    env = jinja2.Environment(loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent),
+                             autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    env.filters |= {"head": head, "short": short, "tone": tone, "filled": filled}
+    env.tests["number"] = is_number
+    return env.get_template("page.html.j2").render(**what)
+
+def write(path, text):
+    """The whole file or none; an earlier one stays until then."""
+    path = pathlib.Path(path)
+    aside = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        aside.write_text(text, errors="replace")
+        os.replace(aside, path)
+    except OSError as error:
+        aside.unlink(missing_ok=True)
+        raise Bad(f"{path}: cannot be written: {error.strerror}") from None
+
+def motions_of(top):
+    """Motions to play: the files of FOLDER/run_SCENE, as 16-bit numbers, centred and to one scale;
+    of longer runs every n-th frame."""
+    runs, room = [], MOTIONS_MOST
+    files = [f for _, folder, files, _ in listed(top) if folder.name.startswith("run_")
+             for f in files if f.suffix == ".h5"][:RUNS_MOST]
+    for file in files:
+        try:
+            run = results.run(file, most=max(2, room // len(files) // 1152), step=9)
+        except Bad:
+            continue  # its part says so
+        runs += [run] if run else []
+    if not runs:
+        return []
+    flat = np.concatenate([r.xyz[np.isfinite(r.xyz).all((1, 2, 3, 4))].reshape(-1, 3) for r in runs])
+    middle = (flat.min(0) + flat.max(0)) / 2
+    scale = np.abs(flat - middle).max() * 1.25 or 1
+    made = []
+    for run in runs:
+        good = np.isfinite(run.xyz).all((1, 2, 3, 4))
+        xyz = np.concatenate(list(np.moveaxis(run.xyz[good], 1, 0)), 2)  # sheets side by side
+        made.append({"name": f"{run.scene}, {run.name}", "colour": charts.colour_of(run.model),
+                     "time": [t for t, is_good in zip(run.time, good) if is_good],
+                     "rows": xyz.shape[1], "columns": xyz.shape[2],
+                     "cut": run.xyz.shape[3] if run.xyz.shape[1] > 1 else 0,
+                     "data": base64.b64encode((32767 * np.clip((xyz - middle) / scale, -1, 1))
+                                              .astype("<i2").tobytes()).decode()})
+    return [m for m in made if m["time"]]
+
+def protocol(tables):
+    """The text of the page on a simulator, from the tables that `score --protocol` left."""
+    found = results.tables(tables)
+    part = Part("tables", "Tables", made=found[0].made)
+    for table in found[1:]:
+        part.charts += charts_of(table, "errors")
+    part.tables = found[1:]
+    rows, subjects = found[0].rows, list(dict.fromkeys(r["subject"] for r in found[0].rows))
+    return rendered(title=found[0].caption, lead=found[0].notes, parts=fit([part]),
+                    verdicts=[(s, [r for r in rows if r["subject"] == s]) for s in subjects])
+
+def report(folder, links=()):
+    """The text of the page of all results."""
+    top, room = pathlib.Path(folder), Room()
+    pictures = figures(top, room)
+    parts = parts_of(top, room)
+    statements, speeds = statements_of(parts), speeds_of(parts)
+    lead = [said_of_statements(statements), said_of_speed(dict(speeds).get("edge_drop")),
+            said_of_checks([t for p in parts for t in p.tables])]
+    busy = sum("busy" in r["verdict"] for r in statements)
+    if busy:
+        lead.append(f"The machine was busy: {busy} statements on time are not judged.")
+    quick = [p.title for p in parts if p.quick]
+    if quick:
+        lead.append("Quick runs, which measure less well: " + ", ".join(quick) + ".")
+    if room.without:
+        lead.append("There was no room for pictures of: " + ", ".join(room.without[:40]) + ".")
+    for part in parts:
+        part.claims = []
+    return rendered(title="Cloth models on the paper’s scenes and others", folder=str(folder),
+                    lead=lead, pictures=pictures, statements=statements,
+                    speed=speed_part(speeds) if speeds else None, parts=fit(parts),
+                    motions=motions_of(top), links=links)

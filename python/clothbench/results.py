@@ -1,0 +1,210 @@
+"""Reads what commands left in a folder: tables (CSV), and runs and truths (HDF5).
+
+Whoever made a file, reading it does no more than that: only regular files are opened, and no
+links; of HDF5 only numbers that stand in the file itself, in pieces of about a frame; what is no
+finite number is left out of charts.
+"""
+import errno
+import math
+import os
+import pathlib
+import re
+import stat
+import zlib
+from dataclasses import dataclass, field
+
+CSV_MOST, H5_MOST, PIECE_MOST = 64 << 20, 4 << 30, 1 << 20  # bytes, bytes, numbers
+SEAL = "clothbench result file, sealed: "
+
+class Bad(Exception):
+    """A file that cannot be read, with a sentence that names it."""
+
+def opened(path, most):
+    """The regular file at a path, for reading bytes."""
+    try:
+        handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+    except OSError as error:
+        raise Bad(f"{path}: is a symbolic link, which is not followed" if error.errno == errno.ELOOP
+                  else f"{path}: cannot be read: {os.strerror(error.errno)}") from None
+    about = os.fstat(handle)
+    if stat.S_ISREG(about.st_mode) and about.st_size <= most:
+        return os.fdopen(handle, "rb")
+    os.close(handle)
+    raise Bad(f"{path}: has more than {most >> 20} MB" if stat.S_ISREG(about.st_mode) else
+              f"{path}: is no regular file")
+
+# --- tables ----------------------------------------------------------------------------------
+
+@dataclass
+class Table:
+    """Rows {key: words} below a caption; `made` is the line of the command, and notes stand below."""
+    caption: str
+    keys: list
+    rows: list
+    made: str = ""
+    notes: list = field(default_factory=list)
+
+    def has(self, *keys):
+        return all(key in self.keys for key in keys)
+
+def number(words):
+    """A cell's number; NaN where there is none, or it is infinite."""
+    try:
+        value = float(words)
+    except (TypeError, ValueError):
+        return math.nan
+    return value if math.isfinite(value) else math.nan
+
+CELL = re.compile(r'"((?:[^"]|"")*)"|([^",\n]*)')
+
+def cells_of(path, text, at, line):
+    """The cells of the row that begins at text[at], and where and in which line the next begins."""
+    cells = []
+    while True:
+        found = CELL.match(text, at)
+        quoted = found[1] is not None
+        cells.append(found[1].replace('""', '"') if quoted else found[2])
+        line += cells[-1].count("\n")
+        at = found.end()
+        if at == len(text) or text[at] == "\n":
+            return cells, at + 1, line + 1
+        if text[at] != ",":
+            raise Bad(f"{path}, line {line}: a quote has no end, or words behind it")
+        at += 1
+
+def tables(path):
+    """The tables of a CSV file, one below the other. Lines `# ...` above the keys are a caption,
+    those below the rows are notes; an empty line ends a table."""
+    with opened(path, CSV_MOST) as file:
+        data = file.read()
+    if b"\0" in data:
+        raise Bad(f"{path}: has a byte 0")
+    text = data.decode("utf-8", "replace").replace("\r\n", "\n")
+    found, caption, made, table, at, line = [], [], "", None, 0, 1
+    while at < len(text):
+        if text[at] in "\n#":
+            end = text.find("\n", at) % (len(text) + 1)
+            words = text[at + 1:end].strip()
+            if text[at] == "\n":
+                table = None
+            elif table:
+                table.notes.append(words)
+            elif not found and not caption and not made and " | " in words:
+                made = words
+            else:
+                caption.append(words)
+            at, line = end + 1, line + 1
+            continue
+        first = line
+        cells, at, line = cells_of(path, text, at, line)
+        if table is None:
+            table, caption = Table(" ".join(caption), cells, [], made), []
+            found.append(table)
+        elif len(cells) != len(table.keys):
+            raise Bad(f"{path}, line {first}: {len(cells)} cells below {len(table.keys)} keys")
+        else:
+            table.rows.append({key: "" if cell == "nan" else cell  # of older results
+                               for key, cell in zip(table.keys, cells)})
+    if not found:
+        raise Bad(f"{path}: has no table in it")
+    return found
+
+# --- runs and truths -------------------------------------------------------------------------
+
+@dataclass
+class Run:
+    """Positions xyz[frame, sheet, v, u, component] [m] of mid-surfaces at time[frame] [s]; of a
+    truth its error bar [m] at these times."""
+    name: str
+    scene: str
+    model: str
+    title: str
+    points: str
+    length: float
+    time: list
+    xyz: object
+    bar: list
+    note: str
+    text: str
+
+def checked_seal(path, file):
+    """Refuses a file that is no longer what its first line says."""
+    file.seek(0)
+    head, crc, size = file.read(512), 0, 0
+    if not head.startswith(SEAL.encode()):
+        raise Bad(f"{path}: is not a result file of this program (its first line has no seal)")
+    while part := file.read(1 << 20):
+        crc, size = zlib.crc32(part, crc), size + len(part)
+    if head != f"{SEAL}{size} bytes, crc32 {crc:08x}\n".encode().ljust(512, b"\0"):
+        raise Bad(f"{path}: is damaged: it is no longer what its first line says it was")
+    file.seek(0)
+
+def numbers(path, file, name):
+    """A dataset of numbers that stand in the file itself; None: there is none of that name."""
+    import h5py
+    place = file
+    for part in name.split("/"):
+        link = place.get(part, getlink=True)
+        if link is None:
+            return None
+        place = place[part] if isinstance(link, h5py.HardLink) else None
+        if place is None:
+            break
+    if isinstance(place, h5py.Dataset) and 0 in place.shape:
+        return None
+    if (not isinstance(place, h5py.Dataset) or place.dtype.kind not in "fiu" or place.is_virtual or
+            place.external or not 0 < len(place.shape) <= 8 or not place.id.get_storage_size() or
+            place.chunks and math.prod(place.chunks) > max(math.prod(place.shape[1:]), PIECE_MOST)):
+        raise Bad(f"{path}: its {name} are no numbers that stand in the file itself")
+    return place
+
+def run(path, most=12, times=None, step=4):
+    """A run or truth, read at `times`, or at most `most` of its frames, at every `step`-th point;
+    None: it has no positions."""
+    import h5py
+    import numpy
+    path = pathlib.Path(path)
+    with opened(path, H5_MOST) as raw:
+        checked_seal(path, raw)
+        try:
+            with h5py.File(raw, "r") as file:
+                return _run(numpy, path, file, most, times, step)
+        except (OSError, KeyError, ValueError, RuntimeError, TypeError) as error:
+            raise Bad(f"{path}: cannot be read: {error}") from None
+
+def _run(numpy, path, file, most, times, step):
+    xyz, when = numbers(path, file, "xyz"), numbers(path, file, "xyz_time")
+    bar = numbers(path, file, "metrics/error")
+    if xyz is None or when is None or not len(when):
+        return None
+    if xyz.ndim != 5 or xyz.shape[4] != 3 or xyz.shape[0] != len(when):
+        raise Bad(f"{path}: its xyz are {xyz.shape} for {len(when)} times")
+    time = when[:]
+    if times:
+        frames = sorted({int(numpy.abs(time - t).argmin()) for t in times})
+    else:
+        frames = list(range(0, len(time), -(-len(time) // most)))
+
+    def text(key):
+        value = file.attrs.get(key, "")
+        return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+
+    listed = re.search(r"^sheets:\n((?: .*\n)*)", text("scene"), re.M)
+    sheets = max(1, len(re.findall(r"^ +- ", listed[1] if listed else "", re.M)))
+    width = xyz.shape[3] // sheets
+    middle = numpy.array([xyz[n, :, ::step].mean(0) for n in frames])
+    middle = numpy.stack([middle[:, :, s * width:(s + 1) * width:step] for s in range(sheets)], 1)
+    points = re.search(r"discretization\.points=\[([\d,]*)\]", text("discretization"))
+    return Run(path.stem, text("scene_name"), text("model"), text("model_title"),
+               points[1].replace(",", "x") if points else "", float(file.attrs.get("length", 1)),
+               [float(time[n]) for n in frames], middle,
+               [] if bar is None else [float(bar[n]) for n in frames if n < len(bar)],
+               text("note"), text("scene"))
+
+def shared(kind, tree):
+    """A folder that comes with the program: the user's, the installed or the source tree's."""
+    here = pathlib.Path(__file__).resolve().parent
+    named = os.environ.get(f"CLOTHBENCH_{kind.upper()}")
+    installed = here.parents[4] / "share" / "clothbench" / kind
+    return pathlib.Path(named) if named else installed if installed.is_dir() else \
+        here.parents[1] / tree

@@ -1,0 +1,124 @@
+"""Charts hold the data of tables, and pages hold what a folder has; whatever stands in a file is text."""
+import html.parser
+import math
+import pathlib
+import re
+
+import numpy as np
+import pytest
+from test_results import sheet
+
+from clothbench import charts, page, results
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+RUNS = "title,contestant,model,seconds,worst_rmse_over_length,bar_over_length,front\n"
+HOSTILE = "</p></script><script>alert(1)</script><img src=x onerror=alert(2)><!--"
+
+def words_of(svg):
+    return " ".join(re.findall(r"<text[^>]*>([^<]*)<", svg.decode())).replace("\u2212", "-")
+
+def drawn(svg, colour):
+    """How many points of this colour a chart has."""
+    return len(re.findall(rf"<use [^>]*style=\"fill: {colour}", svg.decode()))
+
+def test_lines_leave_out_what_is_no_number():
+    svg = charts.lines("t", "x", "y", [("one", "#112233", [(1, 2), (2, math.inf), (3, math.nan), (4, 5)])])
+    assert drawn(svg, "#112233") == 2 and "one" in words_of(svg)
+    assert charts.lines("t", "x", "y", [("one", None, [(math.nan, 1)])]) is None
+
+@pytest.mark.parametrize("values, want", [
+    ([3, 47], (0, 50)), ([0.0013, 0.8], (0.001, 1)), ([16681.0053720005, 2.1e6], (10000, 5e6)),
+    ([5, 5], (5, 6)),
+])
+def test_ticks_are_round_and_nothing_is_cut(values, want):
+    low, high, marks = charts.ticks(values, charts.is_log(values))
+    assert (low, high) == pytest.approx(want) and low <= min(values) and high >= max(values)
+    assert len(marks) >= 2 and all(len(charts.words_of(m)) <= 6 for m in marks)
+    assert [charts.words_of(v) for v in (0.00025, 1e5, 0.5, 20)] == ["2.5e-4", "1e5", "0.5", "20"]
+
+def test_labels_do_not_overlap():
+    figure, axes = charts.new_axes("t", "x", "y")
+    charts.place_labels(axes, [(0.5, 0.5, f"line {n}", "#000000") for n in range(10)])
+    places = sorted(t.get_position()[1] for t in axes.texts)
+    room = charts.SIZE * 1.1 / 72 / charts.PLACE[3]
+    assert len(places) == 10 and min(np.diff(places)) >= room
+    charts.plt.close(figure)
+
+def table(tmp_path, text, name="t.csv"):
+    (tmp_path / name).write_text(text)
+    return results.tables(tmp_path / name)[0]
+
+def test_speed_has_the_best_of_each_model(tmp_path):
+    t = table(tmp_path, RUNS + "slow,a,iga,9,0.009,0.001,1\nquick,b,iga,1.26,0.01,0.001,1\n"
+              "rough,c,iga,0.1,0.02,0.001,1\nother,d,shell,2.52,0.001,0.001,1\nother,d,shell,3,0.002,0.001,0\n"
+              "far,e,hex,0.2,0.5,0.001,1\nnone,f,vbd,,0.001,0.001,0\n")
+    assert [one[2] for one in page.best(t.rows)] == ["quick", "other", "far"]
+    svg = page.speed_chart(t, "s")
+    assert all(w in words_of(svg) for w in ("quick", "other", "far", "error bar")) and "slow" not in words_of(svg)
+    assert drawn(svg, charts.COLOURS["shell"]) == 1 and page.bar_of(t, "s") == 0.001
+    assert page.said_of_speed(t) == ("The least time to an error of 1 % of the length on edge_drop is 1.3 s, by "
+                                     "quick; the next model, other, takes 2 times as long.")
+
+def test_charts_of_plans_and_maps(tmp_path):
+    t = table(tmp_path, "panel,line,mesh [m],drop\nA,one,0.5,1\nA,one,0.25,2\nA,two,0.5,\nB,two,0.5,3\n")
+    made = page.line_charts(t, "chart")
+    assert [words for _, words in made] == ["A", "B"] and "mesh [m]" in words_of(made[0][0])
+    assert drawn(made[0][0], charts.OTHERS[0]) == 2
+    t = table(tmp_path, "panel,label,x,y,mark\np,feasible,1,mass,\np,died,10,mass,\np,died,100,none,\n*,theirs,5,0,7\n")
+    (svg, words), = page.map_charts(t, "map")
+    assert words == "p" and "died: 2" in words_of(svg) and "mass" in words_of(svg) and "7" in words_of(svg)
+
+def test_pictures_show_what_moves():
+    flat = np.stack(np.meshgrid([0, 1, 2.0], [0, 1, 2.0], [0]), -1)[None, :, :, 0]
+    first, other, gone = charts.sheets([("#3a9bdc", flat), ("#3a9bdc", flat * [1, 1, 0] + [0, 0, 1]),
+                                        ("#3a9bdc", flat * math.nan)])
+    assert len({first, other, gone}) == 3 and len(gone) < len(first)
+
+class Page(html.parser.HTMLParser):
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.events = [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append(tag)
+        self.events += [name for name, _ in attributes if name.startswith("on")]
+
+def test_page_of_others(tmp_path):
+    """A user's own plans, sweeps, compares and runs, one of them damaged, all with odd names."""
+    mine = tmp_path / "study_mine"
+    mine.mkdir()
+    (mine / "printed.csv").write_text(f'# {HOSTILE}\n"{HOSTILE}"\n"{HOSTILE}"\n\n# Sentences of the paper\n'
+                                      f'source,claim,verdict,sentence\n4.1,"{HOSTILE}",holds,x\n,ours,holds,x\n')
+    (mine / "mine_chart.csv").write_text(f'panel,line,"{HOSTILE}",y\n,"{HOSTILE}",1,2\n')
+    (tmp_path / "compare_mine").mkdir()
+    (tmp_path / "compare_mine" / "compare.csv").write_text(RUNS + f'"{HOSTILE}",a,iga,1,0.01,,1\n')
+    (tmp_path / "sweep_bad").mkdir()
+    (tmp_path / "sweep_bad" / "table.csv").write_text("a,b\n1\n")
+    (tmp_path / "run_edge_drop").mkdir()
+    sheet(tmp_path / "run_edge_drop" / "mine.h5", np.random.default_rng(2).random((2, 2, 100, 100, 3)),
+          scene_name=HOSTILE)
+    (tmp_path / "quick.txt").write_text("")
+    (tmp_path / "study_mine" / "away.csv").symlink_to("/etc/passwd")
+    text = page.report(tmp_path)
+    found = Page(text)
+    assert found.tags.count("script") == 2 and not found.events and "alert(1)</script><img" not in text
+    assert found.tags.count("img") >= 4  # both frames, two charts
+    assert "Of the paper’s 1 statements" in text and "line 2: 1 cells below 2 keys" in text
+    assert "root:" not in text and len(text.encode()) < page.PAGE_MOST
+    assert "not measured: clothbench compare edge_drop" in text
+
+def test_page_of_the_program_s_own_results():
+    text = page.report(SOURCE / "doc" / "results")
+    rows = results.tables(SOURCE / "doc" / "results" / "paper.csv")[0].rows
+    verdicts = {r["verdict"] for r in rows}
+    assert {"holds", "does not hold"} <= verdicts and len(text.encode()) < page.PAGE_MOST
+    assert all(page.jinja2.utils.markupsafe.escape(r["claim"]) in text for r in rows)
+
+def test_protocol(tmp_path):
+    (tmp_path / "protocol.csv").write_text(
+        f'# clothbench score --protocol | x\n# "{HOSTILE}": its cloth\nsubject,verdict,tone,sentence\n'
+        f'error,off,bad,"{HOSTILE}"\n# 1 file\n\n# Errors\nfile,vertices,time_s,error,bar,floor\n'
+        f'a,9,0.1,0.01,0.001,0\na,9,0.2,0.02,0.001,0\n')
+    text = page.protocol(tmp_path / "protocol.csv")
+    assert Page(text).tags.count("script") == 0 and "<dt>error</dt>" in text and "<img" in text

@@ -1,0 +1,127 @@
+"""Readers of what others may have made: only regular files, only numbers that stand in a file."""
+import math
+import os
+import zlib
+
+import h5py
+import numpy as np
+import pytest
+
+from clothbench import results
+from clothbench.results import Bad
+
+@pytest.mark.parametrize("text, want", [
+    ("a,b\n1,2\n", [("", ["a", "b"], 1)]),
+    ("# clothbench table 1 | commit x | cpu\n# Table 1\na\n1\n# a note\n\n# next\nb,c\nx,\n",
+     [("Table 1", ["a"], 1), ("next", ["b", "c"], 1)]),
+    ('a,"b ""quoted"", c"\n"two\nlines",nan\n', [("", ["a", 'b "quoted", c'], 1)]),
+])
+def test_tables(tmp_path, text, want):
+    (tmp_path / "t.csv").write_text(text)
+    found = results.tables(tmp_path / "t.csv")
+    assert [(t.caption, t.keys, len(t.rows)) for t in found] == want
+
+def test_cells(tmp_path):
+    (tmp_path / "t.csv").write_text('# clothbench x | y\n# words\na,b\n"two\nlines",nan\n# a note\n')
+    table, = results.tables(tmp_path / "t.csv")
+    assert table.rows == [{"a": "two\nlines", "b": ""}]
+    assert (table.made, table.caption, table.notes) == ("clothbench x | y", "words", ["a note"])
+    assert math.isnan(results.number("inf")) and math.isnan(results.number("-")) and results.number("2") == 2
+
+@pytest.mark.parametrize("data, words", [
+    (b"a,b\n1,2\n\nc,d\n3\n", "line 5: 1 cells below 2 keys"),
+    (b"a\n\0\n", "has a byte 0"),
+    (b'a\n"no end\n', "a quote has no end"),
+    (b"", "no table"),
+    (b"# words alone\n", "no table"),
+])
+def test_bad_tables(tmp_path, data, words):
+    (tmp_path / "t.csv").write_bytes(data)
+    with pytest.raises(Bad, match=words) as bad:
+        results.tables(tmp_path / "t.csv")
+    assert "t.csv" in str(bad.value)
+
+def test_opened(tmp_path):
+    (tmp_path / "there").write_text("a\n1\n")
+    os.symlink("there", tmp_path / "link")
+    os.mkfifo(tmp_path / "pipe")
+    for name, words in {"link": "symbolic link", "pipe": "no regular file", ".": "no regular file",
+                        "none": "No such file"}.items():
+        with pytest.raises(Bad, match=words):
+            results.opened(tmp_path / name, 100)
+    with pytest.raises(Bad, match="more than"):
+        results.opened(tmp_path / "there", 2)
+
+def seal(path):
+    """Writes the first line of a result file."""
+    data = path.read_bytes()[512:]
+    head = f"{results.SEAL}{len(data)} bytes, crc32 {zlib.crc32(data):08x}\n".encode()
+    path.write_bytes(head.ljust(512, b"\0") + data)
+
+def sheet(path, xyz=None, **attributes):
+    """A result file of two frames of a sheet."""
+    with h5py.File(path, "w", userblock_size=512) as file:
+        file["xyz"] = np.zeros((2, 2, 100, 100, 3)) if xyz is None else xyz
+        file["xyz_time"] = [0.0, 0.5]
+        file.attrs.update({"scene_name": "s", "model": "iga", "length": 1.0} | attributes)
+    seal(path)
+
+def test_run(tmp_path):
+    xyz = np.random.default_rng(1).random((2, 2, 100, 100, 3))
+    sheet(tmp_path / "r.h5", xyz, scene="sheets:\n  - origin: [0,0,0]\n  - origin: [0,0,1]\n")
+    run = results.run(tmp_path / "r.h5", times=[0.4])
+    assert run.time == [0.5] and run.xyz.shape == (1, 2, 25, 13, 3)
+    assert np.allclose(run.xyz[0, 1, 2, 3], xyz[1, :, 8, 50 + 12].mean(0))
+
+def test_damaged(tmp_path):
+    path = tmp_path / "r.h5"
+    sheet(path)
+    data = bytearray(path.read_bytes())
+    data[-100] ^= 1
+    path.write_bytes(data)
+    with pytest.raises(Bad, match="damaged"):
+        results.run(path)
+    path.write_bytes(b"no HDF5\n" * 100)
+    with pytest.raises(Bad, match="no seal"):
+        results.run(path)
+    sheet(path, np.zeros((3, 2, 100, 100, 3)))
+    with pytest.raises(Bad, match="for 2 times"):
+        results.run(path)
+
+def link(file, other):
+    file["elsewhere"] = np.zeros((2, 3))
+    file["xyz"] = other
+
+def outside(file):
+    file.create_dataset("xyz", (2, 3), "f8", external=[("/etc/hostname", 0, h5py.h5f.UNLIMITED)])
+
+def virtual(file):
+    layout = h5py.VirtualLayout((2, 3), "f8")
+    layout[:] = h5py.VirtualSource("/tmp/other.h5", "xyz", (2, 3))
+    file.create_virtual_dataset("xyz", layout)
+
+def in_huge_pieces(file):
+    file.create_dataset("xyz", (2, 3), "f8", chunks=(1 << 13, 1 << 10), maxshape=(None, None),
+                        compression=1)[0] = 1
+
+@pytest.mark.parametrize("make", [
+    outside, virtual, in_huge_pieces,
+    lambda file: file.create_dataset("xyz", (2, 3), "f8"),  # never written
+    lambda file: file.create_group("xyz"),
+    lambda file: file.create_dataset("xyz", data=["a", "b"]),
+    lambda file: link(file, h5py.SoftLink("/elsewhere")),
+    lambda file: link(file, h5py.ExternalLink("/tmp/other.h5", "xyz")),
+])
+def test_sets_that_are_not_trusted(tmp_path, make):
+    with h5py.File(tmp_path / "s.h5", "w") as file:
+        make(file)
+    with h5py.File(tmp_path / "s.h5") as file, pytest.raises(Bad, match="stand in the file itself"):
+        results.numbers("s.h5", file, "xyz")
+
+@pytest.mark.parametrize("options", [{}, {"chunks": (1, 3)}, {"chunks": (1, 3), "compression": 1}])
+def test_sets_that_are(tmp_path, options):
+    with h5py.File(tmp_path / "s.h5", "w") as file:
+        file.create_dataset("group/xyz", data=np.ones((2, 3)), **options)
+    with h5py.File(tmp_path / "s.h5") as file:
+        assert results.numbers("s.h5", file, "group/xyz")[:].sum() == 6
+        assert results.numbers("s.h5", file, "none") is None

@@ -205,6 +205,7 @@ def shared(kind, tree):
     """A folder that comes with the program: the user's, the installed or the source tree's."""
     here = pathlib.Path(__file__).resolve().parent
     named = os.environ.get(f"CLOTHBENCH_{kind.upper()}")
-    installed = here.parents[4] / "share" / "clothbench" / kind
-    return pathlib.Path(named) if named else installed if installed.is_dir() else \
-        here.parents[1] / tree
+    if named:
+        return pathlib.Path(named)
+    installed = (above / "share" / "clothbench" / kind for above in here.parents[2:4])
+    return next((folder for folder in installed if folder.is_dir()), here.parents[1] / tree)

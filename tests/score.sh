@@ -69,6 +69,8 @@ refused score edge_drop folded.csv --out x.html
 refused score
 
 echo "0,0,0,0,0,0" >one.csv
+refused score edge_drop "$truths/sphere.h5"
+has err 'is a run of sphere; one of edge_drop'
 refused score edge_drop absent.csv
 refused score one.csv
 refused score none

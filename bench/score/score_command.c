@@ -212,7 +212,7 @@ out:
 
 static const struct command_option options[] = {
     {"--protocol", "DIR", false,
-     "all frames of one simulator, DIR/SCENE/NxM[-REPEAT].csv,\n"
+     "all frames of one simulator, DIR/SCENE/NAME[-REPEAT].csv,\n"
      "on one page"},
     {"--out", "FILE", false, "that page (DIR/protocol.html)"},
     {"--rest", "FILE", false,
@@ -252,9 +252,9 @@ const struct command score_command = {
         "whose files or folders are named like scenes, gives one table of all.\n"
         "\n"
         "--protocol DIR takes the frames of one simulator on several scenes and nets, a\n"
-        "file a run, DIR/SCENE/NxM.csv on N x M points and NxM-2.csv for a repeat, and\n"
-        "writes DIR/protocol.csv and one page: errors with bars, order of the step, "
-        "damping, stiffnesses, the\n"
+         "file a run, DIR/SCENE/NAME.csv, NAME-2.csv for a repeat, NAME-dt0.01 for frames\n"
+         "0.01 s apart, and writes DIR/protocol.csv and one page: errors with bars, order of\n"
+         "the step, damping, stiffnesses, the\n"
         "clamp, whether finer nets converge and to what, whether two runs agree, whether\n"
         "the sheet passes through itself, and its place among the contestants.\n",
     .examples =

@@ -609,11 +609,9 @@ static struct clock best_pace(const struct score *s)
  */
 
 /* A jump is so many times what is left of the distance, and so many times as fast as the
- * lead changes before and after it; it moves the sheet by this share of the length; frames
- * are asked that move at this share of the largest speed. */
+ * lead changes before and after it; it moves the sheet by this share of the length. */
 #define JUMP_TIMES 3
-#define JUMP_LEAST 0.005
-#define FAST_LEAST 0.25
+#define JUMP_LEAST 1e-3
 
 enum { NEWTON = 20, LEADS_LEAST = 4 };
 
@@ -651,12 +649,10 @@ static struct lead find_lead(const struct score *s, int frame, double lead)
                                                          SOUND_SHARE * way};
 }
 
-/* Fills lead[fine.times] with those of frames that move, in their order; returns how many.
- */
+/* Fills lead[fine.times] with those of the frames on the truth's way; returns how many. */
 static int find_leads(const struct score *s, struct lead *lead)
 {
-    double most = 0;
-    int count = 0, kept = 0;
+    int count = 0;
 
     for (int n = 0; n < s->fine.times; n++) {
         if (!(s->fine.when[n] > 0))
@@ -664,12 +660,7 @@ static int find_leads(const struct score *s, struct lead *lead)
         lead[count] = find_lead(s, n, count ? lead[count - 1].lead : 0);
         count += lead[count].on;
     }
-    for (int n = 0; n < count; n++)
-        most = fmax(most, lead[n].speed);
-    for (int n = 0; n < count; n++)
-        if (lead[n].speed >= FAST_LEAST * most)
-            lead[kept++] = lead[n];
-    return kept;
+    return count;
 }
 
 /* Returns by how much the lead changes in a second from frame n - 1 to n; 0: there is none.
@@ -1018,9 +1009,11 @@ static bool say_turn(const struct score *s, struct score_diagnosis *d)
 
 static bool say_turned(const struct score *s, struct score_diagnosis *d)
 {
-    if (s->turn.angle > 0 && fabs(s->turn.angle - 90 * round(s->turn.angle / 90)) > 1)
-        return say_turn(s, d);
     const struct turned t = best_turn(s);
+    const bool axes_fit = changes(&t) && t.error < WORTH_IT;
+
+    if (!axes_fit && say_turn(s, d))
+        return true;
     const double now = 100 * t.as_is, then = 100 * t.error;
     char axes[32];
 
@@ -1044,7 +1037,7 @@ static bool say_turned(const struct score *s, struct score_diagnosis *d)
             "of %.2g %% with %s%s%s.",
             then, now, t.order & 1 ? "rows and columns exchanged" : "the same rows",
             t.order & 2 ? ", u reversed" : "", t.order & 4 ? ", v reversed" : "");
-    return d->count > 0 || say_turn(s, d);
+    return d->count > 0;
 }
 
 static void stretch_text(const struct lines *l, double when, struct score_diagnosis *d)
@@ -1146,8 +1139,10 @@ static bool is_clock(const struct score *s, const struct clock *c,
     const bool lag = c->speed == 1;
     const double better = lag && fit->has[FIT_LEAD] ? 1 : PACE_BETTER;
 
-    return is_better(c->error, c->as_is) && better * share(c) <= fit->left &&
-           (lag || share(c) <= PACE_MOST || c->error <= sound_most(s));
+    return c->as_is > JUMP_LEAST && share(c) <= MUCH_BETTER &&
+           better * share(c) <= fit->left &&
+           (lag || share(c) <= PACE_MOST ||
+            (c->as_is > WORTH_IT && c->error <= sound_most(s)));
 }
 
 /* Reports a jump of the lead, another pace or another start. Nothing else is then reported,

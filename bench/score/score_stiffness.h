@@ -1,7 +1,8 @@
 /* score_stiffness.h - measures how stiff the sheet of somebody's frames is, from its shape
  * at rest: a sheet that hangs from its edge u = 0 shows its membrane's stiffness along u,
  * one that is clamped level its bending stiffness. The forces follow from the shape and the
- * weight alone, so that neither the scene's stiffness nor the clamp is in the numbers.
+ * weight alone, so that the clamp is not in the numbers; they are held against those of the
+ * truth between the same vertices.
  */
 #ifndef SCORE_STIFFNESS_H
 #define SCORE_STIFFNESS_H

@@ -409,6 +409,152 @@ static void unfitted(void)
         check_truth(row[n].scene, 20, row[n].make, row[n].want);
 }
 
+/* --- the same verdict at every interval --- */
+
+/* Motions every STEP, on every ninth point of the grid: a sound run of ours, and truths. */
+struct course {
+    const char *scene;
+    int frames;
+    double (*x)[SCORE_FEW][3]; /* [frames]                                         owned */
+};
+
+enum { COURSES = 3, MOST_FRAMES = 341 };
+
+static struct course course_of(const char *scene)
+{
+    struct course m = {scene, FRAMES, calloc(MOST_FRAMES, sizeof *m.x)};
+    struct score_truth t;
+
+    REQUIRE(m.x && score_truth_read(scene, &t, NULL) == STATUS_OK);
+    m.frames = t.moves ? FRAMES : MOST_FRAMES;
+    for (int k = 0; k < m.frames; k++)
+        for (int n = 0; n < 3 * SCORE_FEW; n++) {
+            const int at = 3 * score_truth_few(n / 3) + n % 3;
+            const double rest = t.rest[at], last = t.known.xyz[t.known.claimed - 1][at];
+            double *x = &m.x[k][n / 3][n % 3], weight[4];
+            *x = rest + (last - rest) * (1 - exp(-k / 10.)); /* comes to rest */
+            if (!t.moves)
+                continue;
+            const int first = score_window(t.known.claimed, t.known.time, k * STEP, weight);
+            *x = 0;
+            for (int a = 0; a < 4; a++)
+                *x += weight[a] * (first + a < 0 ? t.rest : t.known.xyz[first + a])[at];
+        }
+    for (int k = 0; k < FRAMES && !strcmp(scene, "edge_drop"); k++)
+        for (int n = 0; n < SCORE_FEW; n++)
+            memcpy(m.x[k][n], sound[k][n / SCORE_SIDE * 3 * SIDE + n % SCORE_SIDE * 3],
+                   sizeof *sound[k]);
+    score_truth_clear(&t);
+    return m;
+}
+
+/* Turns a point by `angle` about the z axis, and then about the x axis. */
+static void turn(double angle, double tilt, double x[3])
+{
+    const double y = sin(angle) * x[0] + cos(angle) * x[1];
+
+    x[0] = cos(angle) * x[0] - sin(angle) * x[1];
+    x[1] = cos(tilt) * y - sin(tilt) * x[2];
+    x[2] = sin(tilt) * y + cos(tilt) * x[2];
+}
+
+/* Flaws, and the verdict that they must get on a moving sheet; on one at rest it is sound
+ * where the flaw is in the times alone. */
+static const struct flawed {
+    const char *name;
+    enum score_kind kind;
+    double value, per_step, tolerance; /* value + per_step intervals, within tolerance and
+                                          a fifth of an interval                         */
+    bool times;
+} flawed[] = {
+    {"sound", SCORE_SOUND, 0, 0, .01, true},
+    {"lost", SCORE_LOST_FRAME, .3, 0, .04, true},
+    {"doubled", SCORE_DOUBLED_FRAME, .3, 1, .04, true},
+    {"late", SCORE_LAG, 0, 1, 0, true},
+    {"exchanged", SCORE_ORDER, .57, 0, .01},
+    {"turned", SCORE_TURNED, 10, 0, .01},
+    {"tilted", SCORE_TURNED, 7, 0, .01},
+    {"aside", SCORE_SUPPORT, .05, 0, .001},
+    {"millimetres", SCORE_UNITS, .001, 0, 0},
+    {"up", SCORE_AXES, 0, 0, .02},
+};
+
+static void spoil(const struct flawed *f, double x[SCORE_FEW][3])
+{
+    const double degree = acos(-1) / 180;
+    const int a = 1 * SCORE_SIDE + 2, b = 7 * SCORE_SIDE + 4; /* .57 apart: (2, 6) / 11 */
+
+    for (int n = 0; n < SCORE_FEW; n++) {
+        if (!strcmp(f->name, "turned") || !strcmp(f->name, "tilted"))
+            turn(*f->name == 't' && f->value == 10 ? 10 * degree : 0,
+                 f->value == 7 ? 7 * degree : 0, x[n]);
+        x[n][1] += !strcmp(f->name, "aside") ? .05 : 0;
+        for (int c = 0; c < 3; c++)
+            x[n][c] *= f->kind == SCORE_UNITS ? 1000 : 1;
+        if (f->kind == SCORE_AXES)
+            turn(0, 90 * degree, x[n]);
+    }
+    if (!strcmp(f->name, "exchanged"))
+        for (int c = 0; c < 3; c++) {
+            const double other = x[a][c];
+            x[a][c] = x[b][c], x[b][c] = other;
+        }
+}
+
+/* Writes the frames, `step` apart; some are left out, with their times, after the flaw. */
+static void write_flawed(const struct course *m, const struct flawed *f, int step, bool out)
+{
+    const int at = 60 / step; /* of 0.3 s, or one before it */
+    FILE *file = begin("flawed.csv");
+
+    for (int k = 0; k * step < m->frames; k++) {
+        int from = k;
+        from += f->kind == SCORE_LOST_FRAME && k >= at;
+        from -= f->kind == SCORE_DOUBLED_FRAME && k > at;
+        from -= f->kind == SCORE_LAG && k > 0;
+        if (from * step >= m->frames ||
+            (out && k * 7 % 5 > 1 && (k + 1) * step < m->frames))
+            continue;
+        double x[SCORE_FEW][3];
+        memcpy(x, m->x[from * step], sizeof x);
+        spoil(f, x);
+        for (int n = 0; n < SCORE_FEW; n++)
+            put(file, k * step * STEP,
+                (double[]){n % SCORE_SIDE / (SCORE_SIDE - 1.),
+                           n / SCORE_SIDE / (SCORE_SIDE - 1.)},
+                x[n]);
+    }
+    REQUIRE(fclose(file) == 0);
+}
+
+static void intervals(void)
+{
+    static const char *const scene[COURSES] = {"edge_drop", "flag", "rest_small"};
+    static const int step[] = {2, 4, 8, 10, 20, 2}; /* frames are left out of the last */
+    enum { STEPS = sizeof step / sizeof *step };
+
+    for (int s = 0; s < COURSES; s++) {
+        const struct course m = course_of(scene[s]);
+        for (size_t n = 0; n < STEPS * sizeof flawed / sizeof *flawed; n++) {
+            const struct flawed *f = &flawed[n / STEPS];
+            const int every = step[n % STEPS];
+            const bool rests = m.frames > FRAMES && f->times;
+            const double interval = every * STEP;
+            const struct want want = {rests ? SCORE_SOUND : f->kind,
+                                      rests ? 0 : f->value + f->per_step * interval,
+                                      rests ? .01
+                                            : f->tolerance + interval * f->per_step / 5};
+            const int before = check_failures;
+            write_flawed(&m, f, every, n % STEPS == STEPS - 1);
+            check_told(m.scene, "flawed.csv", 0, 0, &want);
+            if (check_failures > before)
+                printf("  %s, %s, every %g s%s\n", m.scene, f->name, interval,
+                       n % STEPS == STEPS - 1 ? ", some left out" : "");
+        }
+        free(m.x);
+    }
+}
+
 int main(void)
 {
     scratch_open();
@@ -418,6 +564,7 @@ int main(void)
     check_told("edge_drop", "run.h5", 0, 0, &(struct want){SCORE_SOUND, 0, .01});
     physics();
     frames_of_others();
+    intervals();
     falls();
     truths();
     paced();

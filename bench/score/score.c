@@ -6,7 +6,6 @@
 
 #include "bench/frames/frames_array.h"
 #include "bench/harness/settings.h"
-#include "bench/score/score_start.h"
 #include "bench/truth/truth.h"
 #include "models/metric/metric_rest.h"
 #include "models/reader/named_file.h"
@@ -345,6 +344,20 @@ static enum status make_path(struct score *s)
     return s->path ? STATUS_OK : STATUS_MEMORY;
 }
 
+/* Measures how far the first frame is from the sheet at rest, and whether it is turned. */
+static void take_start(struct score *s, const double *xyz)
+{
+    double rest[3 * LADDER_POINTS], *part = score_view_field(&s->fine, s->fine.times);
+
+    score_coarse_rest(s, rest);
+    score_map_apply(&s->fine.map, xyz, part);
+    for (int n = 0; n < 3 * LADDER_POINTS; n++)
+        s->begin[n % 3] += (part[n] - rest[n]) / LADDER_POINTS;
+    s->start =
+        fabs(s->first) <= SCORE_SAME_TIME ? score_rms(LADDER_POINTS, part, rest) : NAN;
+    score_start_turn(LADDER_POINTS, rest, part, s->start, s->truth.scene.length, &s->turn);
+}
+
 /* Makes the net and both views of it from the first frame. */
 static enum status make_net(struct score *s, const struct frames *frames,
                             const struct score_look *look, const double *xyz,
@@ -366,7 +379,9 @@ static enum status make_net(struct score *s, const struct frames *frames,
     TRY(score_net_map(&s->net, net, scene, name, LADDER_U, LADDER_V, &s->fine.map, why));
     TRY(score_contact_begin(&s->contact, scene, net, &s->net));
     TRY(make_path(s));
-    st = score_start_find(s, xyz);
+    take_start(s, xyz);
+    if (fabs(s->first) <= SCORE_SAME_TIME && !s->net.by_position)
+        st = score_start_strays(scene, &s->net, s->truth.rest, xyz, &s->strays);
 out:
     free(rest);
     return st;

@@ -6,6 +6,7 @@
 
 #include "bench/score/score_contact.h"
 #include "bench/score/score_net.h"
+#include "bench/score/score_start.h"
 #include "bench/truth/truth.h"
 #include "models/grid.h"
 #include "models/scene.h"
@@ -113,21 +114,6 @@ struct score_time {
     const double *truth; /* the truth at the frame's own time                           */
     const double *seen;  /* the truth, bilinear between the net's vertices              */
     const double *got;   /* the frames                                                  */
-};
-
-/* Vertices of the first frame that are where no others are, far from their material points.
- */
-struct score_strays {
-    int count;      /* 0: none, or too many to be strays                                 */
-    int vertex[2];  /* the two that are farthest off                                     */
-    bool exchanged; /* all of them stand at each other's points                          */
-    double off, others; /* largest distance; of the others the median, over the length   */
-};
-
-/* The rigid motion that turns the sheet at rest into the first frame. */
-struct score_turn {
-    double angle; /* [degrees]; 0: it is not turned, or not only                          */
-    double axis[3];
 };
 
 struct score {

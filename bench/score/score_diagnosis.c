@@ -343,7 +343,7 @@ static void score_fit_make(const struct score *score, const double shift[3],
     memset(fit, 0, sizeof *fit);
     if (score->ladder.times > 2)
         add_ladder(score, shift, &sums);
-    else if (falls_free(&score->truth.scene))
+    else if (falls_free(&score->truth.scene) && score->truth.moves)
         add_fall(score, shift, &sums);
     const unsigned set = choose(&sums);
     const struct trial t = best_of(&sums, set);
@@ -1310,6 +1310,11 @@ static void say_sound(const struct score *s, struct score_diagnosis *d)
             100 * worst->error, 100 * worst->floor);
 }
 
+/* Tries what frames may have, the plain before the subtle: place (turned, axes, units,
+ * order), time (a lost frame, another clock), then physics. Each is told by how much of the
+ * error it leaves, and displaces what was found before it where it leaves a third of that.
+ * Frames are sound where their errors are those of good simulators, and a flaw is then
+ * believed only if it leaves a quarter. */
 enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *d)
 {
     struct score_fit fit;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/grid.h"
 #include "models/vector.h"
 
 /* --- vertices out of place ---
@@ -23,64 +24,63 @@ static int compare_doubles(const void *a, const void *b)
     return (left > right) - (left < right);
 }
 
-/* Returns whether a vertex stands at the material point of another stray. */
-static bool stands_at_other(const struct score *s, const double *xyz, const double *off,
-                            double least, int vertex)
+/* Returns whether a vertex at x is at the point of another stray, each of which is more
+ * than `least` off its own. */
+static bool stands_at_other(int vertices, const double *point, const double *off,
+                            double least, int vertex, const double x[3])
 {
-    for (int n = 0; n < s->net.vertices; n++) {
-        double x[3];
-        if (n == vertex || !(off[n] > least))
-            continue;
-        score_net_sample(s->truth.scene.sheets, GRID_U, GRID_V, s->truth.rest,
-                         s->net.uv + 2L * n, x);
-        if (vector_distance(x, xyz + 3L * vertex) < off[vertex] / STRAY_TIMES)
+    for (int n = 0; n < vertices; n++)
+        if (n != vertex && off[n] > least &&
+            vector_distance(point + 3L * n, x) < off[vertex] / STRAY_TIMES)
             return true;
-    }
     return false;
 }
 
-/* Fills the strays from off[vertices], whose median is `others`. */
-static void count_strays(struct score *s, const double *xyz, const double *off,
-                         double others)
+/* Fills the strays among vertices[count], off[count] from point[count][3] [m]. */
+static void count_strays(int count, const double *xyz, const double *point,
+                         const double *off, double least, struct score_strays *strays)
 {
-    const double length = s->truth.scene.length,
-                 least = STRAY_TIMES * others + STRAY_LEAST * length;
-    struct score_strays *strays = &s->strays;
+    int *far = strays->vertex;
 
-    *strays = (struct score_strays){.exchanged = true, .others = others / length};
-    for (int n = 0; n < s->net.vertices; n++) {
+    for (int n = 0; n < count; n++) {
         if (!(off[n] > least))
             continue;
-        if (!strays->count++ || off[n] > off[strays->vertex[0]])
-            strays->vertex[1] = strays->vertex[0], strays->vertex[0] = n;
-        else if (strays->count == 2 || off[n] > off[strays->vertex[1]])
-            strays->vertex[1] = n;
+        if (!strays->count++ || off[n] > off[far[0]])
+            far[1] = far[0], far[0] = n;
+        else if (strays->count == 2 || off[n] > off[far[1]])
+            far[1] = n;
     }
-    if (strays->count > STRAY_MOST * s->net.vertices)
+    if (strays->count > STRAY_MOST * count)
         strays->count = 0;
-    for (int n = 0; n < s->net.vertices && strays->count; n++)
-        if (off[n] > least)
-            strays->exchanged = strays->exchanged && stands_at_other(s, xyz, off, least, n);
-    strays->off = off[strays->vertex[0]] / length;
+    strays->exchanged = strays->count > 1;
+    for (int n = 0; n < count && strays->exchanged; n++)
+        strays->exchanged =
+            !(off[n] > least) || stands_at_other(count, point, off, least, n, xyz + 3L * n);
 }
 
-static enum status find_strays(struct score *s, const double *xyz)
+enum status score_start_strays(const struct scene *scene, const struct score_net *net,
+                               const double *rest, const double *xyz,
+                               struct score_strays *strays)
 {
-    const size_t count = (size_t)s->net.vertices;
-    double *off = malloc(2 * count * sizeof *off);
+    const size_t count = (size_t)net->vertices;
+    double *off = malloc(5 * count * sizeof *off);
 
+    *strays = (struct score_strays){0};
     if (!off)
         return STATUS_MEMORY;
+    double *sorted = off + count, *point = sorted + count;
     for (size_t n = 0; n < count; n++) {
-        const double *uv = s->net.uv + 2 * n;
-        double x[3];
-        score_net_sample(s->truth.scene.sheets, GRID_U, GRID_V, s->truth.rest, uv, x);
+        const double *uv = net->uv + 2 * n;
         const bool inside = fmin(uv[0], uv[1]) >= 0 && fmax(uv[0], uv[1]) <= 1;
-        off[n] = off[count + n] = inside ? vector_distance(x, xyz + 3 * n) : 0;
+        score_net_sample(scene->sheets, GRID_U, GRID_V, rest, uv, point + 3 * n);
+        off[n] = inside ? vector_distance(point + 3 * n, xyz + 3 * n) : 0;
     }
-    qsort(off + count, count, sizeof *off, compare_doubles);
-    if (fabs(s->first) <= SCORE_SAME_TIME && !s->net.by_position)
-        count_strays(s, xyz, off, off[count + count / 2]);
+    memcpy(sorted, off, count * sizeof *off);
+    qsort(sorted, count, sizeof *sorted, compare_doubles);
+    strays->others = sorted[count / 2] / scene->length;
+    count_strays(net->vertices, xyz, point, off,
+                 (STRAY_TIMES * strays->others + STRAY_LEAST) * scene->length, strays);
+    strays->off = off[strays->vertex[0]] / scene->length;
     free(off);
     return STATUS_OK;
 }
@@ -142,47 +142,33 @@ static void rotate(const double q[4], const double x[3], double to[3])
         to[c] = x[c] + 2 * b[c];
 }
 
-/* Finds the rotation of the first frame, got[LADDER_POINTS][3], from the sheet at rest. */
-static void find_turn(struct score *s, const double *rest, const double *got)
+void score_start_turn(int points, const double *rest, const double *got, double start,
+                      double length, struct score_turn *turn)
 {
     double mean[2][3] = {{0}}, h[3][3] = {{0}}, q[4], left = 0;
 
-    for (int n = 0; n < 3 * LADDER_POINTS; n++) {
-        mean[0][n % 3] += rest[n] / LADDER_POINTS;
-        mean[1][n % 3] += got[n] / LADDER_POINTS;
+    *turn = (struct score_turn){0};
+    for (int n = 0; n < 3 * points; n++) {
+        mean[0][n % 3] += rest[n] / points;
+        mean[1][n % 3] += got[n] / points;
     }
-    for (int n = 0; n < 9 * LADDER_POINTS; n++) {
+    for (int n = 0; n < 9 * points; n++) {
         const int i = n % 3, j = n / 3 % 3, at = n / 9 * 3;
         h[i][j] += (rest[at + i] - mean[0][i]) * (got[at + j] - mean[1][j]);
     }
     find_rotation(h, q);
-    for (int n = 0; n < LADDER_POINTS; n++) {
+    for (int n = 0; n < points; n++) {
         double from[3], to[3];
-        vector_between(mean[0], rest + 3 * n, from);
+        vector_between(mean[0], rest + 3L * n, from);
         rotate(q, from, to);
         for (int c = 0; c < 3; c++)
             left += pow(to[c] + mean[1][c] - got[3 * n + c], 2);
     }
-    left = sqrt(left / LADDER_POINTS);
-    const double size = vector_length(q + 1) * (q[0] < 0 ? -1 : 1);
-    if (!(s->start > TURN_LEAST * s->truth.scene.length && left < TURN_LEFT * s->start &&
-          size != 0))
+    const double sine = vector_length(q + 1), sign = q[0] < 0 ? -1 : 1;
+    if (!(start > TURN_LEAST * length && sqrt(left / points) < TURN_LEFT * start &&
+          sine > 0))
         return;
-    s->turn.angle = 2 * atan2(fabs(size), fabs(q[0])) * 180 / acos(-1);
+    turn->angle = 2 * atan2(sine, fabs(q[0])) * 180 / acos(-1);
     for (int c = 0; c < 3; c++)
-        s->turn.axis[c] = q[c + 1] / size;
-}
-
-enum status score_start_find(struct score *s, const double *xyz)
-{
-    double rest[3 * LADDER_POINTS], *part = score_view_field(&s->fine, s->fine.times);
-
-    score_coarse_rest(s, rest);
-    score_map_apply(&s->fine.map, xyz, part);
-    for (int n = 0; n < 3 * LADDER_POINTS; n++)
-        s->begin[n % 3] += (part[n] - rest[n]) / LADDER_POINTS;
-    s->start =
-        fabs(s->first) <= SCORE_SAME_TIME ? score_rms(LADDER_POINTS, part, rest) : NAN;
-    find_turn(s, rest, part);
-    return find_strays(s, xyz);
+        turn->axis[c] = sign * q[c + 1] / sine;
 }

@@ -181,7 +181,7 @@ def wheel_and_example():
     done = subprocess.run([sys.executable, "python/examples/ode.py", "ode", "5", "free_fall"],
                           env={**os.environ, "PYTHONPATH": "site"}, capture_output=True, text=True)
     check("example: " + done.stderr[-500:], "of first order" in done.stdout)
-    check("page", os.path.exists("ode/protocol.html"))
+    check("page: " + done.stderr[-500:], os.path.exists("ode/protocol.html"))
     fall = clothbench.frames.read("ode/free_fall/5x5.npz")
     far = abs(fall.xyz[-1, :, 2] + 9.81 * 0.5 * (0.5 + 0.005) / 2).max()  # symplectic Euler
     check("falls", fall.t[-1] == 0.5 and far < 1e-12)

@@ -30,13 +30,15 @@ static const struct named_file_kind package = {
  * environment is searched for modules. */
 static void become_python(int error, const char *script, const char *const *words)
 {
-    const char *python = getenv("CLOTHBENCH_PYTHON");
-    char *argv[SHOW_WORDS + 5] = {"python3", "-I", "-B", (char *)script};
+    const char *named = getenv("CLOTHBENCH_PYTHON");
+    const char *python = named && *named ? named : PYTHON;
+    /* Its own path first: Python looks there for its folder, and on the PATH for a name's. */
+    char *argv[SHOW_WORDS + 5] = {(char *)python, "-I", "-B", (char *)script};
 
     for (int n = 0; words[n] && n < SHOW_WORDS; n++)
         argv[n + 4] = (char *)words[n];
     dup2(error, STDERR_FILENO);
-    execv(python && *python ? python : PYTHON, argv);
+    execv(python, argv);
     _exit(NO_PYTHON);
 }
 

@@ -334,6 +334,25 @@ bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end)
     return false;
 }
 
+bool scene_same_across(const struct scene *s)
+{
+    bool same = s->shape == SCENE_FLAT && !s->is_fabric && !s->obstacle_count &&
+                !scene_ripples(s) && vector_dot(s->gravity, s->axis_v) == 0 &&
+                vector_dot(s->wind, s->axis_v) == 0 &&
+                vector_dot(s->velocity, s->axis_v) == 0 && vector_length(s->spin) == 0;
+
+    for (int n = 0; n < s->support_count; n++) {
+        const struct scene_motion *m = &s->supports[n].motion;
+        same &= s->supports[n].lo[1] <= 0 && s->supports[n].hi[1] >= 1 && !m->turn_count;
+        for (int k = 0; k < m->path_count; k++)
+            same &= vector_dot(m->path[k] + 1, s->axis_v) == 0;
+    }
+    for (int n = 0; n < s->load_count; n++)
+        same &= s->loads[n].lo[1] <= 0 && s->loads[n].hi[1] >= 1 &&
+                vector_dot(s->loads[n].force, s->axis_v) == 0;
+    return same;
+}
+
 struct law scene_law(const struct scene *scene)
 {
     return scene->is_fabric ? law_of_fabric(&scene->fabric)

@@ -327,6 +327,10 @@ bool scene_is_cantilever(const struct scene *scene);
  * begins, or ends, in x, y, z; it may move. */
 bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end);
 
+/* Tells whether all that acts on a flat sheet is the same all across it, along v: it moves
+ * as a strip. */
+bool scene_same_across(const struct scene *scene);
+
 /* Returns the law of the sheet, by E, nu and h or by its fabric. */
 struct law scene_law(const struct scene *scene);
 

@@ -54,6 +54,7 @@ refused advise edge_drop --budget 0ms
 refused advise edge_drop --error 2% --budget 4ms
 refused advise edge_drop --error 0
 refused advise edge_drop --error 120%
+refused advise edge_drop --error 0.5 # a half, or half a per cent?
 refused advise edge_drop --error 2%% --out none
 refused advise edge_drop --error nan
 refused advise edge_drop --error 2% --realtime --seconds 3

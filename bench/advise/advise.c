@@ -7,7 +7,6 @@
 #include "bench/export/export.h"
 #include "bench/files/folder.h"
 #include "bench/harness/deadline.h"
-#include "bench/harness/distrust.h"
 #include "bench/harness/timing.h"
 #include "models/clock.h"
 
@@ -66,6 +65,27 @@ static bool is_better(const struct advise_search *s, const struct contest_row *a
 
 enum { MOST = 128 };
 
+/* Seconds that differ by less than this factor are as good as equal: a clock says others
+ * when it is asked again. */
+static const double EQUAL = 1.5;
+
+/* Puts the first contestant of the contest whose seconds are as good as the least before
+ * those that are sorted by them. */
+static void prefer(const struct advise_search *s, int count,
+                   const struct contest_row *row[MOST])
+{
+    const struct contestant *who;
+
+    for (int k = 0; count && (who = contest_entrant(&s->job->contest, k)); k++)
+        for (int n = 0; n < count && row[n]->seconds < EQUAL * row[0]->seconds; n++)
+            if (row[n]->at.contestant == who) {
+                const struct contest_row *first = row[n];
+                memmove(row + 1, row, (size_t)n * sizeof *row);
+                row[0] = first;
+                return;
+            }
+}
+
 /* Fills row[] with the row of each contestant that serves best, the best one first; returns
  * how many. */
 static int rank(const struct advise_search *s, const struct contest_row *row[MOST])
@@ -82,6 +102,8 @@ static int rank(const struct advise_search *s, const struct contest_row *row[MOS
             row[n] = row[n - 1];
         row[n] = r;
     }
+    if (!is_for_frames(s))
+        prefer(s, count, row);
     return count;
 }
 
@@ -157,7 +179,7 @@ static void tell_reason(const struct advise_search *s, const struct contestant *
 
     contest_tell(c, &limit, &what);
     reason->text[0] = '\0';
-    if (limit.kind == CONTEST_SKIPPED) {
+    if (limit.kind == CONTEST_SKIPPED || limit.kind == CONTEST_DISTRUSTED) {
         message_add(reason, "%s", what.text);
     } else if (limit.kind == CONTEST_REFUSED || limit.kind == CONTEST_DIED) {
         const struct contest_row *row = c->rows;
@@ -335,7 +357,6 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
                        FILE *file)
 {
     const double bar = contest_largest_bar(&s->job->contest);
-    struct message doubt;
 
     if (!best && is_for_frames(s)) {
         table_say(file, "No contestant takes %.3g ms a frame or less.",
@@ -353,20 +374,20 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
                   "None of the contestants within %.3g %% is as fast as required, %.3g s "
                   "for a second of motion; this is the fastest:",
                   100 * s->wish.error, s->wish.rate);
-    if (distrust(scene_of(s), best->result.value, &doubt))
-        table_say(file, "%s", doubt.text);
     table_say(
         file,
         "%s: error %.2g %% of the length, which the truth leaves uncertain by %.2g %%; "
         "%.2g s for a second of motion, %.2g ms a frame; %.2g MB.",
         best->at.contestant->title, 100 * best->worst, 100 * bar, rate_of(s, best),
         1e3 * rate_of(s, best) * scene_of(s)->step, 1e-6 * best->result.bytes);
-    if (best->at.size[CONTEST_ITERATIONS])
-        table_say(file, "Net %dx%d, substeps of %.3g ms, %d iterations in each.",
-                  best->at.size[CONTEST_NET], best->at.size[CONTEST_ACROSS],
-                  1e3 * scene_of(s)->step / best->at.size[CONTEST_STEP] /
-                      fmax(best->at.contestant->model->defaults.substeps, 1),
-                  best->at.size[CONTEST_ITERATIONS]);
+    const struct counters *work = &best->result.work;
+    const double steps = (double)work->steps;
+    table_say(file,
+              "Net %dx%d, steps of %.3g ms, each in %.3g substeps with %.3g iterations in "
+              "all.",
+              best->at.size[CONTEST_NET], best->at.size[CONTEST_ACROSS],
+              1e3 * scene_of(s)->step / best->at.size[CONTEST_STEP],
+              fmax(1, (double)work->substeps / steps), (double)work->iterations / steps);
     say_command(s, best, file);
 }
 
@@ -415,6 +436,9 @@ static enum status read_rate(const struct command_line *line, double *rate,
     return command_number(line, "--seconds", false, rate, why);
 }
 
+/* The largest error that is believed to be meant as a share, without a per cent sign. */
+static const double MOST_PLAIN = 0.1;
+
 static enum status read_wish(const struct command_line *line, struct advise_wish *wish,
                              struct message *why)
 {
@@ -434,6 +458,13 @@ static enum status read_wish(const struct command_line *line, struct advise_wish
         return status_fail(why, STATUS_INPUT,
                            "advise needs either --error, below 100%%, as in --error 2%%, "
                            "or milliseconds a frame, as in --budget 4ms");
+    const char *error = command_value(line, "--error");
+    if (wish->error > MOST_PLAIN && !strchr(error, '%'))
+        return status_fail(
+            why, STATUS_INPUT,
+            "--error %s is %g %% of the length; write --error %s%% or --error "
+            "%g%%, whichever is meant",
+            error, 100 * wish->error, error, 100 * wish->error);
     TRY(read_rate(line, &wish->rate, why));
 out:
     return st;
@@ -514,9 +545,13 @@ out:
     return st;
 }
 
+/* Cells of a net may be so many times as long as wide where the motion has no direction of
+ * its own. */
+static const double CELLS = 3;
+
 static enum status run(const struct command_line *line, struct message *why)
 {
-    struct compare_job job = {.contest.quick = true};
+    struct compare_job job = {.contest = {.quick = true, .advises = true}};
     struct advise_search s = {.job = &job};
     const char *out = command_value(line, "--out");
     enum table_format format = TABLE_TEXT;
@@ -536,6 +571,7 @@ static enum status run(const struct command_line *line, struct message *why)
     TRY(compare_job_open(&job, line->words[0], until, why));
     snprintf(folder, sizeof folder, "results/advise_%s", job.scene.name);
     job.folder = out ? out : folder;
+    job.contest.cells = scene_same_across(&job.scene) ? 0 : CELLS;
     TRY(answer(&s, models, format, why));
 out:
     compare_job_close(&job);

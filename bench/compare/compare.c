@@ -155,6 +155,7 @@ static void plan_row(struct compare_job *j, const struct contest_row *row, int t
     c->keep.times = j->times;
     c->keep.time = j->time;
     c->keep.fields = RUN_FIELDS_TIMES;
+    c->keep.intersections = j->contest.advises;
     c->timed = row->probe ? MEASUREMENT_UNTIMED : MEASUREMENT_WHOLE;
     settings_append(&c->settings,
                     contestant_is_paper_scheme(at->contestant) ? &j->user : &j->truth);
@@ -556,8 +557,8 @@ static enum status print_limits(const struct contest *c, const char *folder,
         "if its cells are about square, else along u), with half as many more across, with "
         "half the step, or with twice the iterations, one at a time: it names the change "
         "that lowers the error most, by %.0f %% at least. `The truth` means that the error "
-        "is within the truth's bar, %.2g %% at most.",
-        c->truth->time[c->truth->times - 1], 100 * CONTEST_LEAST_GAIN,
+        "is %g bars of the truth or less, each %.2g %% at most.",
+        c->truth->time[c->truth->times - 1], 100 * CONTEST_LEAST_GAIN, CONTEST_NEAR_BAR,
         100 * contest_largest_bar(c));
     return table_publish(t, folder, "compare_limits", format, file, why);
 }
@@ -886,9 +887,9 @@ const struct command compare_command = {
         "of all, each with its net, step and iterations. It also says what limits the\n"
         "lowest error: the net, the net across, the step and the iterations are refined\n"
         "once more, one at a time, and the one that lowers the error most is named, or\n"
-        "the truth where the error is within its bar. Seconds are those of set-up and\n"
-        "stepping, as medians of the repeats beside them. With several scenes a last\n"
-        "table compares the contestants on all of them.\n",
+        "the truth where the error is 1.5 of its bars or less. Seconds are those of\n"
+        "set-up and stepping, as medians of the repeats beside them. With several scenes\n"
+        "a last table compares the contestants on all of them.\n",
     .examples = "compare edge_drop\ncompare edge_drop corners_patch flag\ncompare "
                 "corners_drop --models iga,shell_3\n"
                 "compare edge_drop --from results/compare_edge_drop --format csv\n",

@@ -37,6 +37,16 @@ struct contest_at contest_square(const struct contest *c, const struct contestan
                                {along, contest_across(c, who, along), step, iterations}};
 }
 
+/* Returns whether cells are longer one way than c->cells times the other. */
+static bool has_long_cells(const struct contest *c, const struct contest_at *at)
+{
+    const int degree = at->contestant->degree, across = at->size[CONTEST_ACROSS] - degree;
+    const double square =
+        (at->size[CONTEST_NET] - degree) * c->scene->width / c->scene->length;
+
+    return across > fmax(LEAST_ACROSS, c->cells * square) || c->cells * across < square;
+}
+
 struct contest_at contest_moved(const struct contest *c, const struct contest_at *at,
                                 enum contest_axis axis, int size)
 {
@@ -51,6 +61,8 @@ struct contest_at contest_moved(const struct contest *c, const struct contest_at
     *across = *across == here  ? there
               : *across < here ? (int)fmin(*across, there)
                                : (int)fmax(*across, there);
+    if (c->cells > 0 && has_long_cells(c, &moved))
+        *across = there;
     return moved;
 }
 
@@ -137,6 +149,12 @@ int contest_ladder(const struct contest *c, const struct contestant *who,
     return count;
 }
 
+/* Exponents with which seconds grow with each size by itself: as many more points,
+ * iterations or steps; but with points along u by the square, as some shorter cells have to
+ * take shorter steps. Both ways at once is the cube. */
+static const double growth[CONTEST_AXES] = {
+    [CONTEST_NET] = 2, [CONTEST_ACROSS] = 1, [CONTEST_STEP] = 1, [CONTEST_ITERATIONS] = 1};
+
 /* --- rows --- */
 
 enum status contest_add(struct contest *c, const struct contest_at *at,
@@ -195,7 +213,9 @@ void contest_fill(const struct contest *c, const struct run_result *r,
                          ? NAN /* and stays it */
                          : fmax(row->worst, row->error[t]);
     }
-    row->seconds = row->probe ? NAN : r->create.median + r->step.median * (double)r->steps;
+    row->seconds = row->probe   ? NAN
+                   : c->advises ? r->create.min + r->step.min * (double)r->steps
+                                : r->create.median + r->step.median * (double)r->steps;
     row->result = *r;
     row->result.xyz = NULL, row->result.time = NULL;
 }
@@ -237,7 +257,20 @@ double contest_largest_bar(const struct contest *c)
     return bar;
 }
 
-/* Finds the least error, or the least seconds, among a contestant's timed rows within a
+/* Returns the cost of a row by which the cheapest of its contestant is chosen: its seconds
+ * or, for who wants advice, a number that they grow with, of which no clock decides. */
+static double cost_of(const struct contest *c, const struct contest_row *row)
+{
+    double cost = 1;
+
+    if (!c->advises)
+        return row->seconds;
+    for (int axis = 0; axis < CONTEST_AXES; axis++)
+        cost *= pow(fmax(1, row->at.size[axis]), growth[axis]);
+    return cost;
+}
+
+/* Finds the least error, or the least cost, among a contestant's timed rows within a
  * target and a time. */
 static const struct contest_row *least(const struct contest *c,
                                        const struct contestant *who, bool of_error,
@@ -247,9 +280,9 @@ static const struct contest_row *least(const struct contest *c,
 
     for (const struct contest_row *r = c->rows; r < c->rows + c->count; r++) {
         if (r->at.contestant != who || r->probe || !(r->worst <= target) ||
-            !(r->seconds <= seconds))
+            !(r->seconds <= seconds) || (c->advises && *r->result.distrust.text))
             continue;
-        if (!best || (of_error ? r->worst < best->worst : r->seconds < best->seconds))
+        if (!best || (of_error ? r->worst < best->worst : cost_of(c, r) < cost_of(c, best)))
             best = r;
     }
     return best;
@@ -299,7 +332,7 @@ bool contest_on_front(const struct contest *c, const struct contest_row *row)
 double contest_growth(const struct contest *c, const struct contestant *who)
 {
     double *numbers = malloc((2 * (size_t)c->count + 1) * sizeof *numbers);
-    double *error = numbers, *seconds = numbers + c->count, growth = NAN;
+    double *error = numbers, *seconds = numbers + c->count, power = NAN;
     int count = 0;
 
     for (int n = 0; n < c->count && numbers; n++)
@@ -308,16 +341,16 @@ double contest_growth(const struct contest *c, const struct contestant *who)
             seconds[count++] = c->rows[n].seconds;
         }
     if (count >= 3)
-        growth = -fit_exponent(count, error, seconds);
+        power = -fit_exponent(count, error, seconds);
     free(numbers);
-    return growth;
+    return power;
 }
 
 /* --- what limits a contestant --- */
 
 const char *const contest_kind_name[CONTEST_KINDS] = {
-    "net",   "net across", "step", "iterations", "truth",
-    "model", "unknown",    "died", "refused",    "skipped"};
+    "net",     "net across", "step", "iterations", "truth",  "model",
+    "unknown", "distrusted", "died", "refused",    "skipped"};
 
 /* Finds the least refined row of those that are finer than `at` in one axis alone; NULL:
  * none is. */
@@ -354,26 +387,30 @@ bool contest_probe(const struct contest *c, const struct contest_row *best,
     return size && !find_finer(c, &best->at, axis);
 }
 
-static bool is_within_bar(const struct contest *c, const struct contest_row *r)
+static bool is_near_bar(const struct contest *c, const struct contest_row *r)
 {
     int worst = 0;
 
     while (r->error[worst] != r->worst)
         worst++;
-    return r->worst <= contest_bar(c, worst);
+    return r->worst <= CONTEST_NEAR_BAR * contest_bar(c, worst);
 }
 
 /* Returns the reason for which none of a contestant's timed runs has an error. */
 static enum contest_kind why_none(const struct contest *c, const struct contestant *who)
 {
-    bool refused = true, skipped = true;
+    bool refused = true, skipped = true, distrusted = false;
 
     for (int n = 0; n < c->count; n++)
         if (c->rows[n].at.contestant == who) {
             refused &= run_result_refused(&c->rows[n].result);
             skipped &= c->rows[n].absent;
+            distrusted |= *c->rows[n].result.distrust.text != 0;
         }
-    return skipped ? CONTEST_SKIPPED : refused ? CONTEST_REFUSED : CONTEST_DIED;
+    return distrusted ? CONTEST_DISTRUSTED
+           : skipped  ? CONTEST_SKIPPED
+           : refused  ? CONTEST_REFUSED
+                      : CONTEST_DIED;
 }
 
 struct contest_limit contest_limit(const struct contest *c, const struct contestant *who)
@@ -396,7 +433,7 @@ struct contest_limit contest_limit(const struct contest *c, const struct contest
         if (l.gain[axis] >= most)
             most = l.gain[axis], l.kind = (enum contest_kind)axis;
     }
-    if (is_within_bar(c, l.best))
+    if (is_near_bar(c, l.best))
         l.kind = CONTEST_BY_TRUTH;
     return l;
 }
@@ -451,8 +488,9 @@ void contest_tell(const struct contest *c, const struct contest_limit *l,
                   struct message *words)
 {
     static const char *const begin[CONTEST_KINDS] = {
-        [CONTEST_BY_TRUTH] = "the truth: within its error bar",
+        [CONTEST_BY_TRUTH] = "the truth: within 1.5 of its error bars",
         [CONTEST_BY_MODEL] = "the model: finer ",
+        [CONTEST_DISTRUSTED] = "no run can be trusted",
         [CONTEST_DIED] = "every run died",
         [CONTEST_REFUSED] = "not applicable",
         [CONTEST_SKIPPED] = "skipped: the budget ended before its first run"};
@@ -479,12 +517,6 @@ static const double CLOSE = 0.1;
 
 /* Steps and iterations that differ by a factor up to this are, too. */
 static const int NEAR = 2;
-
-/* Exponents with which seconds grow with each size by itself: as many more points,
- * iterations or steps; but with points along u by the square, as some shorter cells have to
- * take shorter steps. Both ways at once is the cube. */
-static const double growth[CONTEST_AXES] = {
-    [CONTEST_NET] = 2, [CONTEST_ACROSS] = 1, [CONTEST_STEP] = 1, [CONTEST_ITERATIONS] = 1};
 
 /* Runs that may be made, in the order in which they were found. */
 struct tries {
@@ -562,7 +594,10 @@ static void add_try(struct tries *t, const struct contest_at *at, bool rung)
 static void propose(struct tries *t, const struct contest_row *from,
                     const struct contest_at *at)
 {
-    if (!is_known(t, at) && scaled(from, at) <= t->wish->longest)
+    const struct contest *c = t->contest;
+
+    if (!is_known(t, at) && scaled(from, at) <= t->wish->longest &&
+        !(c->cells > 0 && has_long_cells(c, at)))
         add_try(t, at, false);
 }
 

@@ -61,6 +61,12 @@ struct contest {
     double longest;        /* seconds that a run which is searched for may take     */
     double budget;         /* seconds of all runs together; 0: as long as it takes  */
     char unsearched[2048]; /* runs that the budget left out, "iga_paper 3, hex 2"   */
+    /* Of who wants a net to use: a row that is distrusted is none, seconds are the least
+     * of the repeats, and the cheapest row of a contestant is the one with the fewest
+     * points, steps and iterations, whatever the clock says. */
+    bool advises;
+    double cells; /* the longest cells, over their width; 0: any                    */
+
     int teams, team[CONTEST_TEAMS]; /* numbers of threads beyond one                */
     double team_longest; /* rows that take longer are not timed again [s]           */
 };
@@ -150,6 +156,10 @@ double contest_growth(const struct contest *c, const struct contestant *who);
  */
 #define CONTEST_LEAST_GAIN 0.1
 
+/* An error of so many bars of the truth, or less, is one that the truth limits: as much may
+ * be its own. */
+#define CONTEST_NEAR_BAR 1.5
+
 /* Fills *at with the next row to try from `best` along an axis: half as many points again
  * of the net or across, half the step (of the pieces that the model itself divides steps
  * into, if it does), twice the iterations. Returns false if there is a finer row already,
@@ -163,9 +173,10 @@ enum contest_kind {
     CONTEST_BY_ACROSS,
     CONTEST_BY_STEP,
     CONTEST_BY_ITERATIONS,
-    CONTEST_BY_TRUTH,   /* at its worst time it is within the truth's error bar    */
+    CONTEST_BY_TRUTH,   /* at its worst time it is within CONTEST_NEAR_BAR bars    */
     CONTEST_BY_MODEL,   /* refined in every way, it comes no nearer                */
     CONTEST_BY_UNKNOWN, /* not refined in every way                                */
+    CONTEST_DISTRUSTED, /* no run that serves has an error, and one is distrusted  */
     CONTEST_DIED,       /* no run has an error, and not all were refused           */
     CONTEST_REFUSED,
     CONTEST_SKIPPED, /* the budget ended before its first run                      */
@@ -197,7 +208,7 @@ extern const char *const contest_rule;
  * iterations that meet it (bisection along one axis at a time, to a tenth of the points and
  * a factor of two), and refines the nearest run, or the cheapest that is as near but for
  * CONTEST_LEAST_GAIN, with half the points across while that is as near, until it meets the
- * least target, is within the truth's bar or costs too much. It depends on the rows alone:
+ * least target, is limited by the truth or costs too much. It depends on the rows alone:
  * the same rows are searched for the same.
  */
 struct contest_wish {

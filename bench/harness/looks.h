@@ -19,6 +19,8 @@ enum {
     LOOKS_SPEED, /* rms over the grid since the look before; NaN at the first    [m/s] */
     LOOKS_LOAD,  /* force of obstacles against gravity, over the weight; NaN without them */
     LOOKS_THROUGH, /* steps so far that ended with part of an obstacle through the sheet  */
+    LOOKS_SPREAD,  /* of neighbouring stretches                                          */
+    LOOKS_TURN,    /* of a cell of the net [rad]; NaN: not measured                      */
     LOOKS_SERIES
 };
 

@@ -27,6 +27,10 @@
       "steps that ended with part of an obstacle, thinner than the net, through the "      \
       "sheet")                                                                             \
     X(THROUGH_TIME, through_time, "s", "first look after such a step")                     \
+    X(SPREAD_MAX, spread_max, "1",                                                         \
+      "largest rms difference of a stretch from its neighbours, a tenth of the sheet "     \
+      "away")                                                                              \
+    X(TURN_MAX, turn_max, "rad", "largest rms angle by which a cell of the net bends")     \
     X(SPEED_MAX, speed_max, "m/s", "largest rms speed between two looks")                  \
     X(SPEED_END, speed_end, "m/s", "the same between the last two")                        \
     X(ENERGY_DRIFT_MAX, energy_drift_max, "1", "largest share of the energy in play won")  \

@@ -101,6 +101,9 @@ static void measure(struct run_file *f)
         l->series[LOOKS_SPEED][n] =
             metric_rmse(f->xyz, f->before) / (l->time[n] - l->time[n - 1]);
     l->series[LOOKS_LOAD][n] = f->load;
+    l->series[LOOKS_TURN][n] = metric_turn(
+        &f->run->scene, (const int[]){warnings_spans(f->run, 0), warnings_spans(f->run, 1)},
+        f->xyz);
     l->series[LOOKS_THROUGH][n] = f->through;
     l->energy[n] = f->energy;
 }
@@ -241,7 +244,6 @@ enum status run_file_end(struct run_file *f, struct message *why)
 static enum status store_warnings(const struct run_file *f, const struct run_result *r,
                                   struct message *why)
 {
-    struct message sentence;
     char *text = NULL;
     size_t size = 0;
     FILE *file = open_memstream(&text, &size);
@@ -249,8 +251,8 @@ static enum status store_warnings(const struct run_file *f, const struct run_res
 
     if (!file)
         return st;
-    if (distrust(&f->run->scene, r->value, &sentence))
-        fprintf(file, "%s\n", sentence.text);
+    if (*r->distrust.text)
+        fprintf(file, "%s\n", r->distrust.text);
     if (*f->run->adapted.text)
         fprintf(file, "%s\n", f->run->adapted.text);
     warnings_print(f->run, "", file);
@@ -271,6 +273,8 @@ static enum status complete(struct run_file *f, const struct motion *m,
 
     TRY(store_size(store, &f->size, why));
     TRY(store_warnings(f, r, why));
+    if (*r->distrust.text)
+        TRY(store_text(store, "distrust", r->distrust.text, why));
     TRY(store_series(f, why));
     if (!f->created)
         TRY(store_seconds(store, "create", &run->create_seconds, 1, 0, why));
@@ -308,6 +312,7 @@ enum status run_file_close(struct run_file *f, const struct motion *m,
     r.work = f->work;
     run_result_tell(&r, f->sentence.text);
     looks_reduce(&f->looks, &f->run->scene, r.outcome, r.death_time, &r.work, r.value);
+    distrust(f->run, r.value, &r.distrust);
     if (f->store)
         TRY(complete(f, m, &r, why));
     if (result)

@@ -60,7 +60,7 @@ static enum status read_looks(const struct store_read *file, const char *path,
     TRY(read_numbers(file, path, "time", count, 1, l->time, why));
     for (int n = 0; n < LOOKS_SERIES; n++) {
         snprintf(name, sizeof name, "metrics/%s", looks_series[n].name);
-        const bool added = n == LOOKS_LOAD || n == LOOKS_THROUGH;
+        const bool added = n == LOOKS_LOAD || n >= LOOKS_THROUGH;
         if (added && !store_read_has(file, name)) /* older files have none */
             for (int k = 0; k < count; k++)
                 l->series[n][k] = NAN;
@@ -173,6 +173,12 @@ static enum status read_last(const struct store_read *file, const char *name, do
     return st;
 }
 
+/* Returns a count from a file; 0: it is none. */
+static long count_of(double value)
+{
+    return fabs(value) < 1e15 ? lround(value) : 0;
+}
+
 static enum status read_work(const struct store_read *file, struct counters *work,
                              struct message *why)
 {
@@ -195,13 +201,12 @@ static enum status read_work(const struct store_read *file, struct counters *wor
         if (counters[n].count == &work->tested && !store_read_has(file, counters[n].name))
             continue; /* older files have none */
         TRY(store_read_array(file, counters[n].name, &value, &rows, &columns, why));
-        *counters[n].count =
-            rows && isfinite(value[rows - 1]) ? lround(value[rows - 1]) : 0;
+        *counters[n].count = rows ? count_of(value[rows - 1]) : 0;
         free(value);
     }
     TRY(read_last(file, "counters/left", &work->left, why));
     TRY(read_last(file, "counters/missed", &missed, why));
-    work->missed = lround(missed);
+    work->missed = count_of(missed);
 out:
     return st;
 }
@@ -284,6 +289,7 @@ static enum status read_end(const struct store_read *file, const char *path,
     TRY(read_extra(file, "made_for", r->made_for, sizeof r->made_for));
     TRY(read_extra(file, "quick", quick, sizeof quick));
     r->quick = *quick;
+    TRY(read_extra(file, "distrust", r->distrust.text, sizeof r->distrust.text));
 out:
     free(outcome);
     free(note);

@@ -13,6 +13,7 @@ struct run_result {
     struct message sentence; /* "done"; "not_arrived: ..."; the death; the refusal      */
     double death_time;       /* [s]; NaN: it did not die                                */
     double value[MEASURES];
+    struct message distrust; /* why it cannot be right (distrust.h); ""                 */
     struct counters work; /* up to the last look                                        */
     double create_seconds, step_seconds, look_seconds; /* of the first repeat           */
     long steps;

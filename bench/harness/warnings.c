@@ -48,12 +48,6 @@ static bool thickness_locks(const struct run *r, double number[])
     return !is_cured(r) && r->discretization.degree[2] == 1 && nu != 0;
 }
 
-static bool degree_1_locks(const struct run *r, double number[])
-{
-    (void)number;
-    return !is_cured(r) && in_plane_degree(r) == 1;
-}
-
 /* Takes the longest span of a direction of degree 2, in thicknesses. */
 static bool degree_2_locks(const struct run *r, double number[])
 {
@@ -168,7 +162,7 @@ static bool is_around(const struct run *r, int along)
     return along == 1 && scene_closed(&r->scene);
 }
 
-static int spans_of(const struct run *r, int along)
+int warnings_spans(const struct run *r, int along)
 {
     return r->discretization.points[along] -
            (is_around(r, along) ? 0 : r->discretization.degree[along]);
@@ -216,17 +210,21 @@ static bool clamp_is_narrow(const struct run *r, double number[])
     const struct scene *s = &r->scene;
     const struct discretization *d = &r->discretization;
 
-    number[0] = fmin(s->length / spans_of(r, 0), s->width / spans_of(r, 1));
+    number[0] = fmin(s->length / warnings_spans(r, 0), s->width / warnings_spans(r, 1));
     number[1] = s->length / sqrt(scene_gamma(s));
     return in_plane_degree(r) >= 2 && d->remedy != REMEDY_NONE && !d->knots[0] &&
            !d->knots[1] && d->kinematics == KINEMATICS_NONLINEAR &&
            number[0] > BENDS * number[1];
 }
 
-/* Returns the longest span of a net, in metres. */
+/* Returns the longest span of a net that may have to bend, in metres. */
 static double longest_span(const struct run *r)
 {
-    return fmax(r->scene.length / spans_of(r, 0), r->scene.width / spans_of(r, 1));
+    const double along = r->scene.length / warnings_spans(r, 0);
+
+    return scene_same_across(&r->scene)
+               ? along
+               : fmax(along, r->scene.width / warnings_spans(r, 1));
 }
 
 /* Returns whether contact follows the law of the scene. */
@@ -254,6 +252,16 @@ static double stretch_of_bends(const struct run *r)
                   : 12 * pow(turn / pi, 2 * p) / (turn * turn) * thin * thin;
 }
 
+/* In an element of degree 1 a bend of curvature k is a shear of k x: its energy over that
+ * of the bend. */
+static bool degree_1_locks(const struct run *r, double number[])
+{
+    const double thin = longest_span(r) / r->scene.thickness;
+
+    number[1] = (1 - r->scene.poisson) / 2 * thin * thin;
+    return !is_cured(r) && in_plane_degree(r) == 1;
+}
+
 /* A net locks where stretching takes more than bending: heavy cantilevers of degrees 2 and
  * 3, h/L from 1e-2 to 1e-4, then drop by .5 to .7 % too little, and by 3 to 4 % where it
  * takes 40 times as much. */
@@ -266,6 +274,71 @@ static bool bends_stretch(const struct run *r, double number[])
     return r->discretization.kinematics == KINEMATICS_NONLINEAR && number[1] > 1 &&
            (remedy == REMEDY_INCOMPATIBLE ||
             (remedy == REMEDY_NONE && in_plane_degree(r) > 1));
+}
+
+/* A sheet bends under its own weight from GAMMA_BENDS on; one that locks by so much that it
+ * has less than GAMMA_STIFF left does not. */
+static const double GAMMA_BENDS = 10, GAMMA_STIFF = 1;
+
+static bool hardly_bends(const struct run *r, const double number[])
+{
+    const double gamma = scene_gamma(&r->scene);
+
+    return gamma >= GAMMA_BENDS && gamma / (1 + number[1]) < GAMMA_STIFF;
+}
+
+/* The energy of the shear is known well. A cantilever sags by Gamma / 8 of its length, and
+ * not beyond it: by Gamma / (8 + Gamma), of which a tenth of the length may be lost.
+ * Weightless ones are bent by their supports. */
+static bool hardly_shears(const struct run *r, const double number[])
+{
+    const double gamma = scene_gamma(&r->scene), left = gamma / (1 + number[1]);
+
+    return gamma > 0 ? gamma / (8 + gamma) - left / (8 + left) > 0.1
+                     : number[1] > GAMMA_BENDS;
+}
+
+static bool is_far_out(const struct run *r, const double number[])
+{
+    (void)r;
+    return number[0] > 1;
+}
+
+/* Takes the side along u of an area that is held and, if that is narrower, the span. Of the
+ * drawn sheets, which hang from u = 0, none was worse for few or long spans across. */
+static bool holds_less_than_a_cell(const struct run *r, double number[])
+{
+    const double length = r->scene.length, span = length / warnings_spans(r, 0);
+    bool less = false;
+
+    for (int n = 0; n < r->scene.support_count; n++) {
+        const struct scene_support s = scene_support_along(&r->scene, n);
+        const double side = (s.hi[0] - s.lo[0]) * length;
+        if (side > 0 && side < span * (1 - 1e-9))
+            less = true, number[0] = side, number[1] = span;
+    }
+    return less;
+}
+
+static bool always(const struct run *r, const double number[])
+{
+    (void)r, (void)number;
+    return true;
+}
+
+static bool forgets_its_shape(const struct run *r, double number[])
+{
+    (void)number;
+    return r->discretization.kinematics == KINEMATICS_INCREMENTAL &&
+           r->scene.support_count > 0;
+}
+
+static bool has_few_spans(const struct run *r, double number[])
+{
+    enum { LEAST = 3 };
+
+    number[0] = warnings_spans(r, 0);
+    return number[0] < LEAST && scene_gamma(&r->scene) >= GAMMA_BENDS;
 }
 
 /* Takes the law at a body under the sheet's weight. */
@@ -334,7 +407,8 @@ const struct warnings_rule warnings_rules[] = {
      "in bending, on any net"},
     {"degree_1", "study locking", degree_1_locks,
      "degree 1 with remedy=none locks in shear: 10x10x2 hexahedra keep 0.02 %% of a tip at "
-     "h/L = 1e-3, 32x32x2 keep 0.3 %%"},
+     "h/L = 1e-3, 32x32x2 keep 0.3 %%",
+     hardly_shears, "its net locks in shear"},
     {"degree_2", "study locking", degree_2_locks,
      "degree 2 with remedy=none locks in shear where spans are longer than %g thicknesses, "
      "here %.3g: at 125 it keeps 68 %% of a tip"},
@@ -343,9 +417,11 @@ const struct warnings_rule warnings_rules[] = {
      "stretch "
      "that it can't avoid takes %.2g times the energy of the bend; finer spans, or a net "
      "with "
-     "a cure of its membrane"},
+     "a cure of its membrane",
+     hardly_bends, "its net locks"},
     {"linear", "verify elastica", strain_is_small,
-     "small-strain theory misses a cantilever's tip by more than %g %% at this Gamma"},
+     "small-strain theory misses a cantilever's tip by more than %g %% at this Gamma",
+     is_far_out, "small-strain theory does not reach this far"},
     {"printed", "study timestep", is_viscous,
      "kinematics=printed is a viscous sheet without elastic memory: its viscosity is E dt "
      "= "
@@ -367,6 +443,17 @@ const struct warnings_rule warnings_rules[] = {
     {"between", "compare corners_patch", no_ends_could_fit, BETWEEN},
     {"between", "compare corners_patch", ends_could_fit,
      BETWEEN "; %g x %g points have lines there"},
+    {"narrow", "distrust_trial", holds_less_than_a_cell,
+     "%.2g m of the sheet are held, less than a span of %.2g m: the net has no place for "
+     "that",
+     always, "a place that is held is narrower than a cell of its net"},
+    {"few", "distrust_trial", has_few_spans,
+     "a net of %g spans along u hardly bends: three are the least that showed a motion",
+     always, "its net has fewer than three spans along u"},
+    {"forgets", "distrust_trial", forgets_its_shape,
+     "kinematics=incremental forgets part of the shape at rest: a sheet that is held sags "
+     "as if its stiffness relaxed",
+     always, "its scheme forgets the shape at rest"},
     {"clamp", "run napkin_drop", clamp_is_narrow,
      "spans of %.2g m, but at this Gamma a sheet may bend within %.2g m: between the "
      "points "

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "bench/files/atomic_file.h"
-#include "bench/harness/distrust.h"
 #include "bench/harness/run_file.h"
 #include "bench/run/describe.h"
 #include "bench/run/statics.h"
@@ -201,13 +200,11 @@ static enum status open_file(struct job *j, const char *path, struct message *wh
 /* Prints the run's sentences; those that say that the result cannot be right come first. */
 static void tell(struct job *j, const struct run_result *r)
 {
-    struct message sentence;
-
     if (j->quiet || j->told)
         return;
     j->told = true;
-    if (r && distrust(&j->run.scene, r->value, &sentence))
-        fprintf(stderr, "%s\n", sentence.text);
+    if (r && *r->distrust.text)
+        fprintf(stderr, "%s\n", r->distrust.text);
     describe_setup(&j->run, stderr);
 }
 

@@ -32,7 +32,8 @@ static void become_python(int error, const char *script, const char *const *word
 {
     const char *named = getenv("CLOTHBENCH_PYTHON");
     const char *python = named && *named ? named : PYTHON;
-    /* Its own path first: Python looks there for its folder, and on the PATH for a name's. */
+    /* Its own path first: Python looks there for its folder, and on the PATH for a name's.
+     */
     char *argv[SHOW_WORDS + 5] = {(char *)python, "-I", "-B", (char *)script};
 
     for (int n = 0; words[n] && n < SHOW_WORDS; n++)

@@ -66,6 +66,86 @@ static double largest_stretch(const struct metric_rest *rest, const double *xyz,
     return sqrt(0.5 * (aa + bb + hypot(aa - bb, 2 * ab)));
 }
 
+enum { APART = 10 }; /* grid steps between neighbours of the spread */
+
+static double spread_of(const struct metric_rest *rest, const double *xyz)
+{
+    const int sheets = rest->scene->sheets;
+    double s[GRID_V][GRID_U], sum = 0;
+    int count = 0;
+
+    for (int j = 0; j < GRID_V; j++)
+        for (int i = 0; i < GRID_U; i++)
+            s[j][i] = largest_stretch(rest, xyz, i, j);
+    for (int j = APART; j < GRID_V - APART; j++)
+        for (int i = APART; i < GRID_U - APART; i++) {
+            if (grid_sheet(sheets, i - APART) != grid_sheet(sheets, i + APART))
+                continue;
+            const double off =
+                s[j][i] -
+                (s[j][i - APART] + s[j][i + APART] + s[j - APART][i] + s[j + APART][i]) / 4;
+            sum += off * off, count++;
+        }
+    return count ? sqrt(sum / count) : 0;
+}
+
+double metric_spread(const struct scene *scene, const double *xyz)
+{
+    struct metric_rest rest;
+    const enum status st = metric_rest_init(&rest, scene);
+    const double spread = st == STATUS_OK ? spread_of(&rest, xyz) : NAN;
+
+    metric_rest_clear(&rest);
+    return spread;
+}
+
+/* Computes the normal in the middle of a span, to any length. */
+static void normal_of_span(const int spans[2], int k, int l, const double *xyz, double n[3])
+{
+    const int i = (int)((k + 0.5) * (GRID_U - 1) / spans[0]),
+              j = (int)((l + 0.5) * (GRID_V - 1) / spans[1]);
+    double at[3], u[3], v[3];
+
+    middle(xyz, i, j, at);
+    middle(xyz, i + 1, j, u);
+    middle(xyz, i, j + 1, v);
+    for (int c = 0; c < 3; c++)
+        u[c] -= at[c], v[c] -= at[c];
+    vector_cross(u, v, n);
+}
+
+static double square_angle(const double a[3], const double b[3])
+{
+    double across[3];
+
+    vector_cross(a, b, across);
+    const double angle = atan2(vector_length(across), vector_dot(a, b));
+    return angle * angle;
+}
+
+double metric_turn(const struct scene *scene, const int spans[2], const double *xyz)
+{
+    double sum = 0, here[3], next[3];
+    int count = 0;
+
+    if (scene->shape != SCENE_FLAT || scene->sheets > 1)
+        return NAN;
+    for (int l = 0; l < spans[1]; l++)
+        for (int k = 0; k < spans[0]; k++) {
+            normal_of_span(spans, k, l, xyz, here);
+            if (k + 1 < spans[0]) {
+                normal_of_span(spans, k + 1, l, xyz, next);
+                sum += square_angle(here, next);
+            }
+            if (l + 1 < spans[1]) {
+                normal_of_span(spans, k, l + 1, xyz, next);
+                sum += square_angle(here, next);
+            }
+            count++;
+        }
+    return sqrt(sum / count);
+}
+
 static double most_stretched(const struct metric_rest *rest, const double *xyz)
 {
     double largest = 0;

@@ -20,6 +20,16 @@ double metric_rmse(const double *a, const double *b);
  * rest shape. Exact for an affine map of a flat sheet; 1 for a curved one at rest. */
 double metric_stretch(const struct scene *scene, const double *xyz);
 
+/* Returns the spread of neighbouring stretches: the rms difference of the largest principal
+ * stretch from the mean of the four a tenth of the sheet away [1]. 0 for an affine map;
+ * where a net cannot follow, it stretches and shrinks by turns. */
+double metric_spread(const struct scene *scene, const double *xyz);
+
+/* Returns the rms angle between the normals in the middles of neighbouring spans of a net
+ * of spans[2], along u and v [rad]: how far a cell bends. NaN for a curved rest shape, and
+ * for several sheets. */
+double metric_turn(const struct scene *scene, const int spans[2], const double *xyz);
+
 /* Returns how far the lowest mid-surface point lies below the highest mid-surface rest
  * point of the supports (of the sheet, if it has none), over L. Zero for a level sheet at
  * rest. */

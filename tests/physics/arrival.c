@@ -3,7 +3,6 @@
  * (arrival.h), and one that has not is an outcome that the result's file keeps; an area
  * that is held holds the sheet as a clamped edge does. */
 #include "bench/files/store.h"
-#include "bench/harness/distrust.h"
 #include "bench/harness/run_file.h"
 #include "models/mechanics/arrival.h"
 #include "tests/opened_run.h"
@@ -117,7 +116,7 @@ static double way_of(const struct run_plan *plan, const double *uvw, int compone
     run.model->probe(run.state, 1, uvw, x);
     scene_rest_point(&run.scene, uvw, rest);
     REQUIRE(run_file_close(f, &m, r, &why) == STATUS_OK);
-    distrust(&run.scene, r->value, told);
+    *told = r->distrust;
     motion_clear(&m);
     run_close(&run);
     return x[component] - rest[component];

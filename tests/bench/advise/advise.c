@@ -111,6 +111,28 @@ static void ranking(const char *folder)
     compare_job_close(&world.job);
 }
 
+/* Asked twice, a clock says twice something else, and the answer is the same: of those that
+ * take about as long the first, and of each the fewest points. A net that is distrusted is
+ * no answer, however cheap. */
+static void twice(const char *folder)
+{
+    for (int slow = 0; slow < 3; slow++) {
+        struct advise_search s = make(folder);
+        s.job->contest.advises = true;
+        add("triangles", 12, slow == 1 ? 0.5 : 0.4, 0.012);
+        add("triangles", 9, slow == 2 ? 0.5 : 0.4, 0.012);
+        add("mass_spring", 8, slow == 1 ? 0.4 : 0.5, 0.012);
+        add("shell_3", 8, 0.1, 0.01)->result.distrust = (struct message){"Do not trust"};
+        const char *text = printed(&s, TABLE_TEXT);
+        CHECK(strstr(text, "--model triangles --set 'discretization.points=[9,7]'"));
+        CHECK(in_order(text, "triangles yes 9x7", "springs yes 8x6") ||
+              in_order(text, "triangles yes 9x7", "yes 8x6"));
+        CHECK(strstr(text, "no run can be trusted"));
+        world.job.found = NULL;
+        compare_job_close(&world.job);
+    }
+}
+
 /* Asks with what a frame may take: answered by the run nearest to the truth of those that
  * take no more, with its substeps; by nothing, if none does. */
 static void frames(const char *folder)
@@ -119,12 +141,15 @@ static void frames(const char *folder)
 
     s.wish.error = NAN, s.wish.frame = 4e-3; /* 125 frames: 0.5 s */
     add("vbd", 8, 0.3, 0.03);
-    add("vbd", 10, 0.5, 0.02)->at.size[CONTEST_ITERATIONS] = 20;
+    struct contest_row *row = add("vbd", 10, 0.5, 0.02);
+    row->at.size[CONTEST_ITERATIONS] = 20;
+    row->result.work =
+        (struct counters){.steps = 500, .substeps = 5000, .iterations = 100000};
     add("vbd", 12, 0.51, 0.01);
     add("triangles", 10, 0.1, 0.025);
     const char *text = printed(&s, TABLE_TEXT);
     CHECK(strstr(text, "vertex block descent: error 2 %") && strstr(text, "4 ms a frame"));
-    CHECK(strstr(text, "Net 10x8, substeps of 0.1 ms, 20 iterations in each."));
+    CHECK(strstr(text, "Net 10x8, steps of 1 ms, each in 10 substeps with 200 iterations"));
     CHECK(in_order(text, "descent yes 10x8", "triangles yes 10x8"));
     s.wish.frame = 0.7e-3;
     text = printed(&s, TABLE_TEXT);
@@ -178,5 +203,6 @@ int main(int argc, char **argv)
     ranking(argv[1]);
     verdicts(argv[1]);
     frames(argv[1]);
+    twice(argv[1]);
     return check_result();
 }

@@ -221,10 +221,13 @@ static void proposals(void)
     REQUIRE(contest_add(c, &(struct contest_at){named(stubborn.who), {10, 10, 1, 0}},
                         NULL) == STATUS_OK);
     fill(NULL, 0, NULL);
-    world.bar[0] = 0.05;
+    world.bar[0] = 0.027;
     proposes(0, NULL);
-    world.bar[0] = 0.03;
+    world.bar[0] = 0.026;
     CHECK(contest_propose(c, &cheap) == STATUS_OK && c->count == 1);
+    c->cells = 2; /* 9 spans to 4 are too long for advice */
+    proposes(2, square);
+    c->count = 1, c->cells = 0;
     proposes(1, &strips[0]);
     proposes(1, &strips[1]);
     proposes(2, strip);

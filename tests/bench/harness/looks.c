@@ -64,7 +64,8 @@ static double (*const metric[LOOKS_SERIES])(const struct scene *, const double *
     [LOOKS_DROP] = metric_drop,
     [LOOKS_ANGLE] = metric_angle,
     [LOOKS_STRETCH] = metric_stretch,
-    [LOOKS_ROUGHNESS] = metric_roughness};
+    [LOOKS_ROUGHNESS] = metric_roughness,
+    [LOOKS_SPREAD] = metric_spread};
 
 /* A measure is called after its series. */
 static bool is_called(int measure, const char *series, const char *end)
@@ -82,7 +83,7 @@ static void test_series(void)
     for (int s = 0; s < LOOKS_SERIES; s++) {
         const struct looks_series *l = &looks_series[s];
         CHECK(l->value == metric[s] && is_called(l->most, l->name, "max"));
-        CHECK(l->end < 0 ? (s == LOOKS_PENETRATION || s == LOOKS_THROUGH)
+        CHECK(l->end < 0 ? (s == LOOKS_PENETRATION || s >= LOOKS_THROUGH)
                          : is_called(l->end, l->name, "end"));
         CHECK(value[l->most] == 1.5 * (s + 1));
         CHECK(l->end < 0 || value[l->end] == 1.25 * (s + 1));

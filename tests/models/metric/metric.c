@@ -7,6 +7,13 @@
  * size 1. */
 #define TOL_STRETCH (4 * DBL_EPSILON * 99 / 0.35)
 
+/* The middle of a span is rounded to a step of the grid: angles by 1 / 99 R, at either end,
+ * and by as much as these do not cancel in all. */
+#define TOL_TURN 1e-2
+
+/* Two columns of eighty have a neighbour on the edge, with a one-sided difference. */
+#define TOL_EDGE 1e-2
+
 static void test_rmse(void)
 {
     static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -83,6 +90,48 @@ static void test_stretch(void)
     }
     xyz[7] = NAN;
     CHECK(isnan(metric_stretch(&scene, xyz)));
+    scene_clear(&scene);
+    free(xyz);
+}
+
+/* The sheet rolled to a cylinder of radius R, of u, or stretched by 1 + a u^2 along u. */
+static void fill_bent(const struct scene *scene, double R, double a, double *xyz)
+{
+    for (int n = 0; n < GRID_POINTS; n++) {
+        double uvw[3];
+        grid_point(n, uvw);
+        const double s = uvw[0] * scene->length;
+        xyz[3 * n] = R > 0 ? R * sin(s / R) : s + a * s * s * s / 3;
+        xyz[3 * n + 1] = uvw[1] * scene->width;
+        xyz[3 * n + 2] = R > 0 ? R * cos(s / R) : 0;
+    }
+}
+
+/* Even strain has no spread, and none that grows with s; of 1 + a s^2 the mean of two
+ * neighbours at a distance d is a d^2 more, and that of four half of it. A cell of n along
+ * a cylinder turns by L / n R, none across it; the last has no neighbour. */
+static void test_spread_and_turn(void)
+{
+    enum { N = 9 };
+    static const double R = 0.7, a = 0.3, d = 10. / 99;
+    double *xyz = new_field();
+    struct scene scene;
+
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    fill_rest(&scene, xyz);
+    CHECK_NEAR(metric_spread(&scene, xyz), 0, TOL_STRETCH);
+    CHECK_NEAR(metric_turn(&scene, (const int[]){N, N}, xyz), 0, TOL_STRETCH);
+    fill_bent(&scene, 0, a, xyz);
+    CHECK_RELATIVE(metric_spread(&scene, xyz), a * d * d / 2, TOL_EDGE);
+    fill_bent(&scene, R, 0, xyz);
+    CHECK_NEAR(metric_turn(&scene, (const int[]){N, 4}, xyz), sqrt((N - 1.) / N) / N / R,
+               TOL_TURN);
+    CHECK_NEAR(metric_spread(&scene, xyz), 0, TOL_STRETCH);
+    scene.shape = SCENE_CLOAK;
+    CHECK(isnan(metric_turn(&scene, (const int[]){N, N}, xyz)));
+    scene.shape = SCENE_FLAT;
+    xyz[3 * (GRID_U * 50 + 50)] = NAN;
+    CHECK(isnan(metric_spread(&scene, xyz)));
     scene_clear(&scene);
     free(xyz);
 }
@@ -314,6 +363,7 @@ int main(void)
 {
     test_rmse();
     test_stretch();
+    test_spread_and_turn();
     test_drop();
     test_roughness();
     test_unevenness();

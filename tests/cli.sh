@@ -74,6 +74,12 @@ awk -F, '/^time_s,/ { for (n = 1; n <= NF; n++) at[$n] = n }
     END { exit wrong || rows < 4 }' out || fail "columns of a truth: $(<out)"
 sed 's/^name:.*/name: mine/' "$2/models/scenes/edge_drop.yaml" >mine.yaml
 good truth corners_patch --stored
+# what it has made is found where it was left
+sed 's/^name:.*/name: yours/' mine.yaml >yours.yaml
+refused truth yours.yaml --stored
+ends 1 truth yours.yaml --error 0.0001% --until 0.04 --budget 1e-6
+good truth yours.yaml --stored
+has out 'Truth of yours'
 for scene in flag sphere; do # truths that end within what is stored
     CLOTHBENCH_TRUTHS=$blunt good truth "$scene" --stored
     has out 'no claim'

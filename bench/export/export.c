@@ -1670,10 +1670,8 @@ static void put_score(const struct export_job *j, struct output *out)
         output_print(out, "The truth is known at %d times from %g to %g s", known->claimed,
                      known->time[0], known->time[known->claimed - 1]);
     else if (truth_plan_check(&j->scene, &why) == STATUS_OK)
-        output_print(out,
-                     "No truth is stored: `clothbench truth scene.yaml` makes one in "
-                     "results/truths, where score\nfinds it if CLOTHBENCH_TRUTHS names "
-                     "that folder");
+        output_print(out, "No truth is stored: `clothbench truth scene.yaml` makes one in "
+                          "results/truths, where score\nfinds it");
     else
         output_print(out, "No truth is stored: %s", why.text);
     output_print(out, "%s.\n",

@@ -302,8 +302,12 @@ enum status truth_file_write(const char *path, const struct truth_runs *runs,
 enum status truth_file_read(const char *path, struct truth *made, char **physics,
                             struct message *why);
 
-/* Reads the truth of a name, if it is of this scene's physics; or of a path (named_file.h),
- * which a command has left for itself: then crossings take no claim back (truth_doubt).
+/* The folder in which the command `truth` leaves what it made, seen from where it runs. */
+#define TRUTH_FILE_LEFT "results/truths"
+
+/* Reads the truth of a name, if it is of this scene's physics, else the one in
+ * TRUTH_FILE_LEFT; or of a path (named_file.h), which a command has left for itself: then
+ * crossings take no claim back (truth_doubt).
  * STATUS_FILE: none is stored; STATUS_UNSUPPORTED: it is of other physics; STATUS_INPUT: it
  * is damaged; with a sentence each. Free with truth_clear. */
 enum status truth_file_find(const char *name, const struct scene *scene, struct truth *made,

@@ -365,7 +365,7 @@ static enum status choose_file(const struct job *j, const struct command_line *l
 {
     const char *out = command_value(line, "--out");
     const bool store = command_given(line, "--store");
-    const char *all = j->quick ? "results/truths_quick" : "results/truths";
+    const char *all = j->quick ? TRUTH_FILE_LEFT "_quick" : TRUTH_FILE_LEFT;
     enum status st;
 
     if (out && store)
@@ -411,8 +411,10 @@ static enum status make(struct job *j, const struct command_line *line, struct m
     }
     truth_pack(&made, j->scene.length);
     TRY(truth_file_write(file, &runs, &made, why));
-    if (!third)
+    if (!third) {
         TRY(truth_crossing_judge(&made, j->scene.sheets));
+        truth_crossing_tell(&made, &j->scene, &j->end);
+    }
     TRY(print(&made, &j->scene, j->format, stdout));
     fprintf(stderr, "%s in %s\n", third ? "third mechanics" : "truth", file);
     if (j->must && j->end.answer != TRUTH_MET)
@@ -513,8 +515,9 @@ const struct command truth_command = {
         "sheet passes through itself or another one.\n"
         "\n"
         "Truths of some scenes come with the program; `compare` and other commands use\n"
-        "these and those in $CLOTHBENCH_TRUTHS. A scene with velocity_scale, a damping\n"
-        "that is not a rate, has an undamped truth. Runs are stored, and a command that\n"
+        "these, those in $CLOTHBENCH_TRUTHS and those in results/truths. A scene with\n"
+        "velocity_scale, a damping that is not a rate, has an undamped truth. Runs are "
+        "stored, and a command that\n"
         "was killed continues where it was.\n",
     .examples =
         "truth edge_drop --stored\ntruth edge_drop --stored --points 21,21\n"

@@ -1,5 +1,6 @@
 #include <math.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "bench/truth/truth_parts.h"
@@ -42,4 +43,18 @@ enum status truth_crossing_judge(struct truth *made, int sheets)
     made->claimed = end;
 out:
     return st;
+}
+
+void truth_crossing_tell(const struct truth *made, const struct scene *scene,
+                         struct truth_end *end)
+{
+    const double until = made->claimed < made->times ? made->time[made->claimed] : INFINITY;
+
+    if (end->known < until)
+        return;
+    end->answer = TRUTH_LOST;
+    snprintf(end->text, sizeof end->text,
+             "no: from %.3g s on a sheet passes through %s, and nothing can be claimed "
+             "(--until asks for an earlier end)",
+             until, scene_sheet_other(scene));
 }

@@ -505,8 +505,9 @@ enum status truth_file_read(const char *path, struct truth *made, char **physics
     return read_judged(path, true, made, physics, why);
 }
 
-enum status truth_file_find(const char *name, const struct scene *scene, struct truth *made,
-                            struct message *why)
+/* Finds the truth of a name or a path; `search`: for crossings, too. */
+static enum status find(const char *name, bool search, const struct scene *scene,
+                        struct truth *made, struct message *why)
 {
     char *path = NULL, *physics = NULL;
     struct message other = {""};
@@ -516,7 +517,7 @@ enum status truth_file_find(const char *name, const struct scene *scene, struct 
     st = named_file_find(&truth_file_kind, name, &path, why);
     if (st != STATUS_OK)
         return st == STATUS_INPUT ? STATUS_FILE : st;
-    TRY(read_judged(path, !strchr(name, '/'), made, &physics, why));
+    TRY(read_judged(path, search, made, &physics, why));
     st = truth_physics_check(physics, scene, &other);
     if (st == STATUS_UNSUPPORTED)
         status_fail(why, st, "the stored truth of %s is %s", name, other.text);
@@ -526,6 +527,26 @@ out:
     free(physics);
     free(path);
     return st;
+}
+
+static bool is_none(enum status st)
+{
+    return st == STATUS_FILE || st == STATUS_UNSUPPORTED;
+}
+
+enum status truth_file_find(const char *name, const struct scene *scene, struct truth *made,
+                            struct message *why)
+{
+    const bool named = !strchr(name, '/');
+    const enum status st = find(name, named, scene, made, why);
+    struct message said = {""};
+    char left[4096];
+
+    if (!named || !is_none(st))
+        return st;
+    snprintf(left, sizeof left, TRUTH_FILE_LEFT "/%s%s", name, truth_file_kind.ending);
+    const enum status here = find(left, true, scene, made, &said);
+    return is_none(here) ? st : here ? status_fail(why, here, "%s", said.text) : here;
 }
 
 static char *describe(const char *path)

@@ -24,7 +24,7 @@ static int compare_times(const void *a, const void *b)
 
 int truth_plan_times(double until, double longest, const struct scene *scene, double **time)
 {
-    const int frames = (int)floor(until / TRUTH_PLAN_FRAME + 1e-9);
+    const int frames = (int)fmin(floor(until / TRUTH_PLAN_FRAME + 1e-9), 1e6);
     int count = 0, kept = 0;
     double *t = malloc((size_t)(frames + scene->snapshot_count + 1) * sizeof *t);
 
@@ -482,6 +482,7 @@ enum status truth_make(const struct truth_runs *runs, const struct scene *scene,
     const struct truth_family *f = pushed_family(&k);
     TRY(push(&k, f, f->count - 1, why));
     TRY(work(&k, made, &o, end, why));
+    end->known = o.known;
     truth_bar_horizon(&k.push, o.blunt, made->times, made->time, scene->length,
                       made->horizon);
 out:

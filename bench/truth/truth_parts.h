@@ -135,6 +135,7 @@ enum { TRUTH_END_TEXT = 600 };
 struct truth_end {
     enum truth_answer answer;
     char text[TRUTH_END_TEXT]; /* as a sentence                                        */
+    double known;              /* the time to which it says that the motion is known [s] */
 };
 
 /* Makes fields, bars and claims at the times of `runs`. At least two runs of each model are
@@ -182,6 +183,10 @@ void truth_third_judge(const struct truth *third, struct truth *made);
 /* Counts the crossings of so many sheets at the claimed times, and takes the claim back
  * from the first one on. STATUS_INPUT: a field is not finite; STATUS_MEMORY. */
 enum status truth_crossing_judge(struct truth *made, int sheets);
+
+/* Makes a crossing the end, where the motion is said to be known past it. */
+void truth_crossing_tell(const struct truth *made, const struct scene *scene,
+                         struct truth_end *end);
 
 /* --- Printing --- */
 

@@ -131,6 +131,21 @@ static int count_solids(const char *folder)
     return solids;
 }
 
+/* What is claimed before a crossing alone is not said to be known after it. */
+static void crossed(void)
+{
+    double time[] = {0.1, 0.38, 0.4};
+    const struct truth made = {.times = 3, .claimed = 1, .time = time};
+    const struct scene scene = {.sheets = 1};
+    struct truth_end known = {TRUTH_MET, "known to 1 % up to 0.4 s", 0.4},
+                     before = {TRUTH_DEAR, "known to 1 % up to 0.1 s", 0.1};
+
+    truth_crossing_tell(&made, &scene, &known);
+    CHECK(known.answer == TRUTH_LOST && strstr(known.text, "from 0.38 s on"));
+    truth_crossing_tell(&made, &scene, &before);
+    CHECK(before.answer == TRUTH_DEAR && strstr(before.text, "up to 0.1 s"));
+}
+
 /* The growth of a change is told of the third of the finest solids, not of the second that
  * was made. */
 static void push_finer(const char *folder)
@@ -268,6 +283,7 @@ int main(int argc, char **argv)
     truth_destroy(blunt);
     truth_destroy(sharp);
     check_answers();
+    crossed();
     check_plate();
     push_finer(finer);
     return check_result();

@@ -48,11 +48,9 @@ void kept_open(const char *folder, const char *command, const char *word,
 {
     struct kept *k = calloc(1, sizeof *k);
     struct provenance p;
-    char path[4096];
 
     *kept = NULL;
-    snprintf(path, sizeof path, "%s/" KEPT_NAME, folder);
-    if (!k || output_create(path, &k->file, NULL) != STATUS_OK) {
+    if (!k || output_create_in(folder, KEPT_NAME, &k->file, NULL) != STATUS_OK) {
         free(k);
         return;
     }

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "bench/files/atomic_file.h"
 
@@ -30,6 +31,21 @@ enum status output_create(const char *path, struct output **out, struct message 
 out:
     output_discard(o);
     return st;
+}
+
+enum status output_create_in(const char *folder, const char *name, struct output **out,
+                             struct message *why)
+{
+    char path[4096];
+    struct stat info;
+
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    if (lstat(path, &info) == 0 && S_ISLNK(info.st_mode))
+        return status_fail(why, STATUS_FILE,
+                           "%s: is a symbolic link, and what it points to is not written; "
+                           "without it, or in a folder of its own, the file would be",
+                           path);
+    return output_create(path, out, why);
 }
 
 void output_print(struct output *out, const char *format, ...)

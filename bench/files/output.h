@@ -13,6 +13,11 @@ struct output;
  * atomic_file_open; on failure *out is untouched. */
 enum status output_create(const char *path, struct output **out, struct message *why);
 
+/* Starts one whose name the program chose, in a folder that somebody else may have filled:
+ * a symbolic link of that name is refused. */
+enum status output_create_in(const char *folder, const char *name, struct output **out,
+                             struct message *why);
+
 /* Prints like printf; a failed write is remembered for output_close. */
 void output_print(struct output *out, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

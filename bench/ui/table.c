@@ -74,7 +74,7 @@ int table_width(const char *text)
     return width;
 }
 
-enum { KEY = 128, PATH = 4096 };
+enum { KEY = 128, NAME = 256 };
 
 /* --- keys ----------------------------------------------------------------------------- */
 
@@ -410,6 +410,12 @@ static void print_line(const struct table *t, const struct table_line *line, int
     fputs(line->behind, file);
 }
 
+/* Prints a character; one that could rule a terminal, from the name of a file, as `?`. */
+static void put(unsigned char c, FILE *file)
+{
+    fputc(iscntrl(c) && c != '\n' && c != '\t' ? '?' : c, file);
+}
+
 /* Prints text with characters replaced, between two strings as they are. */
 static void print_escaped(const char *before, const char *text, const char *behind,
                           const char *const escaped[128], FILE *file)
@@ -420,7 +426,7 @@ static void print_escaped(const char *before, const char *text, const char *behi
         if (c < 128 && escaped[c])
             fputs(escaped[c], file);
         else
-            fputc(c, file);
+            put(c, file);
     }
     fputs(behind, file);
 }
@@ -634,8 +640,9 @@ static void print_words(const char *text, int indent, int width, FILE *file)
         int size = (int)strcspn(text, " \n");
         if (column > indent && column + 1 + size > width)
             column = fprintf(file, "\n%*s", indent, "") - 1;
-        column += fprintf(file, "%s%.*s", column > indent ? " " : "", size, text);
-        text += size;
+        column += size + fprintf(file, "%s", column > indent ? " " : "");
+        for (; size > 0; size--)
+            put((unsigned char)*text++, file);
         if (*text == '\n')
             column = fprintf(file, "\n%*s", indent, "") - 1;
         text += *text != '\0';
@@ -696,6 +703,7 @@ static int part_width(const struct table *t, const struct part *p)
 /* Prints one line of cells. Blanks are printed only before something, none at the end. */
 static void print_cells(const struct table *t, const struct part *p, int row, FILE *file)
 {
+    static const char *const none[128] = {NULL};
     int pending = 0, column = 0;
 
     for (int n = 0; n < p->to; n++) {
@@ -710,7 +718,7 @@ static void print_cells(const struct table *t, const struct part *p, int row, FI
             if (column + table_width(cell) > LINE_WIDTH)
                 print_words(cell, column, LINE_WIDTH, file);
             else
-                fputs(cell, file);
+                print_escaped("", cell, "", none, file);
             column += table_width(cell);
             pending = 0;
         }
@@ -933,13 +941,13 @@ enum status table_save(const struct table *t, const char *folder, const char *na
                        struct message *why)
 {
     struct output *out = NULL;
-    char path[PATH];
+    char file[NAME];
     enum status st;
 
     if (!t || t->failed)
         return STATUS_MEMORY;
-    snprintf(path, sizeof path, "%s/%s.csv", folder, name);
-    TRY(output_create(path, &out, why));
+    snprintf(file, sizeof file, "%s.csv", name);
+    TRY(output_create_in(folder, file, &out, why));
     print_lines(t, true, output_stream(out));
     st = output_close(&out, why);
 out:

@@ -48,7 +48,7 @@ static enum status add_segment(struct contact_thin *t, int obstacle, const doubl
 {
     struct contact_feature f = {.obstacle = obstacle, .radius = radius};
     const double length = vector_distance(a, b), s = t->spacing;
-    const int parts = (int)ceil(2 * length / s);
+    const int parts = (int)fmin(ceil(2 * length / s), 1e6); /* of a body of any length */
     enum status st = STATUS_OK;
 
     memcpy(f.end[0], a, sizeof f.end[0]);

@@ -56,9 +56,10 @@ static void measure(struct verify_trial *t, double at[2])
     at[0] = -xyz[2], at[1] = xyz[0];
 }
 
-static int decade(const struct verify_subject *s, int row)
+/* No weight at all has a decade of its own, -INFINITY. */
+static double decade(const struct verify_subject *s, int row)
 {
-    return (int)floor(log10(reference_number(s->sheet->table, row, "Gamma")) + 1e-9);
+    return floor(log10(reference_number(s->sheet->table, row, "Gamma")) + 1e-9);
 }
 
 /* Adds a row for the worst load of a decade, at the first of them. */

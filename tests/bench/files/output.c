@@ -100,7 +100,8 @@ static void test_signal(int number)
     CHECK(scratch_files(scratch) == before);
 }
 
-/* A symbolic link stays one, and what it points to is replaced. */
+/* A symbolic link stays one, and what it points to is replaced; one in a folder, in which
+ * the program chose the name, is refused. */
 static void test_link(void)
 {
     struct output *out = NULL;
@@ -115,6 +116,8 @@ static void test_link(void)
     output_print(out, "%d\n", 12345);
     CHECK(output_close(&out, &why) == STATUS_OK);
     CHECK(lstat(scratch_path("link.txt"), &info) == 0 && S_ISLNK(info.st_mode));
+    CHECK(stat(scratch_path("real.txt"), &info) == 0 && info.st_size == 6);
+    CHECK(output_create_in(scratch, "link.txt", &out, &why) == STATUS_FILE);
     CHECK(stat(scratch_path("real.txt"), &info) == 0 && info.st_size == 6);
     unlink(scratch_path("link.txt"));
     unlink(scratch_path("real.txt"));

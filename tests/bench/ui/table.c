@@ -56,21 +56,21 @@ static void check_formats(void)
     struct table *t = make();
 
     PRINT(t, TABLE_TEXT, "case_1         a frame  net        to next  unknowns\n",
-          "\1       12.5  10x10         12.5       540\n",
+          "?       12.5  10x10         12.5       540\n",
           "# no comment         -  -      not reached         -\n",
           "*_$#{}<>~^&   1.50e-09  50%           0.33\n");
     PRINT(t, TABLE_CSV,
           "# 50 % & #1\ncase_1,frame_s,to_next_over_length,p,unknowns\n"
-          "\"a|b, \"\"c\"\"\\\n\1\",0.012500000000000001,0.125,2,540\n"
+          "\"a|b, \"\"c\"\"\\\n?\",0.012500000000000001,0.125,2,540\n"
           "\"# no comment\",,,-inf,\n"
           "*_$#{}<>~^&,1.5000000000000001e-12,0.0033333333333333335,,\n,,,,\n"
           "# A \"note\" of 9.\n");
     PRINT(t, TABLE_MARKDOWN,
           "| case\\_1 | a frame [ms] | net | to next [% L] | unknowns |\n",
-          "| a\\|b, \"c\"\\ \1 | 12.5 | 10x10 | 12.5 | 540 |\n",
+          "| a\\|b, \"c\"\\ ? | 12.5 | 10x10 | 12.5 | 540 |\n",
           "| \\*\\_$#{}<>~^& | 1.50e-09 | 50% | 0.33 |  |\n");
     PRINT(t, TABLE_LATEX, "case\\_1 & a frame [ms] & net & to next [\\% L] & unknowns",
-          "a$|$b, \"c\"\\textbackslash{}\n\1 & 12.5 & 10x10 & 12.5 & 540 ",
+          "a$|$b, \"c\"\\textbackslash{}\n? & 12.5 & 10x10 & 12.5 & 540 ",
           "*\\_\\$\\#\\{\\}$<$$>$\\~{}\\^{}\\& & 1.50e-09 & 50\\% & 0.33 &  ");
     PRINT(t, TABLE_JSON,
           "{\"caption\": \"50 % & #1\", \"units\": {\"frame_s\": \"s\", \"to_next_o"
@@ -123,7 +123,7 @@ static void check_files(void)
 {
     static const char want[] =
         "case_1,frame_s,to_next_over_length,p,unknowns\n\"a|b, \"\"c\"\"\\\n"
-        "\1\",0.012500000000000001,0.125,2,540\n\"# no comment\",,,-inf,\n"
+        "?\",0.012500000000000001,0.125,2,540\n\"# no comment\",,,-inf,\n"
         "*_$#{}<>~^&,1.5000000000000001e-12,0.0033333333333333335,,\n,,,,\n";
     struct message why;
     struct table *t = make();

@@ -130,7 +130,9 @@ enum { BENDS_TOO = SCENE_NEED_LOADS | SCENE_NEED_PRESSURE };
 /* Returns how far its weight bends a cantilever of this Gamma, in words. */
 static const char *bending(double gamma)
 {
-    return gamma <= SCENE_GAMMA_ONE_PERCENT ? "linear theory is within 1 % of a cantilever"
+    return gamma == 0 ? "no gravity"
+           : gamma <= SCENE_GAMMA_ONE_PERCENT
+               ? "linear theory is within 1 % of a cantilever"
            : gamma <= SCENE_GAMMA_TEN_PERCENT
                ? "linear theory is within 10 % of a cantilever"
            : gamma < SCENE_GAMMA_CLOTH

@@ -70,6 +70,11 @@ enum status supports_hinge(const struct scene *scene, int layers, const double (
     return STATUS_OK;
 }
 
+static bool region_is_area(const struct scene_support *s)
+{
+    return s->hi[0] > s->lo[0] && s->hi[1] > s->lo[1];
+}
+
 /* Fills owner[3 nodes]: the support holding each unknown, -1 if none; the first wins. */
 static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3],
                           int *owner, struct message *why)
@@ -97,12 +102,17 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
                     owner[3 * a + i] = n;
         }
         if (!count)
-            return status_fail(why, STATUS_INPUT,
-                               "support %d holds no node of this discretization; use %s", n,
-                               layered ? "one element through the thickness "
-                                         "without weights, or an odd number of "
-                                         "layers"
-                                       : "more points or a larger region");
+            return status_fail(
+                why, STATUS_INPUT,
+                "support %d holds no node of this discretization; use %s", n,
+                layered ? "one element through the thickness "
+                          "without weights, or an odd number of "
+                          "layers"
+                : region_is_area(s)
+                    ? "more points or a larger region"
+                    : "an area, as u: [0.2, 0.3], which holds on any net, or "
+                      "points of a net (of mass_spring, triangles, "
+                      "position_based) that has a line there");
     }
     return STATUS_OK;
 }

@@ -350,6 +350,12 @@ static enum status refuse_key(const struct schema_key *keys, const struct yaml_t
                 near.best = k->key, near.least = -1;
         near_try(&near, k->key);
     }
+    if (strspn(node->key, "+-.0123456789eE") == strlen(node->key) &&
+        strpbrk(node->key, "0123456789"))
+        return yaml_tree_refuse(node, why,
+                                "%s has no key %s; is that what follows a decimal comma? "
+                                "numbers have a point",
+                                name, yaml_tree_quote(node->key).text);
     if (near.best)
         return yaml_tree_refuse(node, why, "%s has no key %s%s", name,
                                 yaml_tree_quote(node->key).text, near_text(&near, meant));

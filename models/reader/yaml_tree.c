@@ -11,14 +11,24 @@
  *
  * Events rather than libyaml's documents: those resolve aliases, and so can be cyclic. */
 
+/* Tells whether a byte goes on with a character of UTF-8, as which YAML is read. */
+static bool is_continued(char byte)
+{
+    return ((unsigned char)byte & 0xc0) == 0x80;
+}
+
+/* Characters that could rule a terminal become `?`. */
 struct yaml_tree_words yaml_tree_quote(const char *text)
 {
     struct yaml_tree_words words;
-    size_t n = 0, room = 44; /* "...' in quotes" still fits */
+    size_t n = 0, room = 44; /* and 3 bytes; "...' in quotes" still fits */
 
     words.text[n++] = '\'';
-    for (; *text && n < room; text++)
-        words.text[n++] = isprint((unsigned char)*text) ? *text : '?';
+    for (; *text && (n < room || (n < room + 3 && is_continued(*text))); text++) {
+        const bool rules = iscntrl((unsigned char)*text) ||
+                           (text[0] == '\xc2' && (unsigned char)text[1] < 0xa0);
+        words.text[n++] = rules ? '?' : *text;
+    }
     snprintf(words.text + n, sizeof words.text - n, *text ? "...'" : "'");
     return words;
 }

@@ -56,13 +56,13 @@ struct yaml_tree *yaml_tree_first(const struct yaml_tree *map, const char *key);
 enum status yaml_tree_refuse(const struct yaml_tree *node, struct message *why,
                              const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Describes a node in a sentence: 'text', a list of 3, a section. Printable ASCII. */
+/* Describes a node in a sentence: 'text', a list of 3, a section. */
 struct yaml_tree_words {
     char text[64];
 };
 struct yaml_tree_words yaml_tree_describe(const struct yaml_tree *node);
 
-/* Quotes text, cut short, with '?' for what is not printable ASCII. */
+/* Quotes text, cut short, with '?' for what a terminal would obey. */
 struct yaml_tree_words yaml_tree_quote(const char *text);
 
 #endif

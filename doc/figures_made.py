@@ -217,13 +217,9 @@ def verify():
     rows = []
     for title, strip, plate in [
         ("IGA, p = 2", "IGA, nonlinear, ", "IGA, linear, "),
-        ("IGA, p = 2, reduced", "IGA, reduced, nonlinear, ", "IGA, reduced, linear, "),
         ("IGA, p = 2, selective", "IGA, selective, nonlinear, ", "IGA, selective, linear, "),
-        ("IGA, p = 3, reduced", "IGA, reduced, nonlinear, p = 3, ",
-         "IGA, reduced, linear, p = 3, "),
         ("IGA, p = 3, selective", "IGA, selective, nonlinear, p = 3, ",
          "IGA, selective, linear, p = 3, "),
-        ("IGA, p = 3, clamped", "IGA, clamped, ", "IGA, selective, linear, p = 3, clamped, "),
         ("hexahedra", "hexahedra, nonlinear, ", "hexahedra, linear, "),
         ("hexahedra, incompatible", "hexahedra, incompatible, nonlinear, ",
          "hexahedra, incompatible, linear, "),
@@ -534,7 +530,7 @@ def part_of(error):
     """A fraction in per cent; of what is round-off, nought."""
     return digits(100 * float(error), 2) if float(error) > 1e-9 else "0"
 
-STRESS = [("IGA, paper's", "iga_paper"), ("IGA", "iga_nonlinear"), ("IGA, reduced", "iga_reduced"),
+STRESS = [("IGA, paper's", "iga_paper"), ("IGA", "iga_nonlinear"),
           ("IGA, selective", "iga_selective"), ("hex", "hex_nonlinear"),
           ("hex, incompatible", "hex_incompatible"), ("shell, p = 2", "shell_2"),
           ("shell, cured, p = 3", "shell_selective_3"), ("triangles", "triangles"),
@@ -616,8 +612,8 @@ def mesh():
             [percent(100 * float(truth["error_bar_over_length"]))]]
     return markdown([""] + nets + ["truth"], rows)
 
-CURES = [("none", "IGA (2,2,1), none"), ("reduced", "IGA (2,2,1), reduced"),
-         ("selective", "IGA (2,2,1), selective"), ("selective, degree 3", "IGA (3,3,1), selective")]
+CURES = [("none", "IGA (2,2,1), none"), ("selective", "IGA (2,2,1), selective"),
+         ("selective, degree 3", "IGA (3,3,1), selective")]
 
 def cures():
     found = part("study_cures", "the cures for locking", "tip_of_reference")

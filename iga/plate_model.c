@@ -252,50 +252,6 @@ out:
 
 /* --- Cures. */
 
-/* Computes N, G and weight of one point from rows of the three directions' tables. */
-static double one_point(const struct line_table *const d[3], const int e[3], const int q[3],
-                        double *N, double *G, int row)
-{
-    const double *value[3], *slope[3];
-    double weight[3];
-    int n = 0;
-
-    for (int i = 0; i < 3; i++) {
-        value[i] = values(d[i], e[i], q[i]), slope[i] = value[i] + d[i]->order;
-        weight[i] = d[i]->weight[e[i] * d[i]->most + q[i]];
-    }
-    for (int a = 0; a < d[0]->order; a++)
-        for (int b = 0; b < d[1]->order; b++)
-            for (int c = 0; c < d[2]->order; c++, n++) {
-                N[n] = value[0][a] * value[1][b] * value[2][c];
-                G[n] = slope[0][a] * value[1][b] * value[2][c];
-                G[row + n] = value[0][a] * slope[1][b] * value[2][c];
-                G[2 * row + n] = value[0][a] * value[1][b] * slope[2][c];
-            }
-    return weight[0] * weight[1] * weight[2];
-}
-
-static int reduced_functions(const struct solid_space *space, int element,
-                             struct solid_functions *out)
-{
-    const struct plate_tables *t = space->tables;
-    const struct line_table *const d[3] = {&t->cure[PLATE_REDUCED][0],
-                                           &t->cure[PLATE_REDUCED][1], &t->direction[2]};
-    const int e[3] = {element / (d[1]->spans * d[2]->spans),
-                      element / d[2]->spans % d[1]->spans, element % d[2]->spans};
-    int row = SOLID_PADDED(space->local), count = 0;
-
-    for (int q = 0; q < d[0]->points[e[0]]; q++)
-        for (int s = 0; s < d[1]->points[e[1]]; s++)
-            for (int r = 0; r < d[2]->most; r++, count++) {
-                double *N = out->N + count * row, *G = out->G + 3 * count * row;
-                out->weight[count] = one_point(d, e, (const int[]){q, s, r}, N, G, row);
-                if (t->point_weight)
-                    make_rational(space, element, N, G, row);
-            }
-    return count;
-}
-
 static enum status make_line(struct plate_tables *tables, const struct bspline *b, int l,
                              int i)
 {
@@ -307,18 +263,6 @@ static enum status make_line(struct plate_tables *tables, const struct bspline *
                                          : reduced_rule_init(&rule, b, l != PLATE_ACROSS);
 
     return line_rule_table(&tables->cure[l][i], b, st, &rule, 2, bspline_eval);
-}
-
-enum status plate_model_reduce(struct solid_space *space, struct plate_tables *tables,
-                               const struct patch *patch)
-{
-    enum status st = STATUS_OK;
-
-    for (int i = 0; i < 2 && st == STATUS_OK; i++)
-        st = make_line(tables, &patch->basis[i], PLATE_REDUCED, i);
-    space->reduced = reduced_functions;
-    space->plane_stress = patch->basis[2].n == 2;
-    return st;
 }
 
 /* Computes values and gradients of the functions of a surface at one point: N, N_u, N_v,
@@ -405,54 +349,6 @@ enum status plate_model_select(struct solid_space *space, struct plate_tables *t
     return st;
 }
 
-/* Computes int_a^b exp(-y) of the `count` polynomials that are 1 at one of y[count] and 0
- * at the others; y counts from a. */
-static void decaying(int count, const double *y, double a, double b, double *out)
-{
-    double moment[GAUSS_MAX], end = exp(a - b), power = 1;
-
-    for (int k = 0; k < count; k++, power *= b - a)
-        moment[k] = (k ? k * moment[k - 1] : 1) - power * end;
-    for (int q = 0; q < count; q++) {
-        double c[GAUSS_MAX] = {1}; /* coefficients of the polynomial, from the constant */
-        for (int r = 0, degree = 0; r < count; r++) {
-            if (r == q)
-                continue;
-            degree++;
-            for (int k = degree; k >= 0; k--)
-                c[k] = ((k ? c[k - 1] : 0) - y[r] * c[k]) / (y[q] - y[r]);
-        }
-        out[q] = 0;
-        for (int k = 0; k < count; k++)
-            out[q] += exp(-a) * c[k] * moment[k];
-    }
-}
-
-void plate_model_clamp(struct plate_tables *tables, const struct patch *patch, int i,
-                       bool end, double thickness, double poisson)
-{
-    const struct bspline *b = &patch->basis[i];
-    struct line_table *d = &tables->cure[PLATE_BENDING][i];
-    const double width = thickness * sqrt((1 - poisson) / 120);
-    const double share = poisson * poisson / ((1 - poisson) * (1 - poisson));
-    double x[GAUSS_MAX], w[GAUSS_MAX], y[GAUSS_MAX], less[GAUSS_MAX];
-
-    for (int e = 0; e < d->spans && width > 0; e++) {
-        const int points = d->points[e];
-        double lo = b->U[d->node[e * d->order] + b->p];
-        double hi = b->U[d->node[e * d->order] + b->p + 1];
-        double near = (end ? 1 - hi : lo) / width, far = (end ? 1 - lo : hi) / width;
-        gauss_rule(points, x, w);
-        for (int q = 0; q < points; q++) /* the rule is symmetric */
-            y[q] = (far - near) * x[q];
-        decaying(points, y, near, far, less);
-        for (int q = 0; q < points; q++) {
-            double *weight = d->weight + e * d->most + (end ? points - 1 - q : q);
-            *weight /= 1 - share * less[q] / ((far - near) * w[q]);
-        }
-    }
-}
-
 struct plate {
     struct solid_sheet sheet; /* first: solid_model.h                                  */
     struct plate_tables tables;
@@ -466,8 +362,7 @@ static const struct schema_key options[] = {
     {"points"}, {"degree"}, {"gauss"}, {"knots_u"}, {"knots_v"}, {"knots_w"}, {"weights"},
     {"kinematics"}, {"unknowns"}, {"solver"}, {"preconditioner"}, {"newton"},
     {"viscosity"}, {"substeps"},
-    {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_REDUCED) |
-                       OPTION(REMEDY_SELECTIVE) | OPTION(REMEDY_CLAMPED)},
+    {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_SELECTIVE)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
     {"contact"},
     {NULL}};
@@ -748,40 +643,20 @@ enum {
         SOLID_MODEL_SERVES | SCENE_NEED_CLOSED_REST | SCENE_NEED_FABRIC | SCENE_NEED_BIAS
 };
 
-static bool has_layer(const struct discretization *d)
-{
-    return d->remedy == REMEDY_SELECTIVE || d->remedy == REMEDY_CLAMPED;
-}
-
-static void clamp_edges(struct plate *p, const struct scene *scene)
-{
-    const double length[2] = {scene->length, scene->width};
-    const struct law law = scene_law(scene);
-
-    for (int i = 0; i < 2; i++)
-        for (int end = 0; end < 2; end++)
-            if (scene_edge_clamped(scene, 0, i, end))
-                plate_model_clamp(&p->tables, &p->patch, i, end, law.thickness / length[i],
-                                  law.poisson);
-}
-
 static enum status check_remedy(const struct discretization *d, struct message *why)
 {
-    const char *name = option_remedy[d->remedy];
-
     if (d->remedy == REMEDY_NONE)
         return STATUS_OK;
     if (d->degree[0] < 2 || d->degree[1] < 2)
         return status_fail(why, STATUS_INPUT,
-                           "remedy=%s needs degree 2 or more along u and v", name);
+                           "remedy=selective needs degree 2 or more along u and v");
     if (d->gauss[0] || d->gauss[1] || d->gauss[2])
-        return status_fail(why, STATUS_INPUT, "remedy=%s has its own rule; leave gauss out",
-                           name);
-    if (has_layer(d) && (d->points[2] != 2 || d->weight_count))
+        return status_fail(why, STATUS_INPUT,
+                           "remedy=selective has its own rule; leave gauss out");
+    if (d->points[2] != 2 || d->weight_count)
         return status_fail(why, d->weight_count ? STATUS_INPUT : STATUS_UNSUPPORTED,
-                           "remedy=%s is for one layer of degree 1 through the thickness "
-                           "without weights; use reduced",
-                           name);
+                           "remedy=selective is for one layer of degree 1 through the "
+                           "thickness without weights; use none");
     return STATUS_OK;
 }
 
@@ -899,16 +774,8 @@ static enum status init(void *state, const struct scene *scene,
     TRY(bspline_contact_refuse(scene, d, why));
     TRY(large_leapfrog_refuse(d, why));
     TRY(check_remedy(d, why));
-    if (d->remedy == REMEDY_REDUCED && scene_closed(scene))
-        TRY(status_fail(
-            why, STATUS_UNSUPPORTED,
-            "remedy=reduced has a rule that begins at an edge, and the sheet is "
-            "closed; use selective"));
-    if (!has_layer(d))
+    if (d->remedy != REMEDY_SELECTIVE)
         TRY(solid_model_refuse_fabric(scene, why));
-    if (d->remedy == REMEDY_CLAMPED && (scene->shape != SCENE_FLAT || scene->sheets > 1))
-        TRY(status_fail(why, STATUS_UNSUPPORTED,
-                        "remedy=clamped is for one flat sheet; use selective"));
     TRY(make_patch(scene, d, &p->patch, why));
     p->scene = *scene;
     TRY(support_knots_hold(scene, p->patch.basis, &p->scene.supports));
@@ -916,12 +783,8 @@ static enum status init(void *state, const struct scene *scene,
     TRY(solid_model_basis(scene, d, one_element, &thickness, why));
     TRY(plate_model_space(&p->sheet.space, &p->tables, &p->patch, d->gauss, thickness));
     solid_space_spread(&p->sheet.space, scene);
-    if (d->remedy == REMEDY_REDUCED)
-        TRY(plate_model_reduce(&p->sheet.space, &p->tables, &p->patch));
-    if (has_layer(d))
+    if (d->remedy == REMEDY_SELECTIVE)
         TRY(plate_model_select(&p->sheet.space, &p->tables, &p->patch));
-    if (d->remedy == REMEDY_CLAMPED)
-        clamp_edges(p, scene);
     TRY(find_grid(p));
     const struct bspline *b = p->patch.basis;
     plate_thickness(&p->patch, false, 0.5, middle);

@@ -13,21 +13,13 @@
  * control points or, with the thickness basis, Legendre coefficients of each column of
  * control points. Their parameters along u are those of their part (bspline.h). */
 
-/* The lines of points of a remedy: reduced_rule.h's, refined or, across the sheet, as they
- * are; line_rule.h's of values; those of derivatives, which are the refined ones up to
- * degree 3; of bending. (With refined points across it, or line_rule.h's of derivatives for
- * its shear, a sheet of degree 3 that falls on a ball is stretched by 1.11 and 1.26 on
- * 10x10 and 9x9 points for 1.04, and its director turns over on 8x7. With those for its
- * stretch alone a sheet of h/L = 1e-5 locks. Above degree 3 not all nets have refined
- * ones.) */
-enum {
-    PLATE_REDUCED,
-    PLATE_ACROSS,
-    PLATE_VALUES,
-    PLATE_DERIVED,
-    PLATE_BENDING,
-    PLATE_LINES
-};
+/* The lines of points of the cure: across the sheet reduced_rule.h's as they are; of values
+ * line_rule.h's; of derivatives reduced_rule.h's refined ones up to degree 3; of bending.
+ * (With refined points across it, or line_rule.h's of derivatives for its shear, a sheet of
+ * degree 3 that falls on a ball is stretched by 1.11 and 1.26 on 10x10 and 9x9 points
+ * for 1.04, and its director turns over on 8x7. With those for its stretch alone a sheet of
+ * h/L = 1e-5 locks. Above degree 3 not all nets have refined ones.) */
+enum { PLATE_ACROSS, PLATE_VALUES, PLATE_DERIVED, PLATE_BENDING, PLATE_LINES };
 
 struct plate_tables {
     struct line_table direction[3];         /* values and slopes, as of `cure` */
@@ -45,37 +37,18 @@ enum status plate_model_space(struct solid_space *space, struct plate_tables *ta
                               bool thickness);
 void plate_model_clear(struct solid_space *space, struct plate_tables *tables);
 
-/* Integrates the stiffness of *space by as many points in u and in v as there are functions
- * (reduced_rule.h). With one linear function through the thickness it adds plane stress:
- * that function cannot follow the strain that nu requires. */
-enum status plate_model_reduce(struct solid_space *space, struct plate_tables *tables,
-                               const struct patch *patch);
-
 /* Sets the stiffness of *space, one linear layer, to solid_layer.h's, at as many points as
  * functions, but strains along the sheet as the shell's (shell_space.h), at
  * points of derivatives, and bending by line_rule_bending. A net that zigzags along
- * u and v stands still at all points of plate_model_reduce (of odd degree): in the folds of
- * a flag it stretched ninefold. The stretch along u is therefore seen from the points along
- * v where what zigzags has values, and that along v likewise. (Tried, and left: transverse
- * shear at these, and the stretch across the thickness at the Greville points of both: the
- * director then collapses between its points in a fold; or at those of bending: a sheet of
- * 10x10 that falls locks, .08 of its length off for .016 at .4 s.) Weights do not vary
- * through w. */
+ * u and v stands still at all products of reduced_rule.h's points (of odd degree): in the
+ * folds of a flag it stretched ninefold. The stretch along u is therefore seen from the
+ * points along v where what zigzags has values, and that along v likewise. (Tried, and
+ * left: transverse shear at these, and the stretch across the thickness at the Greville
+ * points of both: the director then collapses between its points in a fold; or at those of
+ * bending: a sheet of 10x10 that falls locks, .08 of its length off for .016 at .4 s.)
+ * Weights do not vary through w. */
 enum status plate_model_select(struct solid_space *space, struct plate_tables *tables,
                                const struct patch *patch);
-
-/* Changes, after plate_model_select, bending near the clamp along u (i = 0) or v, at 0 or
- * at `end`, to that of a solid that keeps its thickness there. What the faces gain and lose
- * when the plate bends, q - as eps_33 is linear through it, energy int (lambda + 2 mu) (q +
- * c tr k)^2 / 2 + mu q'^2 h^2 / 120 a unit of bending, c = nu / (1 - nu) - decays from the
- * clamp with exp(-x / l), l^2 = h^2 (1 - nu) / 120, and the plate bends by k (1 - c^2
- * exp(-x / l)) where plane stress bends by k: a clamp is l c^2 farther in, 0.06 h at nu =
- * 0.49. Of that the points of the rule get what makes the turn right for every moment that
- * their polynomials can follow, however much longer than l the spans are. (The derivation
- * is ours; on such layers, Gregory and Wan, J. Elasticity 14, 1984.) `thickness` is
- * relative to the length along i. */
-void plate_model_clamp(struct plate_tables *tables, const struct patch *patch, int i,
-                       bool end, double thickness, double poisson);
 
 extern const struct model plate_model;
 

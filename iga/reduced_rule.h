@@ -1,5 +1,5 @@
 /* reduced_rule.h - quadrature of one direction of a spline space with as many points as
- * functions: what remedy=reduced asks of a plate's strains. Transverse
+ * functions: what the cure asks of a plate's strains across the sheet. Transverse
  * shear and membrane strains can then vanish wherever bending asks them to, which cures
  * locking at any thickness (patch-wise reduced integration: Adam, Bouabdallah, Zarroug,
  * Maitournam, CMAME 284, 2015; the placing of the points is ours).

@@ -18,9 +18,7 @@ enum kinematics {
 enum remedy {
     REMEDY_NONE,         /* the paper's                                                */
     REMEDY_INCOMPATIBLE, /* hex: Wilson-Taylor incompatible modes                      */
-    REMEDY_REDUCED,      /* iga: patch-wise reduced rule, plane stress (plate_model.h) */
-    REMEDY_SELECTIVE,    /* iga: the same, bending by its own rule (solid_layer.h)     */
-    REMEDY_CLAMPED,      /* iga: the same, as thick at clamps as a solid               */
+    REMEDY_SELECTIVE,    /* iga, shell: strains at points of their own (solid_layer.h) */
     REMEDY_AUTO,         /* left open: the model's usual one (model_complete)          */
 };
 

@@ -14,8 +14,7 @@ const char *const option_kinematics[] = {
     [KINEMATICS_INCREMENTAL] = "incremental", [KINEMATICS_NONLINEAR] = "nonlinear", NULL};
 const char *const option_remedy[] = {
     [REMEDY_NONE] = "none", [REMEDY_INCOMPATIBLE] = "incompatible",
-    [REMEDY_REDUCED] = "reduced", [REMEDY_SELECTIVE] = "selective",
-    [REMEDY_CLAMPED] = "clamped", [REMEDY_AUTO] = "auto", NULL};
+    [REMEDY_SELECTIVE] = "selective", [REMEDY_AUTO] = "auto", NULL};
 const char *const option_solver[] = {
     [SOLVER_AUTO] = "auto", [SOLVER_DIRECT] = "direct", [SOLVER_BANDED] = "banded",
     [SOLVER_CHOLMOD] = "cholmod", [SOLVER_CG] = "cg", [SOLVER_GMRES] = "gmres", NULL};

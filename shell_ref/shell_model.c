@@ -868,15 +868,20 @@ static double wrinkle(const struct scene *scene, int sheet)
            sqrt(2 * scene_bending_stiffness(&one) / (one.density * one.thickness * push));
 }
 
-/* Returns whether that is shorter than SPANS of the longest spans, with a sentence. At a
- * clamped edge a selective shell sees its strain along u at the edge, where it has none,
- * and once in the span beside it. It folds there, all along the edge, and turns about the
- * corner; one without remedy locks against it. (flag, rms distance to the truth at 0.3 and
- * 0.5 s in % of the length, with remedy and without: 10x10 points, 1.9 spans a wave, 2.8
- * 11, .7 7.5; 16x16 2.1 10, .6 5.8; 26x26 1.5 9.1, .7 2.8; on 40x40, 10 spans a wave, .8
- * and .7 at 0.3 s.) A net of fewer spans a side has no room to fold. Where gravity bends
- * the sheet a net with remedy is nearer, however heavy it is: edge_drop of nu = 0 and 1,
- * 10, 100 times its Gamma on 10x10 points at 0.4 s, .5, 1.1, 1.6 and without 10, 6.4, 5.5.
+/* Returns whether that is shorter than SPANS of the longest spans, with a sentence. A
+ * selective shell of degree 3 sees slopes once a span, where those of a wave of two spans
+ * are steepest: a pressure P along the sheet bends it with twice its force, and it grows
+ * with the rate^2 (2 P k^2 - D k^4) / (rho h), k = pi / span, though P k^2 < D k^4. (flag
+ * about its flat equilibrium, P = 2.1 p: 176/s of 22x22 points, no such wave of 30x30;
+ * found are 175 and 113, 108 in the limit. At the points of degree 2 the squares of slopes
+ * have their mean.) It folds too early; one without remedy stays flat, as it locks, and is
+ * off by what the sheet moves: .9 % of the length at 0.3 s. (With remedy 10x10, 16x16,
+ * 22x22, 28x28, 31x31, 40x40 points are 2.0, 1.8, 1.3, 1.7, .2, .2 % off, without .7, .6,
+ * .4, .5, .3, .1. Points inside the spans at the ends, or two a span, see that wave better
+ * and lock: corners_patch on 10x10 is 7.7 and 8.7 % off for 1.8, edge_drop 1.7 and 2.8 for
+ * .8.) A net of fewer spans a side has no room to fold. Where gravity bends the sheet a net
+ * with remedy is nearer, however heavy it is: edge_drop of nu = 0 and 1, 10, 100 times its
+ * Gamma on 10x10 points at 0.4 s, .5, 1.1, 1.6 and without 10, 6.4, 5.5.
  */
 static bool wrinkles(const struct scene *scene, const struct discretization *d,
                      struct message *reason)

@@ -11,13 +11,7 @@
 #include "tests/check.h"
 #include "tests/spline_fixture.h"
 
-enum solid_kind {
-    SOLID_IGA,
-    SOLID_REDUCED,
-    SOLID_SELECTIVE,
-    SOLID_HEX,
-    SOLID_INCOMPATIBLE
-};
+enum solid_kind { SOLID_IGA, SOLID_SELECTIVE, SOLID_HEX, SOLID_INCOMPATIBLE };
 
 /* Not to be copied once made: the space points into it. */
 struct solid {
@@ -38,8 +32,6 @@ struct solid_case {
 
 static inline enum solid_kind solid_kind(const char *word)
 {
-    if (!strcmp(word, "reduced"))
-        return SOLID_REDUCED;
     if (!strcmp(word, "selective"))
         return SOLID_SELECTIVE;
     if (!strcmp(word, "hex"))
@@ -110,8 +102,6 @@ static inline void solid_make(struct solid *s, enum solid_kind kind, struct patc
         REQUIRE(hex_model_space(&s->space, &s->hex, 1, (int[]){b[0].n, b[1].n, b[2].n},
                                 s->patch.point, thickness,
                                 kind == SOLID_INCOMPATIBLE) == STATUS_OK);
-    if (kind == SOLID_REDUCED)
-        REQUIRE(plate_model_reduce(&s->space, &s->tables, &s->patch) == STATUS_OK);
     if (kind == SOLID_SELECTIVE)
         REQUIRE(plate_model_select(&s->space, &s->tables, &s->patch) == STATUS_OK);
     REQUIRE(solid_assembly_init(&s->assembly, &s->space, material) == STATUS_OK);

@@ -23,7 +23,6 @@
 #define LINEAR       "discretization.kinematics=linear"
 #define NONLINEAR    "discretization.kinematics=nonlinear"
 #define UNCURED      "discretization.remedy=none"
-#define REDUCED      "discretization.remedy=reduced"
 #define SELECTIVE    "discretization.remedy=selective"
 #define INCOMPATIBLE "discretization.remedy=incompatible"
 #define PAPER_NET    "discretization.points=[32,32,2]"
@@ -54,25 +53,17 @@ const struct contestant contestant_table[] = {
      {LINEAR, UNCURED, CUBIC}, 2, 3, {7, 10, 20}, {1, 4}, {0}},
     {"iga_linear_32", "IGA, linear, p = 3, r = 2", "IGA lin. 32", &plate_model, SMALL,
      {LINEAR, UNCURED, CUBIC_THICK}, 3, 3, {7, 10, 20}, {1, 4}, {0}},
-    {"iga_reduced_linear", "IGA, reduced, linear", "IGA red. lin.", &plate_model, SMALL,
-     {LINEAR, REDUCED, QUADRATIC}, 2, 2, {6, 10, 20}, {1, 4}, {0}},
-    {"iga_reduced_linear_3", "IGA, reduced, linear, p = 3", "IGA red. lin. 3", &plate_model,
-     SMALL, {LINEAR, REDUCED, CUBIC}, 2, 3, {7, 10, 20}, {1, 4}, {0}},
     {"iga_selective_linear", "IGA, selective, linear", "IGA sel. lin.", &plate_model, SMALL,
      {LINEAR, SELECTIVE, QUADRATIC}, 2, 2, {6, 10, 20}, {1, 4}, {0}},
     {"iga_selective_linear_3", "IGA, selective, linear, p = 3", "IGA sel. lin. 3",
      &plate_model, SMALL, {LINEAR, SELECTIVE, CUBIC}, 2, 3, {7, 10, 20}, {1, 4}, {0}},
-    {"iga_reduced_incremental", "IGA, reduced, incremental", "IGA red. incr.", &plate_model,
-     COMPARE, {INCREMENTAL, REDUCED, QUADRATIC}, 2, 2, {5, 10, 20}, {1, 4}, {0}},
+    {"iga_selective_incremental", "IGA, selective, incremental", "IGA sel. incr.",
+     &plate_model, COMPARE, {INCREMENTAL, SELECTIVE, QUADRATIC}, 2, 2, {5, 10, 20}, {1, 4},
+     {0}},
     {"iga_nonlinear", "IGA, nonlinear", "IGA", &plate_model, STRESS | LARGE | SPEED,
      {NONLINEAR, PLAIN}, 2, 2, {6, 10, 16}, {1, 4}, {0}},
     {"iga_nonlinear_3", "IGA, nonlinear, p = 3", "IGA 3", &plate_model, LARGE,
      {NONLINEAR, UNCURED, CUBIC}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
-    {"iga_reduced", "IGA, reduced, nonlinear", "IGA red.", &plate_model,
-     COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, REDUCED, QUADRATIC}, 2, 2, {6, 10, 16},
-     {1, 4}, {0}},
-    {"iga_reduced_3", "IGA, reduced, nonlinear, p = 3", "IGA red. 3", &plate_model, LARGE,
-     {NONLINEAR, REDUCED, CUBIC}, 2, 3, {6, 10, 16}, {1, 4}, {0}},
     {"iga_selective", "IGA, selective, nonlinear", "IGA sel.", &plate_model,
      COMPARE | STRESS | LARGE | SPEED, {NONLINEAR, SELECTIVE, QUADRATIC}, 2, 2,
      {6, 10, 16}, {1, 4}, {0}},

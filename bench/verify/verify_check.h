@@ -4,7 +4,7 @@
  * else.
  *
  *     static const struct verify_subject subjects[] = {
- *         {"iga_reduced", 0.01, "1 % is asked", {16, 32}, {3, 3}}, {NULL}};
+ *         {"iga_selective", 0.01, "1 % is asked", {16, 32}, {3, 3}}, {NULL}};
  *     static const struct verify_field field = {subjects, CONTESTANT_LARGE};
  *
  *     static void add_row(struct verify_subject *s)
@@ -125,9 +125,9 @@ struct verify_field {
  * motion does not ask for that; those that only lock; the one that is at rest the same as
  * mass_spring_leapfrog. */
 #define VERIFY_REMEDIES                                                                    \
-    "iga_nonlinear_3,iga_reduced,iga_reduced_3,iga_selective,hex_incompatible,shell_3,"    \
+    "iga_nonlinear_3,iga_selective,hex_incompatible,shell_3,"                              \
     "shell_selective_3"
-#define VERIFY_LOCKED "iga_nonlinear_3,iga_reduced_3,iga_selective,hex_nonlinear"
+#define VERIFY_LOCKED "iga_nonlinear_3,iga_selective,hex_nonlinear"
 #define VERIFY_TWINS  "mass_spring_momentum"
 
 /* Fields of projective dynamics, whose own iterations end before a stiff sheet is
@@ -146,7 +146,7 @@ void verify_subject_only(struct verify_subject *s, int n);
 /* Replaces tolerance and reason (or NULL) where something is claimed. */
 void verify_subject_claim(struct verify_subject *s, double tolerance, const char *reason);
 
-/* Writes "IGA, reduced, 10x10x2, graded", with the finest net. */
+/* Writes "IGA, selective, 10x10x2, graded", with the finest net. */
 void verify_subject_title(const struct verify_subject *s, char text[VERIFY_TEXT]);
 
 /* Adds the settings of net n that the contestant itself does not have. */

@@ -48,7 +48,7 @@ enum status solid_batch_create(const struct solid_space *space, struct solid_bat
     struct solid_batch *b;
     enum status st;
 
-    if (!space->line || space->reduced || space->layer || space->hinge.column)
+    if (!space->line || space->layer || space->hinge.column)
         return STATUS_OK;
     if (!(b = calloc(1, sizeof *b)))
         return STATUS_MEMORY;

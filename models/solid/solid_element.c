@@ -58,7 +58,6 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
     size_t local = (size_t)space->local, gauss = (size_t)space->gauss;
     size_t columns = local + (size_t)space->modes;
     size_t padded = SOLID_PADDED(columns), row = SOLID_PADDED(local);
-    size_t plane = space->plane_stress;
 
     memset(e, 0, sizeof *e);
     TRY(room_cut(
@@ -66,16 +65,13 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
         ROOM(e->shape.weight, SOLID_PADDED(gauss)), ROOM(e->X, 4 * local),
         ROOM(e->centre, space->modes ? 3 * row : 0), ROOM(e->g, gauss * 3 * padded),
         ROOM(e->wg, gauss * 3 * padded), ROOM(e->dV, SOLID_PADDED(gauss)),
-        ROOM(e->n, plane * SOLID_PADDED(3 * gauss)),
-        ROOM(e->y, plane * 2 * gauss * 3 * padded),
-        ROOM(e->wy, plane * 2 * gauss * 3 * padded),
-        ROOM(e->L, plane * padded * 9 * padded), ROOM(e->wN, gauss * row),
+        ROOM(e->wN, gauss * row),
         ROOM(e->H, padded * 9 * padded) /* rows in pairs: one more than columns */,
         ROOM(e->M, local * row), ROOM(e->volume, row), ROOM(e->K, columns * padded * 9)));
     e->local = space->local;
     e->row = (int)row;
     e->padded = (int)padded;
-    e->gauss = e->points = space->gauss;
+    e->gauss = space->gauss;
     e->modes = space->modes;
     if (space->layer)
         TRY(solid_layer_create(space, &e->layer));
@@ -104,19 +100,15 @@ static double jacobian(int local, int row, const double *X, const double *G,
     return J[0][0] * cofactor[0][0] + J[0][1] * cofactor[0][1] + J[0][2] * cofactor[0][2];
 }
 
-/* Computes T = J^-T. Returns det J; the unit normal of w = const in n[3], unless NULL. */
+/* Computes T = J^-T. Returns det J. */
 static double inverse_jacobian(int local, int row, const double *X, const double *G,
-                               double T[3][3], double *n)
+                               double T[3][3])
 {
     double cofactor[3][3], det = jacobian(local, row, X, G, cofactor);
 
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             T[i][j] = cofactor[j][i] / det;
-    for (int i = 0; n && i < 3; i++)
-        n[i] = cofactor[2][i] /
-               sqrt(cofactor[2][0] * cofactor[2][0] + cofactor[2][1] * cofactor[2][1] +
-                    cofactor[2][2] * cofactor[2][2]);
     return det;
 }
 
@@ -150,16 +142,15 @@ static enum status physical_gradients(struct solid_element *e,
     if (e->modes) {
         memcpy(e->centre, space->centre_gradient, 3 * (size_t)e->row * sizeof *e->centre);
         solid_hinge_functions(space, element, 3, e->row, e->centre);
-        centre_det = inverse_jacobian(e->local, e->row, e->X, e->centre, centre, NULL);
+        centre_det = inverse_jacobian(e->local, e->row, e->X, e->centre, centre);
         if (!(centre_det > 0))
             return bad_jacobian(centre_det);
     }
-    for (int q = 0; q < e->points; q++) {
+    for (int q = 0; q < e->gauss; q++) {
         const double *G = e->shape.G + (size_t)q * 3 * (size_t)e->row;
         double *g = e->g + (size_t)q * 3 * (size_t)e->padded;
         double *wg = e->wg + (size_t)q * 3 * (size_t)e->padded;
-        double *n = space->plane_stress ? e->n + 3 * q : NULL;
-        double T[3][3], det = inverse_jacobian(e->local, e->row, e->X, G, T, n);
+        double T[3][3], det = inverse_jacobian(e->local, e->row, e->X, G, T);
 
         if (!(det > 0))
             return bad_jacobian(det);
@@ -186,31 +177,6 @@ static enum status volumes(struct solid_element *e)
     return STATUS_OK;
 }
 
-/* Computes plane_stress's terms in place of lambda: y = P g and n (n.g) at every point. */
-static void split_gradients(struct solid_element *e, const struct solid_material *material)
-{
-    size_t size = 3 * (size_t)e->padded;
-
-    for (int q = 0; q < e->points; q++) {
-        const double *g = e->g + (size_t)q * size, *n = e->n + 3 * q;
-        double *along = e->y + (size_t)q * 2 * size, *across = along + size;
-        double *weighted = e->wy + (size_t)q * 2 * size;
-        double plane = e->dV[q] * material->plane, stiff = e->dV[q] * material->across;
-        for (int a = 0; a < e->padded; a++) {
-            double normal =
-                n[0] * g[a] + n[1] * g[e->padded + a] + n[2] * g[2 * e->padded + a];
-            for (int i = 0; i < 3; i++) {
-                int t = i * e->padded + a;
-                across[t] = n[i] * normal;
-                along[t] = g[t] - across[t];
-                weighted[t] = plane * along[t];
-                weighted[size + (size_t)t] = stiff * across[t];
-            }
-        }
-    }
-    solid_outer(e->local + e->modes, e->padded, 2 * e->points, e->wy, e->y, e->L);
-}
-
 /* Unpacks blocks of four columns, row-major, from their entries. */
 static void unpack(const lanes k[9], double *K)
 {
@@ -219,11 +185,10 @@ static void unpack(const lanes k[9], double *K)
             K[9 * b + t] = k[t][b];
 }
 
-/* Computes K_ab from H_ab, four b at a time. `plane`: L has the part of lambda. */
-static void stiffness(struct solid_element *e, const struct solid_material *material,
-                      bool plane)
+/* Computes K_ab from H_ab, four b at a time. */
+static void stiffness(struct solid_element *e, const struct solid_material *material)
 {
-    double lambda = plane ? 0 : material->lambda, mu = material->mu;
+    double lambda = material->lambda, mu = material->mu;
     int rows = e->local + e->modes, n = e->padded;
 
     for (int a = 0; a < rows; a++)
@@ -238,9 +203,6 @@ static void stiffness(struct solid_element *e, const struct solid_material *mate
                 k[t] = lambda * h[t] + mu * h[t % 3 * 3 + t / 3];
             lanes shear = mu * (h[0] + h[4] + h[8]);
             k[0] += shear, k[4] += shear, k[8] += shear;
-            const double *L = plane ? e->L + (H - e->H) : NULL;
-            for (int t = 0; L && t < 9; t++)
-                k[t] += *(const lanes *)(L + t * n);
             unpack(k, K);
         }
 }
@@ -370,26 +332,13 @@ enum status solid_element_compute(struct solid_element *e, const struct solid_sp
     for (int a = 0; a < e->local; a++)
         for (int i = 0; i < 3; i++)
             e->X[SOLID_LANES * a + i] = x[3 * (size_t)node[a] + (size_t)i];
-    if (space->reduced || space->layer) {
-        st = volumes(e);
-        if (st != STATUS_OK)
-            return st;
-        mass(e, material->density);
-        if (space->layer)
-            return layer_stiffness(e, space, element, material);
-        e->points = space->reduced(space, element, &e->shape);
-        hinge(e, space, element, e->points);
-    }
-    st = physical_gradients(e, space, element);
+    st = space->layer ? volumes(e) : physical_gradients(e, space, element);
     if (st != STATUS_OK)
         return st;
-    solid_outer(e->local + e->modes, e->padded, e->points, e->wg, e->g, e->H);
-    if (space->plane_stress)
-        split_gradients(e, material);
-    stiffness(e, material, space->plane_stress);
-    if (e->modes && condense(e) != STATUS_OK)
-        return STATUS_INDEFINITE;
-    if (!space->reduced)
-        mass(e, material->density);
-    return STATUS_OK;
+    mass(e, material->density);
+    if (space->layer)
+        return layer_stiffness(e, space, element, material);
+    solid_outer(e->local + e->modes, e->padded, e->gauss, e->wg, e->g, e->H);
+    stiffness(e, material);
+    return e->modes ? condense(e) : STATUS_OK;
 }

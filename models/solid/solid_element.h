@@ -2,10 +2,7 @@
  *
  *   K_ai,bj = int lambda N_a,i N_b,j + mu N_a,j N_b,i + mu delta_ij N_a,k N_b,k dV
  *   M_ab    = int rho N_a N_b dV,        volume_a = int N_a dV
- * (Hughes 2000, sec. 2.7-2.9), by the space's Gauss rule; the stiffness by its reduced one,
- * if it has one. With plane_stress, n the normal of the surface w = const, P = I - n n^T:
- *   stress = plane tr(P eps) P + 2 mu eps + across (n.eps n) n n^T,
- * which gives plane stress along the sheet and Young's modulus across it.
+ * (Hughes 2000, sec. 2.7-2.9), by the space's Gauss rule.
  * A space with a `layer` has the stiffness of solid_layer.h instead.
  *
  * Gradients are with respect to the geometry given, which is the rest shape or, in the
@@ -23,16 +20,12 @@ struct solid_material solid_element_material(const struct law *law, double densi
  * modes, padded to `padded`; rows of M and X: the functions only, padded to `row`. */
 struct solid_element {
     int local, row, padded, gauss, modes;
-    int points; /* points of the stiffness; gauss unless the rule is reduced           */
     struct solid_functions shape;
     double *X;      /* [local][4]          geometry, gathered; fourth zero       [m]   */
     double *centre; /* [3][row]            the space's centre_gradient; with modes     */
     double *g;      /* [gauss][3][padded]  physical gradients                    [1/m] */
     double *wg;     /* same, times dV                                                  */
     double *dV;     /* [gauss]             weight det J                          [m^3] */
-    double *n;      /* [gauss][3]          unit normal; plane_stress only              */
-    double *y, *wy; /* [2 gauss][3][padded] P g, n (n.g); weighted; plane_stress only  */
-    double *L;      /* [columns][9][padded] int plane y y^T + across y y^T; as H       */
     double *wN;     /* [gauss][row]        values times density dV                     */
     double *H;      /* [columns][9][padded] int N_a,i N_b,j; valid for b >= a          */
     double *M;      /* [local][row]        valid for b >= a                      [kg]  */

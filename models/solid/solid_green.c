@@ -28,9 +28,6 @@ static struct solid_green_rest rest_of(const struct solid_green *s, int element)
         return rest;
     }
     return (struct solid_green_rest){
-        .points = s->points[SOLID_KINDS * e],
-        .plane_stress = space->plane_stress,
-        .n = space->plane_stress ? s->n + e * gauss * 3 : NULL,
         .g = s->g + e * gauss * 3 * row_of(space),
         .dV = s->dV + e * gauss,
         .mode = modes ? s->mode + e * gauss * modes * 3 : NULL,
@@ -54,14 +51,11 @@ static void keep_layer(struct solid_green *s, const struct solid_layer *from, in
 static enum status keep_rest(struct solid_green *s, const struct solid_element *from,
                              int element)
 {
-    s->points[SOLID_KINDS * element] = from->points;
     struct solid_green_rest rest = rest_of(s, element);
     double *g = (double *)rest.g, *dV = (double *)rest.dV, *mode = (double *)rest.mode;
     int local = from->local, modes = from->modes;
 
-    if (rest.plane_stress)
-        memcpy((double *)rest.n, from->n, 3 * (size_t)from->points * sizeof *from->n);
-    for (int q = 0; q < from->points; q++) {
+    for (int q = 0; q < from->gauss; q++) {
         dV[q] = from->dV[q];
         for (int i = 0; i < 3; i++) {
             const double *row = from->g + (q * 3 + i) * from->padded;
@@ -83,11 +77,12 @@ static enum status make_room(struct solid_green *s, const struct solid_space *sp
         elements *
         (size_t)(space->layer ? solid_layer_points(space->layer_points) : space->gauss);
     size_t rows = space->layer ? SOLID_LAYER_VECTORS : 3;
-    size_t axes = space->layer ? SOLID_LAYER_VECTORS * 3 : space->plane_stress ? 3 : 0;
+    size_t layers = space->layer ? 1 : 0;
 
     return room_cut(
         &s->room, ROOM(s->g, points * rows * row_of(space)), ROOM(s->dV, points),
-        ROOM(s->points, SOLID_KINDS * elements), ROOM(s->n, points * axes),
+        ROOM(s->points, layers * SOLID_KINDS * elements),
+        ROOM(s->n, layers * points * SOLID_LAYER_VECTORS * 3),
         ROOM(s->mode, points * 3 * modes),
         ROOM(s->A, modes ? elements * SOLID_GREEN_INTERNAL * SOLID_GREEN_INTERNAL : 0),
         ROOM(s->work, omp_get_max_threads()));

@@ -20,8 +20,8 @@ struct solid_green {
     /* In a space with a layer, g, n and dV are solid_layer_rest's q, t and dV. */
     double *g;    /* [elements][gauss][3][row]                                         */
     double *dV;   /* [elements][gauss]                                                 */
-    int *points;  /* [elements][SOLID_KINDS] of the stiffness; of a layer              */
-    double *n;    /* [elements][gauss][3] or NULL                                      */
+    int *points;  /* [elements][SOLID_KINDS] of a layer, or NULL                       */
+    double *n;    /* of a layer, or NULL                                               */
     double *mode; /* [elements][gauss][modes][3] or NULL                               */
     double *A;    /* [elements][INTERNAL][INTERNAL] or NULL                            */
     int threads;

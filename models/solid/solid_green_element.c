@@ -47,28 +47,12 @@ static inline void deformation(const struct solid_green_element *e, const double
     add_unit(F);
 }
 
-static inline void stress_of(const double *E, const struct solid_material *m,
-                             const double *n, double S[6])
+static inline void stress_of(const double *E, const struct solid_material *m, double S[6])
 {
-    double trace = E[0] + E[1] + E[2], pressure = m->lambda * trace, across = 0;
+    const double pressure = m->lambda * (E[0] + E[1] + E[2]);
 
-    if (n) {
-        across = n[0] * (E[0] * n[0] + 2 * E[3] * n[1]) +
-                 n[1] * (E[1] * n[1] + 2 * E[4] * n[2]) +
-                 n[2] * (E[2] * n[2] + 2 * E[5] * n[0]);
-        pressure = m->plane * (trace - across);
-    }
     for (int t = 0; t < 6; t++)
         S[t] = 2 * m->mu * E[t] + (t < 3 ? pressure : 0);
-    for (int i = 0; n && i < 3; i++)
-        for (int j = i; j < 3; j++)
-            S[PLACE[i][j]] += (m->across * across - pressure) * n[i] * n[j];
-}
-
-/* Returns the normal at a point; NULL for a law that needs none. */
-static inline const double *normal_at(const struct solid_green_rest *rest, int q)
-{
-    return rest->plane_stress ? rest->n + 3 * q : NULL;
 }
 
 static inline const double *gradients_at(const struct solid_green_element *e,
@@ -106,7 +90,7 @@ static inline void mode_stress(const double *m, int i,
 
     for (int j = 0; j < 3; j++)
         E[PLACE[i][j]] += i == j ? m[j] : m[j] / 2;
-    stress_of(E, material, NULL, S);
+    stress_of(E, material, S);
 }
 
 /* Returns (S m)_i. */
@@ -127,22 +111,19 @@ enum status solid_green_element_init(struct solid_green_element *e,
 {
     enum status st;
     size_t row = SOLID_PADDED((size_t)space->local), gauss = (size_t)space->gauss;
-    size_t plane = space->plane_stress;
     size_t strains =
         space->layer ? (size_t)solid_layer_strains(space->layer_points) : 6 * gauss;
     memset(e, 0, sizeof *e);
-    TRY(room_cut(
-        &e->memory, ROOM(e->U[0], 4 * row), ROOM(e->U[1], 4 * row), ROOM(e->U[2], 4 * row),
-        ROOM(e->f, 4 * row), ROOM(e->p, gauss * 3 * row), ROOM(e->wp, gauss * 3 * row),
-        ROOM(e->Sg, 3 * row), ROOM(e->H, row * 9 * row), ROOM(e->C, row * 6 * row),
-        ROOM(e->Y, 3 * (size_t)space->modes * 3 * row), ROOM(e->y, plane * 6 * gauss * row),
-        ROOM(e->wy, plane * 6 * gauss * row), ROOM(e->L, plane * row * 9 * row),
-        ROOM(e->strain, (strains + 7) / 8 * 8)));
+    TRY(room_cut(&e->memory, ROOM(e->U[0], 4 * row), ROOM(e->U[1], 4 * row),
+                 ROOM(e->U[2], 4 * row), ROOM(e->f, 4 * row), ROOM(e->p, gauss * 3 * row),
+                 ROOM(e->wp, gauss * 3 * row), ROOM(e->Sg, 3 * row),
+                 ROOM(e->H, row * 9 * row), ROOM(e->C, row * 6 * row),
+                 ROOM(e->Y, 3 * (size_t)space->modes * 3 * row),
+                 ROOM(e->strain, (strains + 7) / 8 * 8)));
     e->local = space->local;
     e->row = (int)row;
     e->gauss = space->gauss;
     e->modes = space->modes;
-    e->plane = space->plane_stress;
     if (space->layer)
         TRY(solid_layer_create(space, &e->layer));
 out:
@@ -177,7 +158,7 @@ enum status solid_green_element_modes(const struct solid_green_element *e,
 
     assert(n <= N);
     memset(A, 0, N * N * sizeof *A);
-    for (int q = 0; q < rest->points; q++)
+    for (int q = 0; q < e->gauss; q++)
         for (int s = 0; s < n; s++) {
             mode_stress(mode_at(e, rest, q, s / 3), s % 3, material, S);
             for (int t = 0; t <= s; t++)
@@ -203,13 +184,13 @@ static void add_modes(struct solid_green_element *e, const struct solid_material
     int n = 3 * e->modes;
     double alpha[SOLID_GREEN_INTERNAL] = {0}, S[6];
 
-    for (int q = 0; q < rest->points; q++) {
-        stress_of(e->strain + 6 * q, material, NULL, S);
+    for (int q = 0; q < e->gauss; q++) {
+        stress_of(e->strain + 6 * q, material, S);
         for (int s = 0; s < n; s++)
             alpha[s] -= rest->dV[q] * traction(S, mode_at(e, rest, q, s / 3), s % 3);
     }
     solve_modes(n, rest->A, alpha, true);
-    for (int q = 0; q < rest->points; q++)
+    for (int q = 0; q < e->gauss; q++)
         for (int s = 0; s < n; s++)
             for (int j = 0; j < 3; j++)
                 e->strain[6 * q + PLACE[s % 3][j]] +=
@@ -220,7 +201,7 @@ bool solid_green_element_strain(struct solid_green_element *e,
                                 const struct solid_material *material,
                                 const struct solid_green_rest *rest, bool change)
 {
-    for (int q = 0; q < rest->points; q++) {
+    for (int q = 0; q < e->gauss; q++) {
         const double *g = gradients_at(e, rest, q);
         double D[3][3], W[3][3], *E = e->strain + 6 * q;
 
@@ -249,9 +230,9 @@ double solid_green_element_energy(const struct solid_green_element *e,
 {
     double energy = 0, S[6];
 
-    for (int q = 0; q < rest->points; q++) {
+    for (int q = 0; q < e->gauss; q++) {
         const double *E = e->strain + 6 * q;
-        stress_of(E, material, normal_at(rest, q), S);
+        stress_of(E, material, S);
         for (int t = 0; t < 6; t++)
             energy += rest->dV[q] * (t < 3 ? 0.5 : 1) * S[t] * E[t];
     }
@@ -265,13 +246,13 @@ void solid_green_element_force(struct solid_green_element *e,
     lanes *f = (lanes *)e->f;
 
     memset(e->f, 0, SOLID_LANES * (size_t)e->row * sizeof *e->f);
-    for (int q = 0; q < rest->points; q++) {
+    for (int q = 0; q < e->gauss; q++) {
         const double *g = gradients_at(e, rest, q);
         double F[3][3], S[6];
         lanes P[3] = {{0}}; /* columns of dV F S */
 
         deformation(e, g, F);
-        stress_of(e->strain + 6 * q, material, normal_at(rest, q), S);
+        stress_of(e->strain + 6 * q, material, S);
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++)
                 P[j][i] = rest->dV[q] * traction(S, F[i], j);
@@ -318,35 +299,6 @@ static void add_symmetric(struct solid_green_element *e, const double *g, const 
         }
 }
 
-/* Computes L, which plane_stress uses in place of lambda: y = F P g and F n (n.g). */
-static void split(struct solid_green_element *e, const struct solid_material *material,
-                  const struct solid_green_rest *rest)
-{
-    int row = e->row;
-
-    for (int q = 0; q < rest->points; q++) {
-        const double *g = gradients_at(e, rest, q), *n = normal_at(rest, q);
-        const double *p = e->p + (size_t)q * 3 * (size_t)row;
-        double F[3][3], plane = rest->dV[q] * material->plane;
-        double stiff = rest->dV[q] * material->across;
-
-        deformation(e, g, F);
-        for (int i = 0; i < 3; i++) {
-            double Fn = F[i][0] * n[0] + F[i][1] * n[1] + F[i][2] * n[2];
-            double *along = e->y + (size_t)(6 * q + i) * (size_t)row;
-            double *across = along + 3 * row, *weighted = e->wy + (along - e->y);
-            for (int a = 0; a < row; a++) {
-                double normal = n[0] * g[a] + n[1] * g[row + a] + n[2] * g[2 * row + a];
-                across[a] = Fn * normal;
-                along[a] = p[i * row + a] - across[a];
-                weighted[a] = plane * along[a];
-                weighted[3 * row + a] = stiff * across[a];
-            }
-        }
-    }
-    solid_outer(e->local, e->row, 2 * rest->points, e->wy, e->y, e->L);
-}
-
 /* Computes Y = L^-1 of the modes' coupling with the functions, A = L L^T. */
 static void couple_modes(struct solid_green_element *e,
                          const struct solid_material *material,
@@ -356,7 +308,7 @@ static void couple_modes(struct solid_green_element *e,
     double F[3][3], S[6], P[3][3], column[SOLID_GREEN_INTERNAL];
 
     memset(e->Y, 0, (size_t)(n * columns) * sizeof *e->Y);
-    for (int q = 0; q < rest->points; q++) {
+    for (int q = 0; q < e->gauss; q++) {
         const double *g = gradients_at(e, rest, q);
         deformation(e, g, F);
         for (int s = 0; s < n; s++) {
@@ -388,12 +340,12 @@ void solid_green_element_stiffness(struct solid_green_element *e,
     size_t row = (size_t)e->row;
 
     memset(e->C, 0, row * 6 * row * sizeof *e->C);
-    for (int q = 0; q < rest->points; q++) {
+    for (int q = 0; q < e->gauss; q++) {
         const double *g = gradients_at(e, rest, q);
         double F[3][3], S[6], B[6], w = rest->dV[q];
 
         deformation(e, g, F);
-        stress_of(e->strain + 6 * q, material, normal_at(rest, q), S);
+        stress_of(e->strain + 6 * q, material, S);
         push(e, F, g, w, e->p + (size_t)q * 3 * row, e->wp + (size_t)q * 3 * row);
         for (int i = 0; i < 3; i++)
             for (int j = i; j < 3; j++)
@@ -408,9 +360,7 @@ void solid_green_element_stiffness(struct solid_green_element *e,
                      S[PLACE[i][2]] * g[2 * row + a]);
         add_symmetric(e, g, B);
     }
-    solid_outer(e->local, e->row, rest->points, e->wp, e->p, e->H);
-    if (rest->plane_stress)
-        split(e, material, rest);
+    solid_outer(e->local, e->row, e->gauss, e->wp, e->p, e->H);
     if (e->modes)
         couple_modes(e, material, rest);
 }
@@ -421,16 +371,13 @@ void solid_green_element_blocks(const struct solid_green_element *e,
 {
     const double *H = e->H + (size_t)a * 9 * (size_t)e->row;
     const double *C = e->C + (size_t)a * 6 * (size_t)e->row;
-    double mu = stress_share * material->mu;
-    /* the part of lambda: by L if there is one */
-    double lambda = stress_share * (e->plane ? 1 : material->lambda);
-    const double *G = e->plane ? e->L + (H - e->H) : H;
+    double mu = stress_share * material->mu, lambda = stress_share * material->lambda;
     int n = 3 * e->row;
 
     for (int b = first; b < last; b++)
         for (int i = 0; i < 3; i++)
             for (int j = 0; j < 3; j++) {
-                double k = lambda * G[(3 * i + j) * e->row + b] +
+                double k = lambda * H[(3 * i + j) * e->row + b] +
                            mu * H[(3 * j + i) * e->row + b] + C[PLACE[i][j] * e->row + b];
                 for (int s = 0; s < 3 * e->modes; s++)
                     k -= stress_share * e->Y[s * n + 3 * a + i] * e->Y[s * n + 3 * b + j];

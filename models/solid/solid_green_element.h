@@ -2,7 +2,7 @@
  * displacements: total Lagrangian, Green strain, St. Venant-Kirchhoff law.
  *
  * Displacement functions have rest gradients g_a. With D = sum u_a g_a^T, F = I + D:
- *   E = (D + D^T + D^T D)/2,   S = lambda tr(E) I + 2 mu E (plane_stress: solid_element.h),
+ *   E = (D + D^T + D^T D)/2,   S = lambda tr(E) I + 2 mu E,
  * f_a = int F S g_a dV, K_ab = int lambda p_a p_b^T + mu p_b p_a^T + mu (g_a.g_b) F F^T +
  * (g_a.S g_b) I dV, p_a = F g_a (Holzapfel 2000, sec. 8.4, with the isotropic law written
  * out).
@@ -24,9 +24,6 @@ enum { SOLID_GREEN_STRAINS = 6, SOLID_GREEN_INTERNAL = 9 };
 
 /* Rest data of an element; rows padded as in solid_space.h. */
 struct solid_green_rest {
-    int points;         /* points of the stiffness                                      */
-    bool plane_stress;  /* solid_element.h                                              */
-    const double *n;    /* [gauss][3] unit normals; plane_stress only                   */
     const double *g;    /* [gauss][3][row] gradients                              [1/m] */
     const double *mode; /* [gauss][modes][3] of the internal modes                [1/m] */
     const double *dV;   /* [gauss]                                                [m^3] */
@@ -38,14 +35,11 @@ struct solid_green_rest {
 /* Working storage for one element; one per thread. */
 struct solid_green_element {
     int local, row, gauss, modes;
-    bool plane;   /* space->plane_stress                                                  */
-    double *U[3]; /* [row][4]: displacement, present and of the geometry, for which first
-                     stands what is beside the change; last change; fourth zero   [m]   */
+    double *U[3];   /* [row][4]: displacement, present and of the geometry, for which first
+                       stands what is beside the change; last change; fourth zero   [m]   */
     double *strain; /* [gauss][6]; solid_layer_strains                                  */
     double *f;      /* [row][4]                                                   [N]   */
     double *p, *wp; /* [gauss][3][row] F g and dV F g                                   */
-    double *y, *wy; /* [2 gauss][3][row] F P g, F n (n.g); weighted; plane_stress only  */
-    double *L;      /* [row][9][row] as in solid_element.h                              */
     double *Sg;     /* [3][row] at one point                                            */
     double *H;      /* [row][9][row] int p_ai p_bj; valid for b >= a                    */
     double *C;      /* [row][6][row] xx, yy, zz, xy, yz, zx of what is symmetric        */

@@ -25,7 +25,7 @@ enum status solid_model_refuse_fabric(const struct scene *scene, struct message 
         why, STATUS_UNSUPPORTED,
         "unsupported: no fabrics. This solid's law is isotropic, and an orthotropic one, "
         "%.3g m thick, would bend with %.3g of B1, %.3g of B2 and %.3g of B66; iga with "
-        "remedy=selective or clamped holds bending and membrane apart",
+        "remedy=selective holds bending and membrane apart",
         h, bend * Y[LAW_WARP] / B[LAW_WARP], bend * Y[LAW_WEFT] / B[LAW_WEFT],
         bend * Y[LAW_SHEAR] / B[LAW_SHEAR]);
 }

@@ -87,16 +87,7 @@ struct solid_space {
      * weights are, w fastest, then v, as many in all elements; NULL: they are none. */
     struct solid_line (*line)(const struct solid_space *space, int element, int i);
 
-    /* Remedy for locking: the stiffness by fewer points than the mass (NULL: the same
-     * points). Fills `out` as `functions` does, returns the points used, at most
-     * `gauss`. */
-    int (*reduced)(const struct solid_space *space, int element,
-                   struct solid_functions *out);
-    /* Decouples the strain across the thickness from those along the sheet, as one linear
-     * function through the thickness needs (solid_element.h). */
-    bool plane_stress;
-
-    /* The other remedy, for one layer of linear functions: its stiffness is that of
+    /* Remedy for locking of one layer of linear functions: its stiffness is that of
      * solid_layer.h (NULL: not). Fills parametric gradients on the mid-surface and their
      * derivatives by w, [points][6][padded], and weights of the points of a kind of strain;
      * returns their number, at most layer_points[kind]. */

@@ -1,4 +1,4 @@
-/* Points of remedy=reduced and remedy=selective: how many, what they integrate, and which
+/* Points of remedy=selective: how many, what they integrate, and which
  * motions along a line they do not see. (Plates: `clothbench verify frequencies`.) */
 #include <float.h>
 #include <lapacke.h>
@@ -160,42 +160,6 @@ static void check_seen(int degree, int spans, int knots)
     bspline_clear(&b);
 }
 
-/* The loss at the points of the rule turns a strip under the moment x^k as much as the
- * layer does, int c^2 exp(-x / l) x^k dx, k = 0 and 1: on spans longer and shorter than l,
- * at all four edges. */
-static void check_clamp(int points, double thickness, int i, bool end)
-{
-    const double nu = 0.49, c = nu / (1 - nu), l = thickness * sqrt((1 - nu) / 120);
-    const double rest = exp(-1 / l), ROUND_OFF = 1e-12; /* round-off; what is lost is < 1 */
-    const struct solid_case box = {
-        SOLID_SELECTIVE, {3, 3, 1}, {points, points, 2}, {1, 1, 1}};
-    struct solid_space space;
-    struct plate_tables tables;
-    struct patch patch;
-    double x[2], w[2], lost[2] = {0};
-
-    solid_box(&box, &patch);
-    REQUIRE(!plate_model_space(&space, &tables, &patch, (int[3]){0}, true));
-    REQUIRE(!plate_model_select(&space, &tables, &patch));
-    REQUIRE(tables.cure[PLATE_BENDING][i].most == 2);
-    plate_model_clamp(&tables, &patch, i, end, thickness, nu);
-    gauss_rule(2, x, w);
-    for (int e = 0, n = tables.cure[PLATE_BENDING][i].spans; e < n; e++)
-        for (int q = 0; q < 2; q++) {
-            double had = w[q] / n, at = (e + x[q]) / n;
-            double less = had - had * had / tables.cure[PLATE_BENDING][i].weight[2 * e + q];
-            lost[0] += less;
-            lost[1] += less * (end ? 1 - at : at);
-        }
-    CHECK_NEAR(lost[0], c * c * l * (1 - rest), ROUND_OFF);
-    CHECK_NEAR(lost[1], c * c * l * (l - rest * (1 + l)), ROUND_OFF);
-    for (int e = 0; e < tables.cure[PLATE_BENDING][!i].spans; e++)
-        CHECK_NEAR(tables.cure[PLATE_BENDING][!i].weight[2 * e],
-                   w[0] / tables.cure[PLATE_BENDING][!i].spans, ROUND_OFF);
-    plate_model_clear(&space, &tables);
-    patch_clear(&patch);
-}
-
 int main(void)
 {
     static const struct line lines[] = {
@@ -209,8 +173,6 @@ int main(void)
         {3, 42, EVEN, 2, 1},   {5, 45, EVEN, 2, 1},     {3, 7, EVEN, 0, 1},
     };
 
-    for (int n = 0; n < 8; n++)
-        check_clamp(n < 4 ? 10 : 40, n < 4 ? 0.1 : 1, n % 2, n % 4 / 2);
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++)
         check_line(&lines[k]);
     for (int degree = 2; degree <= 5; degree++)

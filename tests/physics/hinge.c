@@ -27,14 +27,11 @@ static const struct row {
 } rows[] = {
     {"iga_selective_3", {NET}, false},
     {"iga_selective", {NET}, false},
-    {"iga_reduced", {NET}, false},
-    {"iga_reduced_3", {NET}, false},
     {"iga_nonlinear_3", {NET}, false},
     {"iga_incremental", {NET}, false},
-    {"iga_reduced_incremental", {NET}, false},
+    {"iga_selective_incremental", {NET}, false},
     {"iga_paper", {NET}, false},
     {"iga_selective_linear_3", {NET}, true},
-    {"iga_reduced_linear", {NET}, true},
     {"iga_linear_3", {NET}, true},
     {"hex_nonlinear", {NET}, false},
     {"hex_incompatible", {NET}, false},
@@ -42,7 +39,7 @@ static const struct row {
     {"hex_incompatible_linear", {NET}, true},
     {"iga_nonlinear_3", {QUADRATIC}, false},
     {"iga_linear_32", {QUADRATIC}, true},
-    {"iga_reduced_3", {CUBIC}, false},
+    {"iga_nonlinear_3", {CUBIC}, false},
 };
 
 static void open_row(struct run *run, const char *scene, const struct row *row,

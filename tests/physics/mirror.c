@@ -26,7 +26,6 @@ static const struct row {
     double allowed;
 } rows[] = {
     {"iga", SOLID KEY "degree=[3,3,1];" KEY "remedy=selective", SAME},
-    {"iga", SOLID KEY "degree=[3,3,1];" KEY "remedy=reduced", SAME},
     {"iga", SOLID KEY "degree=[3,3,1];" KEY "kinematics=linear", SAME},
     {"iga", KEY "points=[8,8,2];" KEY "degree=[3,3,1];" KEY "remedy=selective", SAME},
     {"iga", SOLID KEY "degree=[2,2,1];" KEY "remedy=selective", SAME},

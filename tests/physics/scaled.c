@@ -16,7 +16,7 @@ static const struct row {
     const char *model, *settings;
 } rows[] = {
     {"triangles", NET}, /* which shows all ways */
-    {"iga_reduced", SOLID},
+    {"iga_selective", SOLID},
     {"hex_incompatible", SOLID},
     {"shell_selective_3", KEY "points=[5,5]"},
     {"shell_explicit_3", KEY "points=[5,5]"},

@@ -38,10 +38,10 @@ enum { MODES = 3 };
 /* Knots at (k / spans)^2 near the clamp, where a chain bends over L / sqrt(Gamma). */
 #define CHAIN {20, 40}, {3, 3}, 2
 static const struct verify_subject entries[] = {
-    {"iga_reduced_linear", 0.01, "the weight's share at Gamma = 0.1", CHAIN},
+    {"iga_selective_linear", 0.01, "the weight's share at Gamma = 0.1", CHAIN},
     {"iga_nonlinear", 0, "the paper's space: locks", CHAIN},
-    {"iga_reduced,iga_selective", SOLID, CHAIN, WITHDRAWN},
-    {"iga_reduced_3", SOLID, CHAIN, .settings = {"discretization.degree=[3,2,1]"}},
+    {"iga_selective", SOLID, CHAIN, WITHDRAWN},
+    {"iga_selective_3", SOLID, CHAIN, .settings = {"discretization.degree=[3,2,1]"}},
     {"hex_incompatible", SOLID, {40, 80}, {2, 2}},
     {"shell_3", HALF, {13, 25}, {4, 4}, 2},
     {"shell_selective_3", HALF, {25, 49}, {4, 4}, .changed = REFINED},

@@ -31,7 +31,7 @@ static const struct verify_subject entries[] = {
 static const struct verify_field field = {
     entries, CONTESTANT_LARGE, VERIFY_REMEDIES, {11}, {11}};
 static const struct verify_subject folding[] = {
-    {"iga_reduced,shell_3,shell_explicit_3", KEPT, {12}, {12}, .dear = true},
+    {"iga_selective,shell_3,shell_explicit_3", KEPT, {12}, {12}, .dear = true},
     {"mass_spring", 0, "its iteration fails where the sheet closes"},
     {NETS ",position_based", KEPT},
     PROJECTED,

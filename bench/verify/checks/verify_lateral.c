@@ -20,7 +20,7 @@ static const double THICKNESS = 0.01;
 
 static const struct verify_subject entries[] = {
     {"iga_nonlinear", 0, "the paper's space: locks", {12, 24}, {6, 12}},
-    {"iga_reduced", ASKED, {12, 24}, {6, 12}},
+    {"iga_selective", ASKED, {12, 24}, {6, 12}},
     {"hex_incompatible", ASKED, {32, 64}, {8, 16}},
     {"shell_3,shell_selective_3", 0.01, "a third of what is asked", {9, 15}, {6, 10}},
     {"triangles", ASKED, {20, 40}, {6, 11}},

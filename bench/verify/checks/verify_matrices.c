@@ -26,7 +26,6 @@ static const struct verify_subject entries[] = {
     {"iga", ASKED, {6}, {5}, 0, "p = 2, 2, 1", {DEGREE "[2,2,1]", REMEDY "none"}},
     {"iga", ASKED, {6}, {5}, 0, "p = 3, 3, 2", {DEGREE "[3,3,2]", REMEDY "none"}, 3},
     {"iga", ASKED, {6}, {4}, 0, "p = 4, 2, 3", {DEGREE "[4,2,3]", REMEDY "none"}, 4},
-    {"iga", ASKED, {6}, {5}, 0, "reduced", {DEGREE "[2,2,1]", REMEDY "reduced"}, .mark = true},
     {"iga", ASKED, {6}, {5}, 0, "selective", {DEGREE "[2,2,1]", REMEDY "selective"},
      .mark = true},
     {"hex", ASKED, {6}, {5}, .settings = {REMEDY "none"}},

@@ -7,7 +7,7 @@
 #define ASKED 1e-3, NULL
 static const double EXPONENT = 0.1;
 static const struct verify_subject entries[] = {
-    {"iga_reduced", ASKED, {64}, {3}},
+    {"iga_selective", ASKED, {64}, {3}},
     {"hex_incompatible", 0.01, NULL, {64}, {2}},
     {"shell_3", ASKED, {64}, {4}},
     {"triangles", 0.01, NULL, {64}, {3}},

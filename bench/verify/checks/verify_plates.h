@@ -15,7 +15,6 @@
 #define VERIFY_PLATES(...)                                                                 \
     {"iga_linear", 0, "the paper's: locks", {6, 10}},                                      \
     {"iga_linear_3", 0, "locks in thickness: (1 - 2 nu) / (1 - nu)^2"},                    \
-    {"iga_reduced_linear,iga_reduced_linear_3", __VA_ARGS__},                              \
     {"iga_selective_linear,iga_selective_linear_3", __VA_ARGS__},                          \
     {"hex_linear", 0, "the paper's: locks"},                                               \
     {"hex_incompatible_linear", 0, VERIFY_PLATES_SHEAR, {16, 32}},                         \

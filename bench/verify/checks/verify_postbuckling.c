@@ -17,7 +17,7 @@ static const double THICKNESS = 1e-3, WIDTH = 0.1, YOUNG = 1e5; /* of the scene,
 /* Odd numbers of points, one of them in the middle. */
 static const struct verify_subject entries[] = {
     {"iga_nonlinear", 0, "the paper's space: locks", {25, 49}, {3, 3}},
-    {"iga_reduced", SOLID, {25, 49}, {3, 3}},
+    {"iga_selective", SOLID, {25, 49}, {3, 3}},
     {"hex_incompatible", SOLID, {41, 81}, {2, 2}},
     {"shell_3,shell_selective_3", HALF, {25, 49}, {4, 4}},
     {"triangles", SOLID, {41, 81}, {3, 5}},

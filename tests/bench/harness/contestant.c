@@ -128,10 +128,10 @@ static void test_settings(void)
 {
     static const struct {
         const char *name, *key, *value;
-    } want[] = {{"iga_reduced", "discretization.kinematics", "nonlinear"},
-                {"iga_reduced", "discretization.remedy", "reduced"},
-                {"iga_reduced", "discretization.degree", "[2,2,1]"},
-                {"iga_reduced", "discretization.points", NULL},
+    } want[] = {{"iga_selective", "discretization.kinematics", "nonlinear"},
+                {"iga_selective", "discretization.remedy", "selective"},
+                {"iga_selective", "discretization.degree", "[2,2,1]"},
+                {"iga_selective", "discretization.points", NULL},
                 {"iga", "discretization.kinematics", NULL},
                 {"shell_3", "discretization.degree", "[3,3]"}};
 

@@ -11,7 +11,7 @@ static char folder[4096];
 /* --- A check that adds rows as it is told. */
 
 static const struct verify_subject entries[] = {
-    {"iga_reduced", 0.01, "asked", {6, 10}, {3}, .changed = "2 % before"},
+    {"iga_selective", 0.01, "asked", {6, 10}, {3}, .changed = "2 % before"},
     {"shell_3", 0.01, "asked", {7, 10}, {4}},
     {"mass_spring", 0, "nobody asks", {5}, .changed = "never claimed"},
     {NULL}};
@@ -198,7 +198,7 @@ static void check_torn(void)
 
 /* --- The list that tests of checks are held to. */
 
-#define KNOWN "first | tip | IGA, reduced, nonlinear, 10x10x2 | "
+#define KNOWN "first | tip | IGA, selective, nonlinear, 10x10x2 | "
 static void check_misses(void)
 {
     static const struct {
@@ -234,7 +234,7 @@ static const struct verify_check rows_check = {.item = {"unit_rows", "rows of a 
 
 /* Two claims, one of them dear, and one contestant that only this field has. */
 static const struct verify_subject pair[] = {
-    {"iga_reduced", 0.01, "asked", {6, 10}, {3}, .dear = true},
+    {"iga_selective", 0.01, "asked", {6, 10}, {3}, .dear = true},
     {"triangles", 0.01, "asked", {6}},
     {"mass_spring_paper", 0, NULL, {5}},
     {NULL}};
@@ -268,9 +268,9 @@ static void check_walk(void)
     struct verify_sheet sheet = {0};
     char want[512];
 
-    snprintf(want, sizeof want, "iga_reduced triangles mass_spring_paper");
+    snprintf(want, sizeof want, "iga_selective triangles mass_spring_paper");
     for (const struct contestant *c = contestant_table; c->name; c++)
-        if (c->enters & CONTESTANT_LARGE && strcmp(c->name, "iga_reduced") &&
+        if (c->enters & CONTESTANT_LARGE && strcmp(c->name, "iga_selective") &&
             strcmp(c->name, "triangles") && strcmp(c->name, "shell_3") &&
             strcmp(c->model->name, "hex"))
             snprintf(want + strlen(want), sizeof want - strlen(want), " %s", c->name);
@@ -278,10 +278,10 @@ static void check_walk(void)
     sheet.models = "hex,mass_spring";
     CHECK(!strcmp(walk(&sheet, &of_pair), "mass_spring_paper mass_spring "
                                           "mass_spring_momentum mass_spring_leapfrog"));
-    sheet.models = "shell_3,iga_reduced"; /* by name, one that is left out, too */
-    CHECK(!strcmp(walk(&sheet, &of_pair), "iga_reduced shell_3"));
-    sheet.quick = true; /* iga_reduced is dear, of shell_3 nothing is claimed */
-    sheet.models = "shell_3,iga_reduced,triangles";
+    sheet.models = "shell_3,iga_selective"; /* by name, one that is left out, too */
+    CHECK(!strcmp(walk(&sheet, &of_pair), "iga_selective shell_3"));
+    sheet.quick = true; /* iga_selective is dear, of shell_3 nothing is claimed */
+    sheet.models = "shell_3,iga_selective,triangles";
     CHECK(!strcmp(walk(&sheet, &of_pair), "triangles"));
     CHECK(sheet.status == STATUS_OK);
     CHECK(!*walk(&sheet, &(struct verify_field){.subject = wrong}));
@@ -318,7 +318,7 @@ static void check_subject(void)
                                                   3,
                                                   4,
                                                   .second = 0.75},
-                                                 {"iga_reduced"},
+                                                 {"iga_selective"},
                                                  {NULL}};
     static const struct verify_field three = {rows, 0, NULL, {5, 7, 9}, {0, 6, 8}},
                                      none = {rows + 1};

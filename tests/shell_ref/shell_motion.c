@@ -69,6 +69,9 @@ static void check_held(void)
 #define EXACT    1e-9
 #define ITERATED 1e-5
 #define TOUCHED  1e-5
+/* After implicit steps with friction; seen 4e-16, and 3e-8 where landing left frames out.
+ */
+#define LANDED 1e-9
 
 enum { MODES = 6, FRAMES = 20, POINTS = 3 * GRID_POINTS };
 
@@ -79,8 +82,8 @@ static const char *const weights[] = {"gravity=[0.5,0,-3]", "gravity=[2.58,-0.4,
 static const char *const turns[] = {CLAMP("[0,1,0]"), CLAMP("[0.48,0.6,0.64]")};
 #define FLOOR(plane) "supports=[{at: {u: 0}, fix: xyz}]", "obstacles=[{plane: {" plane "}}]"
 static const char *const floors[][2] = {
-    {FLOOR("point: [0,0,-0.012], normal: [0,0,1]")},
-    {FLOOR("point: [0.0096,0,-0.0072], normal: [-0.8,0,0.6]")}};
+    {FLOOR("point: [0,0,-0.012], normal: [0,0,1], friction: 0.3")},
+    {FLOOR("point: [0.0096,0,-0.0072], normal: [-0.8,0,0.6], friction: 0.3")}};
 /* A ball under the row beside the clamp, whose normals have parts along the free way. */
 #define BALL(center)                                                                       \
     "supports=[{at: {u: 0}, fix: xyz}]",                                                   \
@@ -91,14 +94,14 @@ static const char *const balls[][2] = {{BALL("0.1,0.3,-0.0605")},
 static const struct way {
     const char *name, *solver, *by;
     enum { HELD, TURNS, FLOORS, BALLS } kind;
-    double tolerance;
+    double tolerance, moved; /* of the motion, if not as of the rest                    */
 } ways[] = {
     {"shell_linear", NULL, NULL, HELD, EXACT},
     {"shell_linear", NULL, NULL, TURNS, EXACT},
     {"shell_2", NULL, NULL, HELD, EXACT},
     {"shell_2", NULL, NULL, TURNS, EXACT},
-    {"shell_2", NULL, NULL, FLOORS, TOUCHED},
-    {"shell_2", NULL, NULL, BALLS, TOUCHED},
+    {"shell_2", NULL, NULL, FLOORS, TOUCHED, LANDED},
+    {"shell_2", NULL, NULL, BALLS, TOUCHED, LANDED},
     {"shell_explicit_3", NULL, NULL, HELD, EXACT},
     {"shell_explicit_3", NULL, NULL, TURNS, EXACT},
     {"shell_explicit_3", NULL, NULL, FLOORS, TOUCHED},
@@ -128,7 +131,8 @@ static void see(const struct way *way, int pose, struct seen *s)
     struct run run;
 
     OPENED_RUN(&run, "edge_drop", way->name, "discretization.points=[7,5]", poses[pose],
-               weights[pose], "sheet={length: 1, width: 0.6, thickness: 0.02}",
+               weights[pose], way->kind == FLOORS ? "time.step=0.02" : free,
+               "sheet={length: 1, width: 0.6, thickness: 0.02}",
                "material={young: 2e4, poisson: 0.3, density: 4}", free, support, body[1],
                way->solver, way->by);
     CHECK(run_modes(&run, MODES, s->omega[0], &why) == STATUS_OK);
@@ -165,8 +169,8 @@ static void check_askew(void)
         for (int pose = 0; pose < 2; pose++)
             see(way, pose, &seen[pose]);
         turn_all(seen[0].moved), turn_all(seen[0].rest);
-        bool same =
-            CHECK_NEAR(opened_apart(seen[0].moved, seen[1].moved), 0, way->tolerance);
+        bool same = CHECK_NEAR(opened_apart(seen[0].moved, seen[1].moved), 0,
+                               way->moved > 0 ? way->moved : way->tolerance);
         same &= CHECK_NEAR(opened_apart(seen[0].rest, seen[1].rest), 0, way->tolerance);
         same &= CHECK(seen[0].substeps == seen[1].substeps);
         for (int n = 0; n < 2 * MODES; n++)

@@ -80,21 +80,20 @@ static struct drawn draw_run(unsigned long long *state, int count)
     return d;
 }
 
-static enum status look(void *context, const struct motion *m, const double *xyz,
-                        double *value)
+static void look(const void *context, double time, const double *xyz, double *error,
+                 double *bar)
 {
-    struct drawn *d = context;
-    const int n = truth_index(d->truth, d->truth->claimed, m->time);
-    const double length = d->at->length,
-                 error = metric_rmse(xyz, d->truth->xyz[n]) / length;
+    struct drawn *d = (struct drawn *)context;
+    const int n = truth_index(d->truth, d->truth->claimed, time);
+    const double length = d->at->length;
 
-    value[0] = error;
-    if (!(error <= d->error)) {
-        d->error = error;
-        d->bar = d->truth->error[n] / length;
+    *error = metric_rmse(xyz, d->truth->xyz[n]) / length;
+    *bar = d->truth->error[n] / length;
+    if (!(*error <= d->error)) {
+        d->error = *error;
+        d->bar = *bar;
         d->way = metric_rmse(d->truth->xyz[n], d->rest) / length;
     }
-    return STATUS_OK;
 }
 
 /* Chooses up to TIMES times of a truth, the last one too. */
@@ -114,7 +113,6 @@ static int choose_times(const struct truth *truth, double time[TIMES])
 /* Follows a drawn run; false: the model refuses it, or it died. */
 static bool follow(struct drawn *d)
 {
-    static const struct run_own own = {"error", "1"};
     struct settings set = {0};
     struct scene scene = {0};
     struct truth truth = {0};
@@ -136,9 +134,7 @@ static bool follow(struct drawn *d)
                                   .time = time,
                                   .fields = RUN_FIELDS_NONE,
                                   .intersections = true,
-                                  .own_count = 1,
-                                  .own = &own,
-                                  .own_look = look,
+                                  .truth = look,
                                   .context = d};
     const struct run_plan plan = {path, d->who, &set, time[times - 1]};
     REQUIRE(run_file_write(&plan, &keep, &d->result, &why) == STATUS_OK);

@@ -416,7 +416,8 @@ enum status contact_init(struct contact *c, const struct scene *scene,
     TRY(room_cut(&c->arrays, ROOM(c->pose, bodies), ROOM(c->pose_old, bodies),
                  ROOM(c->x_old, 3 * nodes), ROOM(c->area, nodes),
                  ROOM(c->spare, 4 * samples), ROOM(c->near, samples),
-                 ROOM(c->pressed, nodes), ROOM(c->meeting, samples)));
+                 ROOM(c->pressed, nodes), ROOM(c->meeting, samples),
+                 ROOM(c->foretold, 2 * samples)));
     for (int n = 0; n < s->count; n++)
         for (int k = n * s->width; k < n * s->width + s->used[n]; k++)
             c->area[s->node[k]] += s->shape[k] * s->area[n];
@@ -458,7 +459,8 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
     count_crossing(c, t, x_old);
     c->dt = dt, c->rests = c->held = c->middle = false;
     c->releases = 0;
-    c->error = 0;
+    c->count = c->weights = 0;
+    memset(c->foretold, 0, 2 * (size_t)c->surface.count * sizeof *c->foretold);
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
     for (int o = 0; o < c->scene->obstacle_count; o++) {
         scene_motion_at(&c->scene->obstacles[o].motion, t, &c->pose_old[o]);
@@ -497,12 +499,14 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     if (mu == 0)
         return;
     const double size = vector_length(slip);
-    const double share = contact_law_friction(law, size, c->dt);
+    t->share = contact_law_friction(law, size, c->dt);
     const double stick = 2 * mu * t->bound / (law->creep * c->dt);
-    t->drag = size > 0 ? mu * t->bound * share / size : stick;
+    t->drag = size > 0 ? mu * t->bound * t->share / size : stick;
     t->grip = stick * fmax(0, 1 - size / (law->creep * c->dt));
     for (int i = 0; i < 3; i++)
         t->rub[i] = -t->drag * slip[i];
+    if (!c->held && t->sample >= 0)
+        split(c->foretold[2 * t->sample + (t->obstacle < 0)], t->normal, t->foretold);
 }
 
 /* Returns the distance of y from a body: exact where contact has started, or where it is
@@ -639,6 +643,17 @@ bool contact_release(struct contact *c)
     return true;
 }
 
+void contact_grip(const struct contact_touch *t, double K[9])
+{
+    const double *n = t->normal, *f = t->foretold, *s = t->rub;
+    const double sizes = vector_length(s) * fmax(t->share, vector_length(f));
+    const double less = sizes > 0 ? (t->drag - t->grip) / (2 * sizes) : 0;
+
+    for (int i = 0; i < 9; i++) /* rub is against the slip */
+        K[i] = t->drag * ((i % 4 == 0) - n[i / 3] * n[i % 3]) +
+               less * (f[i / 3] * s[i % 3] + s[i / 3] * f[i % 3]);
+}
+
 void contact_force(const struct contact *c, double *force)
 {
     for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
@@ -757,23 +772,28 @@ static double limit_sample(const struct contact *c, int sample, int obstacle,
     return share;
 }
 
-/* Returns the share of a change d that ends the slip of a held touch instead of turning it
- * round. What slips has no stiffness along its way, so that Newton's steps may go from one
- * way of slipping to the other for ever. */
-static double limit_slip(const struct contact *c, const struct contact_touch *t,
-                         const double *d)
+/* Notes the friction that the tangent foretells a change d for (contact_grip). */
+static void foretell(struct contact *c, struct contact_touch *t, const double *d)
 {
-    double way[3] = {0}, change[3];
+    double way[3] = {0}, slip[3], K[9], square = 0;
+    const double most = friction_of(c, t) * t->bound;
 
-    if (!(t->drag > 0) || t->grip > 0)
-        return 1;
+    if (!(most > 0))
+        return;
     for (int k = t->first; k < t->first + t->count; k++)
         for (int i = 0; i < 3; i++)
             way[i] += c->weight[k] * d[3 * (size_t)c->node[k] + i];
-    split(way, t->normal, change);
-    const double size = vector_length(t->rub) / t->drag;
-    const double back = vector_dot(t->rub, change) / t->drag; /* rub is against the slip */
-    return back > size * size ? size * size / back : 1;
+    split(way, t->normal, slip);
+    contact_grip(t, K);
+    for (int i = 0; i < 3; i++) {
+        t->foretold[i] = (vector_dot(K + 3 * (size_t)i, slip) - t->rub[i]) / most;
+        square += t->foretold[i] * t->foretold[i];
+    }
+    for (int i = 0; i < 3; i++)
+        t->foretold[i] /= fmax(1, sqrt(square));
+    if (t->sample >= 0)
+        memcpy(c->foretold[2 * t->sample + (t->obstacle < 0)], t->foretold,
+               sizeof t->foretold);
 }
 
 /* Notes places that cut a change short, unless a sample presses there about as much. */
@@ -840,8 +860,8 @@ double contact_limit(struct contact *c, const double *x, const double *d)
     }
     for (int n = list_features(c, x, d) - 1; n >= 0; n--)
         share = limit_feature(c, n, x, d, share, samples);
-    for (int n = 0; c->held && n < c->count; n++)
-        share = fmin(share, limit_slip(c, &c->touch[n], d));
+    for (int n = 0; n < c->count; n++)
+        foretell(c, &c->touch[n], d);
     struct contact_meeting met = {.sample = {-1}};
     share = fmin(share, limit_own(c, x, d, &met));
     note(c, x, &met);

@@ -37,6 +37,8 @@ struct contact_touch {
     double rub[3];          /* friction's force                                [N]     */
     double drag;            /* its force over the slip                         [N/m]   */
     double grip;            /* its change by more slip the same way            [N/m]   */
+    double share;           /* of the most that friction may have                     */
+    double foretold[3];     /* by the last change, over that, and against the force    */
 };
 
 struct contact {
@@ -52,15 +54,15 @@ struct contact {
     enum status failed; /* of contact_limit: the next contact_find returns it          */
     void *arrays; /* memory of those that are not owned by themselves      owned     */
     struct scene_placement *pose, *pose_old; /* [obstacles]                          */
-    double error;    /* how far x may be from the solution, 0: not told           [m]    */
-    double dt;       /* of the step; INFINITY: no rates                     [s]    */
-    bool held;       /* by contact_hold                                              */
-    int releases;    /* of held touches in this step                                 */
-    int listed[2];   /* touches and meetings then                                    */
-    bool rests;      /* the pressure has no rate, only friction                      */
-    bool middle;     /* bodies press along the step's mean normal, not that of its end */
-    double *x_old;   /* [nodes][3] where it starts                                   */
-    double *area;    /* [nodes] their shares of the samples'       [m^2]              */
+    double dt;     /* of the step; INFINITY: no rates                     [s]    */
+    bool held;     /* by contact_hold                                              */
+    int releases;  /* of held touches in this step                                 */
+    int listed[2]; /* touches and meetings then                                    */
+    bool rests;    /* the pressure has no rate, only friction                      */
+    bool middle;   /* bodies press along the step's mean normal, not that of its end */
+    double *x_old; /* [nodes][3] where it starts                                   */
+    double *area;  /* [nodes] their shares of the samples'       [m^2]              */
+    double (*foretold)[3]; /* [samples][2] of the touches with bodies, the sheet itself */
     int count, room; /* touches; of the last contact_find or contact_project         */
     struct contact_touch *touch; /*                            owned     */
     int weights, weight_room;
@@ -116,6 +118,18 @@ bool contact_release(struct contact *c);
 
 /* Returns the work that bodies that move did in the step to x[nodes][3] [J]. */
 double contact_body_work(const struct contact *c, const double *x);
+
+/* Computes the stiffness K of a touch's friction, g(|s|) against the slip s [N/m]. With f,
+ * that force, as an unknown of its own, linearised in f |s| / g = s,
+ *
+ *     K = g/|s| (1 - (1 - k |s|/g) (f s^T + s f^T) / (2 |f||s|)),   k = dg/d|s|,
+ *
+ * in which f has the direction that the last change foretold, and is shorter than g where
+ * it foretold less. K is Newton's tangent where the change foretold the present force, and
+ * never indefinite. The tangent by itself leads from one way of slipping to the other for
+ * ever, and g/|s| there in many short changes (Chan, Golub, Mulet 1999, SIAM J. Sci.
+ * Comput. 20, 1964, on total variation). */
+void contact_grip(const struct contact_touch *t, double K[9]);
 
 /* Adds the forces of the touches to force[nodes][3]. */
 void contact_force(const struct contact *c, double *force);

@@ -145,32 +145,13 @@ static bool add_slip(const struct contact *c, const struct contact_touch *t,
     return true;
 }
 
-/* The error below which friction has its tangent: in the slip, or that from which friction
- * is whole. */
-static const double CLOSE = 0.1;
-
-/* Tells whether x is near enough to the solution for friction's tangent, or its touches are
- * held, when friction is the gradient of a convex potential. */
-static bool is_close(const struct contact *c, double slip)
-{
-    return c->held || c->error == 0 ||
-           c->error <= CLOSE * fmax(slip, c->body.creep * c->dt);
-}
-
 /* Computes the stiffness of a touch's relative motion; x NULL: without turning. */
 static void stiffness(const struct contact *c, const struct contact_touch *t,
                       const double *x, double B[9])
 {
-    const double rub = vector_dot(t->rub, t->rub);
-    const double slip = rub > 0 ? sqrt(rub) / t->drag : 0;
-    const double grip = is_close(c, slip) ? t->grip : t->drag;
-
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            double along = rub > 0 ? t->rub[i] * t->rub[j] / rub : 0;
-            B[3 * i + j] = (t->stiffness - t->drag) * t->normal[i] * t->normal[j] +
-                           (grip - t->drag) * along + t->drag * (i == j);
-        }
+    contact_grip(t, B);
+    for (int k = 0; k < 9; k++)
+        B[k] += t->stiffness * t->normal[k / 3] * t->normal[k % 3];
     if (x)
         add_turning(c, t, x, B);
 }

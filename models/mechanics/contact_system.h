@@ -8,9 +8,7 @@
 
 /* Adds the stiffness of the touches of the last contact_find to K[pairs]: of the pressure
  * along the normals and of friction across them; with x NULL without the normals' turning,
- * so that it is positive semidefinite. Far from the solution (c->error) friction has the
- * stiffness that would end the slip, with which Newton's method can't go back and forth
- * between two ways of it.
+ * so that it is positive semidefinite.
  *
  * The turning at x[nodes][3], where contact_find looked, lets what leans on a round body
  * slide off, and one side of a sheet slide along the other. It leaves out a net of points

@@ -96,9 +96,9 @@ static bool touches(const struct large_motion *m)
     return m->contact && m->contact->count > 0;
 }
 
-/* Makes and factors the tangent at x, which the last step moved by so much. */
+/* Makes and factors the tangent at x. */
 static enum status refresh(struct large_motion *m, const struct large_equation *q,
-                           const double *x, double size, struct large_foresight foresight,
+                           const double *x, struct large_foresight foresight,
                            struct counters *counters)
 {
     enum status st = STATUS_OK;
@@ -112,8 +112,6 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
         if (m->pressure)
             pressure_tangent(m->pressure, q->load, q->path.x_old, q->path.g1, x, m->graph,
                              m->K);
-        if (m->contact) /* without inertia, small steps lead nowhere */
-            m->contact->error = m->contact->rests ? 0 : size;
         if (m->contact)
             TRY(contact_coupled_add(&m->coupled, m->contact, m->system, m->K));
         st = factor(m, q->mass, counters);
@@ -154,7 +152,7 @@ static enum status solve(struct large_motion *m, const struct large_equation *q,
         if (!indefinite || m->stressless || q->mass == 0)
             break;
         m->stressless = true;
-        TRY(refresh(m, q, i->x, i->size, (struct large_foresight){.none = true}, counters));
+        TRY(refresh(m, q, i->x, (struct large_foresight){.none = true}, counters));
     }
     TRY(st);
     *size = blocks_longest(m->graph->nodes, i->next);
@@ -274,8 +272,8 @@ static enum status next_step(struct large_motion *m, const struct large_equation
         TRY(solve(m, q, i, &size, counters));
     if (!(size <= chord_of(m, i) * i->size)) {
         fill_beside(m, q, i);
-        TRY(refresh(m, q, i->x, i->size,
-                    (struct large_foresight){.change = i->d, .beside = i->work}, counters));
+        TRY(refresh(m, q, i->x, (struct large_foresight){.change = i->d, .beside = i->work},
+                    counters));
         m->worn = true;
         TRY(solve(m, q, i, &size, counters));
         i->gain = size / i->size;
@@ -329,8 +327,7 @@ enum status large_newton_solve(struct large_motion *m, const struct large_equati
         const double *strain = m->rings && q->mass > 0
                                    ? m->strain_mean
                                    : m->strain_old; /* without its ringing */
-        TRY(refresh(m, q, x, INFINITY, (struct large_foresight){.strain = strain},
-                    counters));
+        TRY(refresh(m, q, x, (struct large_foresight){.strain = strain}, counters));
         i.chord = fmin(q->chord, FIRST_CHORD);
     }
     TRY(solve(m, q, &i, &i.size, counters));

@@ -1,5 +1,5 @@
 /* Tests the tangent of a smooth sheet's contact with itself, with the turning of its
- * normals, against differences of its forces. */
+ * normals, against differences of its forces; and the stiffness of friction. */
 #include "models/mechanics/contact_system.h"
 
 #include <math.h>
@@ -86,6 +86,41 @@ static void open_contact(struct contact *c, struct scene *scene)
     REQUIRE(contact_init(c, scene, &s) == STATUS_OK);
 }
 
+/* Returns d K d. */
+static double along(const double K[9], const double d[3])
+{
+    double sum = 0;
+
+    for (int k = 0; k < 9; k++)
+        sum += d[k / 3] * K[k] * d[k % 3];
+    return sum;
+}
+
+/* Friction of the normal z that slips along x is Newton's tangent where the last change
+ * foretold it, only stiffer where that foretold another way, and never negative. */
+static void test_grip(void)
+{
+    const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, z[3] = {0, 0, 1}, exact = 1e-14;
+    struct contact_touch t = {
+        .normal = {0, 0, 1}, .rub = {-6, 0, 0}, .drag = 2, .grip = 0.5, .share = 0.75};
+    double K[9];
+
+    t.foretold[0] = t.share;
+    contact_grip(&t, K);
+    CHECK_NEAR(along(K, x), t.grip, exact);
+    CHECK_NEAR(along(K, y), t.drag, exact);
+    CHECK_NEAR(along(K, z), 0, exact);
+    t.foretold[0] = -1;
+    contact_grip(&t, K);
+    CHECK(along(K, x) > t.drag);
+    t.grip = 0;
+    for (int n = 0; n < 12; n++) {
+        t.foretold[0] = cos(n), t.foretold[1] = sin(n);
+        contact_grip(&t, K);
+        CHECK(K[0] + K[4] >= 0 && K[0] * K[4] - K[1] * K[3] >= -exact);
+    }
+}
+
 int main(void)
 {
     double x[COUNT], moved[COUNT], force[2][COUNT], K[NODES * (NODES + 1) / 2][9];
@@ -95,6 +130,7 @@ int main(void)
     struct contact c;
     struct scene scene;
 
+    test_grip();
     for (int k = 0; k < NODES; k++)
         ien[k] = k;
     REQUIRE(blocks_init(&graph, NODES, 1, NODES, ien) == STATUS_OK);

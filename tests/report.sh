@@ -21,6 +21,13 @@ cp "$results"/{table4,stress}.csv some
 mkdir some/run_edge_drop
 "$program" run edge_drop --model mass_spring --set 'discretization.points=[4,4]' --set time.end=0.05 \
     --quiet --out some/run_edge_drop/springs.h5 || fail 'run'
+"$program" run edge_drop --model mass_spring --set time.end=0.05 --quiet --out sheet.h5 --picture sheet.png 2>err ||
+    fail "--picture: $(<err)"
+head -c 4 sheet.png | grep -q PNG || fail '--picture draws no PNG'
+CLOTHBENCH_PYTHON=/nowhere "$program" run edge_drop --model mass_spring --set time.end=0.05 --quiet --out again.h5 \
+    --picture again.png 2>err || fail '--picture without Python: no exit 0'
+{ [ -s again.h5 ] && grep -q python3-matplotlib err; } || fail "--picture without Python: $(<err)"
+"$program" run edge_drop --picture none.png 2>err && fail '--picture without --out'
 # What stands beside the folder that Python is started in, or in it, is no module.
 for place in . some; do echo 'raise SystemExit("a module of the folder ran")' >"$place/jinja2.py"; done
 PYTHONPATH=$PWD page some

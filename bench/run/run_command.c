@@ -10,6 +10,7 @@
 #include "bench/harness/run_file.h"
 #include "bench/run/describe.h"
 #include "bench/run/statics.h"
+#include "bench/ui/show.h"
 #include "models/reader/scene_file.h"
 
 /* Material points followed through a motion, as CSV: t,u,v,w,x,y,z with 17 digits, a line a
@@ -103,6 +104,8 @@ static enum status check_options(const struct job *j, const struct command_line 
     if (j->task == TASK_MODES && (j->probe.count || out))
         return status_fail(why, STATUS_INPUT, "--modes has no positions: %s makes no sense",
                            j->probe.count ? "--probe" : "--out");
+    if (command_given(line, "--picture") && !out)
+        return status_fail(why, STATUS_INPUT, "--picture is of what --out keeps");
     if (command_given(line, "--format") && j->task == TASK_MOTION)
         return status_fail(why, STATUS_INPUT,
                            "--format is for the tables of --static and --modes");
@@ -319,20 +322,37 @@ static enum status tell_who_serves(const struct job *j, struct message *why)
                        *names ? "%s; these models have it: %s" : "%s", refusal.text, names);
 }
 
+/* Has the sheet drawn. Without Python what was computed is there all the same. */
+static enum status draw(const char *file, const char *picture, struct message *why)
+{
+    struct message lack = {""};
+    const enum status st =
+        show_run((const char *const[]){"picture", file, picture, NULL}, &lack);
+
+    if (st != STATUS_LIBRARY)
+        return st ? status_fail(why, st, "%s", lack.text) : st;
+    fprintf(stderr, "%s: %s\n", picture, lack.text);
+    return STATUS_OK;
+}
+
 static enum status run(const struct command_line *line, struct message *why)
 {
     enum status st = STATUS_OK;
     struct job j = {0};
-    const char *folder = command_value(line, "--matrices");
+    const char *folder = command_value(line, "--matrices"),
+               *out = command_value(line, "--out"),
+               *picture = command_value(line, "--picture");
 
     TRY(read_options(&j, line, why));
     TRY(read_scene(&j, line, why));
     st = run_build(&j.run, why);
     TRY(st == STATUS_UNSUPPORTED ? tell_who_serves(&j, why) : st);
-    TRY(open_file(&j, command_value(line, "--out"), why));
+    TRY(open_file(&j, out, why));
     if (folder)
         TRY(statics_matrices(folder, &j.plan, why));
     TRY(run_task(&j, why));
+    if (picture)
+        TRY(draw(out, picture, why));
 out:
     if (j.run.state)
         tell(&j, NULL);
@@ -368,6 +388,7 @@ static const struct command_option options[] = {
     {"--out", "FILE.h5", false,
      "store every frame in an HDF5 file, and write a FILE.xdmf\n"
      "beside it that opens in ParaView"},
+    {"--picture", "FILE.png", false, "draw the sheet at six times of what --out keeps"},
     {"--every", "N", false, "store only each N-th frame, the first and the last"},
     {"--matrices", "FOLDER", false,
      "also write stiffness and mass of the rest shape to\n"

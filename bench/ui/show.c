@@ -30,9 +30,9 @@ static const struct named_file_kind package = {
  * environment is searched for modules. */
 static void become_python(int error, const char *script, const char *const *words)
 {
-    const char *named = getenv("CLOTHBENCH_PYTHON");
-    const char *python = named && *named ? named : PYTHON;
-    /* Its own path first: Python looks there for its folder, and on the PATH for a name's.
+    const char *asked = getenv("CLOTHBENCH_PYTHON"),
+               *python = asked && *asked ? asked : PYTHON;
+    /* Its own path, from which it finds its modules: a bare name would lead it to the PATH.
      */
     char *argv[SHOW_WORDS + 5] = {(char *)python, "-I", "-B", (char *)script};
 

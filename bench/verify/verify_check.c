@@ -222,10 +222,12 @@ static bool comes_in(const struct verify_sheet *sheet, const struct verify_field
 }
 
 /* Returns whether a quick run leaves a subject out: a dear one, or one of whom nothing is
- * claimed. */
+ * claimed and nobody asked. */
 static bool is_left(const struct verify_subject *s)
 {
-    return s->sheet->quick && (s->dear || (isnan(s->tolerance) && isnan(s->second)));
+    const bool claims = !isnan(s->tolerance) || !isnan(s->second);
+
+    return s->sheet->quick && (s->dear || !(claims || s->sheet->models));
 }
 
 int verify_sheet_subjects(struct verify_sheet *sheet, const struct verify_field *field,

@@ -264,6 +264,19 @@ def sheets(fields):
         for n in plane[:, :, 2].mean(1).argsort():  # the far ones first
             draw.polygon(places[n], fill=paint[n], outline=paint[n])
         data = io.BytesIO()
-        picture.reduce(2).quantize(64, Image.FASTOCTREE).save(data, "PNG")
+        picture.reduce(2).quantize(128, Image.FASTOCTREE).save(data, "PNG")
         made.append(data.getvalue())
     return made
+
+def row_of(pictures, words):
+    """One picture of several, side by side, with words below each."""
+    from PIL import Image, ImageDraw
+    opened = [Image.open(io.BytesIO(p)).convert("RGB") for p in pictures]
+    width, height = opened[0].size
+    row = Image.new("RGB", (width * len(opened), height + 20), "white")
+    for n, (image, text) in enumerate(zip(opened, words)):
+        row.paste(image, (n * width, 0))
+        ImageDraw.Draw(row).text((n * width + width // 2 - 15, height + 4), text, fill=INK)
+    data = io.BytesIO()
+    row.save(data, "PNG")
+    return data.getvalue()

@@ -228,7 +228,7 @@ def by_number(file):
     return [int(n) if n.isdigit() else n for n in re.split(r"(\d+)", file.name)]
 
 def strips(files, times, room, trouble, prefix=""):
-    """A row of pictures for each result file, all in one view and scale."""
+    """A row of pictures for each result file, those of a scene in one view and scale."""
     runs = []
     for file in files[:RUNS_MOST]:
         try:
@@ -237,16 +237,18 @@ def strips(files, times, room, trouble, prefix=""):
                 runs.append(run)
         except Bad as bad:
             trouble.append(str(bad))
-    fields = [(charts.colour_of(run.model), xyz) for run in runs for xyz in run.xyz]
-    made = charts.sheets(fields)
-    size = sum(map(len, made)) * 4 // 3
+    made = {}
+    for scene in dict.fromkeys(run.scene for run in runs):
+        of = [run for run in runs if run.scene == scene]
+        drawn = iter(charts.sheets([(charts.colour_of(run.model), xyz) for run in of for xyz in run.xyz]))
+        made |= {run.name: [next(drawn, b"") for _ in run.time] for run in of}
+    size = sum(len(p) for pictures in made.values() for p in pictures) * 4 // 3
     if size > room.left:
         room.without += [run.name for run in runs]
         return []
     room.left -= size
-    pictures = iter(made)
-    return [Strip(label_of(run, prefix), [(address(next(pictures), "png"), f"{t:g} s")
-                                          for t in run.time]) for run in runs] if made else []
+    return [Strip(label_of(run, prefix), [(address(p, "png"), f"{t:g} s")
+                                          for p, t in zip(made[run.name], run.time)]) for run in runs]
 
 def figures(top, room):
     """The paper's figures, recomputed, as far as the folder has them."""
@@ -417,20 +419,28 @@ def rendered(**what):
     env.tests["number"] = is_number
     return env.get_template("page.html.j2").render(**what)
 
-def write(path, text):
+def picture(file, target):
+    """Draws a run at six times, side by side."""
+    run = results.run(file, 6)
+    made = charts.sheets([(charts.colour_of(run.model), xyz) for xyz in run.xyz]) if run else []
+    if not made:
+        raise Bad(f"{file}: has no positions to draw")
+    write(target, charts.row_of(made, [f"{t:g} s" for t in run.time]))
+
+def write(path, data):
     """The whole file or none; an earlier one stays until then."""
     path = pathlib.Path(path)
     aside = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
-        aside.write_text(text, errors="replace")
+        aside.write_bytes(data if isinstance(data, bytes) else data.encode("utf-8", "replace"))
         os.replace(aside, path)
     except OSError as error:
         aside.unlink(missing_ok=True)
         raise Bad(f"{path}: cannot be written: {error.strerror}") from None
 
 def motions_of(top):
-    """Motions to play: the files of FOLDER/run_SCENE, as 16-bit numbers, centred and to one scale;
-    of longer runs every n-th frame."""
+    """Motions to play: the files of FOLDER/run_SCENE, as 16-bit numbers, centred, those of a scene to
+    one scale; of longer runs every n-th frame."""
     runs, room = [], MOTIONS_MOST
     files = [f for _, folder, files, _ in listed(top) if folder.name.startswith("run_")
              for f in files if f.suffix == ".h5"][:RUNS_MOST]
@@ -440,13 +450,12 @@ def motions_of(top):
         except Bad:
             continue  # its part says so
         runs += [run] if run else []
-    if not runs:
-        return []
-    flat = np.concatenate([r.xyz[np.isfinite(r.xyz).all((1, 2, 3, 4))].reshape(-1, 3) for r in runs])
-    middle = (flat.min(0) + flat.max(0)) / 2
-    scale = np.abs(flat - middle).max() * 1.25 or 1
     made = []
     for run in runs:
+        flat = np.concatenate([r.xyz[np.isfinite(r.xyz).all((1, 2, 3, 4))].reshape(-1, 3) for r in runs
+                               if r.scene == run.scene] + [np.zeros((0, 3))])
+        middle = (flat.min(0) + flat.max(0)) / 2 if len(flat) else 0
+        scale = np.abs(flat - middle).max(initial=0) * 1.25 or 1
         good = np.isfinite(run.xyz).all((1, 2, 3, 4))
         xyz = np.concatenate(list(np.moveaxis(run.xyz[good], 1, 0)), 2)  # sheets side by side
         made.append({"name": f"{run.scene}, {run.name}", "colour": charts.colour_of(run.model),

@@ -31,6 +31,8 @@ def main(words):
             print(f"{target}: one page, {len(text.encode()) // 1000} kB")
         elif what == "protocol":
             page.write(target, page.protocol(source))
+        elif what == "picture":
+            page.picture(source, target)
         else:
             from clothbench import site
             site.make(source, target)

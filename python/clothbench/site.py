@@ -32,6 +32,8 @@ def scene_page(name, scene, truth, table):
     if truth.exists():
         part.strips = page.strips([truth], None, room, trouble)
         part.trouble = trouble
+        for strip in part.strips:
+            strip.label = "its truth"
         try:
             made = results.run(truth, most=400)
             bars = [(t, 100 * b / made.length) for t, b in zip(made.time, made.bar) if b > 0]
@@ -66,7 +68,9 @@ def manual_page(path, names):
 
     html = re.sub(r'href="([^"]*)"', link, html)
     html = re.sub(r'src="(?:doc/)?([^"/]*)"', r'src="\1"', html)
-    return page.rendered(title="", links=LINKS, lead=[], html=jinja2.utils.markupsafe.Markup(html))
+    title = re.search("^# (.*)", text, re.M)
+    return page.rendered(title=title[1] if title else path.stem, bare=True, links=LINKS, lead=[],
+                         html=jinja2.utils.markupsafe.Markup(html))
 
 def table_of(title, caption, rows):
     """A page with a list of links."""

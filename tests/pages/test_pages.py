@@ -25,6 +25,7 @@ def test_lines_leave_out_what_is_no_number():
     svg = charts.lines("t", "x", "y", [("one", "#112233", [(1, 2), (2, math.inf), (3, math.nan), (4, 5)])])
     assert drawn(svg, "#112233") == 2 and "one" in words_of(svg)
     assert charts.lines("t", "x", "y", [("one", None, [(math.nan, 1)])]) is None
+    assert svg == charts.lines("t", "x", "y", [("one", "#112233", [(4, 5), (1, 2)])])  # by x
 
 @pytest.mark.parametrize("values, want", [
     ([3, 47], (0, 50)), ([0.0013, 0.8], (0.001, 1)), ([16681.0053720005, 2.1e6], (10000, 5e6)),
@@ -38,10 +39,10 @@ def test_ticks_are_round_and_nothing_is_cut(values, want):
 
 def test_labels_do_not_overlap():
     figure, axes = charts.new_axes("t", "x", "y")
-    charts.place_labels(axes, [(0.5, 0.5, f"line {n}", "#000000") for n in range(10)])
+    charts.place_labels(axes, [(0.5, 0.02, f"line {n}", "#000000") for n in range(10)])
     places = sorted(t.get_position()[1] for t in axes.texts)
     room = charts.SIZE * 1.1 / 72 / charts.PLACE[3]
-    assert len(places) == 10 and min(np.diff(places)) >= room
+    assert len(places) == 10 and min(np.diff(places)) >= room and places[0] > -0.1 and places[-1] < 1.1
     charts.plt.close(figure)
 
 def table(tmp_path, text, name="t.csv"):

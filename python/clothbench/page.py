@@ -11,8 +11,9 @@ import numpy as np
 from . import charts, results
 from .results import Bad, number
 
-PAGE_MOST, PICTURES_MOST, ROWS_MOST, CELLS_MOST = 5_000_000, 2_600_000, 150, 600_000  # bytes, rows
-RUNS_MOST, TIMES_MOST, MOTIONS_MOST = 8, 4, 900_000
+# Bytes of a page, and of what is in it, which are together less: the rest is for its words.
+PAGE_MOST, PICTURES_MOST, CHARTS_MOST, MOTIONS_MOST, CELLS_MOST = 5_000_000, 1_900_000, 1_200_000, 500_000, 900_000
+ROWS_MOST, NOTES_MOST, STATEMENTS_MOST, RUNS_MOST, TIMES_MOST = 150, 12, 400, 8, 4
 FOLDERS_MOST, FILES_MOST = 400, 400
 
 # The paper's figures: number, the folder of the study, the names of its files, the times [s] at
@@ -227,12 +228,12 @@ def by_number(file):
     """Sorts files by name, and the numbers in it by size."""
     return [int(n) if n.isdigit() else n for n in re.split(r"(\d+)", file.name)]
 
-def strips(files, times, room, trouble, prefix=""):
+def strips(files, times, room, trouble, prefix="", most=TIMES_MOST):
     """A row of pictures for each result file, those of a scene in one view and scale."""
     runs = []
     for file in files[:RUNS_MOST]:
         try:
-            run = results.run(file, TIMES_MOST, times)
+            run = results.run(file, most, times)
             if run:
                 runs.append(run)
         except Bad as bad:
@@ -258,7 +259,8 @@ def figures(top, room):
         files = [f for name in names for f in sorted(place.glob(name + ".h5"), key=by_number)]
         files = [f for f in files if "better" not in f.name]
         begins = {f.name.split("_")[0] + "_" for f in files}
-        shown = strips(files, times, room, trouble, begins.pop() if len(begins) == 1 else "")
+        shown = strips(files, times, room, trouble, begins.pop() if len(begins) == 1 else "",
+                       most=6)
         if shown or trouble:
             made.append(Part(f"figure{number_}", f"Fig. {number_}: {words}", trouble=trouble,
                              strips=shown, quick=(place / "quick.txt").exists()))
@@ -400,13 +402,19 @@ def speed_part(speeds):
 # --- the page --------------------------------------------------------------------------------
 
 def fit(parts):
-    """Cuts tables to the room of a page, and says what was left out."""
-    room = CELLS_MOST
+    """Cuts charts and tables to the room of a page, and says what was left out."""
+    room, charts_room = CELLS_MOST, CHARTS_MOST
     for part in parts:
+        many = len(part.charts)
+        part.charts = [c for c in part.charts if (charts_room := charts_room - len(c[0])) > 0]
+        if len(part.charts) < many:
+            part.words.append(f"There is no room for {many - len(part.charts)} of its charts.")
         for table in part.tables:
-            size = sum(len(cell) + 10 for r in table.rows[:ROWS_MOST] for cell in r.values())
+            size = sum(len(cell) + 25 for r in table.rows[:ROWS_MOST] for cell in r.values())
             most = ROWS_MOST if size <= room else 10
             room -= min(size, room)
+            if len(table.notes) > NOTES_MOST:
+                table.notes[NOTES_MOST:] = [f"{len(table.notes) - NOTES_MOST} more notes are in the file."]
             if len(table.rows) > most:
                 table.notes.insert(0, f"{len(table.rows) - most} more rows are in the file.")
                 del table.rows[most:]
@@ -493,9 +501,9 @@ def report(folder, links=()):
         lead.append("Quick runs, which measure less well: " + ", ".join(quick) + ".")
     if room.without:
         lead.append("There was no room for pictures of: " + ", ".join(room.without[:40]) + ".")
-    for part in parts:
-        part.claims = []
+    speed = speed_part(speeds) if speeds else None
+    parts = fit(([speed] if speed else []) + parts)[1 if speed else 0:]
     return rendered(title="Cloth models on the paper’s scenes and others", folder=str(folder),
-                    lead=lead, pictures=pictures, statements=statements,
-                    speed=speed_part(speeds) if speeds else None, parts=fit(parts),
+                    lead=lead, pictures=pictures, statements=statements[:STATEMENTS_MOST],
+                    speed=speed, parts=parts,
                     motions=motions_of(top), links=links)

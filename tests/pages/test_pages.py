@@ -109,6 +109,17 @@ def test_page_of_others(tmp_path):
     assert "root:" not in text and len(text.encode()) < page.PAGE_MOST
     assert "not measured: clothbench compare edge_drop" in text
 
+def test_what_has_no_room_is_told():
+    wide = results.Table("wide", ["k"], [{"k": "x" * 1000} for _ in range(400)],
+                         notes=["n"] * 30)
+    parts = page.fit([page.Part("a", "a", charts=[("x" * 100_000, "c")] * 20, tables=t) for t in ([wide], [])]
+                     + [page.Part("b", "b", charts=[("x" * 100_000, "c")])])
+    assert [len(p.charts) for p in parts] == [11, 0, 0] and "no room for 9" in parts[0].words[0]
+    assert len(wide.rows) == page.ROWS_MOST and "250 more rows" in wide.notes[0]
+    assert len(wide.notes) == page.NOTES_MOST + 2
+    most = page.PICTURES_MOST + page.CHARTS_MOST + page.MOTIONS_MOST * 4 // 3 + page.CELLS_MOST
+    assert most < page.PAGE_MOST - 300_000
+
 def test_page_of_the_program_s_own_results():
     text = page.report(SOURCE / "doc" / "results")
     rows = results.tables(SOURCE / "doc" / "results" / "paper.csv")[0].rows

@@ -115,7 +115,8 @@ static const struct {
      "matched;contestant=mass_spring;model=mass_spring;side=20;across=12;"
      "step_s=0.001;iterations=;unknowns=2000;setup_s=0.042;stepping_s=0.168;repeats=9;"
      "model_bytes=210000;seconds=0.21;rmse_over_length_0.1_s=0.0075;"
-     "rmse_over_length_0.2_s=0.015;worst_rmse_over_length=0.015;front=1;outcome=done"},
+     "rmse_over_length_0.2_s=0.015;worst_rmse_over_length=0.015;bar_over_length=0.02;front="
+     "1;outcome=done"},
     {"compare.csv", 3, "side=40;front=0"},
     {"compare.csv", 4, /* a probe is not timed */
      "side=30;unknowns=3000;setup_s=;stepping_s=;repeats=;model_bytes=;seconds=;"

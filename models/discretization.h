@@ -30,13 +30,13 @@ enum unknowns {
 };
 
 enum solver {
-    SOLVER_AUTO,       /* direct; where every frame is rebuilt and a factorisation takes
-                          long, conjugate gradients on an earlier factor               */
-    SOLVER_DIRECT,     /* a new factor of each matrix: the cheaper of the next two     */
-    SOLVER_BANDED,     /* a band of tiles                                              */
-    SOLVER_CHOLMOD,    /* CHOLMOD's supernodes                                         */
-    SOLVER_CG,         /* conjugate gradients                                          */
-    SOLVER_GMRES,      /* generalised minimal residuals                                */
+    SOLVER_AUTO,    /* direct; where every frame is rebuilt and a factorisation takes
+                       long, conjugate gradients on an earlier factor               */
+    SOLVER_DIRECT,  /* a new factor of each matrix: the cheaper of the next two     */
+    SOLVER_BANDED,  /* a band of tiles                                              */
+    SOLVER_CHOLMOD, /* CHOLMOD's supernodes                                         */
+    SOLVER_CG,      /* conjugate gradients                                          */
+    SOLVER_GMRES,   /* generalised minimal residuals                                */
 };
 
 /* Preconditioners of cg and gmres. */

@@ -252,9 +252,10 @@ const struct command score_command = {
         "whose files or folders are named like scenes, gives one table of all.\n"
         "\n"
         "--protocol DIR takes the frames of one simulator on several scenes and nets, a\n"
-         "file a run, DIR/SCENE/NAME.csv, NAME-2.csv for a repeat, NAME-dt0.01 for frames\n"
-         "0.01 s apart, and writes DIR/protocol.csv and one page: errors with bars, order of\n"
-         "the step, damping, stiffnesses, the\n"
+        "file a run, DIR/SCENE/NAME.csv, NAME-2.csv for a repeat, NAME-dt0.01 for frames\n"
+        "0.01 s apart, and writes DIR/protocol.csv and one page: errors with bars, order "
+        "of\n"
+        "the step, damping, stiffnesses, the\n"
         "clamp, whether finer nets converge and to what, whether two runs agree, whether\n"
         "the sheet passes through itself, and its place among the contestants.\n",
     .examples =

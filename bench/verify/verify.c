@@ -36,7 +36,7 @@ enum { MOST_CHECKS = 64, DIGITS = 6, PATH = 4096 };
 static const struct command_option options[] = {
     {"--models", "A,B,...", false, "models or contestants (all)"},
     {"--quick", NULL, false,
-     "leave out expensive checks and rows, and what nothing is claimed of"},
+     "leave out expensive checks and rows, and models without a claim"},
     {"--format", TABLE_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false, "folder of the rows, a file a check (results/verify)"},
     {"--from", "DIR", false, "print again from the files of an earlier run"},

@@ -280,7 +280,8 @@ static void check_walk(void)
                                           "mass_spring_momentum mass_spring_leapfrog"));
     sheet.models = "shell_3,iga_selective"; /* by name, one that is left out, too */
     CHECK(!strcmp(walk(&sheet, &of_pair), "iga_selective shell_3"));
-    sheet.quick = true; /* iga_selective is dear; of shell_3 nothing is claimed, but asked */
+    sheet.quick =
+        true; /* iga_selective is dear; of shell_3 nothing is claimed, but asked */
     CHECK(!strcmp(walk(&sheet, &of_pair), "shell_3"));
     sheet.models = NULL;
     CHECK(!strcmp(walk(&sheet, &of_pair), "triangles"));

@@ -53,8 +53,7 @@ static enum status take_formula(const char *word, const char *path,
         TRY(st == STATUS_UNSUPPORTED ? STATUS_INPUT : st);
         st = status_fail(why, STATUS_INPUT,
                          "nothing is known of the motion of %s; clothbench truth %s makes "
-                         "its truth by runs, and CLOTHBENCH_TRUTHS=results/truths before "
-                         "this command has it found",
+                         "its truth by runs, which score then finds in results/truths",
                          word, word);
     }
     TRY(st);

@@ -61,8 +61,8 @@ struct contest {
     double longest;        /* seconds that a run which is searched for may take     */
     double budget;         /* seconds of all runs together; 0: as long as it takes  */
     char unsearched[2048]; /* runs that the budget left out, "iga_paper 3, hex 2"   */
-    /* Of who wants a net to use: a row that is distrusted is none, seconds are the least
-     * of the repeats, and the cheapest row of a contestant is the one with the fewest
+    /* The caller wants a net to use: a row that is distrusted is none, seconds are the
+     * least of the repeats, and the cheapest row of a contestant is the one with the fewest
      * points, steps and iterations, whatever the clock says. */
     bool advises;
     double cells; /* the longest cells, over their width; 0: any                    */

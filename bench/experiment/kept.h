@@ -13,7 +13,7 @@
 
 struct kept;
 
-/* Where tables and sentences go; all borrowed. */
+/* A printer says where tables and sentences go; all is borrowed. */
 struct printer {
     enum table_format format;
     FILE *file;        /* NULL: nothing is printed                                     */

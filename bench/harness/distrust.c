@@ -132,7 +132,7 @@ static bool is_moved(const struct scene *s)
     return moved;
 }
 
-/* What is wrong, clause by clause, and what to try against it. */
+/* The clauses say what is wrong; the flags say what to try against it. */
 struct told {
     struct message what;
     bool steps, net, model;

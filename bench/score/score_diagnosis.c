@@ -689,7 +689,7 @@ static int find_jump(const struct score *s, const struct lead *lead, int count)
     return at;
 }
 
-/* What frames say of their times. */
+/* These functions find what frames say of their times. */
 struct times {
     double jump, from;      /* [s] the lead jumps at this time; 0: it does not           */
     struct clock lag, pace; /* one lead of all, one speed                                */

@@ -182,7 +182,7 @@ static void check_half(const struct half *half, int count)
     CHECK(alarms <= half->alarms + SLACK && misses <= half->misses + SLACK);
 }
 
-/* With a seed as its argument it counts on another half, and claims nothing. */
+/* The trial counts on another half if a seed is its argument, and claims nothing then. */
 int main(int argc, char **argv)
 {
     const struct half other = {argc > 1 ? (unsigned)atoi(argv[1]) : 0, "other", EACH, EACH};

@@ -11,17 +11,16 @@
 static inline void opened_read(struct run *run, const char *scene, const char *name,
                                int count, const char *const *text)
 {
-    struct settings settings = {0};
-    struct run_plan plan = {.path = scene, .settings = &settings};
+    struct case_plan plan = {.path = scene};
     struct message why = {""};
 
     REQUIRE(contestant_find(name, &plan.contestant, NULL) == STATUS_OK);
-    settings_list(&settings, count, text);
+    settings_list(&plan.settings, count, text);
     if (!CHECK(run_read(run, &plan, &why) == STATUS_OK)) {
         printf("%s: %s\n", name, why.text);
         exit(1);
     }
-    settings_clear(&settings);
+    settings_clear(&plan.settings);
 }
 
 static inline void opened_build(struct run *run)

@@ -152,12 +152,17 @@ static inline void study_make(struct study_made *m, const char *name)
         s->length = 2;
         s->truth = s->plan->truth ? &m->truth : NULL;
         for (int n = 0; n < s->plan->level_count; n++) {
+            struct run_result *r = &s->row[n].result;
+            struct run run;
             struct plan_case c;
             s->row[n].level = &s->plan->levels[n];
             REQUIRE(plan_case_level(&m->plan, s->plan, s->row[n].level, false, &c, &why) ==
                     STATUS_OK);
-            const struct run_plan what = plan_case_run(&c);
-            REQUIRE(run_read(&s->row[n].run, &what, &why) == STATUS_OK);
+            REQUIRE(run_read(&run, &c.run, &why) == STATUS_OK);
+            memcpy(r->points, run.discretization.points, sizeof r->points);
+            r->scene = run.scene;
+            run.scene = (struct scene){0};
+            run_close(&run);
             plan_case_clear(&c);
         }
     }

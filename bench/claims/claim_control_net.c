@@ -11,7 +11,7 @@ static const struct scene *scene_of(const struct study_results *d, const char *n
 {
     for (int n = 0; n < d->count; n++)
         if (!strcmp(d->study[n].plan->name, name))
-            return &d->study[n].row[0].run.scene;
+            return &d->study[n].row[0].result.scene;
     return NULL;
 }
 

@@ -337,7 +337,7 @@ const struct claim claim_artefacts[] = {
  */
 static enum judge comes_to_rest(const struct study_results *d, FILE *because)
 {
-    const struct scene *s = &d->study[0].row[0].run.scene;
+    const struct scene *s = &d->study[0].row[0].result.scene;
     const double least =
         sqrt(s->gravity[0] * s->gravity[0] + s->gravity[1] * s->gravity[1] +
              s->gravity[2] * s->gravity[2]) *

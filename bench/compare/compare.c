@@ -150,13 +150,13 @@ static void plan_row(struct compare_job *j, const struct contest_row *row, int t
         snprintf(tag, sizeof tag, "_t%d", threads);
     snprintf(name, sizeof name, "%s_%d%s_%d_%d%s", at->contestant->name, along, more,
              at->size[CONTEST_STEP], at->size[CONTEST_ITERATIONS], tag);
-    struct measurement_case *c = batch_add(batch, j->path, at->contestant, name);
-    c->plan.end = j->time[j->times - 1];
+    struct case_plan *c = batch_add(batch, j->path, at->contestant, name);
+    c->end = j->time[j->times - 1];
     c->keep.times = j->times;
     c->keep.time = j->time;
     c->keep.fields = RUN_FIELDS_TIMES;
     c->keep.intersections = j->contest.advises;
-    c->timed = row->probe ? MEASUREMENT_UNTIMED : MEASUREMENT_WHOLE;
+    c->timed = row->probe ? CASE_UNTIMED : CASE_WHOLE;
     settings_append(&c->settings,
                     contestant_is_paper_scheme(at->contestant) ? &j->user : &j->truth);
     /* again: the user's settings do not change what defines it */
@@ -190,7 +190,7 @@ enum status compare_job_rows(void *job, int first, struct message *why)
     if (late != STATUS_LATE && late != STATUS_OK)
         TRY(status_fail(why, late, "%s", said.text));
     for (int n = first; n < c->count; n++) {
-        const struct measurement_case *of = &batch.cases[n - first];
+        const struct case_plan *of = &batch.cases[n - first];
         struct run_result r = {0};
         if ((late && !of->done) ||
             (!needed && j->read_only && access(of->keep.file, F_OK) != 0)) {

@@ -218,6 +218,7 @@ void contest_fill(const struct contest *c, const struct run_result *r,
                                 : r->create.median + r->step.median * (double)r->steps;
     row->result = *r;
     row->result.xyz = NULL, row->result.time = NULL;
+    row->result.scene = (struct scene){0};
 }
 
 void contest_fill_team(const struct contest *c, int team, const struct run_result *r,

@@ -40,7 +40,7 @@ struct contest_row {
     struct contest_at at;
     bool probe;  /* run to see what limits, not timed: no more is read off it      */
     bool absent; /* was not run, and goes at the end of the search                 */
-    struct run_result result;           /* without fields                                 */
+    struct run_result result;           /* without fields and scene                       */
     double seconds;                     /* set-up and stepping, medians; NaN: not timed   */
     double error[CONTEST_TIMES];        /* RMSE / L at each time; NaN after a death       */
     double worst;                       /* largest of them; NaN after a death             */

@@ -1,4 +1,3 @@
-#define _GNU_SOURCE /* asprintf */
 #include "bench/experiment/batch.h"
 
 #include <assert.h>
@@ -16,27 +15,22 @@ enum status batch_init(struct batch *b, const char *folder, int most)
 
 void batch_clear(struct batch *b)
 {
-    for (struct measurement_case *c = b->cases; c < b->cases + b->count; c++) {
-        settings_clear(&c->settings);
-        free((char *)c->keep.file);
-        free((char *)c->plan.path);
-    }
+    for (struct case_plan *c = b->cases; c < b->cases + b->count; c++)
+        case_clear(c);
     free(b->cases);
     *b = (struct batch){0};
 }
 
-struct measurement_case *batch_add(struct batch *b, const char *path,
-                                   const struct contestant *c, const char *name)
+struct case_plan *batch_add(struct batch *b, const char *path, const struct contestant *c,
+                            const char *name)
 {
-    struct measurement_case *new = &b->cases[b->count++];
-    char *file;
+    struct case_plan *new = &b->cases[b->count++];
 
     assert(b->count <= b->room);
-    *new = (struct measurement_case){
-        .plan = {strdup(path), c, &new->settings},
-        .keep = {.file = asprintf(&file, "%s/%s.h5", b->folder, name) < 0 ? NULL : file,
-                 .fields = RUN_FIELDS_NONE},
-        .timed = MEASUREMENT_UNTIMED};
+    *new = (struct case_plan){
+        .path = strdup(path),
+        .contestant = c,
+        .keep = {.file = case_file(b->folder, name), .fields = RUN_FIELDS_NONE}};
     return new;
 }
 
@@ -50,7 +44,7 @@ enum status batch_run(struct batch *b, const struct measurement_options *options
     if (!how.taken)
         how.taken = &here;
     for (int n = 0; n < b->count; n++)
-        TRY(b->cases[n].keep.file && b->cases[n].plan.path ? STATUS_OK : STATUS_MEMORY);
+        TRY(b->cases[n].keep.file && b->cases[n].path ? STATUS_OK : STATUS_MEMORY);
     TRY(folder_make(b->folder, why));
     st = measurement_run(&how, b->count, b->cases, why);
     measurement_tell(options->what, &here, b->folder);

@@ -3,8 +3,8 @@
  *
  *     struct batch b;
  *     TRY(batch_init(&b, folder, 2));
- *     struct measurement_case *c = batch_add(&b, path, contestant, "iga_paper_10");
- *     c->timed = MEASUREMENT_WHOLE;
+ *     struct case_plan *c = batch_add(&b, path, contestant, "iga_paper_10");
+ *     c->timed = CASE_WHOLE;
  *     settings_number(&c->settings, "time.step", 0.005);
  *     TRY(batch_run(&b, &options, why));
  *     TRY(run_result_read(c->keep.file, true, &result, why));
@@ -18,7 +18,7 @@
 struct batch {
     const char *folder; /*                                                     borrowed */
     int count, room;
-    struct measurement_case *cases; /* [room]                                     owned */
+    struct case_plan *cases; /* [room]                                     owned */
 };
 
 /* Makes room for `most` cases. *b is overwritten. */
@@ -28,8 +28,8 @@ void batch_clear(struct batch *b); /* all-zero is allowed */
 /* Adds a case, to be filled: it keeps no fields and is not timed unless told so. `c` is
  * borrowed until the end, path and name are copied. Its settings come on top of the
  * contestant's. */
-struct measurement_case *batch_add(struct batch *b, const char *path,
-                                   const struct contestant *c, const char *name);
+struct case_plan *batch_add(struct batch *b, const char *path, const struct contestant *c,
+                            const char *name);
 
 /* Makes the folder and measures all cases; says how many were taken from earlier calls
  * unless options->taken is there. Errors as measurement_run. */

@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/provenance.h"
-#include "bench/files/seal.h"
 #include "bench/files/store.h"
 #include "bench/harness/deadline.h"
 #include "bench/harness/pool.h"
@@ -22,12 +20,11 @@ static const double GROUP = 10, GROUP_SHARE = 0.1;
 
 /* A case that is being measured. */
 struct job {
-    const struct measurement_case *asked;
-    struct run_keep keep; /* as asked, and whether it is quick                         */
-    struct run run;
+    struct case_plan c; /* as asked, with its key and whether it is quick; borrows       */
+    struct run run;     /* read for the key; the model is built when its turn comes      */
     struct motion motion;
     struct run_file *file;
-    char key[MEASUREMENT_KEY];
+    char key[CASE_KEY];
     struct timing_case *timing; /* NULL: it is not timed                                */
 };
 
@@ -45,9 +42,8 @@ static enum status put_away(struct job *j, struct message *why)
  * timed. */
 static bool is_timed(const struct job *j)
 {
-    return j->file && !run_file_refused(j->file) &&
-           j->asked->timed != MEASUREMENT_UNTIMED &&
-           (j->asked->rest || j->motion.frames > WARMUP);
+    return j->file && !run_file_refused(j->file) && j->c.timed != CASE_UNTIMED &&
+           (j->c.rest || j->motion.frames > WARMUP);
 }
 
 /* Returns whether frames cost more at some times of a motion than at others. */
@@ -61,13 +57,11 @@ static bool is_uneven(const struct job *j)
 static void plan_frames(const struct measurement_options *options, const struct job *j,
                         struct timing_case *t)
 {
-    const bool some = j->asked->timed == MEASUREMENT_SOME ||
-                      (j->asked->timed == MEASUREMENT_FAIR && !is_uneven(j));
+    const bool some = j->c.timed == CASE_SOME || (j->c.timed == CASE_FAIR && !is_uneven(j));
     const int wanted = options->quick ? QUICK_FRAMES : FRAMES;
     const int lived = j->motion.frames;
 
-    *t = (struct timing_case){
-        .run = &j->run, .rest = j->asked->rest, .repeats = j->asked->repeats};
+    *t = (struct timing_case){.run = &j->run, .rest = j->c.rest, .repeats = j->c.repeats};
     t->warmup = some ? WARMUP : 0;
     t->frames = some ? (int)fmin(wanted, lived - t->warmup) : lived;
 }
@@ -107,7 +101,7 @@ static enum status store_times(const struct measurement_options *options, struct
     TRY(run_file_bytes(j->file, t->bytes, why));
     TRY(run_file_seconds(j->file, "timed", &together[0], 1, 0, why));
     TRY(run_file_seconds(j->file, "processor", &together[1], 1, 0, why));
-    if (j->asked->phases)
+    if (j->c.phases)
         st = store_phases(options, j, why);
 out:
     return st;
@@ -116,46 +110,11 @@ out:
 /* --- files of an earlier call -----------------------------------------------------------
  */
 
-static void add_text(unsigned long *sum, const char *text)
-{
-    *sum = seal_text_sum(*sum, text, strlen(text) + 1);
-}
-
-unsigned long measurement_program(bool timed)
-{
-    static const char *const keys[] = {"solvers", "compiler",    "flags",
-                                       "cpu",     "omp_threads", "blas_threads"};
-    enum { BITS = 3, ALL = sizeof keys / sizeof *keys };
-    struct provenance here;
-    unsigned long sum = 0;
-
-    provenance_collect(&here);
-    for (int n = 0; n < (timed ? ALL : BITS); n++)
-        add_text(&sum, provenance_value(&here, keys[n]));
-    return sum;
-}
-
-void measurement_key(const struct measurement_case *c, bool quick,
-                     const struct scene *scene, unsigned long before,
-                     char key[MEASUREMENT_KEY])
-{
-    const double numbers[] = {
-        c->plan.end, c->keep.every, c->keep.fields, c->keep.doubles, c->keep.intersections,
-        c->rest,     c->timed,      c->repeats,     c->phases,       quick};
-
-    add_text(&before, scene->text);
-    add_text(&before, c->plan.contestant->name);
-    before = seal_text_sum(before, numbers, sizeof numbers);
-    before =
-        seal_text_sum(before, c->keep.time, (size_t)c->keep.times * sizeof *c->keep.time);
-    snprintf(key, MEASUREMENT_KEY, "a case of %08lx", before);
-}
-
-static bool is_kept(const struct measurement_case *c, const char *key)
+static bool is_kept(const struct case_plan *c)
 {
     struct run_result r = {0};
     const bool kept = run_result_read(c->keep.file, false, &r, NULL) == STATUS_OK &&
-                      !strcmp(r.made_for, key);
+                      !strcmp(r.made_for, c->keep.made_for);
 
     run_result_clear(&r);
     return kept;
@@ -169,26 +128,24 @@ void measurement_tell(const char *what, const struct measurement_taken *taken,
                 taken->taken, taken->cases, folder);
 }
 
-/* Marks the cases that are done, whose files are there. */
+/* Reads the scenes, and marks the cases that are done, whose files are there. */
 static enum status take(const struct measurement_options *o, int count,
-                        struct measurement_case *cases, struct job *jobs,
-                        struct message *why)
+                        struct case_plan *cases, struct job *jobs, struct message *why)
 {
     struct measurement_taken here = {0, count};
-    const unsigned long program = measurement_program(true);
+    const unsigned long program = case_program(true);
     enum status st = STATUS_OK;
 
     for (int n = 0; n < count; n++) {
-        struct run run;
-        st = run_read(&run, &cases[n].plan, why);
-        if (st == STATUS_OK)
-            measurement_key(&cases[n], o->quick, &run.scene, program, jobs[n].key);
-        run_close(&run);
-        TRY(st);
-        jobs[n].keep = cases[n].keep;
-        jobs[n].keep.quick = o->quick;
-        jobs[n].keep.made_for = jobs[n].key;
-        cases[n].done = !o->again && is_kept(&cases[n], jobs[n].key);
+        struct job *j = &jobs[n];
+        j->c = cases[n];
+        j->c.keep.quick = o->quick;
+        TRY(run_read(&j->run, &j->c, why));
+        case_key(&j->c, &j->run.scene, program, j->key);
+        j->c.keep.made_for = j->key;
+        cases[n].done = !o->again && is_kept(&j->c);
+        if (cases[n].done)
+            run_close(&j->run);
         here.taken += cases[n].done;
     }
     if (o->taken)
@@ -261,7 +218,7 @@ static double expected(const struct measurement_options *o, const struct job *j)
 
 /* Follows cases from `*next` on, until enough are together, times them and completes their
  * files. */
-static enum status run_group(struct bar *bar, int count, struct measurement_case *cases,
+static enum status run_group(struct bar *bar, int count, struct case_plan *cases,
                              struct job *jobs, int *next, struct message *why)
 {
     const double start = clock_now(), room = fmin(GROUP, GROUP_SHARE * deadline_left());
@@ -275,9 +232,7 @@ static enum status run_group(struct bar *bar, int count, struct measurement_case
         struct job *j = &jobs[*next];
         if (cases[*next].done)
             continue;
-        j->asked = &cases[*next];
-        TRY(run_file_follow(&j->asked->plan, &j->keep, j->asked->rest, &j->run, &j->motion,
-                            &j->file, why));
+        TRY(run_file_follow(&j->c, &j->run, &j->motion, &j->file, why));
         TRY(put_away(j, why));
         timing += expected(bar->options, j);
         report(bar, ++followed, 0);
@@ -303,23 +258,15 @@ out:
 /* Cases whose time nobody asks for, which share the processors. */
 struct untimed {
     struct bar *bar;
-    const struct measurement_case *cases;
     struct job *jobs;
 };
 
 static enum status follow(void *context, long n, struct message *why)
 {
-    const struct untimed *u = context;
-    struct job *j = &u->jobs[n];
-    enum status st;
+    struct job *j = &((const struct untimed *)context)->jobs[n];
 
     timing_apart();
-    TRY(run_file_follow(&u->cases[n].plan, &j->keep, u->cases[n].rest, &j->run, &j->motion,
-                        &j->file, why));
-    st = run_file_close(j->file, j->motion.model ? &j->motion : NULL, NULL, why);
-    j->file = NULL;
-out:
-    return st;
+    return run_file_make(&j->c, &j->run, NULL, why);
 }
 
 static enum status settle(void *context, long n, const struct child_end *end,
@@ -332,14 +279,14 @@ static enum status settle(void *context, long n, const struct child_end *end,
     if (end->outcome == CHILD_DONE)
         return STATUS_OK;
     return status_fail(why, deadline_left() < 0 ? STATUS_LATE : STATUS_LIBRARY, "%s: %s",
-                       u->cases[n].keep.file, end->why.text);
+                       u->jobs[n].c.keep.file, end->why.text);
 }
 
 /* Follows the cases that are not done and are not timed, each in a process of its own. */
-static enum status run_untimed(struct bar *bar, int count, struct measurement_case *cases,
+static enum status run_untimed(struct bar *bar, int count, struct case_plan *cases,
                                struct job *jobs, struct message *why)
 {
-    struct untimed u = {bar, cases, jobs};
+    struct untimed u = {bar, jobs};
     bool *done = calloc((size_t)count + 1, sizeof *done);
     struct pool pool = {.count = count,
                         .done = done,
@@ -353,7 +300,7 @@ static enum status run_untimed(struct bar *bar, int count, struct measurement_ca
 
     TRY(st);
     for (int n = 0; n < count; n++)
-        done[n] = cases[n].done || cases[n].timed != MEASUREMENT_UNTIMED;
+        done[n] = cases[n].done || cases[n].timed != CASE_UNTIMED;
     TRY(pool_run(&pool, why));
     if (pool.stopped_by)
         pool_raise(&pool);
@@ -365,7 +312,7 @@ out:
 }
 
 enum status measurement_run(const struct measurement_options *options, int count,
-                            struct measurement_case *cases, struct message *why)
+                            struct case_plan *cases, struct message *why)
 {
     struct job *jobs = calloc((size_t)count + 1, sizeof *jobs);
     struct bar bar = {.options = options};

@@ -13,39 +13,6 @@
  * be judged: programs that take turns also empty each other's caches. */
 #define MEASUREMENT_PROCESSOR 0.9
 
-enum measurement_frames {
-    MEASUREMENT_FAIR, /* WHOLE where the cost of a frame changes along the motion (Newton's
-                         iterations, contact), SOME where it does not                   */
-    MEASUREMENT_SOME, /* twenty after two: where a frame costs the same all along the motion
-                       */
-    MEASUREMENT_WHOLE, /* all that it lives through */
-    MEASUREMENT_UNTIMED,
-};
-
-struct measurement_case {
-    struct run_plan plan;
-    struct run_keep keep; /* its file is needed                                        */
-    bool rest;            /* static equilibrium instead of motion                      */
-    enum measurement_frames timed;
-    int repeats; /* 0: as timing.h has it                                              */
-    bool phases; /* a solid that is rebuilt: also its phases, apart                    */
-    bool done;   /* out: its file is there                                             */
-    struct settings settings; /* of a case in a batch (batch.h), as plan.settings; owned  */
-};
-
-enum { MEASUREMENT_KEY = 32 };
-
-/* Returns a sum of what the bits of results depend on besides their cases: the sources of
- * the models, compiler and flags; for what is `timed` also the machine. */
-unsigned long measurement_program(bool timed);
-
-/* Writes the key of a case: a sum of all that its file depends on. The scene, read with the
- * case's settings, has them and what its meshes are in its text; `before` is the sum of
- * what else counts, such as measurement_program. */
-void measurement_key(const struct measurement_case *c, bool quick,
-                     const struct scene *scene, unsigned long before,
-                     char key[MEASUREMENT_KEY]);
-
 /* Numbers of cases: those that an earlier call had finished, and all. */
 struct measurement_taken {
     int taken, cases;
@@ -58,14 +25,14 @@ struct measurement_options {
     struct measurement_taken *taken; /* is added to; NULL: not told                    */
 };
 
-/* Runs and times all cases. Deaths and refusals are results. Files of an earlier call are
- * taken if their key is that of the case. Cases
- * are timed in turn in groups of some seconds, and a group's files are there as soon as it
+/* Runs and times all cases, each into its file. Deaths and refusals are results. Files of
+ * an earlier call are taken if their key is that of the case (case_key). Cases are timed in
+ * turn in groups of some seconds, and a group's files are there as soon as it
  * is over: who stops it loses one group. Without a budget those that are not timed are
  * followed first, each in a process of its own, as many at a time as there are processors.
  * STATUS_LATE: the budget was over (deadline.h) before all were done. */
 enum status measurement_run(const struct measurement_options *options, int count,
-                            struct measurement_case *cases, struct message *why);
+                            struct case_plan *cases, struct message *why);
 
 /* Says on standard error "compare: 3 of 40 cases were taken from DIR"; nothing if none was.
  */

@@ -254,11 +254,9 @@ enum status plan_read(const char *path, struct plan *plan, struct message *why);
 /* --- Cases, and levels of studies, one by one, as what a run needs (plan_case.c). */
 
 struct plan_case {
-    long number;      /* from 0                                                       */
-    const char *name; /* of the listed case, or NULL                         borrowed */
-    const struct contestant *contestant;
-    char *path;               /* scene file                                      owned */
-    struct settings settings; /* stand-ins as what they stand for                owned */
+    long number;          /* from 0                                                       */
+    const char *name;     /* of the listed case, or NULL                         borrowed */
+    struct case_plan run; /* stand-ins among its settings as what they stand for owned */
     /* [plan->key_count] as the plan gives them; NULL: not in this case; array   owned */
     const struct plan_setting **given;
 };
@@ -279,10 +277,7 @@ enum status plan_case_level(const struct plan *plan, const struct plan_study *st
                             const struct plan_level *level, bool quick, struct plan_case *c,
                             struct message *why);
 
-/* Returns a case as run.h runs it; borrows from it. */
-struct run_plan plan_case_run(const struct plan_case *c);
-
-/* Opens case `number` without path, contestant and settings, with the plan's words alone.
+/* Opens case `number` without what is run, with the plan's words alone.
  * STATUS_MEMORY. */
 enum status plan_case_given(const struct plan *plan, long number, struct plan_case *c);
 

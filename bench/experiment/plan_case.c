@@ -38,18 +38,11 @@ const char *plan_case_set_by(const struct plan *plan, const char *key)
     return "material.young";
 }
 
-struct run_plan plan_case_run(const struct plan_case *c)
-{
-    return (struct run_plan){
-        .path = c->path, .contestant = c->contestant, .settings = &c->settings};
-}
-
 enum status plan_case_scene(const struct plan_case *c, struct scene *scene,
                             struct message *why)
 {
-    const struct run_plan plan = plan_case_run(c);
     struct run run;
-    enum status st = run_read(&run, &plan, why);
+    enum status st = run_read(&run, &c->run, why);
 
     *scene = run.scene;
     run.scene = (struct scene){0};
@@ -60,7 +53,7 @@ enum status plan_case_scene(const struct plan_case *c, struct scene *scene,
 static void put(struct plan_case *c, const struct plan_settings *settings)
 {
     for (int n = 0; n < settings->count; n++)
-        settings_word(&c->settings, settings->list[n].key, settings->list[n].value);
+        settings_word(&c->run.settings, settings->list[n].key, settings->list[n].value);
 }
 
 enum status plan_case_mark(const struct plan *plan, const struct plan_settings *settings,
@@ -98,7 +91,7 @@ static enum status resolve(const struct plan *plan, const struct plan_setting *s
         TRY(plan_case_refuse(plan, s->line, why,
                              "%.40s cannot be set by %.40s in this scene%s", s->key, by,
                              scene.is_fabric ? ": its material is a fabric" : ""));
-    settings_number(&c->settings, by, value);
+    settings_number(&c->run.settings, by, value);
 out:
     scene_clear(&scene);
     return st;
@@ -175,16 +168,18 @@ static enum status build(const struct plan *plan, struct plan_case *c, struct me
         else if (!strcmp(s->key, "scene"))
             scene = s;
         else
-            settings_word(&c->settings, s->key, s->value);
+            settings_word(&c->run.settings, s->key, s->value);
     }
     if (!scene)
         return plan_case_refuse(plan, 1, why,
                                 "the plan lacks the key 'scene', a name or a path");
     TRY(plan_case_pass(plan, model->line,
-                       contestant_find(model->value, &c->contestant, &text), &text, why));
-    TRY(plan_case_pass(plan, scene->line,
-                       plan_case_find_scene(plan, scene->value, &c->path, &text), &text,
+                       contestant_find(model->value, &c->run.contestant, &text), &text,
                        why));
+    TRY(plan_case_pass(
+        plan, scene->line,
+        plan_case_find_scene(plan, scene->value, (char **)&c->run.path, &text), &text,
+        why));
     for (int k = 0; k < plan->key_count; k++)
         if (c->given[k] && derived_key_is(c->given[k]->key))
             TRY(resolve(plan, c->given[k], c, why));
@@ -279,8 +274,7 @@ enum status plan_case_level(const struct plan *plan, const struct plan_study *st
 
 void plan_case_clear(struct plan_case *c)
 {
-    settings_clear(&c->settings);
+    case_clear(&c->run);
     free(c->given);
-    free(c->path);
     *c = (struct plan_case){0};
 }

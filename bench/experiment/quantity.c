@@ -31,7 +31,7 @@ static const double *sheet(const struct place *p)
 #define OF_SHEET(name, metric)                                                             \
     static double name(const struct place *p)                                              \
     {                                                                                      \
-        return sheet(p) ? metric(&p->s->row[p->level].run.scene, sheet(p)) : NAN;          \
+        return sheet(p) ? metric(&p->s->row[p->level].result.scene, sheet(p)) : NAN;       \
     }
 
 static double a_step(const struct run_result *r, long count)
@@ -60,19 +60,15 @@ static double to_last_time(const struct place *p, double frame)
 
     return !p->s->time    ? frame
            : isnan(frame) ? row->result.step_seconds
-                          : frame * p->s->time[p->s->frames - 1] / row->run.scene.step;
+                          : frame * p->s->time[p->s->frames - 1] / row->result.scene.step;
 }
 
-static double net(const struct discretization *d)
+static double net(const struct run_result *r)
 {
-    double points = 1;
-
-    for (int i = 0; i < 3; i++)
-        points *= d->points[i] ? d->points[i] : 1;
-    return points;
+    return (double)r->points[0] * r->points[1] * (r->points[2] ? r->points[2] : 1);
 }
 
-OF_LEVEL(control_points, net(&row->run.discretization))
+OF_LEVEL(control_points, net(r))
 OF_LEVEL(unknowns, r->unknowns)
 OF_LEVEL(factor_entries, r->factor_entries)
 OF_LEVEL(create, MILLISECONDS(r->create, median))
@@ -146,7 +142,7 @@ static double penetration(const struct place *p)
 {
     const double time = p->s->time ? p->s->time[p->time] : INFINITY;
 
-    return sheet(p) ? metric_penetration(&p->s->row[p->level].run.scene, time, sheet(p))
+    return sheet(p) ? metric_penetration(&p->s->row[p->level].result.scene, time, sheet(p))
                     : NAN;
 }
 
@@ -225,13 +221,13 @@ static double tip_of_reference(const struct place *p)
 static double swing(const struct place *p)
 {
     const struct study_row *row = &p->s->row[p->level];
-    double *rest = row->left_out ? NULL : metric_rest_field(&row->run.scene);
-    const double angle = rest ? metric_angle(&row->run.scene, rest) : NAN;
+    double *rest = row->left_out ? NULL : metric_rest_field(&row->result.scene);
+    const double angle = rest ? metric_angle(&row->result.scene, rest) : NAN;
     double most = NAN;
 
     for (int t = 0; t <= p->time; t++)
         if (row->xyz[t])
-            most = fmax(most, metric_angle(&row->run.scene, row->xyz[t]) - angle);
+            most = fmax(most, metric_angle(&row->result.scene, row->xyz[t]) - angle);
     free(rest);
     return most;
 }
@@ -239,7 +235,7 @@ static double swing(const struct place *p)
 static double edge_moved(const struct place *p)
 {
     const double *xyz = sheet(p);
-    double *rest = xyz ? metric_rest_field(&p->s->row[p->level].run.scene) : NULL,
+    double *rest = xyz ? metric_rest_field(&p->s->row[p->level].result.scene) : NULL,
            sum = rest ? 0 : NAN;
 
     for (int n = GRID_U - 1; rest && n < GRID_POINTS; n += GRID_U)
@@ -263,7 +259,7 @@ static double apart_most(const struct place *p)
 static double off(const struct place *p)
 {
     const struct study *s = p->s;
-    double *rest = known(p) ? metric_rest_field(&s->row[p->level].run.scene) : NULL;
+    double *rest = known(p) ? metric_rest_field(&s->row[p->level].result.scene) : NULL;
     const double moved = rest ? metric_rmse(s->truth->xyz[p->time], rest) : NAN;
 
     free(rest);

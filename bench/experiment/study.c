@@ -64,23 +64,23 @@ static enum status find_truth(const struct plan *plan, const struct plan_study *
     enum status st;
 
     TRY(plan_case_level(plan, study, NULL, false, &c, why));
-    for (int n = 0; n < c.settings.count; n++)
-        if (!begins(c.settings.text[n], "discretization.") &&
-            !begins(c.settings.text[n], "time."))
-            settings_set(&physics, c.settings.text[n]);
+    for (int n = 0; n < c.run.settings.count; n++)
+        if (!begins(c.run.settings.text[n], "discretization.") &&
+            !begins(c.run.settings.text[n], "time."))
+            settings_set(&physics, c.run.settings.text[n]);
     TRY(physics.status);
     if (study->truth == PLAN_TRUTH_PLATE) {
-        TRY(truth_of_plate(c.path, &physics, times, time ? time : (double[]){INFINITY},
+        TRY(truth_of_plate(c.run.path, &physics, times, time ? time : (double[]){INFINITY},
                            truth, why));
         goto out;
     }
     snprintf(kept, sizeof kept, "%s/%s_truth", folder, study->name);
-    TRY(cut_times(c.path, &physics, &times, time, why));
+    TRY(cut_times(c.run.path, &physics, &times, time, why));
     if (made_by)
         TRY(folder_make(kept, why));
-    TRY(made_by
-            ? truth_find_or_make(c.path, &physics, times, time, kept, made_by, truth, why)
-            : truth_find(c.path, &physics, times, time, kept, truth, why));
+    TRY(made_by ? truth_find_or_make(c.run.path, &physics, times, time, kept, made_by,
+                                     truth, why)
+                : truth_find(c.run.path, &physics, times, time, kept, truth, why));
 out:
     settings_clear(&physics);
     plan_case_clear(&c);
@@ -110,9 +110,9 @@ static enum status add_level(const struct plan *plan, const struct plan_study *s
 
     TRY(plan_case_level(plan, study, level, quick_run, &c, why));
     snprintf(name, sizeof name, "%s_%s", study->name, level->name);
-    struct measurement_case *m = batch_add(batch, c.path, c.contestant, name);
-    settings_append(&m->settings, &c.settings);
-    m->plan.end = times ? time[times - 1] : 0;
+    struct case_plan *m = batch_add(batch, c.run.path, c.run.contestant, name);
+    settings_append(&m->settings, &c.run.settings);
+    m->end = times ? time[times - 1] : 0;
     m->keep.every = plan->look;
     m->keep.intersections = plan->intersections;
     m->keep.times = times;
@@ -120,7 +120,7 @@ static enum status add_level(const struct plan *plan, const struct plan_study *s
     m->keep.fields = RUN_FIELDS_TIMES;
     m->keep.doubles = plan->reference.count > 0; /* differences may be small */
     m->rest = times == 0;
-    m->timed = timed ? MEASUREMENT_FAIR : MEASUREMENT_UNTIMED;
+    m->timed = timed ? CASE_FAIR : CASE_UNTIMED;
     m->repeats = most < timed ? most : timed;
     m->phases = level->phases;
     plan_case_clear(&c);
@@ -192,47 +192,16 @@ static void choose_times(const struct plan_study *plan, struct study *s)
  * depends on differs. */
 static double theory_of(const struct study *s, const struct study_row *row)
 {
-    const struct scene *scene = &row->run.scene;
-    const bool linear = row->run.discretization.kinematics == KINEMATICS_LINEAR;
+    const struct scene *scene = &row->result.scene;
+    const bool linear = row->result.linear;
 
     for (const struct study_row *r = s->row; r < row && !s->time; r++)
-        if (scene->poisson == r->run.scene.poisson && scene->width == r->run.scene.width &&
-            fabs(scene_gamma(&r->run.scene) / scene_gamma(scene) - 1) < 1e-12 &&
-            (r->run.discretization.kinematics == KINEMATICS_LINEAR) == linear)
+        if (scene->poisson == r->result.scene.poisson &&
+            scene->width == r->result.scene.width &&
+            fabs(scene_gamma(&r->result.scene) / scene_gamma(scene) - 1) < 1e-12 &&
+            r->result.linear == linear)
             return r->theory;
     return s->time ? NAN : truth_plate_drop(scene, linear);
-}
-
-/* Reads scene and discretization of a level; NULL: those that all levels have. */
-static enum status read_run(const struct plan *plan, const struct plan_study *study,
-                            const struct plan_level *level, struct run *run,
-                            struct message *why)
-{
-    struct plan_case c;
-    enum status st = plan_case_level(plan, study, level, false, &c, why);
-
-    if (st != STATUS_OK)
-        return st;
-    const struct run_plan what = plan_case_run(&c);
-    st = run_read(run, &what, why);
-    plan_case_clear(&c);
-    return st;
-}
-
-static enum status read_row(const struct plan *plan, const struct plan_study *study,
-                            const struct plan_level *level, const char *folder,
-                            struct study_row *row, struct message *why)
-{
-    char path[PATH];
-    enum status st = STATUS_OK;
-
-    if (row->left_out)
-        return STATUS_OK;
-    file_of(study, level, folder, path);
-    TRY(run_result_read(path, true, &row->result, why));
-    TRY(read_run(plan, study, level, &row->run, why));
-out:
-    return st;
 }
 
 static const struct plan_level of_truth = {.label = "truth"};
@@ -259,6 +228,8 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
                             struct message *why)
 {
     struct study_row *row;
+    struct plan_case base;
+    char path[PATH];
     enum status st;
 
     s->plan = study;
@@ -267,7 +238,9 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
     for (int n = 0; n < study->level_count; n++) {
         row[n].level = &study->levels[n];
         row[n].left_out = quick && study->levels[n].slow;
-        TRY(read_row(plan, study, &study->levels[n], folder, &row[n], why));
+        file_of(study, row[n].level, folder, path);
+        if (!row[n].left_out)
+            TRY(run_result_read(path, true, &row[n].result, why));
     }
     choose_times(study, s);
     for (int n = 0; n < study->level_count; n++) {
@@ -278,9 +251,12 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
     row += study->level_count;
     row->level = &of_truth;
     row->left_out = true;
-    TRY(read_run(plan, study, NULL, &row->run, why));
-    s->gamma = scene_gamma(&row->run.scene);
-    s->length = row->run.scene.length;
+    TRY(plan_case_level(plan, study, NULL, false, &base, why));
+    st = plan_case_scene(&base, &row->result.scene, why);
+    plan_case_clear(&base);
+    TRY(st);
+    s->gamma = scene_gamma(&row->result.scene);
+    s->length = row->result.scene.length;
     TRY(read_truth(plan, folder, s, why));
 out:
     return st;
@@ -308,10 +284,8 @@ void study_clear(struct study_results *r)
 {
     for (int n = 0; r->study && n < r->count; n++) {
         struct study *s = &r->study[n];
-        for (int k = 0; s->row && k <= s->plan->level_count; k++) {
+        for (int k = 0; s->row && k <= s->plan->level_count; k++)
             run_result_clear(&s->row[k].result);
-            run_close(&s->row[k].run);
-        }
         free(s->row);
         truth_destroy(s->truth);
     }

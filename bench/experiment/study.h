@@ -145,8 +145,7 @@ double quantity_at(const struct place *p, enum quantity q);
 struct study_row {
     const struct plan_level *level; /*                                        borrowed  */
     bool left_out; /* by a quick run: there is nothing else                            */
-    struct run_result result; /* with its fields                                 owned  */
-    struct run run;           /* scene and discretization of the level           owned  */
+    struct run_result result; /* with its fields; of the truth its scene alone   owned  */
     double
         theory; /* drop of a cantilever's tip at rest over L (truth_plate_drop), or NaN */
     const double *xyz[PLAN_STUDY_TIMES]; /* sheet (grid.h) [m]; NULL after a death      */

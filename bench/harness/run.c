@@ -6,24 +6,23 @@
 #include "models/clock.h"
 #include "models/reader/scene_file.h"
 
-enum status run_read(struct run *r, const struct run_plan *plan, struct message *why)
+enum status run_read(struct run *r, const struct case_plan *c, struct message *why)
 {
     struct settings all = {0};
     char *path = NULL;
     enum status st;
 
     memset(r, 0, sizeof *r);
-    r->contestant = plan->contestant;
-    r->model = plan->contestant->model;
+    r->contestant = c->contestant;
+    r->model = c->contestant->model;
     model_open(r->model, &r->discretization);
-    contestant_settings(plan->contestant, &all);
-    if (plan->settings)
-        settings_append(&all, plan->settings);
-    TRY(scene_file_find(plan->path, &path, why));
+    contestant_settings(c->contestant, &all);
+    settings_append(&all, &c->settings);
+    TRY(scene_file_find(c->path, &path, why));
     TRY(contestant_read_settings(&all, path, &r->scene, &r->discretization, why));
     model_complete(r->model, &r->scene, &r->discretization, &r->adapted);
-    if (plan->end > 0)
-        r->scene.end = plan->end;
+    if (c->end > 0)
+        r->scene.end = c->end;
 out:
     free(path);
     settings_clear(&all);
@@ -40,9 +39,9 @@ enum status run_build(struct run *r, struct message *why)
     return st;
 }
 
-enum status run_open(struct run *r, const struct run_plan *plan, struct message *why)
+enum status run_open(struct run *r, const struct case_plan *c, struct message *why)
 {
-    const enum status st = run_read(r, plan, why);
+    const enum status st = run_read(r, c, why);
 
     return st == STATUS_OK ? run_build(r, why) : st;
 }

@@ -1,16 +1,9 @@
-/* run.h - one run: a contestant on a scene, with settings. Every number of the program
- * comes from runs. They are opened here, moved by motion.h, stored by run_file.h. */
+/* run.h - a case (case.h) as it is run. Every number of the program comes from runs. They
+ * are opened here, moved by motion.h, stored by run_file.h. */
 #ifndef RUN_H
 #define RUN_H
 
-#include "bench/harness/contestant.h"
-
-struct run_plan {     /* all borrowed */
-    const char *path; /* of the scene file, or a scene's name                           */
-    const struct contestant *contestant;
-    const struct settings *settings; /* on top of the contestant's; NULL: none          */
-    double end;                      /* instead of the scene's; 0: the scene's [s]      */
-};
+#include "bench/harness/case.h"
 
 struct run {
     const struct contestant *contestant;
@@ -24,11 +17,11 @@ struct run {
 
 /* Opens a run; *run is overwritten. On failure it keeps what was read so far: the scene if
  * only the model could not be built on it. Call run_close in any case. */
-enum status run_open(struct run *run, const struct run_plan *plan, struct message *why);
+enum status run_open(struct run *run, const struct case_plan *c, struct message *why);
 
 /* The two halves of run_open, for callers that change run->scene or run->discretization
  * between: reading them, then building the model. Errors as above. */
-enum status run_read(struct run *run, const struct run_plan *plan, struct message *why);
+enum status run_read(struct run *run, const struct case_plan *c, struct message *why);
 enum status run_build(struct run *run, struct message *why);
 
 /* Moves to static equilibrium. STATUS_UNSUPPORTED with a sentence: the model has none. */

@@ -347,20 +347,18 @@ static enum status settle(struct run *run, struct run_file *f, struct message *w
     return st ? refuse(f, st, &said, why) : run_file_rest(f, &work, why);
 }
 
-enum status run_file_follow(const struct run_plan *plan, const struct run_keep *keep,
-                            bool rest, struct run *run, struct motion *m,
+enum status run_file_follow(const struct case_plan *c, struct run *run, struct motion *m,
                             struct run_file **file, struct message *why)
 {
     struct run_file *f = NULL;
     struct message said = {""};
-    enum status st, built;
+    const enum status built = run_build(run, &said);
+    enum status st;
 
-    TRY(run_read(run, plan, why));
-    built = run_build(run, &said);
-    TRY(run_file_open(run, keep, &f, why));
+    TRY(run_file_open(run, &c->keep, &f, why));
     if (built) {
         TRY(refuse(f, built, &said, why));
-    } else if (rest) {
+    } else if (c->rest) {
         TRY(settle(run, f, why));
     } else {
         TRY(motion_init(m, run->model, &run->scene, run->state));
@@ -372,18 +370,28 @@ out:
     return st;
 }
 
-enum status run_file_write(const struct run_plan *plan, const struct run_keep *keep,
-                           struct run_result *result, struct message *why)
+enum status run_file_make(const struct case_plan *c, struct run *run,
+                          struct run_result *result, struct message *why)
 {
-    struct run run = {0};
     struct run_file *f;
     struct motion m = {0};
     enum status st;
 
-    TRY(run_file_follow(plan, keep, false, &run, &m, &f, why));
-    TRY(run_file_close(f, m.model ? &m : NULL, result, why));
+    TRY(run_file_follow(c, run, &m, &f, why));
+    st = run_file_close(f, m.model ? &m : NULL, result, why);
 out:
     motion_clear(&m);
+    return st;
+}
+
+enum status run_file_write(const struct case_plan *c, struct run_result *result,
+                           struct message *why)
+{
+    struct run run;
+    enum status st = run_read(&run, c, why);
+
+    if (st == STATUS_OK)
+        st = run_file_make(c, &run, result, why);
     run_close(&run);
     return st;
 }

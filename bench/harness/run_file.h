@@ -3,7 +3,7 @@
  * how it ended. run_result.h reads it back.
  *
  *     struct run_result r;
- *     TRY(run_file_write(&(struct run_plan){...}, &(struct run_keep){...}, &r, why));
+ *     TRY(run_file_write(&(struct case_plan){...}, &r, why));
  *
  * Callers that do more on the way (probes, timed repeats) open, watch and close themselves.
  */
@@ -13,32 +13,6 @@
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
 #include "bench/harness/run_result.h"
-
-enum run_fields {
-    RUN_FIELDS_TIMES, /* of the looks at `time` alone                                  */
-    RUN_FIELDS_ALL,   /* of all looks; the last survived frame becomes one */
-    RUN_FIELDS_NONE,
-};
-
-/* The choice of what to keep of a run; all borrowed. */
-struct run_keep {
-    const char *file;   /* FILE.h5; NULL: none, the result alone                       */
-    int every;          /* frames from look to look, the last one, too; 0: none        */
-    int times;          /* further looks at                                            */
-    const double *time; /* [times], multiples of the step, increasing [s]              */
-    enum run_fields fields;
-    bool intersections;   /* count self-intersections at every look                      */
-    bool doubles;         /* fields as 64-bit numbers, not 32                            */
-    bool quick;           /* of --quick: noted in the file; no verdict rests on it       */
-    const char *made_for; /* one line, noted in the file; NULL: none                   */
-
-    /* Finds, at every look in motion, the distance of the field from the truth at that time
-     * and the truth's error bar, both over the length, which are kept as metrics (looks.h);
-     * NULL: none is known. */
-    void (*truth)(const void *context, double time, const double *xyz, double *error,
-                  double *bar);
-    const void *context;
-};
 
 struct run_file;
 
@@ -77,18 +51,22 @@ void run_file_discard(struct run_file *file); /* gives it up; NULL is allowed */
 /* Returns whether the model refused the run, or died before its first step. */
 bool run_file_refused(const struct run_file *file);
 
-/* Reads, builds and follows a run to its end, or to its equilibrium: a death is a result,
- * and so is a model that refuses. *run and *m are all-zero before; `run` must outlive
- * *file, and m->model stays NULL if nothing moved. STATUS_INPUT: scene or settings are
- * impossible; on failure there is no file, and run_close and motion_clear are the caller's
- * still. */
-enum status run_file_follow(const struct run_plan *plan, const struct run_keep *keep,
-                            bool rest, struct run *run, struct motion *m,
+/* Builds a run that was read, and follows it to its end, or to its equilibrium: a death is
+ * a result, and so is a model that refuses. *m is all-zero before; `run` must outlive
+ * *file, and m->model stays NULL if nothing moved. On failure there is no file, and
+ * run_close and motion_clear are the caller's still. */
+enum status run_file_follow(const struct case_plan *c, struct run *run, struct motion *m,
                             struct run_file **file, struct message *why);
 
-/* Does the whole run: run_file_follow, then run_file_close. The bits are the same with and
- * without file, fields kept or not, but for the last look of RUN_FIELDS_ALL. */
-enum status run_file_write(const struct run_plan *plan, const struct run_keep *keep,
-                           struct run_result *result, struct message *why);
+/* Does the whole of a run that was read: run_file_follow, then run_file_close. The bits are
+ * the same with and without file, fields kept or not, but for the last look of
+ * RUN_FIELDS_ALL. */
+enum status run_file_make(const struct case_plan *c, struct run *run,
+                          struct run_result *result, struct message *why);
+
+/* The same for a case whose scene nobody has read. STATUS_INPUT: scene or settings are
+ * impossible. */
+enum status run_file_write(const struct case_plan *c, struct run_result *result,
+                           struct message *why);
 
 #endif

@@ -296,6 +296,25 @@ out:
     return st;
 }
 
+/* Reads what of its numerics a table shows. */
+static enum status read_numerics(const struct store_read *file, const char *path,
+                                 struct run_result *r, struct message *why)
+{
+    char *text = NULL;
+    const char *points = NULL;
+    enum status st;
+
+    TRY(store_read_text(file, "/", "discretization", &text, why));
+    points = strstr(text, "discretization.points=");
+    if (!points || sscanf(points, "discretization.points=[%d,%d,%d", &r->points[0],
+                          &r->points[1], &r->points[2]) < 2)
+        TRY(status_fail(why, STATUS_INPUT, "%s: has no points", path));
+    r->linear = strstr(text, "discretization.kinematics=linear\n");
+out:
+    free(text);
+    return st;
+}
+
 enum status run_result_read(const char *path, bool fields, struct run_result *result,
                             struct message *why)
 {
@@ -303,7 +322,6 @@ enum status run_result_read(const char *path, bool fields, struct run_result *re
     struct run_result r = {0};
     struct looks looks = {0};
     struct store_read *file = NULL;
-    struct scene scene = {0};
 
     TRY(store_read_open(path, &file, why));
     TRY(read_work(file, &r.work, why));
@@ -312,17 +330,17 @@ enum status run_result_read(const char *path, bool fields, struct run_result *re
     TRY(store_read_number(file, "factor_entries", &r.factor_entries, why));
     if (store_read_number(file, "model_bytes", &r.bytes, NULL) != STATUS_OK)
         r.bytes = NAN;
-    TRY(store_scene(file, path, &scene, why));
+    TRY(store_scene(file, path, &r.scene, why));
+    TRY(read_numerics(file, path, &r, why));
     TRY(read_looks(file, path, &looks, why));
     TRY(read_times(file, &r, why));
-    looks_reduce(&looks, &scene, r.outcome, r.death_time, &r.work, r.value);
+    looks_reduce(&looks, &r.scene, r.outcome, r.death_time, &r.work, r.value);
     TRY(read_truth(file, path, looks.count, r.value, why));
     TRY(read_fields(file, path, fields, &r, why));
     *result = r;
     r = (struct run_result){0};
 out:
     run_result_clear(&r);
-    scene_clear(&scene);
     looks_clear(&looks);
     store_read_close(file);
     return st;
@@ -334,5 +352,6 @@ void run_result_clear(struct run_result *r)
         free(r->xyz[n]);
     free(r->xyz);
     free(r->time);
+    scene_clear(&r->scene);
     *r = (struct run_result){0};
 }

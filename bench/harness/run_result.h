@@ -21,6 +21,9 @@ struct run_result {
 
     /* The following come from the file alone: */
     char made_for[128]; /* run_keep's made_for; ""                                      */
+    struct scene scene; /* that it was made with                                 owned  */
+    int points[3];      /* of its net; 0: it has no third axis                          */
+    bool linear;        /* its kinematics                                               */
     double unknowns, factor_entries;
     double bytes; /* that the model held after its last step (timing.h); NaN: not timed */
     struct clock_summary create; /* over the repeats [s]; count = 0: not timed          */

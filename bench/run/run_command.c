@@ -82,13 +82,9 @@ struct job {
     long mode_count;
     long every; /* frames: which of them a file keeps */
     enum table_format format;
-    const struct contestant *contestant;
-    struct settings settings;
-    char *path;
-    struct run_plan plan;
+    struct case_plan c;
     struct run run;
     struct probe probe;
-    struct run_keep keep;
     struct run_file *file; /* NULL: nothing is looked at */
 };
 
@@ -158,9 +154,9 @@ static enum status read_options(struct job *j, const struct command_line *line,
     TRY(check_options(j, line, why));
     TRY(check_out(command_value(line, "--out"), why));
     TRY(command_format(line, &j->format, why));
-    j->contestant = contestant_table;
+    j->c.contestant = contestant_table;
     if (name)
-        TRY(contestant_find(name, &j->contestant, why));
+        TRY(contestant_find(name, &j->c.contestant, why));
 out:
     return st;
 }
@@ -172,10 +168,9 @@ static enum status read_scene(struct job *j, const struct command_line *line,
     int given;
     const char *const *set = command_values(line, "--set", &given);
 
-    settings_set_all(&j->settings, given, set);
-    TRY(scene_file_find(line->words[0], &j->path, why));
-    j->plan = (struct run_plan){j->path, j->contestant, &j->settings, 0};
-    TRY(run_read(&j->run, &j->plan, why));
+    settings_set_all(&j->c.settings, given, set);
+    TRY(scene_file_find(line->words[0], (char **)&j->c.path, why));
+    TRY(run_read(&j->run, &j->c, why));
     if (j->settled && j->run.discretization.kinematics != KINEMATICS_NONLINEAR)
         TRY(status_fail(why, STATUS_INPUT,
                         "--static --modes: modes about static equilibrium need "
@@ -192,12 +187,13 @@ static enum status open_file(struct job *j, const char *path, struct message *wh
 {
     const int frames = (int)lround(j->run.scene.end / j->run.scene.step);
 
-    j->keep = (struct run_keep){.file = path,
-                                .every = path ? (int)j->every : 1 + frames / LOOKS,
-                                .fields = path ? RUN_FIELDS_ALL : RUN_FIELDS_NONE,
-                                .intersections = true,
-                                .doubles = true};
-    return path || !j->quiet ? run_file_open(&j->run, &j->keep, &j->file, why) : STATUS_OK;
+    j->c.keep = (struct run_keep){.file = path,
+                                  .every = path ? (int)j->every : 1 + frames / LOOKS,
+                                  .fields = path ? RUN_FIELDS_ALL : RUN_FIELDS_NONE,
+                                  .intersections = true,
+                                  .doubles = true};
+    return path || !j->quiet ? run_file_open(&j->run, &j->c.keep, &j->file, why)
+                             : STATUS_OK;
 }
 
 /* Prints the run's sentences; those that say that the result cannot be right come first. */
@@ -349,7 +345,7 @@ static enum status run(const struct command_line *line, struct message *why)
     TRY(st == STATUS_UNSUPPORTED ? tell_who_serves(&j, why) : st);
     TRY(open_file(&j, out, why));
     if (folder)
-        TRY(statics_matrices(folder, &j.plan, why));
+        TRY(statics_matrices(folder, &j.c, why));
     TRY(run_task(&j, why));
     if (picture)
         TRY(draw(out, picture, why));
@@ -359,8 +355,8 @@ out:
     run_file_discard(j.file);
     run_close(&j.run);
     probe_clear(&j.probe);
-    settings_clear(&j.settings);
-    free(j.path);
+    settings_clear(&j.c.settings);
+    free((char *)j.c.path);
     return st;
 }
 

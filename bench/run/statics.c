@@ -209,21 +209,19 @@ out:
     return st;
 }
 
-enum status statics_matrices(const char *folder, const struct run_plan *plan,
+enum status statics_matrices(const char *folder, const struct case_plan *c,
                              struct message *why)
 {
     enum status st = STATUS_OK;
-    struct settings settings = {0};
-    struct run_plan points = *plan;
+    struct case_plan points = {c->path, c->contestant};
     struct run run = {0};
     struct matrix K = {0}, M = {0};
 
-    if (!plan->contestant->model->matrices)
+    if (!c->contestant->model->matrices)
         return status_fail(why, STATUS_UNSUPPORTED, "%s has no matrices to write",
-                           plan->contestant->name);
-    settings_append(&settings, plan->settings);
-    settings_word(&settings, "discretization.unknowns", "points");
-    points.settings = &settings;
+                           c->contestant->name);
+    settings_append(&points.settings, &c->settings);
+    settings_word(&points.settings, "discretization.unknowns", "points");
     TRY(run_open(&run, &points, why));
     st = run.model->matrices(run.state, &K, &M);
     if (st == STATUS_UNSUPPORTED)
@@ -242,6 +240,6 @@ out:
     matrix_clear(&K);
     matrix_clear(&M);
     run_close(&run);
-    settings_clear(&settings);
+    settings_clear(&points.settings);
     return st;
 }

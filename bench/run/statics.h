@@ -20,7 +20,7 @@ enum status statics_modes(struct run *run, int count, bool settled,
  * if there is none. Unknowns are the control points whatever its settings say, held
  * components included. STATUS_UNSUPPORTED if the model has no matrices; STATUS_FILE; both
  * with a sentence. */
-enum status statics_matrices(const char *folder, const struct run_plan *plan,
+enum status statics_matrices(const char *folder, const struct case_plan *c,
                              struct message *why);
 
 #endif

@@ -34,14 +34,14 @@ static const struct solid_row solids[] = {
 enum { SOLIDS = sizeof solids / sizeof *solids };
 
 /* Adds a run; settings are KEY=VALUE, and NULL ends them. */
-static struct measurement_case *add_run(struct bench *b, const struct contestant *who,
-                                        int count, const char *const *settings, double end)
+static struct case_plan *add_run(struct bench *b, const struct contestant *who, int count,
+                                 const char *const *settings, double end)
 {
     char name[64];
 
     snprintf(name, sizeof name, "%s_%d", who->name, b->batch.count);
-    struct measurement_case *c = batch_add(&b->batch, b->path, who, name);
-    c->plan.end = end;
+    struct case_plan *c = batch_add(&b->batch, b->path, who, name);
+    c->end = end;
     settings_list(&c->settings, count, settings);
     return c;
 }
@@ -57,8 +57,8 @@ static enum status plan_solids(struct bench *b, struct message *why)
     for (const struct solid_row *row = solids; row < solids + SOLIDS; row++) {
         const struct contestant *who;
         TRY(contestant_find(row->contestant, &who, why));
-        struct measurement_case *c = add_run(b, who, 2, row->settings, end);
-        c->timed = MEASUREMENT_SOME;
+        struct case_plan *c = add_run(b, who, 2, row->settings, end);
+        c->timed = CASE_SOME;
         c->phases = true;
     }
 out:
@@ -181,8 +181,8 @@ static enum status plan_contestants(struct bench *b, struct message *why)
         if (!contestant_chosen(c, b->models, CONTESTANT_SPEED))
             continue;
         const char *damping = contestant_is_paper_scheme(c) ? NULL : UNDAMPED;
-        struct measurement_case *run = add_run(b, c, 1, &damping, *end);
-        run->timed = MEASUREMENT_WHOLE;
+        struct case_plan *run = add_run(b, c, 1, &damping, *end);
+        run->timed = CASE_WHOLE;
         run->keep.times = 1;
         run->keep.time = end; /* the work up to there */
         contestant_points(c, usual_side(c), usual_side(c), &run->settings);
@@ -225,7 +225,7 @@ static enum status print_contestants(const struct bench *b, struct message *why)
         TABLE_OF(columns, "A frame of each contestant, edge_drop to 0.2 s, one thread");
 
     for (int n = 0; n < b->batch.count; n++)
-        add_contestant(t, b->batch.cases[n].plan.contestant, &b->result[n]);
+        add_contestant(t, b->batch.cases[n].contestant, &b->result[n]);
     table_note(t, "Times are medians of the repeats. Motions are undamped except for the "
                   "paper's own scheme. Iterations are Newton's, or local and global steps; "
                   "none means one solve a frame.");

@@ -389,8 +389,7 @@ static enum status read_run(const struct stress_job *job, struct run *run,
     enum status st;
 
     add_settings(job, &settings);
-    TRY(run_read(run, &(struct run_plan){job->path, job->contestant, .settings = &settings},
-                 why));
+    TRY(run_read(run, &(struct case_plan){job->path, job->contestant, settings}, why));
     if (c->gamma > 0)
         run->scene.young =
             derived_key_solve("gamma", "material.young", c->gamma, &run->scene);

@@ -18,7 +18,7 @@ struct sweep {
     bool quiet;
     struct plan plan;
     struct sweep_folder folder;
-    unsigned long program; /* measurement_program                                       */
+    unsigned long program; /* case_program                                       */
     struct pool pool;
 };
 
@@ -28,10 +28,9 @@ struct sweep {
 /* A case as it is run, or looked for in the folder. */
 struct opened {
     struct plan_case c;
-    struct scene scene;
-    struct measurement_case run;
+    struct run run;     /* read, with its scene                                         */
     struct truth truth; /* of its scene; it claims nothing where none is known, or read  */
-    char path[SWEEP_FOLDER_PATH], key[MEASUREMENT_KEY];
+    char path[SWEEP_FOLDER_PATH], key[CASE_KEY];
 };
 
 /* Finds the distance from the truth, look by look. */
@@ -42,8 +41,8 @@ static void look(const void *context, double time, const double *xyz, double *er
     const struct truth *made = &o->truth;
     const int n = truth_index(made, made->claimed, time);
 
-    *error = n < 0 ? NAN : metric_rmse(xyz, made->xyz[n]) / o->scene.length;
-    *bar = n < 0 ? NAN : made->error[n] / o->scene.length;
+    *error = n < 0 ? NAN : metric_rmse(xyz, made->xyz[n]) / o->run.scene.length;
+    *bar = n < 0 ? NAN : made->error[n] / o->run.scene.length;
 }
 
 /* Adds the stored truth of a scene, if there is one, to a sum: its cases keep their
@@ -70,21 +69,18 @@ static enum status open_case(const struct sweep *s, long number, struct opened *
 
     *o = (struct opened){.key = "not read"};
     TRY(plan_case_open(&s->plan, number, &o->c, why));
-    TRY(plan_case_scene(&o->c, &o->scene, why));
+    TRY(run_read(&o->run, &o->c.run, why));
     sweep_folder_file(&s->folder, number, "h5", o->path);
-    o->run = (struct measurement_case){
-        .plan = plan_case_run(&o->c),
-        .keep = {.file = o->path,
-                 .every = s->plan.look ? s->plan.look : 10,
-                 .times = o->scene.snapshot_count,
-                 .time = o->scene.snapshots,
-                 .fields = s->plan.keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES
-                                                               : RUN_FIELDS_NONE,
-                 .intersections = s->plan.intersections,
-                 .made_for = o->key},
-        .timed = MEASUREMENT_UNTIMED};
+    o->c.run.keep = (struct run_keep){
+        .file = strdup(o->path),
+        .every = s->plan.look ? s->plan.look : 10,
+        .times = o->run.scene.snapshot_count,
+        .time = o->run.scene.snapshots,
+        .fields = s->plan.keep == PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_TIMES : RUN_FIELDS_NONE,
+        .intersections = s->plan.intersections,
+        .made_for = o->key};
     sum = seal_text_sum(s->program, &s->plan.time_limit, sizeof s->plan.time_limit);
-    measurement_key(&o->run, false, &o->scene, add_truth(sum, &o->scene), o->key);
+    case_key(&o->c.run, &o->run.scene, add_truth(sum, &o->run.scene), o->key);
 out:
     return st;
 }
@@ -92,7 +88,7 @@ out:
 static void close_case(struct opened *o)
 {
     truth_clear(&o->truth);
-    scene_clear(&o->scene);
+    run_close(&o->run);
     plan_case_clear(&o->c);
 }
 
@@ -104,11 +100,11 @@ static enum status work(void *context, long number, struct message *why)
 
     TRY(open_case(context, number, &o, why));
     /* A factor a step is no physics that a truth could have: nothing needs to be read. */
-    if (!truth_plan_damping(&o.scene))
-        TRY(truth_judged(&o.scene, &o.truth, why));
-    o.run.keep.truth = o.truth.claimed ? look : NULL;
-    o.run.keep.context = &o;
-    st = run_file_write(&o.run.plan, &o.run.keep, NULL, why);
+    if (!truth_plan_damping(&o.run.scene))
+        TRY(truth_judged(&o.run.scene, &o.truth, why));
+    o.c.run.keep.truth = o.truth.claimed ? look : NULL;
+    o.c.run.keep.context = &o;
+    st = run_file_make(&o.c.run, &o.run, NULL, why);
 out:
     close_case(&o);
     return st;
@@ -222,7 +218,7 @@ static enum status collect(const struct sweep *s, struct message *why)
     struct sweep_falls falls = {0};
     enum status st;
 
-    TRY(sweep_rows_read(&rows, &s->plan, &s->folder, why));
+    TRY(sweep_rows_read(&rows, &s->plan, &s->folder));
     TRY(sweep_rows_save(&rows, folder, why));
     TRY(sweep_falls_judge(&falls, &rows));
     if (falls.table)
@@ -250,7 +246,7 @@ static enum status lead(struct sweep *s, struct message *why)
     enum status st;
 
     TRY(sweep_rows_check(&s->plan, why));
-    s->program = measurement_program(false);
+    s->program = case_program(false);
     TRY(sweep_folder_open(&s->folder, folder_of(s, path), why));
     s->pool.quiet = s->quiet;
     TRY(run_all(s, why));
@@ -270,7 +266,7 @@ static enum status prepare(void *context, struct message *why)
         return st;
     s->pool.time_limit = s->plan.time_limit;
     snprintf(s->folder.path, sizeof s->folder.path, "%s", folder_of(s, path));
-    s->program = measurement_program(false);
+    s->program = case_program(false);
     return st;
 }
 

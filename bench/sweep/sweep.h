@@ -108,7 +108,7 @@ enum status sweep_rows_check(const struct plan *plan, struct message *why);
 /* Reads all rows from the files of their cases, and compares each with its reference if
  * the plan has one. *rows is overwritten; clear it in any case. */
 enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
-                            const struct sweep_folder *folder, struct message *why);
+                            const struct sweep_folder *folder);
 
 /* Writes FOLDER/table.csv, every key and measure to 17 digits, verdict, labels and end, and
  * FOLDER/seconds.csv, which stands apart so that the table is the same bits however it came

@@ -104,12 +104,9 @@ struct reference {
     double *rest;             /* its sheet at rest (grid.h) [m]                  owned */
 };
 
-static enum status read_reference(struct reference *ref, const struct plan *plan,
-                                  long number, const struct sweep_folder *folder,
-                                  struct message *why)
+static enum status read_reference(struct reference *ref, long number,
+                                  const struct sweep_folder *folder)
 {
-    struct plan_case c = {0};
-    struct scene scene = {0};
     struct message sentence;
     enum sweep_state state;
     enum status st;
@@ -123,13 +120,9 @@ static enum status read_reference(struct reference *ref, const struct plan *plan
         run_result_clear(&ref->result);
         goto out;
     }
-    TRY(plan_case_open(plan, number, &c, why));
-    TRY(plan_case_scene(&c, &scene, why));
-    ref->rest = metric_rest_field(&scene);
+    ref->rest = metric_rest_field(&ref->result.scene);
     st = ref->rest ? STATUS_OK : STATUS_MEMORY;
 out:
-    plan_case_clear(&c);
-    scene_clear(&scene);
     return st;
 }
 
@@ -150,8 +143,7 @@ static double compare(const struct run_result *r, const struct reference *ref)
  */
 
 static enum status read_row(struct sweep_rows *rows, long number,
-                            const struct sweep_folder *folder, struct reference *ref,
-                            struct message *why)
+                            const struct sweep_folder *folder, struct reference *ref)
 {
     const struct plan *plan = rows->plan;
     const bool compared = plan->reference.count > 0;
@@ -163,7 +155,7 @@ static enum status read_row(struct sweep_rows *rows, long number,
 
     TRY(sweep_folder_read(folder, number, NULL, compared, &state, &r, &sentence));
     if (compared && ref->number != other)
-        TRY(read_reference(ref, plan, other, folder, why));
+        TRY(read_reference(ref, other, folder));
     if (compared && state == SWEEP_RAN)
         r.value[MEASURE_REFERENCE_ERROR_MAX] = compare(&r, ref);
     st = sweep_rows_set(rows, number, state, &r, sentence.text);
@@ -173,14 +165,14 @@ out:
 }
 
 enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
-                            const struct sweep_folder *folder, struct message *why)
+                            const struct sweep_folder *folder)
 {
     struct reference ref = {.number = -1};
     enum status st;
 
     TRY(sweep_rows_init(rows, plan));
     for (long n = 0; n < rows->count; n++)
-        TRY(read_row(rows, n, folder, &ref, why));
+        TRY(read_row(rows, n, folder, &ref));
 out:
     run_result_clear(&ref.result);
     free(ref.rest);

@@ -312,17 +312,16 @@ out:
 static enum status read_run(const struct truth_runs *runs, const struct truth *made,
                             struct run *run, struct message *why)
 {
-    struct settings settings = {0};
-    struct run_plan plan = {.path = runs->path, .settings = &settings};
+    struct case_plan c = {.path = runs->path};
     enum status st;
 
     if (made->closed || made->foreign)
         return contestant_read_scene(runs->settings, runs->path, &run->scene, why);
-    TRY(truth_level_settings(runs, &made->level, &settings, why));
-    plan.contestant = truth_level_contestant(made->level.model);
-    TRY(run_read(run, &plan, why));
+    TRY(truth_level_settings(runs, &made->level, &c.settings, why));
+    c.contestant = truth_level_contestant(made->level.model);
+    TRY(run_read(run, &c, why));
 out:
-    settings_clear(&settings);
+    settings_clear(&c.settings);
     return st;
 }
 

@@ -4,12 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/provenance.h"
-#include "bench/files/seal.h"
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_parts.h"
 
-enum { PATH = 4096, KEY = sizeof((struct run_result *)0)->made_for };
+enum { PATH = 4096 };
 
 static const double EARTH = 9.81; /* [m/s^2] */
 
@@ -70,46 +68,12 @@ static bool has_times(const struct run_result *r, const struct truth_runs *runs)
     return true;
 }
 
-static unsigned long add(unsigned long sum, const char *text)
-{
-    return seal_text_sum(sum, text, strlen(text) + 1);
-}
-
-/* Writes what a level's file is made for: the physics and what the caller sets besides, by
- * these solvers (other commits may differ in words, or in what judges runs); its name has
- * the rest. */
-static enum status key_of(const struct run_plan *plan, const struct settings *given,
-                          char key[KEY], struct message *why)
-{
-    struct provenance here;
-    struct run run = {0};
-    char *physics = NULL;
-    unsigned long sum;
-    enum status st;
-
-    TRY(run_read(&run, plan, why));
-    TRY(truth_physics(&run.scene, &physics));
-    provenance_collect(&here);
-    sum = add(0, physics);
-    sum = add(sum, provenance_value(&here, "compiler"));
-    sum = add(sum, provenance_value(&here, "flags"));
-    for (int n = 0; n < given->count; n++)
-        if (strncmp(given->text[n], "discretization", 14) == 0)
-            sum = add(sum, given->text[n]);
-    snprintf(key, KEY, "a level of %08lx by solvers %.64s", sum,
-             provenance_value(&here, "solvers"));
-out:
-    run_close(&run);
-    free(physics);
-    return st;
-}
-
 /* Reads a level's file if it is whole, complete and made for the same. */
-static bool is_kept(const char *path, const char *key, const struct truth_runs *runs,
+static bool is_kept(const struct case_plan *c, const struct truth_runs *runs,
                     struct run_result *r)
 {
-    if (run_result_read(path, true, r, NULL) == STATUS_OK && has_times(r, runs) &&
-        strcmp(r->made_for, key) == 0)
+    if (run_result_read(c->keep.file, true, r, NULL) == STATUS_OK && has_times(r, runs) &&
+        strcmp(r->made_for, c->keep.made_for) == 0)
         return true;
     run_result_clear(r);
     return false;
@@ -131,32 +95,50 @@ static enum status check(const struct run_result *r, const struct truth_level *l
                        level->side, r->sentence.text);
 }
 
+/* Reads a level's scene, and names its file, which may have more times than are asked for,
+ * and its key: of the case without its end. */
+static enum status read_level(const struct truth_runs *runs,
+                              const struct truth_level *level, struct case_plan *c,
+                              struct run *run, char key[CASE_KEY], struct message *why)
+{
+    char name[PATH];
+    enum status st;
+
+    TRY(truth_level_settings(runs, level, &c->settings, why));
+    TRY(run_read(run, c, why));
+    case_key(c, &run->scene, case_program(false), key);
+    run->scene.end = runs->time[runs->times - 1];
+    snprintf(name, sizeof name, "truth_%s_p%d_%d_%ldus%s",
+             level->model == TRUTH_SOLID ? "selective" : "cured", level->degree,
+             level->side, lround(1e6 * level->step), level->perturbed ? "_perturbed" : "");
+    c->keep = (struct run_keep){.file = case_file(runs->folder, name),
+                                .times = runs->times,
+                                .time = runs->time,
+                                .made_for = key};
+    st = c->keep.file ? STATUS_OK : STATUS_MEMORY;
+out:
+    return st;
+}
+
 enum status truth_level_find(const struct truth_runs *runs, const struct truth_level *level,
                              struct run_result *r, struct message *why)
 {
-    const struct contestant *c = truth_level_contestant(level->model);
-    struct settings settings = {0};
-    const struct run_plan plan = {runs->path, c, &settings, runs->time[runs->times - 1]};
-    char path[PATH], key[KEY];
-    enum status st;
+    struct case_plan c = {strdup(runs->path), truth_level_contestant(level->model)};
+    struct run run = {0};
+    char key[CASE_KEY];
+    enum status st = c.path ? STATUS_OK : STATUS_MEMORY;
 
-    TRY(truth_level_settings(runs, level, &settings, why));
-    TRY(key_of(&plan, runs->settings, key, why));
-    snprintf(path, sizeof path, "%s/truth_%s_p%d_%d_%ldus%s.h5", runs->folder,
-             level->model == TRUTH_SOLID ? "selective" : "cured", level->degree,
-             level->side, lround(1e6 * level->step), level->perturbed ? "_perturbed" : "");
-    if (!is_kept(path, key, runs, r)) {
-        TRY(run_file_write(
-            &plan,
-            &(struct run_keep){
-                .file = path, .times = runs->times, .time = runs->time, .made_for = key},
-            NULL, why));
-        TRY(run_result_read(path, true, r, why));
+    TRY(st);
+    TRY(read_level(runs, level, &c, &run, key, why));
+    if (!is_kept(&c, runs, r)) {
+        TRY(run_file_make(&c, &run, NULL, why));
+        TRY(run_result_read(c.keep.file, true, r, why));
     }
     TRY(check(r, level, runs, why));
 out:
     if (st != STATUS_OK)
         run_result_clear(r);
-    settings_clear(&settings);
+    run_close(&run);
+    case_clear(&c);
     return st;
 }

@@ -337,13 +337,16 @@ static bool tell(struct verify_trial *t, enum status st, const struct message *s
 static bool open_trial(struct verify_trial *t)
 {
     struct verify_sheet *sheet = t->subject->sheet;
-    const struct run_plan plan = {t->scene, t->subject->contestant, &t->settings, t->end};
     struct message sentence = {""};
 
     t->lived = false;
     verify_subject_settings(t->subject, t->net, &t->settings);
     if (verify_sheet_sound(sheet) &&
-        verify_sheet_holds(sheet, run_read(&t->run, &plan, &sheet->why))) {
+        verify_sheet_holds(sheet,
+                           run_read(&t->run,
+                                    &(struct case_plan){t->scene, t->subject->contestant,
+                                                        t->settings, t->end},
+                                    &sheet->why))) {
         enum status built = run_build(&t->run, &sentence);
         t->row->seconds += t->run.create_seconds;
         /* a contestant that the check does not name may have no such net */

@@ -99,17 +99,19 @@ static const struct {
 };
 
 /* Follows a run to its end; tells how it ended, and how far a point has come. */
-static double way_of(const struct run_plan *plan, const double *uvw, int component,
+static double way_of(const struct case_plan *plan, const double *uvw, int component,
                      const char *file, struct run_result *r, struct message *told)
 {
-    const struct run_keep keep = {.file = file, .every = 20, .fields = RUN_FIELDS_NONE};
+    struct case_plan asked = *plan;
     struct run run = {0};
     struct motion m = {0};
     struct run_file *f;
     struct message why = {""};
     double x[3], rest[3];
 
-    if (run_file_follow(plan, &keep, false, &run, &m, &f, &why) != STATUS_OK) {
+    asked.keep = (struct run_keep){.file = file, .every = 20, .fields = RUN_FIELDS_NONE};
+    if (run_read(&run, &asked, &why) != STATUS_OK ||
+        run_file_follow(&asked, &run, &m, &f, &why) != STATUS_OK) {
         printf("%s on %s: %s\n", plan->contestant->name, plan->path, why.text);
         exit(1);
     }
@@ -125,22 +127,21 @@ static double way_of(const struct run_plan *plan, const double *uvw, int compone
 static void check_case(int n, int c)
 {
     char path[512];
-    struct settings set = {0};
-    struct run_plan plan = {path, named(name[c]), &set, 0};
+    struct case_plan plan = {path, named(name[c]), {0}, 0};
     struct run_result r;
     struct message told;
 
     snprintf(path, sizeof path, CASES "%s.yaml", cases[n].scene);
     if (BIT(c) & NETS && *cases[n].points)
-        settings_set(&set, cases[n].points);
-    settings_list(&set, 2, cases[n].settings);
+        settings_set(&plan.settings, cases[n].points);
+    settings_list(&plan.settings, 2, cases[n].settings);
     const double way = way_of(&plan, cases[n].uvw, cases[n].component, NULL, &r, &told),
                  off = way / cases[n].right - 1;
     const bool right = fabs(off) <= cases[n].tolerance;
     printf("%-10s %-20s %+7.2f %%, %s\n", cases[n].scene, name[c], 100 * off,
            *told.text ? told.text : "trusted");
     CHECK(BIT(c) & cases[n].must ? right && !*told.text : right || *told.text);
-    settings_clear(&set);
+    settings_clear(&plan.settings);
 }
 
 /* An iteration that its limit ends is an outcome: it is told first, kept in the file, and
@@ -149,8 +150,8 @@ static void check_outcome(void)
 {
     static const double middle[3] = {0.5, 0.5, 0.5};
     static const char *const path = CASES "webbing.yaml";
-    struct settings set = LIST(NET "[11,3]", "time.end=0.06");
-    struct run_plan plan = {path, named("position_based"), &set, 0};
+    struct case_plan plan = {path, named("position_based"),
+                             LIST(NET "[11,3]", "time.end=0.06"), 0};
     struct run_result made, read;
     struct message told, why;
     struct store_read *stored;
@@ -172,11 +173,11 @@ static void check_outcome(void)
     CHECK(!strcmp(outcome, STORE_NOT_ARRIVED));
     free(outcome);
     store_read_close(stored);
-    settings_set(&set, "discretization.iterations=1");
+    settings_set(&plan.settings, "discretization.iterations=1");
     way_of(&plan, middle, 2, NULL, &made, &told);
     CHECK(!run_result_missed(&made) && !*told.text && made.work.left > ARRIVAL_SHARE);
     CHECK(made.value[MEASURE_NOT_ARRIVED] == 0 && !strcmp(made.sentence.text, "done"));
-    settings_clear(&set);
+    settings_clear(&plan.settings);
 }
 
 /* Sweeps of what a body carries begin where its load leads: two of them slide a sheet,
@@ -186,7 +187,7 @@ static void check_first_guess(void)
     static const double middle[3] = {0.5, 0.5, 0.5}, slides = 0.6530, EULER = 0.02;
     struct settings set =
         LIST(NET "[21,21]", "discretization.iterations=2", "material.young=1e7");
-    struct run_plan plan = {CASES "incline.yaml", named("vbd"), &set, 0};
+    struct case_plan plan = {CASES "incline.yaml", named("vbd"), set, 0};
     struct run_result r;
     struct message told;
 
@@ -204,14 +205,13 @@ static void check_held_area(void)
 
     for (size_t n = 0; n < sizeof who / sizeof *who; n++) {
         for (int strip = 0; strip < 2; strip++) {
-            struct settings set = LIST(strip ? NET "[11,5]" : NET "[10,5]");
-            struct run_plan plan = {strip ? CASES "held_strip.yaml"
-                                          : CASES "held_edge.yaml",
-                                    named(who[n]), &set, 0};
+            struct case_plan plan = {
+                strip ? CASES "held_strip.yaml" : CASES "held_edge.yaml", named(who[n]),
+                LIST(strip ? NET "[11,5]" : NET "[10,5]"), 0};
             struct run_result r;
             struct message told;
             way[strip] = way_of(&plan, tip, 2, NULL, &r, &told);
-            settings_clear(&set);
+            settings_clear(&plan.settings);
         }
         if (!CHECK(fabs(way[1] - way[0]) < SAME))
             printf("%s: the tip moves by %.9g m, and by %.9g with a strip held\n", who[n],

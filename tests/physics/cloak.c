@@ -195,21 +195,19 @@ static void test_file(void)
 {
     static const char *const list[] = {"pose.opening=150", "time.end=0.01", "snapshots=[]"};
     const double time = 0.01;
-    struct settings settings = {0};
-    struct run_plan plan = {.path = SOURCE_DIR "/models/scenes/cloak.yaml",
-                            .settings = &settings};
-    const char *path = scratch_path("run.h5");
-    const struct run_keep keep = {.file = path, .times = 1, .time = &time};
+    struct case_plan plan = {.path = SOURCE_DIR "/models/scenes/cloak.yaml",
+                             .keep = {.times = 1, .time = &time}};
+    const char *path = plan.keep.file = scratch_path("run.h5");
     struct store_read *file = NULL;
     struct discretization unused = {0};
     struct scene s, again;
 
     REQUIRE(contestant_find("iga", &plan.contestant, NULL) == STATUS_OK);
-    settings_set_all(&settings, 3, list);
-    REQUIRE(contestant_read_scene(&settings, plan.path, &s, NULL) == STATUS_OK);
+    settings_set_all(&plan.settings, 3, list);
+    REQUIRE(contestant_read_scene(&plan.settings, plan.path, &s, NULL) == STATUS_OK);
     CHECK(s.shape == SCENE_CLOAK && s.opening == 150 && s.flare == 10);
-    CHECK(run_file_write(&plan, &keep, NULL, NULL) == STATUS_OK);
-    settings_clear(&settings);
+    CHECK(run_file_write(&plan, NULL, NULL) == STATUS_OK);
+    settings_clear(&plan.settings);
     REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
     REQUIRE(store_scene(file, path, &again, NULL) == STATUS_OK);
     CHECK(again.shape == s.shape && again.opening == s.opening && again.flare == s.flare);

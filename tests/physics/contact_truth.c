@@ -93,8 +93,7 @@ static void read_sheet(struct fixture *f, const char *name, const char *const *m
 {
     const char *dot = strchr(name, '.'), *variant = dot ? dot + 1 : "";
     char model[64];
-    struct settings all = {0};
-    struct run_plan plan = {"ground", NULL, &all, 0};
+    struct case_plan plan = {"ground", NULL, {0}, 0};
     struct message why = {""};
 
     memset(f, 0, sizeof *f);
@@ -106,27 +105,27 @@ static void read_sheet(struct fixture *f, const char *name, const char *const *m
     f->pieces = quarters ? QUARTERS : 1;
     f->swings = plan.contestant->layers > 0;
     settings_set_all(
-        &all, 7,
+        &plan.settings, 7,
         (const char *const[]){"sheet={length: 0.5, width: 0.4, thickness: 0.004}",
                               "pose={origin: [0,0,0], u: [1,0,0], v: [0,1,0]}",
                               "material={young: 1e5, poisson: 0.3, density: 200}",
                               "damping={kind: none}", "obstacles=[]",
                               "time={step: 0.005, end: 10}", "snapshots=[]"});
-    contestant_points(plan.contestant, quarters ? 4 : 8, quarters ? 4 : 7, &all);
+    contestant_points(plan.contestant, quarters ? 4 : 8, quarters ? 4 : 7, &plan.settings);
     /* its 1e-6 of a cell is 1e-4 of what gravity moves in a step, and 0.4 % of the gap */
     if (!strcmp(model, "mass_spring") && strcmp(variant, "momentum"))
-        settings_set(&all, KEY "tolerance=1e-10");
+        settings_set(&plan.settings, KEY "tolerance=1e-10");
     /* a default ends where 1 % of the loads is left: here what a scheme converges to is
      * tested */
     if (strstr(model, "projective"))
-        settings_set(&all, KEY "tolerance=1e-9");
+        settings_set(&plan.settings, KEY "tolerance=1e-9");
     if (quarters && (!strcmp(model, "mass_spring") || strstr(model, "projective")))
-        settings_integer(&all, KEY "substeps", QUARTERS);
-    settings_list(&all, 3, f->variant->settings);
-    settings_list(&all, SETTINGS, more);
+        settings_integer(&plan.settings, KEY "substeps", QUARTERS);
+    settings_list(&plan.settings, 3, f->variant->settings);
+    settings_list(&plan.settings, SETTINGS, more);
     if (!CHECK(run_read(&f->run, &plan, &why) == STATUS_OK))
         printf("%s\n", why.text);
-    settings_clear(&all);
+    settings_clear(&plan.settings);
 }
 
 static void make(struct fixture *f, const char *name)

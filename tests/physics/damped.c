@@ -37,8 +37,7 @@ enum { DAMPINGS = sizeof dampings / sizeof *dampings, STEPS = 12 };
 static bool open(struct run *run, const char *name, const char *points, const char *u,
                  const struct support *s, const char *damping, const char *own)
 {
-    struct settings settings = {0};
-    struct run_plan plan = {.path = "cantilever", .settings = &settings};
+    struct case_plan plan = {.path = "cantilever"};
     struct message why = {""};
     char held[256];
 
@@ -53,11 +52,11 @@ static bool open(struct run *run, const char *name, const char *points, const ch
                                 s->start,
                                 points,
                                 own};
-    settings_list(&settings, own ? 9 : 8, text);
+    settings_list(&plan.settings, own ? 9 : 8, text);
     enum status st = run_read(run, &plan, &why);
     if (st == STATUS_OK)
         st = run_build(run, &why);
-    settings_clear(&settings);
+    settings_clear(&plan.settings);
     if (st != STATUS_OK && !CHECK(st == STATUS_UNSUPPORTED))
         printf("%s: %s\n", name, why.text);
     return st == STATUS_OK;

@@ -59,14 +59,14 @@ static const struct {
 /* Moves the sheet, and finds where it is then, x[SIDE][SIDE]. */
 static void move(const struct row *row, const char *scene, double (*x)[SIDE][3])
 {
-    struct settings set = {0};
-    struct run_plan plan = {SCENES "sphere.yaml", named(row->model), &set, 0};
+    struct case_plan plan = {SCENES "sphere.yaml", named(row->model), {0}, 0};
     struct message why = {""};
     struct run run;
 
-    set_words(&set, "pose={origin: [-0.5,-0.5,0], u: [1,0,0], v: [0,1,0]};snapshots=[]");
-    set_words(&set, scene);
-    set_words(&set, row->settings);
+    set_words(&plan.settings,
+              "pose={origin: [-0.5,-0.5,0], u: [1,0,0], v: [0,1,0]};snapshots=[]");
+    set_words(&plan.settings, scene);
+    set_words(&plan.settings, row->settings);
     if (!CHECK(run_open(&run, &plan, &why) == STATUS_OK)) {
         printf("%s: %s\n", row->model, why.text);
         exit(1);
@@ -78,7 +78,7 @@ static void move(const struct row *row, const char *scene, double (*x)[SIDE][3])
             run.model->probe(run.state, 1, uvw, x[i][j]);
         }
     run_close(&run);
-    settings_clear(&set);
+    settings_clear(&plan.settings);
 }
 
 /* Returns how far x is from y as seen in a mirror across axis k [m]. */

@@ -158,19 +158,18 @@ static const struct row {
 int main(void)
 {
     for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
-        struct settings settings = {0};
-        struct run_plan plan = {DROP, named(rows[n].name), &settings, 0};
+        struct case_plan plan = {DROP, named(rows[n].name), {0}, 0};
         struct message why = {""};
         struct run run;
 
-        settings_list(&settings, MOST, rows[n].settings);
+        settings_list(&plan.settings, MOST, rows[n].settings);
         const enum status st = run_open(&run, &plan, &why);
         const bool refused = st == STATUS_INPUT || st == STATUS_UNSUPPORTED;
         if (!CHECK(rows[n].sentence ? refused && !run.state : st == STATUS_OK) ||
             !CHECK(!rows[n].sentence || strstr(why.text, rows[n].sentence)))
             printf("  %s, %s: %s\n", rows[n].name, rows[n].settings[0], why.text);
         run_close(&run);
-        settings_clear(&settings);
+        settings_clear(&plan.settings);
     }
     return check_result();
 }

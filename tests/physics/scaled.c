@@ -75,14 +75,13 @@ static void describe(struct settings *set, enum driven by, double t)
 /* Moves the sheet to x; returns in how many frames it touched the ball. */
 static int move(const struct row *row, enum driven by, double unit, double *x)
 {
-    struct settings set = {0};
-    struct run_plan plan = {SCENES "sphere.yaml", named(row->model), &set, 0};
+    struct case_plan plan = {SCENES "sphere.yaml", named(row->model), {0}, 0};
     struct message why = {""};
     struct run run;
     int touched = 0;
 
-    describe(&set, by, unit);
-    set_words(&set, row->settings);
+    describe(&plan.settings, by, unit);
+    set_words(&plan.settings, row->settings);
     if (!CHECK(run_open(&run, &plan, &why) == STATUS_OK)) {
         printf("%s: %s\n", row->model, why.text);
         exit(1);
@@ -95,7 +94,7 @@ static int move(const struct row *row, enum driven by, double unit, double *x)
     }
     model_sample(run.model, run.state, x);
     run_close(&run);
-    settings_clear(&set);
+    settings_clear(&plan.settings);
     return touched;
 }
 

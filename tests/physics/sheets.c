@@ -88,19 +88,19 @@ static const struct meeting {
 /* Reads a sheet of .8 kg/m^2, .5 m x .4 m, on an odd number of rows. */
 static void read_sheet(struct run *run, const struct row *row, const char *damping)
 {
-    struct settings set = {0};
-    struct run_plan plan = {SCENES "ground.yaml", named(row->model), &set, 0};
+    struct case_plan plan = {SCENES "ground.yaml", named(row->model), {0}, 0};
     struct message why = {""};
 
-    set_words(&set, "sheet={length: 0.5, width: 0.4, thickness: 0.004};"
-                    "pose={origin: [0,0,0], u: [1,0,0], v: [0,1,0]};"
-                    "material={young: 1e5, poisson: 0.3, density: 200};obstacles=[];"
-                    "snapshots=[];time={step: 0.005, end: 10};discretization.points=[7,6]");
-    settings_set(&set, damping);
-    set_words(&set, row->settings);
+    set_words(&plan.settings,
+              "sheet={length: 0.5, width: 0.4, thickness: 0.004};"
+              "pose={origin: [0,0,0], u: [1,0,0], v: [0,1,0]};"
+              "material={young: 1e5, poisson: 0.3, density: 200};obstacles=[];"
+              "snapshots=[];time={step: 0.005, end: 10};discretization.points=[7,6]");
+    settings_set(&plan.settings, damping);
+    set_words(&plan.settings, row->settings);
     if (!CHECK(run_read(run, &plan, &why) == STATUS_OK))
         printf("%s\n", why.text);
-    settings_clear(&set);
+    settings_clear(&plan.settings);
 }
 
 /* Adds sheet k as sheet `at` of the scene: each has other axes, and hangs by its end; one
@@ -224,17 +224,17 @@ static void check_modes(const struct row *row)
  */
 static void open_pair(struct run *run, const struct meeting *m, const char *settings)
 {
-    struct settings set = {0};
-    struct run_plan plan = {SCENES "stack.yaml", named(m->model), &set, 0};
+    struct case_plan plan = {SCENES "stack.yaml", named(m->model), {0}, 0};
     struct message why = {""};
 
-    set_words(&set, "sheets=[{origin: [0,0,0.0015]},{origin: [0,0,0.0038]}];snapshots=[];"
-                    "contact={};discretization.points=[7,6]");
-    set_words(&set, settings);
-    set_words(&set, m->settings);
+    set_words(&plan.settings,
+              "sheets=[{origin: [0,0,0.0015]},{origin: [0,0,0.0038]}];snapshots=[];"
+              "contact={};discretization.points=[7,6]");
+    set_words(&plan.settings, settings);
+    set_words(&plan.settings, m->settings);
     if (!CHECK(run_open(run, &plan, &why) == STATUS_OK))
         printf("%s\n", why.text);
-    settings_clear(&set);
+    settings_clear(&plan.settings);
 }
 
 /* Returns the height of the middle of a sheet's point (s, v) = (0.3, 0.6) [m]. */

@@ -192,18 +192,17 @@ static bool has(const struct contestant *c, const char *setting)
 static bool move(const struct contestant *c, const char *scene, const char *settings,
                  enum kind kind, int frames, double (*x)[3])
 {
-    struct settings set = {0};
-    struct run_plan plan = {scene, c, &set, 0};
+    struct case_plan plan = {scene, c, {0}, 0};
     struct message why = {""};
     struct run run;
 
-    set_words(&set, settings);
-    contestant_points(c, 6, 5, &set);
+    set_words(&plan.settings, settings);
+    contestant_points(c, 6, 5, &plan.settings);
     if (!CHECK(run_read(&run, &plan, &why) == STATUS_OK)) {
         printf("%s: %s\n", c->name, why.text);
         exit(1);
     }
-    settings_clear(&set);
+    settings_clear(&plan.settings);
     if (kind < KINDS)
         change(&run.scene, kind);
     const enum status st = run_build(&run, &why);

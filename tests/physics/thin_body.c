@@ -37,9 +37,8 @@ static const struct {
 static void follow(const char *scene, const char *contestant, const char *points,
                    const char *more, const double uvw[3], double x[3])
 {
-    const struct run_keep keep = {.every = 1, .fields = RUN_FIELDS_NONE};
-    struct settings set = {0};
-    struct run_plan plan = {scene, named(contestant), &set, 0};
+    struct case_plan plan = {scene, named(contestant),
+                             .keep = {.every = 1, .fields = RUN_FIELDS_NONE}};
     struct run run = {0};
     struct motion m = {0};
     struct run_file *f;
@@ -48,10 +47,11 @@ static void follow(const char *scene, const char *contestant, const char *points
     char net[64];
 
     snprintf(net, sizeof net, "discretization.points=%s", points);
-    settings_set(&set, net);
+    settings_set(&plan.settings, net);
     if (more)
-        settings_set(&set, more);
-    REQUIRE(run_file_follow(&plan, &keep, false, &run, &m, &f, &why) == STATUS_OK);
+        settings_set(&plan.settings, more);
+    REQUIRE(run_read(&run, &plan, &why) == STATUS_OK);
+    REQUIRE(run_file_follow(&plan, &run, &m, &f, &why) == STATUS_OK);
     run.model->probe(run.state, 1, uvw, x);
     REQUIRE(run_file_close(f, &m, &r, &why) == STATUS_OK);
     const struct message told = r.distrust;
@@ -61,7 +61,7 @@ static void follow(const char *scene, const char *contestant, const char *points
     CHECK(!strstr(told.text, "came through"));
     motion_clear(&m);
     run_close(&run);
-    settings_clear(&set);
+    settings_clear(&plan.settings);
 }
 
 static void check_row(const char *contestant, int spans, const char *points)

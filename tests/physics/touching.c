@@ -59,16 +59,15 @@ static void check_fold(const struct scene *scene, const double *xyz)
 static void check_row(const struct row *row)
 {
     char path[512];
-    struct settings set = {0};
-    struct run_plan plan = {path, named(row->contestant), &set, 0};
+    struct case_plan plan = {path, named(row->contestant), {0}, 0};
     struct message why = {""};
     struct run run;
     struct motion m;
     double *xyz = malloc(GRID_POINTS * 3 * sizeof *xyz);
 
     snprintf(path, sizeof path, SCENES "%s.yaml", row->scene);
-    settings_set(&set, "snapshots=[]");
-    set_words(&set, row->settings);
+    settings_set(&plan.settings, "snapshots=[]");
+    set_words(&plan.settings, row->settings);
     REQUIRE(xyz);
     if (!CHECK(run_open(&run, &plan, &why) == STATUS_OK))
         printf("%s\n", why.text);
@@ -82,7 +81,7 @@ static void check_row(const struct row *row)
         check_fold(&run.scene, xyz);
     motion_clear(&m);
     run_close(&run);
-    settings_clear(&set);
+    settings_clear(&plan.settings);
     free(xyz);
 }
 

@@ -85,7 +85,7 @@ static void set(const struct study *s, struct study_row *row, int time, double *
         if (row->xyz[time] == flat)
             memcpy(xyz, flat, 3 * GRID_POINTS * sizeof *xyz);
         row->xyz[time] = xyz;
-        place(s, &row->run.scene, xyz, c);
+        place(s, &row->result.scene, xyz, c);
     } else if (measure >= 0) {
         row->result.value[measure] = c->value;
     } else if (quantity_table[c->what].moves) {
@@ -214,7 +214,7 @@ static void check_plan(const struct turns *t)
 
     study_make(&made, t->plan);
     REQUIRE((stated = claim_statements(&made.plan)));
-    far = metric_rest_field(&made.r.study[0].row[0].run.scene);
+    far = metric_rest_field(&made.r.study[0].row[0].result.scene);
     REQUIRE(far);
     for (int n = 0; n < GRID_POINTS; n++)
         far[3 * n + 2] += 2;
@@ -296,7 +296,7 @@ static void has_the_papers_rows(void)
         const double scale = strcmp(s->plan->name, "fourfold") ? 1 : 4;
         CHECK(s->plan->level_count == levels[k]);
         for (int n = 0; n < s->plan->level_count; n++) {
-            const struct scene *scene = &s->row[n].run.scene;
+            const struct scene *scene = &s->row[n].result.scene;
             const int row = atoi(dataset_label(s, n, "row")) - 1;
             const struct paper_table4_row *p = &paper_table4[row];
             CHECK(!strcmp(scene->name, dataset_label(s, n, "scene")));

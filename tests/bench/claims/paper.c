@@ -137,8 +137,7 @@ static void net_of(const struct plan *plan, const struct plan_study *s,
     REQUIRE(sscanf(text, "(%d,%d,%d) %dx%dx%d", &by[0], &by[1], &by[2], &to[0], &to[1],
                    &to[2]) == 6);
     REQUIRE(plan_case_level(plan, s, level, false, &c, NULL) == STATUS_OK);
-    const struct run_plan what = plan_case_run(&c);
-    REQUIRE(run_read(&run, &what, NULL) == STATUS_OK);
+    REQUIRE(run_read(&run, &c.run, NULL) == STATUS_OK);
     for (int i = 0; i < 3; i++) {
         const int ours = to[0] == 2 ? (i + 2) % 3 : i;
         CHECK(to[i] == run.discretization.points[ours] &&

@@ -22,9 +22,9 @@ static void check_studies(void)
     for (int quick = 0; quick < 2; quick++) {
         REQUIRE(plan_case_level(&plan, corners, &corners->levels[1], quick, &c, &why) ==
                 STATUS_OK);
-        CHECK(!strcmp(settings_value(&c.settings, "discretization.points"), "[9,9,2]"));
-        CHECK(!settings_value(&c.settings, "time.step") == !quick);
-        CHECK(strstr(c.path, "corners_drop.yaml"));
+        CHECK(!strcmp(settings_value(&c.run.settings, "discretization.points"), "[9,9,2]"));
+        CHECK(!settings_value(&c.run.settings, "time.step") == !quick);
+        CHECK(strstr(c.run.path, "corners_drop.yaml"));
         plan_case_clear(&c);
     }
     plan_clear(&plan);
@@ -101,7 +101,8 @@ static void check_quotes(void)
         const enum status st = s ? plan_case_level(&plan, s, s->levels, false, &c, &why)
                                  : plan_case_open(&plan, 0, &c, &why);
         REQUIRE(st == STATUS_OK);
-        CHECK(strstr(c.path, "edge_drop.yaml") && !strcmp(c.contestant->name, "iga"));
+        CHECK(strstr(c.run.path, "edge_drop.yaml") &&
+              !strcmp(c.run.contestant->name, "iga"));
         plan_case_clear(&c);
         plan_clear(&plan);
     }
@@ -149,7 +150,7 @@ static void check_good(void)
         CHECK(scene.poisson == (n < 6 ? 0.3 : 0.2) && scene.end == 0.5);
         CHECK_RELATIVE(scene_gamma(&scene), gammas[n / 2 % 3], tol_gamma);
         CHECK(scene.damping.value == strtod(dampings[n % 2], NULL));
-        CHECK(scene.young == 1e5 && !strcmp(c.contestant->name, "iga"));
+        CHECK(scene.young == 1e5 && !strcmp(c.run.contestant->name, "iga"));
         scene_clear(&scene);
         plan_case_clear(&c);
     }

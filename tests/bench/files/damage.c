@@ -114,14 +114,13 @@ static enum status read_run(const char *path, struct message *why)
 
 static void make_run(const char *path)
 {
-    struct run_plan plan = {.end = 0.02};
+    struct case_plan plan = {.end = 0.02, .keep = {.file = path, .every = 1}};
     char *scene = NULL;
 
     REQUIRE(contestant_find("iga_linear", &plan.contestant, NULL) == STATUS_OK);
     REQUIRE(scene_file_find("edge_drop", &scene, NULL) == STATUS_OK);
     plan.path = scene;
-    REQUIRE(run_file_write(&plan, &(struct run_keep){.file = path, .every = 1}, NULL,
-                           NULL) == STATUS_OK);
+    REQUIRE(run_file_write(&plan, NULL, NULL) == STATUS_OK);
     free(scene);
 }
 

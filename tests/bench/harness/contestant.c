@@ -44,7 +44,7 @@ static int open_row(const struct contestant *c, const char *setting, struct run 
 
     contestant_points(c, points, points, &s);
     settings_set(&s, setting);
-    if (!CHECK(run_open(run, &(struct run_plan){DROP, c, &s, 0}, &why) == STATUS_OK))
+    if (!CHECK(run_open(run, &(struct case_plan){DROP, c, s, 0}, &why) == STATUS_OK))
         printf("  %s: %s\n", c->name, why.text);
     settings_clear(&s);
     return points;

@@ -80,13 +80,12 @@ static const struct row {
 
 static void check_row(const struct row *row)
 {
-    struct settings set = {0};
-    struct run_plan plan = {row->scene, named(row->contestant), &set, 0};
+    struct case_plan plan = {row->scene, named(row->contestant), {0}, 0};
     struct run run;
     struct message why = {""};
     char has[128];
 
-    set_words(&set, row->settings);
+    set_words(&plan.settings, row->settings);
     REQUIRE(run_open(&run, &plan, &why) == STATUS_OK);
     const struct discretization *d = &run.discretization;
     snprintf(has, sizeof has, "[%d,%d,%d] [%d,%d,%d] %s %s", d->points[0], d->points[1],
@@ -97,7 +96,7 @@ static void check_row(const struct row *row)
         printf("%s, %s, %s: %s; %s\n", row->contestant, row->scene, row->settings, has,
                told);
     run_close(&run);
-    settings_clear(&set);
+    settings_clear(&plan.settings);
 }
 
 int main(void)

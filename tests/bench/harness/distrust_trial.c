@@ -113,35 +113,36 @@ static int choose_times(const struct truth *truth, double time[TIMES])
 /* Follows a drawn run; false: the model refuses it, or it died. */
 static bool follow(struct drawn *d)
 {
-    struct settings set = {0};
     struct scene scene = {0};
     struct truth truth = {0};
     struct message why = {""};
     char *path = NULL;
     double time[TIMES];
+    struct case_plan plan = {.contestant = d->who};
 
     REQUIRE(scene_file_find(d->scene, &path, &why) == STATUS_OK);
-    REQUIRE(truth_plan_scene(path, &set, &scene, &why) == STATUS_OK);
+    REQUIRE(truth_plan_scene(path, &plan.settings, &scene, &why) == STATUS_OK);
     REQUIRE(truth_known(&scene, &truth, &why) == STATUS_OK);
     const int times = choose_times(&truth, time);
     d->at = &scene, d->truth = &truth, d->rest = metric_rest_field(&scene);
     REQUIRE(d->rest && times);
-    contestant_points(d->who, d->points[0], d->points[1], &set);
-    settings_number(&set, "time.step", scene.step / d->divisor);
+    contestant_points(d->who, d->points[0], d->points[1], &plan.settings);
+    settings_number(&plan.settings, "time.step", scene.step / d->divisor);
     if (d->iterations)
-        settings_integer(&set, "discretization.iterations", d->iterations);
-    const struct run_keep keep = {.times = times,
+        settings_integer(&plan.settings, "discretization.iterations", d->iterations);
+    plan.path = path;
+    plan.end = time[times - 1];
+    plan.keep = (struct run_keep){.times = times,
                                   .time = time,
                                   .fields = RUN_FIELDS_NONE,
                                   .intersections = true,
                                   .truth = look,
                                   .context = d};
-    const struct run_plan plan = {path, d->who, &set, time[times - 1]};
-    REQUIRE(run_file_write(&plan, &keep, &d->result, &why) == STATUS_OK);
+    REQUIRE(run_file_write(&plan, &d->result, &why) == STATUS_OK);
     free(d->rest);
     truth_clear(&truth);
     scene_clear(&scene);
-    settings_clear(&set);
+    settings_clear(&plan.settings);
     free(path);
     return d->result.outcome == STATUS_OK;
 }

@@ -38,13 +38,15 @@ static void read_back(bool fields, struct run_result *r)
 }
 
 /* Writes a run and reads it back: the numbers are those that the run itself gave. */
-static void write_run(const struct run_plan *plan, const struct run_keep *keep,
+static void write_run(const struct case_plan *plan, const struct run_keep *keep,
                       struct run_result *r)
 {
     struct run_result back;
     struct message why = {""};
+    struct case_plan c = *plan;
 
-    if (!CHECK(run_file_write(plan, keep, r, &why) == STATUS_OK))
+    c.keep = *keep;
+    if (!CHECK(run_file_write(&c, r, &why) == STATUS_OK))
         printf("  %s\n", why.text);
     if (!keep->file)
         return;
@@ -57,7 +59,7 @@ static void write_run(const struct run_plan *plan, const struct run_keep *keep,
 /* The scripted model on its frames of 5 ms, and what its file says. */
 static void write_script(double end, const struct run_keep *keep, struct run_result *r)
 {
-    write_run(&(struct run_plan){DROP, &scripted, NULL, end}, keep, r);
+    write_run(&(struct case_plan){DROP, &scripted, {0}, end}, keep, r);
 }
 
 /* Twice without a file, with one, fields kept and not, and read back: 40 frames, looks at
@@ -66,8 +68,8 @@ static void test_same_bits(void)
 {
     static const int frames[] = {1, 8, 0};
     const double time[] = {0.1}; /* no multiple of the looks */
-    struct settings s = LIST("discretization.points=[6,6,2]");
-    struct run_plan plan = {DROP, named("iga_paper"), &s, 0.2};
+    struct case_plan plan = {DROP, named("iga_paper"),
+                             LIST("discretization.points=[6,6,2]"), 0.2};
     struct run_keep keep = {
         .every = 7, .times = 1, .time = time, .intersections = true, .doubles = true};
     struct run_result first, other, back;
@@ -102,7 +104,7 @@ static void test_same_bits(void)
         run_result_clear(&back);
     }
     free(seen);
-    settings_clear(&s);
+    settings_clear(&plan.settings);
 }
 
 /* A sheet that has come to rest on the ground is carried by it; one that hangs is by
@@ -114,12 +116,12 @@ static void test_load(void)
     const struct run_keep keep = {.file = file, .every = 1};
     struct run_result r;
 
-    write_run(&(struct run_plan){SCENES "ground.yaml", named("mass_spring"), &s, 0}, &keep,
+    write_run(&(struct case_plan){SCENES "ground.yaml", named("mass_spring"), s, 0}, &keep,
               &r);
     CHECK_NEAR(r.value[MEASURE_LOAD_END], 1, AT_REST);
     CHECK(r.value[MEASURE_LOAD_MAX] > 1.5);           /* it fell */
     CHECK(isnan(r.value[MEASURE_INTERSECTIONS_MAX])); /* not asked for */
-    write_run(&(struct run_plan){DROP, named("iga_paper"), NULL, 0.05}, &keep, &r);
+    write_run(&(struct case_plan){DROP, named("iga_paper"), {0}, 0.05}, &keep, &r);
     CHECK(isnan(r.value[MEASURE_LOAD_END]) && isnan(r.value[MEASURE_ENERGY_DRIFT_MAX]));
     settings_clear(&s);
 }
@@ -199,10 +201,9 @@ static void test_times(void)
 static void test_rest(void)
 {
     const struct measurement_options options = {.again = true};
-    struct measurement_case c = {.plan = {DROP, &scripted, NULL, 0},
-                                 .keep = {.file = file},
-                                 .rest = true,
-                                 .repeats = 2};
+    struct case_plan c = {
+        DROP,         &scripted,   .timed = CASE_FAIR, .keep = {.file = file},
+        .rest = true, .repeats = 2};
     struct run_result r;
 
     script_reset();
@@ -235,10 +236,10 @@ static void test_refusals(void)
     struct run_result r, timed;
 
     for (int n = 0; n < LENGTH(want); n++) {
-        struct settings s = LIST(want[n].setting);
-        struct measurement_case c = {.plan = {DROP, named(want[n].contestant), &s, 0.05},
-                                     .keep = {.file = file, .every = 5}};
-        write_run(&c.plan, &c.keep, &r);
+        struct case_plan c = {
+            DROP, named(want[n].contestant), LIST(want[n].setting),
+            0.05, .timed = CASE_FAIR,        .keep = {.file = file, .every = 5}};
+        write_run(&c, &c.keep, &r);
         CHECK(r.outcome == want[n].status && run_result_refused(&r));
         CHECK(isnan(r.value[MEASURE_STRETCH_MAX]) && isnan(r.value[MEASURE_BLOWUP_TIME]));
         CHECK(isnan(r.death_time) && r.value[MEASURE_GAMMA] > 0 && r.steps == 0);
@@ -251,7 +252,7 @@ static void test_refusals(void)
             CHECK(!strcmp(timed.sentence.text, r.sentence.text));
             run_result_clear(&timed);
         }
-        settings_clear(&s);
+        settings_clear(&c.settings);
     }
     script_reset(); /* a death before the first frame */
     script.create = STATUS_INDEFINITE;
@@ -264,25 +265,26 @@ static void test_failures(void)
 {
     struct settings s = LIST("discretization.degree=[9,9,1]");
     const struct {
-        struct run_plan plan;
+        struct case_plan plan;
         enum status create, death, want;
         const char *file;
-    } row[] = {{{DROP, named("iga"), &s, 0}, 0, 0, STATUS_INPUT, file},
-               {{"/proc/nowhere.yaml", named("iga"), NULL, 0}, 0, 0, STATUS_FILE, file},
-               {{DROP, &scripted, NULL, 0}, STATUS_MEMORY, 0, STATUS_MEMORY, file},
+    } row[] = {{{DROP, named("iga"), s, 0}, 0, 0, STATUS_INPUT, file},
+               {{"/proc/nowhere.yaml", named("iga"), {0}, 0}, 0, 0, STATUS_FILE, file},
+               {{DROP, &scripted, {0}, 0}, STATUS_MEMORY, 0, STATUS_MEMORY, file},
                /* no death, a failure */
-               {{DROP, &scripted, NULL, 0}, 0, STATUS_LIBRARY, STATUS_LIBRARY, file},
-               {{DROP, &scripted, NULL, 0}, 0, 0, STATUS_FILE, "/proc/no/run.h5"}};
+               {{DROP, &scripted, {0}, 0}, 0, STATUS_LIBRARY, STATUS_LIBRARY, file},
+               {{DROP, &scripted, {0}, 0}, 0, 0, STATUS_FILE, "/proc/no/run.h5"}};
     struct run_result r;
 
     unlink(file);
     unlink(view);
     for (int n = 0; n < LENGTH(row); n++) {
-        const struct run_keep keep = {.file = row[n].file, .every = 1};
+        struct case_plan c = row[n].plan;
+        c.keep = (struct run_keep){.file = row[n].file, .every = 1};
         script_reset();
         script.create = row[n].create;
         script.dies = 3 * (row[n].death != STATUS_OK), script.death = row[n].death;
-        CHECK(run_file_write(&row[n].plan, &keep, &r, NULL) == row[n].want);
+        CHECK(run_file_write(&c, &r, NULL) == row[n].want);
         CHECK(access(file, F_OK) != 0 && access(view, F_OK) != 0);
     }
     CHECK(run_result_read(file, true, &r, NULL) == STATUS_FILE);
@@ -298,7 +300,7 @@ static void check_told(const struct run_result *r, enum status death, int frame)
     CHECK(r->value[MEASURE_BLOWUP_TIME] == r->death_time);
 }
 
-static void check_death(const struct run_plan *plan, enum status death, int frame)
+static void check_death(const struct case_plan *plan, enum status death, int frame)
 {
     const double late[] = {0.4, 0.5};
     struct run_keep keep = {.times = 2, .time = late};
@@ -315,8 +317,10 @@ static void check_death(const struct run_plan *plan, enum status death, int fram
                 : isnan(r.value[MEASURE_END_TIME]));
     }
     keep.file = file;
-    struct measurement_case c = {
-        .plan = *plan, .keep = keep, .timed = MEASUREMENT_WHOLE, .repeats = 1};
+    struct case_plan c = *plan;
+    c.keep = keep;
+    c.timed = CASE_WHOLE;
+    c.repeats = 1;
     REQUIRE(measurement_run(&quick, 1, &c, NULL) == STATUS_OK);
     read_back(false, &r);
     check_told(&r, death, frame);
@@ -331,9 +335,9 @@ static void test_deaths(void)
         LIST("material.young=5e4", "material.density=0.1", "damping.value=0.9");
 
     check_death(
-        &(struct run_plan){SCENES "corners_drop.yaml", named("iga_paper"), &undamped, 0},
+        &(struct case_plan){SCENES "corners_drop.yaml", named("iga_paper"), undamped, 0},
         STATUS_ESCAPED, 36);
-    check_death(&(struct run_plan){DROP, named("iga_paper"), &row7, 0.5}, STATUS_INVERTED,
+    check_death(&(struct case_plan){DROP, named("iga_paper"), row7, 0.5}, STATUS_INVERTED,
                 53);
     settings_clear(&undamped);
     settings_clear(&row7);
@@ -352,11 +356,11 @@ struct array {
 static enum status read_with(int count, const struct array *arrays, const char *key,
                              const char *text, struct run_result *r, struct message *why)
 {
-    const struct run_keep keep = {.file = file, .every = 5, .fields = RUN_FIELDS_NONE};
-    const struct run_plan plan = {DROP, &scripted, NULL, 0.1};
+    const struct case_plan c = {
+        DROP, &scripted, {0}, 0.1, {.file = file, .every = 5, .fields = RUN_FIELDS_NONE}};
 
     script_reset();
-    REQUIRE(run_file_write(&plan, &keep, NULL, NULL) == STATUS_OK);
+    REQUIRE(run_file_write(&c, NULL, NULL) == STATUS_OK);
     hid_t id = H5Fopen(file, H5F_ACC_RDWR, H5P_DEFAULT);
     REQUIRE(id >= 0);
     for (int n = 0; n < count; n++) {
@@ -485,15 +489,18 @@ static void test_truth(void)
 {
     static const double want[LOOKS_TRUTH][3] = {{0, 5, 10}, {7, 7, 7}};
     double context = 7;
-    const struct run_keep keep = {.file = file,
-                                  .every = 10,
-                                  .fields = RUN_FIELDS_NONE,
-                                  .truth = look,
-                                  .context = &context};
+    const struct case_plan c = {DROP,
+                                &scripted,
+                                {0},
+                                0.1,
+                                {.file = file,
+                                 .every = 10,
+                                 .fields = RUN_FIELDS_NONE,
+                                 .truth = look,
+                                 .context = &context}};
 
     script_reset();
-    REQUIRE(run_file_write(&(struct run_plan){DROP, &scripted, NULL, 0.1}, &keep, NULL,
-                           NULL) == STATUS_OK);
+    REQUIRE(run_file_write(&c, NULL, NULL) == STATUS_OK);
     for (int n = 0; n < LOOKS_TRUTH; n++) {
         char name[64];
         snprintf(name, sizeof name, "metrics/%s", looks_truth[n]);

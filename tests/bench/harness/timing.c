@@ -24,7 +24,7 @@ static struct run read_run(int letter)
 
     settings_integers(&s, "discretization.points", 3,
                       (const int[]){letter - 'A' + 2, 2, 1});
-    REQUIRE(run_read(&run, &(struct run_plan){DROP, &scripted, &s, 0.1}, NULL) ==
+    REQUIRE(run_read(&run, &(struct case_plan){DROP, &scripted, s, 0.1}, NULL) ==
             STATUS_OK);
     settings_clear(&s);
     return run;
@@ -166,25 +166,27 @@ static void check_seconds(const char *path, int repeats, int frames)
 static void test_measurement(void)
 {
     static const struct {
-        enum measurement_frames timed;
+        enum case_timed timed;
         int repeats, columns;
         const char *scene;
         bool newton;
-    } want[] = {{MEASUREMENT_SOME, 9, 7, DROP, false},
-                {MEASUREMENT_WHOLE, 9, 9, DROP, false},
-                {MEASUREMENT_FAIR, 9, 7, DROP, false},
-                {MEASUREMENT_FAIR, 9, 9, DROP, true},
-                {MEASUREMENT_FAIR, 9, 9, SCENES "ground.yaml", false},
-                {MEASUREMENT_SOME, 9, 7, DROP, true},
-                {MEASUREMENT_UNTIMED, 1, 10, DROP, false}};
+    } want[] = {{CASE_SOME, 9, 7, DROP, false},
+                {CASE_WHOLE, 9, 9, DROP, false},
+                {CASE_FAIR, 9, 7, DROP, false},
+                {CASE_FAIR, 9, 9, DROP, true},
+                {CASE_FAIR, 9, 9, SCENES "ground.yaml", false},
+                {CASE_SOME, 9, 7, DROP, true},
+                {CASE_UNTIMED, 1, 10, DROP, false}};
     struct settings newton = LIST("discretization.kinematics=nonlinear");
 
     for (int n = 0; n < LENGTH(want); n++) {
         const char *path = scratch_path("run.h5");
-        struct measurement_case c = {
-            .plan = {want[n].scene, &scripted, want[n].newton ? &newton : NULL, 0.1},
-            .keep = {.file = path},
-            .timed = want[n].timed};
+        struct case_plan c = {want[n].scene,
+                              &scripted,
+                              want[n].newton ? newton : (struct settings){0},
+                              0.1,
+                              .keep = {.file = path},
+                              .timed = want[n].timed};
         struct message why = {""};
         script_reset();
         script.escapes = 10;
@@ -209,15 +211,17 @@ static void test_together(void)
     const char *const path[] = {scratch_path("first.h5"), scratch_path("second.h5")};
     const double time[] = {0.005, 0.01, 0.015};
     const struct measurement_options options = {.quick = true};
-    struct measurement_case c[2];
+    struct case_plan c[2];
     struct run_result r;
 
     for (int n = 0; n < 2; n++)
-        c[n] = (struct measurement_case){
-            .plan = {DROP, &scripted, NULL, 0.05 * (n + 1)},
-            .keep = {.file = path[n], .times = n + 2, .time = time},
-            .timed = n ? MEASUREMENT_SOME : MEASUREMENT_WHOLE,
-            .repeats = n};
+        c[n] = (struct case_plan){DROP,
+                                  &scripted,
+                                  {0},
+                                  0.05 * (n + 1),
+                                  .keep = {.file = path[n], .times = n + 2, .time = time},
+                                  .timed = n ? CASE_SOME : CASE_WHOLE,
+                                  .repeats = n};
     script_reset();
     REQUIRE(measurement_run(&options, 2, c, NULL) == STATUS_OK);
     for (int n = 0; n < 2; n++) {
@@ -241,17 +245,19 @@ static void test_untimed(void)
     enum { COUNT = 3 };
     char name[COUNT][32];
     const struct measurement_options options = {0};
-    struct measurement_case c[COUNT];
+    struct case_plan c[COUNT];
     struct message why = {""};
     struct run_result r;
 
     for (int n = 0; n < COUNT; n++) {
         snprintf(name[n], sizeof name[n], "untimed%d.h5", n);
-        c[n] = (struct measurement_case){.plan = {DROP, &scripted, NULL, 0.05 * (n + 1)},
-                                         .keep = {.file = scratch_path(name[n])},
-                                         .timed = n == 2 ? MEASUREMENT_WHOLE
-                                                         : MEASUREMENT_UNTIMED,
-                                         .repeats = n == 2};
+        c[n] = (struct case_plan){DROP,
+                                  &scripted,
+                                  {0},
+                                  0.05 * (n + 1),
+                                  .keep = {.file = scratch_path(name[n])},
+                                  .timed = n == 2 ? CASE_WHOLE : CASE_UNTIMED,
+                                  .repeats = n == 2};
     }
     script_reset();
     timing_alone();
@@ -325,7 +331,7 @@ static void test_phases(void)
     struct settings s = LIST("discretization.points=[3,3,2]");
     struct run run;
 
-    REQUIRE(run_open(&run, &(struct run_plan){DROP, named("iga_linear"), &s, 0}, NULL) ==
+    REQUIRE(run_open(&run, &(struct case_plan){DROP, named("iga_linear"), s, 0}, NULL) ==
             STATUS_OK);
     for (int phase = 0; phase < BENCH_SOLID_FRAME; phase++) {
         double seconds[] = {NAN, NAN, NAN, -1};

@@ -162,15 +162,14 @@ static const struct row {
 
 static void read_row(const char *contestant, const char *settings, struct run *run)
 {
-    struct settings set = {0};
-    struct run_plan plan = {"edge_drop", named(contestant), &set, 0};
+    struct case_plan plan = {"edge_drop", named(contestant), {0}, 0};
     struct message why = {""};
 
-    settings_set(&set, "snapshots=[]");
-    set_words(&set, settings);
+    settings_set(&plan.settings, "snapshots=[]");
+    set_words(&plan.settings, settings);
     if (!CHECK(run_read(run, &plan, &why) == STATUS_OK))
         printf("%s\n", why.text);
-    settings_clear(&set);
+    settings_clear(&plan.settings);
 }
 
 /* A rule is told by the beginning of its sentence, and with its source. */
@@ -246,14 +245,15 @@ static void check_doubts(void)
     };
 
     for (int n = 0; n < LENGTH(runs); n++) {
-        struct settings set = LIST("damping={kind: none}", "snapshots=[]", "time.end=0.1");
-        struct run_plan plan = {"edge_drop", named("projective_dynamics"), &set, 0};
+        struct case_plan plan = {
+            "edge_drop", named("projective_dynamics"),
+            LIST("damping={kind: none}", "snapshots=[]", "time.end=0.1"), 0};
         struct message line = {""};
         struct run run;
         struct motion m;
         double time = NAN, share = 0;
 
-        set_words(&set, runs[n].settings);
+        set_words(&plan.settings, runs[n].settings);
         REQUIRE(run_open(&run, &plan, NULL) == STATUS_OK);
         REQUIRE(motion_init(&m, run.model, &run.scene, run.state) == STATUS_OK);
         REQUIRE(motion_run(&m, NULL, NULL, true, NULL) == STATUS_OK);
@@ -267,7 +267,7 @@ static void check_doubts(void)
             printf("row %d: '%s'\n", n, line.text);
         motion_clear(&m);
         run_close(&run);
-        settings_clear(&set);
+        settings_clear(&plan.settings);
     }
 }
 
@@ -368,12 +368,11 @@ static void check_prescribed(void)
 
     for (int n = 0; n < LENGTH(scenes); n++)
         for (int more = 0; more < 2; more++) {
-            struct settings set = {0};
-            struct run_plan plan = {"edge_drop", named("iga"), &set, 0};
+            struct case_plan plan = {"edge_drop", named("iga"), {0}, 0};
             double value[MEASURES];
             struct message said;
             struct run run;
-            set_words(&set, scenes[n].settings);
+            set_words(&plan.settings, scenes[n].settings);
             REQUIRE(run_read(&run, &plan, NULL) == STATUS_OK && run.scene.length == 1);
             fill_value(value);
             value[MEASURE_STRETCH_MAX] = scenes[n].most * (more ? 1.01 : 0.99);
@@ -381,7 +380,7 @@ static void check_prescribed(void)
                 printf("%s, stretch %g: '%s'\n", scenes[n].settings,
                        value[MEASURE_STRETCH_MAX], said.text);
             run_close(&run);
-            settings_clear(&set);
+            settings_clear(&plan.settings);
         }
 }
 
@@ -442,8 +441,7 @@ static void check_fields(void)
     } fields[] = {{1.29, 1, ""},
                   {1.31, 1, "stretched to 1.31"},
                   {1, 0.5, "through itself from 0.2 s"}};
-    struct settings set = {0};
-    struct run_plan plan = {"edge_drop", named("iga"), &set, 0};
+    struct case_plan plan = {"edge_drop", named("iga"), {0}, 0};
     double *xyz[2] = {malloc(3 * GRID_POINTS * sizeof **xyz),
                       malloc(3 * GRID_POINTS * sizeof **xyz)};
     const double time[] = {0.1, 0.2};

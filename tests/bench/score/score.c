@@ -93,21 +93,20 @@ static FILE *begin(const char *name)
 /* Runs edge_drop to 0.5 s, with settings until NULL. */
 static void run_to(int every, const char *const *given)
 {
-    const struct run_keep keep = {
-        .file = "run.h5", .every = every, .fields = RUN_FIELDS_ALL, .doubles = true};
-    struct run_plan plan = {.path = "edge_drop"};
-    struct settings settings = {0};
+    struct case_plan plan = {
+        .path = "edge_drop",
+        .keep = {
+            .file = "run.h5", .every = every, .fields = RUN_FIELDS_ALL, .doubles = true}};
     struct message why = {""};
 
-    plan.settings = &settings;
-    settings_set(&settings, "discretization.points=[21,21]");
-    settings_set(&settings, "damping={kind: none}");
-    settings_set(&settings, "time.end=0.5");
-    settings_list(&settings, 3, given);
+    settings_set(&plan.settings, "discretization.points=[21,21]");
+    settings_set(&plan.settings, "damping={kind: none}");
+    settings_set(&plan.settings, "time.end=0.5");
+    settings_list(&plan.settings, 3, given);
     REQUIRE(contestant_find("triangles_explicit", &plan.contestant, &why) == STATUS_OK);
-    if (!CHECK(run_file_write(&plan, &keep, NULL, &why) == STATUS_OK))
+    if (!CHECK(run_file_write(&plan, NULL, &why) == STATUS_OK))
         printf("%s\n", why.text);
-    settings_clear(&settings);
+    settings_clear(&plan.settings);
 }
 
 /* Sheets of other E, h and rho. */

@@ -100,9 +100,9 @@ static void test_plans(void)
         REQUIRE(want[k].part->plan(&b, NULL) == STATUS_OK);
         CHECK(b.batch.count >= 2);
         for (int n = 0; n < b.batch.count; n++) {
-            const struct measurement_case *c = &b.batch.cases[n];
-            CHECK(c->plan.end == want[k].end && c->phases == !want[k].whole);
-            CHECK(c->timed == (want[k].whole ? MEASUREMENT_WHOLE : MEASUREMENT_SOME));
+            const struct case_plan *c = &b.batch.cases[n];
+            CHECK(c->end == want[k].end && c->phases == !want[k].whole);
+            CHECK(c->timed == (want[k].whole ? CASE_WHOLE : CASE_SOME));
         }
         batch_clear(&b.batch);
     }

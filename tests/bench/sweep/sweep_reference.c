@@ -75,14 +75,17 @@ static void make_case(const struct sweep_folder *folder, const struct plan *plan
     script.dies = cases[n].kind == DIES ? 2 : 0;
     script.death = STATUS_NAN;
     script.create = cases[n].kind == REFUSES ? STATUS_UNSUPPORTED : STATUS_OK;
-    settings_set(&c.settings, "discretization.points=[4,4]");
+    settings_set(&c.run.settings, "discretization.points=[4,4]");
     sweep_folder_file(folder, n, "h5", path);
     if (cases[n].kind < FAILED || cases[n].kind == DAMAGED)
-        REQUIRE(
-            run_file_write(&(struct run_plan){c.path, &contestant, &c.settings, 0},
-                           &(struct run_keep){
-                               .file = path, .times = 3, .time = times, .doubles = true},
-                           NULL, NULL) == STATUS_OK);
+        REQUIRE(run_file_write(
+                    &(struct case_plan){
+                        c.run.path,
+                        &contestant,
+                        c.run.settings,
+                        0,
+                        {.file = path, .times = 3, .time = times, .doubles = true}},
+                    NULL, NULL) == STATUS_OK);
     if (cases[n].kind == DAMAGED)
         REQUIRE(truncate(path, 4000) == 0);
     plan_case_clear(&c);
@@ -108,7 +111,7 @@ static void check_errors(void)
     REQUIRE(sweep_rows_check(&plan, NULL) == STATUS_OK);
     for (int n = 0; n < CASES; n++)
         make_case(&folder, &plan, n);
-    REQUIRE(sweep_rows_read(&rows, &plan, &folder, NULL) == STATUS_OK);
+    REQUIRE(sweep_rows_read(&rows, &plan, &folder) == STATUS_OK);
     REQUIRE(rows.count == CASES);
     for (int n = 0; n < CASES; n++) {
         const double is = rows.row[n].value[MEASURE_REFERENCE_ERROR_MAX];

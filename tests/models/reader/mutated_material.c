@@ -137,8 +137,7 @@ static bool is_read(const char *text)
 static void move(const char *text, const char *model)
 {
     char material[ROOM + 16];
-    struct settings settings = {0};
-    struct run_plan plan = {.path = "edge_drop", .settings = &settings};
+    struct case_plan plan = {.path = "edge_drop"};
     struct run run;
     struct message why = {""};
     struct counters work = {0};
@@ -146,7 +145,7 @@ static void move(const char *text, const char *model)
 
     snprintf(material, sizeof material, "material=%s", text);
     REQUIRE(contestant_find(model, &plan.contestant, NULL) == STATUS_OK);
-    settings_list(&settings, 3,
+    settings_list(&plan.settings, 3,
                   (const char *const[]){material, "discretization.points=[5,5]",
                                         "time={step: 0.001, end: 0.01}"});
     enum status st = run_read(&run, &plan, &why);
@@ -162,7 +161,7 @@ static void move(const char *text, const char *model)
     } else if (run.state)
         CHECK(status_is_death(st));
     run_close(&run);
-    settings_clear(&settings);
+    settings_clear(&plan.settings);
 }
 
 int main(int argc, char **argv)

@@ -237,8 +237,7 @@ int main(int argc, char **argv)
     atomic_file_catch_signals();
 
     enum status st = run(argc - 1, argv + 1, &why);
-    if (table_json_close() != STATUS_OK && st == STATUS_OK)
-        st = STATUS_MEMORY;
+    table_json_close();
     enum status written = output_close_standard(&lost);
     if (written != STATUS_OK && (st == STATUS_OK || !*why.text)) {
         st = written;

@@ -550,17 +550,17 @@ CASES = [("tip, h/L = 1e-2", ["thin_2"]), ("h/L = 1e-5", ["thin_5"]),
          ("hung from two corners", ["two_corners"])]
 
 def ends():
-    """{(case, model): (end, error)}"""
-    return {(r["case"], r["model"]): (r["end"], number(r["error"]))
-            for r in part("stress", "How each run ended", "in_words")}
+    """{(case, contestant): (verdict, error)}"""
+    return {(r["check"], r["contestant"]): (r["verdict"], number(r["error"]))
+            for r in part("stress", "", "until_s")}
 
 def end_of(runs):
     """The worst of some ends, in a word."""
-    worst = max(runs, key=lambda r: (["accurate", "refused", "degraded"].index(r[0])
+    worst = max(runs, key=lambda r: (["met", "not applicable", "MISSED"].index(r[0])
                                      if r[0] != "died" else 3))
     far = worst[1] > 1
-    return {"accurate": "ok", "degraded": "off" if far else f"off {percent(100 * worst[1])}",
-            }.get(worst[0], worst[0])
+    return {"met": "ok", "MISSED": "off" if far else f"off {percent(100 * worst[1])}",
+            "not applicable": "refused"}.get(worst[0], worst[0])
 
 def stress():
     whole("stress")
@@ -568,8 +568,8 @@ def stress():
     rows = [[title] + [end_of([all_ends[c, model] for c in cases]) for _, model in STRESS]
             for title, cases in CASES]
     cases = sorted({c for c, _ in all_ends})
-    rows.append([f"accurate, of {len(cases)} cases"] +
-                [str(sum(all_ends[c, model][0] == "accurate" for c in cases))
+    rows.append([f"met, of {len(cases)} cases"] +
+                [str(sum(all_ends[c, model][0] == "met" for c in cases))
                  for _, model in STRESS])
     return markdown([""] + [title for title, _ in STRESS], rows)
 

@@ -37,14 +37,18 @@ static void pending_remove(char *name)
     }
 }
 
-/* Removes the pending files; calls only what a signal handler may call. */
-static void remove_pending(int signal_number)
+void atomic_file_remove_all(void)
 {
     for (int i = 0; i < PENDING_MAX; i++) {
         char *name = pending[i].name;
         if (name && pending[i].owner == getpid())
             unlink(name);
     }
+}
+
+static void remove_pending(int signal_number)
+{
+    atomic_file_remove_all();
     raise(signal_number); /* SA_RESETHAND: the default action now ends the process */
 }
 

@@ -31,6 +31,10 @@ enum status atomic_file_commit(struct atomic_file *a, struct message *why);
 /* Removes the temporary file and clears *a; all-zero is allowed. */
 void atomic_file_discard(struct atomic_file *a);
 
+/* Removes the temporary files of this process, which is about to end; calls only what a
+ * signal handler may call. */
+void atomic_file_remove_all(void);
+
 /* Makes SIGINT, SIGTERM and SIGHUP remove the temporary files of this process before they
  * end it. Signals that are ignored stay so. Call once, early in main. */
 void atomic_file_catch_signals(void);

@@ -39,11 +39,6 @@ static enum status read_text(const char *path, char **text, size_t *size,
         TRY(status_fail(why, STATUS_INPUT, "%s: longer than 64 MB", path));
     if (*size && !(*text)[*size - 1])
         TRY(status_fail(why, STATUS_INPUT, "%s: has a byte 0 and is no text", path));
-    if (!*size) {
-        free(*text);
-        *text = calloc(1, 1);
-        TRY(*text ? STATUS_OK : STATUS_MEMORY);
-    }
 out:
     fclose(file);
     return st;
@@ -104,31 +99,14 @@ static bool take_cell(struct reader *r, char **cell, char *after)
     return !quoted;
 }
 
-/* Appends a cell to the table, whose room doubles. */
-static enum status keep_cell(struct csv_table *t, size_t count, char *cell)
-{
-    if ((count & (count - 1)) == 0) { /* empty or full */
-        char **more = realloc(t->cell, (count ? 2 * count : 1) * sizeof *more);
-        if (!more)
-            return STATUS_MEMORY;
-        t->cell = more;
-    }
-    t->cell[count] = cell;
-    return STATUS_OK;
-}
-
-static enum status start_table(struct reader *r)
+static void start_table(struct reader *r)
 {
     struct csv *c = r->csv;
-    struct csv_table *more = realloc(c->table, (size_t)(c->count + 1) * sizeof *more);
 
-    if (!more)
-        return STATUS_MEMORY;
-    c->table = more;
-    r->table = &more[c->count++];
+    c->table = arena_more(&c->arena, c->table, (size_t)c->count, sizeof *c->table);
+    r->table = &c->table[c->count++];
     *r->table = (struct csv_table){.caption = r->caption, .notes = r->end, .rows = -1};
     r->caption = r->end;
-    return STATUS_OK;
 }
 
 /* Takes a line of cells; the first one of a table has its keys. */
@@ -140,7 +118,7 @@ static enum status take_row(struct reader *r, struct message *why)
     enum status st = STATUS_OK;
 
     if (!r->table)
-        TRY(start_table(r));
+        start_table(r);
     struct csv_table *t = r->table;
     const bool keys = t->rows < 0;
     const size_t before = (size_t)(t->rows + 1) * (size_t)t->columns;
@@ -148,8 +126,11 @@ static enum status take_row(struct reader *r, struct message *why)
         if (!take_cell(r, &cell, &after))
             TRY(status_fail(why, STATUS_INPUT, "%s, line %d: a quote has no end", r->path,
                             line));
-        if (keys || count < t->columns)
-            TRY(keep_cell(t, before + (size_t)count, cell));
+        if (keys || count < t->columns) {
+            const size_t at = before + (size_t)count;
+            t->cell = arena_more(&r->csv->arena, t->cell, at, sizeof *t->cell);
+            t->cell[at] = cell;
+        }
         count++;
     } while (after == ',');
     r->line++;
@@ -165,13 +146,17 @@ out:
 enum status csv_read(const char *path, struct csv *csv, struct message *why)
 {
     struct reader r = {.path = path, .csv = csv, .line = 1};
+    char *text = NULL;
     size_t size = 0;
     enum status st;
 
     *csv = (struct csv){0};
-    TRY(read_text(path, &csv->bytes, &size, why));
-    r.at = csv->bytes;
-    r.caption = r.end = csv->bytes + size;
+    st = read_text(path, &text, &size, why);
+    if (text)
+        arena_keep(&csv->arena, text);
+    TRY(st);
+    r.at = text && size ? text : arena_take(&csv->arena, 1, 1);
+    r.caption = r.end = r.at + size;
     while (*r.at)
         if (*r.at == '\n') {
             r.table = NULL;
@@ -189,10 +174,7 @@ out:
 
 void csv_clear(struct csv *csv)
 {
-    for (int n = 0; n < csv->count; n++)
-        free(csv->table[n].cell);
-    free(csv->table);
-    free(csv->bytes);
+    arena_clear(&csv->arena);
     *csv = (struct csv){0};
 }
 

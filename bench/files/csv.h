@@ -5,19 +5,20 @@
 #ifndef CSV_H
 #define CSV_H
 
+#include "bench/files/arena.h"
 #include "models/status.h"
 
 struct csv_table {
     char *caption;     /* lines; "": none                                            */
     char *notes;       /* lines; "": none                                            */
     int columns, rows; /* columns >= 1                                               */
-    char **cell;       /* [1 + rows][columns], the keys first                  owned */
+    char **cell;       /* [1 + rows][columns], the keys first                        */
 };
 
 struct csv {
-    char *bytes; /* memory of all strings                                      owned */
     int count;
-    struct csv_table *table; /* [count]                                        owned */
+    struct csv_table *table; /* [count]                                              */
+    struct arena arena;      /* of tables, cells and all strings               owned */
 };
 
 /* Reads a file. STATUS_FILE: it cannot be read; STATUS_INPUT: too long, a byte 0, a quote

@@ -1,10 +1,8 @@
-#define _GNU_SOURCE /* asprintf */
 #include "bench/files/folder.h"
 
 #include <dirent.h>
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -61,10 +59,8 @@ enum status folder_aside_open(const char *path, struct folder_aside *f, struct m
     TRY(check_free(path, why));
     while (size > 1 && path[size - 1] == '/')
         size--;
-    if (asprintf(&f->temporary, "%.*s.%ld.part", (int)size, path, (long)getpid()) < 0)
-        f->temporary = NULL;
-    f->path = strndup(path, size);
-    TRY(f->path && f->temporary ? STATUS_OK : STATUS_MEMORY);
+    f->temporary = arena_print(&f->arena, "%.*s.%ld.part", (int)size, path, (long)getpid());
+    f->path = arena_print(&f->arena, "%.*s", (int)size, path);
     if (folder_make(f->temporary, NULL) != STATUS_OK)
         TRY(status_fail(why, STATUS_FILE, "%s: cannot be made: %s", path, strerror(errno)));
 out:
@@ -100,7 +96,6 @@ void folder_aside_discard(struct folder_aside *f)
 {
     if (f->temporary)
         remove_files(f->temporary);
-    free(f->path);
-    free(f->temporary);
+    arena_clear(&f->arena);
     *f = (struct folder_aside){0};
 }

@@ -2,6 +2,7 @@
 #ifndef FOLDER_H
 #define FOLDER_H
 
+#include "bench/files/arena.h"
 #include "models/status.h"
 
 /* Makes a folder and those it is in, like mkdir -p. STATUS_FILE with a sentence. */
@@ -10,8 +11,9 @@ enum status folder_make(const char *path, struct message *why);
 /* A folder that is written under a temporary name and renamed at the end: it appears with
  * all of its files, or not at all. */
 struct folder_aside {
-    char *path;      /* the wanted name                                        owned   */
-    char *temporary; /* where to put the files                                 owned   */
+    char *path;         /* the wanted name                                             */
+    char *temporary;    /* where to put the files                                      */
+    struct arena arena; /* of both                                              owned  */
 };
 
 /* Makes it, and the folders that it is in. STATUS_INPUT with a sentence: there is something

@@ -10,6 +10,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "bench/files/arena.h"
 #include "bench/files/atomic_file.h"
 #include "bench/files/hdf5_file.h"
 #include "bench/files/provenance.h"
@@ -47,8 +48,9 @@ enum { SERIES = sizeof series / sizeof *series };
 struct store {
     struct atomic_file target;
     hid_t file, xyz;
-    int frames, fields, room;
-    double *series[SERIES]; /* [room] each    owned; written at the end                  */
+    int frames, fields;
+    double *series[SERIES]; /* [frames] each, written at the end                         */
+    struct arena arena;     /* of these                                           owned  */
     int sheets;
     bool single, packed;
     enum status outcome;
@@ -168,11 +170,11 @@ enum status store_create(const char *path, const struct store_run *run,
                          struct store **store, struct message *why)
 {
     enum status st = STATUS_OK;
-    struct store *s = calloc(1, sizeof *s);
+    struct arena arena = {0};
+    struct store *s = arena_take(&arena, 1, sizeof *s);
 
-    if (!s)
-        return STATUS_MEMORY;
     hdf5_file_start();
+    s->arena = arena;
     s->file = s->xyz = H5I_INVALID_HID;
     s->sheets = scene_sheets(run->scene);
     s->single = run->single;
@@ -193,21 +195,6 @@ enum status store_create(const char *path, const struct store_run *run,
 out:
     store_discard(s);
     return st;
-}
-
-static enum status make_room(struct store *s)
-{
-    if (s->frames < s->room)
-        return STATUS_OK;
-    int room = s->room ? 2 * s->room : 64;
-    for (int i = 0; i < SERIES; i++) {
-        double *grown = realloc(s->series[i], (size_t)room * sizeof *grown);
-        if (!grown)
-            return STATUS_MEMORY;
-        s->series[i] = grown;
-    }
-    s->room = room;
-    return STATUS_OK;
 }
 
 static bool write_field(struct store *s, const double *xyz)
@@ -244,7 +231,9 @@ enum status store_frame(struct store *s, double t, const double *xyz,
     };
     enum status st = STATUS_OK;
 
-    TRY(make_room(s));
+    for (int i = 0; i < SERIES; i++)
+        s->series[i] =
+            arena_more(&s->arena, s->series[i], (size_t)s->frames, sizeof *s->series[i]);
     s->missed = c->missed > 0;
     if (xyz) {
         TRY(written(s, write_field(s, xyz), why));
@@ -390,9 +379,8 @@ static enum status close_file(struct store *s, struct message *why)
 enum status store_close(struct store *s, struct message *why)
 {
     enum status st = STATUS_OK;
-    char *path = strdup(s->target.path);
+    const char *path = arena_print(&s->arena, "%s", s->target.path);
 
-    TRY(path ? STATUS_OK : STATUS_MEMORY);
     TRY(put_end(s, why));
     TRY(close_file(s, why));
     TRY(seal_write(s->target.temporary, why));
@@ -400,7 +388,6 @@ enum status store_close(struct store *s, struct message *why)
     if (s->fields)
         TRY(xdmf_write(path, s->sheets, s->series[0], s->fields, why));
 out:
-    free(path);
     store_discard(s);
     return st;
 }
@@ -427,14 +414,14 @@ void store_discard(struct store *s)
     hdf5_file_drop(s->xyz);
     hdf5_file_drop(s->file);
     atomic_file_discard(&s->target);
-    for (int i = 0; i < SERIES; i++)
-        free(s->series[i]);
-    free(s);
+    struct arena arena = s->arena;
+    arena_clear(&arena);
 }
 
 /* --- reading -------------------------------------------------------------------------- */
 
 struct store_read {
+    struct arena arena; /* of it and its path                                     owned  */
     char *path;
     hid_t file, xyz;
     int frames;
@@ -472,14 +459,13 @@ static bool open_xyz(struct store_read *f)
 enum status store_read_open(const char *path, struct store_read **file, struct message *why)
 {
     enum status st = STATUS_OK;
-    struct store_read *f = calloc(1, sizeof *f);
+    struct arena arena = {0};
+    struct store_read *f = arena_take(&arena, 1, sizeof *f);
 
-    if (!f)
-        return STATUS_MEMORY;
     hdf5_file_start();
     f->file = f->xyz = H5I_INVALID_HID;
-    f->path = strdup(path);
-    TRY(f->path ? STATUS_OK : STATUS_MEMORY);
+    f->path = arena_print(&arena, "%s", path);
+    f->arena = arena;
     TRY(seal_check(path, &f->size, why));
     f->file = hdf5_file_open(path, why);
     TRY(f->file < 0 ? STATUS_FILE : STATUS_OK);
@@ -498,8 +484,8 @@ void store_read_close(struct store_read *f)
         return;
     hdf5_file_drop(f->xyz);
     hdf5_file_drop(f->file);
-    free(f->path);
-    free(f);
+    struct arena arena = f->arena;
+    arena_clear(&arena);
 }
 
 int store_read_frames(const struct store_read *f)
@@ -618,18 +604,16 @@ enum status store_scene(const struct store_read *file, const char *path,
     enum { MOST = 256 };
     const char *settings[MOST];
     struct discretization unused = {0};
-    char *text = NULL, *copy = NULL;
+    struct arena own = {0};
+    char *text = NULL;
     enum status st;
 
     memset(scene, 0, sizeof *scene);
     TRY(store_read_text(file, "/", "scene", &text, why));
-    copy = strdup(text);
-    if (!copy)
-        TRY(STATUS_MEMORY);
-    int count = find_settings(copy, settings, MOST);
+    int count = find_settings(arena_print(&own, "%s", text), settings, MOST);
     TRY(scene_file_parse(path, text, strlen(text), count, settings, scene, &unused, why));
 out:
     free(text);
-    free(copy);
+    arena_clear(&own);
     return st;
 }

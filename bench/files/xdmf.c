@@ -1,10 +1,9 @@
-#define _GNU_SOURCE /* asprintf */
 #include "bench/files/xdmf.h"
 
 #include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "bench/files/arena.h"
 #include "bench/files/output.h"
 #include "models/grid.h"
 
@@ -83,13 +82,12 @@ enum status xdmf_write(const char *result_path, int sheets, const double *time, 
 {
     const size_t length = strlen(result_path);
     const bool is_h5 = length > 3 && !strcmp(result_path + length - 3, ".h5");
+    struct arena own = {0};
     struct output *out = NULL;
-    char *path = NULL;
     enum status st;
 
-    if (asprintf(&path, "%.*s.xdmf", (int)length - 3 * is_h5, result_path) < 0)
-        return STATUS_MEMORY;
-    TRY(output_create(path, &out, why));
+    TRY(output_create(arena_print(&own, "%.*s.xdmf", (int)length - 3 * is_h5, result_path),
+                      &out, why));
     output_print(out, "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
                       "<Grid Name=\"run\" GridType=\"Collection\" "
                       "CollectionType=\"Temporal\">\n");
@@ -98,6 +96,6 @@ enum status xdmf_write(const char *result_path, int sheets, const double *time, 
     output_print(out, "</Grid>\n</Domain>\n</Xdmf>\n");
     st = output_close(&out, why);
 out:
-    free(path);
+    arena_clear(&own);
     return st;
 }

@@ -14,6 +14,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "bench/files/arena.h"
 #include "bench/files/atomic_file.h"
 
 /* The child's report, in memory that it shares with its parent. */
@@ -91,6 +92,14 @@ void child_clear(struct child *c)
     *c = (struct child){0};
 }
 
+static void report_memory(void)
+{
+    my_note->st =
+        status_fail(&my_note->why, STATUS_MEMORY, "%s", status_text(STATUS_MEMORY));
+    atomic_file_remove_all();
+    _exit(0);
+}
+
 /* Does the work in the child. `mask` is the signal mask to restore once the child has its
  * own signal handlers. */
 static void be_child(struct child *c, pid_t parent, const sigset_t *mask,
@@ -103,6 +112,7 @@ static void be_child(struct child *c, pid_t parent, const sigset_t *mask,
     sigprocmask(SIG_SETMASK, mask, NULL);
     omp_set_num_threads(1);
     my_note = c->note;
+    arena_at_end(report_memory);
     c->note->st = work(context, &c->note->why);
     if (c->note->st != STATUS_OK && !*c->note->why.text)
         status_fail(&c->note->why, c->note->st, "%s", status_text(c->note->st));

@@ -180,9 +180,9 @@ static void enter_table(const struct csv_table *t, const struct protocol_run *ru
 
 /* Lists, best first, the engine's finest run and the best of each contestant with no more
  * points, the engine first where its error is below what six digits show; *count is 0 where
- * none is stored. *rivals is freed by the receiver. STATUS_MEMORY. */
-static enum status list_rivals(const struct protocol *p, const struct protocol_scene *scene,
-                               int *count, struct protocol_rival **rivals)
+ * none is stored. */
+static struct protocol_rival *list_rivals(struct arena *arena, const struct protocol *p,
+                                          const struct protocol_scene *scene, int *count)
 {
     const struct protocol_run *run = protocol_finest(scene);
     const struct csv_table *first = scene->own ? NULL : next_table(p, scene->name, NULL);
@@ -190,20 +190,17 @@ static enum status list_rivals(const struct protocol *p, const struct protocol_s
     size_t rows = 1;
 
     *count = 0;
-    *rivals = NULL;
     if (!first || isnan(own.error = error_of(first, -1, run, &own.until)))
-        return STATUS_OK;
+        return NULL;
     for (const struct csv_table *t = first; t; t = next_table(p, scene->name, t))
         rows += (size_t)t->rows;
-    *rivals = malloc(rows * sizeof **rivals);
-    if (!*rivals)
-        return STATUS_MEMORY;
+    struct protocol_rival *rivals = arena_take(arena, rows, sizeof *rivals);
     snprintf(own.title, sizeof own.title, "%s", p->name ? p->name : p->folder);
-    (*rivals)[(*count)++] = own;
+    rivals[(*count)++] = own;
     for (const struct csv_table *t = first; t; t = next_table(p, scene->name, t))
-        enter_table(t, run, *rivals, count);
-    qsort(*rivals, (size_t)*count, sizeof **rivals, compare_rivals);
-    return STATUS_OK;
+        enter_table(t, run, rivals, count);
+    qsort(rivals, (size_t)*count, sizeof *rivals, compare_rivals);
+    return rivals;
 }
 
 enum { PATH = 4096 };
@@ -258,39 +255,26 @@ out:
 
 /* --- a run --- */
 
-static void run_clear(struct protocol_run *run)
-{
-    free(run->file);
-    free(run->row);
-    free(run->got);
-    *run = (struct protocol_run){0};
-}
-
 /* Keeps of a score what the protocol is made of. */
-static enum status keep(const struct score *s, struct protocol_run *run)
+static void keep(struct arena *arena, const struct score *s, struct protocol_run *run)
 {
     const size_t times = (size_t)s->times, numbers = 3 * (size_t)SCORE_POINTS;
 
     run->vertices = s->net.vertices;
-    run->row = malloc(times * sizeof *run->row);
-    run->got = malloc(times * numbers * sizeof *run->got);
-    if (!run->row || !run->got)
-        return STATUS_MEMORY;
-    for (; run->times < s->times; run->times++) {
+    run->row = arena_take(arena, times, sizeof *run->row);
+    double *got = arena_take(arena, times * numbers, sizeof *got);
+    for (; run->times < s->times; run->times++, got += numbers) {
         struct score_time *row = &run->row[run->times];
-        double *got = run->got + numbers * (size_t)run->times;
         *row = s->row[run->times];
         for (size_t n = 0; n < numbers; n++) /* moved on to the same time as others' */
             got[n] = row->got[n] + (row->known[n] - row->truth[n]);
         row->known = row->truth = row->seen = NULL;
         row->got = got;
     }
-    if (score_diagnosis_make(s, &run->diagnosis) != STATUS_OK)
-        return STATUS_MEMORY;
+    score_diagnosis_make(s, &run->diagnosis);
     score_print_say(s, &run->diagnosis, &run->said);
     if (score_diagnosis_has_place(&run->diagnosis))
         score_stiffness_make(s, &run->stiffness);
-    return STATUS_OK;
 }
 
 /* Reads a name up to the ending: NAME, NAME-REPEAT, NAME-dtSECONDS, NAME-dtSECONDS-REPEAT.
@@ -319,18 +303,15 @@ static bool may_be_run(const char *path)
     return frames_is_name(path) || is_folder(path);
 }
 
-static enum status read_run(const char *path, const char *scene,
+static enum status read_run(struct arena *arena, const char *path, const char *scene,
                             const struct score_look *look, struct protocol_scene *to,
                             struct message *why)
 {
     struct protocol_run *run = &to->run[to->runs++];
     struct score s = {.frames = 0};
-    const size_t room = strlen(to->name) + strlen(base_of(path)) + 2;
     enum status st;
 
-    run->file = malloc(room);
-    TRY(run->file ? STATUS_OK : STATUS_MEMORY);
-    snprintf(run->file, room, "%s/%s", to->name, base_of(path));
+    run->file = arena_print(arena, "%s/%s", to->name, base_of(path));
     parse_name(base_of(path), run);
     struct score_look own = *look;
     own.frames.dt = run->dt > 0 ? run->dt : look->frames.dt;
@@ -339,7 +320,7 @@ static enum status read_run(const char *path, const char *scene,
     run->net[0] = s.net.columns ? s.net.columns : side;
     run->net[1] = s.net.columns ? s.net.rows : side;
     to->length = s.truth.scene.length;
-    TRY(keep(&s, run));
+    keep(arena, &s, run);
 out:
     score_clear(&s);
     return st;
@@ -360,15 +341,15 @@ static int compare_runs(const void *a, const void *b)
     return names ? names : (left->repeat > right->repeat) - (left->repeat < right->repeat);
 }
 
-static enum status read_scene(const char *path, const struct score_look *look,
-                              struct protocol_scene *to, struct message *why)
+static enum status read_scene(struct arena *arena, const char *path,
+                              const struct score_look *look, struct protocol_scene *to,
+                              struct message *why)
 {
     struct frames_folder folder = {0};
     char own[PATH];
     enum status st;
 
-    to->name = strdup(base_of(path));
-    TRY(to->name ? STATUS_OK : STATUS_MEMORY);
+    to->name = arena_print(arena, "%s", base_of(path));
     snprintf(own, sizeof own, "%s/scene.yaml", path);
     struct stat about;
     to->own = !stat(own, &about);
@@ -379,10 +360,9 @@ static enum status read_scene(const char *path, const struct score_look *look,
                         "%s: has no frames in it; a file a net, %s/21x21.csv, would be "
                         "right",
                         path, to->name));
-    to->run = calloc((size_t)folder.count, sizeof *to->run);
-    TRY(to->run ? STATUS_OK : STATUS_MEMORY);
+    to->run = arena_take(arena, (size_t)folder.count, sizeof *to->run);
     for (int n = 0; n < folder.count; n++)
-        TRY(read_run(folder.path[n], to->own ? own : to->name, look, to, why));
+        TRY(read_run(arena, folder.path[n], to->own ? own : to->name, look, to, why));
     qsort(to->run, (size_t)to->runs, sizeof *to->run, compare_runs);
     for (int n = 1; n < to->runs; n++)
         if (!compare_runs(&to->run[n - 1], &to->run[n]))
@@ -419,8 +399,7 @@ enum status protocol_read(const char *path, const struct score_look *look,
     struct frames_folder folder = {0};
     enum status st;
 
-    *p = (struct protocol){.folder = strdup(path)};
-    TRY(p->folder ? STATUS_OK : STATUS_MEMORY);
+    *p = (struct protocol){.folder = path};
     st = frames_folder_read(path, &folder, why);
     TRY(st == STATUS_FILE ? STATUS_INPUT : st);
     frames_folder_keep(&folder, is_folder);
@@ -431,10 +410,9 @@ enum status protocol_read(const char *path, const struct score_look *look,
                         path));
     TRY(read_engine(p, why));
     TRY(read_contestants(p->contestants, why));
-    p->scene = calloc((size_t)folder.count, sizeof *p->scene);
-    TRY(p->scene ? STATUS_OK : STATUS_MEMORY);
+    p->scene = arena_take(&p->arena, (size_t)folder.count, sizeof *p->scene);
     for (int n = 0; n < folder.count; n++)
-        TRY(read_scene(folder.path[n], look, &p->scene[p->scenes++], why));
+        TRY(read_scene(&p->arena, folder.path[n], look, &p->scene[p->scenes++], why));
     qsort(p->scene, (size_t)p->scenes, sizeof *p->scene, compare_scenes);
 out:
     frames_folder_clear(&folder);
@@ -445,16 +423,9 @@ out:
 
 void protocol_clear(struct protocol *p)
 {
-    for (int k = 0; k < p->scenes; k++) {
-        for (int n = 0; n < p->scene[k].runs; n++)
-            run_clear(&p->scene[k].run[n]);
-        free(p->scene[k].run);
-        free(p->scene[k].name);
-    }
     for (int k = 0; k < PROTOCOL_TABLES; k++)
         csv_clear(&p->contestants[k]);
-    free(p->scene);
-    free(p->folder);
+    arena_clear(&p->arena);
     free(p->name);
     free(p->version);
     *p = (struct protocol){0};
@@ -671,15 +642,17 @@ static void tell_stiffness(const struct judge *j)
         if (!s->applies || (!s->found && find(run, SCORE_SOUND)))
             continue;
         const double off = fabs(s->value / s->scene - 1);
+        char text[SCORE_STIFFNESS_TEXT];
+        score_stiffness_text(s, text);
         tell(j, PROTOCOL_STIFFNESS,
              !s->found           ? PROTOCOL_BAD
              : off < STIFF_ERROR ? PROTOCOL_GOOD
                                  : PROTOCOL_NEUTRAL,
              s->found ? s->part == LAW_MEMBRANE ? "membrane" : "bending" : "none fits",
-             "%s: %s", run->file, s->text);
+             "%s: %s", run->file, text);
         for (int weft = 0; weft < 2 && s->found; weft++) /* along u: the same along both */
             known[s->part != LAW_MEMBRANE][weft] |=
-                !strcmp(s->along, "u") || weft == (strstr(s->along, "weft") != NULL);
+                s->along == SCORE_ALONG_U || weft == (s->along == SCORE_ALONG_WEFT);
     }
     if (bends) {
         tell(j, PROTOCOL_STIFFNESS, PROTOCOL_NEUTRAL, "bending", "%s: %s", drop->file,
@@ -891,7 +864,7 @@ static void tell_contact(const struct judge *j)
             const struct protocol_run *run = &j->p->scene[k].run[n];
             files += score_diagnosis_has_place(&run->diagnosis);
             for (int m = 0; m < run->said.count; m++)
-                if (!strncmp(run->said.text[m], "Passes through", 14)) {
+                if (run->said.through[m]) {
                     tell(j, PROTOCOL_CONTACT, PROTOCOL_BAD, "passes through", "%s: %s",
                          run->file, run->said.text[m]);
                     through = true;
@@ -905,13 +878,12 @@ static void tell_contact(const struct judge *j)
              "In none of %d files does the sheet pass through itself or a body.", files);
 }
 
-static enum status tell_place(const struct judge *j, const struct protocol_scene *scene,
-                              bool *any)
+static void tell_place(const struct judge *j, const struct protocol_scene *scene, bool *any)
 {
-    struct protocol_rival *rival;
+    struct arena own = {0};
     int count, before = 0;
     char word[40], best[160] = "";
-    const enum status st = list_rivals(j->p, scene, &count, &rival);
+    const struct protocol_rival *rival = list_rivals(&own, j->p, scene, &count);
 
     while (before < count && !rival[before].own)
         before++;
@@ -926,17 +898,15 @@ static enum status tell_place(const struct judge *j, const struct protocol_scene
              scene->name, before, count - 1, 100 * rival[before].error, rival[before].until,
              best);
     *any = *any || count > 1;
-    free(rival);
-    return st;
+    arena_clear(&own);
 }
 
-enum status protocol_judge(const struct protocol *p,
-                           void (*say)(void *context, const struct protocol_verdict *v),
-                           void *context)
+void protocol_judge(const struct protocol *p,
+                    void (*say)(void *context, const struct protocol_verdict *v),
+                    void *context)
 {
     const struct judge j = {p, say, context};
     bool placed = false;
-    enum status st = STATUS_OK;
 
     for (int k = 0; k < p->scenes; k++)
         tell_error(&j, &p->scene[k]);
@@ -950,13 +920,11 @@ enum status protocol_judge(const struct protocol *p,
     tell_repeats(&j);
     tell_contact(&j);
     for (int k = 0; k < p->scenes; k++)
-        TRY(tell_place(&j, &p->scene[k], &placed));
+        tell_place(&j, &p->scene[k], &placed);
     if (!placed)
         tell(&j, PROTOCOL_PLACE, PROTOCOL_UNKNOWN, "not known",
              "Its place among the contestants is not known: the scenes to begin with show "
              "it, on a net that one of them has, too.");
-out:
-    return st;
 }
 
 /* --- the tables of the page ----------------------------------------------------------- */
@@ -972,7 +940,7 @@ static void add_verdict(void *table, const struct protocol_verdict *v)
     table_text(table, "%s", v->text);
 }
 
-static struct table *verdicts_of(const struct protocol *p, enum status *st)
+static struct table *verdicts_of(const struct protocol *p)
 {
     static const struct table_column columns[] = {{"subject", NULL, TABLE_LEFT},
                                                   {"verdict", NULL, TABLE_LEFT},
@@ -994,7 +962,7 @@ static struct table *verdicts_of(const struct protocol *p, enum status *st)
                "known, with error bars. Errors are rms distances over the sheet, in per "
                "cent of its length.",
                files, files == 1 ? "" : "s", p->scenes, p->scenes == 1 ? "" : "s");
-    *st = protocol_judge(p, add_verdict, t);
+    protocol_judge(p, add_verdict, t);
     return t;
 }
 
@@ -1023,7 +991,7 @@ static struct table *errors_of(const struct protocol *p)
 }
 
 /* Lists contestants on each scene and the engine among them. */
-static struct table *places_of(const struct protocol *p, enum status *st)
+static struct table *places_of(const struct protocol *p)
 {
     static const struct table_column columns[] = {{"scene", NULL, TABLE_LEFT},
                                                   {"place"},
@@ -1034,18 +1002,18 @@ static struct table *places_of(const struct protocol *p, enum status *st)
         TABLE_OF(columns, "The best run of each contestant with no more points: error "
                           "over the length at the worst of the same times");
 
-    for (int k = 0; k < p->scenes && *st == STATUS_OK; k++) {
-        struct protocol_rival *rival;
+    for (int k = 0; k < p->scenes; k++) {
+        struct arena own = {0};
         int count;
-        *st = list_rivals(p, &p->scene[k], &count, &rival);
-        for (int n = 0; *st == STATUS_OK && count > 1 && n < count; n++) {
+        const struct protocol_rival *rival = list_rivals(&own, p, &p->scene[k], &count);
+        for (int n = 0; count > 1 && n < count; n++) {
             table_row(t);
             table_text(t, "%s", p->scene[k].name);
             table_add(t, "%d", n + 1);
             table_text(t, "%s%s", rival[n].own ? "\u2192 " : "", rival[n].title);
             table_add(t, "%dx%d|%.2g", rival[n].net[0], rival[n].net[1], rival[n].error);
         }
-        free(rival);
+        arena_clear(&own);
     }
     return t;
 }
@@ -1080,8 +1048,7 @@ enum status protocol_tables_write(const char *path, const struct protocol *p,
     FILE *file = output_stream(out);
     fprintf(file, "# clothbench score --protocol | commit %s | %s\n",
             provenance_value(&made, "commit"), provenance_value(&made, "date"));
-    struct table *const table[] = {verdicts_of(p, &st), places_of(p, &st), errors_of(p),
-                                   said_of(p)};
+    struct table *const table[] = {verdicts_of(p), places_of(p), errors_of(p), said_of(p)};
     for (size_t n = 0; n < sizeof table / sizeof *table; n++) {
         const enum status printed = table_finish(table[n], TABLE_CSV, file);
         st = st == STATUS_OK ? printed : st;

@@ -19,36 +19,36 @@
 
 /* One file's score. */
 struct protocol_run {
-    char *file; /* SCENE/NAME-REPEAT.ENDING                                       owned  */
+    char *file;     /* SCENE/NAME-REPEAT.ENDING                                          */
     char label[64]; /* NAME, with its -dt                                                */
     double dt;      /* of the name [s]; 0: none                                          */
     int net[2]; /* points along u and v; of a net without rows the root of all          */
     int repeat; /* from 1                                                               */
     int vertices;
     int times;
-    struct score_time *row; /* [times], `got` alone has its field; over the length owned */
-    double *got;            /* [times][SCORE_POINTS][3] [m]                        owned */
+    struct score_time *row; /* [times], `got` alone has its field [m]; over the length   */
     struct score_diagnosis diagnosis;
     struct score_stiffness stiffness; /* `applies` is false where it has no place        */
     struct score_print_said said;
 };
 
 struct protocol_scene {
-    char *name;    /* of its folder                                               owned  */
+    char *name;    /* of its folder                                                      */
     bool own;      /* it is that of a scene.yaml in it                                   */
     double length; /* [m]                                                                */
     int runs;
-    struct protocol_run *run; /* [runs] from coarse to fine, then by repeat        owned */
+    struct protocol_run *run; /* [runs] from coarse to fine, then by repeat              */
 };
 
 enum { PROTOCOL_TABLES = 3 };
 
 struct protocol {
-    char *folder;         /*                                                       owned */
+    const char *folder;   /*                                                    borrowed */
     char *name, *version; /* of the engine; NULL: not said                         owned */
     double step;          /* that was asked for [s]; 0: not said                         */
     int scenes;
-    struct protocol_scene *scene; /* [scenes] those to begin with first            owned */
+    struct protocol_scene *scene; /* [scenes] those to begin with first                  */
+    struct arena arena;           /* of all of these                               owned */
     struct csv contestants[PROTOCOL_TABLES]; /* stored runs of our own; count 0: none */
 };
 
@@ -102,10 +102,10 @@ struct protocol_rival {
     double until; /* the last of them [s]                                                */
 };
 
-/* Calls say() with each verdict, by subject. STATUS_MEMORY. */
-enum status protocol_judge(const struct protocol *p,
-                           void (*say)(void *context, const struct protocol_verdict *v),
-                           void *context);
+/* Calls say() with each verdict, by subject. */
+void protocol_judge(const struct protocol *p,
+                    void (*say)(void *context, const struct protocol_verdict *v),
+                    void *context);
 
 /* Writes the tables of the page as CSV: verdicts, places, errors, what `score` says of each
  * file; nothing is left of it on failure. STATUS_FILE, STATUS_MEMORY. */

@@ -66,18 +66,15 @@ out:
 
 /* Chooses the times at which frames are judged: of a stored truth those at which tables
  * judge, or its last one; of others all. */
-static enum status choose_times(struct score_truth *t)
+static void choose_times(struct score_truth *t)
 {
     const int claimed = t->known.claimed;
 
-    t->at = malloc((size_t)claimed * sizeof *t->at);
-    if (!t->at)
-        return STATUS_MEMORY;
+    t->at = arena_take(&t->arena, (size_t)claimed, sizeof *t->at);
     for (int n = 0; n < claimed; n++)
         if (!t->moves || truth_plan_judges(&t->scene, t->known.time[n]) ||
             (n == claimed - 1 && !t->times))
             t->at[t->times++] = n;
-    return STATUS_OK;
 }
 
 enum status score_truth_read(const char *scene, struct score_truth *t, struct message *why)
@@ -93,13 +90,12 @@ enum status score_truth_read(const char *scene, struct score_truth *t, struct me
     TRY(take_known(t, why));
     if (!t->known.claimed)
         TRY(take_formula(scene, path, &settings, t, why));
-    TRY(choose_times(t));
+    choose_times(t);
     for (int n = 0; n < t->known.claimed; n++)
         flatten(t->known.xyz[n]);
     /* what nothing holds falls as one body, on parabolas or nearly so */
     t->moves = t->known.claimed > 2 && (t->moves || t->known.closed);
-    t->rest = metric_rest_field(&t->scene);
-    TRY(t->rest ? STATUS_OK : STATUS_MEMORY);
+    t->rest = arena_keep(&t->arena, metric_rest_field(&t->scene));
     flatten(t->rest);
 out:
     settings_clear(&settings);
@@ -113,8 +109,7 @@ void score_truth_clear(struct score_truth *t)
 {
     scene_clear(&t->scene);
     truth_clear(&t->known);
-    free(t->at);
-    free(t->rest);
+    arena_clear(&t->arena);
     memset(t, 0, sizeof *t);
 }
 
@@ -151,8 +146,19 @@ out:
                                : STATUS_OK; /* without such a scene there is no ladder */
 }
 
-static enum status read_all(struct frames_array *file, const char *path,
-                            struct score_ladder *l, struct message *why)
+/* Reads an array of so many rows into the arena. */
+static enum status load(struct arena *arena, struct frames_array *file, const char *name,
+                        size_t rows, size_t columns, double **values, struct message *why)
+{
+    const enum status st = frames_array_load(file, name, rows, columns, values, why);
+
+    if (st == STATUS_OK)
+        arena_keep(arena, *values);
+    return st;
+}
+
+static enum status read_all(struct arena *arena, struct frames_array *file,
+                            const char *path, struct score_ladder *l, struct message *why)
 {
     unsigned long long size[8];
     enum status st;
@@ -164,32 +170,20 @@ static enum status read_all(struct frames_array *file, const char *path,
                         "of 1 to %d",
                         path, size[0], TIMES_MOST));
     const size_t times = (size_t)size[0];
-    TRY(frames_array_load(file, "t", times, 1, &l->time, why));
-    TRY(frames_array_load(file, "scale", LADDER_RUNGS, 1, &l->scale, why));
-    TRY(frames_array_load(file, "size", LADDER_FLAWS, 1, &l->size, why));
-    TRY(frames_array_load(file, "bending", LADDER_RUNGS * times * LADDER_POINTS, 3,
-                          &l->rung, why));
-    TRY(frames_array_load(file, "flaw", LADDER_FLAWS * times * LADDER_POINTS, 3, &l->flaw,
-                          why));
-    TRY(frames_array_load(file, "bending_bar", LADDER_RUNGS * times, 1, &l->bar, why));
+    const size_t points = times * LADDER_POINTS;
+    TRY(load(arena, file, "t", times, 1, &l->time, why));
+    TRY(load(arena, file, "scale", LADDER_RUNGS, 1, &l->scale, why));
+    TRY(load(arena, file, "size", LADDER_FLAWS, 1, &l->size, why));
+    TRY(load(arena, file, "bending", LADDER_RUNGS * points, 3, &l->rung, why));
+    TRY(load(arena, file, "flaw", LADDER_FLAWS * points, 3, &l->flaw, why));
+    TRY(load(arena, file, "bending_bar", LADDER_RUNGS * times, 1, &l->bar, why));
     l->times = (int)times;
 out:
     return st;
 }
 
-static void score_ladder_clear(struct score_ladder *l)
-{
-    free(l->time);
-    free(l->scale);
-    free(l->size);
-    free(l->rung);
-    free(l->flaw);
-    free(l->bar);
-    memset(l, 0, sizeof *l);
-}
-
-enum status score_ladder_read(const struct scene *scene, struct score_ladder *l,
-                              struct message *why)
+enum status score_ladder_read(struct arena *arena, const struct scene *scene,
+                              struct score_ladder *l, struct message *why)
 {
     struct frames_array *file = NULL;
     char *path = NULL;
@@ -205,12 +199,10 @@ enum status score_ladder_read(const struct scene *scene, struct score_ladder *l,
         goto out;
     }
     TRY(frames_array_open(path, &file, why));
-    TRY(read_all(file, path, l, why));
+    TRY(read_all(arena, file, path, l, why));
 out:
     free(path);
     frames_array_close(file);
-    if (st != STATUS_OK)
-        score_ladder_clear(l);
     return st == STATUS_UNSUPPORTED ? STATUS_INPUT : st;
 }
 
@@ -269,25 +261,16 @@ int score_window(int count, const double *time, double t, double weight[4])
     return first;
 }
 
-static enum status view_init(struct score_view *v, int times, int nu, int nv)
+static void view_init(struct arena *arena, struct score_view *v, int times, int nu, int nv)
 {
     const size_t count = (size_t)times + 1, numbers = 3 * (size_t)nu * (size_t)nv;
 
     v->times = times;
-    v->time = calloc(count, sizeof *v->time);
-    v->when = calloc(count, sizeof *v->when);
-    v->field = malloc(count * numbers * sizeof *v->field);
-    for (int n = 0; v->when && n < times; n++)
+    v->time = arena_take(arena, count, sizeof *v->time);
+    v->when = arena_take(arena, count, sizeof *v->when);
+    v->field = arena_take(arena, count * numbers, sizeof *v->field);
+    for (int n = 0; n < times; n++)
         v->when[n] = NAN;
-    return v->time && v->when && v->field ? STATUS_OK : STATUS_MEMORY;
-}
-
-static void view_clear(struct score_view *v)
-{
-    score_map_clear(&v->map);
-    free(v->time);
-    free(v->when);
-    free(v->field);
 }
 
 double *score_view_field(const struct score_view *v, int n)
@@ -331,16 +314,15 @@ void score_path(const struct score *s, double time, double *field)
     }
 }
 
-static enum status make_path(struct score *s)
+static void make_path(struct score *s)
 {
     const struct truth *known = &s->truth.known;
     const size_t size = 3 * (size_t)LADDER_POINTS;
 
-    s->path = malloc(((size_t)known->claimed + 1) * size * sizeof *s->path);
-    for (int n = 0; s->path && n <= known->claimed; n++)
+    s->path = arena_take(&s->arena, ((size_t)known->claimed + 1) * size, sizeof *s->path);
+    for (int n = 0; n <= known->claimed; n++)
         score_seen(s, &s->fine.map, GRID_U, GRID_V, n ? known->xyz[n - 1] : s->truth.rest,
                    s->path + size * (size_t)n);
-    return s->path ? STATUS_OK : STATUS_MEMORY;
 }
 
 /* Measures how far the first frame is from the sheet at rest, and whether it is turned. */
@@ -366,23 +348,23 @@ static enum status make_net(struct score *s, const struct frames *frames,
     const struct frames_net *net = frames_net(frames);
     const struct scene *scene = &s->truth.scene;
     double *rest = NULL;
-    enum status st = STATUS_OK;
+    struct arena *arena = &s->arena;
+    enum status st;
 
     if (net->rest && !net->uv) {
-        rest = malloc((size_t)net->vertices * 3 * sizeof *rest);
-        TRY(rest ? STATUS_OK : STATUS_MEMORY);
+        rest = arena_take(arena, 3 * (size_t)net->vertices, sizeof *rest);
         turn(look, net->vertices, net->rest, rest);
     }
-    TRY(score_net_make(net, scene, name, rest, xyz, &s->net, why));
-    TRY(score_net_map(&s->net, net, scene, name, GRID_U, GRID_V, &s->grid.map, why));
-    TRY(score_net_map(&s->net, net, scene, name, LADDER_U, LADDER_V, &s->fine.map, why));
-    TRY(score_contact_begin(&s->contact, scene, net, &s->net));
-    TRY(make_path(s));
+    TRY(score_net_make(arena, net, scene, name, rest, xyz, &s->net, why));
+    TRY(score_net_map(arena, &s->net, net, scene, name, GRID_U, GRID_V, &s->grid.map, why));
+    TRY(score_net_map(arena, &s->net, net, scene, name, LADDER_U, LADDER_V, &s->fine.map,
+                      why));
+    score_contact_begin(arena, &s->contact, scene, net, &s->net);
+    make_path(s);
     take_start(s, xyz);
     if (fabs(s->first) <= SCORE_SAME_TIME && !s->net.by_position)
-        st = score_start_strays(scene, &s->net, s->truth.rest, xyz, &s->strays);
+        score_start_strays(scene, &s->net, s->truth.rest, xyz, &s->strays);
 out:
-    free(rest);
     return st;
 }
 
@@ -390,13 +372,13 @@ static enum status read_frames(struct score *s, struct frames *frames,
                                const struct score_look *look, struct message *why)
 {
     const int vertices = frames_net(frames)->vertices;
-    const size_t bytes = 3 * (size_t)vertices * sizeof(double);
-    double *newest = malloc(bytes), *before = malloc(bytes);
+    const size_t numbers = 3 * (size_t)vertices;
+    double *newest = arena_take(&s->arena, numbers, sizeof *newest),
+           *before = arena_take(&s->arena, numbers, sizeof *before);
     const double *xyz;
     double t, step = 0;
     enum status st = STATUS_OK;
 
-    TRY(newest && before ? STATUS_OK : STATUS_MEMORY);
     for (;; s->frames++, s->last = t) {
         TRY(frames_next(frames, &t, &xyz, why));
         if (!xyz)
@@ -410,7 +392,7 @@ static enum status read_frames(struct score *s, struct frames *frames,
         } else {
             step = t - s->last;
             s->interval = fmin(s->interval, step);
-            s->repeats += !memcmp(before, newest, bytes);
+            s->repeats += !memcmp(before, newest, numbers * sizeof *newest);
         }
         view_take(&s->grid, t, newest);
         view_take(&s->fine, t, newest);
@@ -426,8 +408,6 @@ static enum status read_frames(struct score *s, struct frames *frames,
     if (!s->frames)
         st = status_fail(why, STATUS_INPUT, "%s: has no frames", frames_name(frames));
 out:
-    free(newest);
-    free(before);
     return st;
 }
 
@@ -464,7 +444,7 @@ static void truth_at(const struct score_truth *t, double time, double *truth)
 }
 
 /* Makes a row of each time that has a frame. */
-static enum status judge(struct score *s)
+static void judge(struct score *s)
 {
     const struct truth *known = &s->truth.known;
     const double length = s->truth.scene.length;
@@ -473,13 +453,11 @@ static enum status judge(struct score *s)
     for (int n = s->fine.times - 1; n > 0; n--) /* a frame counts once */
         if (s->fine.when[n] == s->fine.when[n - 1])
             s->fine.when[n] = NAN;
-    s->row = calloc(times, sizeof *s->row);
-    s->truths = malloc(times * 6 * SCORE_POINTS * sizeof *s->truths);
-    if (!s->row || !s->truths)
-        return STATUS_MEMORY;
+    s->row = arena_take(&s->arena, times, sizeof *s->row);
+    double *truths = arena_take(&s->arena, times * 6 * SCORE_POINTS, sizeof *truths);
     for (int n = 0; n < s->truth.times; n++) {
         const int at = s->truth.at[n];
-        double *truth = s->truths + 6L * SCORE_POINTS * s->times,
+        double *truth = truths + 6L * SCORE_POINTS * s->times,
                *seen = truth + 3L * SCORE_POINTS;
         const double when = s->grid.when[n];
         if (isnan(when))
@@ -500,18 +478,15 @@ static enum status judge(struct score *s)
         row->floor = score_rms(SCORE_POINTS, seen, row->truth) / length;
         row->floor = row->floor < ROUNDING ? 0 : row->floor;
     }
-    return STATUS_OK;
 }
 
 /* Sets the times at which frames are looked at. */
-static enum status begin(struct score *s)
+static void begin(struct score *s)
 {
-    enum status st;
-
     const struct truth *known = &s->truth.known;
 
-    TRY(view_init(&s->grid, s->truth.times, GRID_U, GRID_V));
-    TRY(view_init(&s->fine, known->claimed, LADDER_U, LADDER_V));
+    view_init(&s->arena, &s->grid, s->truth.times, GRID_U, GRID_V);
+    view_init(&s->arena, &s->fine, known->claimed, LADDER_U, LADDER_V);
     for (int n = 0; n < s->grid.times; n++)
         s->grid.time[n] = known->time[s->truth.at[n]];
     memcpy(s->fine.time, known->time, (size_t)known->claimed * sizeof *known->time);
@@ -519,8 +494,6 @@ static enum status begin(struct score *s)
     s->grid.reach = s->truth.moves || s->grid.after ? REACH : SCORE_SAME_TIME;
     s->fine.reach = known->time[known->claimed - 1] / known->claimed / 2 + SCORE_SAME_TIME;
     s->fine.reach = s->truth.moves ? fmin(s->fine.reach, REACH) : SCORE_SAME_TIME;
-out:
-    return st;
 }
 
 /* Refuses frames that end before the truth begins or begin after its end. */
@@ -547,14 +520,14 @@ enum status score_read(const char *scene, int count, const char *const *paths,
     memset(s, 0, sizeof *s);
     s->interval = INFINITY;
     TRY(score_truth_read(scene, &s->truth, why));
-    TRY(score_ladder_read(&s->truth.scene, &s->ladder, why));
-    TRY(begin(s));
+    TRY(score_ladder_read(&s->arena, &s->truth.scene, &s->ladder, why));
+    begin(s);
     TRY(frames_open(count, paths, &look->frames, &frames, why));
     if (frames_scene(frames) && strcmp(frames_scene(frames), s->truth.scene.name) != 0)
         TRY(status_fail(why, STATUS_INPUT, "%s: is a run of %s; one of %s would be right",
                         paths[0], frames_scene(frames), s->truth.scene.name));
     TRY(read_frames(s, frames, look, why));
-    TRY(judge(s));
+    judge(s);
     TRY(check_times(s, paths[0], why));
     if (!s->times)
         TRY(status_fail(why, STATUS_INPUT,
@@ -572,13 +545,7 @@ out:
 void score_clear(struct score *s)
 {
     score_truth_clear(&s->truth);
-    score_ladder_clear(&s->ladder);
-    score_net_clear(&s->net);
     score_contact_clear(&s->contact);
-    view_clear(&s->grid);
-    view_clear(&s->fine);
-    free(s->path);
-    free(s->row);
-    free(s->truths);
+    arena_clear(&s->arena);
     memset(s, 0, sizeof *s);
 }

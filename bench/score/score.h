@@ -4,6 +4,7 @@
 #ifndef SCORE_H
 #define SCORE_H
 
+#include "bench/files/arena.h"
 #include "bench/score/score_contact.h"
 #include "bench/score/score_net.h"
 #include "bench/score/score_start.h"
@@ -28,18 +29,18 @@ enum ladder_flaw {
 
 struct score_ladder {
     int times;     /* 0: none of this scene                                           */
-    double *time;  /* [times] evenly from the first step on [s]                owned  */
-    double *scale; /* [LADDER_RUNGS] of D, evenly in its logarithm             owned  */
-    double *size;  /* [LADDER_FLAWS]                                           owned  */
-    double *rung;  /* [LADDER_RUNGS][times][LADDER_POINTS][3] [m]              owned  */
-    double *flaw;  /* [LADDER_FLAWS][times][LADDER_POINTS][3] [m]              owned  */
-    double *bar;   /* [LADDER_RUNGS][times] rms error bar [L]                  owned  */
+    double *time;  /* [times] evenly from the first step on [s]                       */
+    double *scale; /* [LADDER_RUNGS] of D, evenly in its logarithm                    */
+    double *size;  /* [LADDER_FLAWS]                                                  */
+    double *rung;  /* [LADDER_RUNGS][times][LADDER_POINTS][3] [m]                     */
+    double *flaw;  /* [LADDER_FLAWS][times][LADDER_POINTS][3] [m]                     */
+    double *bar;   /* [LADDER_RUNGS][times] rms error bar [L]                         */
 };
 
-/* Reads the ladder of this scene, moved as its truth is; `times` is 0 where there is none.
- * Free with score_ladder_clear. STATUS_INPUT with a sentence: the file is damaged. */
-enum status score_ladder_read(const struct scene *scene, struct score_ladder *ladder,
-                              struct message *why);
+/* Reads the ladder of this scene, moved as its truth is, into the arena; `times` is 0 where
+ * there is none. STATUS_INPUT with a sentence: the file is damaged. */
+enum status score_ladder_read(struct arena *arena, const struct scene *scene,
+                              struct score_ladder *ladder, struct message *why);
 
 /* Return fields [LADDER_POINTS][3], u fastest. */
 const double *score_ladder_rung(const struct score_ladder *l, int rung, int time);
@@ -61,11 +62,12 @@ struct score_truth {
     struct scene scene; /* as the truth moves: undamped where damping is no rate        */
     bool undamped;      /* the scene is damped, and its truth is not                    */
     int times;          /* at which frames are judged                                   */
-    int *at;            /* [times] their indices in `known`                   owned     */
+    int *at;            /* [times] their indices in `known`                             */
     bool moves;         /* cubics through the known times are its motion between them   */
     struct truth known; /* the first layer of each field is the middle surface,
                            [SCORE_POINTS][3] [m]                                        */
-    double *rest;       /* the same of the sheet at rest                      owned     */
+    double *rest;       /* the same of the sheet at rest                                */
+    struct arena arena; /* of both                                            owned     */
 };
 
 /* Finds the truth of a scene by name or path: a closed form or a stored truth; runs
@@ -96,9 +98,9 @@ struct score_view {
     int times;
     double reach;  /* the farthest that a frame may be from a time [s]                   */
     bool after;    /* or any time behind the last: the truth is at rest there             */
-    double *time;  /* [times] [s]                                               owned   */
-    double *when;  /* [times] time of the nearest frame [s]; NaN: none          owned   */
-    double *field; /* [times + 1][nu nv][3] [m], the last is room               owned   */
+    double *time;  /* [times] [s]                                                       */
+    double *when;  /* [times] time of the nearest frame [s]; NaN: none                  */
+    double *field; /* [times + 1][nu nv][3] [m], the last is room                       */
 };
 
 /* A time of the truth with a frame at or near it, which is compared with the truth at the
@@ -124,12 +126,12 @@ struct score {
     struct score_view grid; /* on the material grid, near the times that are judged */
     struct score_view fine; /* on the ladder's points, near all times that are known */
     double *path; /* [1 + fine.times][LADDER_POINTS][3] the truth at rest and at the
-                     times of `fine`, bilinear between the net's vertices [m]    owned   */
+                     times of `fine`, bilinear between the net's vertices [m]            */
     struct score_strays strays;
     struct score_turn turn;
     int times;
-    struct score_time *row; /* [times]                                          owned   */
-    double *truths;         /* of all rows, `truth` and `seen`                  owned   */
+    struct score_time *row; /* [times]                                                  */
+    struct arena arena;     /* of all arrays, but the truth's                   owned   */
     int frames, repeats;    /* count; those equal to the one before                     */
     double first, last, interval; /* frames' times, shortest interval [s]                */
     double start;    /* rms displacement at t = 0 [m]; NaN: no such frame               */

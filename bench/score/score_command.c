@@ -42,7 +42,7 @@ static enum status score_one(struct job *j, const char *scene, int count,
     enum status st;
 
     TRY(score_read(scene, count, paths, &j->look, &s, why));
-    TRY(score_diagnosis_make(&s, &d));
+    score_diagnosis_make(&s, &d);
     score_print_add(&j->sheet, &s, &d);
 out:
     score_clear(&s);
@@ -133,14 +133,13 @@ static enum status print_protocol(const struct protocol *p, enum table_format fo
                                                   {"sentence", NULL, TABLE_LEFT}};
     int last = -1;
 
-    if (format == TABLE_TEXT)
-        return protocol_judge(p, print_verdict, &last);
+    if (format == TABLE_TEXT) {
+        protocol_judge(p, print_verdict, &last);
+        return STATUS_OK;
+    }
     struct table *t = TABLE_OF(columns, NULL);
-    const enum status st = protocol_judge(p, add_verdict, t);
-    if (st == STATUS_OK)
-        return table_finish(t, format, stdout);
-    table_destroy(t);
-    return st;
+    protocol_judge(p, add_verdict, t);
+    return table_finish(t, format, stdout);
 }
 
 static enum status run_protocol(const struct command_line *line, const struct job *j,

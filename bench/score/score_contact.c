@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "models/contact/contact_law.h"
@@ -13,22 +12,19 @@
  * the scene's contact begins. */
 static const double MARGIN = 1.1;
 
-enum status score_contact_begin(struct score_contact *c, const struct scene *scene,
-                                const struct frames_net *frames,
-                                const struct score_net *net)
+void score_contact_begin(struct arena *arena, struct score_contact *c,
+                         const struct scene *scene, const struct frames_net *frames,
+                         const struct score_net *net)
 {
     *c = (struct score_contact){
         .scene = scene, .net = net, .work = {.keep_pairs = true, .shake = CROSSING_SHAKE}};
-    const enum status st =
-        score_net_triangles(net, frames, scene, &c->triangles, &c->corner);
+    c->corner = score_net_triangles(arena, net, frames, scene, &c->triangles);
     c->work.most = (long)CROSSING_PAIRS_MOST * c->triangles;
-    return st;
 }
 
 void score_contact_clear(struct score_contact *c)
 {
     intersection_clear(&c->work);
-    free(c->corner);
     *c = (struct score_contact){0};
 }
 

@@ -45,17 +45,17 @@ struct score_contact {
     const struct scene *scene;   /*                                           borrowed  */
     const struct score_net *net; /*                                           borrowed  */
     int triangles;
-    int (*corner)[3]; /* [triangles]                                          owned     */
-    struct intersection work;
+    int (*corner)[3];         /* [triangles] borrowed                                    */
+    struct intersection work; /*                                              owned     */
     int frames; /* that were taken                                                      */
     struct score_contact_event event[SCORE_CONTACT_KINDS];
 };
 
-/* Begins with the triangles of a net; net and scene are borrowed until the end. Free with
- * score_contact_clear, also on failure. */
-enum status score_contact_begin(struct score_contact *c, const struct scene *scene,
-                                const struct frames_net *frames,
-                                const struct score_net *net);
+/* Begins with the triangles of a net, which lie in the arena; net and scene are borrowed
+ * until the end. Free with score_contact_clear. */
+void score_contact_begin(struct arena *arena, struct score_contact *c,
+                         const struct scene *scene, const struct frames_net *frames,
+                         const struct score_net *net);
 void score_contact_clear(struct score_contact *c); /* all-zero is allowed */
 
 /* Takes the next frame, xyz[vertices][3] at time t. STATUS_NAN: a position is not finite,

@@ -695,24 +695,23 @@ struct times {
     struct clock lag, pace; /* one lead of all, one speed                                */
 };
 
-static enum status find_times(const struct score *s, struct times *times)
+static struct times find_times(const struct score *s)
 {
-    struct lead *lead = malloc((size_t)s->fine.times * sizeof *lead);
+    struct times times = {.lag = {1, 0, 0, 0}, .pace = {1, 0, 0, 0}};
+    struct arena own = {0};
 
-    *times = (struct times){.lag = {1, 0, 0, 0}, .pace = {1, 0, 0, 0}};
-    if (!lead)
-        return STATUS_MEMORY;
-    if (s->truth.moves) {
-        const int count = find_leads(s, lead), at = find_jump(s, lead, count);
-        if (at > 0)
-            times->jump = lead[at].lead - lead[at - 1].lead, times->from = lead[at].time;
-        if (count)
-            times->lag = compare(s, 1, lead[count / 2].lead);
-        if (!s->truth.known.closed) /* in a free fall it is another gravity */
-            times->pace = best_pace(s);
-    }
-    free(lead);
-    return STATUS_OK;
+    if (!s->truth.moves)
+        return times;
+    struct lead *lead = arena_take(&own, (size_t)s->fine.times, sizeof *lead);
+    const int count = find_leads(s, lead), at = find_jump(s, lead, count);
+    if (at > 0)
+        times.jump = lead[at].lead - lead[at - 1].lead, times.from = lead[at].time;
+    if (count)
+        times.lag = compare(s, 1, lead[count / 2].lead);
+    if (!s->truth.known.closed) /* in a free fall it is another gravity */
+        times.pace = best_pace(s);
+    arena_clear(&own);
+    return times;
 }
 
 /* --- lengths of lines --- */
@@ -929,6 +928,14 @@ bool score_diagnosis_has_place(const struct score_diagnosis *d)
     return true;
 }
 
+/* What is known of frames while hypotheses are tried, and what was found. */
+struct evidence {
+    struct score_diagnosis *d;
+    struct held_off support;
+    struct score_fit fit;
+    struct times times;
+};
+
 static void __attribute__((format(printf, 4, 5)))
 say(struct score_diagnosis *d, enum score_kind kind, double value, const char *format, ...)
 {
@@ -944,7 +951,7 @@ say(struct score_diagnosis *d, enum score_kind kind, double value, const char *f
 
 /* --- before anything is fitted --- */
 
-static bool say_still(const struct score *s, struct score_diagnosis *d)
+static bool say_still(const struct score *s, struct evidence *e)
 {
     const struct score_time *last = &s->row[s->times - 1];
     const double moved = score_rms(SCORE_POINTS, last->truth, s->truth.rest),
@@ -952,7 +959,7 @@ static bool say_still(const struct score *s, struct score_diagnosis *d)
 
     if (moved < STILL_MOST * s->truth.scene.length || theirs > STILL_MOST * moved)
         return false;
-    say(d, SCORE_STILL, theirs / moved,
+    say(e->d, SCORE_STILL, theirs / moved,
         "Did not move: %.2g %% of the truth's way at %g s; are forces switched on, are "
         "all vertices held, do the frames come from the start?",
         100 * theirs / moved, last->time);
@@ -974,19 +981,19 @@ static void axes_text(const struct turned *t, char text[32])
 }
 
 /* Reports two vertices in each other's place, or some elsewhere. */
-static bool say_strays(const struct score *s, struct score_diagnosis *d)
+static bool say_strays(const struct score *s, struct evidence *e)
 {
     const struct score_strays *w = &s->strays;
 
     if (!w->count)
         return false;
     if (w->exchanged)
-        say(d, SCORE_ORDER, w->off,
+        say(e->d, SCORE_ORDER, w->off,
             "%d vertices stand in each other's place, vertices %d and %d to begin with: "
             "does each have its own uv?",
             w->count, w->vertex[0] + 1, w->vertex[1] + 1);
     else
-        say(d, SCORE_ORDER, w->off,
+        say(e->d, SCORE_ORDER, w->off,
             "%d of %d vertices begin elsewhere than their uv say: vertex %d is %.2g %% of "
             "the length off, where most are %.2g %% off.",
             w->count, s->net.vertices, w->vertex[0] + 1, 100 * w->off, 100 * w->others);
@@ -994,37 +1001,37 @@ static bool say_strays(const struct score *s, struct score_diagnosis *d)
 }
 
 /* Reports that the first frame is the sheet at rest, but turned. */
-static bool say_turn(const struct score *s, struct score_diagnosis *d)
+static bool say_turn(const struct score *s, struct evidence *e)
 {
     const struct score_turn *t = &s->turn;
 
     if (!(t->angle > TURNED_LEAST))
         return false;
-    say(d, SCORE_TURNED, t->angle,
+    say(e->d, SCORE_TURNED, t->angle,
         "Begins turned by %.3g degrees about (%.2g, %.2g, %.2g): is the sheet's pose the "
         "scene's, and gravity along -z?",
         t->angle, t->axis[0], t->axis[1], t->axis[2]);
     return true;
 }
 
-static bool say_turned(const struct score *s, struct score_diagnosis *d)
+static bool say_turned(const struct score *s, struct evidence *e)
 {
     const struct turned t = best_turn(s);
     const bool axes_fit = changes(&t) && t.error < WORTH_IT;
 
-    if (!axes_fit && say_turn(s, d))
+    if (!axes_fit && say_turn(s, e))
         return true;
     const double now = 100 * t.as_is, then = 100 * t.error;
     char axes[32];
 
     axes_text(&t, axes);
     if (t.scale != 1)
-        say(d, SCORE_UNITS, t.scale,
+        say(e->d, SCORE_UNITS, t.scale,
             "Positions are in another unit: they fit to %.2g %% in place of %.2g %% with "
             "--scale %g.",
             then, now, t.scale);
     if (strcmp(axes, "x, y, z") != 0)
-        say(d, SCORE_AXES, t.error,
+        say(e->d, SCORE_AXES, t.error,
             "Axes are exchanged: frames fit to %.2g %% in place of %.2g %% if %s are "
             "taken for x, y, z%s.",
             then, now, axes,
@@ -1032,12 +1039,12 @@ static bool say_turned(const struct score *s, struct score_diagnosis *d)
             : !strcmp(axes, "-z, y, x") ? " (--up x)"
                                         : "");
     if (t.order)
-        say(d, SCORE_ORDER, t.error,
+        say(e->d, SCORE_ORDER, t.error,
             "Vertices are in another order than their uv: frames fit to %.2g %% in place "
             "of %.2g %% with %s%s%s.",
             then, now, t.order & 1 ? "rows and columns exchanged" : "the same rows",
             t.order & 2 ? ", u reversed" : "", t.order & 4 ? ", v reversed" : "");
-    return d->count > 0;
+    return e->d->count > 0;
 }
 
 static void stretch_text(const struct lines *l, double when, struct score_diagnosis *d)
@@ -1062,18 +1069,19 @@ static void stretch_text(const struct lines *l, double when, struct score_diagno
                                 : "is the rest shape the sheet's?");
 }
 
-static void say_stretch(const struct score *s, struct score_diagnosis *d)
+static bool say_stretch(const struct score *s, struct evidence *e)
 {
     struct lines most = {0};
     const double when = find_stretch(s, &most);
 
     if (when > 0)
-        stretch_text(&most, when, d);
+        stretch_text(&most, when, e->d);
+    return when > 0;
 }
 
 /* Reports vertices in a wrong order: neighbours on the net lie far apart, yet all points
  * lie on the truth's surface. */
-static bool say_scattered(const struct score *s, struct score_diagnosis *d)
+static bool say_scattered(const struct score *s, struct evidence *e)
 {
     const struct score_time *row = s->row;
     double apart = 0;
@@ -1087,7 +1095,7 @@ static bool say_scattered(const struct score *s, struct score_diagnosis *d)
     const double off = nearest(row, s->truth.scene.length);
     if (!is_better(off, row->error))
         return false;
-    say(d, SCORE_ORDER, off,
+    say(e->d, SCORE_ORDER, off,
         "Vertices are in another order than their uv: neighbours lie %.2g times as far "
         "apart as the truth's at %g s, yet all of them on its surface, to %.2g %%; does "
         "each vertex have its own uv?",
@@ -1147,9 +1155,11 @@ static bool is_clock(const struct score *s, const struct clock *c,
 
 /* Reports a jump of the lead, another pace or another start. Nothing else is then reported,
  * as the fit compared the frames with wrong times. */
-static bool say_times(const struct score *s, const struct times *times,
-                      const struct score_fit *fit, struct score_diagnosis *d)
+static bool say_times(const struct score *s, struct evidence *e)
 {
+    const struct times *times = &e->times;
+    const struct score_fit *fit = &e->fit;
+    struct score_diagnosis *d = e->d;
     const struct clock *pace = &times->pace;
     const bool slow = pace->speed < 1;
     char repeats[64] = "", gravity[64] = "";
@@ -1201,16 +1211,83 @@ static void say_gravity(const struct score *s, double g, const struct clock *pac
         other);
 }
 
-static void say_fit(const struct score *s, const struct score_fit *fit,
-                    const struct held_off *support, const struct clock *pace,
-                    struct score_diagnosis *d)
+static bool say_support(const struct score *s, struct evidence *e)
 {
+    const struct held_off *off = &e->support;
+    const struct scene *scene = &s->truth.scene;
+    const double *by = off->by;
+    char what[192] = "Begins off the scene's rest shape, as a whole";
+
+    if (!off->steady && !(off->most > 0))
+        return false;
+    if (scene->support_count) {
+        const struct scene_support *held = &scene->supports[off->which];
+        snprintf(
+            what, sizeof what,
+            "Is not held where the scene holds it: support %d (u %g to %g, v %g to %g) is "
+            "%.2g %% off at %g s",
+            off->which, held->lo[0], held->hi[0], held->lo[1], held->hi[1], 100 * off->most,
+            off->time);
+    }
+    say(e->d, SCORE_SUPPORT, off->most, "%s, by (%.3g, %.3g, %.3g) m%s", what, by[0], by[1],
+        by[2],
+        off->steady ? ", and at all other times: is the sheet's pose the scene's?"
+                    : "; are its vertices fixed, or moved by its path?");
+    return true;
+}
+
+/* A shift at all times is told before what was fitted beside it. */
+static bool say_shift(const struct score *s, struct evidence *e)
+{
+    return e->support.steady && say_support(s, e);
+}
+
+/* Fits the flaws to the frames as they are, or moved back where what is held is off by the
+ * same at all times. A sheet that nothing holds may begin off because its frames are ahead:
+ * there the fit that leaves less is taken. */
+static bool measure(const struct score *s, struct evidence *e)
+{
+    struct held_off *off = &e->support;
+    struct score_fit back;
+
+    *off = find_support(s);
+    e->times = find_times(s);
+    score_fit_make(s, (double[3]){0}, &e->fit);
+    if (!off->steady)
+        return false;
+    score_fit_make(s, off->shift, &back);
+    off->steady = s->truth.scene.support_count || back.rest < e->fit.rest;
+    if (off->steady)
+        e->fit = back;
+    else
+        memset(off->shift, 0, sizeof off->shift);
+    return false;
+}
+
+/* Returns whether all errors are within those of sound frames. */
+static bool is_sound(const struct score *s)
+{
+    const double most = sound_most(s);
+    bool sound = true;
+
+    for (const struct score_time *row = s->row; row < s->row + s->times; row++)
+        sound = sound && row->error <= most + TIMES_FLOOR * (row->bar + row->floor);
+    return sound;
+}
+
+static bool say_fit(const struct score *s, struct evidence *e)
+{
+    const struct score_fit *fit = &e->fit;
+    struct score_diagnosis *d = e->d;
     const double *value = fit->value;
 
+    if (is_sound(s) && !d->count && fit->left > MUCH_BETTER)
+        return false;
+
     if (fit->has[FIT_LEAD])
-        say_lead(s, value[FIT_LEAD], support->shift, d);
+        say_lead(s, value[FIT_LEAD], e->support.shift, d);
     if (fit->has[FIT_GRAVITY])
-        say_gravity(s, 1 + value[FIT_GRAVITY], pace, fit, d);
+        say_gravity(s, 1 + value[FIT_GRAVITY], &e->times.pace, fit, d);
     if (fit->has[FIT_DAMPING])
         say(d, SCORE_DAMPING, value[FIT_DAMPING],
             value[FIT_DAMPING] > 0
@@ -1235,112 +1312,59 @@ static void say_fit(const struct score *s, const struct score_fit *fit,
         say(d, SCORE_BENDING, value[FIT_BENDING],
             "Bends like D x %.2f%s (D = E h^3 / 12 (1 - nu^2)).", value[FIT_BENDING],
             fit->at_end ? ", or beyond: the ladder of truths ends there" : "");
+    d->left = fit->left < 1 ? fit->left : 0;
+    return fit->count > 0;
 }
 
-static void say_support(const struct score *s, const struct held_off *off,
-                        struct score_diagnosis *d)
-{
-    const struct scene *scene = &s->truth.scene;
-    const double *by = off->by;
-    char what[192] = "Begins off the scene's rest shape, as a whole";
-
-    if (scene->support_count) {
-        const struct scene_support *held = &scene->supports[off->which];
-        snprintf(
-            what, sizeof what,
-            "Is not held where the scene holds it: support %d (u %g to %g, v %g to %g) is "
-            "%.2g %% off at %g s",
-            off->which, held->lo[0], held->hi[0], held->lo[1], held->hi[1], 100 * off->most,
-            off->time);
-    }
-    say(d, SCORE_SUPPORT, off->most, "%s, by (%.3g, %.3g, %.3g) m%s", what, by[0], by[1],
-        by[2],
-        off->steady ? ", and at all other times: is the sheet's pose the scene's?"
-                    : "; are its vertices fixed, or moved by its path?");
-}
-
-/* Fits the flaws to the frames as they are, or moved back where what is held is off by the
- * same at all times. A sheet that nothing holds may begin off because its frames are ahead:
- * there the fit that leaves less is taken. */
-static void fit_either(const struct score *s, struct held_off *off, struct score_fit *fit)
-{
-    struct score_fit back;
-
-    score_fit_make(s, (double[3]){0}, fit);
-    if (!off->steady)
-        return;
-    score_fit_make(s, off->shift, &back);
-    off->steady = s->truth.scene.support_count || back.rest < fit->rest;
-    if (off->steady)
-        *fit = back;
-    else
-        memset(off->shift, 0, sizeof off->shift);
-}
-
-/* Returns whether all errors are within those of sound frames. */
-static bool is_sound(const struct score *s)
-{
-    const double most = sound_most(s);
-    bool sound = true;
-
-    for (const struct score_time *row = s->row; row < s->row + s->times; row++)
-        sound = sound && row->error <= most + TIMES_FLOOR * (row->bar + row->floor);
-    return sound;
-}
-
-static void say_sound(const struct score *s, struct score_diagnosis *d)
+static bool say_sound(const struct score *s, struct evidence *e)
 {
     const struct score_time *worst = s->row;
 
+    if (!is_sound(s))
+        return false;
     for (const struct score_time *row = s->row; row < s->row + s->times; row++)
         worst = row->error > worst->error ? row : worst;
     if (worst->floor > worst->bar && worst->error < TIMES_FLOOR * worst->floor)
-        say(d, SCORE_FLOOR, worst->floor,
+        say(e->d, SCORE_FLOOR, worst->floor,
             "Is at its net's floor: the truth itself between these vertices is off by "
             "%.2g %% at %g s, which explains the error; only a finer net can do better.",
             100 * worst->floor, worst->time);
     if (worst->bar > SOUND_MOST && worst->error > SOUND_MOST)
-        say(d, SCORE_SOUND, worst->error,
+        say(e->d, SCORE_SOUND, worst->error,
             "Nothing can be said against it: at most %.2g %% off, where the truth itself "
             "has an error bar of up to %.2g %%.",
             100 * worst->error, 100 * worst->bar);
     else
-        say(d, SCORE_SOUND, worst->error,
+        say(e->d, SCORE_SOUND, worst->error,
             "Nothing wrong was found: at most %.2g %% off, the net's floor there %.2g %%.",
             100 * worst->error, 100 * worst->floor);
+    return true;
 }
 
-/* Tries what frames may have, the plain before the subtle: place (turned, axes, units,
- * order), time (a lost frame, another clock), then physics. Each is told by how much of the
- * error it leaves, and displaces what was found before it where it leaves a third of that.
- * Frames are sound where their errors are those of good simulators, and a flaw is then
- * believed only if it leaves a quarter. */
-enum status score_diagnosis_make(const struct score *s, struct score_diagnosis *d)
+/* What frames may have, the plain before the subtle: place (turned, axes, units, order),
+ * time (a lost frame, another clock), then physics. Each is told by how much of the error
+ * it leaves, and displaces what was found before it where it leaves a third of that. Frames
+ * are sound where their errors are those of good simulators, and a flaw is then believed
+ * only if it leaves a quarter. */
+static const struct {
+    bool (*say)(const struct score *s, struct evidence *e); /* returns whether it holds */
+    enum {
+        ALONE,
+        BESIDE,
+        ELSE
+    } how; /* nothing comes after it; if nothing came before it  */
+} hypotheses[] = {{say_still, ALONE},     {say_turned, ALONE},   {say_strays, ALONE},
+                  {say_scattered, ALONE}, {measure, BESIDE},     {say_times, ALONE},
+                  {say_shift, BESIDE},    {say_stretch, BESIDE}, {say_fit, BESIDE},
+                  {say_support, ELSE},    {say_sound, ELSE}};
+
+void score_diagnosis_make(const struct score *s, struct score_diagnosis *d)
 {
-    struct score_fit fit;
-    struct times times;
-    enum status st = STATUS_OK;
+    struct evidence e = {d};
+    bool told = !s->times;
 
     memset(d, 0, sizeof *d);
-    if (!s->times || say_still(s, d) || say_turned(s, d) || say_strays(s, d) ||
-        say_scattered(s, d))
-        return st;
-    struct held_off support = find_support(s);
-    fit_either(s, &support, &fit);
-    TRY(find_times(s, &times));
-    if (say_times(s, &times, &fit, d))
-        return st;
-    if (support.steady)
-        say_support(s, &support, d);
-    say_stretch(s, d);
-    if (!is_sound(s) || d->count || fit.left <= MUCH_BETTER) {
-        say_fit(s, &fit, &support, &times.pace, d);
-        d->left = fit.left < 1 ? fit.left : 0;
-    }
-    if (!d->count && support.most > 0)
-        say_support(s, &support, d);
-    if (!d->count && is_sound(s))
-        say_sound(s, d);
-out:
-    return st;
+    for (size_t n = 0; n < sizeof hypotheses / sizeof *hypotheses && !told; n++)
+        if (hypotheses[n].how != ELSE || !d->count)
+            told = hypotheses[n].say(s, &e) && hypotheses[n].how == ALONE;
 }

@@ -52,8 +52,7 @@ const char *score_diagnosis_name(enum score_kind kind);
  * where they belong: else nothing is to be said of its contact or its stiffness. */
 bool score_diagnosis_has_place(const struct score_diagnosis *diagnosis);
 
-/* Diagnoses a score; finds nothing where it has no times. STATUS_MEMORY. */
-enum status score_diagnosis_make(const struct score *score,
-                                 struct score_diagnosis *diagnosis);
+/* Diagnoses a score; finds nothing where it has no times. */
+void score_diagnosis_make(const struct score *score, struct score_diagnosis *diagnosis);
 
 #endif

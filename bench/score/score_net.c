@@ -117,27 +117,19 @@ static enum status by_position(const struct scene *scene, const char *name,
     return STATUS_OK;
 }
 
-enum status score_net_make(const struct frames_net *frames, const struct scene *scene,
-                           const char *name, const double *rest, const double *xyz,
-                           struct score_net *net, struct message *why)
+enum status score_net_make(struct arena *arena, const struct frames_net *frames,
+                           const struct scene *scene, const char *name, const double *rest,
+                           const double *xyz, struct score_net *net, struct message *why)
 {
     const size_t count = (size_t)frames->vertices;
 
     *net = (struct score_net){.vertices = frames->vertices,
-                              .uv = malloc(2 * count * sizeof *net->uv)};
-    if (!net->uv)
-        return STATUS_MEMORY;
+                              .uv = arena_take(arena, 2 * count, sizeof *net->uv)};
     if (!frames->uv)
         return by_position(scene, name, rest ? rest : xyz,
                            rest ? "the rest mesh" : "the first frame", net, why);
     memcpy(net->uv, frames->uv, 2 * count * sizeof *net->uv);
     return STATUS_OK;
-}
-
-void score_net_clear(struct score_net *net)
-{
-    free(net->uv);
-    *net = (struct score_net){0};
 }
 
 /* --- rows and columns --- */
@@ -318,18 +310,17 @@ static enum status map_triangles(const struct score_net *net,
                                  struct message *why)
 {
     const int points = map->nu * map->nv;
-    double *inside = malloc((size_t)points * sizeof *inside);
+    struct arena own = {0};
+    double *inside = arena_take(&own, (size_t)points, sizeof *inside);
     int bare = -1;
 
-    if (!inside)
-        return STATUS_MEMORY;
     for (int n = 0; n < points; n++)
         inside[n] = -EDGE; /* a point may lie so far out of a triangle, in u and v */
     for (int n = 0; n < frames->triangles; n++)
         map_triangle(net, scene, frames->triangle[n], inside, map);
     for (int n = 0; n < points && bare < 0; n++)
         bare = inside[n] > -EDGE ? -1 : n;
-    free(inside);
+    arena_clear(&own);
     if (bare < 0)
         return STATUS_OK;
     return status_fail(why, STATUS_INPUT,
@@ -388,21 +379,29 @@ static enum status check_span(const struct score_net *net, const char *name,
     return STATUS_OK;
 }
 
-enum status score_net_map(struct score_net *net, const struct frames_net *frames,
-                          const struct scene *scene, const char *name, int nu, int nv,
-                          struct score_map *map, struct message *why)
+/* Returns the net's vertices at their material coordinates. */
+static struct point *points_of(struct arena *arena, const struct score_net *net)
 {
-    const size_t points = (size_t)nu * (size_t)nv;
-    struct point *p = malloc((size_t)net->vertices * sizeof *p);
-    enum status st;
+    struct point *p = arena_take(arena, (size_t)net->vertices, sizeof *p);
 
-    *map = (struct score_map){nu, nv, malloc(points * sizeof *map->vertex),
-                              malloc(points * sizeof *map->weight)};
-    TRY(p && map->vertex && map->weight ? STATUS_OK : STATUS_MEMORY);
-    TRY(check_span(net, name, why));
-    TRY(check_sheets(net, scene, name, why));
     for (int n = 0; n < net->vertices; n++)
         p[n] = (struct point){{net->uv[2 * n], net->uv[2 * n + 1]}, n};
+    return p;
+}
+
+enum status score_net_map(struct arena *arena, struct score_net *net,
+                          const struct frames_net *frames, const struct scene *scene,
+                          const char *name, int nu, int nv, struct score_map *map,
+                          struct message *why)
+{
+    const size_t points = (size_t)nu * (size_t)nv;
+    struct point *p = points_of(arena, net);
+    enum status st;
+
+    *map = (struct score_map){nu, nv, arena_take(arena, points, sizeof *map->vertex),
+                              arena_take(arena, points, sizeof *map->weight)};
+    TRY(check_span(net, name, why));
+    TRY(check_sheets(net, scene, name, why));
     const int columns = count_lines(p, net->vertices, 0),
               rows = count_lines(p, net->vertices, 1);
     if (sort_rows(p, columns, rows, net->vertices)) {
@@ -416,7 +415,6 @@ enum status score_net_map(struct score_net *net, const struct frames_net *frames
                          "crossing, or faces (OBJ, PLY, --rest), would be right",
                          name, net->vertices, columns, rows);
 out:
-    free(p);
     return st;
 }
 
@@ -427,8 +425,6 @@ static int cut_cells(struct point *p, const struct score_net *net,
 {
     int count = 0;
 
-    for (int n = 0; n < net->vertices; n++)
-        p[n] = (struct point){{net->uv[2 * n], net->uv[2 * n + 1]}, n};
     const int columns = count_lines(p, net->vertices, 0),
               rows = count_lines(p, net->vertices, 1);
     if (!sort_rows(p, columns, rows, net->vertices))
@@ -459,15 +455,12 @@ static int compare_places(const void *a, const void *b)
 }
 
 /* Copies faces in the order of their places. */
-static enum status sort_faces(const struct score_net *net, const struct frames_net *frames,
-                              int (*corner)[3])
+static void sort_faces(struct face *face, const struct score_net *net,
+                       const struct frames_net *frames, int (*corner)[3])
 {
     const int count = frames->triangles;
     const double strips = ceil(sqrt(count / 2.));
-    struct face *face = malloc((size_t)count * sizeof *face);
 
-    if (!face)
-        return STATUS_MEMORY;
     for (int n = 0; n < count; n++) {
         double u = 0, v = 0;
         memcpy(face[n].corner, frames->triangle[n], sizeof face[n].corner);
@@ -480,35 +473,20 @@ static enum status sort_faces(const struct score_net *net, const struct frames_n
     qsort(face, (size_t)count, sizeof *face, compare_places);
     for (int n = 0; n < count; n++)
         memcpy(corner[n], face[n].corner, sizeof corner[n]);
-    free(face);
-    return STATUS_OK;
 }
 
-enum status score_net_triangles(const struct score_net *net,
-                                const struct frames_net *frames, const struct scene *scene,
-                                int *count, int (**corner)[3])
+int (*score_net_triangles(struct arena *arena, const struct score_net *net,
+                          const struct frames_net *frames, const struct scene *scene,
+                          int *count))[3]
 {
     const int faces = frames->triangles;
     const size_t room = (size_t)(faces ? faces : 2 * net->vertices);
-    struct point *p = malloc((size_t)net->vertices * sizeof *p);
-    enum status st = STATUS_OK;
+    int(*corner)[3] = arena_take(arena, room, sizeof *corner);
 
-    *count = 0;
-    *corner = malloc(room * sizeof **corner);
-    TRY(p && *corner ? STATUS_OK : STATUS_MEMORY);
-    *count = faces ? faces : cut_cells(p, net, scene, *corner);
+    *count = faces ? faces : cut_cells(points_of(arena, net), net, scene, corner);
     if (faces)
-        st = sort_faces(net, frames, *corner);
-out:
-    free(p);
-    return st;
-}
-
-void score_map_clear(struct score_map *map)
-{
-    free(map->vertex);
-    free(map->weight);
-    *map = (struct score_map){0};
+        sort_faces(arena_take(arena, room, sizeof(struct face)), net, frames, corner);
+    return corner;
 }
 
 void score_map_apply(const struct score_map *map, const double *xyz, double *field)

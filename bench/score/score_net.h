@@ -5,6 +5,7 @@
 #ifndef SCORE_NET_H
 #define SCORE_NET_H
 
+#include "bench/files/arena.h"
 #include "bench/frames/frames.h"
 #include "models/scene.h"
 
@@ -12,40 +13,39 @@
  * fastest. */
 struct score_map {
     int nu, nv;
-    int (*vertex)[4];    /* [nu nv]      owned */
-    double (*weight)[4]; /* [nu nv]      owned */
+    int (*vertex)[4];    /* [nu nv] */
+    double (*weight)[4]; /* [nu nv] */
 };
 
 struct score_net {
     int vertices;
     int columns, rows; /* 0: it has none; set by score_net_map                        */
-    double *uv;        /* [vertices][2]                                          owned */
+    double *uv;        /* [vertices][2]                                                */
     bool by_position;  /* uv were found from rest positions                            */
 };
 
-/* Finds material coordinates: the net's own; else those of its rest mesh; else, where each
- * vertex lies on a flat rest shape, from the first frame, xyz [vertices][3] [m]. `rest` is
- * that mesh in the scene's axes and units, or NULL. STATUS_INPUT with a sentence that
- * begins with the name. */
-enum status score_net_make(const struct frames_net *frames, const struct scene *scene,
-                           const char *name, const double *rest, const double *xyz,
-                           struct score_net *net, struct message *why);
-void score_net_clear(struct score_net *net); /* all-zero is allowed */
+/* Finds material coordinates, which lie in the arena: the net's own; else those of its rest
+ * mesh; else, where each vertex lies on a flat rest shape, from the first frame, xyz
+ * [vertices][3] [m]. `rest` is that mesh in the scene's axes and units, or NULL.
+ * STATUS_INPUT with a sentence that begins with the name. */
+enum status score_net_make(struct arena *arena, const struct frames_net *frames,
+                           const struct scene *scene, const char *name, const double *rest,
+                           const double *xyz, struct score_net *net, struct message *why);
 
-/* Makes the map of a net made of these frames; points between two sheets are taken from the
- * nearest one. STATUS_INPUT: vertices do not cover the sheet, or neither stand in rows and
- * columns nor have faces. */
-enum status score_net_map(struct score_net *net, const struct frames_net *frames,
-                          const struct scene *scene, const char *name, int nu, int nv,
-                          struct score_map *map, struct message *why);
-void score_map_clear(struct score_map *map); /* all-zero is allowed */
+/* Makes the map, in the arena, of a net made of these frames; points between two sheets are
+ * taken from the nearest one. STATUS_INPUT: vertices do not cover the sheet, or neither
+ * stand in rows and columns nor have faces. */
+enum status score_net_map(struct arena *arena, struct score_net *net,
+                          const struct frames_net *frames, const struct scene *scene,
+                          const char *name, int nu, int nv, struct score_map *map,
+                          struct message *why);
 
 /* Lists the triangles of a net that has a map: its faces, else the cells between rows and
- * columns of one sheet, cut as in intersection.h. *corner [*count][3] is freed by the
- * receiver. STATUS_MEMORY. */
-enum status score_net_triangles(const struct score_net *net,
-                                const struct frames_net *frames, const struct scene *scene,
-                                int *count, int (**corner)[3]);
+ * columns of one sheet, cut as in intersection.h. Returns corners [*count][3],
+ * in the arena. */
+int (*score_net_triangles(struct arena *arena, const struct score_net *net,
+                          const struct frames_net *frames, const struct scene *scene,
+                          int *count))[3];
 
 /* Fills field[nu nv][3] from xyz[vertices][3]. */
 void score_map_apply(const struct score_map *map, const double *xyz, double *field);

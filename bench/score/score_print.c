@@ -64,8 +64,11 @@ static void say_contact(const struct score *s, struct score_print_said *said)
                  scene_sheet_other(&s->truth.scene),
                  s->truth.scene.obstacle_count ? " or has a vertex in a body" : "");
     for (int k = 0; k < SCORE_CONTACT_KINDS; k++)
-        if (score_contact_tells(c, k))
+        if (score_contact_tells(c, k)) {
+            said->through[said->count] =
+                k == SCORE_CONTACT_ITSELF || k == SCORE_CONTACT_BODY;
             score_contact_text(c, k, next(said));
+        }
 }
 
 void score_print_say(const struct score *s, const struct score_diagnosis *d,
@@ -73,7 +76,7 @@ void score_print_say(const struct score *s, const struct score_diagnosis *d,
 {
     struct score_stiffness stiffness;
 
-    said->count = 0;
+    *said = (struct score_print_said){0};
     for (int n = 0; n < d->count; n++)
         memcpy(next(said), d->finding[n].text, sizeof *said->text);
     if (d->left > 0)
@@ -88,7 +91,7 @@ void score_print_say(const struct score *s, const struct score_diagnosis *d,
         return;
     score_stiffness_make(s, &stiffness);
     if (stiffness.applies)
-        memcpy(next(said), stiffness.text, sizeof stiffness.text);
+        score_stiffness_text(&stiffness, next(said));
     say_contact(s, said);
 }
 
@@ -137,14 +140,16 @@ static void print_contact(const struct score *s, FILE *file)
 static void print_stiffness(const struct score *s, FILE *file)
 {
     struct score_stiffness stiffness;
+    char text[SCORE_STIFFNESS_TEXT];
 
     score_stiffness_make(s, &stiffness);
     if (!stiffness.found)
         return;
+    score_stiffness_text(&stiffness, text);
     fprintf(file, "{\"kind\": \"%s\", \"value\": %.17g, \"scene\": %.17g, ",
             stiffness.part == LAW_MEMBRANE ? "membrane" : "bending", stiffness.value,
             stiffness.scene);
-    print_text(file, "text", stiffness.text);
+    print_text(file, "text", text);
     fputc('}', file);
 }
 
@@ -154,8 +159,6 @@ static void print_json(const struct score *s, const struct score_diagnosis *d,
     const char *scene = s->truth.scene.name;
     FILE *file = table_json_open(to);
 
-    if (!file)
-        return;
     fputc('{', file);
     print_text(file, "scene", scene);
     fputs(", \"rows\": [", file);

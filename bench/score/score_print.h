@@ -17,6 +17,7 @@ struct score_print {
 enum { SCORE_PRINT_SENTENCES = SCORE_KINDS + SCORE_CONTACT_KINDS + 4 };
 struct score_print_said {
     int count;
+    bool through[SCORE_PRINT_SENTENCES]; /* it tells where the sheet first passes through */
     char text[SCORE_PRINT_SENTENCES][400];
 };
 void score_print_say(const struct score *score, const struct score_diagnosis *diagnosis,

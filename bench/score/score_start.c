@@ -58,16 +58,14 @@ static void count_strays(int count, const double *xyz, const double *point,
             !(off[n] > least) || stands_at_other(count, point, off, least, n, xyz + 3L * n);
 }
 
-enum status score_start_strays(const struct scene *scene, const struct score_net *net,
-                               const double *rest, const double *xyz,
-                               struct score_strays *strays)
+void score_start_strays(const struct scene *scene, const struct score_net *net,
+                        const double *rest, const double *xyz, struct score_strays *strays)
 {
     const size_t count = (size_t)net->vertices;
-    double *off = malloc(5 * count * sizeof *off);
+    struct arena own = {0};
+    double *off = arena_take(&own, 5 * count, sizeof *off);
 
     *strays = (struct score_strays){0};
-    if (!off)
-        return STATUS_MEMORY;
     double *sorted = off + count, *point = sorted + count;
     for (size_t n = 0; n < count; n++) {
         const double *uv = net->uv + 2 * n;
@@ -81,8 +79,7 @@ enum status score_start_strays(const struct scene *scene, const struct score_net
     count_strays(net->vertices, xyz, point, off,
                  (STRAY_TIMES * strays->others + STRAY_LEAST) * scene->length, strays);
     strays->off = off[strays->vertex[0]] / scene->length;
-    free(off);
-    return STATUS_OK;
+    arena_clear(&own);
 }
 
 /* --- a turned sheet --- */

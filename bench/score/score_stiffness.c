@@ -97,25 +97,27 @@ static struct sums bend(const struct scene *scene, const struct line *line)
     return s;
 }
 
-static const char *direction(const struct scene *scene, const struct law *law)
+static enum score_along direction(const struct scene *scene, const struct law *law)
 {
     if (law->isotropic || !law_is_aligned(law))
-        return "u";
-    return fmod(scene->fabric.warp, 180) == 0 ? "the warp" : "the weft";
+        return SCORE_ALONG_U;
+    return fmod(scene->fabric.warp, 180) == 0 ? SCORE_ALONG_WARP : SCORE_ALONG_WEFT;
 }
 
-static void write_text(struct score_stiffness *s)
+void score_stiffness_text(const struct score_stiffness *s, char text[SCORE_STIFFNESS_TEXT])
 {
+    static const char *const along[] = {"u", "the warp", "the weft"};
+
     if (!s->found)
-        snprintf(s->text, sizeof s->text,
+        snprintf(text, SCORE_STIFFNESS_TEXT,
                  "No stiffness explains its last shape, which must be one at rest (%.2g %% "
                  "is left, beside what the net leaves): does it still move?",
                  100 * s->left);
     else
-        snprintf(s->text, sizeof s->text,
+        snprintf(text, SCORE_STIFFNESS_TEXT,
                  "Its %s is as stiff as %.4g N%sm along %s, %.3g times the scene's %.4g.",
                  s->part == LAW_MEMBRANE ? "membrane" : "bending", s->value,
-                 s->part == LAW_MEMBRANE ? "/" : " ", s->along, s->value / s->scene,
+                 s->part == LAW_MEMBRANE ? "/" : " ", along[s->along], s->value / s->scene,
                  s->scene);
 }
 
@@ -148,5 +150,4 @@ void score_stiffness_make(const struct score *score, struct score_stiffness *sti
     stiffness->value = stiffness->scene * (s.ff / s.fe) / (net.ff / net.fe);
     stiffness->left = sqrt(fmax(0, unexplained(&s) - unexplained(&net)));
     stiffness->found = stiffness->value > 0 && stiffness->left <= LEFT_MOST;
-    write_text(stiffness);
 }

@@ -1,6 +1,5 @@
 /* table.c - holds a table, and prints it for machines (CSV after RFC 4180, JSON) and for
  * people (text, Markdown, LaTeX). */
-#define _GNU_SOURCE /* vasprintf */
 #include "bench/ui/table.h"
 
 #include <assert.h>
@@ -10,13 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/files/arena.h"
 #include "bench/files/output.h"
 
 /* The most columns of the screen for a sentence, for any line, and for a wrapped cell. */
 enum { TEXT_WIDTH = 96, LINE_WIDTH = 120, CELL_WIDTH = 40 };
 
 struct table_cell {
-    char *text; /* as people see it, or why it is missing; NULL: left out        owned */
+    char *text; /* as people see it, or why it is missing; NULL: left out              */
     enum { TABLE_CELL_MISSING, TABLE_CELL_TEXT, TABLE_CELL_NUMBER } kind;
     double value; /* of a number, as machines get it                                   */
 };
@@ -30,13 +30,13 @@ struct table {
     int column_count, row_count, note_count;
     int filled;                   /* cells of the last row                             */
     bool rule_next;               /* above the row to come                             */
-    bool failed;                  /* out of memory somewhere                           */
     bool flushed;                 /* table_flush has printed the keys                  */
-    struct table_column *columns; /* [column_count], each with a key             owned */
-    int *width;                   /* [column_count] of the widest text so far    owned */
-    struct table_row **rows;      /* [row_count]                                 owned */
-    char *caption;                /*                                             owned */
-    char **notes;                 /* [note_count]                                owned */
+    struct table_column *columns; /* [column_count], each with a key                   */
+    int *width;                   /* [column_count] of the widest text so far          */
+    struct table_row **rows;      /* [row_count]                                       */
+    char *caption;                /* NULL: none                                        */
+    char **notes;                 /* [note_count]                                      */
+    struct arena lines, arena;    /* of the rows, and of all else                owned */
 };
 
 /* The names of the values of enum table_format, in its order. */
@@ -98,10 +98,10 @@ static void key_of_words(const char *words, char key[KEY])
 }
 
 /* Returns the key of a column, made of its header and unit; a second one gets _2. */
-static char *key_of(const struct table_column *columns, int n)
+static char *key_of(struct arena *arena, const struct table_column *columns, int n)
 {
     const char *unit = columns[n].unit ? columns[n].unit : "1";
-    char words[KEY], key[KEY], *own;
+    char words[KEY], key[KEY];
     int twins = 1;
 
     snprintf(words, sizeof words, "%s %s", columns[n].header,
@@ -116,127 +116,72 @@ static char *key_of(const struct table_column *columns, int n)
         twins += !strncmp(other, key, size) && (!other[size] || other[size] == '_') &&
                  strspn(other + size, "_0123456789") == strlen(other + size);
     }
-    if (!*key)
-        return strdup("column");
-    return asprintf(&own, twins > 1 ? "%s_%d" : "%s", key, twins) < 0 ? NULL : own;
+    return arena_print(arena, twins > 1 ? "%s_%d" : "%s", *key ? key : "column", twins);
 }
 
 /* --- what it holds -------------------------------------------------------------------- */
 
 /* Copies the columns and gives each a key of its own. */
-static bool copy_columns(struct table *t, const struct table_column *columns)
+static void copy_columns(struct table *t, const struct table_column *columns)
 {
-    t->columns = calloc((size_t)t->column_count, sizeof *t->columns);
-    t->width = calloc((size_t)t->column_count, sizeof *t->width);
-    if (!t->columns || !t->width)
-        return false;
+    t->columns = arena_take(&t->arena, (size_t)t->column_count, sizeof *t->columns);
+    t->width = arena_take(&t->arena, (size_t)t->column_count, sizeof *t->width);
     for (int n = 0; n < t->column_count; n++) {
         const struct table_column *from = &columns[n];
         const int header = table_width(from->header), unit = table_width(from->unit);
         t->width[n] = header > unit ? header : unit;
         t->columns[n] = *from;
-        t->columns[n].key = from->key ? strdup(from->key) : key_of(t->columns, n);
-        if (!t->columns[n].key)
-            return false;
+        t->columns[n].key = from->key ? arena_print(&t->arena, "%s", from->key)
+                                      : key_of(&t->arena, t->columns, n);
         for (int k = 0; k < n; k++)
             assert(strcmp(t->columns[k].key, t->columns[n].key) != 0);
     }
-    return true;
 }
 
 struct table *table_create(int column_count, const struct table_column *columns,
                            const char *caption)
 {
-    struct table *t = calloc(1, sizeof *t);
+    struct arena arena = {0};
+    struct table *t = arena_take(&arena, 1, sizeof *t);
 
     assert(column_count > 0);
-    if (!t)
-        return NULL;
-    t->column_count = column_count;
-    t->caption = caption ? strdup(caption) : NULL;
-    if (copy_columns(t, columns) && (!caption || t->caption))
-        return t;
-    table_destroy(t);
-    return NULL;
-}
-
-static void clear_rows(struct table *t)
-{
-    for (int row = 0; row < t->row_count; row++) {
-        for (int n = 0; n < t->column_count; n++)
-            free(t->rows[row]->cell[n].text);
-        free(t->rows[row]);
-    }
-    free(t->rows);
-    t->rows = NULL;
-    t->row_count = 0;
+    *t = (struct table){.column_count = column_count, .arena = arena};
+    t->caption = caption ? arena_print(&t->arena, "%s", caption) : NULL;
+    copy_columns(t, columns);
+    return t;
 }
 
 void table_destroy(struct table *t)
 {
     if (!t)
         return;
-    clear_rows(t);
-    for (int n = 0; n < t->note_count; n++)
-        free(t->notes[n]);
-    for (int n = 0; t->columns && n < t->column_count; n++)
-        free((char *)t->columns[n].key);
-    free(t->notes);
-    free(t->columns);
-    free(t->width);
-    free(t->caption);
-    free(t);
-}
-
-/* Appends to an array of `count` pointers, which grows by doubling; takes what it gets and
- * frees it if there is no memory. */
-static void append(struct table *t, void *array, int *count, void *pointer)
-{
-    void ***at = array, **grown = *at;
-    const size_t n = (size_t)*count;
-
-    if (pointer && (n & (n - 1)) == 0) { /* empty or full */
-        grown = realloc(*at, (n ? 2 * n : 1) * sizeof *grown);
-        *at = grown ? grown : *at;
-    }
-    if (!pointer || !grown) {
-        free(pointer);
-        t->failed = true;
-        return;
-    }
-    grown[(*count)++] = pointer;
+    struct arena arena = t->arena;
+    arena_clear(&t->lines);
+    arena_clear(&arena);
 }
 
 void table_row(struct table *t)
 {
-    if (!t || t->failed)
-        return;
-    struct table_row *row =
-        calloc(1, sizeof *row + (size_t)t->column_count * sizeof *row->cell);
-    if (row)
-        row->ruled = t->rule_next;
-    append(t, &t->rows, &t->row_count, row);
+    const size_t size =
+        sizeof **t->rows + (size_t)t->column_count * sizeof *t->rows[0]->cell;
+
+    t->rows = arena_more(&t->lines, t->rows, (size_t)t->row_count, sizeof *t->rows);
+    t->rows[t->row_count] = arena_take(&t->lines, 1, size);
+    t->rows[t->row_count++]->ruled = t->rule_next;
     t->rule_next = false;
     t->filled = 0;
 }
 
 void table_rule(struct table *t)
 {
-    if (t)
-        t->rule_next = true;
+    t->rule_next = true;
 }
 
 static void fill_cell(struct table *t, int kind, double value, const char *format,
                       va_list arguments)
 {
-    char *text = NULL;
+    char *text = arena_vprint(&t->lines, format, arguments);
 
-    if (!t || t->failed)
-        return;
-    if (vasprintf(&text, format, arguments) < 0) {
-        t->failed = true;
-        return;
-    }
     assert(t->row_count > 0 && t->filled < t->column_count);
     const size_t length = strlen(text);
     if (kind == TABLE_CELL_NUMBER && text[length - 1] == '.')
@@ -277,8 +222,7 @@ static void fill_number(struct table *t, double value, const char *format, ...)
 /* Returns the value as people see it in the next cell. */
 static double scaled(const struct table *t, double value)
 {
-    const bool there = t && t->filled < t->column_count;
-    const double scale = there ? t->columns[t->filled].scale : 0;
+    const double scale = t->filled < t->column_count ? t->columns[t->filled].scale : 0;
 
     return scale != 0 ? value * scale : value;
 }
@@ -303,7 +247,9 @@ static void add_text(struct table *t, const char *piece, size_t size, va_list *a
     size_t length;
     FILE *to = open_memstream(&text, &length);
 
-    for (const char *c = piece; to && c < piece + size; c++) {
+    if (!to)
+        arena_end();
+    for (const char *c = piece; c < piece + size; c++) {
         const int used = snprintf(one, sizeof one, "%.*s", 1 + (int)strcspn(c, "sdgf"), c);
         if (*c != '%') {
             fputc(*c, to);
@@ -318,10 +264,9 @@ static void add_text(struct table *t, const char *piece, size_t size, va_list *a
         else
             fprintf(to, one, va_arg(*arguments, double));
     }
-    if (to && fclose(to) == 0)
-        table_text(t, "%s", text);
-    else
-        t->failed = true;
+    if (fclose(to) != 0)
+        arena_end();
+    table_text(t, "%s", text);
     free(text);
 }
 
@@ -331,7 +276,7 @@ void table_add(struct table *t, const char *cells, ...)
     size_t size;
 
     va_start(arguments, cells);
-    for (const char *c = cells; t && !t->failed; c += size + 1) {
+    for (const char *c = cells;; c += size + 1) {
         size = strcspn(c, "|");
         const bool one = *c == '%' && strcspn(c, "sdgf") == size - 1;
         if (one && c[size - 1] != 's')
@@ -349,25 +294,21 @@ void table_add(struct table *t, const char *cells, ...)
 void table_note(struct table *t, const char *format, ...)
 {
     va_list arguments;
-    char *text;
 
-    if (!t || t->failed)
-        return;
+    t->notes = arena_more(&t->arena, t->notes, (size_t)t->note_count, sizeof *t->notes);
     va_start(arguments, format);
-    if (vasprintf(&text, format, arguments) < 0)
-        text = NULL;
+    t->notes[t->note_count++] = arena_vprint(&t->arena, format, arguments);
     va_end(arguments);
-    append(t, &t->notes, &t->note_count, text);
 }
 
 int table_rows(const struct table *t)
 {
-    return t && !t->failed ? t->row_count : 0;
+    return t->row_count;
 }
 
 int table_find(const struct table *t, const char *key)
 {
-    for (int n = 0; t && n < t->column_count; n++)
+    for (int n = 0; n < t->column_count; n++)
         if (!strcmp(t->columns[n].key, key))
             return n;
     return -1;
@@ -520,7 +461,6 @@ static struct {
     char *text;
     size_t size;
     int count;
-    bool failed;
 } held;
 
 FILE *table_json_open(FILE *file)
@@ -529,24 +469,22 @@ FILE *table_json_open(FILE *file)
         return file;
     if (!held.stream)
         held.stream = open_memstream(&held.text, &held.size);
-    held.failed = !held.stream;
-    if (held.stream && held.count++)
+    if (!held.stream)
+        arena_end();
+    if (held.count++)
         fputc(',', held.stream);
     return held.stream;
 }
 
-enum status table_json_close(void)
+void table_json_close(void)
 {
-    bool failed = held.failed;
-
-    if (held.stream) {
-        failed = ferror(held.stream) || fclose(held.stream) != 0;
-        if (!failed)
-            printf(held.count > 1 ? "[%s]\n" : "%s", held.text);
-        free(held.text);
-        memset(&held, 0, sizeof held);
-    }
-    return failed ? STATUS_MEMORY : STATUS_OK;
+    if (!held.stream)
+        return;
+    if (ferror(held.stream) || fclose(held.stream) != 0)
+        arena_end();
+    printf(held.count > 1 ? "[%s]\n" : "%s", held.text);
+    free(held.text);
+    memset(&held, 0, sizeof held);
 }
 
 void table_json_string(const char *text, FILE *file)
@@ -609,8 +547,6 @@ static void print_json(const struct table *t, FILE *to)
     static const struct table_line object = {TABLE_MACHINES, "{", ", ", "}", print_value};
     FILE *file = table_json_open(to);
 
-    if (!file)
-        return;
     fputc('{', file);
     print_pair("caption", t->caption ? t->caption : "", file);
     fputs(", \"units\": {", file);
@@ -666,16 +602,13 @@ void table_print_item(const char *name, int column, const char *text, FILE *file
 
 void table_say(FILE *file, const char *format, ...)
 {
-    char *text = NULL;
+    struct arena own = {0};
     va_list words;
 
     va_start(words, format);
-    if (vasprintf(&text, format, words) >= 0)
-        table_print_wrapped(text, file);
-    else
-        fputs("out of memory\n", file);
+    table_print_wrapped(arena_vprint(&own, format, words), file);
     va_end(words);
-    free(text);
+    arena_clear(&own);
 }
 
 /* Columns of a table that stand side by side: the first `keys` and [from, to). A table
@@ -893,8 +826,6 @@ enum status table_print(const struct table *t, enum table_format format, FILE *f
         [TABLE_JSON] = print_json,
     };
 
-    if (!t || t->failed)
-        return STATUS_MEMORY;
     print[format](t, file);
     return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
@@ -929,10 +860,9 @@ enum status table_publish(struct table *t, const char *folder, const char *name,
 
 enum status table_flush(struct table *t, FILE *file)
 {
-    if (!t || t->failed)
-        return STATUS_MEMORY;
     print_lines(t, !t->flushed, file);
-    clear_rows(t);
+    arena_clear(&t->lines);
+    t->rows = NULL, t->row_count = 0;
     t->flushed = true;
     return ferror(file) ? STATUS_FILE : STATUS_OK;
 }
@@ -944,8 +874,6 @@ enum status table_save(const struct table *t, const char *folder, const char *na
     char file[NAME];
     enum status st;
 
-    if (!t || t->failed)
-        return STATUS_MEMORY;
     snprintf(file, sizeof file, "%s.csv", name);
     TRY(output_create_in(folder, file, &out, why));
     print_lines(t, true, output_stream(out));

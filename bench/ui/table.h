@@ -1,8 +1,8 @@
 /* table.h - data of results in named columns: the one way out for people (aligned text,
  * Markdown, LaTeX), for machines (CSV, JSON) and, as CSV, to charts.
  *
- * A table is filled row by row, cell by cell, and printed at the end. Running out of memory
- * on the way is remembered and reported by table_print, so that filling needs no checks:
+ * A table is filled row by row, cell by cell, and printed at the end; it lies in an arena
+ * of its own (arena.h):
  *
  *     static const struct table_column columns[] = {
  *         {"model", NULL, TABLE_LEFT},
@@ -62,9 +62,7 @@ struct table_column {
 
 struct table;
 
-/* Creates a table. Columns are copied, their strings borrowed. NULL without memory:
- * every function below accepts that, and table_print says STATUS_MEMORY. The caption may
- * be NULL. */
+/* Creates a table. Columns are copied, their strings borrowed. The caption may be NULL. */
 struct table *table_create(int column_count, const struct table_column *columns,
                            const char *caption);
 void table_destroy(struct table *t); /* NULL is allowed */
@@ -100,8 +98,7 @@ void table_missing(struct table *t, const char *format, ...)
 void table_note(struct table *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Prints the table. STATUS_MEMORY, or STATUS_FILE if the stream fails (it is not
- * flushed). */
+/* Prints the table. STATUS_FILE if the stream fails (it is not flushed). */
 enum status table_print(const struct table *t, enum table_format format, FILE *file);
 
 /* Print a table and destroy it; _finish: with an empty line after it, as one of several. In
@@ -112,16 +109,15 @@ enum status table_finish(struct table *t, enum table_format format, FILE *file);
 
 /* Returns the stream for the next object of JSON that goes to `file`. Those of standard
  * output are held back until table_json_close, which prints one as it is and several as
- * one array, so that the whole is JSON. NULL without memory, which table_json_close
- * says, too. */
+ * one array, so that the whole is JSON. */
 FILE *table_json_open(FILE *file);
-enum status table_json_close(void);
+void table_json_close(void);
 
 /* Prints a text as JSON, with its quotes. */
 void table_json_string(const char *text, FILE *file);
 
 /* Writes FOLDER/NAME.csv: a line of keys, a line each row, as many cells in each; no
- * caption and no notes. STATUS_FILE (as output.h), STATUS_MEMORY. */
+ * caption and no notes. STATUS_FILE (as output.h). */
 enum status table_save(const struct table *t, const char *folder, const char *name,
                        struct message *why);
 

@@ -1,15 +1,20 @@
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "bench/verify/verify.h"
 
+#include <math.h>
 #include <omp.h>
 #include <stddef.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "bench/files/csv.h"
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
+#include "bench/harness/child.h"
+#include "bench/harness/pool.h"
 #include "bench/ui/progress.h"
 #include "bench/ui/show.h"
 #include "bench/ui/table.h"
@@ -31,45 +36,69 @@ static const struct verify_check *const checks[] = {CHECKS(CHECK_ADDRESS), NULL}
 #define CHECK_ITEM(name) &verify_##name.item
 static const struct command_item *const items[] = {CHECKS(CHECK_ITEM), NULL};
 
+/* Hard cases (checks/stress.c). */
+extern const struct verify_check *const stress_checks[];
+extern const struct command_item *const stress_items[];
+
 enum { MOST_CHECKS = 64, DIGITS = 6, PATH = 4096 };
 
-static const struct command_option options[] = {
-    {"--models", "A,B,...", false, "models or contestants (all)"},
-    {"--quick", NULL, false,
-     "leave out expensive checks and rows, and models without a claim"},
-    {"--format", TABLE_FORMATS, false, "output format (text)"},
-    {"--out", "DIR", false, "folder of the rows, a file a check (results/verify)"},
-    {"--from", "DIR", false, "print again from the files of an earlier run"},
-    {NULL, NULL, false, NULL},
-};
+/* The limit of a row's processor time where each is a process of its own [s]. */
+enum { TIME_LIMIT = 120 };
 
 /* The columns of a row's numbers, of its texts, and of its verdict. */
 #define NUMBERS(X)                                                                         \
-    X(2, value) X(3, truth) X(4, bar) X(5, error) X(6, tolerance) X(7, order) X(9, seconds)
-#define TEXTS(X) X(0, quantity) X(1, subject) X(10, note) X(13, changed)
-enum { VERDICT = 8, COLUMNS = 14 };
+    X(2, value)                                                                            \
+    X(3, truth) X(4, bar) X(5, error) X(6, tolerance) X(7, order) X(9, seconds) X(10, until)
+#define TEXTS(X) X(0, quantity) X(1, subject) X(11, note) X(14, changed) X(15, name)
+enum { VERDICT = 8, COLUMNS = 16 };
 
 #define WORDS NULL, TABLE_LEFT
 #define ASIDE WORDS, .readers = TABLE_MACHINES
-static const struct table_column columns[COLUMNS] = {
-    {"quantity", WORDS}, {"model", WORDS},
-    {"value"},           {"truth"},
-    {"error bar"},       {"error"},
-    {"tolerance"},       {"order"},
-    {"verdict", WORDS},  {"time", "s"},
-    {"remark", ASIDE},   {"check", ASIDE},
-    {"source", ASIDE},   {"claimed at first", ASIDE}};
+static const struct table_column columns[COLUMNS] = {{"quantity", WORDS},
+                                                     {"model", WORDS},
+                                                     {"value"},
+                                                     {"truth"},
+                                                     {"error bar"},
+                                                     {"error"},
+                                                     {"tolerance"},
+                                                     {"order"},
+                                                     {"verdict", WORDS},
+                                                     {"time", "s"},
+                                                     {"until", "s"},
+                                                     {"remark", ASIDE},
+                                                     {"check", ASIDE},
+                                                     {"source", ASIDE},
+                                                     {"claimed at first", ASIDE},
+                                                     {"contestant", ASIDE}};
 
 static void add_row(struct table *t, const struct verify_check *check,
                     const struct verify_row *row)
 {
-    table_line(t, "%s|%s|%.*g|%.*g|%.1g|%.2g|%.2g|%.2f|%s|%.2g|%s|%s|%s|%s", row->quantity,
-               row->subject, DIGITS, row->value, DIGITS, row->truth, row->bar, row->error,
-               row->tolerance, row->order, verify_verdict_name((int)row->verdict),
-               row->seconds, row->note, check->item.name, check->source, row->changed);
+    table_line(t, "%s|%s|%.*g|%.*g|%.1g|%.2g|%.2g|%.2f|%s|%.2g|%.3g|%s|%s|%s|%s|%s",
+               row->quantity, row->subject, DIGITS, row->value, DIGITS, row->truth,
+               row->bar, row->error, row->tolerance, row->order,
+               verify_verdict_name((int)row->verdict), row->seconds, row->until, row->note,
+               check->item.name, check->source, row->changed, row->name);
 }
 
-enum status verify_file_write(const struct verify_check *check,
+/* Creates the table of a sheet for people, without the columns in which it has no number.
+ */
+static struct table *create_for_people(const struct verify_sheet *sheet,
+                                       const char *caption)
+{
+    struct table_column shown[COLUMNS];
+
+    memcpy(shown, columns, sizeof shown);
+#define HIDE_IF_EMPTY(column, field)                                                       \
+    shown[column].readers = TABLE_MACHINES;                                                \
+    for (int n = 0; n < sheet->count; n++)                                                 \
+        if (!isnan(sheet->rows[n].field))                                                  \
+            shown[column].readers = TABLE_ALL;
+    NUMBERS(HIDE_IF_EMPTY)
+    return table_create(COLUMNS, shown, caption);
+}
+
+enum status verify_file_write(const char *command, const struct verify_check *check,
                               const struct verify_sheet *sheet, const char *folder,
                               struct message *why)
 {
@@ -82,7 +111,7 @@ enum status verify_file_write(const struct verify_check *check,
     snprintf(path, PATH, "%s/%s.csv", folder, check->item.name);
     TRY(output_create(path, &file, why));
     provenance_collect(&provenance);
-    output_print(file, "# clothbench verify %s\n", check->item.name);
+    output_print(file, "# clothbench %s %s\n", command, check->item.name);
     for (int n = 0; n < provenance.count; n++)
         output_print(file, "# %s: %s\n", provenance.entry[n].key,
                      provenance.entry[n].value);
@@ -149,36 +178,51 @@ out:
 
 /* The command's choices, and the rows of the chosen checks. */
 struct job {
-    const struct verify_check *const *known; /* NULL ends them */
+    const struct verify_set *set;
     FILE *out;
     const char *folder, *models;
+    long slots;
     bool quick, read_only;
     enum table_format format;
+    struct arena arena; /*                                                          owned */
     int count;
     const struct verify_check *check[MOST_CHECKS];
     struct verify_sheet sheet[MOST_CHECKS];
 };
 
-/* Chooses the checks named, each once, or all; with --quick the cheap ones of all. */
+/* Returns whether a check that nobody named is chosen: of an earlier run those that have a
+ * file, with --quick the cheap ones. */
+static bool is_due(const struct job *job, const struct verify_check *check)
+{
+    char path[PATH];
+
+    snprintf(path, PATH, "%s/%s.csv", job->folder, check->item.name);
+    return job->read_only ? !access(path, F_OK) : !(job->quick && check->slow);
+}
+
+/* Chooses the checks named, each once, or all that are due. */
 static enum status choose(struct job *job, const struct command_line *line,
                           struct message *why)
 {
-    char known[768] = "";
+    const struct verify_check *const *known = job->set->checks;
+    char names[1024] = "";
 
-    for (int n = 0; job->known[n]; n++) {
-        TEXT_JOIN(known, ", ", "%s", job->known[n]->item.name);
-        if (!line->word_count && !(job->quick && job->known[n]->slow))
-            job->check[job->count++] = job->known[n];
+    for (int n = 0; known[n]; n++) {
+        TEXT_JOIN(names, ", ", "%s", known[n]->item.name);
+        if (!line->word_count && is_due(job, known[n]))
+            job->check[job->count++] = known[n];
     }
+    if (!line->word_count && !job->count)
+        return status_fail(why, STATUS_INPUT, "%s: %s has no results of it",
+                           job->set->command, job->folder);
     for (int n = 0, i; n < line->word_count; n++) {
         const struct verify_check *check = NULL;
-        for (i = 0; job->known[i] && !check; i++)
-            if (!strcmp(job->known[i]->item.name, line->words[n]))
-                check = job->known[i];
+        for (i = 0; known[i] && !check; i++)
+            if (!strcmp(known[i]->item.name, line->words[n]))
+                check = known[i];
         if (!check)
-            return status_fail(why, STATUS_INPUT,
-                               "verify: there is no check '%s'; there are %s",
-                               line->words[n], known);
+            return status_fail(why, STATUS_INPUT, "%s: there is no %s '%s'; there are %s",
+                               job->set->command, job->set->item, line->words[n], names);
         for (i = 0; i < job->count && job->check[i] != check; i++)
             ;
         if (i == job->count)
@@ -193,7 +237,7 @@ static enum status prepare(struct job *job, const struct command_line *line,
     enum status st;
     const char *from;
 
-    job->folder = "results/verify";
+    job->folder = job->set->folder;
     TRY(command_folder(line, &job->folder, &from, why));
     job->read_only = from;
     job->models = command_value(line, "--models");
@@ -202,6 +246,8 @@ static enum status prepare(struct job *job, const struct command_line *line,
         return status_fail(why, STATUS_INPUT,
                            "--models and --quick are for a new run, not for --from");
     TRY(command_format(line, &job->format, why));
+    if (job->set->apart)
+        TRY(command_integer(line, "--jobs", 1, 1024, &job->slots, why));
     TRY(contestant_check(job->models, why));
     TRY(choose(job, line, why));
     if (!job->read_only)
@@ -210,19 +256,138 @@ out:
     return st;
 }
 
-static enum status run_check(struct job *job, int n, struct message *why)
+/* Writes the rows of a check that was run, unless something failed. */
+static enum status settle(struct job *job, int n, struct message *why)
 {
-    const struct verify_check *check = job->check[n];
     struct verify_sheet *sheet = &job->sheet[n];
 
-    if (job->read_only)
-        return verify_file_read(check, job->folder, sheet, why);
-    *sheet = (struct verify_sheet){.models = job->models, .quick = job->quick};
-    verify_check_run(check, sheet);
     verify_sheet_sound(sheet);
     if (sheet->status != STATUS_OK)
         return status_fail(why, sheet->status, "%s", sheet->why.text);
-    return verify_file_write(check, sheet, job->folder, why);
+    return verify_file_write(job->set->command, job->check[n], sheet, job->folder, why);
+}
+
+/* Runs the checks one after the other in this process. */
+static enum status run_here(struct job *job, struct message *why)
+{
+    struct progress progress = progress_start(job->set->command, job->count, false);
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < job->count && st == STATUS_OK; n++) {
+        progress_update(&progress, n);
+        verify_check_run(job->check[n], &job->sheet[n]);
+        st = settle(job, n, why);
+    }
+    progress_end(&progress);
+    return st;
+}
+
+/* --- Rows that are made in processes of their own. */
+
+/* A row to be made: its check, its subject, and its place in memory that processes share.
+ */
+struct task {
+    const struct verify_check *check;
+    struct verify_subject subject;
+    struct verify_row *row;
+};
+
+static enum status make_row(void *context, long number, struct message *why)
+{
+    const struct task *task = (const struct task *)context + number;
+    struct verify_sheet sheet = *task->subject.sheet;
+    struct verify_subject subject = task->subject;
+
+    sheet.count = 0, sheet.rows = NULL, sheet.arena = (struct arena){0};
+    subject.sheet = &sheet;
+    task->check->parts->row(&subject);
+    if (sheet.status != STATUS_OK)
+        return status_fail(why, sheet.status, "%s", sheet.why.text);
+    *task->row = *sheet.rows;
+    return STATUS_OK;
+}
+
+/* Ends a row: one whose process came to no result has died. */
+static enum status end_row(void *context, long number, const struct child_end *end,
+                           struct message *why)
+{
+    const struct task *task = (const struct task *)context + number;
+
+    (void)why;
+    if (end->outcome == CHILD_DONE)
+        return STATUS_OK;
+    task->row->until = end->reached, task->row->seconds = end->seconds;
+    verify_row_end(task->row, VERIFY_DIED, "%s", end->why.text);
+    return STATUS_OK;
+}
+
+/* Lists the rows of a check, each as it is before it is made. */
+static long list_rows(struct job *job, int n, struct task *tasks)
+{
+    const struct verify_check *check = job->check[n];
+    struct verify_subject all[VERIFY_MOST];
+
+    job->sheet[n].check = check;
+    if (check->run)
+        check->run(&job->sheet[n]);
+    const int count = verify_sheet_subjects(&job->sheet[n], check->parts->field, all);
+    for (int k = 0; k < count; k++) {
+        verify_sheet_add(&all[k], "%s", check->item.text);
+        tasks[k] = (struct task){check, all[k], NULL};
+    }
+    return count;
+}
+
+/* Makes every row in a process of its own, many at a time. */
+static enum status run_apart(struct job *job, struct message *why)
+{
+    struct pool pool = {.slots = (int)job->slots,
+                        .time_limit = TIME_LIMIT,
+                        .work = make_row,
+                        .settle = end_row};
+    const size_t most = (size_t)job->count * VERIFY_MOST;
+    const size_t size = most * sizeof(struct verify_row);
+    struct verify_row *rows =
+        mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    struct task *tasks = arena_take(&job->arena, most, sizeof *tasks);
+    long at = 0;
+    enum status st;
+
+    if (rows == MAP_FAILED)
+        arena_end();
+    pool.context = tasks;
+    for (int n = 0; n < job->count; n++)
+        pool.count += list_rows(job, n, tasks + pool.count);
+    for (int n = 0; n < job->count; at += job->sheet[n++].count)
+        memcpy(rows + at, job->sheet[n].rows, (size_t)job->sheet[n].count * sizeof *rows);
+    for (long n = 0; n < pool.count; n++)
+        tasks[n].row = rows + n;
+    TRY(pool_run(&pool, why));
+    if (pool.stopped_by)
+        pool_raise(&pool);
+    at = 0;
+    for (int n = 0; n < job->count && st == STATUS_OK; at += job->sheet[n++].count) {
+        memcpy(job->sheet[n].rows, rows + at, (size_t)job->sheet[n].count * sizeof *rows);
+        st = settle(job, n, why);
+    }
+out:
+    munmap(rows, size);
+    return st;
+}
+
+static enum status find_rows(struct job *job, struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < job->count && st == STATUS_OK; n++)
+        if (job->read_only)
+            st = verify_file_read(job->check[n], job->folder, &job->sheet[n], why);
+        else
+            job->sheet[n] = (struct verify_sheet){
+                .models = job->models, .folder = job->folder, .quick = job->quick};
+    if (job->read_only || st != STATUS_OK)
+        return st;
+    return job->set->apart ? run_apart(job, why) : run_here(job, why);
 }
 
 /* Notes the rows' texts at offset `text`, each once for a subject. */
@@ -261,7 +426,7 @@ static void add_tally(struct table *t, const char *name, const struct verify_she
 
 static enum status print_summary(const struct job *job)
 {
-    struct table_column heads[VERIFY_VERDICTS + 3] = {{"check", NULL, TABLE_LEFT}};
+    struct table_column heads[VERIFY_VERDICTS + 3] = {{job->set->item, NULL, TABLE_LEFT}};
     long claims = 0, changed = 0; /* tested claims; those changed after a result */
 
     for (int v = 0; v < VERIFY_VERDICTS; v++)
@@ -279,12 +444,10 @@ static enum status print_summary(const struct job *job)
     }
     table_rule(t);
     add_tally(t, "all", job->sheet, job->count);
-    table_note(t, "met: error <= tolerance + error bar. A tolerance is a claim, fixed with "
-                  "its reason before the first result; where nothing is claimed, the error "
-                  "is measured all the same. The command fails if a claim is missed, or "
-                  "dies.");
-    table_note(t, "Changed after a first result: %ld of %ld claims%s.", changed, claims,
-               changed ? "; the notes say what was claimed before" : "");
+    table_note(t, "%s", job->set->note);
+    if (!job->set->apart)
+        table_note(t, "Changed after a first result: %ld of %ld claims%s.", changed, claims,
+                   changed ? "; the notes say what was claimed before" : "");
     return table_end(t, job->format, job->out);
 }
 
@@ -302,7 +465,7 @@ static enum status print(const struct job *job)
         const struct verify_row *row = job->sheet[s].rows;
         snprintf(caption, sizeof caption, "%s: %s", check->item.name, check->item.text);
         if (!data)
-            t = table_create(COLUMNS, columns, caption);
+            t = create_for_people(&job->sheet[s], caption);
         for (int n = 0; n < job->sheet[s].count; n++) {
             if (n && strcmp(row[n].quantity, row[n - 1].quantity) &&
                 !strcmp(row[n].subject, row[0].subject))
@@ -340,40 +503,52 @@ static enum status tell_failures(const struct job *job, struct message *why)
                 : STATUS_OK;
 }
 
-enum status verify_run(const struct verify_check *const *known,
-                       const struct command_line *line, FILE *out, struct message *why)
+enum status verify_run(const struct verify_set *set, const struct command_line *line,
+                       FILE *out, struct message *why)
 {
     enum status st;
-    struct job *job = calloc(1, sizeof *job);
-    struct progress progress = {0};
+    struct arena arena = {0};
+    struct job *job = arena_take(&arena, 1, sizeof *job);
 
-    if (!job)
-        return STATUS_MEMORY;
-    job->known = known;
-    job->out = out;
+    *job = (struct job){.set = set, .out = out, .slots = omp_get_num_procs()};
     TRY(prepare(job, line, why));
     omp_set_num_threads(1);
-    progress = progress_start("verify", job->count, false);
-    for (int n = 0; n < job->count; n++) {
-        progress_update(&progress, n);
-        TRY(run_check(job, n, why));
-    }
-    progress_end(&progress);
+    TRY(find_rows(job, why));
     TRY(print(job));
     show_tell(job->folder);
-    TRY(tell_failures(job, why));
+    st = set->apart ? STATUS_OK : tell_failures(job, why);
 out:
-    progress_end(&progress);
-    for (int n = 0; job && n < job->count; n++)
+    for (int n = 0; n < job->count; n++)
         verify_sheet_clear(&job->sheet[n]);
-    free(job);
+    arena_clear(&job->arena);
+    arena_clear(&arena);
     return st;
 }
 
+static const struct verify_set checks_set = {
+    .command = "verify",
+    .item = "check",
+    .checks = checks,
+    .folder = "results/verify",
+    .note = "met: error <= tolerance + error bar. A tolerance is a claim, fixed with its "
+            "reason before the first result; where nothing is claimed, the error is "
+            "measured all the same. The command fails if a claim is missed, or dies.",
+};
+
 static enum status run(const struct command_line *line, struct message *why)
 {
-    return verify_run(checks, line, stdout, why);
+    return verify_run(&checks_set, line, stdout, why);
 }
+
+static const struct command_option options[] = {
+    {"--models", "A,B,...", false, "models or contestants (all)"},
+    {"--quick", NULL, false,
+     "leave out expensive checks and rows, and models without a claim"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--out", "DIR", false, "folder of the rows, a file a check (results/verify)"},
+    {"--from", "DIR", false, "print again from the files of an earlier run"},
+    {NULL, NULL, false, NULL},
+};
 
 const struct command verify_command = {
     .name = "verify",
@@ -393,4 +568,52 @@ const struct command verify_command = {
     .section = "checks",
     .items = items,
     .run = run,
+};
+
+static const struct verify_set stress_set = {
+    .command = "stress",
+    .item = "case",
+    .checks = stress_checks,
+    .folder = "results/stress",
+    .apart = true,
+    .note = "met: the error is within the tolerance, which is one number a case, the same "
+            "for all; MISSED: it is beyond; not applicable: the model refused. Nobody "
+            "promised it, and the command does not fail. until: the time in the scene at "
+            "which the run died, or at which its error was first beyond.",
+};
+
+static enum status run_stress(const struct command_line *line, struct message *why)
+{
+    return verify_run(&stress_set, line, stdout, why);
+}
+
+static const struct command_option stress_options[] = {
+    {"--models", "A,B,...", false, "models or contestants (those that take part here)"},
+    {"--quick", NULL, false, "some of the cases, in less than a minute"},
+    {"--jobs", "N", false, "runs at a time (the number of processors)"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--out", "DIR", false, "folder of the rows, a file a case (results/stress)"},
+    {"--from", "DIR", false, "print again from the files of an earlier run"},
+    {NULL, NULL, false, NULL},
+};
+
+const struct command stress_command = {
+    .name = "stress",
+    .summary =
+        "run hard cases: thin, stiff, incompressible, long steps, odd nets, units, contact",
+    .arguments = "[CASE]... [OPTION]...",
+    .text =
+        "Runs every contestant on hard cases, each in a process of its own with a time\n"
+        "limit, and prints them as `verify` does. A run has met or MISSED the case's\n"
+        "tolerance, which is the same for all, by its error against the truth that the\n"
+        "case names; it is not applicable where the model refuses, with its sentence; or\n"
+        "it died, with time and cause. Cases of contact also tell how near the middle of\n"
+        "the sheet came to a body, and when and how deep it passed through one or\n"
+        "through itself.\n",
+    .examples = "stress\nstress --quick\nstress thin_5 buckling --models iga,shell\n",
+    .most = MOST_CHECKS,
+    .options = stress_options,
+    .section = "cases",
+    .items = stress_items,
+    .run = run_stress,
 };

@@ -5,13 +5,24 @@
 
 #include "bench/verify/verify_check.h"
 
-/* Runs the command on given checks (NULL ends them) and prints tables to `out`.
- * STATUS_FAILED: claims are missed or died; the sentence says how many, and where. */
-enum status verify_run(const struct verify_check *const *known,
-                       const struct command_line *line, FILE *out, struct message *why);
+/* What a command runs. */
+struct verify_set {
+    const char *command, *item;               /* words for it, and for one of its checks  */
+    const struct verify_check *const *checks; /* NULL ends them                           */
+    const char *folder;                       /* unless --out or --from names one         */
+    const char *note;                         /* below the count of verdicts              */
+    bool apart; /* every row in a process of its own: checks have one part and one row a
+                   subject; nothing was promised, and the command does not fail           */
+};
 
-/* Writes the rows of a check to FOLDER/CHECK.csv, with provenance in comments above. */
-enum status verify_file_write(const struct verify_check *check,
+/* Runs the command and prints tables to `out`. STATUS_FAILED: claims are missed or died;
+ * the sentence says how many, and where. */
+enum status verify_run(const struct verify_set *set, const struct command_line *line,
+                       FILE *out, struct message *why);
+
+/* Writes the rows of a check to FOLDER/CHECK.csv, with the command and provenance in
+ * comments above. */
+enum status verify_file_write(const char *command, const struct verify_check *check,
                               const struct verify_sheet *sheet, const char *folder,
                               struct message *why);
 

@@ -1,7 +1,6 @@
 #include "bench/verify/verify_box.h"
 
-#include <stdlib.h>
-
+#include "bench/files/arena.h"
 #include "models/linalg/gauss.h"
 
 /* The matrices of one direction. */
@@ -24,18 +23,16 @@ static void add_point(struct line *line, const struct bspline *b, int span, cons
         }
 }
 
-static enum status line_init(struct line *line, int degree, int points, double size,
-                             struct message *why)
+static enum status line_init(struct arena *arena, struct line *line, int degree, int points,
+                             double size, struct message *why)
 {
     const int n = points ? points : 1;
     double x[GAUSS_MAX], w[GAUSS_MAX], N[2 * BSPLINE_MAX_ORDER];
-    double *room = calloc(3 * (size_t)(n * n), sizeof *room);
+    double *room = arena_take(arena, 3 * (size_t)(n * n), sizeof *room);
     struct bspline b = {0};
     enum status st;
 
     *line = (struct line){n, 1, {room, room + n * n, room + 2 * n * n}};
-    if (!room)
-        return STATUS_MEMORY;
     if (!points) {
         *room = size;
         return STATUS_OK;
@@ -83,17 +80,17 @@ enum status verify_box_matrix(const struct verify_box *box, bool mass, double *f
                               struct message *why)
 {
     enum status st = STATUS_OK;
-    struct line line[3] = {{0}};
+    struct line line[3];
+    struct arena own = {0};
 
     for (int d = 0; d < 3; d++)
-        TRY(line_init(&line[d], box->degree[d], box->points[d], box->size[d], why));
+        TRY(line_init(&own, &line[d], box->degree[d], box->points[d], box->size[d], why));
     line[1].below = line[2].n, line[0].below = line[1].n * line[2].n;
     const int rows = 3 * line[0].n * line[0].below;
     for (int r = 0; r < rows; r++)
         for (int c = 0; c < rows; c++)
             *full++ = entry(box, mass, line, r / 3, c / 3, r % 3, c % 3);
 out:
-    for (int d = 0; d < 3; d++)
-        free(line[d].of[0]);
+    arena_clear(&own);
     return st;
 }

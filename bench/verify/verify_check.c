@@ -1,4 +1,3 @@
-#define _GNU_SOURCE /* vasprintf */
 #include "bench/verify/verify_check.h"
 
 #include <limits.h>
@@ -196,12 +195,17 @@ static struct verify_subject filled(const struct verify_subject *row,
               *across = own ? row->across : field->across;
 
     s.sheet = sheet, s.contestant = c;
+    if (row->names == NULL)
+        s.tolerance = field->tolerance;
     s.tolerance = s.tolerance > 0 ? s.tolerance : NAN;
     s.second = s.second > 0 ? s.second : NAN;
     s.layers = s.layers ? s.layers : c->layers;
     s.degree = s.degree ? s.degree : c->degree;
     for (int n = 0; n < VERIFY_NETS && along[n]; n++)
-        add_net(&s, along[n], across[n] ? across[n] : own ? along[n] : contestant_least(c));
+        add_net(&s, along[n] > 1 ? along[n] : contestant_least(c),
+                across[n] > 1 ? across[n]
+                : own         ? along[n]
+                              : contestant_least(c));
     for (int n = 0; n < 2 && !along[0] && c->points[n]; n++)
         add_net(&s, c->points[n], c->points[n]);
     return s;
@@ -258,16 +262,8 @@ int verify_sheet_subjects(struct verify_sheet *sheet, const struct verify_field 
 
 struct verify_row *verify_sheet_grow(struct verify_sheet *sheet)
 {
-    if (sheet->count == sheet->room) {
-        int room = sheet->room ? 2 * sheet->room : 32;
-        struct verify_row *rows = realloc(sheet->rows, (size_t)room * sizeof *rows);
-        if (!rows) {
-            verify_sheet_holds(sheet, STATUS_MEMORY);
-            return &sheet->spare;
-        }
-        sheet->rows = rows;
-        sheet->room = room;
-    }
+    sheet->rows =
+        arena_more(&sheet->arena, sheet->rows, (size_t)sheet->count, sizeof *sheet->rows);
     return &sheet->rows[sheet->count++];
 }
 
@@ -282,12 +278,14 @@ struct verify_row *verify_sheet_add(const struct verify_subject *subject,
                                .bar = NAN,
                                .error = NAN,
                                .order = NAN,
+                               .until = NAN,
                                .tolerance = subject->tolerance,
                                .verdict = VERIFY_NOT_APPLICABLE};
     va_start(arguments, quantity);
     vsnprintf(row->quantity, sizeof row->quantity, quantity, arguments);
     va_end(arguments);
     verify_subject_title(subject, row->subject);
+    snprintf(row->name, sizeof row->name, "%s", subject->contestant->name);
     if (subject->reason)
         verify_row_note(row, "%s", subject->reason);
     if (subject->changed)
@@ -298,23 +296,22 @@ struct verify_row *verify_sheet_add(const struct verify_subject *subject,
 void verify_sheet_clear(struct verify_sheet *sheet)
 {
     reference_close(sheet->table);
-    free(sheet->rows);
+    arena_clear(&sheet->arena);
     memset(sheet, 0, sizeof *sheet);
 }
 
 void verify_trial_set(struct verify_trial *t, const char *settings, ...)
 {
+    struct arena own = {0};
     va_list arguments;
-    char *text = NULL, *rest = NULL;
+    char *rest = NULL;
 
     va_start(arguments, settings);
-    if (vasprintf(&text, settings, arguments) < 0)
-        text = NULL, t->settings.status = STATUS_MEMORY;
+    char *text = arena_vprint(&own, settings, arguments);
     va_end(arguments);
-    for (char *one = text ? strtok_r(text, ";", &rest) : NULL; one;
-         one = strtok_r(NULL, ";", &rest))
+    for (char *one = strtok_r(text, ";", &rest); one; one = strtok_r(NULL, ";", &rest))
         settings_set(&t->settings, one + strspn(one, " "));
-    free(text);
+    arena_clear(&own);
 }
 
 /* Tells how a run ended: a refusal and a death to the row, other failures to the sheet. */
@@ -411,9 +408,11 @@ bool verify_trial_watch(struct verify_trial *t, motion_watcher *watch, void *con
             m.death == STATUS_OK;
         for (int i = 0; i < m.steps; i++)
             t->row->seconds += m.seconds[i];
-        if (m.death != STATUS_OK)
+        if (m.death != STATUS_OK) {
+            t->row->until = m.death_time;
             verify_row_end(t->row, VERIFY_DIED, "at %g s: %s", m.death_time,
                            status_text(m.death));
+        }
     }
     motion_clear(&m);
     run_close(&t->run);
@@ -443,15 +442,20 @@ double *verify_trial_matrix(struct verify_trial *t, bool mass, int *rows)
         const struct matrix *m = &sparse[mass];
         const size_t n = (size_t)m->rows;
         *rows = m->rows;
-        full = calloc(n * n, sizeof *full);
-        verify_sheet_holds(sheet, full ? STATUS_OK : STATUS_MEMORY);
-        for (long i = 0; full && i < m->entries; i++) /* of a lower triangle */
+        full = arena_take(&t->arena, n * n, sizeof *full);
+        for (long i = 0; i < m->entries; i++) /* of a lower triangle */
             full[(size_t)m->row[i] * n + (size_t)m->column[i]] =
                 full[(size_t)m->column[i] * n + (size_t)m->row[i]] = m->value[i];
     }
     matrix_clear(&sparse[0]);
     matrix_clear(&sparse[1]);
     return full;
+}
+
+void verify_trial_close(struct verify_trial *t)
+{
+    run_close(&t->run);
+    arena_clear(&t->arena);
 }
 
 /* Points at the requested times of a motion. */
@@ -582,13 +586,12 @@ bool verify_trial_refine(const struct verify_subject *subject,
                          const struct verify_trial_refine *r, const char *quantity)
 {
     const size_t size = 3 * (size_t)r->times * (size_t)r->n;
-    double *room = malloc(3 * size * sizeof *room);
+    struct arena own = {0};
+    double *room = arena_take(&own, 3 * size, sizeof *room);
     double *const field[] = {room, room + size, room + 2 * size};
     struct verify_subject unclaimed = *subject;
     struct verify_row *row = verify_sheet_add(subject, "%s", quantity);
-    const bool lived =
-        verify_sheet_holds(subject->sheet, room ? STATUS_OK : STATUS_MEMORY) &&
-        move(subject, r, row, subject->nets - 1, 0, room);
+    const bool lived = move(subject, r, row, subject->nets - 1, 0, room);
 
     if (lived) {
         verify_row_judge_error(row, r->measure(r->context, room, r->truth), r->bar);
@@ -605,7 +608,7 @@ bool verify_trial_refine(const struct verify_subject *subject,
                                2e3 * r->step, 1e3 * r->step);
         refine_step(&unclaimed, r, row, field);
     }
-    free(room);
+    arena_clear(&own);
     return lived;
 }
 
@@ -631,6 +634,7 @@ static void run_part(const struct verify_part *part, struct verify_sheet *sheet)
 
 void verify_check_run(const struct verify_check *check, struct verify_sheet *sheet)
 {
+    sheet->check = check;
     if (check->table && !verify_sheet_table(sheet, check->table))
         return;
     if (check->run)

@@ -26,6 +26,7 @@
 #ifndef VERIFY_CHECK_H
 #define VERIFY_CHECK_H
 
+#include "bench/files/arena.h"
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
 #include "bench/ui/command.h"
@@ -44,17 +45,19 @@
 enum verify_verdict { VERIFY_VERDICT_LIST(VERIFY_VERDICT) VERIFY_VERDICTS };
 const char *verify_verdict_name(int verdict); /* "unknown" beyond the last */
 
-enum { VERIFY_TEXT = 96, VERIFY_NOTE = 320, VERIFY_CHANGED = 160 };
+enum { VERIFY_TEXT = 96, VERIFY_NAME = 32, VERIFY_NOTE = 1024, VERIFY_CHANGED = 160 };
 
 /* One number held against its truth. NAN where there is no number. */
 struct verify_row {
     char quantity[VERIFY_TEXT]; /* "tip drop / L, Gamma = 10"                             */
     char subject[VERIFY_TEXT];  /* the contestant, with its net                           */
+    char name[VERIFY_NAME];     /* of the contestant                                      */
     double value, truth;        /* in the units that `quantity` names; NAN: a field       */
     double bar;                 /* error of the truth itself, measured as `error` is [1]  */
     double error;               /* relative, or rms over the sheet's length [1]           */
     double tolerance;           /* claimed [1]; NAN: nothing is                           */
     double order;               /* observed order of convergence                          */
+    double until;               /* time of death, or of the first error beyond [s]        */
     double seconds;             /* of the runs behind the row                             */
     enum verify_verdict verdict;
     char note[VERIFY_NOTE];
@@ -118,7 +121,9 @@ struct verify_field {
     unsigned enters;     /* contestants that enter here (CONTESTANT_ bits) come after,    */
     const char *without; /* except these, "a,b"; NULL: all                                */
     int along[VERIFY_NETS], across[VERIFY_NETS]; /* nets of those that name none; across
-                              0: degree + 1; zeros: the contestant's first two, square    */
+                              0: degree + 1; zeros: the contestant's first two, square;
+                              1 along: one span                                           */
+    double tolerance; /* claimed of those that the table does not name; 0: none      */
 };
 
 /* Contestants for `without`: those that differ in what frees them of locking, where rigid
@@ -163,12 +168,14 @@ double verify_subject_order(const struct verify_subject *s, const double *error,
 /* --- Sheets: the rows of a check. */
 
 struct verify_sheet {
+    const struct verify_check *check; /* whose rows these are                    borrowed */
     const char *models;      /* of --models; NULL: all                           borrowed */
+    const char *folder;      /* of the rows' file                                borrowed */
     struct reference *table; /* the truth's, opened last; NULL: none             owned    */
     bool quick;              /* a check may leave out expensive rows                      */
-    int count, room;
-    struct verify_row *rows; /* [count]                                          owned    */
-    struct verify_row spare; /* takes a row when memory is out                            */
+    int count;
+    struct verify_row *rows; /* [count]                                                   */
+    struct arena arena;      /* of the rows, and of what a check needs           owned    */
     enum status status;      /* first failure, for which no row stands; runs do not begin */
     struct message why;      /* after it; its sentence                                    */
 };
@@ -190,7 +197,7 @@ enum { VERIFY_MOST = 160 };
 int verify_sheet_subjects(struct verify_sheet *sheet, const struct verify_field *field,
                           struct verify_subject *all);
 
-/* Adds a row, good until the next; never NULL. _add: of the subject, without numbers,
+/* Adds a row, good until the next. _add: of the subject, without numbers,
  * verdict NOT_APPLICABLE; printf writes the quantity. */
 struct verify_row *verify_sheet_grow(struct verify_sheet *sheet);
 struct verify_row *verify_sheet_add(const struct verify_subject *subject,
@@ -212,6 +219,7 @@ struct verify_trial {
     struct settings settings; /* applied before the subject's; every run uses them up     */
     double end;               /* replaces the scene's; 0: the scene's [s]                 */
     bool lived;               /* the run got to its end                                   */
+    struct arena arena;       /* of its matrices; cleared by verify_trial_close           */
     struct run run;           /* open from what opens it to run_close                     */
 };
 
@@ -224,10 +232,11 @@ void verify_trial_set(struct verify_trial *t, const char *settings, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Open the model and move it to static equilibrium; open it and return its full K, or M,
- * [rows][rows], freed by the caller, NULL where the row says why not. The caller closes the
- * run in any case. */
+ * [rows][rows], NULL where the row says why not. The caller closes the trial in any case.
+ */
 bool verify_trial_settle(struct verify_trial *t);
 double *verify_trial_matrix(struct verify_trial *t, bool mass, int *rows);
+void verify_trial_close(struct verify_trial *t);
 
 /* Compute, in static equilibrium, material points uvw[n][3] as xyz[n][3] [m]; the middle of
  * the edge u = 1. */

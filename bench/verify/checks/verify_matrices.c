@@ -55,14 +55,13 @@ static void judge_box(struct verify_trial *t, bool mass, int rows, const double 
         .mu = YOUNG / (2 * (1 + POISSON))};
     struct verify_sheet *sheet = t->subject->sheet;
     const int count = rows * rows;
-    double *zero = calloc(2 * (size_t)count, sizeof *zero), *want = zero + count;
+    double *zero = arena_take(&t->arena, 2 * (size_t)count, sizeof *zero),
+           *want = zero + count;
 
-    if (verify_sheet_holds(sheet, zero ? verify_box_matrix(&box, mass, want, &sheet->why)
-                                       : STATUS_MEMORY))
+    if (verify_sheet_holds(sheet, verify_box_matrix(&box, mass, want, &sheet->why)))
         verify_row_judge_error(
             t->row,
             verify_row_apart(count, ours, want) / verify_row_apart(count, want, zero), 0);
-    free(zero);
 }
 
 static void add_box(struct verify_subject *s)
@@ -79,8 +78,7 @@ static void add_box(struct verify_subject *s)
                        "its stiffness differs from the solid's on purpose");
     else if (ours)
         judge_box(&t, mass, rows, ours);
-    run_close(&t.run);
-    free(ours);
+    verify_trial_close(&t);
 }
 
 /* Counts the motions without energy. */
@@ -95,8 +93,8 @@ static void add_zero_modes(struct verify_subject *s)
         verify_trial_of(s, scene, "eigenvalues of K that vanish, %s", scene);
     settings_number(&t.settings, "sheet.thickness", THICKNESS);
     double *K = verify_trial_matrix(&t, false, &rows);
-    double *lambda = malloc(sizeof *lambda * (size_t)(rows + 1));
-    if (K && verify_sheet_holds(s->sheet, lambda ? STATUS_OK : STATUS_MEMORY)) {
+    double *lambda = arena_take(&t.arena, (size_t)rows, sizeof *lambda);
+    if (K) {
         if (LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'N', 'U', rows, K, rows, lambda))
             verify_sheet_holds(s->sheet, status_fail(&s->sheet->why, STATUS_LIBRARY,
                                                      "LAPACK's dsyevd failed"));
@@ -104,9 +102,7 @@ static void add_zero_modes(struct verify_subject *s)
             zeros += fabs(lambda[n]) < ZERO * lambda[rows - 1];
         verify_row_judge(t.row, zeros, 6, 0);
     }
-    run_close(&t.run);
-    free(K);
-    free(lambda);
+    verify_trial_close(&t);
 }
 
 /* --- A sheet whose corners alone are turned: all of it follows. From a third of a turn on

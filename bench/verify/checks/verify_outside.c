@@ -43,8 +43,7 @@ static void add_block(struct verify_subject *s)
                 apart = verify_row_worse(fabs(full[n]), apart);
         if (full)
             verify_row_judge_error(t.row, apart / most, DIGITS);
-        free(full);
-        run_close(&t.run);
+        verify_trial_close(&t);
     }
 }
 

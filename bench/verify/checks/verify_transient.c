@@ -1,4 +1,3 @@
-#include <stdlib.h>
 
 #include "bench/truth/truth.h"
 #include "bench/verify/verify_check.h"
@@ -67,21 +66,22 @@ struct transient {
 };
 
 /* Reads both truths into *t, which is all zero. */
-static enum status transient_init(struct transient *t, struct message *why)
+static enum status transient_init(struct arena *arena, struct transient *t,
+                                  struct message *why)
 {
     enum status st;
-    char *scene = NULL, *solid = NULL;
-    double *plate[TIMES], *rest = NULL;
+    char *scene, *solid;
+    double *plate[TIMES];
 
     TRY(scene_file_find(SCENE, &scene, why));
-    TRY(contestant_read_scene(&(struct settings){0}, scene, &t->scene, why));
+    TRY(contestant_read_scene(&(struct settings){0}, arena_keep(arena, scene), &t->scene,
+                              why));
     for (int n = 0; n < TIMES; n++)
         plate[n] = t->truth + 3 * GRID_POINTS * n;
     TRY(kirchhoff_field(&t->scene, KIRCHHOFF_TERMS, TIMES, times, plate, why));
-    rest = metric_rest_field(&t->scene);
-    TRY(rest ? STATUS_OK : STATUS_MEMORY);
+    const double *rest = arena_keep(arena, metric_rest_field(&t->scene));
     TRY(reference_path("freefem_transient_h1177um", &solid, why));
-    TRY(freefem_read(solid, &t->solid, why));
+    TRY(freefem_read(arena_keep(arena, solid), &t->solid, why));
     for (int n = 0; n < GRID_POINTS; n++)
         grid_point(n, t->uvw + 3 * n);
     for (int n = 0; n < TIMES; n++) {
@@ -94,9 +94,6 @@ static enum status transient_init(struct transient *t, struct message *why)
         t->solid.error[n] *= SMALL;
     }
 out:
-    free(rest);
-    free(scene);
-    free(solid);
     return st;
 }
 
@@ -115,12 +112,10 @@ static double plate_error(const void *context, const double *a, const double *b)
 
 static void run(struct verify_sheet *sheet)
 {
-    struct transient *t = calloc(1, sizeof *t);
+    struct transient *t = arena_take(&sheet->arena, 1, sizeof *t);
     struct verify_subject all[VERIFY_MOST];
 
-    if (!verify_sheet_holds(sheet, t ? STATUS_OK : STATUS_MEMORY))
-        return;
-    verify_sheet_holds(sheet, transient_init(t, &sheet->why));
+    verify_sheet_holds(sheet, transient_init(&sheet->arena, t, &sheet->why));
     struct verify_trial_refine r = {.scene = SCENE, .settings = settings, .step = STEP};
     r.steps = sheet->quick ? 1 : VERIFY_TRIAL_STEPS;
     r.times = TIMES, r.time = times, r.n = GRID_POINTS, r.uvw = t->uvw, r.truth = t->truth;
@@ -141,7 +136,6 @@ static void run(struct verify_sheet *sheet)
         }
     }
     scene_clear(&t->scene);
-    free(t);
 }
 
 const struct verify_check verify_transient = {

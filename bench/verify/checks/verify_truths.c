@@ -96,20 +96,18 @@ static void add_scene(struct verify_sheet *sheet, struct stored *s)
 static void run(struct verify_sheet *sheet)
 {
     struct named_file_entry *files = NULL;
-    struct stored *s = calloc(1, sizeof *s);
+    struct stored *s = arena_take(&sheet->arena, 1, sizeof *s);
     int count = 0;
 
-    if (verify_sheet_holds(sheet, s ? STATUS_OK : STATUS_MEMORY))
-        verify_sheet_holds(sheet,
-                           named_file_names(&truth_file_kind, &files, &count, &sheet->why));
-    for (int n = 0; s && n < GRID_POINTS; n++)
+    verify_sheet_holds(sheet,
+                       named_file_names(&truth_file_kind, &files, &count, &sheet->why));
+    for (int n = 0; n < GRID_POINTS; n++)
         grid_point(n, s->uvw + 3 * n);
     for (int n = 0; n < count && sheet->status == STATUS_OK; n++) {
         s->scene = files[n].name;
         add_scene(sheet, s);
     }
     named_file_list_free(files, count);
-    free(s);
 }
 
 const struct verify_check verify_truths = {

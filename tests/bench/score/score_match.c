@@ -218,6 +218,7 @@ static void chosen(void)
 /* A ladder of truths that lacks an array is refused; a scene that has none is not. */
 static void ladders(void)
 {
+    struct arena arena = {0};
     struct score_ladder ladder;
     struct message why = {""};
 
@@ -225,9 +226,11 @@ static void ladders(void)
     REQUIRE(symlink(SOURCE_DIR "/tests/samples/stored.npz",
                     "ladders/edge_drop_ladder.npz") == 0);
     REQUIRE(setenv("CLOTHBENCH_LADDERS", "ladders", 1) == 0);
-    CHECK(score_ladder_read(&truth.scene, &ladder, &why) == STATUS_INPUT);
+    CHECK(score_ladder_read(&arena, &truth.scene, &ladder, &why) == STATUS_INPUT);
     truth.scene.young *= 2;
-    CHECK(score_ladder_read(&truth.scene, &ladder, &why) == STATUS_OK && !ladder.times);
+    CHECK(score_ladder_read(&arena, &truth.scene, &ladder, &why) == STATUS_OK &&
+          !ladder.times);
+    arena_clear(&arena);
     REQUIRE(unsetenv("CLOTHBENCH_LADDERS") == 0);
 }
 

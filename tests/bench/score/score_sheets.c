@@ -11,6 +11,7 @@
 enum { SHEETS = 3, N = 8, M = 5, ROW = SHEETS * N, VERTICES = ROW * M };
 static const double ROUNDING = 1e-12; /* of sums of numbers up to 20 */
 
+static struct arena arena;
 static struct scene scene;
 static double uv[VERTICES][2], xyz[VERTICES][3];
 static int face[2 * SHEETS * (N - 1) * (M - 1)][3];
@@ -59,16 +60,16 @@ static void maps(bool faces, int nu)
 
     for (int n = 0; n < VERTICES; n++)
         at[n][0] = at[n][1] = at[n][2] = value(uv[n][0], uv[n][1]);
-    REQUIRE(score_net_make(&frames, &scene, "net", NULL, NULL, &net, &why) == STATUS_OK);
-    REQUIRE(score_net_map(&net, &frames, &scene, "net", nu, 11, &map, &why) == STATUS_OK);
+    REQUIRE(score_net_make(&arena, &frames, &scene, "net", NULL, NULL, &net, &why) ==
+            STATUS_OK);
+    REQUIRE(score_net_map(&arena, &net, &frames, &scene, "net", nu, 11, &map, &why) ==
+            STATUS_OK);
     score_map_apply(&map, at[0], field[0]);
     for (int n = 0; n < nu * 11; n++)
         off = fmax(off,
                    fabs(field[n][1] - value(scene_sheet_inside(&scene, n % nu / (nu - 1.)),
                                             n / nu / 10.)));
     CHECK_NEAR(off, 0, ROUNDING);
-    score_map_clear(&map);
-    score_net_clear(&net);
 }
 
 /* A field of the material grid is interpolated within the sheet that has u. */
@@ -99,16 +100,15 @@ static void places(void)
     for (int n = 0; n < VERTICES; n++)
         scene_rest_point(&scene, (double[]){uv[n][0], uv[n][1], 0.5}, rest[n]);
     frames.uv = NULL;
-    REQUIRE(score_net_make(&frames, &scene, "net", rest[0], NULL, &net, &why) == STATUS_OK);
+    REQUIRE(score_net_make(&arena, &frames, &scene, "net", rest[0], NULL, &net, &why) ==
+            STATUS_OK);
     for (int n = 0; n < 2 * VERTICES; n++)
         CHECK_NEAR(net.uv[n], uv[n / 2][n % 2], ROUNDING);
     for (int n = 0; n < VERTICES; n++) /* columns evenly over all u, as of one sheet */
         net.uv[2 * n] = n % ROW / (ROW - 1.);
-    CHECK(score_net_map(&net, &frames, &scene, "net", GRID_U, 11, &map, &why) ==
+    CHECK(score_net_map(&arena, &net, &frames, &scene, "net", GRID_U, 11, &map, &why) ==
           STATUS_INPUT);
     CHECK(strstr(why.text, "net: u of sheet 1 runs from 0 to 0.3"));
-    score_map_clear(&map);
-    score_net_clear(&net);
 }
 
 /* What crosses between two sheets is told; nothing lies between two that meet nowhere. */
@@ -125,9 +125,9 @@ static void meets(bool faces)
         struct score_contact c;
         struct message why = {""};
         char text[SCORE_CONTACT_TEXT] = "";
-        REQUIRE(score_net_make(&frames, &scene, "net", NULL, NULL, &net, &why) ==
+        REQUIRE(score_net_make(&arena, &frames, &scene, "net", NULL, NULL, &net, &why) ==
                 STATUS_OK);
-        REQUIRE(score_contact_begin(&c, &scene, &frames, &net) == STATUS_OK);
+        score_contact_begin(&arena, &c, &scene, &frames, &net);
         CHECK(c.triangles == 2 * SHEETS * (N - 1) * (M - 1));
         CHECK(score_contact_take(&c, 0, xyz[0]) == STATUS_OK);
         CHECK(score_contact_tells(&c, SCORE_CONTACT_ITSELF) == row[n].through);
@@ -135,7 +135,6 @@ static void meets(bool faces)
             score_contact_text(&c, SCORE_CONTACT_ITSELF, text);
         CHECK(!row[n].through == !strstr(text, "Passes through itself or another sheet"));
         score_contact_clear(&c);
-        score_net_clear(&net);
     }
 }
 
@@ -153,5 +152,6 @@ int main(void)
     samples();
     places();
     scene_clear(&scene);
+    arena_clear(&arena);
     return check_result();
 }

@@ -60,7 +60,7 @@ static struct score_stiffness measured(const char *scene, const char *name, bool
         exit(1);
     }
     score_stiffness_make(&score, &found);
-    CHECK(found.applies && found.part == part && !strcmp(found.along, "the warp"));
+    CHECK(found.applies && found.part == part && found.along == SCORE_ALONG_WARP);
     score_clear(&score);
     run_close(&run);
     return found;

@@ -48,6 +48,8 @@ static const struct verify_check second = {.item = {"second", "always met"},
                                            .slow = true,
                                            .parts = {{&field, add_second, 2, .every = 2}}};
 static const struct verify_check *const checks[] = {&first, &second, NULL};
+static const struct verify_set made_up = {"verify", "check", checks, "results/verify",
+                                          "met"};
 
 /* --- The command. */
 
@@ -73,7 +75,7 @@ static struct outcome command(const char *const *words)
     REQUIRE(command_parse(&verify_command, argc, argv, &line, &o.why) == STATUS_OK);
     FILE *out = open_memstream(&text, &size);
     REQUIRE(out);
-    o.status = verify_run(checks, &line, out, &o.why);
+    o.status = verify_run(&made_up, &line, out, &o.why);
     fclose(out);
     command_line_clear(&line);
     o.text = text;
@@ -323,7 +325,8 @@ static void check_subject(void)
                                                  {"iga_selective"},
                                                  {NULL}};
     static const struct verify_field three = {rows, 0, NULL, {5, 7, 9}, {0, 6, 8}},
-                                     none = {rows + 1};
+                                     none = {rows + 1},
+                                     hard = {NULL, CONTESTANT_LARGE, NULL, {1}, {1}, 0.5};
     struct verify_sheet sheet = {0};
     struct verify_subject all[VERIFY_MOST], s;
     struct settings set = {0};
@@ -360,6 +363,9 @@ static void check_subject(void)
     CHECK(isnan(s.tolerance) && !s.reason); /* where nothing is claimed */
     REQUIRE(verify_sheet_subjects(&sheet, &none, &s) == 1);
     CHECK(s.nets == 2 && s.along[1] == c->points[1] && s.across[1] == c->points[1]);
+    sheet.models = "shell_3", sheet.quick = true; /* a claim of everyone; one span */
+    REQUIRE(verify_sheet_subjects(&sheet, &hard, &s) == 1);
+    CHECK(s.tolerance == 0.5 && s.nets == 1 && s.along[0] == 4 && s.across[0] == 4);
 }
 
 /* Orders are of spans, points less the degree, on the last two nets. */
@@ -392,13 +398,14 @@ static void check_file(void)
         verify_row_judge(row, 1 + n / 3000.0, 1, 1e-10);
         row->seconds = n / 7.0;
         row->order = n % 3 ? NAN : n / 5.0;
+        row->until = n / 11.0;
         if (n % 5 == 0)
             strcpy(row->changed, "2 %, \"asked\"");
         if (n % 2)
             verify_row_note(row, "a, 5 %%2C b\n\"c\", ");
     }
     CHECK(folder_make(folder, &why) == STATUS_OK);
-    CHECK(verify_file_write(&rows_check, &made, folder, &why) == STATUS_OK);
+    CHECK(verify_file_write("verify", &rows_check, &made, folder, &why) == STATUS_OK);
     if (!CHECK(verify_file_read(&rows_check, folder, &read, &why) == STATUS_OK))
         printf("%s\n", why.text);
     CHECK(read.count == made.count);
@@ -408,6 +415,7 @@ static void check_file(void)
         CHECK(a->error == b->error && a->seconds == b->seconds);
         CHECK(a->order == b->order || (isnan(a->order) && isnan(b->order)));
         CHECK(a->tolerance == b->tolerance && !strcmp(a->changed, b->changed));
+        CHECK(a->until == b->until && !strcmp(a->name, b->name));
         CHECK(a->verdict == b->verdict && !strcmp(a->subject, b->subject));
         CHECK(!strcmp(a->quantity, b->quantity) && !strcmp(a->note, b->note));
     }
@@ -416,15 +424,15 @@ static void check_file(void)
     CHECK(verify_file_read(&rows_check, "/proc/nowhere", &read, &why) == STATUS_FILE);
 }
 
+#define KEYS                                                                               \
+    "quantity,model,value,truth,error_bar,error,tolerance,order,verdict,time_s,until_s,"   \
+    "remark,check,source,claimed_at_first,contestant\n"
+
 /* Other files are refused. */
 static void check_refusals(void)
 {
-    static const char *const text[] = {
-        "", "a,b\n",
-        "quantity,model,value,truth,error_bar,error,tolerance,order,verdict,time_s,remark,"
-        "check,source,claimed_at_first\n1,2\n",
-        "quantity,model,value,truth,error_bar,error,tolerance,order,verdict,time_s,remark,"
-        "check,source,claimed_at_first\na,b,1,1,0,0,0,nan,fine,0,,c,d,\n"};
+    static const char *const text[] = {"", "a,b\n", KEYS "1,2\n",
+                                       KEYS "a,b,1,1,0,0,0,nan,fine,0,,,c,d,,e\n"};
     struct verify_sheet read;
     char path[4200];
 

@@ -1,37 +1,45 @@
 /* Tests the errors of hard cases exactly: a sheet that rises by a millimetre a frame for
  * ten frames, and by seven millimetres at rest, is held against each kind of truth. */
-#include "bench/stress/stress.h"
+#include "bench/verify/checks/stress.h"
 #include "fem_ref/elastica.h"
 #include "fem_ref/kirchhoff.h"
 #include "models/clock.h"
 #include "models/reader/scene_file.h"
 #include "tests/scripted_model.h"
 
-#define LENGTH 2.0 /* so that "over L" tells */
-#define SHEET  "sheet={length: 2, width: 1.5, thickness: 0.01}"
-#define TIME   "time={step: 0.005, end: 0.05}"
+#define LENGTH           2.0 /* so that "over L" tells */
+#define SHEET            "sheet={length: 2, width: 1.5, thickness: 0.01}"
+#define TIME             "time={step: 0.005, end: 0.05}"
+#define CALLED(name, of) .check.item = {name, ""}, .truth = &stress_##of
 enum { FRAMES = 10 };
 static const double rise = 1e-3, step = 0.005, resting = 7e-3;
 static const double tol = 1e-12;       /* of sums and differences of metres              */
 static const double tol_plate = 1e-11; /* E comes from Gamma, and Gamma from E           */
 
-static char *path; /* of the scene */
 static struct model other;
 static struct contestant contestant = {
     .name = "other", .title = "other", .column = "other", .model = &other, .degree = 1};
 
-static struct stress_result judge(const struct stress_case *c)
+/* Returns the row of a case, which starts with the bound and the net of its field. */
+static struct verify_row judge(const struct stress_case *c)
 {
-    const struct stress_job job = {
-        .c = c, .contestant = &contestant, .path = path, .folder = "none"};
-    struct stress_result r;
-    struct message why = {""};
+    struct verify_sheet sheet = {.check = &c->check, .folder = "none"};
+    const int side = c->field.along[0] ? c->field.along[0] : 10;
+    struct verify_subject subject = {.sheet = &sheet,
+                                     .contestant = &contestant,
+                                     .tolerance = c->field.tolerance,
+                                     .nets = 1,
+                                     .along = {side},
+                                     .across = {side}};
     const double before = clock_processor();
 
-    if (!CHECK(stress_judge(&job, &r, &why) == STATUS_OK))
-        printf("  %s: %s\n", c->item.name, why.text);
-    CHECK(r.seconds >= 0 && r.seconds <= clock_processor() - before);
-    return r;
+    stress_add_row(&subject);
+    if (!CHECK(sheet.status == STATUS_OK))
+        printf("  %s: %s\n", c->check.item.name, sheet.why.text);
+    const struct verify_row row = *sheet.rows;
+    CHECK(row.seconds >= 0 && row.seconds <= clock_processor() - before);
+    verify_sheet_clear(&sheet);
+    return row;
 }
 
 static void begin(void)
@@ -56,16 +64,16 @@ static struct kirchhoff *make_plate(double *load)
 
 static void check_plate(void)
 {
-    const struct stress_case c = {
-        {"plate", ""}, STRESS_PLATE, .gamma = 0.05, .physics = {SHEET, TIME}, .bound = 1};
+    const struct stress_case c = {CALLED("plate", plate), .gamma = 0.05,
+                                  .physics = {SHEET, TIME}, .field.tolerance = 1};
     double load;
     struct kirchhoff *k = make_plate(&load);
     const double sag = kirchhoff_static(k, load, LENGTH, 0.75);
 
     begin();
-    struct stress_result r = judge(&c);
+    struct verify_row r = judge(&c);
     CHECK_RELATIVE(r.error, resting / sag + 1, tol_plate); /* it rises */
-    CHECK(r.end == STRESS_DEGRADED && isnan(r.time) && !strcmp(script_log, "I"));
+    CHECK(r.verdict == VERIFY_MISSED && isnan(r.until) && !strcmp(script_log, "I"));
     other.equilibrium = NULL; /* then it moves to the end */
     r = judge(&c);
     CHECK_RELATIVE(r.error, FRAMES * rise / sag + 1, tol_plate);
@@ -74,11 +82,8 @@ static void check_plate(void)
 
 static void check_elastica(void)
 {
-    const struct stress_case c = {{"elastica", ""},
-                                  STRESS_ELASTICA,
-                                  .gamma = 8,
-                                  .physics = {SHEET, TIME},
-                                  .bound = 1};
+    const struct stress_case c = {CALLED("elastica", elastica), .gamma = 8,
+                                  .physics = {SHEET, TIME}, .field.tolerance = 1};
     struct elastica_point e;
 
     begin();
@@ -88,8 +93,8 @@ static void check_elastica(void)
 
 static void check_vibration(void)
 {
-    struct stress_case c = {
-        {"vibration", ""}, STRESS_VIBRATION, .gamma = 0.05, .physics = {SHEET, TIME}};
+    struct stress_case c = {CALLED("vibration", vibration), .gamma = 0.05,
+                            .physics = {SHEET, TIME}};
     double load, error[FRAMES + 1], most = 0;
     struct kirchhoff *k = make_plate(&load);
     const double greatest = 2 * kirchhoff_static(k, load, LENGTH, 0.75);
@@ -100,10 +105,11 @@ static void check_vibration(void)
         error[n] = fabs(-rise * n - sag) / greatest;
         most = fmax(most, error[n]);
     }
-    c.bound = error[5] * 1.001; /* it grows: the sixth frame is the first beyond */
-    const struct stress_result r = judge(&c);
+    c.field.tolerance =
+        error[5] * 1.001; /* it grows: the sixth frame is the first beyond */
+    const struct verify_row r = judge(&c);
     CHECK_RELATIVE(r.error, most, tol_plate);
-    CHECK_NEAR(r.time, 6 * step, tol);
+    CHECK_NEAR(r.until, 6 * step, tol);
     kirchhoff_destroy(k);
 }
 
@@ -118,19 +124,19 @@ static enum status die_when_short(void *state, struct counters *counters)
 
 static void check_similar(void)
 {
-    const struct stress_case c = {{"similar", ""}, STRESS_SIMILAR, .physics = {SHEET, TIME},
-                                  .length = 10,    .mass = 3,      .time = 0.5};
+    const struct stress_case c = {CALLED("similar", similar), .physics = {SHEET, TIME},
+                                  .length = 10, .mass = 3, .time = 0.5};
 
     begin(); /* its own millimetres are ten times as long there */
     CHECK_NEAR(judge(&c).error, 9 * FRAMES * rise / LENGTH, tol);
     begin();
     other.advance = die_when_short;
-    const struct stress_result r = judge(&c);
-    CHECK(r.end == STRESS_DIED && isnan(r.error));
-    CHECK_NEAR(r.time, 4 * step, tol); /* in the case's seconds */
+    const struct verify_row r = judge(&c);
+    CHECK(r.verdict == VERIFY_DIED && isnan(r.error));
+    CHECK_NEAR(r.until, 4 * step, tol); /* in the case's seconds */
     begin();
     script.create = STATUS_UNSUPPORTED, script.refuse_after = 1;
-    CHECK(judge(&c).end == STRESS_REFUSED);
+    CHECK(judge(&c).verdict == VERIFY_NOT_APPLICABLE);
 }
 
 static void energy_won(const void *state, struct energy *energy)
@@ -145,8 +151,8 @@ static void energy_lost(const void *state, struct energy *energy)
 
 static void check_energy(void)
 {
-    const struct stress_case c = {
-        {"energy", ""}, STRESS_ENERGY, .physics = {SHEET, TIME}, .bound = 0.25};
+    const struct stress_case c = {CALLED("energy", energy), .physics = {SHEET, TIME},
+                                  .field.tolerance = 0.25};
     static const struct {
         void (*energy)(const void *state, struct energy *energy);
         const char *text;
@@ -156,14 +162,14 @@ static void check_energy(void)
     for (int n = 0; n < 2; n++) {
         begin();
         other.energy = known[n].energy;
-        const struct stress_result r = judge(&c);
-        CHECK(r.error == 1 && strstr(r.sentence.text, known[n].text));
-        CHECK_NEAR(r.time, 3 * step, tol);
+        const struct verify_row r = judge(&c);
+        CHECK(r.error == 1 && strstr(r.note, known[n].text));
+        CHECK_NEAR(r.until, 3 * step, tol);
     }
     begin(); /* of two parts, one is not known; none is */
-    CHECK(judge(&c).end == STRESS_REFUSED);
+    CHECK(judge(&c).verdict == VERIFY_NOT_APPLICABLE);
     other.energy = NULL;
-    CHECK(judge(&c).end == STRESS_REFUSED);
+    CHECK(judge(&c).verdict == VERIFY_NOT_APPLICABLE);
 }
 
 /* Checks the truths that are the rest shape and a number. */
@@ -175,33 +181,32 @@ static void check_shapes(void)
         double error, time;
     } known[] = {
         /* clang-format off */
-        {{{"still", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .bound = 1}, FRAMES * rise
+        {{CALLED("still", still), .physics = {SHEET, TIME}, .field.tolerance = 1}, FRAMES * rise
          / LENGTH, NAN},
-        {{{"still, until", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .bound = 1.2e-3},
+        {{CALLED("still, until", still), .physics = {SHEET, TIME}, .field.tolerance = 1.2e-3},
          FRAMES * rise / LENGTH, 3 * step},
-        {{{"still, from rest", ""}, STRESS_STILL_REST, .physics = {SHEET, TIME}, .bound =
-         1}, FRAMES * rise / LENGTH, NAN},
-        {{{"shifted", ""}, STRESS_SHIFTED, .physics = {SHEET, TIME, "supports=[" AT("0",
+        {{CALLED("still, from rest", still_rest), .physics = {SHEET, TIME}, .field.tolerance = 1}, FRAMES * rise / LENGTH, NAN},
+        {{CALLED("shifted", shifted), .physics = {SHEET, TIME, "supports=[" AT("0",
          ", path: [[0,0,0,0],[0.05,0,0,0.5]]") "]"}}, (0.5 - FRAMES * rise) / LENGTH, NAN},
-        {{{"buckled", ""}, STRESS_BUCKLED, .physics = {SHEET, TIME, "supports=[" AT("0", "")
+        {{CALLED("buckled", buckled), .physics = {SHEET, TIME, "supports=[" AT("0", "")
          ", " AT("1", ", path: [[0,0,0,0],[0.05,-0.2,0,0]]") "]"}}, elastica_buckled(0.1) -
          FRAMES * rise / LENGTH, NAN},
-        {{{"numerics", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .numerics =
-         {"time.end=0.015"}, .bound = 1}, 3 * rise / LENGTH, NAN},
+        {{CALLED("numerics", still), .physics = {SHEET, TIME}, .numerics =
+         {"time.end=0.015"}, .field.tolerance = 1}, 3 * rise / LENGTH, NAN},
         /* clang-format on */
     };
 
     for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
         begin();
-        const struct stress_result r = judge(&known[n].c);
+        const struct verify_row r = judge(&known[n].c);
         if (!CHECK_NEAR(r.error, known[n].error, tol) ||
-            !CHECK(isnan(known[n].time) ? isnan(r.time)
-                                        : fabs(r.time - known[n].time) < tol))
-            printf("  %s: until %g\n", known[n].c.item.name, r.time);
+            !CHECK(isnan(known[n].time) ? isnan(r.until)
+                                        : fabs(r.until - known[n].time) < tol))
+            printf("  %s: until %g\n", known[n].c.check.item.name, r.until);
     }
     begin();
     other.equilibrium = NULL;
-    CHECK(judge(&known[2].c).end == STRESS_REFUSED);
+    CHECK(judge(&known[2].c).verdict == VERIFY_NOT_APPLICABLE);
 }
 
 #define LID(z, more) "{plane: {point: [0,0," z "], normal: [0,0,-1]}" more "}"
@@ -256,106 +261,102 @@ static void check_contact(void)
         double error, time, tol;
     } known[] = {
         /* clang-format off */
-        {{{"lid", ""}, STRESS_CONTACT, BODIES(LID("0.0125", "")), .bound = 0.5}, NULL, 0.25,
+        {{CALLED("lid", contact), BODIES(LID("0.0125", "")), .field.tolerance = 0.5}, NULL, 0.25,
          NAN, tol},
-        {{{"lid that comes", ""}, STRESS_CONTACT, BODIES(LID("0.0225",
-         ", path: [[0,0,0,0],[0.05,0,0,-0.01]]")), .bound = 0.5}, NULL, 0.25, NAN, tol},
-        {{{"through", ""}, STRESS_CONTACT, BODIES(LID("0.0075", "")), .bound = 0.5}, NULL,
+        {{CALLED("lid that comes", contact), BODIES(LID("0.0225",
+         ", path: [[0,0,0,0],[0.05,0,0,-0.01]]")), .field.tolerance = 0.5}, NULL, 0.25, NAN, tol},
+        {{CALLED("through", contact), BODIES(LID("0.0075", "")), .field.tolerance = 0.5}, NULL,
          0.75, 0.04, tol},
-        {{{"plate between frames", ""}, STRESS_CONTACT,
+        {{CALLED("plate between frames", contact),
          BODIES("{box: {center: [1,0.75,-0.02],"
-         " size: [3,3,0.008]}, path: [[0,0,0,0],[0.02,0,0,0],[0.025,0,0,0.04]]}"), .bound =
-         0.5}, NULL, 0.8625, 0.025, tol},
-        {{{"fold", ""}, STRESS_CONTACT, .physics = {SHEET, TIME, "contact={}"}, .bound =
-         0.5}, fold, 0.8, 0.02, TOL_FOLD},
-        {{{"open", ""}, STRESS_CONTACT, .physics = {SHEET, TIME, "contact={}"}, .bound =
-         0.5}, slide, 0, NAN, tol},
-        {{{"unasked", ""}, STRESS_CONTACT, BODIES(BED("0")), .bound = 0.5}, fold, 0, NAN,
+         " size: [3,3,0.008]}, path: [[0,0,0,0],[0.02,0,0,0],[0.025,0,0,0.04]]}"), .field.tolerance = 0.5}, NULL, 0.8625, 0.025, tol},
+        {{CALLED("fold", contact), .physics = {SHEET, TIME, "contact={}"}, .field.tolerance = 0.5}, fold, 0.8, 0.02, TOL_FOLD},
+        {{CALLED("open", contact), .physics = {SHEET, TIME, "contact={}"}, .field.tolerance = 0.5}, slide, 0, NAN, tol},
+        {{CALLED("unasked", contact), BODIES(BED("0")), .field.tolerance = 0.5}, fold, 0, NAN,
          tol},
-        {{{"slides", ""}, STRESS_SLIDE, BODIES(BED("0.1")), .bound = 1}, slide, (0.01 - 1.04
+        {{CALLED("slides", slide), BODIES(BED("0.1")), .field.tolerance = 1}, slide, (0.01 - 1.04
          * 0.05 * 0.05 / 2) / LENGTH, NAN, tol},
-        {{{"held", ""}, STRESS_SLIDE, BODIES(BED("5")), .bound = 1}, slide, 0.01 / LENGTH,
+        {{CALLED("held", slide), BODIES(BED("5")), .field.tolerance = 1}, slide, 0.01 / LENGTH,
          NAN, tol},
-        {{{"slides off", ""}, STRESS_SLIDE, BODIES(BED("5") ", " LID("0.0075", "")), .bound
-         = 0.5}, NULL, 0.75, 0.04, tol},
-        {{{"needles", ""}, STRESS_CONTACT, .physics = {SHEET, TIME}, .needles = 40, .bound =
-         0.5}, NULL, 0, NAN, tol},
+        {{CALLED("slides off", slide), BODIES(BED("5") ", " LID("0.0075", "")), .field.tolerance = 0.5}, NULL, 0.75, 0.04, tol},
+        {{CALLED("needles", contact), .physics = {SHEET, TIME}, .needles = 40, .field.tolerance = 0.5}, NULL, 0, NAN, tol},
         /* clang-format on */
     };
 
     for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
         begin();
         other.sample = known[n].sample ? known[n].sample : other.sample;
-        const struct stress_result r = judge(&known[n].c);
+        const struct verify_row r = judge(&known[n].c);
         if (!CHECK_NEAR(r.error, known[n].error, known[n].tol) ||
-            !CHECK(isnan(known[n].time) ? isnan(r.time)
-                                        : fabs(r.time - known[n].time) < tol))
-            printf("  %s: %g until %g: %s\n", known[n].c.item.name, r.error, r.time,
-                   r.sentence.text);
+            !CHECK(isnan(known[n].time) ? isnan(r.until)
+                                        : fabs(r.until - known[n].time) < tol))
+            printf("  %s: %g until %g: %s\n", known[n].c.check.item.name, r.error, r.until,
+                   r.note);
     }
     begin(); /* also of the dead it is told what they have touched */
     script.dies = 4, script.death = STATUS_NAN;
-    CHECK(strstr(judge(&known[0].c).sentence.text,
+    CHECK(strstr(judge(&known[0].c).note,
                  "number; before: nearest to a body: 9.5 mm at 0.015 s"));
 }
 
 /* Checks that a mesh that is none, and one that reaches into the sheet, are refused. */
 static void check_needles(void)
 {
-    struct stress_case c = {
-        {"flat", ""}, STRESS_CONTACT, .physics = {SHEET, TIME}, .needles = -40};
+    struct stress_case c = {CALLED("flat", contact), .physics = {SHEET, TIME},
+                            .needles = -40};
 
     begin();
-    CHECK(judge(&c).end == STRESS_REFUSED);
+    CHECK(judge(&c).verdict == VERIFY_NOT_APPLICABLE);
     c.needles = 40;
     c.physics[0] = "sheet={length: 2, width: 1.5, thickness: 0.03}";
-    CHECK(judge(&c).end == STRESS_REFUSED);
+    CHECK(judge(&c).verdict == VERIFY_NOT_APPLICABLE);
 }
 
 /* Checks deaths, refusals and failures. */
 static void check_ends(void)
 {
-    const struct stress_case
-        moves = {{"moves", ""}, STRESS_STILL, .physics = {SHEET, TIME}, .bound = 1},
-        rests = {{"rests", ""},
-                 STRESS_PLATE,
-                 .gamma = 0.05,
-                 .physics = {SHEET, TIME},
-                 .bound = 1},
-        shell = {{"shell", ""}, STRESS_SHELL, .physics = {SHEET, TIME}},
-        wrong = {{"wrong", ""}, STRESS_STILL, .physics = {"sheet.length=-1"}};
+    const struct stress_case moves = {CALLED("moves", still), .physics = {SHEET, TIME},
+                                      .field.tolerance = 1},
+                             rests = {CALLED("rests", plate), .gamma = 0.05,
+                                      .physics = {SHEET, TIME}, .field.tolerance = 1},
+                             shell = {CALLED("shell", shell), .physics = {SHEET, TIME}},
+                             wrong = {CALLED("wrong", still),
+                                      .physics = {"sheet.length=-1"}};
     const struct {
         const struct stress_case *c;
         int dies;
         enum status create, equilibrium;
-        enum stress_end end;
+        enum verify_verdict verdict;
         double time;
     } known[] = {
-        {&moves, 4, STATUS_OK, STATUS_OK, STRESS_DIED, 0.02},
-        {&rests, 0, STATUS_OK, STATUS_DIVERGED, STRESS_DIED, 0},
-        {&rests, 0, STATUS_OK, STATUS_UNSUPPORTED, STRESS_REFUSED, NAN},
-        {&moves, 0, STATUS_UNSUPPORTED, STATUS_OK, STRESS_REFUSED, NAN},
-        {&moves, 0, STATUS_INPUT, STATUS_OK, STRESS_REFUSED, NAN},
-        {&moves, 0, STATUS_MEMORY, STATUS_OK, STRESS_DIED, NAN},
-        {&wrong, 0, STATUS_OK, STATUS_OK, STRESS_REFUSED, NAN},
-        {&shell, 0, STATUS_OK, STATUS_OK, STRESS_REFUSED, NAN},
+        {&moves, 4, STATUS_OK, STATUS_OK, VERIFY_DIED, 0.02},
+        {&rests, 0, STATUS_OK, STATUS_DIVERGED, VERIFY_DIED, 0},
+        {&rests, 0, STATUS_OK, STATUS_UNSUPPORTED, VERIFY_NOT_APPLICABLE, NAN},
+        {&moves, 0, STATUS_UNSUPPORTED, STATUS_OK, VERIFY_NOT_APPLICABLE, NAN},
+        {&moves, 0, STATUS_INPUT, STATUS_OK, VERIFY_NOT_APPLICABLE, NAN},
+        {&moves, 0, STATUS_MEMORY, STATUS_OK, VERIFY_DIED, NAN},
+        {&wrong, 0, STATUS_OK, STATUS_OK, VERIFY_NOT_APPLICABLE, NAN},
+        {&shell, 0, STATUS_OK, STATUS_OK, VERIFY_NOT_APPLICABLE, NAN},
     };
 
     for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
         begin();
         script.dies = known[n].dies, script.death = STATUS_NAN;
         script.create = known[n].create, script.equilibrium = known[n].equilibrium;
-        const struct stress_result r = judge(known[n].c);
+        const struct verify_row r = judge(known[n].c);
         const bool timed =
-            isnan(known[n].time) ? isnan(r.time) : fabs(r.time - known[n].time) < tol;
-        if (!CHECK(r.end == known[n].end && isnan(r.error) && timed && *r.sentence.text))
-            printf("  row %zu: %d at %g: %s\n", n, r.end, r.time, r.sentence.text);
+            isnan(known[n].time) ? isnan(r.until) : fabs(r.until - known[n].time) < tol;
+        if (!CHECK(r.verdict == known[n].verdict && isnan(r.error) && timed && *r.note))
+            printf("  row %zu: %d at %g: %s\n", n, r.verdict, r.until, r.note);
     }
-    struct stress_result r;
     begin(); /* a disk that is full is no result */
-    const struct stress_job job = {&moves, &contestant, path, "none", NULL};
+    struct verify_sheet sheet = {.check = &moves.check};
+    struct verify_subject subject = {
+        .sheet = &sheet, .contestant = &contestant, .nets = 1, .along = {10}};
     script.create = STATUS_FILE;
-    CHECK(stress_judge(&job, &r, NULL) == STATUS_FILE);
+    stress_add_row(&subject);
+    CHECK(sheet.status == STATUS_FILE);
+    verify_sheet_clear(&sheet);
 }
 
 static int weights, rows_right;
@@ -370,7 +371,7 @@ static enum status count_weights(void *state, const struct scene *scene,
     return scripted_init(state, scene, d, why);
 }
 
-/* Checks nets and weights: ten points a side, one element, as many as the case says. */
+/* Checks nets and weights: as many points a side as the subject has. */
 static void check_nets(void)
 {
     static const struct {
@@ -378,18 +379,18 @@ static void check_nets(void)
         const char *log; /* of create and three steps                                  */
         int weights;
     } known[] = {
-        {0, 1, "Iiii", 100}, {1, 1, "Aaaa", 4}, {1, 2, "Bbbb", 9}, {6, 1, "Eeee", 36}};
-    struct stress_case c = {
-        {"net", ""}, STRESS_STILL, .physics = {SHEET, "time={step: 0.005, end: 0.015}"}};
+        {10, 1, "Iiii", 100}, {2, 1, "Aaaa", 4}, {3, 2, "Bbbb", 9}, {6, 1, "Eeee", 36}};
+    struct stress_case c = {CALLED("net", still),
+                            .physics = {SHEET, "time={step: 0.005, end: 0.015}"}};
 
     for (size_t n = 0; n < sizeof known / sizeof *known; n++)
         for (int weighted = 0; weighted < 2; weighted++) {
             begin();
             other.init = count_weights;
             contestant.degree = known[n].degree;
-            c.side = known[n].side;
+            c.field.along[0] = known[n].side;
             c.weight_ratio = weighted ? 10 : 0;
-            CHECK(judge(&c).end == STRESS_DEGRADED);
+            CHECK(judge(&c).verdict == VERIFY_MISSED);
             CHECK(!strcmp(script_log, known[n].log));
             CHECK(weights == (weighted ? known[n].weights : 0) && rows_right == weights);
         }
@@ -398,7 +399,6 @@ static void check_nets(void)
 
 int main(void)
 {
-    REQUIRE(scene_file_find(stress_case_scene, &path, NULL) == STATUS_OK);
     check_plate();
     check_elastica();
     check_vibration();
@@ -409,6 +409,5 @@ int main(void)
     check_needles();
     check_ends();
     check_nets();
-    free(path);
     return check_result();
 }

@@ -338,7 +338,7 @@ static enum status say_net(const struct advise_search *s, const struct contest_r
 
     if (who->layers || who->degree != 1)
         return st;
-    TRY(export_numbers_table(&sheet, &t));
+    t = export_numbers_table(&sheet);
     TRY(table_save(t, s->job->folder, "advise_net", why));
     if (!table_format_is_prose(format))
         goto out;

@@ -1,9 +1,9 @@
 #include "bench/export/export.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "bench/files/arena.h"
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
 #include "bench/truth/truth.h"
@@ -34,7 +34,7 @@ struct export_held_vertex {
 
 struct export_held {
     int count, outside;
-    struct export_held_vertex *vertex; /* [count], those of the sheet first      owned */
+    struct export_held_vertex *vertex; /* [count], those of the sheet first            */
     struct message doubt; /* where the net holds too little; empty: nowhere            */
 };
 
@@ -47,6 +47,7 @@ struct export_job {
     struct message misfit; /* what matched springs cannot represent; empty: nothing      */
     int body;              /* the obstacle of export_mesh_body                            */
     bool undamped;         /* the scene is damped by a factor a step, its truth is not   */
+    struct arena arena;    /*                                                      owned */
 };
 
 /* Returns the vertices in a row, K n. */
@@ -313,34 +314,22 @@ static void add_paths(const struct scene *scene, const struct supports *supports
 }
 
 /* Finds the supports' vertices by the rule that all models share. */
-static enum status find_supports(const struct export_sheet *s, struct supports *supports,
-                                 struct message *why)
+static enum status find_supports(struct arena *arena, const struct export_sheet *s,
+                                 struct supports *supports, struct message *why)
 {
     const int vertices = export_sheet_vertices(s);
-    double(*uvw)[3] = malloc(2 * (size_t)vertices * sizeof *uvw);
-    double(*rest)[3] = uvw ? uvw + vertices : NULL;
-    enum status st = STATUS_MEMORY;
+    double(*uvw)[3] = arena_take(arena, 2 * (size_t)vertices, sizeof *uvw);
+    double(*rest)[3] = uvw + vertices;
 
-    if (!uvw)
-        return st;
     for (int n = 0; n < vertices; n++)
         export_sheet_vertex(s, n, uvw[n], rest[n]);
-    st = supports_init(supports, s->scene, vertices, uvw, *rest, why);
-    free(uvw);
-    return st;
-}
-
-static void export_held_clear(struct export_held *held)
-{
-    free(held->vertex);
-    *held = (struct export_held){0};
+    return supports_init(supports, s->scene, vertices, uvw, *rest, why);
 }
 
 /* Finds the held vertices. STATUS_UNSUPPORTED with a sentence: vertices cannot express how
- * the scene holds the sheet, STATUS_INPUT: a support holds none of them. Free with
- * export_held_clear. */
-static enum status export_held_find(const struct export_sheet *s, struct export_held *held,
-                                    struct message *why)
+ * the scene holds the sheet, STATUS_INPUT: a support holds none of them. */
+static enum status export_held_find(struct arena *arena, const struct export_sheet *s,
+                                    struct export_held *held, struct message *why)
 {
     const int vertices = export_sheet_vertices(s);
     struct supports supports = {0};
@@ -348,10 +337,9 @@ static enum status export_held_find(const struct export_sheet *s, struct export_
 
     *held = (struct export_held){0};
     TRY(check_thickness(s->scene, why));
-    TRY(find_supports(s, &supports, why));
+    TRY(find_supports(arena, s, &supports, why));
     /* a vertex may have one outside along u and one along v */
-    held->vertex = malloc(3 * ((size_t)vertices + 1) * sizeof *held->vertex);
-    TRY(held->vertex ? STATUS_OK : STATUS_MEMORY);
+    held->vertex = arena_take(arena, 3 * ((size_t)vertices + 1), sizeof *held->vertex);
     for (int n = 0; n < vertices; n++)
         add_held(s, &supports, n, held);
     add_paths(s->scene, &supports, held);
@@ -360,8 +348,6 @@ static enum status export_held_find(const struct export_sheet *s, struct export_
     doubt_ends(s, held);
 out:
     supports_clear(&supports);
-    if (st != STATUS_OK)
-        export_held_clear(held);
     return st;
 }
 
@@ -376,7 +362,7 @@ static int export_held_path(const struct export_job *j, int n)
                : j->scene.support_count + n;
 }
 
-static enum status export_held_csv(struct export_job *j, struct output *out)
+static void export_held_csv(struct export_job *j, struct output *out)
 {
     output_print(out, "vertex,u,v,x,y,z,fix,path,beside\n");
     for (int n = 0; n < j->held.count; n++) {
@@ -389,7 +375,6 @@ static enum status export_held_csv(struct export_job *j, struct output *out)
         output_print(out, path < 0 ? "," : "%d,", path);
         output_print(out, v->beside < 0 ? "\n" : "%d\n", v->beside);
     }
-    return STATUS_OK;
 }
 
 /* Writes the mesh at rest. */
@@ -413,7 +398,7 @@ static int export_mesh_triangles(const struct export_sheet *s)
 }
 
 /* Write one file each. STATUS_MEMORY; output.h says what cannot be written. */
-static enum status export_mesh_obj(struct export_job *j, struct output *out)
+static void export_mesh_obj(struct export_job *j, struct output *out)
 {
     const struct export_sheet *s = &j->sheet;
     double uvw[3], x[3];
@@ -434,11 +419,10 @@ static enum status export_mesh_obj(struct export_job *j, struct output *out)
         output_print(out, "f %d/%d %d/%d %d/%d\n", c[0] + 1, c[0] + 1, c[1] + 1, c[1] + 1,
                      c[2] + 1, c[2] + 1);
     }
-    return STATUS_OK;
 }
 
 /* Writes a body as it lies in the scene, in metres. */
-static enum status export_mesh_body(struct export_job *j, struct output *out)
+static void export_mesh_body(struct export_job *j, struct output *out)
 {
     const struct contact_mesh_view m = contact_mesh_view(j->scene.obstacles[j->body].mesh);
 
@@ -449,11 +433,10 @@ static enum status export_mesh_body(struct export_job *j, struct output *out)
     for (int n = 0; n < m.triangles; n++)
         output_print(out, "f %d %d %d\n", m.triangle[n][0] + 1, m.triangle[n][1] + 1,
                      m.triangle[n][2] + 1);
-    return STATUS_OK;
 }
 
 /* Writes rest.ply; s, t are what Blender and others call u, v. */
-static enum status export_mesh_ply(struct export_job *j, struct output *out)
+static void export_mesh_ply(struct export_job *j, struct output *out)
 {
     const struct export_sheet *s = &j->sheet;
     double uvw[3], x[3];
@@ -474,10 +457,9 @@ static enum status export_mesh_ply(struct export_job *j, struct output *out)
         export_mesh_triangle(s, n, c);
         output_print(out, "3 %d %d %d\n", c[0], c[1], c[2]);
     }
-    return STATUS_OK;
 }
 
-static enum status export_mesh_csv(struct export_job *j, struct output *out)
+static void export_mesh_csv(struct export_job *j, struct output *out)
 {
     const struct export_sheet *s = &j->sheet;
     double uvw[3], x[3];
@@ -488,7 +470,6 @@ static enum status export_mesh_csv(struct export_job *j, struct output *out)
         output_print(out, "%d,%.17g,%.17g,%.17g,%.17g,%.17g\n", n, uvw[0], uvw[1], x[0],
                      x[1], x[2]);
     }
-    return STATUS_OK;
 }
 
 /* The numbers that a simulator needs besides the mesh: materials.csv, times.csv, and where
@@ -593,14 +574,14 @@ static int vertex_of(const struct export_sheet *s, int node)
     return node % s->points[1] * export_sheet_columns(s) + node / s->points[1];
 }
 
-static enum status put_springs(const struct export_sheet *s, const struct taker *t,
-                               struct message *misfit)
+static void put_springs(const struct export_sheet *s, const struct taker *t,
+                        struct message *misfit)
 {
     static const char *const name[] = {"spring u", "spring v", "spring diagonal"};
     struct spring_net net = {0};
-    enum status st;
 
-    TRY(spring_net_init(&net, s->scene, s->points, PARAMETERS_MATCHED, false));
+    if (spring_net_init(&net, s->scene, s->points, PARAMETERS_MATCHED, false) != STATUS_OK)
+        arena_end();
     for (int n = 0; n < net.spring_count; n++) {
         const struct spring *k = &net.springs[n];
         if (!(k->stiffness > NOTHING * s->scene->young * s->scene->thickness))
@@ -615,17 +596,15 @@ static enum status put_springs(const struct export_sheet *s, const struct taker 
                                  "N/m", k->length, 1 / k->stiffness});
     }
     spring_law_tell(&net.law, net.cell, s->scene, misfit);
-out:
     spring_net_clear(&net);
-    return st;
 }
 
 /* Passes on, one by one, all numbers of a net of points: the material; the mass of each
  * vertex a; on a flat sheet the stiffnesses of hinges (models/net/hinge_rule.h); and each
  * matched spring from a to b (models/net/spring_net.h). *misfit says what those springs
  * cannot represent; empty: nothing. */
-static enum status each(const struct export_sheet *s, const struct taker *t,
-                        struct message *misfit)
+static void each(const struct export_sheet *s, const struct taker *t,
+                 struct message *misfit)
 {
     const double areal = s->scene->density * s->scene->thickness;
 
@@ -634,10 +613,11 @@ static enum status each(const struct export_sheet *s, const struct taker *t,
         t->take(t->context, &(struct number){"mass", n, -1, areal * export_sheet_area(s, n),
                                              "kg", NAN, NAN});
     if (s->scene->shape != SCENE_FLAT)
-        return STATUS_OK;
+        return;
     const struct law law = scene_law(s->scene);
     put_hinges(s, t);
-    return law_is_aligned(&law) ? put_springs(s, t, misfit) : STATUS_OK;
+    if (law_is_aligned(&law))
+        put_springs(s, t, misfit);
 }
 
 /* --- as a table: what is the same is a row --- */
@@ -670,7 +650,7 @@ static void take_kind(void *context, const struct number *number)
     k->count += n == k->count;
 }
 
-enum status export_numbers_table(const struct export_sheet *s, struct table **table)
+struct table *export_numbers_table(const struct export_sheet *s)
 {
     static const struct table_column columns[] = {{"quantity", NULL, TABLE_LEFT},
                                                   {"value"},
@@ -680,31 +660,24 @@ enum status export_numbers_table(const struct export_sheet *s, struct table **ta
                                                   {"how many"}};
     struct kinds kinds = {0};
     struct message misfit = {""};
-    enum status st;
-
-    *table =
+    struct table *table =
         TABLE_OF(columns, "Parameters of this net of points, for an engine of your own");
-    TRY(each(s, &(struct taker){take_kind, &kinds}, &misfit));
+    each(s, &(struct taker){take_kind, &kinds}, &misfit);
     for (int n = 0; n < kinds.count; n++) {
         const struct number *k = &kinds.kind[n];
-        table_line(*table, "%s|%.6g|%s|%.6g|%.6g|%.0f", k->quantity, k->value, k->unit,
+        table_line(table, "%s|%.6g|%s|%.6g|%.6g|%.0f", k->quantity, k->value, k->unit,
                    k->length, k->compliance, k->a < 0 ? NAN : (double)kinds.uses[n]);
     }
     table_note(
-        *table,
+        table,
         "mass: of a vertex - corner, rim, inside; springs: half as stiff on the rim; "
         "hinge: bending by the angle theta between two triangles, k theta^2 / 2, over "
         "an inner edge along u, v or a diagonal, or over one of whose triangles one is "
         "held, at a clamp; compliance: of XPBD, with C = length - rest length or C = "
         "theta.");
     if (*misfit.text)
-        table_note(*table, "Springs are no plane stress: %s.", misfit.text);
-out:
-    if (st != STATUS_OK) {
-        table_destroy(*table);
-        *table = NULL;
-    }
-    return st;
+        table_note(table, "Springs are no plane stress: %s.", misfit.text);
+    return table;
 }
 
 /* --- as files --- */
@@ -730,22 +703,21 @@ static void take_line(void *context, const struct number *n)
     output_print(out, "\n");
 }
 
-static enum status export_numbers_materials(struct export_job *j, struct output *out)
+static void export_numbers_materials(struct export_job *j, struct output *out)
 {
     output_print(out, "quantity,a,b,value,unit,rest_length,compliance\n");
-    return each(&j->sheet, &(struct taker){take_line, out}, &j->misfit);
+    each(&j->sheet, &(struct taker){take_line, out}, &j->misfit);
 }
 
-static enum status export_numbers_times(struct export_job *j, struct output *out)
+static void export_numbers_times(struct export_job *j, struct output *out)
 {
     output_print(out, "what,time,bar\nstep,%.17g,\nend,%.17g,\n", j->scene.step,
                  j->scene.end);
     for (int n = 0; n < j->known.claimed; n++)
         output_print(out, "truth,%.17g,%.17g\n", j->known.time[n], j->known.error[n]);
-    return STATUS_OK;
 }
 
-static enum status export_numbers_obstacles(struct export_job *j, struct output *out)
+static void export_numbers_obstacles(struct export_job *j, struct output *out)
 {
     output_print(out, "kind,x,y,z,normal_x,normal_y,normal_z,radius,friction\n");
     for (int n = 0; n < j->scene.obstacle_count; n++) {
@@ -762,7 +734,6 @@ static enum status export_numbers_obstacles(struct export_job *j, struct output 
         print_cell(out, o->friction);
         output_print(out, "\n");
     }
-    return STATUS_OK;
 }
 
 static void print_path(int number, double t, const double shift[3], struct output *out)
@@ -788,7 +759,7 @@ static void print_turning(const struct export_job *j, int n, struct output *out)
     }
 }
 
-static enum status export_numbers_paths(struct export_job *j, struct output *out)
+static void export_numbers_paths(struct export_job *j, struct output *out)
 {
     output_print(out, "path,t,x,y,z\n");
     for (int n = 0; n < j->scene.support_count; n++) {
@@ -799,21 +770,19 @@ static enum status export_numbers_paths(struct export_job *j, struct output *out
     for (int n = 0; n < j->held.count; n++)
         if (export_held_path(j, n) >= j->scene.support_count)
             print_turning(j, n, out);
-    return STATUS_OK;
 }
 
 /* Writes loads, distributed by the vertices' hat functions as springs and triangles do. */
-static enum status export_numbers_loads(struct export_job *j, struct output *out)
+static void export_numbers_loads(struct export_job *j, struct output *out)
 {
     const struct export_sheet *s = &j->sheet;
     const struct dead_load_line line[3] = {
         {.n = s->points[0], .degree = 1}, {.n = s->points[1], .degree = 1}, {.n = 1}};
-    double *force = calloc(3 * (size_t)export_sheet_vertices(s), sizeof *force);
-    enum status st = STATUS_MEMORY;
+    double *force =
+        arena_take(&j->arena, 3 * (size_t)export_sheet_vertices(s), sizeof *force);
 
-    if (!force)
-        return st;
-    TRY(dead_load_add(s->scene, line, force));
+    if (dead_load_add(s->scene, line, force) != STATUS_OK)
+        arena_end();
     output_print(out, "vertex,x,y,z\n");
     for (int n = 0; n < export_sheet_vertices(s); n++) {
         const int columns = export_sheet_columns(s), along = n % columns,
@@ -822,9 +791,6 @@ static enum status export_numbers_loads(struct export_job *j, struct output *out
         if (f[0] != 0 || f[1] != 0 || f[2] != 0)
             output_print(out, "%d,%.17g,%.17g,%.17g\n", n, f[0], f[1], f[2]);
     }
-out:
-    free(force);
-    return st;
 }
 
 /* Finds the velocity of vertex n at t = 0, none in components that are held [m/s]. *held
@@ -843,7 +809,7 @@ static void export_numbers_velocity(const struct export_job *j, int n, int *held
         v[c] = fix >> c & 1 ? 0 : v[c];
 }
 
-static enum status export_numbers_velocities(struct export_job *j, struct output *out)
+static void export_numbers_velocities(struct export_job *j, struct output *out)
 {
     double v[3];
 
@@ -852,7 +818,6 @@ static enum status export_numbers_velocities(struct export_job *j, struct output
         export_numbers_velocity(j, n, &held, v);
         output_print(out, "%d,%.17g,%.17g,%.17g\n", n, v[0], v[1], v[2]);
     }
-    return STATUS_OK;
 }
 
 /* Writes scene.usda: the sheet as a surface deformable of the AOUSD proposal "Deformable
@@ -863,7 +828,7 @@ enum { A_LINE = 8 }; /* elements of an array                                    
 /* The mesh of the file: the sheet's triangles, then those of its clamps. */
 struct usd_mesh {
     int count;
-    int (*corner)[3]; /*                                                           owned */
+    int (*corner)[3];
 };
 
 /* Prints what stands before element n of an array. */
@@ -914,21 +879,19 @@ static void add_cell(const struct export_sheet *s, const struct export_held_vert
             mesh->corner[mesh->count][c] = round[c ? c + k : 0];
 }
 
-static enum status make_mesh(const struct export_job *j, struct usd_mesh *mesh)
+static void make_mesh(struct export_job *j, struct usd_mesh *mesh)
 {
     const struct export_held *held = &j->held;
     const int inside = held->count - held->outside;
 
-    mesh->corner = malloc((size_t)(export_mesh_triangles(&j->sheet) + 4 * held->outside) *
-                          sizeof *mesh->corner);
-    if (!mesh->corner)
-        return STATUS_MEMORY;
+    mesh->corner = arena_take(
+        &j->arena, (size_t)(export_mesh_triangles(&j->sheet) + 4 * held->outside),
+        sizeof *mesh->corner);
     for (; mesh->count < export_mesh_triangles(&j->sheet); mesh->count++)
         export_mesh_triangle(&j->sheet, mesh->count, mesh->corner[mesh->count]);
     for (int a = inside; a < held->count; a++)
         for (int b = a + 1; b < held->count; b++)
             add_cell(&j->sheet, &held->vertex[a], &held->vertex[b], mesh);
-    return STATUS_OK;
 }
 
 static void put_head(const struct export_job *j, struct output *out)
@@ -1158,12 +1121,11 @@ static bool holds(const struct export_job *j, int path)
     return any;
 }
 
-static enum status export_usd(struct export_job *j, struct output *out)
+static void export_usd(struct export_job *j, struct output *out)
 {
     struct usd_mesh mesh = {0};
-    enum status st;
 
-    TRY(make_mesh(j, &mesh));
+    make_mesh(j, &mesh);
     put_head(j, out);
     usd_material(j, out);
     put_mesh(j, &mesh, out);
@@ -1171,9 +1133,6 @@ static enum status export_usd(struct export_job *j, struct output *out)
         if (holds(j, path))
             put_attachment(j, path, out);
     output_print(out, "}\n");
-out:
-    free(mesh.corner);
-    return st;
 }
 
 #define MESH_FILE "obstacle_%d.obj"
@@ -1350,7 +1309,7 @@ static void put_contact(const struct scene *s, struct output *out)
               (double[]){c->thickness, c->range, c->stiffness, c->friction});
 }
 
-static enum status write_scene(struct export_job *j, struct output *out)
+static void write_scene(struct export_job *j, struct output *out)
 {
     const struct scene *scene = &j->scene;
 
@@ -1365,7 +1324,6 @@ static enum status write_scene(struct export_job *j, struct output *out)
     for (int n = 0; n < scene->snapshot_count; n++)
         put_words(out, n ? ", #" : "snapshots: [#", &scene->snapshots[n]);
     output_print(out, "%s", scene->snapshot_count ? "]\n" : "");
-    return STATUS_OK;
 }
 
 /* --- README.md: the rules on one page --- */
@@ -1685,14 +1643,13 @@ static void put_score(const struct export_job *j, struct output *out)
              "error bar, and what\nyour net alone would cost.\n");
 }
 
-static enum status write_readme(struct export_job *j, struct output *out)
+static void write_readme(struct export_job *j, struct output *out)
 {
     put_title(j, out);
     put_physics(j, out);
     put_held(&j->held, out);
     put_parameters(j, out);
     put_score(j, out);
-    return STATUS_OK;
 }
 
 /* --- the command --- */
@@ -1702,7 +1659,7 @@ static const struct {
     const char *name;
     const char *format; /* of --format that picks it; NULL: it is always written         */
     unsigned need;      /* of the scene, without which it is left out; 0: none           */
-    enum status (*write)(struct export_job *j, struct output *out);
+    void (*write)(struct export_job *j, struct output *out);
 } files[] = {
     {"rest.obj", "obj", 0, export_mesh_obj},
     {"rest.ply", "ply", 0, export_mesh_ply},
@@ -1720,7 +1677,7 @@ static const struct {
 };
 enum { FILES = sizeof files / sizeof *files };
 
-typedef enum status write_one(struct export_job *j, struct output *out);
+typedef void write_one(struct export_job *j, struct output *out);
 
 static enum status write_file(struct export_job *j, const char *name, write_one *write,
                               const char *folder, struct message *why)
@@ -1732,10 +1689,9 @@ static enum status write_file(struct export_job *j, const char *name, write_one 
     if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path)
         return status_fail(why, STATUS_FILE, "%.60s...: the path is too long", folder);
     TRY(output_create(path, &out, why));
-    TRY(write(j, out));
-    TRY(output_close(&out, why));
+    write(j, out);
+    st = output_close(&out, why);
 out:
-    output_discard(out);
     return st;
 }
 
@@ -1766,16 +1722,15 @@ static enum status read_scene(struct export_job *j, const struct command_line *l
 {
     int count;
     const char *const *given = command_values(line, "--set", &count);
-    char *path = NULL;
+    char *path;
     enum status st;
 
     settings_set_all(&j->settings, count, given);
     TRY(scene_file_find(line->words[0], &path, why));
     count = j->settings.count;
-    TRY(truth_plan_scene(path, &j->settings, &j->scene, why));
+    TRY(truth_plan_scene(arena_keep(&j->arena, path), &j->settings, &j->scene, why));
     j->undamped = j->settings.count > count;
 out:
-    free(path);
     return st;
 }
 
@@ -1801,7 +1756,7 @@ static enum status prepare(struct export_job *j, const struct command_line *line
                         "material",
                         j->scene.name));
     j->sheet.scene = &j->scene;
-    TRY(export_held_find(&j->sheet, &j->held, why));
+    TRY(export_held_find(&j->arena, &j->sheet, &j->held, why));
     TRY(truth_judged(&j->scene, &j->known, why));
 out:
     return st;
@@ -1825,7 +1780,7 @@ static enum status run(const struct command_line *line, struct message *why)
 out:
     folder_aside_discard(&aside);
     truth_clear(&j.known);
-    export_held_clear(&j.held);
+    arena_clear(&j.arena);
     settings_clear(&j.settings);
     scene_clear(&j.scene);
     return st;

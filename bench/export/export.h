@@ -20,7 +20,7 @@ struct export_sheet {
 };
 
 /* Makes a table of the numbers of a net of points: equal ones share a row with their count;
- * owned by the caller. STATUS_MEMORY. */
-enum status export_numbers_table(const struct export_sheet *s, struct table **table);
+ * owned by the caller. */
+struct table *export_numbers_table(const struct export_sheet *s);
 
 #endif

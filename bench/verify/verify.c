@@ -36,10 +36,6 @@ static const struct verify_check *const checks[] = {CHECKS(CHECK_ADDRESS), NULL}
 #define CHECK_ITEM(name) &verify_##name.item
 static const struct command_item *const items[] = {CHECKS(CHECK_ITEM), NULL};
 
-/* Hard cases (checks/stress.c). */
-extern const struct verify_check *const stress_checks[];
-extern const struct command_item *const stress_items[];
-
 enum { MOST_CHECKS = 64, DIGITS = 6, PATH = 4096 };
 
 /* The limit of a row's processor time where each is a process of its own [s]. */
@@ -568,52 +564,4 @@ const struct command verify_command = {
     .section = "checks",
     .items = items,
     .run = run,
-};
-
-static const struct verify_set stress_set = {
-    .command = "stress",
-    .item = "case",
-    .checks = stress_checks,
-    .folder = "results/stress",
-    .apart = true,
-    .note = "met: the error is within the tolerance, which is one number a case, the same "
-            "for all; MISSED: it is beyond; not applicable: the model refused. Nobody "
-            "promised it, and the command does not fail. until: the time in the scene at "
-            "which the run died, or at which its error was first beyond.",
-};
-
-static enum status run_stress(const struct command_line *line, struct message *why)
-{
-    return verify_run(&stress_set, line, stdout, why);
-}
-
-static const struct command_option stress_options[] = {
-    {"--models", "A,B,...", false, "models or contestants (those that take part here)"},
-    {"--quick", NULL, false, "some of the cases, in less than a minute"},
-    {"--jobs", "N", false, "runs at a time (the number of processors)"},
-    {"--format", TABLE_FORMATS, false, "output format (text)"},
-    {"--out", "DIR", false, "folder of the rows, a file a case (results/stress)"},
-    {"--from", "DIR", false, "print again from the files of an earlier run"},
-    {NULL, NULL, false, NULL},
-};
-
-const struct command stress_command = {
-    .name = "stress",
-    .summary =
-        "run hard cases: thin, stiff, incompressible, long steps, odd nets, units, contact",
-    .arguments = "[CASE]... [OPTION]...",
-    .text =
-        "Runs every contestant on hard cases, each in a process of its own with a time\n"
-        "limit, and prints them as `verify` does. A run has met or MISSED the case's\n"
-        "tolerance, which is the same for all, by its error against the truth that the\n"
-        "case names; it is not applicable where the model refuses, with its sentence; or\n"
-        "it died, with time and cause. Cases of contact also tell how near the middle of\n"
-        "the sheet came to a body, and when and how deep it passed through one or\n"
-        "through itself.\n",
-    .examples = "stress\nstress --quick\nstress thin_5 buckling --models iga,shell\n",
-    .most = MOST_CHECKS,
-    .options = stress_options,
-    .section = "cases",
-    .items = stress_items,
-    .run = run_stress,
 };

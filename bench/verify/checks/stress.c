@@ -9,6 +9,8 @@
 #include "bench/harness/child.h"
 #include "bench/harness/derived_key.h"
 #include "bench/truth/truth.h"
+#include "bench/ui/table.h"
+#include "bench/verify/verify.h"
 #include "fem_ref/elastica.h"
 #include "fem_ref/kirchhoff.h"
 #include "models/clock.h"
@@ -916,3 +918,53 @@ const struct verify_check *const stress_checks[] = {CASES(CHECK_OF), NULL};
 
 #define ITEM_OF(name) &name.check.item
 const struct command_item *const stress_items[] = {CASES(ITEM_OF), NULL};
+
+/* --- the command --- */
+
+static const struct verify_set set = {
+    .command = "stress",
+    .item = "case",
+    .checks = stress_checks,
+    .folder = "results/stress",
+    .apart = true,
+    .note = "met: the error is within the tolerance, which is one number a case, the same "
+            "for all; MISSED: it is beyond; not applicable: the model refused. Nobody "
+            "promised it, and the command does not fail. until: the time in the scene at "
+            "which the run died, or at which its error was first beyond.",
+};
+
+static enum status run(const struct command_line *line, struct message *why)
+{
+    return verify_run(&set, line, stdout, why);
+}
+
+static const struct command_option options[] = {
+    {"--models", "A,B,...", false, "models or contestants (those that take part here)"},
+    {"--quick", NULL, false, "some of the cases, in less than a minute"},
+    {"--jobs", "N", false, "runs at a time (the number of processors)"},
+    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--out", "DIR", false, "folder of the rows, a file a case (results/stress)"},
+    {"--from", "DIR", false, "print again from the files of an earlier run"},
+    {NULL, NULL, false, NULL},
+};
+
+const struct command stress_command = {
+    .name = "stress",
+    .summary =
+        "run hard cases: thin, stiff, incompressible, long steps, odd nets, units, contact",
+    .arguments = "[CASE]... [OPTION]...",
+    .text =
+        "Runs every contestant on hard cases, each in a process of its own with a time\n"
+        "limit, and prints them as `verify` does. A run has met or MISSED the case's\n"
+        "tolerance, which is the same for all, by its error against the truth that the\n"
+        "case names; it is not applicable where the model refuses, with its sentence; or\n"
+        "it died, with time and cause. Cases of contact also tell how near the middle of\n"
+        "the sheet came to a body, and when and how deep it passed through one or\n"
+        "through itself.\n",
+    .examples = "stress\nstress --quick\nstress thin_5 buckling --models iga,shell\n",
+    .most = 64,
+    .options = options,
+    .section = "cases",
+    .items = stress_items,
+    .run = run,
+};

@@ -10,6 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "bench/files/arena.h"
 #include "bench/files/atomic_file.h"
 #include "models/clock.h"
 #include "tests/scratch.h"
@@ -32,6 +33,19 @@ static enum status fail(void *context, struct message *why)
     const struct ending *e = context;
 
     return e->words ? status_fail(why, e->status, "%s", e->words) : e->status;
+}
+
+/* Ends where memory does. */
+static enum status want_all(void *context, struct message *why)
+{
+    struct atomic_file file;
+    enum status st;
+
+    TRY(atomic_file_open(scratch_path("wants.txt"), &file, why));
+    arena_end();
+out:
+    (void)context;
+    return st;
 }
 
 static enum status crash(void *context, struct message *why)
@@ -160,6 +174,7 @@ static const struct {
     {fail, &silent, CHILD_FAILED, false, NAN},
     {fail, &full, CHILD_STUCK, false, NAN},
     {fail, &poor, CHILD_CUT, false, NAN},
+    {want_all, NULL, CHILD_CUT, false, NAN},
     {leave, NULL, CHILD_FAILED, false, NAN},
     {spin, &limit, CHILD_FAILED, true, 0.5},
     {spin_with_file, &limit, CHILD_FAILED, true, 0.5},

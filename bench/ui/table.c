@@ -30,13 +30,12 @@ struct table {
     int column_count, row_count, note_count;
     int filled;                   /* cells of the last row                             */
     bool rule_next;               /* above the row to come                             */
-    bool flushed;                 /* table_flush has printed the keys                  */
     struct table_column *columns; /* [column_count], each with a key                   */
     int *width;                   /* [column_count] of the widest text so far          */
     struct table_row **rows;      /* [row_count]                                       */
     char *caption;                /* NULL: none                                        */
     char **notes;                 /* [note_count]                                      */
-    struct arena lines, arena;    /* of the rows, and of all else                owned */
+    struct arena arena;           /*                                             owned */
 };
 
 /* The names of the values of enum table_format, in its order. */
@@ -156,7 +155,6 @@ void table_destroy(struct table *t)
     if (!t)
         return;
     struct arena arena = t->arena;
-    arena_clear(&t->lines);
     arena_clear(&arena);
 }
 
@@ -165,8 +163,8 @@ void table_row(struct table *t)
     const size_t size =
         sizeof **t->rows + (size_t)t->column_count * sizeof *t->rows[0]->cell;
 
-    t->rows = arena_more(&t->lines, t->rows, (size_t)t->row_count, sizeof *t->rows);
-    t->rows[t->row_count] = arena_take(&t->lines, 1, size);
+    t->rows = arena_more(&t->arena, t->rows, (size_t)t->row_count, sizeof *t->rows);
+    t->rows[t->row_count] = arena_take(&t->arena, 1, size);
     t->rows[t->row_count++]->ruled = t->rule_next;
     t->rule_next = false;
     t->filled = 0;
@@ -180,7 +178,7 @@ void table_rule(struct table *t)
 static void fill_cell(struct table *t, int kind, double value, const char *format,
                       va_list arguments)
 {
-    char *text = arena_vprint(&t->lines, format, arguments);
+    char *text = arena_vprint(&t->arena, format, arguments);
 
     assert(t->row_count > 0 && t->filled < t->column_count);
     const size_t length = strlen(text);
@@ -437,11 +435,11 @@ static void print_cell(const struct table *t, const struct table_line *line, int
         fprintf(file, "%.17g", cell->value);
 }
 
-static void print_lines(const struct table *t, bool keys, FILE *file)
+static void print_lines(const struct table *t, FILE *file)
 {
     static const struct table_line line = {TABLE_MACHINES, "", ",", "\n", print_cell};
 
-    for (int row = keys ? TABLE_HEADERS : 0; row < t->row_count; row++)
+    for (int row = TABLE_HEADERS; row < t->row_count; row++)
         print_line(t, &line, row, file);
 }
 
@@ -449,7 +447,7 @@ static void print_csv(const struct table *t, FILE *file)
 {
     if (t->caption)
         print_comment(t->caption, file);
-    print_lines(t, true, file);
+    print_lines(t, file);
     for (int n = 0; n < t->note_count; n++)
         print_comment(t->notes[n], file);
 }
@@ -858,15 +856,6 @@ enum status table_publish(struct table *t, const char *folder, const char *name,
     return st;
 }
 
-enum status table_flush(struct table *t, FILE *file)
-{
-    print_lines(t, !t->flushed, file);
-    arena_clear(&t->lines);
-    t->rows = NULL, t->row_count = 0;
-    t->flushed = true;
-    return ferror(file) ? STATUS_FILE : STATUS_OK;
-}
-
 enum status table_save(const struct table *t, const char *folder, const char *name,
                        struct message *why)
 {
@@ -876,7 +865,7 @@ enum status table_save(const struct table *t, const char *folder, const char *na
 
     snprintf(file, sizeof file, "%s.csv", name);
     TRY(output_create_in(folder, file, &out, why));
-    print_lines(t, true, output_stream(out));
+    print_lines(t, output_stream(out));
     st = output_close(&out, why);
 out:
     return st;

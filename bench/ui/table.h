@@ -125,10 +125,6 @@ enum status table_save(const struct table *t, const char *folder, const char *na
 enum status table_publish(struct table *t, const char *folder, const char *name,
                           enum table_format format, FILE *file, struct message *why);
 
-/* Prints the rows so far as table_save has them, the line of keys before the first, and
- * forgets them: for tables longer than memory. Status as table_print. */
-enum status table_flush(struct table *t, FILE *file);
-
 /* Return the number of rows, and the column with a key (that of CSV), -1 if there is none.
  */
 int table_rows(const struct table *t);

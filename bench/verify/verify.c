@@ -113,7 +113,7 @@ enum status verify_file_write(const char *command, const struct verify_check *ch
                      provenance.entry[n].value);
     for (int n = 0; n < sheet->count; n++)
         add_row(t, check, &sheet->rows[n]);
-    table_flush(t, output_stream(file));
+    table_print(t, TABLE_CSV, output_stream(file));
     st = output_close(&file, why);
 out:
     table_destroy(t);

@@ -354,16 +354,18 @@ static enum status run_apart(struct job *job, struct message *why)
     pool.context = tasks;
     for (int n = 0; n < job->count; n++)
         pool.count += list_rows(job, n, tasks + pool.count);
-    for (int n = 0; n < job->count; at += job->sheet[n++].count)
-        memcpy(rows + at, job->sheet[n].rows, (size_t)job->sheet[n].count * sizeof *rows);
-    for (long n = 0; n < pool.count; n++)
-        tasks[n].row = rows + n;
+    for (int n = 0; n < job->count; n++)
+        for (int k = 0; k < job->sheet[n].count; k++, at++) {
+            rows[at] = job->sheet[n].rows[k];
+            tasks[at].row = &rows[at];
+        }
     TRY(pool_run(&pool, why));
     if (pool.stopped_by)
         pool_raise(&pool);
     at = 0;
-    for (int n = 0; n < job->count && st == STATUS_OK; at += job->sheet[n++].count) {
-        memcpy(job->sheet[n].rows, rows + at, (size_t)job->sheet[n].count * sizeof *rows);
+    for (int n = 0; n < job->count && st == STATUS_OK; n++) {
+        for (int k = 0; k < job->sheet[n].count; k++)
+            job->sheet[n].rows[k] = rows[at++];
         st = settle(job, n, why);
     }
 out:

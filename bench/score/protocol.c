@@ -863,12 +863,15 @@ static void tell_contact(const struct judge *j)
         for (int n = 0; n < j->p->scene[k].runs; n++) {
             const struct protocol_run *run = &j->p->scene[k].run[n];
             files += score_diagnosis_has_place(&run->diagnosis);
-            for (int m = 0; m < run->said.count; m++)
-                if (run->said.through[m]) {
+            for (int m = 0; m < run->said.count; m++) {
+                const struct score_print_saying *w = &run->said.saying[m];
+                if (!strcmp(w->kind, score_contact_name(SCORE_CONTACT_ITSELF)) ||
+                    !strcmp(w->kind, score_contact_name(SCORE_CONTACT_BODY))) {
                     tell(j, PROTOCOL_CONTACT, PROTOCOL_BAD, "passes through", "%s: %s",
-                         run->file, run->said.text[m]);
+                         run->file, w->text);
                     through = true;
                 }
+            }
         }
     if (!files)
         tell(j, PROTOCOL_CONTACT, PROTOCOL_UNKNOWN, "not known",
@@ -1030,7 +1033,7 @@ static struct table *said_of(const struct protocol *p)
             for (int n = 0; n < run->said.count; n++) {
                 table_row(t);
                 table_text(t, "%s", run->file);
-                table_text(t, "%s", run->said.text[n]);
+                table_text(t, "%s", run->said.saying[n].text);
             }
         }
     return t;

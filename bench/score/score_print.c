@@ -47,51 +47,77 @@ static void range_text(const struct score *s, size_t size, char *text)
              s->truth.undamped ? "; the scene moves undamped here, as its truth does" : "");
 }
 
-/* Returns the place of the next sentence. */
-static char *next(struct score_print_said *said)
+/* Returns the next saying, to be filled in. */
+static struct score_print_saying *next(struct score_print_said *said,
+                                       enum score_print_part part, const char *kind)
 {
-    assert(said->count < SCORE_PRINT_SENTENCES);
-    return said->text[said->count++];
+    assert(said->count < SCORE_PRINT_SAYINGS);
+    struct score_print_saying *w = &said->saying[said->count++];
+    w->part = part, w->kind = kind;
+    return w;
+}
+
+/* Says how stiff the sheet is, where its scene shows that. */
+static void say_stiffness(const struct score *s, struct score_print_said *said)
+{
+    struct score_stiffness stiff;
+
+    score_stiffness_make(s, &stiff);
+    if (!stiff.applies)
+        return;
+    struct score_print_saying *w =
+        next(said, stiff.found ? SCORE_PRINT_STIFFNESS : SCORE_PRINT_PARTS,
+             stiff.part == LAW_MEMBRANE ? "membrane" : "bending");
+    w->number[0].key = "value", w->number[0].value = stiff.value;
+    w->number[1].key = "scene", w->number[1].value = stiff.scene;
+    score_stiffness_text(&stiff, w->text);
 }
 
 /* Says where the sheet passes through itself or a body, and what it rests on. */
 static void say_contact(const struct score *s, struct score_print_said *said)
 {
+    static const char *const keys[] = {"frame", "time", "value", "pairs", "triangles"};
     const struct score_contact *c = &s->contact;
 
     if (!c->event[SCORE_CONTACT_ITSELF].frame && !c->event[SCORE_CONTACT_BODY].frame)
-        snprintf(next(said), sizeof *said->text, "No frame passes through %s%s.",
-                 scene_sheet_other(&s->truth.scene),
+        snprintf(next(said, SCORE_PRINT_PARTS, "")->text, sizeof said->saying->text,
+                 "No frame passes through %s%s.", scene_sheet_other(&s->truth.scene),
                  s->truth.scene.obstacle_count ? " or has a vertex in a body" : "");
-    for (int k = 0; k < SCORE_CONTACT_KINDS; k++)
-        if (score_contact_tells(c, k)) {
-            said->through[said->count] =
-                k == SCORE_CONTACT_ITSELF || k == SCORE_CONTACT_BODY;
-            score_contact_text(c, k, next(said));
-        }
+    for (int k = 0; k < SCORE_CONTACT_KINDS; k++) {
+        const struct score_contact_event *e = &c->event[k];
+        const double value[] = {e->frame, e->time, e->value, (double)e->with.pairs,
+                                e->with.triangles};
+        if (!score_contact_tells(c, k))
+            continue;
+        struct score_print_saying *w =
+            next(said, SCORE_PRINT_CONTACT, score_contact_name(k));
+        for (int n = 0; n < SCORE_PRINT_NUMBERS; n++)
+            w->number[n].key = keys[n], w->number[n].value = value[n];
+        score_contact_text(c, k, w->text);
+    }
 }
 
 void score_print_say(const struct score *s, const struct score_diagnosis *d,
                      struct score_print_said *said)
 {
-    struct score_stiffness stiffness;
-
     *said = (struct score_print_said){0};
-    for (int n = 0; n < d->count; n++)
-        memcpy(next(said), d->finding[n].text, sizeof *said->text);
+    for (const struct score_finding *f = d->finding; f < d->finding + d->count; f++) {
+        struct score_print_saying *w =
+            next(said, SCORE_PRINT_DIAGNOSIS, score_diagnosis_name(f->kind));
+        w->number[0].key = "value", w->number[0].value = f->value;
+        memcpy(w->text, f->text, sizeof w->text);
+    }
     if (d->left > 0)
-        snprintf(next(said), sizeof *said->text,
+        snprintf(next(said, SCORE_PRINT_PARTS, "")->text, sizeof said->saying->text,
                  "Put right, what is said of the motion leaves %.0f %% of the difference.",
                  100 * d->left);
     if (!d->count)
-        snprintf(next(said), sizeof *said->text,
+        snprintf(next(said, SCORE_PRINT_PARTS, "")->text, sizeof said->saying->text,
                  "No flaw that is known here explains the error; frames on a finer net "
                  "would show whether the net does.");
     if (!score_diagnosis_has_place(d))
         return;
-    score_stiffness_make(s, &stiffness);
-    if (stiffness.applies)
-        score_stiffness_text(&stiffness, next(said));
+    say_stiffness(s, said);
     say_contact(s, said);
 }
 
@@ -103,7 +129,7 @@ static void add_notes(const struct score_print *p, const struct score *s,
 
     score_print_say(s, d, &said);
     for (int n = 0; n < said.count; n++)
-        table_note(p->table, "%s%s%s", name, colon, said.text[n]);
+        table_note(p->table, "%s%s%s", name, colon, said.saying[n].text);
     table_note(p->table, "%s%s%s.", name, colon, range);
     table_note(p->table, "%s%sThe truth: %s.", name, colon, s->truth.known.source);
 }
@@ -115,48 +141,33 @@ static void print_text(FILE *file, const char *key, const char *text)
     table_json_string(text, file);
 }
 
-/* Prints what is known of the sheet's contact as a list of objects. */
-static void print_contact(const struct score *s, FILE *file)
+/* Prints the sayings of each part as a list of objects, by the name of the part. */
+static void print_said(const struct score_print_said *said, FILE *file)
 {
-    const char *separator = "";
-    char text[SCORE_CONTACT_TEXT];
+    static const char *const names[] = {"diagnosis", "stiffness", "contact"};
 
-    for (int k = 0; k < SCORE_CONTACT_KINDS; k++) {
-        const struct score_contact_event *e = &s->contact.event[k];
-        if (!score_contact_tells(&s->contact, k))
-            continue;
-        score_contact_text(&s->contact, k, text);
-        fprintf(file,
-                "%s{\"kind\": \"%s\", \"frame\": %d, \"time\": %.17g, \"value\": %.17g, "
-                "\"pairs\": %ld, \"triangles\": %d, ",
-                separator, score_contact_name(k), e->frame, e->time, e->value,
-                e->with.pairs, e->with.triangles);
-        print_text(file, "text", text);
-        fputc('}', file);
-        separator = ", ";
+    for (int part = 0; part < SCORE_PRINT_PARTS; part++) {
+        const char *separator = "";
+        fprintf(file, "], \"%s\": [", names[part]);
+        for (int n = 0; n < said->count; n++) {
+            const struct score_print_saying *w = &said->saying[n];
+            if ((int)w->part != part)
+                continue;
+            fprintf(file, "%s{\"kind\": \"%s\", ", separator, w->kind);
+            for (int k = 0; k < SCORE_PRINT_NUMBERS && w->number[k].key; k++)
+                fprintf(file, "\"%s\": %.17g, ", w->number[k].key, w->number[k].value);
+            print_text(file, "text", w->text);
+            fputc('}', file);
+            separator = ", ";
+        }
     }
-}
-
-static void print_stiffness(const struct score *s, FILE *file)
-{
-    struct score_stiffness stiffness;
-    char text[SCORE_STIFFNESS_TEXT];
-
-    score_stiffness_make(s, &stiffness);
-    if (!stiffness.found)
-        return;
-    score_stiffness_text(&stiffness, text);
-    fprintf(file, "{\"kind\": \"%s\", \"value\": %.17g, \"scene\": %.17g, ",
-            stiffness.part == LAW_MEMBRANE ? "membrane" : "bending", stiffness.value,
-            stiffness.scene);
-    print_text(file, "text", text);
-    fputc('}', file);
 }
 
 static void print_json(const struct score *s, const struct score_diagnosis *d,
                        const char *range, FILE *to)
 {
     const char *scene = s->truth.scene.name;
+    struct score_print_said said;
     FILE *file = table_json_open(to);
 
     fputc('{', file);
@@ -170,20 +181,8 @@ static void print_json(const struct score *s, const struct score_diagnosis *d,
                 ", \"time\": %.17g, \"error\": %.17g, \"bar\": %.17g, \"floor\": %.17g}",
                 row->time, row->error, row->bar, row->floor);
     }
-    fputs("], \"diagnosis\": [", file);
-    for (int n = 0; n < d->count; n++) {
-        const struct score_finding *f = &d->finding[n];
-        fprintf(file, "%s{\"kind\": \"%s\", \"value\": %.17g, ", n ? ", " : "",
-                score_diagnosis_name(f->kind), f->value);
-        print_text(file, "text", f->text);
-        fputc('}', file);
-    }
-    fputs("], \"stiffness\": [", file);
-    if (score_diagnosis_has_place(d))
-        print_stiffness(s, file);
-    fputs("], \"contact\": [", file);
-    if (score_diagnosis_has_place(d))
-        print_contact(s, file);
+    score_print_say(s, d, &said);
+    print_said(&said, file);
     fputs("], ", file);
     print_text(file, "frames", range);
     fputs(", ", file);

@@ -12,13 +12,29 @@ struct score_print {
     struct table *table; /* NULL before the first score, and for JSON           owned   */
 };
 
-/* The sentences on a score: what is wrong with its frames, how stiff they are, and where
- * the sheet passes through itself or a body. */
-enum { SCORE_PRINT_SENTENCES = SCORE_KINDS + SCORE_CONTACT_KINDS + 4 };
+/* What a score says, one list for text, JSON and the protocol: what is wrong with its
+ * frames, how stiff they are, and where the sheet passes through itself or a body. */
+enum score_print_part {
+    SCORE_PRINT_DIAGNOSIS,
+    SCORE_PRINT_STIFFNESS,
+    SCORE_PRINT_CONTACT,
+    SCORE_PRINT_PARTS /* a sentence alone */
+};
+enum {
+    SCORE_PRINT_SAYINGS = SCORE_KINDS + SCORE_CONTACT_KINDS + 4,
+    SCORE_PRINT_NUMBERS = 5
+};
 struct score_print_said {
     int count;
-    bool through[SCORE_PRINT_SENTENCES]; /* it tells where the sheet first passes through */
-    char text[SCORE_PRINT_SENTENCES][400];
+    struct score_print_saying {
+        enum score_print_part part;
+        const char *kind; /* the word for machines                                       */
+        struct {
+            const char *key; /* NULL ends them                                           */
+            double value;
+        } number[SCORE_PRINT_NUMBERS];
+        char text[400];
+    } saying[SCORE_PRINT_SAYINGS];
 };
 void score_print_say(const struct score *score, const struct score_diagnosis *diagnosis,
                      struct score_print_said *said);

@@ -6,7 +6,6 @@
 #include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/linalg/gauss.h"
-#include "models/mechanics/large_leapfrog.h"
 #include "models/mechanics/supports.h"
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"
@@ -195,7 +194,7 @@ static void clear(void *state)
 {
     struct hex *h = state;
 
-    solid_motion_clear(&h->sheet.motion);
+    solid_model_clear(&h->sheet);
     solid_space_clear(&h->sheet.space);
 }
 
@@ -214,7 +213,7 @@ static enum status add_loads(struct hex *h)
         line[i] = (struct dead_load_line){.n = h->points[i], .degree = 1};
     if (h->sheet.space.thickness_basis)
         line[2].value = layer_values;
-    return solid_motion_add_loads(&h->sheet.motion, line);
+    return solid_model_load(&h->sheet, line);
 }
 
 /* Finds the first node at[3] of the cell of a material point, and its ends' weights. */
@@ -222,7 +221,7 @@ static void find_cell(const struct hex *h, const double uvw[3], int at[3],
                       double weight[3][2])
 {
     double s;
-    const int sheet = scene_sheet_at(h->sheet.motion.scene, uvw[0], &s);
+    const int sheet = scene_sheet_at(h->sheet.march.scene, uvw[0], &s);
 
     for (int i = 0; i < 3; i++)
         at[i] = grid_cell(h->points[i], i ? uvw[i] : s, weight[i]);
@@ -233,7 +232,7 @@ static void find_cell(const struct hex *h, const double uvw[3], int at[3],
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct hex *h = state;
-    const double *x = h->sheet.motion.x;
+    const double *x = h->sheet.march.x;
 
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         double weight[3][2], sum[3] = {0};
@@ -280,14 +279,13 @@ static enum status meet(struct hex *h, const struct scene *scene)
 {
     enum status st = STATUS_OK;
     const int points[2] = {scene_sheets(scene) * h->points[0], h->points[1]};
-    struct solid_motion *m = &h->sheet.motion;
     const struct solid_face *face;
     struct contact_surface surface;
 
-    for (int n = 0; (face = solid_motion_face(m, h, n)); n++) {
+    for (int n = 0; (face = solid_model_face(&h->sheet, h, n)); n++) {
         TRY(contact_surface_init_even(&surface, scene, face, row, 8, h->sheet.space.nodes,
                                       points));
-        TRY(solid_motion_meet(m, face, &surface));
+        TRY(solid_model_meet(&h->sheet, face, &surface));
     }
 out:
     return st;
@@ -307,7 +305,7 @@ static enum status init(void *state, const struct scene *scene,
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
     TRY(contact_rest_refuse(scene, why));
     TRY(contact_refuse_linear(scene, d, why));
-    TRY(large_leapfrog_refuse(d, why));
+    TRY(march_refuse(d, why));
     TRY(refuse(d, why));
     TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));
     x = rest_points(scene, sheets, d->points);
@@ -342,14 +340,14 @@ const struct model hex_model = {
     .adapt = adapt,
     .bytes = sizeof(struct hex),
     .init = init,
-    .advance = solid_motion_step,
+    .advance = march_step,
     .probe = probe,
-    .size = solid_model_size,
+    .size = march_size,
     .describe = solid_model_describe,
-    .energy = solid_motion_energy,
-    .contact = solid_model_contact,
-    .equilibrium = solid_model_equilibrium,
-    .modes = solid_model_modes,
+    .energy = march_energy,
+    .contact = march_contact,
+    .equilibrium = march_equilibrium,
+    .modes = march_modes,
     .matrices = solid_model_matrices,
     .clear = clear,
 };

@@ -10,7 +10,6 @@
 #include "iga/support_knots.h"
 #include "models/contact/contact_rest.h"
 #include "models/grid.h"
-#include "models/mechanics/large_leapfrog.h"
 #include "models/mechanics/supports.h"
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"
@@ -483,7 +482,7 @@ static enum status add_loads(struct plate *p, struct message *why)
     struct dead_load_line line[3];
     struct bspline part[3];
 
-    if (p->sheet.motion.scene->load_count && p->patch.weight)
+    if (p->sheet.march.scene->load_count && p->patch.weight)
         return status_fail(why, STATUS_UNSUPPORTED, "unsupported: no loads with weights");
     for (int i = 0; i < 3; i++) {
         const struct bspline *b = &part[i];
@@ -493,7 +492,7 @@ static enum status add_loads(struct plate *p, struct message *why)
     }
     if (p->sheet.space.thickness_basis)
         line[2].value = layer_values, line[2].context = p;
-    return solid_motion_add_loads(&p->sheet.motion, line);
+    return solid_model_load(&p->sheet, line);
 }
 
 /* Replaces material points by their parameters: in a flat sheet with weights given they are
@@ -531,7 +530,7 @@ typedef double plate_rows[BSPLINE_MAX_ORDER][BSPLINE_MAX_ORDER][4];
 static void sum_over_u(const struct plate *p, const int first[3], const double *N,
                        plate_rows rows)
 {
-    const double *weight = p->patch.weight, *x = p->sheet.motion.x;
+    const double *weight = p->patch.weight, *x = p->sheet.march.x;
     const struct bspline *v = &p->patch.basis[1];
     const int m = bspline_points(v), l = p->patch.basis[2].n;
 
@@ -618,7 +617,7 @@ static void clear(void *state)
 {
     struct plate *p = state;
 
-    solid_motion_clear(&p->sheet.motion);
+    solid_model_clear(&p->sheet);
     plate_model_clear(&p->sheet.space, &p->tables);
     patch_clear(&p->patch);
     free(p->scene.supports);
@@ -745,16 +744,15 @@ static int row_of_net(const void *self, double u, double v, int *node, double *s
 static enum status meet(struct plate *p, const struct discretization *d)
 {
     static contact_row *const rows[CONTACT_SAMPLES] = {row, row_of_net};
-    struct solid_motion *m = &p->sheet.motion;
     const struct solid_face *face;
     struct contact_surface surface;
     enum status st = STATUS_OK;
 
-    for (int n = 0; (face = solid_motion_face(m, p, n)); n++) {
+    for (int n = 0; (face = solid_model_face(&p->sheet, p, n)); n++) {
         TRY(bspline_contact_surface(&p->scene, p->patch.basis, d, face, rows,
                                     patch_local(&p->patch), patch_nodes(&p->patch),
                                     &surface));
-        TRY(solid_motion_meet(m, face, &surface));
+        TRY(solid_model_meet(&p->sheet, face, &surface));
     }
 out:
     return st;
@@ -772,7 +770,7 @@ static enum status init(void *state, const struct scene *scene,
     TRY(contact_rest_refuse(scene, why));
     TRY(contact_refuse_linear(scene, d, why));
     TRY(bspline_contact_refuse(scene, d, why));
-    TRY(large_leapfrog_refuse(d, why));
+    TRY(march_refuse(d, why));
     TRY(check_remedy(d, why));
     if (d->remedy != REMEDY_SELECTIVE)
         TRY(solid_model_refuse_fabric(scene, why));
@@ -814,16 +812,16 @@ const struct model plate_model = {
     .extra_points = extra_points,
     .bytes = sizeof(struct plate),
     .init = init,
-    .advance = solid_motion_step,
+    .advance = march_step,
     .sample = sample,
     .probe = probe,
-    .size = solid_model_size,
+    .size = march_size,
     .describe = solid_model_describe,
-    .energy = solid_motion_energy,
-    .contact = solid_model_contact,
+    .energy = march_energy,
+    .contact = march_contact,
     .net = solid_model_net,
-    .equilibrium = solid_model_equilibrium,
-    .modes = solid_model_modes,
+    .equilibrium = march_equilibrium,
+    .modes = march_modes,
     .matrices = solid_model_matrices,
     .clear = clear,
 };

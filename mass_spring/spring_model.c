@@ -82,7 +82,7 @@ static void size(const void *state, struct model_size *size)
     const struct spring_motion *m = state;
     const struct system none = {.held = &m->newton.supports};
     const struct system *system =
-        m->integrator == INTEGRATOR_MOMENTUM ? &m->large.system : &m->newton.system;
+        m->integrator == INTEGRATOR_MOMENTUM ? &m->march.system : &m->newton.system;
     bool implicit =
         m->integrator == INTEGRATOR_IMPLICIT || m->integrator == INTEGRATOR_MOMENTUM;
 

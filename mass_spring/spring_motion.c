@@ -80,21 +80,27 @@ out:
     return st;
 }
 
-static enum status make_large(struct spring_motion *m, const struct discretization *d)
+static enum status make_march(struct spring_motion *m, const struct discretization *d,
+                              struct message *why)
 {
     enum status st;
-    const struct spring_large_plan plan = {.load = &m->points,
-                                           .graph = &m->net.graph,
-                                           .body = &m->strips.body,
-                                           .supports = &m->newton.supports,
-                                           .d = d,
-                                           .x = m->x};
 
     m->dt = m->scene->step;
     TRY(spring_stencil_init(&m->stencil, m->scene, &m->net));
     TRY(spring_strips_init(&m->strips, &m->stencil));
-    TRY(spring_large_init(&m->large, &plan));
-    memcpy(m->large.newmark.v, m->v, 3 * (size_t)m->net.nodes * sizeof *m->v);
+    m->march = (struct march){
+        .body = m->strips.body,
+        .scene = m->scene,
+        .graph = &m->net.graph,
+        .mass = m->points.mass,
+        .rest = m->net.rest,
+        .x = m->x,
+        .load = m->points.load,
+        .net = {m->net.points[0], m->net.points[1], 1},
+        .supports = &m->newton.supports,
+        .unknowns = "mid-surface points",
+    };
+    TRY(march_init_net(&m->march, d, why));
 out:
     return st;
 }
@@ -103,7 +109,7 @@ void spring_motion_clear(void *motion)
 {
     struct spring_motion *m = motion;
 
-    spring_large_clear(&m->large);
+    march_clear(&m->march);
     spring_strips_clear(&m->strips);
     spring_stencil_clear(&m->stencil);
     spring_leapfrog_free(m->leapfrog);
@@ -140,7 +146,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     if (m->integrator == INTEGRATOR_LEAPFROG)
         TRY(make_leapfrog(m, d, why));
     else if (m->integrator == INTEGRATOR_MOMENTUM)
-        TRY(make_large(m, d));
+        TRY(make_march(m, d, why));
     else
         TRY(set_steps(m, d, why));
     m->rest_energy = spring_motion_elastic(m);
@@ -386,10 +392,8 @@ enum status spring_motion_step(void *motion, struct counters *counters)
         counters->steps++;
         return spring_leapfrog_frame(m->leapfrog, m->x, counters);
     }
-    if (m->integrator == INTEGRATOR_MOMENTUM) {
-        counters->steps++;
-        return spring_large_frame(&m->large, (double)m->substep++ * m->dt, counters);
-    }
+    if (m->integrator == INTEGRATOR_MOMENTUM)
+        return march_step(motion, counters);
     net_contact_frame(m->contact);
     for (int n = 0; n < m->substeps; n++)
         TRY(substep(m, counters));
@@ -405,7 +409,7 @@ void spring_motion_contact(const void *motion, struct model_contact *contact)
     const struct spring_motion *m = motion;
 
     if (m->integrator == INTEGRATOR_MOMENTUM)
-        large_motion_contact(&m->large.motion, contact);
+        march_contact(motion, contact);
     else
         *contact = m->leapfrog ? spring_leapfrog_contact(m->leapfrog)
                                : net_contact_report(m->contact);
@@ -431,13 +435,13 @@ void spring_motion_place(struct spring_motion *m, double t)
     if (m->leapfrog)
         spring_leapfrog_place(m->leapfrog, t, m->x);
     if (m->integrator == INTEGRATOR_MOMENTUM)
-        spring_large_still(&m->large);
+        march_still(&m->march, t);
 }
 
 void spring_motion_energy(const void *motion, struct energy *energy)
 {
     const struct spring_motion *m = motion;
-    const double *v = m->integrator == INTEGRATOR_MOMENTUM ? m->large.newmark.v : m->v;
+    const double *v = m->integrator == INTEGRATOR_MOMENTUM ? m->march.v : m->v;
 
     if (m->leapfrog)
         spring_leapfrog_velocity(m->leapfrog, m->v);

@@ -10,7 +10,7 @@
  *            (spring_leapfrog.h).
  *
  * momentum   implicit energy-momentum steps, second order, of leapfrog's springs and
- *            bending (spring_large.h, spring_strips.h). It keeps its energy
+ *            bending (march.h, spring_strips.h). It keeps its energy
  *            (clothbench verify energy); the membrane's viscosity takes what crumples.
  *
  * Contact is part of what Euler's implicit step minimises (spring_newton.h), and of
@@ -26,7 +26,7 @@
 #ifndef SPRING_MOTION_H
 #define SPRING_MOTION_H
 
-#include "models/net/spring_large.h"
+#include "models/mechanics/march.h"
 #include "models/net/spring_leapfrog.h"
 #include "mass_spring/spring_newton.h"
 #include "mass_spring/spring_strips.h"
@@ -42,6 +42,7 @@ struct spring_own {      /* choices of its own (models/option.h) */
 enum { SPRING_GAINS = 5 };
 
 struct spring_motion {
+    struct march march;        /* first: march.h; momentum only                        */
     const struct scene *scene; /* borrowed                                             */
     struct spring_net net;
     struct spring_newton newton;
@@ -67,8 +68,7 @@ struct spring_motion {
     struct spring_stencil stencil;    /* leapfrog and momentum                         */
     struct spring_leapfrog *leapfrog; /* steps of that integrator, else NULL   owned   */
     struct spring_strips strips;      /* momentum only, as what follows                */
-    struct spring_large large;
-    long substep; /* taken so far; momentum: frames                                   */
+    long substep; /* taken so far                                                     */
 };
 
 /* Initialises; *m must stay where it is: it holds pointers into itself. */

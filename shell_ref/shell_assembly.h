@@ -9,7 +9,9 @@
 
 #include <stddef.h>
 
+#include "models/linalg/blocks.h"
 #include "models/mechanics/large_body.h"
+#include "models/scene.h"
 #include "shell_ref/shell_element.h"
 
 struct shell_assembly {

@@ -8,19 +8,11 @@
 #include "iga/cloak_net.h"
 #include "iga/support_knots.h"
 #include "models/contact/contact_rest.h"
-#include "models/damping.h"
 #include "models/grid.h"
 #include "models/linalg/blocks.h"
-#include "models/linalg/order.h"
-#include "models/mechanics/dead_load.h"
-#include "models/mechanics/large_leapfrog.h"
-#include "models/mechanics/large_rest.h"
 #include "models/mechanics/lumped_mass.h"
-#include "models/mechanics/pencil.h"
-#include "models/mechanics/supports.h"
 #include "models/room.h"
 #include "models/vector.h"
-#include "shell_ref/shell_space.h"
 
 /* The mass of the shell's explicit steps.
  *
@@ -193,27 +185,9 @@ static enum status shell_mass_beyond(const struct shell_space *space,
     return STATUS_OK;
 }
 
-/* Returns the density at a node [kg/m^3]. */
-static double density_at(const struct shell_motion *m, int node)
+static enum status add_loads(struct shell *m)
 {
-    return m->assembly.material[scene_sheet_of(m->scene, node, m->space->nodes)].density;
-}
-
-static void compute_load(struct shell_motion *m)
-{
-    const struct scene *s = m->scene;
-
-    for (int a = 0; a < m->space->nodes; a++)
-        for (int i = 0; i < 3; i++) {
-            double force =
-                (density_at(m, a) * s->gravity[i] + s->drag * s->wind[i]) * s->thickness;
-            m->load[3 * a + i] = force * m->assembly.area[a];
-        }
-}
-
-static enum status add_loads(struct shell_motion *m)
-{
-    const struct bspline *b = m->space->basis;
+    const struct bspline *b = m->space.basis;
     struct dead_load_line line[3] = {{0}, {0}, {.n = 1}};
     struct bspline part[2];
 
@@ -223,19 +197,19 @@ static enum status add_loads(struct shell_motion *m)
             (struct dead_load_line){part[i].n,       b[i].p,         part[i].n - b[i].p + 1,
                                     b[i].U + b[i].p, bspline_values, &part[i]};
     }
-    return dead_load_make(m->scene, line, &m->dead, m->load);
+    return march_load(&m->march, line);
 }
 
 /* Fills in the functions at the points of the mass, which lie in each element alike. */
-static enum status press(struct shell_motion *m)
+static enum status press(struct shell *m)
 {
-    const struct shell_space *s = m->space;
+    const struct shell_space *s = &m->space;
     struct shell_element *e = &m->assembly.work[0];
     struct shell_place place[SHELL_MAX_POINTS];
     const int points = shell_space_places(s, SHELL_MASS, 0, place), local = s->local;
     enum status st =
-        pressure_init(&m->pressure, m->scene, s->elements, points, local, s->ien);
-    double *shape = m->pressure.shape;
+        pressure_init(&m->march.pressure, m->scene, s->elements, points, local, s->ien);
+    double *shape = m->march.pressure.shape;
 
     if (!shape)
         return st;
@@ -255,15 +229,15 @@ static enum status press(struct shell_motion *m)
  * `first` and come every `way`, `step` from those of the edge: all but the one along the
  * sheet across the edge, in which the sheet may stretch. All where that is no coordinate
  * axis, or where the clamp turns it: these get frames (release). */
-static int held_beside(const struct shell_motion *m, const struct scene_support *s,
-                       int first, int way, int count, int step)
+static int held_beside(const struct shell *m, const struct scene_support *s, int first,
+                       int way, int count, int step)
 {
     const double ALONG = 1e-12; /* round-off of a direction */
     double side[3] = {0}, size = 0;
 
     for (int k = 0; k < count; k++)
         for (int i = 0; i < 3; i++) {
-            const double *x = m->space->rest + 3 * (first + k * way) + i;
+            const double *x = m->space.rest + 3 * (first + k * way) + i;
             const double apart = fabs(x[0] - x[3 * step]);
             side[i] = fmax(side[i], apart), size = fmax(size, apart);
         }
@@ -276,10 +250,10 @@ static int held_beside(const struct shell_motion *m, const struct scene_support 
 /* Makes the clamp of the row of control points beside an edge across direction d: the
  * direction of the sheet there. *step is from the edge to the row. Returns whether the
  * support is such an edge. */
-static bool clamp_slope(const struct shell_motion *m, const struct scene_support *s, int d,
+static bool clamp_slope(const struct shell *m, const struct scene_support *s, int d,
                         struct scene_support *slope)
 {
-    const struct bspline *b = m->space->basis;
+    const struct bspline *b = m->space.basis;
     const int n = bspline_part(&b[d], 0).n, rows = bspline_points(&b[1]);
     double at = s->lo[1];
     const int part = d ? 0 : n * scene_sheet_at(m->scene, s->lo[0], &at),
@@ -296,7 +270,7 @@ static bool clamp_slope(const struct shell_motion *m, const struct scene_support
 
 /* Makes the scene's supports, borrowed paths and all, and after them those that hold the
  * direction of the sheet at clamped edges. */
-static enum status clamp_edges(struct shell_motion *m, struct message *why)
+static enum status clamp_edges(struct shell *m, struct message *why)
 {
     const struct scene *scene = m->scene;
     struct scene *held = &m->held_scene;
@@ -305,7 +279,7 @@ static enum status clamp_edges(struct shell_motion *m, struct message *why)
     enum status st;
 
     *held = *scene;
-    TRY(support_knots_hold(scene, m->space->basis, &held->supports));
+    TRY(support_knots_hold(scene, m->space.basis, &held->supports));
     supports = realloc(held->supports, (2 * count + 1) * sizeof *supports);
     if (!supports)
         return STATUS_MEMORY;
@@ -330,13 +304,13 @@ out:
 
 /* Has what is free beside clamped edges begin its steps where the edge takes it: left
  * behind by an edge that moves on, a sheet would turn inside out. */
-static void carry(struct shell_motion *m)
+static void carry(struct shell *m)
 {
-    const struct bspline *b = m->space->basis;
+    const struct bspline *b = m->space.basis;
     const int rows = bspline_points(&b[1]);
     struct supports *s = &m->supports;
 
-    for (int n = 0; n < 4 * m->space->nodes; n++) {
+    for (int n = 0; n < 4 * m->space.nodes; n++) {
         const int a = n / 4, d = n % 2, end = n / 2 % 2, count = bspline_part(&b[d], 0).n;
         const int row = d ? a % rows : a / rows % count, step = d ? 1 : rows,
                   *beside = s->free_index + 3 * a,
@@ -352,10 +326,10 @@ static void carry(struct shell_motion *m)
 }
 
 /* Returns whether nodes a, b and c lie on a straight line at rest. */
-static bool in_line(const struct shell_motion *m, int a, int b, int c)
+static bool in_line(const struct shell *m, int a, int b, int c)
 {
     const double ALONG = 1e-9; /* round-off of a direction */
-    const double *x = m->space->rest;
+    const double *x = m->space.rest;
     double to_b[3], to_c[3], across[3];
 
     vector_between(x + 3 * a, x + 3 * b, to_b);
@@ -366,17 +340,17 @@ static bool in_line(const struct shell_motion *m, int a, int b, int c)
 
 /* Finds, for each node beside a clamped edge, the edge's node next to it: beside[nodes];
  * negative: none, or two, where edges meet that leave different ways free. */
-static void find_ways(const struct shell_motion *m, const double (*uvw)[3], int *beside)
+static void find_ways(const struct shell *m, const double (*uvw)[3], int *beside)
 {
     enum { NONE = -1, TWO = -2 };
-    const int rows = bspline_points(&m->space->basis[1]), nodes = m->space->nodes;
+    const int rows = bspline_points(&m->space.basis[1]), nodes = m->space.nodes;
 
     for (int a = 0; a < nodes; a++)
         beside[a] = NONE;
     for (int n = m->slopes; n < m->held_scene.support_count; n++) {
         const struct scene_support *s = &m->held_scene.supports[n];
         const int d = s->lo[0] < s->hi[0], step = d ? 1 : rows,
-                  count = bspline_part(&m->space->basis[d], 0).n;
+                  count = bspline_part(&m->space.basis[d], 0).n;
         for (int a = 0; a < nodes; a++) {
             const int edge = (d ? a % rows : a / rows % count) == 1 ? a - step : a + step;
             if (beside[a] != TWO && supports_covers(s, uvw[a]))
@@ -387,34 +361,34 @@ static void find_ways(const struct shell_motion *m, const double (*uvw)[3], int 
 }
 
 /* Lets the sheet stretch across clamped edges whose row beside them is held in all. */
-static enum status release(struct shell_motion *m, const double (*uvw)[3])
+static enum status release(struct shell *m, const double (*uvw)[3])
 {
-    int *beside = malloc((size_t)m->space->nodes * sizeof *beside);
+    int *beside = malloc((size_t)m->space.nodes * sizeof *beside);
     enum status st = STATUS_MEMORY;
 
     if (beside) {
         find_ways(m, uvw, beside);
-        st = supports_release(&m->supports, m->slopes, beside, m->space->rest);
+        st = supports_release(&m->supports, m->slopes, beside, m->space.rest);
     }
     free(beside);
     return st;
 }
 
-static enum status hold(struct shell_motion *m, struct message *why)
+static enum status hold(struct shell *m, struct message *why)
 {
-    int nodes = m->space->nodes, rows = bspline_points(&m->space->basis[1]);
+    int nodes = m->space.nodes, rows = bspline_points(&m->space.basis[1]);
     double(*uvw)[3] = malloc((size_t)nodes * sizeof *uvw);
     enum status st = STATUS_MEMORY;
 
     if (!uvw)
         goto out;
     for (int a = 0; a < nodes; a++) {
-        uvw[a][0] = support_knots_at(m->scene, &m->space->basis[0], 0, a / rows);
-        uvw[a][1] = support_knots_at(m->scene, &m->space->basis[1], 1, a % rows);
+        uvw[a][0] = support_knots_at(m->scene, &m->space.basis[0], 0, a / rows);
+        uvw[a][1] = support_knots_at(m->scene, &m->space.basis[1], 1, a % rows);
         uvw[a][2] = 0.5;
     }
     TRY(clamp_edges(m, why));
-    TRY(supports_init(&m->supports, m->scene, nodes, uvw, m->space->rest, why));
+    TRY(supports_init(&m->supports, m->scene, nodes, uvw, m->space.rest, why));
     carry(m);
     TRY(release(m, (const double(*)[3])uvw));
 out:
@@ -425,10 +399,10 @@ out:
 /* Finds the parity under linear kinematics of a flat sheet whose normal is a coordinate
  * axis and that has no frames: bending and stretching do not couple; m->parity is 1 for
  * components along the normal, NULL elsewhere. */
-static enum status find_parity(struct shell_motion *m)
+static enum status find_parity(struct shell *m)
 {
     const struct scene *s = m->scene;
-    const int count = 3 * m->space->nodes;
+    const int count = 3 * m->space.nodes;
     int normal = -1;
 
     for (int i = 0; i < 3 && s->shape == SCENE_FLAT && s->sheets < 2; i++)
@@ -442,63 +416,22 @@ static enum status find_parity(struct shell_motion *m)
     return m->parity ? STATUS_OK : STATUS_MEMORY;
 }
 
-static enum status make_room(struct shell_motion *m, bool lumped)
-{
-    size_t nodes = (size_t)m->space->nodes;
-    const size_t pairs = (size_t)m->assembly.graph.start[nodes];
-    enum status st = room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->load, 3 * nodes),
-                              ROOM(m->held, 4 * (size_t)m->supports.held_count),
-                              ROOM(m->beyond, lumped ? pairs : 0),
-                              ROOM(m->lumped, lumped ? pairs : 0), ROOM(m->K, pairs));
-
-    if (st == STATUS_OK)
-        memcpy(m->x, m->space->rest, 3 * nodes * sizeof *m->x);
-    return st;
-}
-
-static enum status make_large(struct shell_motion *m, const struct discretization *d)
-{
-    const bool rings = d->viscosity == VISCOSITY_NONE;
-
-    m->large = (struct large_motion){
-        .body = m->assembly.body,
-        .scene = m->scene,
-        .graph = &m->assembly.graph,
-        .M = m->lumped ? m->lumped : m->assembly.M,
-        .beyond = m->beyond,
-        .rest = m->space->rest,
-        .load = m->load,
-        .supports = &m->supports,
-        .system = &m->system,
-        .newmark = &m->newmark,
-        .K = m->K,
-        .x = m->x,
-        .held = m->held,
-        .lag = rings ? 0 : large_motion_lag,
-        .rings = rings,
-        .full = d->newton == NEWTON_FULL,
-        .pressure = m->pressure.value != 0 ? &m->pressure : NULL,
-        .contact = contact_wanted(m->scene) ? &m->contact : NULL,
-    };
-    return large_motion_init(&m->large);
-}
-
 /* Finds the surface's point in the control points: contact_row. */
 static int row(const void *motion, double u, double v, int *node, double *shape)
 {
-    const struct shell_motion *m = motion;
+    const struct shell *m = motion;
     double T[SHELL_DERIVATIVES * SHELL_MAX_LOCAL], s;
     const int sheet = scene_sheet_at(m->scene, u, &s);
 
-    shell_space_at(m->space, sheet, s, v, node, T);
-    memcpy(shape, T, (size_t)m->space->local * sizeof *shape);
-    return m->space->local;
+    shell_space_at(&m->space, sheet, s, v, node, T);
+    memcpy(shape, T, (size_t)m->space.local * sizeof *shape);
+    return m->space.local;
 }
 
 /* Does so for the control net. */
 static int row_of_net(const void *motion, double u, double v, int *node, double *shape)
 {
-    const struct shell_space *s = ((const struct shell_motion *)motion)->space;
+    const struct shell_space *s = &((const struct shell *)motion)->space;
     const struct bspline *b = s->basis;
     double N[2][BSPLINE_MAX_ORDER], sum = 0;
     const int first[2] = {bspline_contact_hats(&b[0], u, N[0]),
@@ -518,15 +451,15 @@ static int row_of_net(const void *motion, double u, double v, int *node, double 
 }
 
 /* Makes the surface that meets bodies and itself. */
-static enum status meet(struct shell_motion *m, const struct discretization *d)
+static enum status meet(struct shell *m, const struct discretization *d)
 {
     static contact_row *const rows[CONTACT_SAMPLES] = {row, row_of_net};
-    const struct shell_space *space = m->space;
+    const struct shell_space *space = &m->space;
     struct contact_surface surface;
     enum status st = bspline_contact_surface(m->scene, space->basis, d, m, rows,
                                              space->local, space->nodes, &surface);
 
-    return st == STATUS_OK ? contact_init(&m->contact, m->scene, &surface) : st;
+    return st == STATUS_OK ? contact_init(m->march.contact, m->scene, &surface) : st;
 }
 
 static struct shell_material material_of(const struct scene *sheet)
@@ -542,284 +475,62 @@ static struct shell_material material_of(const struct scene *sheet)
     return material;
 }
 
-static enum status build(struct shell_motion *m, const struct discretization *d,
+static enum status make_masses(struct shell *m, const struct discretization *d,
+                               struct message *why)
+{
+    const struct blocks *graph = &m->assembly.graph;
+    const size_t pairs = (size_t)graph->start[graph->nodes];
+    enum status st;
+
+    if (!lumped_mass_wanted(d) || m->supports.moving || contact_wanted(m->scene))
+        return lumped_mass_make(d, graph, m->assembly.M, why);
+    TRY(room_cut(&m->room, ROOM(m->beyond, pairs), ROOM(m->lumped, pairs)));
+    TRY(shell_mass_beyond(&m->space, graph, &m->supports, m->assembly.M, m->lumped,
+                          m->beyond));
+out:
+    return st;
+}
+
+static enum status build(struct shell *m, const struct discretization *d,
                          struct message *why)
 {
     const struct scene *scene = m->scene;
     struct shell_material material[SCENE_MAX_SHEETS];
-    int *order = NULL;
+    const bool rings = d->viscosity == VISCOSITY_NONE;
     enum status st;
 
     for (int k = 0; k < scene_sheets(scene); k++) {
         const struct scene sheet = scene_sheet(scene, k);
         material[k] = material_of(&sheet);
     }
-    TRY(shell_assembly_init(&m->assembly, m->space, scene_sheets(scene), material, why));
+    TRY(shell_assembly_init(&m->assembly, &m->space, scene_sheets(scene), material, why));
     TRY(hold(m, why));
-    TRY(newmark_init(&m->newmark, m->space->nodes, scene->step,
-                     damping_mass(scene) + damping_drag(scene), damping_stiffness(scene)));
-    TRY(make_room(m,
-                  lumped_mass_wanted(d) && !m->supports.moving && !contact_wanted(scene)));
-    if (m->beyond)
-        TRY(shell_mass_beyond(m->space, &m->assembly.graph, &m->supports, m->assembly.M,
-                              m->lumped, m->beyond));
-    else
-        TRY(lumped_mass_make(d, &m->assembly.graph, m->assembly.M, why));
-    compute_load(m);
+    TRY(make_masses(m, d, why));
+    TRY(find_parity(m));
+    m->march = (struct march){
+        .body = m->assembly.body,
+        .scene = m->scene,
+        .graph = &m->assembly.graph,
+        .M = m->lumped ? m->lumped : m->assembly.M,
+        .beyond = m->beyond,
+        .rest = m->space.rest,
+        .measure = m->assembly.area,
+        .depth = scene->thickness,
+        .net = {m->space.basis[0].n, bspline_points(&m->space.basis[1]), 1},
+        .supports = &m->supports,
+        .parity = m->parity,
+        .unknowns = "control points",
+        .lag = rings ? 0 : march_lag,
+        .rings = rings,
+    };
+    TRY(march_init(&m->march, d, why));
     TRY(add_loads(m));
     TRY(press(m));
-    supports_initial_velocity(&m->supports, scene, m->space->rest, NULL, m->newmark.v);
-    TRY(large_body_tangent(&m->assembly.body, &large_path_statics, m->x,
-                           (struct large_foresight){0}, m->K));
-    if (m->kinematics == KINEMATICS_NONLINEAR)
-        TRY(make_large(m, d));
-    else
-        TRY(find_parity(m));
-    TRY(order_wide(m->space->basis[0].n, bspline_points(&m->space->basis[1]), 1, &order));
-    TRY(system_init(&m->system, &m->assembly.graph, &m->supports, m->parity, order, d));
-    if (contact_wanted(scene))
+    if (m->march.contact)
         TRY(meet(m, d));
-    if (m->kinematics == KINEMATICS_NONLINEAR)
-        TRY(large_leapfrog_make(&m->large, d, why));
-out:
-    free(order);
-    return st;
-}
-
-static void shell_motion_clear(struct shell_motion *m)
-{
-    system_clear(&m->system);
-    newmark_clear(&m->newmark);
-    supports_clear(&m->supports);
-    shell_assembly_clear(&m->assembly);
-    free(m->held_scene.supports);
-    free(m->parity);
-    free(m->room);
-    free(m->dead);
-    pressure_clear(&m->pressure);
-    large_motion_clear(&m->large);
-    contact_clear(&m->contact);
-    memset(m, 0, sizeof *m);
-}
-
-/* Initialises; `space` must have been made for the scene's sheet; kinematics and solver
- * from d. STATUS_UNSUPPORTED with a sentence for the paper's kinematics and for supports
- * that miss the mid-surface. */
-static enum status shell_motion_init(struct shell_motion *m, const struct scene *scene,
-                                     const struct shell_space *space,
-                                     const struct discretization *d, struct message *why)
-{
-    enum status st;
-
-    *m = (struct shell_motion){.scene = scene, .space = space, .kinematics = d->kinematics};
-    st = build(m, d, why);
-    if (st != STATUS_OK)
-        shell_motion_clear(m);
-    return st;
-}
-
-static const double (*stiffness(const struct shell_motion *m))[9]
-{
-    return (const double(*)[9])m->K;
-}
-
-/* Finds where held unknowns are on their paths at time t; NULL if nothing moves. */
-static const struct newmark_held *follow(struct shell_motion *m, double t,
-                                         struct newmark_held *held)
-{
-    if (!m->supports.moving)
-        return NULL;
-    *held = newmark_follow(&m->supports, m->scene, t, m->newmark.dt, m->held);
-    return held;
-}
-
-static enum status step_linear(struct shell_motion *m, struct counters *counters)
-{
-    enum status st;
-    struct newmark *n = &m->newmark;
-    struct newmark_held held;
-    size_t count = 3 * (size_t)m->space->nodes;
-
-    if (!m->started) {
-        TRY(newmark_begin(n, &m->system, stiffness(m), m->assembly.M, m->load,
-                          follow(m, m->time, &held), counters));
-        m->started = true;
-    }
-    const struct newmark_held *at = follow(m, m->time + n->dt, &held);
-    TRY(newmark_step(n, &m->system, stiffness(m), m->assembly.M, m->load, at));
-    counters->solves++;
-    for (size_t t = 0; t < count; t++)
-        m->x[t] = m->space->rest[t] + m->newmark.d[t];
 out:
     return st;
 }
-
-/* Implement model.h's entries for a state that begins with a struct shell_motion. */
-static enum status shell_motion_step(void *state, struct counters *counters)
-{
-    struct shell_motion *m = state;
-    enum status st = m->kinematics == KINEMATICS_LINEAR
-                         ? step_linear(m, counters)
-                         : large_motion_step(&m->large, m->time, counters);
-
-    if (st != STATUS_OK)
-        return st;
-    supports_damp(&m->supports, damping_velocity(m->scene), m->newmark.v);
-    m->time += m->newmark.dt;
-    counters->steps++;
-    return STATUS_OK;
-}
-
-static void shell_motion_energy(const void *state, struct energy *energy)
-{
-    const struct shell_motion *m = state;
-    const struct newmark *n = &m->newmark;
-    const struct blocks *graph = &m->assembly.graph;
-    const struct scene *s = m->scene;
-    size_t count = 3 * (size_t)m->space->nodes;
-    double *y = n->work;
-
-    *energy = (struct energy){0};
-    blocks_multiply_mass(graph, m->assembly.M, n->v, y);
-    for (size_t t = 0; t < count; t++) {
-        energy->kinetic += n->v[t] * y[t] / 2;
-        double sheet = density_at(m, (int)(t / 3)) * s->thickness;
-        double weight = sheet * s->gravity[t % 3] * m->assembly.area[t / 3] +
-                        (m->dead ? m->dead[t] : 0);
-        energy->potential -= weight * (m->x[t] - m->space->rest[t]);
-    }
-    if (m->beyond)
-        energy->kinetic = large_leapfrog_kinetic(&m->large);
-    if (m->pressure.value != 0)
-        energy->potential += pressure_energy(&m->pressure, m->space->rest, m->x);
-    if (m->kinematics == KINEMATICS_NONLINEAR) {
-        if (shell_assembly_energy(&m->assembly, m->x, &energy->elastic) != STATUS_OK)
-            energy->elastic = NAN;
-        return;
-    }
-    blocks_multiply(graph, stiffness(m), n->d, y);
-    for (size_t t = 0; t < count; t++)
-        energy->elastic += n->d[t] * y[t] / 2;
-}
-
-static void shell_motion_contact(const void *state, struct model_contact *contact)
-{
-    const struct shell_motion *m = state;
-
-    large_motion_contact(&m->large, contact);
-}
-
-static void shell_motion_size(const void *state, struct model_size *size)
-{
-    const struct shell_motion *m = state;
-
-    *size = system_size(&m->system, "control points");
-}
-
-/* --- Results without time stepping. */
-
-static enum status rest_linear(struct shell_motion *m, struct counters *counters)
-{
-    enum status st;
-    struct newmark *n = &m->newmark;
-    size_t count = 3 * (size_t)m->space->nodes;
-    const double(*K)[9] = (const double(*)[9])m->K;
-    double *r = n->work;
-
-    memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
-    supports_shift(&m->supports, m->scene, m->time, m->held);
-    for (int h = 0; h < m->supports.held_count; h++)
-        supports_set(&m->supports, h, n->d, m->held[h]);
-    TRY(system_factor(&m->system, 1, K, 0, NULL));
-    counters->factorisations++;
-    for (int pass = 0; pass < 2; pass++) {
-        blocks_multiply(&m->assembly.graph, K, n->d, r);
-        for (size_t t = 0; t < count; t++)
-            r[t] = m->load[t] - r[t];
-        TRY(system_solve(&m->system, r));
-        counters->solves++;
-        for (size_t t = 0; t < count; t++)
-            n->d[t] += r[t];
-    }
-    for (size_t t = 0; t < count; t++)
-        m->x[t] = m->space->rest[t] + n->d[t];
-out:
-    return st;
-}
-
-/* Moves the state to equilibrium under the scene's loads, supports where it ends, at rest.
- * Linear: one solve, one pass of refinement. Nonlinear: from the rest shape by growing
- * loads, in shorter increments where Newton's method fails, at last by steps downhill (a
- * sheet on a hinge). STATUS_INPUT without supports. */
-static enum status shell_motion_equilibrium(void *state, struct counters *counters,
-                                            struct message *why)
-{
-    struct shell_motion *m = state;
-    enum status st;
-
-    TRY(supports_allow_rest(&m->supports, m->scene, m->kinematics == KINEMATICS_NONLINEAR,
-                            why));
-    m->time = supports_rest_time(&m->supports, m->scene);
-    m->started = false;
-    if (m->kinematics == KINEMATICS_NONLINEAR)
-        return large_rest_equilibrium(&m->large, counters, why);
-    st = rest_linear(m, counters);
-    if (st == STATUS_INDEFINITE)
-        status_fail(why, st,
-                    "the stiffness is singular to working accuracy: the supports "
-                    "leave the sheet free to move");
-out:
-    return st;
-}
-
-/* Makes the tangent of the rest shape, wherever x is: *K, owned by the caller. */
-static enum status make_stiffness(const struct shell_motion *m, double (**K)[9])
-{
-    const struct blocks *graph = &m->assembly.graph;
-
-    *K = malloc((size_t)graph->start[graph->nodes] * sizeof **K);
-    return *K ? large_body_tangent(&m->assembly.body, &large_path_statics, m->space->rest,
-                                   (struct large_foresight){0}, *K)
-              : STATUS_MEMORY;
-}
-
-static enum status shell_motion_modes(void *state, int count, double *omega,
-                                      struct message *why)
-{
-    struct shell_motion *m = state;
-    double(*K)[9];
-
-    if (m->large.rested)
-        return large_rest_modes(&m->large, count, omega, why);
-    enum status st = make_stiffness(m, &K);
-    supports_turn_back(&m->supports);
-    if (st == STATUS_OK)
-        st = pencil_modes(
-            &(struct pencil){&m->assembly.graph, (const double(*)[9])K, m->assembly.M},
-            &m->supports, m->parity, count, omega, why);
-    free(K);
-    return st;
-}
-
-static enum status shell_motion_matrices(const void *state, struct matrix *K,
-                                         struct matrix *M)
-{
-    const struct shell_motion *m = state;
-    double(*block)[9];
-    enum status st = make_stiffness(m, &block);
-
-    if (st == STATUS_OK)
-        st = pencil_matrices(
-            &(struct pencil){&m->assembly.graph, (const double(*)[9])block, m->assembly.M},
-            K, M);
-    free(block);
-    return st;
-}
-
-struct shell {
-    struct shell_motion motion; /* first                                               */
-    struct shell_space space;
-};
 
 /* clang-format off */
 static const struct schema_key options[] = {
@@ -959,7 +670,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
                            "pressure that follows the normal: with kinematics=nonlinear "
                            "only");
     st = check_remedy(d, why);
-    return st == STATUS_OK ? large_leapfrog_refuse(d, why) : st;
+    return st == STATUS_OK ? march_refuse(d, why) : st;
 }
 
 /* Makes the flat sheet: control points at Greville abscissae, parameter = coordinate. */
@@ -1009,7 +720,7 @@ out:
 /* Evaluates the functions alive at u (i = 0) or v; returns the first. */
 static int alive(const struct shell *s, int i, double at, double *value)
 {
-    const int sheet = i ? 0 : scene_sheet_at(s->motion.scene, at, &at);
+    const int sheet = i ? 0 : scene_sheet_at(s->scene, at, &at);
 
     return bspline_alive(&s->space.basis[i], sheet, at, 1, value);
 }
@@ -1018,7 +729,12 @@ static void clear(void *state)
 {
     struct shell *s = state;
 
-    shell_motion_clear(&s->motion);
+    march_clear(&s->march);
+    supports_clear(&s->supports);
+    shell_assembly_clear(&s->assembly);
+    free(s->held_scene.supports);
+    free(s->parity);
+    free(s->room);
     shell_space_clear(&s->space);
 }
 
@@ -1030,7 +746,8 @@ static enum status init(void *state, const struct scene *scene,
 
     TRY(refuse(scene, d, why));
     TRY(make_space(scene, d, &s->space, why));
-    TRY(shell_motion_init(&s->motion, scene, &s->space, d, why));
+    s->scene = scene;
+    TRY(build(s, d, why));
 out:
     return st;
 }
@@ -1045,7 +762,7 @@ static void make_offset(const struct shell *s, double along[2][3], double offset
     double length =
         sqrt(offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]);
     for (int i = 0; i < 3; i++)
-        offset[i] *= s->motion.scene->thickness / 2 / length;
+        offset[i] *= s->scene->thickness / 2 / length;
 }
 
 /* Computes mid-surface and offset of the faces at one point; N: values and slopes. */
@@ -1058,7 +775,7 @@ static void evaluate(const struct shell *s, const int first[2], const double *co
 
     memset(middle, 0, 3 * sizeof *middle);
     for (int a = 0; a < p; a++) {
-        const double *row = s->motion.x + 3 * (size_t)(first[0] + a) * (size_t)m;
+        const double *row = s->march.x + 3 * (size_t)(first[0] + a) * (size_t)m;
         double line[2][3] = {{0}}; /* value and slope along v */
         for (int b = 0; b < q; b++)
             for (int i = 0; i < 3; i++) {
@@ -1086,7 +803,7 @@ static void evaluate_rational(const struct shell *s, double u, double v, double 
     shell_space_at(&s->space, 0, u, v, node, T);
     for (int a = 0; a < local; a++)
         for (int i = 0; i < 3; i++) {
-            double x = s->motion.x[3 * (size_t)node[a] + (size_t)i];
+            double x = s->march.x[3 * (size_t)node[a] + (size_t)i];
             middle[i] += T[a] * x;
             along[0][i] += T[local + a] * x;
             along[1][i] += T[2 * local + a] * x;
@@ -1142,13 +859,6 @@ static void sample(const void *state, double *xyz)
     }
 }
 
-static void describe(const void *state, struct message *line)
-{
-    const struct shell *s = state;
-
-    large_leapfrog_describe(&s->motion.large, line);
-}
-
 const struct model shell_model = {
     .name = "shell",
     .title = "isogeometric Kirchhoff-Love shell",
@@ -1173,15 +883,15 @@ const struct model shell_model = {
     .extra_points = extra_points,
     .bytes = sizeof(struct shell),
     .init = init,
-    .advance = shell_motion_step,
+    .advance = march_step,
     .sample = sample,
     .probe = probe,
-    .size = shell_motion_size,
-    .describe = describe,
-    .energy = shell_motion_energy,
-    .contact = shell_motion_contact,
-    .equilibrium = shell_motion_equilibrium,
-    .modes = shell_motion_modes,
-    .matrices = shell_motion_matrices,
+    .size = march_size,
+    .describe = march_describe,
+    .energy = march_energy,
+    .contact = march_contact,
+    .equilibrium = march_equilibrium,
+    .modes = march_modes,
+    .matrices = march_matrices,
     .clear = clear,
 };

@@ -1,20 +1,20 @@
 /* shell_model.h - the rotation-free isogeometric Kirchhoff-Love shell behind the common
  * contract, key `shell`. Defaults: points [10,10], degree [3,3], kinematics nonlinear,
  * remedy selective (shell_space.h); a third number of points or degree must be 1 or left
- * alone. The state begins with a struct shell_motion.
+ * alone.
  */
 #ifndef SHELL_MODEL_H
 #define SHELL_MODEL_H
 
-#include "models/mechanics/large_motion.h"
-#include "models/model.h"
+#include "models/mechanics/march.h"
 #include "shell_ref/shell_assembly.h"
+#include "shell_ref/shell_space.h"
 
 /* The shell of a scene: supports, loads and damping, and its motion in time.
  *
  *   linear     small strain about the rest shape; K, M constant, one factorisation, average
- *              acceleration (newmark.h).
- *   nonlinear  large_motion.h: mid-point geometry with averaged stress, Newton.
+ *              acceleration (integrator_newmark.c).
+ *   nonlinear  mid-point geometry with averaged stress, or explicit steps (march.h).
  *
  * Supports. A rotation-free shell has no slopes to hold: its edge is clamped by holding its
  * row of control points and, of the second row, the components across the direction that
@@ -31,33 +31,19 @@
  * Obstacles: samples of the mid-surface meet them (contact.h), in nonlinear kinematics.
  */
 
-struct shell_motion {
-    const struct scene *scene;       /* borrowed                                       */
-    const struct shell_space *space; /* borrowed                                       */
-    enum kinematics kinematics;
-    struct scene held_scene; /* the scene with clamped edges two rows wide; its supports
-                                                                               owned   */
+struct shell {
+    struct march march; /* first: march.h                                              */
+    struct shell_space space;
+    const struct scene *scene; /* held_scene once that is made                borrowed */
+    struct scene held_scene;   /* the scene with clamped edges two rows wide; its supports
+                                                                                 owned   */
     int slopes; /* the first of these that holds a direction, not an edge             */
     struct shell_assembly assembly;
     struct supports supports;
-    struct system system;
-    struct newmark newmark; /* nonlinear: v and the last acceleration a                */
-    unsigned char *parity;  /* [nodes][3] or NULL: which components couple      owned   */
-    void *room;     /* of the arrays but dead                                  owned   */
-    double (*K)[9]; /* [pairs] linear: of the rest shape               [N/m]           */
-    double *x;      /* [nodes][3] present control points               [m]             */
-    double *load;   /* [nodes][3] gravity, wind and loads              [N]             */
-    double *dead;   /* [nodes][3] of which the scene's loads; NULL: none       owned   */
+    unsigned char *parity;   /* [nodes][3] or NULL: which components couple       owned  */
+    void *room;              /* of the next two                                  owned   */
     double *lumped, *beyond; /* [pairs] masses of explicit steps, by shell_mass_beyond where
                                 nothing moves or meets the sheet, NULL elsewhere [kg]  */
-    double *held; /* [4][held_count] target d, v, a; work                            */
-    double time;  /* [s]                                                             */
-    bool started; /* linear: the constant system is factored; nonlinear: strain_old
-                     belongs to x                                                    */
-
-    struct large_motion large; /* nonlinear only                                       */
-    struct pressure pressure;
-    struct contact contact; /* all zero where there is nothing to meet                 */
 };
 
 extern const struct model shell_model;

@@ -5,6 +5,7 @@
 #ifndef DERIVATIVE_FIXTURE_H
 #define DERIVATIVE_FIXTURE_H
 
+#include "models/linalg/blocks.h"
 #include "models/mechanics/large_body.h"
 #include "tests/check.h"
 

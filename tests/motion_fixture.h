@@ -10,7 +10,7 @@
 #include "models/solid/solid_model.h"
 #include "tests/opened_run.h"
 
-static inline struct solid_motion *run_motion(const struct run *run)
+static inline struct solid_sheet *run_solid(const struct run *run)
 {
     return run->state; /* solid_model.h: a state begins with it */
 }
@@ -24,7 +24,7 @@ static inline void run_sample(const struct run *run, run_field field)
 
 static inline size_t run_unknowns(const struct run *run)
 {
-    return 3 * (size_t)run_motion(run)->space->nodes;
+    return 3 * (size_t)run_solid(run)->space.nodes;
 }
 
 /* All natural modes of a run's rest shape about held supports: lambda = omega^2 ascending,
@@ -38,7 +38,7 @@ struct modes {
 
 static inline void modes_init(struct modes *m, const struct run *run)
 {
-    const struct solid_motion *s = run_motion(run);
+    const struct solid_sheet *s = run_solid(run);
     const double(*K)[9] = (const double(*)[9])s->assembly.K;
     long *start[2];
     int *row[2], n = s->supports.free_count;
@@ -79,7 +79,7 @@ static inline void modes_clear(struct modes *m)
 static inline void modes_project(const struct modes *m, const struct run *run,
                                  const double *x, double *q)
 {
-    const struct solid_assembly *a = &run_motion(run)->assembly;
+    const struct solid_assembly *a = &run_solid(run)->assembly;
 
     blocks_multiply_mass(&a->graph, a->M, x, m->work);
     for (int i = 0; i < m->count; i++) {
@@ -104,7 +104,7 @@ static inline void modes_load(const struct modes *m, const struct run *run, doub
     for (int i = 0; i < m->count; i++) {
         p[i] = 0;
         for (size_t t = 0; t < m->unknowns; t++)
-            p[i] += m->vector[(size_t)i * m->unknowns + t] * run_motion(run)->load[t];
+            p[i] += m->vector[(size_t)i * m->unknowns + t] * run_solid(run)->march.load[t];
     }
 }
 

@@ -6,8 +6,6 @@
 #include <string.h>
 
 #include "models/contact/contact_rest.h"
-#include "models/mechanics/large_leapfrog.h"
-#include "models/mechanics/large_rest.h"
 #include "models/mechanics/pencil.h"
 #include "models/net/net_surface.h"
 #include "models/room.h"
@@ -29,23 +27,29 @@ static enum status make_arrays(struct tri_motion *m)
     return STATUS_OK;
 }
 
-/* Makes, once, what implicit steps, equilibrium and modes need. */
-static enum status make_large(struct tri_motion *m)
+/* Makes, once, what steps but swept ones, equilibrium and modes need. */
+static enum status make_march(struct tri_motion *m, struct message *why)
 {
-    const struct spring_large_plan plan = {.load = &m->load,
-                                           .graph = &m->net.graph,
-                                           .body = &m->body.body,
-                                           .supports = &m->supports,
-                                           .d = &m->asked,
-                                           .x = m->x};
+    const struct spring_net *points = &m->net.points;
+    struct discretization d = m->asked;
 
-    return m->large.motion.x ? STATUS_OK : spring_large_init(&m->large, &plan);
-}
-
-static enum status rest_stiffness(const struct tri_motion *m, double (*K)[9])
-{
-    return large_body_tangent(&m->body.body, &large_path_statics, m->net.points.rest,
-                              (struct large_foresight){0}, K);
+    if (m->march.graph)
+        return STATUS_OK;
+    if (m->swept)
+        d.integrator = INTEGRATOR_MOMENTUM;
+    m->march = (struct march){
+        .body = m->body.body,
+        .scene = m->scene,
+        .graph = &m->net.graph,
+        .mass = m->load.mass,
+        .rest = points->rest,
+        .x = m->x,
+        .load = m->load.load,
+        .net = {points->points[0], points->points[1], 1},
+        .supports = &m->supports,
+        .unknowns = "mid-surface points",
+    };
+    return march_init_net(&m->march, &d, why);
 }
 
 static enum status make_leapfrog(struct tri_motion *m, const struct discretization *d,
@@ -88,10 +92,7 @@ static enum status build(struct tri_motion *m, const struct discretization *d,
     if (m->swept) {
         TRY(make_leapfrog(m, d, why));
     } else {
-        TRY(make_large(m));
-        TRY(large_leapfrog_make(&m->large.motion, &m->asked, why));
-        supports_initial_velocity(&m->supports, scene, points->rest, NULL,
-                                  m->large.newmark.v);
+        TRY(make_march(m, why));
     }
 out:
     return st;
@@ -103,7 +104,7 @@ static void tri_motion_clear(void *motion)
 
     spring_leapfrog_free(m->leapfrog);
     spring_stencil_clear(&m->stencil);
-    spring_large_clear(&m->large);
+    march_clear(&m->march);
     supports_clear(&m->supports);
     spring_load_clear(&m->load);
     tri_body_clear(&m->body);
@@ -134,13 +135,10 @@ static enum status tri_motion_step(void *state, struct counters *counters)
     struct tri_motion *m = state;
     enum status st;
 
-    if (m->leapfrog) {
-        m->large.motion.rested = false;
-        TRY(spring_leapfrog_frame(m->leapfrog, m->x, counters));
-    } else {
-        TRY(spring_large_frame(&m->large, (double)m->frame * m->scene->step, counters));
-    }
-    m->frame++;
+    if (!m->leapfrog)
+        return march_step(state, counters);
+    m->march.rested = false;
+    TRY(spring_leapfrog_frame(m->leapfrog, m->x, counters));
     counters->steps++;
 out:
     return st;
@@ -151,14 +149,11 @@ static enum status tri_motion_rest(void *state, struct counters *counters,
 {
     struct tri_motion *m = state;
     enum status st;
-    double end = supports_rest_time(&m->supports, m->scene);
 
-    TRY(supports_allow_rest(&m->supports, m->scene, true, why));
-    TRY(make_large(m));
-    TRY(large_rest_equilibrium(&m->large.motion, counters, why));
-    m->frame = lround(end / m->scene->step);
+    TRY(make_march(m, why));
+    TRY(march_equilibrium(state, counters, why));
     if (m->leapfrog)
-        spring_leapfrog_place(m->leapfrog, end, m->x);
+        spring_leapfrog_place(m->leapfrog, m->march.time, m->x);
 out:
     return st;
 }
@@ -166,19 +161,9 @@ out:
 static enum status tri_motion_modes(void *state, int count, double *omega,
                                     struct message *why)
 {
-    struct tri_motion *m = state;
-    enum status st;
+    enum status st = make_march(state, why);
 
-    if (m->large.motion.rested)
-        return large_rest_modes(&m->large.motion, count, omega, why);
-    TRY(make_large(m));
-    m->large.motion.factored = -1;
-    TRY(rest_stiffness(m, m->large.K));
-    TRY(pencil_modes(
-        &(struct pencil){&m->net.graph, (const double(*)[9])m->large.K, m->large.M},
-        &m->supports, NULL, count, omega, why));
-out:
-    return st;
+    return st == STATUS_OK ? march_modes(state, count, omega, why) : st;
 }
 
 /* Makes the matrices of the sheet itself: clamps belong to the supports. */
@@ -218,8 +203,8 @@ static void tri_motion_contact(const void *state, struct model_contact *contact)
 {
     const struct tri_motion *m = state;
 
-    if (!m->leapfrog || m->large.motion.rested)
-        large_motion_contact(&m->large.motion, contact);
+    if (!m->leapfrog || m->march.rested)
+        march_contact(state, contact);
     else
         *contact = spring_leapfrog_contact(m->leapfrog);
 }
@@ -230,7 +215,7 @@ static void tri_motion_energy(const void *state, struct energy *energy)
 
     if (m->leapfrog)
         spring_leapfrog_velocity(m->leapfrog, m->v);
-    spring_load_energy(&m->load, m->x, m->leapfrog ? m->v : m->large.newmark.v, energy);
+    spring_load_energy(&m->load, m->x, m->leapfrog ? m->v : m->march.v, energy);
     energy->elastic = tri_body_energy(&m->body, m->x) - m->rest_energy;
 }
 
@@ -311,7 +296,7 @@ static void size(const void *state, struct model_size *size)
     const struct tri_motion *m = state;
     const struct system none = {.held = &m->supports};
 
-    *size = system_size(m->large.system.factor ? &m->large.system : &none,
+    *size = system_size(m->march.system.factor ? &m->march.system : &none,
                         "mid-surface points");
 }
 
@@ -323,7 +308,7 @@ static void describe(const void *state, struct message *line)
     const bool conditions = m->body.membrane == MEMBRANE_BARAFF_WITKIN;
     struct message limit;
 
-    large_leapfrog_describe(&m->large.motion, &limit);
+    march_describe(state, &limit);
     if (l)
         snprintf(limit.text, sizeof limit.text,
                  "explicit steps of %.3g s, stable below %.3g s about rest",
@@ -339,7 +324,7 @@ static void describe(const void *state, struct message *line)
                    "curvature of a plate of nu = 0: a narrow strip is 1 / (1 - nu^2) times "
                    "too stiff"
                  : "",
-             m->large.motion.leapfrog ? "; " : "", limit.text);
+             m->march.own ? "; " : "", limit.text);
 }
 
 const struct model tri_model = {

@@ -2,18 +2,17 @@
 #ifndef TRI_MODEL_H
 #define TRI_MODEL_H
 
-#include "models/model.h"
-#include "models/net/spring_large.h"
+#include "models/mechanics/march.h"
 #include "models/net/spring_leapfrog.h"
 #include "triangles/tri_body.h"
 
 /* A net of triangles in time.
  *
- * momentum  large_motion.h: energy-momentum steps, second order, Newton's method.
+ * momentum  march.h: energy-momentum steps, second order, Newton's method.
  * implicit  Euler's implicit steps, Newton's method; iterations = 1: one linear solve a
  *           step (Baraff and Witkin 1998).
  * leapfrog  explicit, second order: spring_leapfrog.h's sweeps; with hinges, whose forces
- *           no sweep knows, large_leapfrog.h's steps.
+ *           no sweep knows, integrator_leapfrog.c's steps.
  *
  * Mass is lumped: every point has its part of the area. A point has no slope to hold: where
  * a column is held whole, clamps hold it (spring_plate.h); a support that takes the
@@ -25,6 +24,7 @@ struct tri_own { /* choices of its own (models/option.h) */
 };
 
 struct tri_motion {
+    struct march march;          /* first: march.h; made when swept steps need it        */
     const struct scene *scene;   /* borrowed                                             */
     bool swept;                  /* steps of spring_leapfrog.h                           */
     struct discretization asked; /* integrator, substeps, iterations, solver           */
@@ -32,14 +32,12 @@ struct tri_motion {
     struct tri_body body;
     struct spring_load load;
     struct supports supports;
-    struct spring_large large; /* empty in swept steps                                 */
     void *room;                /* of the arrays                                owned   */
     double *x;                 /* [nodes][3] present points                    [m]     */
     struct spring_cells cells; /* swept only, as what follows                        */
     struct spring_stencil stencil;
     struct spring_leapfrog *leapfrog; /*                                       owned   */
     double *v;                        /* [nodes][3] work                         [m/s] */
-    long frame;
     double rest_energy; /* round-off of the energy at rest                       [J]   */
 };
 

@@ -3,22 +3,23 @@
 #include <math.h>
 
 #include "models/clock.h"
-#include "models/solid/solid_motion.h"
+#include "models/mechanics/integrator_newmark.h"
+#include "models/solid/solid_model.h"
 
 /* Runs one phase on a solid's state. Assembly comes first; the matrices are afterwards
  * those of the rest shape. */
 static enum status run_phase(void *state, enum bench_solid_phase phase)
 {
-    struct solid_motion *motion = state; /* solid_model.h */
-    const double(*K)[9] = (const double(*)[9])motion->assembly.K;
+    struct solid_sheet *s = state; /* solid_model.h */
+    struct march *m = &s->march;
+    const double(*K)[9] = (const double(*)[9])s->assembly.K;
 
     if (phase == BENCH_SOLID_ASSEMBLE)
-        return solid_assembly_compute(&motion->assembly, motion->space->rest);
+        return solid_assembly_compute(&s->assembly, s->space.rest);
     if (phase == BENCH_SOLID_FACTOR)
-        return system_factor(&motion->system, newmark_k(&motion->newmark), K,
-                             newmark_m(&motion->newmark), motion->assembly.M);
-    return system_solve(&motion->system,
-                        motion->newmark.work); /* of zeros: the same work, no denormals */
+        return system_factor(&m->system, integrator_newmark_k(m), K,
+                             integrator_newmark_m(m), m->M);
+    return system_solve(&m->system, m->work); /* of zeros: the same work, no denormals */
 }
 
 /* Phases are short: one sample is as many calls as make up SAMPLE seconds. */

@@ -468,13 +468,13 @@ const struct warnings_rule warnings_rules[] = {
      "between the samples of contact a round body comes up to %.2g m nearer, but contact "
      "has "
      "a range of %.2g m: the body reaches into the sheet"},
-    {"put", "models/solid/solid_motion.h", is_put_back,
+    {"put", "models/mechanics/integrator_printed.c", is_put_back,
      "what a step leads into a body is put on its surface with kinematics=printed or "
      "incremental: there is no law of contact, and no force to tell"},
-    {"smooth", "models/solid/solid_motion.h", has_no_friction,
+    {"smooth", "models/mechanics/integrator_printed.c", has_no_friction,
      "friction is left out with kinematics=printed or incremental, and the scene has mu = "
      "%g"},
-    {"crossing", "models/solid/solid_motion.h", meets_bodies_only,
+    {"crossing", "models/mechanics/integrator_printed.c", meets_bodies_only,
      "the sheet may cross itself with kinematics=printed or incremental: crossings are "
      "counted, no more"},
     {"gravity", "key gravity, m/s^2", weighs_nothing, "the scene has no gravity"},

@@ -105,14 +105,3 @@ enum status large_body_tangent(const struct large_body *b, const struct large_pa
     return do_all(
         &(struct task){.body = b, .path = path, .x = x, .foresight = foresight, .K = K});
 }
-
-void large_body_follow(struct large_motion *m, double t)
-{
-    if (!m->supports->moving)
-        return;
-    supports_turn(m->supports, m->scene, t, t, m->x);
-    struct newmark_held held =
-        newmark_follow(m->supports, m->scene, t, m->newmark->dt, m->held);
-    for (int h = 0; h < m->supports->held_count; h++)
-        supports_set(m->supports, h, m->newmark->v, held.v[h]);
-}

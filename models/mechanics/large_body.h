@@ -1,13 +1,12 @@
-/* large_body.h - a body at large displacements: the functions that shell or solid provide,
- * and the state that Newton's method (large_newton.h), stepping (large_motion.h) and
- * equilibrium (large_rest.h) work on. */
+/* large_body.h - a body as stepping, Newton's method and equilibrium see it (march.h): its
+ * elements' strains, forces and tangents, which shell, solids and nets provide. */
 #ifndef LARGE_BODY_H
 #define LARGE_BODY_H
 
-#include "models/mechanics/contact_coupled.h"
-#include "models/mechanics/newmark.h"
-#include "models/mechanics/pressure.h"
-#include "models/model.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "models/status.h"
 
 /* The stress and geometry of an equation: stress of s0 e_old + s1 e(x) on the geometry (1 -
  * g1) x_old + g1 x. */
@@ -81,52 +80,5 @@ enum status large_body_force(const struct large_body *b, const struct large_path
 enum status large_body_tangent(const struct large_body *b, const struct large_path *path,
                                const double *x, struct large_foresight foresight,
                                double (*K)[9]);
-
-struct large_motion {
-    /* The owner sets these before large_motion_init; borrowed. */
-    struct large_body body;
-    const struct scene *scene;
-    const struct blocks *graph;
-    const double *M;      /* [pairs] consistent mass                             [kg]    */
-    const double *beyond; /* [pairs] of explicit steps, whose M is diagonal: the mass is M
-                             less this, below 2 M; NULL: M itself               [kg]    */
-    const double *rest;   /* [nodes][3]                                          [m]     */
-    const double *load;   /* [nodes][3]                                          [N]     */
-    struct supports *supports;
-    struct system *system;
-    struct newmark *newmark; /* v and the mean acceleration a of the last step         */
-    double (*K)[9];          /* [pairs] room for tangents                      [N/m]   */
-    double *x;               /* [nodes][3] present coefficients                [m]     */
-    double *held;            /* [4][held_count] supports_motion                        */
-    double lag;              /* algorithmic viscosity (large_motion.h)                 */
-    bool relief; /* lag is large_motion_lag for a while after a step that Newton's
-                    method cannot take without                             */
-    bool euler;  /* steps are Euler's implicit ones                        */
-    int enough;  /* iterations after which a step is taken; 0: converged   */
-    const struct pressure *pressure; /* NULL: none                                    */
-    struct contact *contact;         /* NULL: nothing to meet                             */
-    struct contact_coupled coupled;  /* where the sheet touches itself          owned   */
-    bool full;                       /* a new tangent in each iteration                   */
-    bool rings; /* nothing damps the membrane, and Newton's method expects it  */
-
-    double *strain_old;  /* strains at the step's start                         owned   */
-    double *strain_mean; /* mean of the last step, in the same room; NULL: not rings   */
-    double *gain;        /* of the last substep, gain_dt long; NULL: no viscosity      */
-    double gain_dt;      /*                                                      [s]   */
-    int stay, stays;     /* with relief: substeps that the lag is still for, was last  */
-    double *room;        /* [6][nodes][3]: x_old, hat, work of large_newton     owned   */
-    double factored;     /* mass factor of the tangent that is factored; -1: none       */
-    double added;        /* mass added to the factored tangent; 0: none       [1/s^2]   */
-    bool stressless;     /* the present tangent leaves out the stress                   */
-    bool worn;           /* the last equation could not do with one factored tangent    */
-    bool started;        /* strain_old belongs to x                                     */
-    bool rested;         /* x is an equilibrium (large_rest.h)                          */
-    int halvings;        /* the present substep is step / 2^halvings                    */
-    struct large_leapfrog *leapfrog; /* explicit steps; NULL: implicit         owned   */
-    double push[3]; /* force of bodies, mean over the last step              [N]   */
-};
-
-/* Gives held unknowns the velocity of supports that move, at time t. */
-void large_body_follow(struct large_motion *m, double t);
 
 #endif

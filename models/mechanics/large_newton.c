@@ -29,13 +29,13 @@ enum { HALVINGS = 6 };
  * (edge_drop, undamped, no lag, to 0.9 s, shell 16x16, p = 3: .60 of the assemblies.) */
 enum { PATIENCE = 5 };
 
-static size_t count_of(const struct large_motion *m)
+static size_t count_of(const struct march *m)
 {
     return 3 * (size_t)m->graph->nodes;
 }
 
 /* Computes the right-hand side at x, r; work[nodes][3]. met: contact_find was there. */
-static enum status residual(struct large_motion *m, const struct large_equation *q,
+static enum status residual(struct march *m, const struct large_equation *q,
                             const double *x, double *r, double *work, bool met)
 {
     size_t count = count_of(m);
@@ -45,8 +45,8 @@ static enum status residual(struct large_motion *m, const struct large_equation 
         return st;
     for (size_t t = 0; t < count; t++)
         r[t] = q->load * m->load[t] - r[t];
-    if (m->pressure)
-        pressure_force(m->pressure, q->load, q->path.x_old, q->path.g1, x, r);
+    if (m->pressure.value != 0)
+        pressure_force(&m->pressure, q->load, q->path.x_old, q->path.g1, x, r);
     if (m->contact) {
         st = met ? STATUS_OK : contact_find(m->contact, x);
         if (st != STATUS_OK)
@@ -55,7 +55,7 @@ static enum status residual(struct large_motion *m, const struct large_equation 
     }
     if (q->mass == 0)
         return STATUS_OK;
-    double *inertia = m->newmark->work;
+    double *inertia = m->work;
     for (size_t t = 0; t < count; t++)
         work[t] = q->mass * (x[t] - q->hat[t]);
     blocks_multiply_mass(m->graph, m->M, work, inertia);
@@ -68,7 +68,7 @@ static enum status residual(struct large_motion *m, const struct large_equation 
 /* Factors the tangent. In statics mass is added to one that is not positive definite until
  * it is: a shorter step towards less energy. No more than it takes: bending is softer than
  * stretching by (h/L)^2, and what stops one hardly moves the other. */
-static enum status factor(struct large_motion *m, double mass, struct counters *counters)
+static enum status factor(struct march *m, double mass, struct counters *counters)
 {
     enum { TRIES = 16 };
     const double(*K)[9] = (const double(*)[9])m->K;
@@ -79,27 +79,26 @@ static enum status factor(struct large_motion *m, double mass, struct counters *
 
     m->added = 0;
     if (mass > 0 || m->coupled.used)
-        return contact_coupled_update(&m->coupled, m->system, 1, K, mass, m->M);
-    st = system_factor(m->system, 1, K, mass, m->M);
+        return contact_coupled_update(&m->coupled, &m->system, 1, K, mass, m->M);
+    st = system_factor(&m->system, 1, K, mass, m->M);
     counters->factorisations++;
     for (int n = 0; n < TRIES && st == STATUS_INDEFINITE; n++) {
         m->added = more *= 10;
-        st = system_factor(m->system, 1, K, more, m->M);
+        st = system_factor(&m->system, 1, K, more, m->M);
         counters->factorisations++;
     }
     return st;
 }
 
 /* Tells whether the sheet touched anything where the residual was last computed. */
-static bool touches(const struct large_motion *m)
+static bool touches(const struct march *m)
 {
     return m->contact && m->contact->count > 0;
 }
 
 /* Makes and factors the tangent at x. */
-static enum status refresh(struct large_motion *m, const struct large_equation *q,
-                           const double *x, struct large_foresight foresight,
-                           struct counters *counters)
+static enum status refresh(struct march *m, const struct large_equation *q, const double *x,
+                           struct large_foresight foresight, struct counters *counters)
 {
     enum status st = STATUS_OK;
 
@@ -109,11 +108,11 @@ static enum status refresh(struct large_motion *m, const struct large_equation *
         foresight.none = m->stressless;
         TRY(large_body_tangent(&m->body, &q->path, x, foresight, m->K));
         counters->assemblies++;
-        if (m->pressure)
-            pressure_tangent(m->pressure, q->load, q->path.x_old, q->path.g1, x, m->graph,
+        if (m->pressure.value != 0)
+            pressure_tangent(&m->pressure, q->load, q->path.x_old, q->path.g1, x, m->graph,
                              m->K);
         if (m->contact)
-            TRY(contact_coupled_add(&m->coupled, m->contact, m->system, m->K));
+            TRY(contact_coupled_add(&m->coupled, m->contact, &m->system, m->K));
         st = factor(m, q->mass, counters);
         if (st != STATUS_INDEFINITE || q->mass == 0)
             break;
@@ -139,14 +138,14 @@ struct iteration {
 /* Solves for i->next from i->r with the factored tangent. A tangent found not to be
  * positive definite, by conjugate gradients, is replaced by one without stress;
  * so is one for which GMRES finds no solution, since it cannot tell why. */
-static enum status solve(struct large_motion *m, const struct large_equation *q,
+static enum status solve(struct march *m, const struct large_equation *q,
                          struct iteration *i, double *size, struct counters *counters)
 {
     enum status st;
 
     for (int attempt = 0; attempt < 2; attempt++) {
         memcpy(i->next, i->r, count_of(m) * sizeof *i->next);
-        st = contact_coupled_solve(&m->coupled, m->system, i->next);
+        st = contact_coupled_solve(&m->coupled, &m->system, i->next);
         counters->solves++;
         const bool indefinite = st == STATUS_INDEFINITE || st == STATUS_UNSOLVED;
         if (!indefinite || m->stressless || q->mass == 0)
@@ -162,7 +161,7 @@ out:
 }
 
 /* Cuts d short of what contact forbids. */
-static void shorten(const struct large_motion *m, struct iteration *i)
+static void shorten(const struct march *m, struct iteration *i)
 {
     const double share = m->contact ? contact_limit(m->contact, i->x, i->d) : 1;
 
@@ -172,7 +171,7 @@ static void shorten(const struct large_motion *m, struct iteration *i)
 }
 
 /* Returns the work of r on d, both [nodes][3]; d is zero at the held unknowns. */
-static double work_of(const struct large_motion *m, const double *r, const double *d)
+static double work_of(const struct march *m, const double *r, const double *d)
 {
     double sum = 0;
 
@@ -182,7 +181,7 @@ static double work_of(const struct large_motion *m, const double *r, const doubl
 }
 
 /* Returns the work of the contact's forces on d. */
-static double contact_work(const struct large_motion *m, const struct iteration *i)
+static double contact_work(const struct march *m, const struct iteration *i)
 {
     memset(i->work, 0, count_of(m) * sizeof *i->work);
     contact_force(m->contact, i->work);
@@ -192,7 +191,7 @@ static double contact_work(const struct large_motion *m, const struct iteration 
 /* Moves x by as much of the step d as contact does not throw back, and finds the touches
  * there. All other forces count as unchanged: the spurious stress that a whole step leaves
  * in a thin sheet would shorten each, while what contact throws back it does alone. */
-static enum status meet(struct large_motion *m, struct iteration *i)
+static enum status meet(struct march *m, struct iteration *i)
 {
     enum status st = STATUS_OK;
     const size_t count = count_of(m);
@@ -216,7 +215,7 @@ out:
 }
 
 /* Takes the step d and computes the right-hand side there; halves d while there is none. */
-static enum status take_step(struct large_motion *m, const struct large_equation *q,
+static enum status take_step(struct march *m, const struct large_equation *q,
                              struct iteration *i)
 {
     size_t count = count_of(m);
@@ -244,7 +243,7 @@ static enum status take_step(struct large_motion *m, const struct large_equation
  * geometry that the tangent had, (1 - g) x_old + g (x - d), it foresaw e(x - d) + B d: of
  * e(x), (d + 2 (1 - g) (x - d - x_old)) d / 2 less. A stress without the second part is
  * wrong by the turn of the step, not only by that of d. */
-static void fill_beside(const struct large_motion *m, const struct large_equation *q,
+static void fill_beside(const struct march *m, const struct large_equation *q,
                         const struct iteration *i)
 {
     const double back = 2 * (1 - q->path.g1), *old = q->path.x_old;
@@ -254,7 +253,7 @@ static void fill_beside(const struct large_motion *m, const struct large_equatio
 }
 
 /* Returns the largest ratio of the next step to the last for which the tangent is kept. */
-static double chord_of(const struct large_motion *m, const struct iteration *i)
+static double chord_of(const struct march *m, const struct iteration *i)
 {
     bool slow = m->rings && i->gain < 1;
 
@@ -262,7 +261,7 @@ static double chord_of(const struct large_motion *m, const struct iteration *i)
 }
 
 /* Finds the next step, with the old tangent if that still works well. */
-static enum status next_step(struct large_motion *m, const struct large_equation *q,
+static enum status next_step(struct march *m, const struct large_equation *q,
                              struct iteration *i, struct counters *counters)
 {
     enum status st;
@@ -286,7 +285,7 @@ out:
 }
 
 /* Tells whether a step below the tolerance means convergence. */
-static bool settled(const struct large_motion *m, double size, double before)
+static bool settled(const struct march *m, double size, double before)
 {
     const double shrink = 0.1, round_off = 1e-14;
 
@@ -294,7 +293,7 @@ static bool settled(const struct large_motion *m, double size, double before)
 }
 
 /* Returns the change that ends the iteration. */
-static double tolerance(const struct large_motion *m, const struct large_equation *q)
+static double tolerance(const struct march *m, const struct large_equation *q)
 {
     const double most = STEP_TOLERANCE * m->scene->length;
     const bool held = m->contact && m->contact->held;
@@ -304,14 +303,14 @@ static double tolerance(const struct large_motion *m, const struct large_equatio
     return held ? fmax(most, LEEWAY * m->contact->body.range) : most;
 }
 
-enum status large_newton_solve(struct large_motion *m, const struct large_equation *q,
-                               double *x, struct counters *counters)
+enum status large_newton_solve(struct march *m, const struct large_equation *q, double *x,
+                               struct counters *counters)
 {
     enum status st = STATUS_OK;
     int since = 0; /* the best of sizes, halved, is of that iteration */
     double before = 0, best = INFINITY; /* the size of the step before; of the best */
     size_t count = count_of(m);
-    double *room = m->room + 2 * count, *swap;
+    double *room = m->newton + 2 * count, *swap;
     struct iteration i = {.x = x,
                           .d = room,
                           .r = room + count,

@@ -21,7 +21,7 @@
 #ifndef LARGE_NEWTON_H
 #define LARGE_NEWTON_H
 
-#include "models/mechanics/large_body.h"
+#include "models/mechanics/march.h"
 
 struct large_equation {
     struct large_path path;
@@ -40,8 +40,7 @@ struct large_equation {
  * the steps must shrink fast as well, as they do towards an unstable equilibrium (which
  * m->added > 0 indicates). STATUS_DIVERGED if that takes too many iterations; the codes of
  * body and factor. */
-enum status large_newton_solve(struct large_motion *m,
-                               const struct large_equation *equation, double *x,
-                               struct counters *counters);
+enum status large_newton_solve(struct march *m, const struct large_equation *equation,
+                               double *x, struct counters *counters);
 
 #endif

@@ -7,11 +7,8 @@
 #include <string.h>
 
 #include "models/grid.h"
-#include "models/linalg/order.h"
-#include "models/mechanics/large_leapfrog.h"
-#include "models/mechanics/large_rest.h"
+#include "models/mechanics/frames.h"
 #include "models/mechanics/lumped_mass.h"
-#include "models/mechanics/pencil.h"
 #include "models/solid/solid_hinge.h"
 
 enum status solid_model_refuse_fabric(const struct scene *scene, struct message *why)
@@ -30,124 +27,22 @@ enum status solid_model_refuse_fabric(const struct scene *scene, struct message 
         bend * Y[LAW_SHEAR] / B[LAW_SHEAR]);
 }
 
-void solid_model_size(const void *state, struct model_size *size)
-{
-    const struct solid_motion *m = state;
-
-    *size =
-        system_size(&m->system, m->space->thickness_basis ? "thickness" : "control points");
-}
-
-void solid_model_contact(const void *state, struct model_contact *contact)
-{
-    const struct solid_motion *m = state;
-
-    if (m->large.contact)
-        large_motion_contact(&m->large, contact);
-    else
-        contact_outside_report(&m->outside, contact);
-}
-
 void solid_model_net(const void *state, double *xyz)
 {
-    const struct solid_motion *m = state;
+    const struct solid_sheet *s = state;
 
-    for (int t = 0; t < 3 * m->space->nodes; t++)
-        xyz[t] = solid_hinge_point(m->space, m->x, t / 3, t % 3);
-}
-
-/* Computes r = load - K d, zero at held unknowns. */
-static void residual(const struct solid_motion *m, const double *d, double *r)
-{
-    size_t count = 3 * (size_t)m->space->nodes;
-
-    blocks_multiply(&m->assembly.graph, (const double(*)[9])m->assembly.K, d, r);
-    for (size_t t = 0; t < count; t++)
-        r[t] = m->supports.free_index[t] < 0 ? 0 : m->load[t] - r[t];
-}
-
-static double largest(size_t count, const double *x)
-{
-    double most = 0;
-
-    for (size_t t = 0; t < count; t++)
-        if (!(fabs(x[t]) <= most))
-            most = fabs(x[t]);
-    return most;
-}
-
-/* A correction above this part of the solution means a numerically singular system. */
-static const double LARGEST_CORRECTION = 1e-2;
-
-enum status solid_model_equilibrium(void *state, struct counters *counters,
-                                    struct message *why)
-{
-    enum status st;
-    struct solid_motion *m = state;
-    struct newmark *n = &m->newmark;
-    size_t count = 3 * (size_t)m->space->nodes;
-    double *r = n->work, change = 0;
-    const bool nonlinear = m->kinematics == KINEMATICS_NONLINEAR;
-
-    TRY(supports_allow_rest(&m->supports, m->scene, nonlinear, why));
-    m->time = supports_rest_time(&m->supports, m->scene);
-    if (nonlinear)
-        return large_rest_equilibrium(&m->large, counters, why);
-    memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
-    supports_shift(&m->supports, m->scene, m->time, m->held);
-    for (int h = 0; h < m->supports.held_count; h++)
-        n->d[m->supports.held[h]] = m->held[h];
-    m->started = false;
-    st = system_factor(&m->system, 1, (const double(*)[9])m->assembly.K, 0, NULL);
-    counters->factorisations++;
-    for (int pass = 0; st == STATUS_OK && pass < 2; pass++) {
-        residual(m, n->d, r);
-        TRY(system_solve(&m->system, r));
-        counters->solves++;
-        for (size_t t = 0; t < count; t++)
-            n->d[t] += r[t];
-        change = largest(count, r) / largest(count, n->d);
-    }
-    if (st == STATUS_OK && change > LARGEST_CORRECTION)
-        st = STATUS_INDEFINITE;
-    if (st == STATUS_INDEFINITE)
-        status_fail(why, st,
-                    "the stiffness is singular to working accuracy: the supports leave the "
-                    "sheet free to move, or it is too thin for control points as unknowns "
-                    "(discretization.unknowns=thickness is made for that)");
-    for (size_t t = 0; t < count; t++)
-        m->x[t] = m->space->rest[t] + n->d[t];
-    if (m->kinematics != KINEMATICS_LINEAR) /* there d is the last step's increment */
-        memset(n->d, 0, count * sizeof *n->d);
-out:
-    return st;
-}
-
-static struct pencil pencil_of(const struct solid_motion *m)
-{
-    return (struct pencil){&m->assembly.graph, (const double(*)[9])m->assembly.K,
-                           m->assembly.M};
-}
-
-enum status solid_model_modes(void *state, int count, double *omega, struct message *why)
-{
-    struct solid_motion *m = state;
-    const struct pencil p = pencil_of(m);
-
-    if (m->large.rested)
-        return large_rest_modes(&m->large, count, omega, why);
-    return pencil_modes(&p, &m->supports, m->system.parity, count, omega, why);
+    for (int t = 0; t < 3 * s->space.nodes; t++)
+        xyz[t] = solid_hinge_point(&s->space, s->march.x, t / 3, t % 3);
 }
 
 enum status solid_model_matrices(const void *state, struct matrix *K, struct matrix *M)
 {
-    const struct solid_motion *m = state;
-    const struct pencil p = pencil_of(m);
+    const struct solid_sheet *s = state;
 
-    if (m->space->thickness_basis || m->space->hinge.column)
+    if (s->space.thickness_basis || s->space.hinge.column)
         return STATUS_UNSUPPORTED;
-    assert(!m->time);
-    return pencil_matrices(&p, K, M);
+    assert(!s->march.time);
+    return march_matrices(state, K, M);
 }
 
 enum status solid_model_basis(const struct scene *scene, const struct discretization *d,
@@ -197,29 +92,154 @@ static enum status find_parity(const struct scene *scene, int nodes, int layers,
     return STATUS_OK;
 }
 
+void solid_model_clear(struct solid_sheet *s)
+{
+    march_clear(&s->march);
+    solid_green_clear(&s->green);
+    solid_assembly_clear(&s->assembly);
+    supports_clear(&s->supports);
+}
+
+static void frames(const void *sheet, double (*Q)[9])
+{
+    const struct solid_sheet *s = sheet;
+    const int part = s->points[0] * s->points[1] * s->points[2];
+
+    for (int a = 0; a < s->space.nodes; a += part)
+        frames_of_net(s->points, s->space.thickness_basis, s->march.x + 3 * (size_t)a,
+                      Q + a);
+}
+
+/* Sets up an iterated system; its solutions are increments of d, or steps of Newton. */
+static enum status follow(struct solid_sheet *s, const struct discretization *d)
+{
+    /* Conjugate gradients measure energy; in the norm of GMRES stiff motion hides the soft
+     * one. */
+    static const double CG_TOLERANCE = 1e-6, GMRES_TOLERANCE = 1e-8, STEP_TOLERANCE = 1e-3;
+    const bool rebuilt = kinematics_rebuilds(d->kinematics);
+    struct system *system = &s->march.system;
+    enum status st;
+
+    if (d->solver == SOLVER_AUTO && rebuilt)
+        TRY(system_iterate(system));
+    struct iterative *it = system->iterative;
+    if (d->kinematics == KINEMATICS_LINEAR || !it)
+        return STATUS_OK;
+    iterative_tolerate(it,
+                       !rebuilt                            ? STEP_TOLERANCE
+                       : iterative_method(it) == SOLVER_CG ? CG_TOLERANCE
+                                                           : GMRES_TOLERANCE,
+                       0);
+    TRY(iterative_follow(it, frames, s, rebuilt));
+out:
+    return st;
+}
+
+static enum status rebuild(struct march *m)
+{
+    struct solid_sheet *s = (struct solid_sheet *)m;
+
+    return solid_assembly_compute(&s->assembly, m->x);
+}
+
+/* Assembles about the rest shape, and finds what is held. */
+static enum status assemble(struct solid_sheet *s, const struct scene *scene,
+                            const struct discretization *d, struct message *why)
+{
+    enum status st;
+    const struct law law = scene_law(scene);
+    const struct solid_material material = solid_element_material(&law, scene->density);
+    struct solid_space *space = &s->space;
+
+    TRY(solid_assembly_init(&s->assembly, space, &material));
+    TRY(supports_init(&s->supports, scene, space->nodes, space->uvw, space->rest, why));
+    st = solid_assembly_compute(&s->assembly, space->rest);
+    if (st != STATUS_OK)
+        TRY(status_fail(why, st, "the rest shape is folded: %s", status_text(st)));
+    TRY(lumped_mass_make(d, &s->assembly.graph, s->assembly.M, why));
+    if (d->kinematics == KINEMATICS_NONLINEAR)
+        TRY(solid_green_init(&s->green, &s->assembly));
+out:
+    return st;
+}
+
 enum status solid_model_init(struct solid_sheet *s, const struct scene *scene,
                              const struct discretization *d, const int points[3],
                              const double *middle, struct message *why)
 {
-    int *order = NULL;
     enum status st;
+    struct solid_space *space = &s->space;
 
-    if (middle && !s->space.thickness_basis)
-        TRY(solid_hinge_init(&s->space, scene, points[2], middle, why));
-    TRY(order_wide(points[0], points[1], points[2], &order));
-    if (s->space.thickness_basis)
-        TRY(find_parity(scene, s->space.nodes, points[2], &s->space.parity));
-    TRY(solid_motion_init(&s->motion, scene, &s->space, d, order, why));
+    if (middle && !space->thickness_basis)
+        TRY(solid_hinge_init(space, scene, points[2], middle, why));
+    if (space->thickness_basis)
+        TRY(find_parity(scene, space->nodes, points[2], &space->parity));
+    memcpy(s->points, d->points, sizeof s->points);
+    TRY(assemble(s, scene, d, why));
+    s->march = (struct march){
+        .body = s->green.body,
+        .scene = scene,
+        .graph = &s->assembly.graph,
+        .M = s->assembly.M,
+        .stiffness = (const double(*)[9])s->assembly.K,
+        .rest = space->rest,
+        .uvw = (const double(*)[3])space->uvw,
+        .measure = s->assembly.volume,
+        .depth = 1,
+        .net = {points[0], points[1], points[2]},
+        .supports = &s->supports,
+        .parity = space->parity,
+        .unknowns = space->thickness_basis ? "thickness" : "control points",
+        .singular = ", or it is too thin for control points as unknowns "
+                    "(discretization.unknowns=thickness is made for that)",
+        .rebuild = rebuild,
+        .relief = d->viscosity == VISCOSITY_MEMBRANE,
+    };
+    TRY(march_init(&s->march, d, why));
+    TRY(follow(s, d));
 out:
-    free(order);
     return st;
+}
+
+enum status solid_model_load(struct solid_sheet *s, const struct dead_load_line line[3])
+{
+    enum status st = march_load(&s->march, line);
+
+    if (s->march.dead && s->space.hinge.column) {
+        solid_hinge_forces(&s->space, s->march.dead);
+        march_weigh(&s->march);
+    }
+    return st;
+}
+
+const struct solid_face *solid_model_face(struct solid_sheet *s, const void *body, int face)
+{
+    const bool both = kinematics_rebuilds(s->march.kinematics);
+
+    if (!contact_wanted(s->march.scene) || face > both)
+        return NULL;
+    s->face[face] = (struct solid_face){body, both ? face : 0.5};
+    return &s->face[face];
+}
+
+enum status solid_model_meet(struct solid_sheet *s, const struct solid_face *face,
+                             struct contact_surface *surface)
+{
+    struct contact_outside *outside = &s->march.outside;
+
+    if (s->march.contact)
+        return contact_init(s->march.contact, s->march.scene, surface);
+    outside->face[face - s->face] = *surface;
+    outside->layers = s->points[2];
+    outside->first_only = s->space.thickness_basis;
+    return STATUS_OK;
 }
 
 enum status solid_model_misfit(struct solid_sheet *s,
                                void (*probe)(const void *state, int n, const double *uvw,
                                              double *xyz))
 {
-    const struct scene *scene = s->motion.scene;
+    const struct scene *scene = s->march.scene;
     double *xyz = NULL;
 
     if (scene->shape == SCENE_FLAT)
@@ -245,7 +265,7 @@ void solid_model_describe(const void *state, struct message *line)
     const struct solid_sheet *s = state;
     const double misfit = s->misfit, round_off = 1e-12; /* [m] */
 
-    large_leapfrog_describe(&s->motion.large, line);
+    march_describe(state, line);
     if (misfit > round_off)
         snprintf(line->text, sizeof line->text,
                  "the curved rest shape is met to %.2g m: straight pieces stand for arcs",

@@ -161,7 +161,8 @@ static void test_integrals(double opening, double flare)
     d.unknowns = UNKNOWNS_POINTS;
     d.gauss[0] = 3, d.gauss[1] = 10, d.gauss[2] = 2;
     void *state = create(iga, &s, &d);
-    const struct solid_motion *m = state;
+    const struct solid_sheet *sheet = state;
+    const struct march *m = &sheet->march;
     REQUIRE(iga->matrices(state, &K, &M) == STATUS_OK);
     double mass = 0, moment[3] = {0}, weight = 0;
     for (long e = 0; e < M.entries; e++) {
@@ -169,7 +170,7 @@ static void test_integrals(double opening, double flare)
         mass += c == 0 ? (a == b ? 1 : 2) * M.value[e] : 0;
         moment[c] += M.value[e] * (m->x[3 * a + c] + (a == b ? 0 : m->x[3 * b + c]));
     }
-    for (int a = 0; a < m->space->nodes; a++)
+    for (int a = 0; a < sheet->space.nodes; a++)
         weight += m->load[3 * a + 2];
 
     /* Pappus and Guldin; r = mean + L sin beta (u - 1/2) + h cos beta (w - 1/2). */

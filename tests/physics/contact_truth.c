@@ -65,15 +65,12 @@ static const struct variant {
 /* The longest piece of a step that Newton's method is let solve [s]. */
 static double longest = INFINITY;
 
-enum status __real_large_newton_solve(struct large_motion *m,
-                                      const struct large_equation *e, double *x,
-                                      struct counters *counters);
-enum status __wrap_large_newton_solve(struct large_motion *m,
-                                      const struct large_equation *e, double *x,
-                                      struct counters *counters);
-enum status __wrap_large_newton_solve(struct large_motion *m,
-                                      const struct large_equation *e, double *x,
-                                      struct counters *counters)
+enum status __real_large_newton_solve(struct march *m, const struct large_equation *e,
+                                      double *x, struct counters *counters);
+enum status __wrap_large_newton_solve(struct march *m, const struct large_equation *e,
+                                      double *x, struct counters *counters);
+enum status __wrap_large_newton_solve(struct march *m, const struct large_equation *e,
+                                      double *x, struct counters *counters)
 {
     if (e->mass < 2 / (longest * longest)) /* the motion halves its step */
         return STATUS_DIVERGED;

@@ -1,8 +1,8 @@
-/* Explicit steps of shell and solids (large_leapfrog.h): the motion that implicit steps
+/* Explicit steps of shell and solids (integrator_leapfrog.c): the motion that implicit steps
  * give, the stable step and what watches it, the shell's mass. (Falls:
  * fall.c; order: time_order.c; rest: settle.c.) */
 #include "models/mechanics/lumped_mass.h"
-#include "models/solid/solid_motion.h"
+#include "models/solid/solid_model.h"
 #include "shell_ref/shell_model.h"
 #include "tests/opened_run.h"
 
@@ -37,8 +37,8 @@ static const double IMPLICIT = 5e-5, IMPLICIT_MOVED = 8e-4;
 /* The implicit model's mass becomes the explicit one's. */
 static void lump(struct run *run, const struct discretization *d)
 {
-    struct shell_motion *shell = run->state;
-    struct solid_motion *solid = run->state;
+    struct shell *shell = run->state;
+    struct solid_sheet *solid = run->state;
     const bool thick = run->contestant->layers;
 
     REQUIRE(lumped_mass_make(d, thick ? &solid->assembly.graph : &shell->assembly.graph,

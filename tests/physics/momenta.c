@@ -4,7 +4,7 @@
 
 #include "mass_spring/spring_motion.h"
 #include "shell_ref/shell_model.h"
-#include "models/solid/solid_motion.h"
+#include "models/mechanics/march.h"
 #include "tests/opened_run.h"
 #include "triangles/tri_model.h"
 
@@ -34,7 +34,7 @@ static const struct row {
     {"mass_spring_momentum", "discretization.points=[6,5]", {0}},
 };
 
-/* The moving parts; a state begins with its model's motion. */
+/* The moving parts; a state begins with its march. */
 struct parts {
     const struct blocks *graph;
     const double *M, *x; /* [pairs], [nodes][3]                                        */
@@ -43,19 +43,9 @@ struct parts {
 
 static struct parts parts_of(const struct run *run)
 {
-    const struct large_motion *m = NULL;
+    const struct march *m = run->state;
 
-    if (run->contestant->layers) {
-        const struct solid_motion *s = run->state;
-        return (struct parts){&s->assembly.graph, s->assembly.M, s->x, s->newmark.v};
-    }
-    if (!strcmp(run->model->name, "shell"))
-        m = &((struct shell_motion *)run->state)->large;
-    else if (!strcmp(run->model->name, "triangles"))
-        m = &((struct tri_motion *)run->state)->large.motion;
-    else
-        m = &((struct spring_motion *)run->state)->large.motion;
-    return (struct parts){m->graph, m->M, m->x, m->newmark->v};
+    return (struct parts){m->graph, m->M, m->x, m->v};
 }
 
 /* Momentum, and angular momentum about the origin. */

@@ -46,12 +46,12 @@ static void wave(double t, double shift[3])
 static void edge_products(const struct run *run, const struct modes *m,
                           const struct matrix *A, double *out)
 {
-    const struct solid_motion *s = run_motion(run);
+    const struct solid_sheet *s = run_solid(run);
     double *y = calloc(m->unknowns, sizeof *y), *x = calloc(m->unknowns, sizeof *x);
 
     REQUIRE(x && y);
-    for (int a = 0; a < s->space->nodes; a++)
-        for (int i = 0; i < 3 && s->space->uvw[a][0] == 1; i++)
+    for (int a = 0; a < s->space.nodes; a++)
+        for (int i = 0; i < 3 && s->space.uvw[a][0] == 1; i++)
             x[3 * a + i] = REACH[i];
     for (long e = 0; e < A->entries; e++) {
         y[A->row[e]] += A->value[e] * x[A->column[e]];
@@ -103,9 +103,9 @@ static double error_at(const char *damping, double alpha, double beta, int steps
     edge_products(&run, &m, &K, k);
     edge_products(&run, &m, &M, mass);
     opened_steps(&run, steps);
-    double *d = run_motion(&run)->newmark.d;
-    for (int h = 0; h < run_motion(&run)->supports.held_count; h++)
-        d[run_motion(&run)->supports.held[h]] = 0; /* only free ones are projected */
+    double *d = run_solid(&run)->march.d;
+    for (int h = 0; h < run_solid(&run)->supports.held_count; h++)
+        d[run_solid(&run)->supports.held[h]] = 0; /* only free ones are projected */
     modes_project(&m, &run, d, q);
     for (int i = 0; i < m.count; i++) {
         double want = 0, c = alpha + beta * m.lambda[i];

@@ -60,13 +60,13 @@ static void check_modes(const char *damping, double alpha, double beta, int step
     double *q = malloc((size_t)m.count * sizeof *q), dt = run.scene.step;
     for (int i = 0; i < m.count; i++)
         q[i] = 1;
-    modes_combine(&m, q, run_motion(&run)->newmark.d);
+    modes_combine(&m, q, run_solid(&run)->march.d);
     CHECK(sqrt(m.lambda[0]) * dt < 0.2 && sqrt(m.lambda[m.count - 1]) * dt > 5);
     for (int done = 0; done < steps;) {
         int more = done < 10 ? 1 : steps / 10;
         opened_steps(&run, more);
         done += more;
-        modes_project(&m, &run, run_motion(&run)->newmark.d, q);
+        modes_project(&m, &run, run_solid(&run)->march.d, q);
         for (int i = 0; i < m.count; i++) {
             double want = trapezoidal(alpha + beta * m.lambda[i], m.lambda[i], dt, done);
             double theta = 2 * atan(sqrt(m.lambda[i]) * dt / 2);
@@ -95,7 +95,7 @@ static void check_velocity_damping(const char *damping, double dt, double factor
            *load = malloc((size_t)m.count * sizeof *q);
     modes_load(&m, &run, load);
     opened_steps(&run, STEPS);
-    modes_project(&m, &run, run_motion(&run)->newmark.d, q);
+    modes_project(&m, &run, run_solid(&run)->march.d, q);
     for (int i = 0; i < m.count; i++) {
         double d = 0, v = 0, a = load[i], c = dt * dt / 4;
         for (int n = 0; n < STEPS; n++) {

@@ -161,7 +161,7 @@ static void check_death(enum solver solver, enum preconditioner preconditioner)
     d.solver = solver, d.preconditioner = preconditioner;
     REQUIRE(contestant_find("iga", &c, NULL) == STATUS_OK);
     REQUIRE(model_create(c->model, &scene, &d, &state, NULL) == STATUS_OK);
-    struct solid_motion *m = state; /* solid_model.h: a state begins with it */
+    struct march *m = state; /* march.h: a state begins with it */
     iterative_tolerate(m->system.iterative, 1e-30, 0);
     CHECK(c->model->advance(state, &work) == STATUS_UNSOLVED);
     CHECK(status_is_death(STATUS_UNSOLVED) && work.solves > 1);

@@ -80,10 +80,10 @@ static void check_parity(const char *name, const int degree[3], const int points
              degree[2]);
     OPENED_RUN(&run, "cantilever", name, MATERIAL, "supports=[]", "gravity=[0,0,0]",
                pose[normal], text[0], text[1], degree[2] ? text[2] : NULL);
-    const struct solid_motion *m = run.state; /* solid_model.h: a state begins with it */
-    REQUIRE(m->space->parity);
-    CHECK_NEAR(largest_dropped(&m->assembly, m->space->parity, &count), 0, TOL_DROPPED);
-    CHECK(3 * count > 9 * m->assembly.graph.start[m->space->nodes]); /* near half */
+    const struct solid_sheet *m = run.state; /* solid_model.h: a state begins with it */
+    REQUIRE(m->space.parity);
+    CHECK_NEAR(largest_dropped(&m->assembly, m->space.parity, &count), 0, TOL_DROPPED);
+    CHECK(3 * count > 9 * m->assembly.graph.start[m->space.nodes]); /* near half */
     run_close(&run);
 }
 

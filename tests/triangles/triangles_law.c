@@ -133,8 +133,8 @@ static double quadratic(struct tri_motion *m, const double *d)
 
     REQUIRE(count_of(m) <= MOST);
     CHECK(large_body_tangent(&m->body.body, &large_path_statics, m->net.points.rest,
-                             (struct large_foresight){0}, m->large.K) == STATUS_OK);
-    blocks_multiply(&m->net.graph, (const double(*)[9])m->large.K, d, Kd);
+                             (struct large_foresight){0}, m->march.K) == STATUS_OK);
+    blocks_multiply(&m->net.graph, (const double(*)[9])m->march.K, d, Kd);
     return derivative_dot(count_of(m), d, Kd) / 2;
 }
 

@@ -10,7 +10,7 @@
 #include "bench/experiment/measurement.h"
 #include "bench/files/store.h"
 #include "models/clock.h"
-#include "models/solid/solid_motion.h"
+#include "models/solid/solid_model.h"
 #include "tests/run_fixture.h"
 #include "tests/said.h"
 #include "tests/scratch.h"
@@ -349,8 +349,8 @@ static void test_phases(void)
     CHECK(assemblies == 1 + 5);
     slowly = false;
     /* an inside-out element has no matrices */
-    struct solid_motion *motion = run.state;
-    double *rest = motion->space->rest;
+    struct solid_sheet *sheet = run.state;
+    double *rest = sheet->space.rest;
     for (int i = 0; i < 18; i++)
         rest[3 * i] = -rest[3 * i];
     double none[] = {-1, -1};

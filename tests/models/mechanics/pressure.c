@@ -22,21 +22,21 @@ static const double BREATH = 3e-3, DRIFT = 3e-3;
         "discretization.viscosity=none", "discretization.remedy=none"
 
 /* Computes the force at (1 - share) from + share to. */
-static double *force_at(const struct shell_motion *m, double factor, const double *from,
+static double *force_at(const struct shell *m, double factor, const double *from,
                         double share, const double *to)
 {
-    double *f = calloc(3 * (size_t)m->space->nodes, sizeof *f);
+    double *f = calloc(3 * (size_t)m->space.nodes, sizeof *f);
 
     REQUIRE(f);
-    pressure_force(&m->pressure, factor, from, share, to, f);
+    pressure_force(&m->march.pressure, factor, from, share, to, f);
     return f;
 }
 
 /* Compares differences between x - d and x + d of any size: the volume is of third degree.
  * The rule of degree 2 is exact for products of three functions. `axial`: compare forces
  * along the axis, too. */
-static void check_derivatives(const struct shell_motion *m, const double *x,
-                              const double *d, bool axial)
+static void check_derivatives(const struct shell *m, const double *x, const double *d,
+                              bool axial)
 {
     const struct blocks *graph = &m->assembly.graph;
     const size_t count = 3 * (size_t)graph->nodes;
@@ -47,7 +47,7 @@ static void check_derivatives(const struct shell_motion *m, const double *x,
     REQUIRE(end[0] && end[1] && Kd && K);
     for (size_t t = 0; t < count; t++)
         end[0][t] = x[t] - d[t], end[1][t] = x[t] + d[t];
-    pressure_tangent(&m->pressure, 2, end[0], 0.5, end[1], graph, K);
+    pressure_tangent(&m->march.pressure, 2, end[0], 0.5, end[1], graph, K);
     blocks_multiply(graph, (const double(*)[9])K, d, Kd);
     double *f = force_at(m, 2, NULL, 1, x), *step = force_at(m, 2, end[0], 0.5, end[1]);
     double *side[2] = {force_at(m, 1, NULL, 1, end[0]), force_at(m, 1, NULL, 1, end[1])};
@@ -57,7 +57,7 @@ static void check_derivatives(const struct shell_motion *m, const double *x,
         step[t] -= f[t];
         side[1][t] = axial || t % 3 != 1 ? side[1][t] - side[0][t] + 2 * Kd[t] : 0;
     }
-    CHECK_RELATIVE(work, -pressure_energy(&m->pressure, end[0], end[1]), ROUND_OFF);
+    CHECK_RELATIVE(work, -pressure_energy(&m->march.pressure, end[0], end[1]), ROUND_OFF);
     CHECK_NEAR(sum / derivative_norm(count, f), 0, ROUND_OFF);
     CHECK_NEAR(derivative_norm(count, step) / derivative_norm(count, f), 0, ROUND_OFF);
     CHECK_NEAR(derivative_norm(count, side[1]) / derivative_norm(count, Kd), 0, ROUND_OFF);
@@ -72,14 +72,14 @@ static void check_tube(bool within)
     struct run run = {0};
 
     OPENED_RUN(&run, "drape", "shell", TUBE, "pressure=3", "supports=[]");
-    const struct shell_motion *m = run.state;
-    const int nodes = m->space->nodes, around = bspline_points(&m->space->basis[1]);
-    double *x = shell_moved(m->space, 0.1, 3), *d = shell_moved(m->space, 0.1, 5);
+    const struct shell *m = run.state;
+    const int nodes = m->space.nodes, around = bspline_points(&m->space.basis[1]);
+    double *x = shell_moved(&m->space, 0.1, 3), *d = shell_moved(&m->space, 0.1, 5);
     for (int t = 0; t < 3 * nodes; t++) {
         const bool end = t / 3 < around || t / 3 >= nodes - around;
         const bool moves = within ? !end : t % 3 != 1;
-        d[t] = moves ? d[t] - m->space->rest[t] : 0;
-        x[t] = moves ? x[t] : m->space->rest[t];
+        d[t] = moves ? d[t] - m->space.rest[t] : 0;
+        x[t] = moves ? x[t] : m->space.rest[t];
     }
     check_derivatives(m, x, d, within);
     free(x);

@@ -1,5 +1,25 @@
-#include "models/mechanics/large_leapfrog.h"
-
+/* integrator_leapfrog.c - a body at large displacements in time by explicit leapfrog steps
+ * (central differences; Hughes 2000, The Finite Element Method, 9.1), second order:
+ *     v(n+1/2) = ((1 - alpha dt/2) v(n-1/2) + dt a(n)) / (1 + alpha dt/2),
+ *     x(n+1) = x(n) + dt v(n+1/2),   M a(n) = load - f(x(n)),
+ * whose first and last kicks in a frame are half ones, v(n) the mean of v(n-1/2) and
+ * v(n+1/2): v belongs to x at its ends.
+ * Stiffness damping takes the rate of strain of half a step ago: first order in beta. No
+ * tangent is made in a step.
+ *
+ * Mass. Row sums (lumped_mass.h): M is diagonal, and a step costs its forces. Of a body
+ * that says what is beyond them (march.h) M^-1 is D^-1 + D^-1 beyond D^-1, D the row
+ * sums: symmetric, and positive where the mass D - beyond is below 2 D.
+ *
+ * Steps. A frame has as many as keep 0.95 of the greatest stable step about rest,
+ * sqrt(beta^2 + 4 / omega^2) - beta, omega the largest frequency by Lanczos' method. A
+ * sheet that is stretched is stiffer: after every frame its energy is compared with the
+ * least it has had since, the work of supports and pressure apart. A frame that has
+ * gained is done again in twice as many steps, which then stay; one that gains in 256 times
+ * as many, or in the number that was asked for, is a death.
+ *
+ * Contact moves the nodes at the end of each step (contact_project).
+ */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,6 +27,7 @@
 
 #include "models/linalg/krylov.h"
 #include "models/mechanics/frequency.h"
+#include "models/mechanics/march_rest.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -28,9 +49,9 @@ static const double WATCHED = 1e-2, TOLD = 1e-7;
 /* Strains below this are round-off. */
 static const double ROUND_OFF = 1e-10;
 
-struct large_leapfrog {
-    struct large_motion *m; /* borrowed                                              */
-    void *room;             /* memory of the arrays                          owned   */
+struct leapfrog {
+    struct march *m; /* borrowed                                              */
+    void *room;      /* memory of the arrays                          owned   */
     int asked, substeps, doublings;
     double limit;       /* greatest stable step about rest                   [s]   */
     double least, most; /* energy so far, see judge                          [J]   */
@@ -52,38 +73,31 @@ struct large_leapfrog {
     double *krylov;            /* with m->beyond: work                                    */
 };
 
-static size_t count_of(const struct large_leapfrog *l)
+static size_t count_of(const struct leapfrog *l)
 {
     return 3 * (size_t)l->m->graph->nodes;
 }
 
-static double step_of(const struct large_leapfrog *l)
+static double step_of(const struct leapfrog *l)
 {
-    return l->m->newmark->dt / l->substeps;
+    return l->m->dt / l->substeps;
 }
 
-enum status large_leapfrog_refuse(const struct discretization *d, struct message *why)
+static void discard(struct leapfrog *l)
 {
-    if (d->integrator == INTEGRATOR_LEAPFROG && d->kinematics != KINEMATICS_NONLINEAR)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "integrator=leapfrog: with kinematics=nonlinear only, not %s",
-                           option_kinematics[d->kinematics]);
-    if (d->integrator != INTEGRATOR_LEAPFROG && d->substeps)
-        return status_fail(why, STATUS_INPUT, "substeps: with integrator=leapfrog only");
-    return model_refuse_options(d, why);
-}
-
-void large_leapfrog_free(struct large_leapfrog *l)
-{
-    if (!l)
-        return;
-    free(l->room);
+    if (l)
+        free(l->room);
     free(l);
 }
 
-static void make_mass(struct large_leapfrog *l)
+static void clear(struct march *m)
 {
-    const struct large_motion *m = l->m;
+    discard(m->own);
+}
+
+static void make_mass(struct leapfrog *l)
+{
+    const struct march *m = l->m;
 
     for (size_t t = 0; t < count_of(l); t++) {
         double mass = m->M[m->graph->start[t / 3]];
@@ -96,33 +110,31 @@ static void make_mass(struct large_leapfrog *l)
 }
 
 /* Chooses the step with the tangent m->K about rest; l->a is work. */
-static enum status choose_step(struct large_leapfrog *l, struct message *why)
+static enum status choose_step(struct leapfrog *l, struct message *why)
 {
     enum status st;
-    const struct large_motion *m = l->m;
+    const struct march *m = l->m;
     double omega;
 
     for (int a = 0; a < m->graph->nodes; a++)
         l->a[a] = m->M[m->graph->start[a]];
     TRY(frequency_largest(m->graph, m->supports, l->a, m->beyond, (const double(*)[9])m->K,
                           &omega));
-    l->limit = frequency_limit(omega, m->newmark->beta);
-    TRY(frequency_steps(m->newmark->dt, l->limit, CHOSEN, l->asked, &l->substeps, why));
+    l->limit = frequency_limit(omega, m->beta);
+    TRY(frequency_steps(m->dt, l->limit, CHOSEN, l->asked, &l->substeps, why));
 out:
     return st;
 }
 
-enum status large_leapfrog_make(struct large_motion *m, const struct discretization *d,
-                                struct message *why)
+static enum status make(struct march *m, const struct discretization *d,
+                        struct message *why)
 {
     enum status st;
-    struct large_leapfrog *l = NULL;
+    struct leapfrog *l = NULL;
     size_t count = 3 * (size_t)m->graph->nodes;
     bool meets = m->contact != NULL, moving = m->supports->moving;
     size_t held = moving ? (size_t)m->supports->held_count : 0;
 
-    if (d->integrator != INTEGRATOR_LEAPFROG)
-        return STATUS_OK;
     l = calloc(1, sizeof *l);
     if (!l)
         return STATUS_MEMORY;
@@ -133,21 +145,22 @@ enum status large_leapfrog_make(struct large_motion *m, const struct discretizat
         ROOM(l->image, m->beyond ? count : 0),
         ROOM(l->krylov, m->beyond ? krylov_cg_work((int)count) : 0),
         ROOM(l->before, meets ? count : 0), ROOM(l->compliance, meets ? count / 3 : 0),
-        ROOM(l->fixed, meets ? count : 0), ROOM(l->blow, m->pressure ? count : 0),
-        ROOM(l->pull, held), ROOM(l->shift, held)));
+        ROOM(l->fixed, meets ? count : 0),
+        ROOM(l->blow, m->scene->pressure != 0 ? count : 0), ROOM(l->pull, held),
+        ROOM(l->shift, held)));
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
                            (struct large_foresight){0}, m->K));
     make_mass(l);
     TRY(choose_step(l, why));
-    m->leapfrog = l, l = NULL;
+    m->own = l, l = NULL;
 out:
-    large_leapfrog_free(l);
+    discard(l);
     return st;
 }
 
 /* Computes D^-1 F of the free unknowns in place of F, D the row sums. */
-static void divide(const struct large_leapfrog *l, double *F)
+static void divide(const struct leapfrog *l, double *F)
 {
     supports_to_frames(l->m->supports, F);
     for (size_t t = 0; t < count_of(l); t++)
@@ -156,7 +169,7 @@ static void divide(const struct large_leapfrog *l, double *F)
 }
 
 /* Adds to a = D^-1 F what the mass lacks of D: D^-1 beyond a. */
-static void add_beyond(const struct large_leapfrog *l, double *a)
+static void add_beyond(const struct leapfrog *l, double *a)
 {
     blocks_multiply_mass(l->m->graph, l->m->beyond, a, l->image);
     divide(l, l->image);
@@ -167,7 +180,7 @@ static void add_beyond(const struct large_leapfrog *l, double *a)
 /* Computes the velocity v of a momentum. */
 static void velocity_of(void *self, const double *momentum, double *v)
 {
-    const struct large_leapfrog *l = self;
+    const struct leapfrog *l = self;
 
     memcpy(v, momentum, count_of(l) * sizeof *v);
     divide(l, v);
@@ -177,7 +190,7 @@ static void velocity_of(void *self, const double *momentum, double *v)
 /* Computes the momentum of a velocity by row sums. */
 static enum status heavy(void *self, const double *v, double *momentum)
 {
-    const struct large_leapfrog *l = self;
+    const struct leapfrog *l = self;
 
     memcpy(momentum, v, count_of(l) * sizeof *v);
     supports_to_frames(l->m->supports, momentum);
@@ -188,10 +201,10 @@ static enum status heavy(void *self, const double *v, double *momentum)
 }
 
 /* Returns the free unknowns' kinetic energy; NaN: it cannot be had. */
-static double kinetic(const struct large_leapfrog *l, double tolerance)
+static double kinetic(const struct leapfrog *l, double tolerance)
 {
-    const struct large_motion *m = l->m;
-    double *y = m->newmark->work, *v = m->newmark->v, sum = 0;
+    const struct march *m = l->m;
+    double *y = m->work, *v = m->v, sum = 0;
     bool done = true;
 
     if (m->beyond) {
@@ -215,18 +228,18 @@ static double kinetic(const struct large_leapfrog *l, double tolerance)
 }
 
 /* Computes a at x; features that the scene lacks cost nothing. */
-static enum status accelerate(struct large_leapfrog *l, struct counters *counters)
+static enum status accelerate(struct leapfrog *l, struct counters *counters)
 {
     enum status st;
-    struct large_motion *m = l->m;
-    double *a = l->a, rate = m->newmark->beta / step_of(l);
+    struct march *m = l->m;
+    double *a = l->a, rate = m->beta / step_of(l);
     const struct large_path path = {
         .s0 = -rate, .s1 = 1 + rate, .g1 = 1, .strain_old = m->strain_old};
 
     TRY(large_body_force(&m->body, &path, m->x, a));
-    if (m->pressure) {
+    if (m->pressure.value != 0) {
         memset(l->blow, 0, count_of(l) * sizeof *l->blow);
-        pressure_force(m->pressure, 1, NULL, 1, m->x, l->blow);
+        pressure_force(&m->pressure, 1, NULL, 1, m->x, l->blow);
         for (size_t t = 0; t < count_of(l); t++)
             a[t] -= l->blow[t];
     }
@@ -246,14 +259,14 @@ out:
 }
 
 /* Returns the free unknowns' kinetic and all stored energy, less the work put in. */
-static double energy_now(const struct large_leapfrog *l)
+static double energy_now(const struct leapfrog *l)
 {
     return l->stored - l->work + kinetic(l, WATCHED);
 }
 
-static enum status store(struct large_leapfrog *l, double *elastic)
+static enum status store(struct leapfrog *l, double *elastic)
 {
-    const struct large_motion *m = l->m;
+    const struct march *m = l->m;
     enum status st = m->body.energy(m->body.self, m->x, elastic);
 
     if (m->contact)
@@ -265,17 +278,16 @@ static enum status store(struct large_leapfrog *l, double *elastic)
 }
 
 /* Starts from any x and v at time t. */
-static enum status begin(struct large_leapfrog *l, double t, struct counters *counters)
+static enum status begin(struct leapfrog *l, double t, struct counters *counters)
 {
     enum status st;
-    struct large_motion *m = l->m;
-    struct newmark *n = m->newmark;
-    double elastic, *x_before = m->room;
+    struct march *m = l->m;
+    double elastic, *x_before = m->newton;
 
-    large_body_follow(m, t);
-    for (size_t k = 0; n->beta > 0 && k < count_of(l); k++)
-        x_before[k] = m->x[k] - step_of(l) * n->v[k];
-    if (n->beta > 0)
+    march_follow(m, t);
+    for (size_t k = 0; m->beta > 0 && k < count_of(l); k++)
+        x_before[k] = m->x[k] - step_of(l) * m->v[k];
+    if (m->beta > 0)
         TRY(large_body_strain(&m->body, x_before, m->strain_old));
     TRY(accelerate(l, counters));
     TRY(store(l, &elastic));
@@ -285,30 +297,30 @@ out:
 }
 
 /* Returns the kinetic energy of what is free of nodes with frames. */
-static double kinetic_along(const struct large_leapfrog *l)
+static double kinetic_along(const struct leapfrog *l)
 {
-    const struct large_motion *m = l->m;
+    const struct march *m = l->m;
     const struct supports_frame *f = m->supports->frame;
     double sum = 0;
 
     for (int n = 0; n < m->supports->frame_count; n++) {
-        const double v = vector_dot(f[n].axes, m->newmark->v + 3 * (size_t)f[n].node);
+        const double v = vector_dot(f[n].axes, m->v + 3 * (size_t)f[n].node);
         sum += m->M[m->graph->start[f[n].node]] * v * v / 2;
     }
     return sum;
 }
 
 /* Moves held unknowns to time t. What frames gain as they turn is the supports' work. */
-static void move_supports(struct large_leapfrog *l, double t, double dt)
+static void move_supports(struct leapfrog *l, double t, double dt)
 {
-    struct large_motion *m = l->m;
+    struct march *m = l->m;
     struct supports *s = m->supports;
-    double *v = m->newmark->v;
+    double *v = m->v;
 
     l->work -= kinetic_along(l);
     supports_turn(s, m->scene, t, t, m->x);
     l->work += kinetic_along(l);
-    struct newmark_held held = newmark_follow(s, m->scene, t, dt, m->held);
+    struct march_held held = march_path(m, t, dt);
     for (int h = 0; h < s->held_count; h++) {
         const double x = supports_get(s, h, m->rest) + held.d[h];
         const double from =
@@ -320,22 +332,22 @@ static void move_supports(struct large_leapfrog *l, double t, double dt)
 }
 
 /* Adds half of a step's work by the forces at x. */
-static void add_work(struct large_leapfrog *l)
+static void add_work(struct leapfrog *l)
 {
     const struct supports *s = l->m->supports;
     const double half = step_of(l) / 2;
 
     for (int h = 0; s->moving && h < s->held_count; h++)
         l->work += l->pull[h] * l->shift[h] / 2;
-    for (size_t t = 0; l->m->pressure && t < count_of(l); t++)
-        l->work += l->blow[t] * half * l->m->newmark->v[t];
+    for (size_t t = 0; l->m->pressure.value != 0 && t < count_of(l); t++)
+        l->work += l->blow[t] * half * l->m->v[t];
 }
 
 /* Ends a step that began at time t by contact; v is then that of the real way. */
-static enum status meet(struct large_leapfrog *l, double t, double dt)
+static enum status meet(struct leapfrog *l, double t, double dt)
 {
-    struct large_motion *m = l->m;
-    const double share = 1 + m->newmark->alpha * dt / 2;
+    struct march *m = l->m;
+    const double share = 1 + m->alpha * dt / 2;
 
     for (int a = 0; a < m->graph->nodes; a++)
         l->compliance[a] = dt * dt / share / m->M[m->graph->start[a]];
@@ -343,7 +355,7 @@ static enum status meet(struct large_leapfrog *l, double t, double dt)
     enum status st = contact_project(m->contact, l->compliance, l->fixed, m->x);
     for (size_t k = 0; m->contact->count && k < count_of(l); k++)
         if (l->fixed[k] >= 0)
-            m->newmark->v[k] = (m->x[k] - l->before[k]) / dt;
+            m->v[k] = (m->x[k] - l->before[k]) / dt;
     l->work += contact_body_work(m->contact, m->x);
     for (int i = 0; i < 3; i++)
         m->push[i] += m->contact->force[i] / l->substeps;
@@ -351,10 +363,10 @@ static enum status meet(struct large_leapfrog *l, double t, double dt)
 }
 
 /* Computes v <- keep v + push a where nothing is held. */
-static void kick(struct large_leapfrog *l, double keep, double push)
+static void kick(struct leapfrog *l, double keep, double push)
 {
     const struct supports *s = l->m->supports;
-    double *v = l->m->newmark->v;
+    double *v = l->m->v;
 
     supports_to_frames(s, v);
     supports_to_frames(s, l->a);
@@ -365,11 +377,11 @@ static void kick(struct large_leapfrog *l, double keep, double push)
 }
 
 /* Runs a frame from time t. */
-static enum status run(struct large_leapfrog *l, double t, struct counters *counters)
+static enum status run(struct leapfrog *l, double t, struct counters *counters)
 {
     enum status st = STATUS_OK;
-    struct large_motion *m = l->m;
-    double dt = step_of(l), half = m->newmark->alpha * dt / 2;
+    struct march *m = l->m;
+    double dt = step_of(l), half = m->alpha * dt / 2;
     bool moving = m->supports->moving;
 
     memset(m->push, 0, sizeof m->push);
@@ -381,7 +393,7 @@ static enum status run(struct large_leapfrog *l, double t, struct counters *coun
         if (l->before)
             memcpy(l->before, m->x, count_of(l) * sizeof *m->x);
         for (size_t k = 0; k < count_of(l); k++)
-            m->x[k] += dt * m->newmark->v[k];
+            m->x[k] += dt * m->v[k];
         if (moving)
             move_supports(l, t + (n + 1) * dt, dt);
         if (l->before)
@@ -397,7 +409,7 @@ out:
 }
 
 /* Rejects a state that has gained energy: STATUS_GAINED. */
-static enum status judge(struct large_leapfrog *l)
+static enum status judge(struct leapfrog *l)
 {
     const struct scene *s = l->m->scene;
     const struct law law = scene_law(s);
@@ -415,45 +427,43 @@ static enum status judge(struct large_leapfrog *l)
 }
 
 /* Restores the state where the frame began. */
-static void restore(struct large_leapfrog *l, double work)
+static void restore(struct leapfrog *l, double work)
 {
     size_t bytes = count_of(l) * sizeof *l->a;
 
     memcpy(l->m->x, l->x_start, bytes);
-    memcpy(l->m->newmark->v, l->v_start, bytes);
+    memcpy(l->m->v, l->v_start, bytes);
     l->work = work;
     l->m->started = false;
 }
 
-double large_leapfrog_kinetic(const struct large_motion *m)
+static double told_kinetic(const struct march *m)
 {
-    return kinetic(m->leapfrog, TOLD);
+    return kinetic(m->own, TOLD);
 }
 
-void large_leapfrog_describe(const struct large_motion *m, struct message *line)
+static void describe(const struct march *m, struct message *line)
 {
-    const struct large_leapfrog *l = m->leapfrog;
+    const struct leapfrog *l = m->own;
 
-    *line->text = '\0';
-    if (l)
-        snprintf(line->text, sizeof line->text,
-                 "explicit steps of %.3g s, %d a frame; about rest %.3g s are stable; row "
-                 "sums of the mass%s",
-                 step_of(l), l->substeps, l->limit,
-                 m->beyond ? ", and once more of what they leave out" : "");
+    snprintf(line->text, sizeof line->text,
+             "explicit steps of %.3g s, %d a frame; about rest %.3g s are stable; row sums "
+             "of the mass%s",
+             step_of(l), l->substeps, l->limit,
+             m->beyond ? ", and once more of what they leave out" : "");
 }
 
-enum status large_leapfrog_step(struct large_motion *m, double t, struct counters *counters)
+static enum status step(struct march *m, double t, struct counters *counters)
 {
     enum status st = STATUS_OK;
-    struct large_leapfrog *l = m->leapfrog;
+    struct leapfrog *l = m->own;
     size_t bytes = count_of(l) * sizeof *m->x;
     bool first = !m->started;
     double work = l->work;
 
     m->rested = false;
     memcpy(l->x_start, m->x, bytes);
-    memcpy(l->v_start, m->newmark->v, bytes);
+    memcpy(l->v_start, m->v, bytes);
     for (;;) {
         if (!m->started)
             TRY(begin(l, t, counters));
@@ -474,3 +484,13 @@ enum status large_leapfrog_step(struct large_motion *m, double t, struct counter
 out:
     return st;
 }
+
+const struct march_integrator integrator_leapfrog = {
+    .make = make,
+    .step = step,
+    .rest = march_rest_equilibrium,
+    .modes = march_rest_modes,
+    .kinetic = told_kinetic,
+    .describe = describe,
+    .clear = clear,
+};

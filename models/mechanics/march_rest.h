@@ -1,8 +1,8 @@
-/* large_rest.h - static equilibrium of a body at large displacements (large_motion.h). */
-#ifndef LARGE_REST_H
-#define LARGE_REST_H
+/* march_rest.h - static equilibrium of a body at large displacements (march.h). */
+#ifndef MARCH_REST_H
+#define MARCH_REST_H
 
-#include "models/mechanics/large_motion.h"
+#include "models/mechanics/march.h"
 
 /* Moves m->x to equilibrium under the loads; v and a become zero. The load grows from
  * nothing, supports going to their shift of time 0, the next shape guessed along the last
@@ -23,17 +23,22 @@
  * and support reactions is left unbalanced, summed over nodes as lengths, the friction of
  * what slips faster than `creep` added; what friction holds creeps as contact_law.h says.
  * The pressure has no rate here. m->push is the force of bodies. It may be an unstable
- * state where symmetry leads to one: large_rest_modes tells. STATUS_DIVERGED, with what is
+ * state where symmetry leads to one: march_rest_modes tells. STATUS_DIVERGED, with what is
  * left in a sentence, if there is no such state within the budget: a sheet that slides off
  * and falls has none. */
-enum status large_rest_equilibrium(struct large_motion *m, struct counters *counters,
+enum status march_rest_equilibrium(struct march *m, struct counters *counters,
                                    struct message *why);
+
+/* Moves m->x to the equilibrium of a linear body: solves K d = load and refines d once,
+ * which measures the digits left: STATUS_INDEFINITE, with a sentence, if fewer than two. */
+enum status march_rest_linear(struct march *m, struct counters *counters,
+                              struct message *why);
 
 /* Finds model.h's modes about m->x: of its tangent, stress included. Nodes that an obstacle
  * carries may move along it, with the ball's curvature against them, unless friction has
  * strength left: then they stay, by stiff springs, whose own modes appear where nothing
  * else moves. */
-enum status large_rest_modes(struct large_motion *m, int count, double *omega,
+enum status march_rest_modes(struct march *m, int count, double *omega,
                              struct message *why);
 
 #endif

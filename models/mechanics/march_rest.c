@@ -1,10 +1,10 @@
-#include "models/mechanics/large_rest.h"
+#include "models/mechanics/march_rest.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "models/mechanics/contact_system.h"
-#include "models/mechanics/large_motion.h"
+#include "models/mechanics/march.h"
 #include "models/mechanics/large_newton.h"
 #include "models/mechanics/pencil.h"
 #include "models/vector.h"
@@ -32,14 +32,14 @@ enum { MOST_STEPS = 600 };
 
 /* Begins a step at `last` as one of the scene's: friction is that of the way in its time.
  */
-static void begin_contact(struct large_motion *m, const double *last)
+static void begin_contact(struct march *m, const double *last)
 {
     contact_begin_rest(m->contact, supports_rest_time(m->supports, m->scene),
                        m->scene->step, last);
 }
 
 /* Returns the slip of a step from which friction is whole, INFINITY without friction. */
-static double whole_slip(const struct large_motion *m)
+static double whole_slip(const struct march *m)
 {
     return m->contact && contact_rubs(m->contact) ? m->contact->body.creep * m->scene->step
                                                   : INFINITY;
@@ -56,15 +56,15 @@ static double sliding(const struct contact *c)
 }
 
 /* Computes the unbalanced share of the loads and the supports' reactions at m->x. */
-static enum status unbalanced(struct large_motion *m, double *share)
+static enum status unbalanced(struct march *m, double *share)
 {
     enum status st;
     const size_t count = 3 * (size_t)m->graph->nodes;
-    double *f = m->room + 2 * count, *load = f + count, left = 0, borne = 0;
+    double *f = m->newton + 2 * count, *load = f + count, left = 0, borne = 0;
 
     memcpy(load, m->load, count * sizeof *load);
-    if (m->pressure)
-        pressure_force(m->pressure, 1, NULL, 1, m->x, load);
+    if (m->pressure.value != 0)
+        pressure_force(&m->pressure, 1, NULL, 1, m->x, load);
     TRY(large_body_force(&m->body, &large_path_statics, m->x, f));
     for (size_t t = 0; t < count; t++)
         f[t] = load[t] - f[t];
@@ -86,12 +86,12 @@ out:
 }
 
 /* Steps from m->x, which stays there on failure; *moved: the farthest that a node moved. */
-static enum status step_down(struct large_motion *m, double mass, double *moved,
+static enum status step_down(struct march *m, double mass, double *moved,
                              struct counters *counters)
 {
     enum status st;
     size_t count = 3 * (size_t)m->graph->nodes;
-    double *last = m->room, *way = m->room + 2 * count;
+    double *last = m->newton, *way = m->newton + 2 * count;
     const struct large_equation q = {
         .path = {.s1 = 1, .g1 = 1, .x_old = last, .strain_old = m->strain_old},
         .mass = mass,
@@ -116,7 +116,7 @@ out:
 }
 
 /* Returns the factor from this step's mass to the next one's. */
-static double growth(const struct large_motion *m, enum status st, double moved)
+static double growth(const struct march *m, enum status st, double moved)
 {
     double farthest = FARTHEST * m->scene->length;
 
@@ -128,9 +128,8 @@ static double growth(const struct large_motion *m, enum status st, double moved)
 }
 
 /* Moves m->x, any shape with held unknowns where they shall be, to equilibrium by steps
- * downhill (large_rest.h). */
-static enum status settle(struct large_motion *m, struct counters *counters,
-                          struct message *why)
+ * downhill (march_rest.h). */
+static enum status settle(struct march *m, struct counters *counters, struct message *why)
 {
     enum status st = STATUS_OK;
     double first = 1 / (m->scene->step * m->scene->step), mass = first;
@@ -168,43 +167,42 @@ enum { MOST_INCREMENTS = 2000 };
 /* The quantity that grows from 0 to 1: the load, then the time of the supports' paths. */
 enum stage { LOADING, MOVING };
 
-static void begin(struct large_motion *m)
+static void begin(struct march *m)
 {
-    struct newmark *n = m->newmark;
     size_t count = 3 * (size_t)m->graph->nodes;
 
-    memset(n->d, 0, 3 * count * sizeof *n->d); /* d, v and a */
+    memset(m->d, 0, 3 * count * sizeof *m->d); /* d, v and a */
     memcpy(m->x, m->rest, count * sizeof *m->x);
-    memcpy(m->room, m->rest, count * sizeof *m->x);
+    memcpy(m->newton, m->rest, count * sizeof *m->x);
     supports_turn_back(m->supports);
     m->started = m->rested = false;
     m->factored = -1;
     m->halvings = 0;
 }
 
-/* Places held unknowns for this part of the stage; m->room has the last shape. */
-static void place(struct large_motion *m, enum stage stage, double part)
+/* Places held unknowns for this part of the stage; m->newton has the last shape. */
+static void place(struct march *m, enum stage stage, double part)
 {
     double t = stage == MOVING ? part * m->scene->end : 0;
     double scale = stage == LOADING ? part : 1;
     struct supports *s = m->supports;
 
-    supports_turn(s, m->scene, t, t, m->room);
+    supports_turn(s, m->scene, t, t, m->newton);
     supports_shift(s, m->scene, t, m->held);
     for (int h = 0; h < s->held_count; h++)
         supports_set(s, h, m->x, supports_get(s, h, m->rest) + scale * m->held[h]);
     if (s->moving)
-        supports_carry(s, m->room, m->x);
+        supports_carry(s, m->newton, m->x);
 }
 
 /* Finds the shape at `part`, guessed `ahead` times as far beyond the last two shapes as
  * they are apart. */
-static enum status increment_to(struct large_motion *m, enum stage stage, double part,
+static enum status increment_to(struct march *m, enum stage stage, double part,
                                 double ahead, struct counters *counters)
 {
     enum status st;
     size_t count = 3 * (size_t)m->graph->nodes;
-    const double *last = m->room, *before = m->room + count;
+    const double *last = m->newton, *before = m->newton + count;
     const struct large_equation q = {
         .path = large_path_statics, .load = stage == LOADING ? part : 1, .limit = 30};
 
@@ -221,7 +219,7 @@ out:
 /* Relaxes where growing loads fail: a sheet that hangs from a hinge or from corners has no
  * stiffness at first. Backward Euler steps that forget their velocity go downhill instead,
  * in growing steps, until one without mass arrives (pseudo-transient continuation). */
-static enum status relax(struct large_motion *m, struct counters *counters)
+static enum status relax(struct march *m, struct counters *counters)
 {
     enum { STEPS = 400 };
     enum status st = STATUS_DIVERGED;
@@ -243,15 +241,15 @@ static enum status relax(struct large_motion *m, struct counters *counters)
 
 /* Snaps: where moving supports leave no shape near `last`, goes to one far off, downhill,
  * as a snapping sheet does. */
-static enum status snap(struct large_motion *m, double part, struct counters *counters)
+static enum status snap(struct march *m, double part, struct counters *counters)
 {
     enum status st;
     size_t bytes = 3 * (size_t)m->graph->nodes * sizeof(double);
 
-    memcpy(m->x, m->room, bytes);
+    memcpy(m->x, m->newton, bytes);
     place(m, MOVING, part);
     TRY(settle(m, counters, NULL));
-    memcpy(m->room, m->x, bytes);
+    memcpy(m->newton, m->x, bytes);
     TRY(increment_to(m, MOVING, part, 0, counters));
 out:
     return st;
@@ -264,11 +262,10 @@ struct progress {
 };
 
 /* Accepts m->x, the shape at `part`. */
-static void accept(struct large_motion *m, struct progress *p, enum stage stage,
-                   double part)
+static void accept(struct march *m, struct progress *p, enum stage stage, double part)
 {
     size_t count = 3 * (size_t)m->graph->nodes;
-    double *last = m->room, *before = m->room + count;
+    double *last = m->newton, *before = m->newton + count;
 
     memcpy(before, part > 0 ? last : m->x, count * sizeof *last);
     memcpy(last, m->x, count * sizeof *last);
@@ -278,8 +275,7 @@ static void accept(struct large_motion *m, struct progress *p, enum stage stage,
 }
 
 /* Does all of a stage from the present shape. */
-static enum status follow(struct large_motion *m, enum stage stage,
-                          struct counters *counters)
+static enum status follow(struct march *m, enum stage stage, struct counters *counters)
 {
     enum status st = STATUS_DIVERGED;
     struct progress p = {.increment = FIRST_INCREMENT};
@@ -315,12 +311,12 @@ static enum status follow(struct large_motion *m, enum stage stage,
     }
     if (st == STATUS_OK && p.part < 1)
         st = STATUS_DIVERGED;
-    memcpy(m->x, m->room, 3 * (size_t)m->graph->nodes * sizeof *m->x);
+    memcpy(m->x, m->newton, 3 * (size_t)m->graph->nodes * sizeof *m->x);
     m->factored = -1;
     return st;
 }
 
-enum status large_rest_equilibrium(struct large_motion *m, struct counters *counters,
+enum status march_rest_equilibrium(struct march *m, struct counters *counters,
                                    struct message *why)
 {
     enum status st;
@@ -351,8 +347,7 @@ out:
     return st;
 }
 
-enum status large_rest_modes(struct large_motion *m, int count, double *omega,
-                             struct message *why)
+enum status march_rest_modes(struct march *m, int count, double *omega, struct message *why)
 {
     enum status st;
     struct pencil p = {m->graph, (const double(*)[9])m->K, m->M, .stressed = true};
@@ -360,16 +355,70 @@ enum status large_rest_modes(struct large_motion *m, int count, double *omega,
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &large_path_statics, m->x, (struct large_foresight){0},
                            m->K));
-    if (m->pressure)
-        pressure_tangent(m->pressure, 1, NULL, 1, m->x, m->graph, m->K);
+    if (m->pressure.value != 0)
+        pressure_tangent(&m->pressure, 1, NULL, 1, m->x, m->graph, m->K);
     if (m->contact) {
         contact_begin_rest(m->contact, supports_rest_time(m->supports, m->scene),
                            m->scene->step, m->x);
         TRY(contact_find(m->contact, m->x));
-        TRY(contact_coupled_pencil(&m->coupled, m->contact, m->system, m->x, m->K, m->M,
+        TRY(contact_coupled_pencil(&m->coupled, m->contact, &m->system, m->x, m->K, m->M,
                                    &p));
     }
     TRY(pencil_modes(&p, m->supports, NULL, count, omega, why));
+out:
+    return st;
+}
+
+/* --- linear bodies ----------------------------------------------------------------------
+ */
+
+static double largest(size_t count, const double *x)
+{
+    double most = 0;
+
+    for (size_t t = 0; t < count; t++)
+        if (!(fabs(x[t]) <= most))
+            most = fabs(x[t]);
+    return most;
+}
+
+/* A correction above this part of the solution means a numerically singular system. */
+static const double LARGEST_CORRECTION = 1e-2;
+
+enum status march_rest_linear(struct march *m, struct counters *counters,
+                              struct message *why)
+{
+    enum status st;
+    const size_t count = 3 * (size_t)m->graph->nodes;
+    double *r = m->work, change = 0;
+
+    memset(m->d, 0, 3 * count * sizeof *m->d); /* d, v and a */
+    supports_shift(m->supports, m->scene, m->time, m->held);
+    for (int h = 0; h < m->supports->held_count; h++)
+        supports_set(m->supports, h, m->d, m->held[h]);
+    st = system_factor(&m->system, 1, m->stiffness, 0, NULL);
+    counters->factorisations++;
+    for (int pass = 0; st == STATUS_OK && pass < 2; pass++) {
+        blocks_multiply(m->graph, m->stiffness, m->d, r);
+        for (size_t t = 0; t < count; t++)
+            r[t] = m->load[t] - r[t];
+        TRY(system_solve(&m->system, r));
+        counters->solves++;
+        for (size_t t = 0; t < count; t++)
+            m->d[t] += r[t];
+        change = largest(count, r) / largest(count, m->d);
+    }
+    if (st == STATUS_OK && change > LARGEST_CORRECTION)
+        st = STATUS_INDEFINITE;
+    if (st == STATUS_INDEFINITE)
+        status_fail(why, st,
+                    "the stiffness is singular to working accuracy: the supports leave the "
+                    "sheet free to move%s",
+                    m->singular ? m->singular : "");
+    for (size_t t = 0; t < count; t++)
+        m->x[t] = m->rest[t] + m->d[t];
+    if (m->kinematics != KINEMATICS_LINEAR) /* there d is the last step's increment */
+        memset(m->d, 0, count * sizeof *m->d);
 out:
     return st;
 }

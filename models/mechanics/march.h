@@ -1,0 +1,171 @@
+/* march.h - a body with mass, forces and a tangent in time, at rest, and its modes. Shell,
+ * solids and nets give the body (large_body.h), their rest shape and what is held; damping,
+ * supports, loads, pressure, contact and counters are dealt with here, once. A scheme in
+ * time is a row of march.c's table and a file:
+ *
+ *   newmark    a linear body, whose tangent is constant: one factorisation, average
+ *              acceleration (integrator_newmark.c).
+ *   printed    the paper's schemes, on matrices of the present shape in every step:
+ *              kinematics printed and incremental (integrator_printed.c).
+ *   momentum   large displacements, implicit: energy-momentum steps, or Euler's
+ *              (integrator_momentum.c), by Newton's method (large_newton.h).
+ *   leapfrog   large displacements, explicit (integrator_leapfrog.c).
+ *
+ * Equilibrium is in march_rest.c. A model's state begins with a struct march, so that the
+ * functions at the end serve as entries of struct model.
+ */
+#ifndef MARCH_H
+#define MARCH_H
+
+#include "models/contact/contact_outside.h"
+#include "models/mechanics/contact_coupled.h"
+#include "models/mechanics/dead_load.h"
+#include "models/mechanics/large_body.h"
+#include "models/mechanics/pressure.h"
+#include "models/model.h"
+
+struct march {
+    /* The owner sets these before march_init; borrowed. */
+    struct large_body body; /* not needed by `newmark` and `printed`, which have K        */
+    const struct scene *scene;
+    const struct blocks *graph;
+    const double *mass;   /* [nodes] lumped mass, of which M is made then; or NULL [kg]   */
+    const double *M;      /* [pairs] mass                                        [kg]    */
+    const double *beyond; /* [pairs] of explicit steps, whose M is diagonal: the mass is M
+                             less this, below 2 M; NULL: M itself               [kg]    */
+    const double (*stiffness)[9]; /* [pairs] about rest, of the present shape under
+                                     `printed`; NULL: the body's tangent at rest [N/m]   */
+    const double *rest;           /* [nodes][3]                                  [m]     */
+    const double (*uvw)[3]; /* [nodes] parameters if some nodes are differences, or NULL */
+    const double *measure;  /* [nodes] int N_a over area or volume       [m^2 or m^3]    */
+    double depth;           /* of what that does not measure: thickness, or 1  [m or 1]  */
+    double *x;              /* [nodes][3] present coefficients; NULL: made here  [m]     */
+    double *load; /* [nodes][3] gravity, wind and loads; NULL: made here, of measure [N] */
+    int net[3]; /* nodes along u, v, w, numbered w fastest, then v                       */
+    struct supports *supports;
+    const unsigned char *parity; /* [nodes][3] system.h, linear bodies only; or NULL     */
+    const char *unknowns;        /* their basis, in struct model_size                    */
+    const char *singular; /* what else a singular stiffness may mean; NULL: nothing      */
+    enum status (*rebuild)(struct march *m); /* of `printed`: M, stiffness, measure at x */
+    double lag;  /* algorithmic viscosity (integrator_momentum.c)                 */
+    bool relief; /* lag is march_lag for a while after a step that Newton's method cannot
+                    take without                                                         */
+    bool rings;  /* nothing damps the membrane, and Newton's method expects it           */
+
+    bool euler;   /* implicit steps are Euler's                                           */
+    int substeps; /* of a frame; 0: one                                                  */
+    int enough;   /* iterations after which a step is taken; 0: converged                 */
+
+    enum kinematics kinematics;
+    const struct march_integrator *integrator;
+    struct system system;
+    double dt;          /* length of a step                              [s]     */
+    double alpha, beta; /* Rayleigh damping, drag in alpha              [1/s, s] */
+    double gamma;       /* K + gamma M acts on d [1/s^2]; of `printed` only      */
+    double density[SCENE_MAX_SHEETS]; /*                                       [kg/m^3]  */
+    void *room;        /* of the arrays but dead                        owned   */
+    double *d, *v, *a; /* [nodes][3] displacement (integrator_printed.c: increment),
+                          velocity, mean acceleration of the last step */
+    double *work;      /* [3][nodes][3]                                         */
+    double *dead;      /* [nodes][3] of which the scene's loads; or NULL owned  */
+    double *held;      /* [4][held_count] march_path                            */
+    double (*K)[9];    /* [pairs] room for tangents                     [N/m]   */
+    double time;       /*                                               [s]     */
+    bool started; /* newmark: the system is factored; else strain_old belongs to x       */
+    struct pressure pressure; /* value 0: none                                         */
+    struct contact *contact;  /* NULL: nothing to meet                         owned   */
+    struct contact_outside outside; /* `printed`, in its place                           */
+    double push[3]; /* force of bodies, mean over the last step      [N]     */
+
+    /* The rest is of large displacements. */
+    bool full;                      /* a new tangent in each iteration                   */
+    struct contact_coupled coupled; /* where the sheet touches itself            owned   */
+    double *strain_old;             /* strains at the step's start               owned   */
+    double *strain_mean; /* mean of the last step, in the same room; NULL: not rings     */
+    double *gain;        /* of the last substep, gain_dt long; NULL: no viscosity        */
+    double gain_dt;      /*                                                      [s]     */
+    int stay, stays;     /* with relief: substeps that the lag is still for, was last    */
+    double *newton;      /* [6][nodes][3]: x_old, hat, work of large_newton              */
+    double factored;     /* mass factor of the tangent that is factored; -1: none        */
+    double added;        /* mass added to the factored tangent; 0: none         [1/s^2]  */
+    bool stressless;     /* the present tangent leaves out the stress                    */
+    bool worn;           /* the last equation could not do with one factored tangent     */
+    bool rested;         /* x is an equilibrium (march_rest.c)                           */
+    int halvings;        /* the present substep is step / 2^halvings                     */
+    void *own;           /* the integrator's own state                          owned   */
+};
+
+/* A scheme in time. */
+struct march_integrator {
+    /* Makes what it needs besides, at the end of march_init; NULL: nothing. */
+    enum status (*make)(struct march *m, const struct discretization *d,
+                        struct message *why);
+    /* Takes a step of m->dt from time t, x and v; neither damps nor counts it. */
+    enum status (*step)(struct march *m, double t, struct counters *counters);
+    /* Ends a step after velocities were damped; NULL: nothing is left to do. */
+    void (*end)(struct march *m, struct counters *counters);
+    /* Moves x to equilibrium, at m->time. */
+    enum status (*rest)(struct march *m, struct counters *counters, struct message *why);
+    /* Finds model.h's modes about an equilibrium that is m->rested; NULL: none is. */
+    enum status (*modes)(struct march *m, int count, double *omega, struct message *why);
+    /* Returns the free unknowns' kinetic energy where the mass is not M [J]. */
+    double (*kinetic)(const struct march *m);
+    void (*describe)(const struct march *m, struct message *line); /* NULL: nothing       */
+    void (*clear)(struct march *m);                                /* frees m->own        */
+};
+extern const struct march_integrator integrator_newmark, integrator_printed,
+    integrator_momentum, integrator_leapfrog;
+
+/* The viscosity of bodies that need one. */
+extern const double march_lag;
+
+/* Refuses what model_refuse_options does, and an integrator, kinematics and number of
+ * substeps that do not go together. */
+enum status march_refuse(const struct discretization *d, struct message *why);
+
+/* Initialises at rest, of zeros but what the owner sets; *m must stay where it is: it holds
+ * pointers into itself. march_clear follows a failure, too. */
+enum status march_init(struct march *m, const struct discretization *d,
+                       struct message *why);
+
+/* Does so for a net of points, whose nodes are what meets bodies, and whose substeps,
+ * iterations and Euler's steps are choices. */
+enum status march_init_net(struct march *m, const struct discretization *d,
+                           struct message *why);
+void march_clear(struct march *m);
+
+/* Notes that x is at rest at time t: no velocity, and no history of steps. */
+void march_still(struct march *m, double t);
+
+/* Puts the scene's loads on the functions of u, v and w, once. */
+enum status march_load(struct march *m, const struct dead_load_line line[3]);
+
+/* Computes gravity and wind on the present measure, and adds the scene's loads. */
+void march_weigh(struct march *m);
+
+/* The motion of the held unknowns at the end of a step, each [held_count]; NULL of what
+ * does not move. */
+struct march_held {
+    const double *d, *v, *a;
+};
+
+/* Returns the motion by the supports' paths at time t, by central differences over +-dt,
+ * in m->held. */
+struct march_held march_path(struct march *m, double t, double dt);
+
+/* Gives held unknowns the velocity of supports that move, at time t. */
+void march_follow(struct march *m, double t);
+
+/* Entries of struct model, of a state that begins with a struct march. The elastic energy
+ * is NaN under `printed`. march_describe tells of explicit steps and their mass.
+ * march_modes: about equilibrium if that was found last (march_rest.c), else about rest. */
+enum status march_step(void *state, struct counters *counters);
+void march_energy(const void *state, struct energy *energy);
+void march_contact(const void *state, struct model_contact *contact);
+void march_size(const void *state, struct model_size *size);
+void march_describe(const void *state, struct message *line);
+enum status march_equilibrium(void *state, struct counters *counters, struct message *why);
+enum status march_modes(void *state, int count, double *omega, struct message *why);
+enum status march_matrices(const void *state, struct matrix *K, struct matrix *M);
+
+#endif

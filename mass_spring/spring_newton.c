@@ -87,7 +87,7 @@ enum status spring_newton_init(struct spring_newton *s, const struct scene *scen
     if (d->solver == SOLVER_AUTO)
         s->linear.solver = SOLVER_CG; /* on an earlier factor */
     TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, net->rest, why));
-    TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->work, 18 * (size_t)net->nodes)));
+    TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->work, 9 * (size_t)net->nodes)));
 out:
     if (st != STATUS_OK)
         spring_newton_clear(s);
@@ -172,32 +172,37 @@ out:
     return st;
 }
 
-/* Moves x along d as far as is good, with the residual there in r. *part: the share of d;
- * *cut: contact allows no more of it. */
-static enum status search(struct spring_newton *s, const struct spring_problem *p,
-                          const double *d, double *x, double *r, double *part, bool *cut)
-{
-    enum status st = STATUS_OK;
-    size_t count = 3 * (size_t)s->net->nodes;
-    double *from = s->work + 2 * count, *work = s->work + 3 * count;
-    const double fall = product(count, r, d);
-    const double most = p->contact ? contact_limit(p->contact, x, d) : 1;
-    struct contact_share share = {.share = most, .most = most, .high = most};
+/* A step of the iteration: the residual at its start, then where it leads. */
+struct stride {
+    const struct spring_newton *s;
+    const struct spring_problem *p;
+    double *r, *work;
+};
 
-    memcpy(from, x, count * sizeof *x);
-    for (int n = 0; n <= MOST_CUTS; n++) { /* without contact, what is left may drive on */
-        *part = share.share;
-        for (size_t t = 0; t < count; t++)
-            x[t] = from[t] + *part * d[t];
-        TRY(residual(s, p, x, work, r));
-        const double rise = -product(count, r, d);
-        if (fall < 0 || (!p->contact && rise <= 0) ||
-            contact_share_good(&share, fall, rise))
-            break;
-    }
-    *cut = *part == most && most < 1;
-out:
+static enum status look(void *self, const struct contact_change *c, double *rise)
+{
+    struct stride *t = self;
+    const enum status st = residual(t->s, t->p, c->x, t->work, t->r);
+
+    *rise = -product(c->count, t->r, c->d);
     return st;
+}
+
+/* Moves x along d as far as is good, with the residual there in r; *part: of d. */
+static enum status search(struct spring_newton *s, const struct spring_problem *p,
+                          const double *d, double *x, double *r, double *part)
+{
+    const size_t count = 3 * (size_t)s->net->nodes;
+    struct stride stride = {s, p, r, s->work + 2 * count};
+
+    return contact_change_take(&(struct contact_change){.count = count,
+                                                        .x = x,
+                                                        .d = d,
+                                                        .fall = product(count, r, d),
+                                                        .lower = !p->contact,
+                                                        .self = &stride,
+                                                        .look = look},
+                               part);
 }
 
 /* Estimates an upper bound of the next step over this one: steps shrink evenly, as the
@@ -238,18 +243,20 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
                   n ? NEAR * limits->tolerance : 0, make, x, r, d, counters));
         counters->iterations++;
         double size = blocks_longest(s->net->nodes, d), part;
-        bool cut;
         if (!isfinite(size))
             TRY(STATUS_NAN);
-        if (once ? !(p->contact && (touches || contact_limit(p->contact, x, d) < 1))
+        const bool cut = p->contact && contact_limit(p->contact, x, d) < 1;
+        if (cut)
+            size = blocks_longest(s->net->nodes, d);
+        if (once ? !(p->contact && (touches || cut))
                  : !p->contact && size <= limits->tolerance) { /* whole, unsearched */
             for (size_t t = 0; t < count; t++)
                 x[t] += d[t];
             goto out;
         }
-        TRY(search(s, p, d, x, r, &part, &cut));
+        TRY(search(s, p, d, x, r, &part));
         moved = touches ? INFINITY : moved + part * size; /* contact's K changes fast */
-        if (!cut &&
+        if (!(cut && part == 1) &&
             part * size * (part == 1 ? left(size, before) : 1) <= limits->tolerance) {
             if (!p->contact || !contact_release(p->contact))
                 goto out;

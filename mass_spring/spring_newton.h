@@ -35,7 +35,7 @@ struct spring_newton {
     void *room;       /* memory of the arrays                               owned   */
     double (*K)[9];   /* [pairs]                                                    */
     double *hinges;   /* [pairs] spring_force_hinges                       owned   */
-    double *work;     /* [6][nodes][3]                                              */
+    double *work;     /* [3][nodes][3]                                              */
     const double *at; /* [nodes][3] where K is of                         borrowed  */
 };
 

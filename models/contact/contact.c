@@ -846,8 +846,9 @@ static double limit_own(struct contact *c, const double *x, const double *d,
     return c->failed == STATUS_OK ? share : 0;
 }
 
-double contact_limit(struct contact *c, const double *x, const double *d)
+double contact_limit(struct contact *c, const double *x, double *d)
 {
+    const int count = 3 * c->surface.nodes;
     double share = 1;
     int samples[3];
 
@@ -865,18 +866,20 @@ double contact_limit(struct contact *c, const double *x, const double *d)
     struct contact_meeting met = {.sample = {-1}};
     share = fmin(share, limit_own(c, x, d, &met));
     note(c, x, &met);
+    for (int k = 0; share < 1 && k < count; k++)
+        d[k] *= share;
     return share;
 }
 
 void contact_lead(struct contact *c, double *x)
 {
-    const size_t count = 3 * (size_t)c->surface.nodes;
+    const int count = 3 * c->surface.nodes;
 
-    for (size_t k = 0; k < count; k++)
+    for (int k = 0; k < count; k++)
         x[k] -= c->x_old[k];
-    const double share = contact_limit(c, c->x_old, x);
-    for (size_t k = 0; k < count; k++)
-        x[k] = c->x_old[k] + share * x[k];
+    contact_limit(c, c->x_old, x);
+    for (int k = 0; k < count; k++)
+        x[k] += c->x_old[k];
 }
 
 bool contact_shorten(struct contact *c, const double *x, double *d)

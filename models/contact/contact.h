@@ -134,11 +134,11 @@ void contact_grip(const struct contact_touch *t, double K[9]);
 /* Adds the forces of the touches to force[nodes][3]. */
 void contact_force(const struct contact *c, double *force);
 
-/* Returns the largest share, at most 1, of a change d of x that leaves each sample half of
- * its distance to the wall, or half of the range where that is less. Places of the sheet
- * that allow no more, and that no sample presses apart, as two edges, are touches from
- * then on. */
-double contact_limit(struct contact *c, const double *x, const double *d);
+/* Cuts a change d of x to the largest share, returned, at most 1, that leaves each sample
+ * half of its distance to the wall, or half of the range where that is less. Places of the
+ * sheet that allow no more, and that no sample presses apart, as two edges, are touches
+ * from then on. */
+double contact_limit(struct contact *c, const double *x, double *d);
 
 /* Shortens the way from the step's start to x[nodes][3], where a step is thought to end, by
  * contact_limit. */

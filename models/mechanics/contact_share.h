@@ -1,27 +1,34 @@
-/* contact_share.h - the share of a change that Newton's method takes under contact: its one
- * cure of overshoot. The pressure rises far more steeply than its slope says, and a whole
- * change may be thrown back by many times the force that drove it. Along a change d the
- * work r . d of the residual falls to nothing if the tangent is right; the share is good
- * where little is left, of either sign. Springs judge by the whole residual, bodies at
- * large displacements by the contact's part (large_newton.c).
+/* contact_share.h - the share of a change that Newton's method takes: its one cure of
+ * overshoot, in every model. A change is shortened where the shape that it leads to has no
+ * forces, and under contact where it is thrown back: the pressure rises far more steeply
+ * than its slope says, and a whole change may meet many times the force that drove it.
+ * Along a change d the work r . d of the residual falls to nothing if the tangent is right;
+ * the share is good where little is left, of either sign. Springs judge by the whole
+ * residual, bodies at large displacements by the contact's part (large_newton.c). What may
+ * be taken at most, before walls, is contact_limit's to say, and comes first.
  */
 #ifndef CONTACT_SHARE_H
 #define CONTACT_SHARE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
-/* The most places that callers try for one change. */
-enum { CONTACT_SHARE_PLACES = 20 };
+#include "models/status.h"
 
-/* A share, tried from `most` = share = high downwards, low = 0. */
-struct contact_share {
-    double share, most;
-    double low, high; /* good ones lie between them                                    */
+/* A change d[count] of x[count], both [m]. */
+struct contact_change {
+    size_t count;
+    double *x;
+    const double *d;
+    double fall; /* r . d at x, of any sign                                        [J] */
+    bool lower;  /* what is left may drive on                                          */
+    void *self;  /* of the next, borrowed                                              */
+    /* Computes the forces at x, and *rise, minus what of r . d is left there. */
+    enum status (*look)(void *self, const struct contact_change *c, double *rise);
 };
 
-/* Tells whether the share is good, of a change whose slope was `fall` > 0 at its start and
- * is -rise there; sets the next one to try if not. Not finite `rise`: there is no shape
- * there. */
-bool contact_share_good(struct contact_share *s, double fall, double rise);
+/* Moves x by the share of d, returned in *share, that is taken, with `look` there last;
+ * returns its status: a death if even short changes lead to no shape. */
+enum status contact_change_take(const struct contact_change *c, double *share);
 
 #endif

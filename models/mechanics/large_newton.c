@@ -22,8 +22,6 @@ static const double RINGING_CHORD = 0.8;
 /* The change under contact, in ranges of the law, that ends the iteration once the touches
  * are held: they are no better known. */
 static const double LEEWAY = 1e-3;
-/* The most halvings of a step that leads to a surface without normals or to NaN. */
-enum { HALVINGS = 6 };
 /* Steps in time that do not halve in so many iterations creep about a tangent without
  * stress, and most never converge: two halves of the time step are cheaper than going on.
  * (edge_drop, undamped, no lag, to 0.9 s, shell 16x16, p = 3: .60 of the assemblies.) */
@@ -34,9 +32,9 @@ static size_t count_of(const struct march *m)
     return 3 * (size_t)m->graph->nodes;
 }
 
-/* Computes the right-hand side at x, r; work[nodes][3]. met: contact_find was there. */
+/* Computes the right-hand side at x, r; work[nodes][3]. found: by contact_find. */
 static enum status residual(struct march *m, const struct large_equation *q,
-                            const double *x, double *r, double *work, bool met)
+                            const double *x, double *r, double *work, bool found)
 {
     size_t count = count_of(m);
     enum status st = large_body_force(&m->body, &q->path, x, r);
@@ -48,7 +46,7 @@ static enum status residual(struct march *m, const struct large_equation *q,
     if (m->pressure.value != 0)
         pressure_force(&m->pressure, q->load, q->path.x_old, q->path.g1, x, r);
     if (m->contact) {
-        st = met ? STATUS_OK : contact_find(m->contact, x);
+        st = found ? STATUS_OK : contact_find(m->contact, x);
         if (st != STATUS_OK)
             return st;
         contact_force(m->contact, r);
@@ -130,9 +128,12 @@ struct iteration {
     double *d, size;  /* the last step, its largest move [m]                           */
     double *r, *next; /* right-hand side at x; the step from there                     */
     double *work;
-    double chord; /* the tangent is kept if the next step is so much shorter           */
-    double gain;  /* ratio of steps at the last new tangent                            */
-    bool whole;   /* contact did not cut d short                                       */
+    double chord;  /* the tangent is kept if the next step is so much shorter           */
+    double gain;   /* ratio of steps at the last new tangent                            */
+    bool whole;    /* contact did not cut d short                                       */
+    double before; /* the work of the contact's forces on d where it begins        [J] */
+    struct march *m;
+    const struct large_equation *q;
 };
 
 /* Solves for i->next from i->r with the factored tangent. A tangent found not to be
@@ -160,16 +161,6 @@ out:
     return st;
 }
 
-/* Cuts d short of what contact forbids. */
-static void shorten(const struct march *m, struct iteration *i)
-{
-    const double share = m->contact ? contact_limit(m->contact, i->x, i->d) : 1;
-
-    i->whole = share == 1;
-    for (size_t t = 0; share < 1 && t < count_of(m); t++)
-        i->d[t] *= share;
-}
-
 /* Returns the work of r on d, both [nodes][3]; d is zero at the held unknowns. */
 static double work_of(const struct march *m, const double *r, const double *d)
 {
@@ -188,54 +179,42 @@ static double contact_work(const struct march *m, const struct iteration *i)
     return work_of(m, i->work, i->d);
 }
 
-/* Moves x by as much of the step d as contact does not throw back, and finds the touches
- * there. All other forces count as unchanged: the spurious stress that a whole step leaves
- * in a thin sheet would shorten each, while what contact throws back it does alone. */
-static enum status meet(struct march *m, struct iteration *i)
+/* Computes the right-hand side at x, and the rise that contact makes: all other forces
+ * count as unchanged. The spurious stress that a whole step leaves in a thin sheet would
+ * shorten each, while what contact throws back it does alone. */
+static enum status look(void *self, const struct contact_change *c, double *rise)
 {
+    struct iteration *i = self;
+    struct march *m = i->m;
     enum status st = STATUS_OK;
-    const size_t count = count_of(m);
-    const double fall = work_of(m, i->r, i->d), before = contact_work(m, i);
-    struct contact_share part = {.share = 1, .most = 1, .high = 1};
-    double moved = 0;
 
-    for (int n = 0; n < CONTACT_SHARE_PLACES; n++) {
-        for (size_t t = 0; t < count; t++)
-            i->x[t] += (part.share - moved) * i->d[t];
-        moved = part.share;
-        TRY(contact_find(m->contact, i->x));
-        if (!(fall > 0) ||
-            contact_share_good(&part, fall, before - contact_work(m, i) - fall))
-            break;
+    *rise = -c->fall;
+    if (m->contact) {
+        TRY(contact_find(m->contact, c->x));
+        *rise += i->before - contact_work(m, i);
     }
+    st = residual(m, i->q, c->x, i->r, i->work, m->contact);
 out:
-    for (size_t t = 0; moved < 1 && t < count; t++)
-        i->d[t] *= moved;
     return st;
 }
 
-/* Takes the step d and computes the right-hand side there; halves d while there is none. */
-static enum status take_step(struct march *m, const struct large_equation *q,
-                             struct iteration *i)
+/* Takes as much of the step d as there is a right-hand side for, and contact does not throw
+ * back. */
+static enum status take_step(struct iteration *i)
 {
-    size_t count = count_of(m);
-    enum status st = m->contact ? meet(m, i) : STATUS_OK;
-    bool met = st == STATUS_OK;
+    const struct contact_change change = {.count = count_of(i->m),
+                                          .x = i->x,
+                                          .d = i->d,
+                                          .fall = work_of(i->m, i->r, i->d),
+                                          .lower = !i->m->contact,
+                                          .self = i,
+                                          .look = look};
+    double share;
 
-    if (!met && !status_is_death(st))
-        return st;
-    for (size_t t = 0; !m->contact && t < count; t++)
-        i->x[t] += i->d[t];
-    for (int n = 0; n <= HALVINGS; n++) {
-        st = residual(m, q, i->x, i->r, i->work, met);
-        if (!status_is_death(st))
-            break;
-        met = false;
-        for (size_t t = 0; t < count; t++) {
-            i->d[t] /= 2;
-            i->x[t] -= i->d[t];
-        }
-    }
+    i->before = i->m->contact ? contact_work(i->m, i) : 0;
+    const enum status st = contact_change_take(&change, &share);
+    for (size_t t = 0; share < 1 && t < change.count; t++)
+        i->d[t] *= share;
     return st;
 }
 
@@ -318,7 +297,9 @@ enum status large_newton_solve(struct march *m, const struct large_equation *q, 
                           .work = room + 3 * count,
                           .size = INFINITY,
                           .chord = q->chord,
-                          .gain = 1};
+                          .gain = 1,
+                          .m = m,
+                          .q = q};
 
     m->stressless = false;
     TRY(residual(m, q, x, i.r, i.work, false));
@@ -333,7 +314,7 @@ enum status large_newton_solve(struct march *m, const struct large_equation *q, 
     swap = i.d, i.d = i.next, i.next = swap;
     m->worn = false;
     memset(i.next, 0, count * sizeof *i.next);
-    shorten(m, &i);
+    i.whole = !m->contact || contact_limit(m->contact, x, i.d) == 1;
     for (int n = 0; n < q->limit; n++) {
         counters->iterations++;
         if (m->contact)
@@ -353,9 +334,9 @@ enum status large_newton_solve(struct march *m, const struct large_equation *q, 
                 x[t] += i.d[t];
             goto out;
         }
-        TRY(take_step(m, q, &i));
+        TRY(take_step(&i));
         TRY(next_step(m, q, &i, counters));
-        shorten(m, &i);
+        i.whole = !m->contact || contact_limit(m->contact, x, i.d) == 1;
     }
     st = STATUS_DIVERGED;
 out:

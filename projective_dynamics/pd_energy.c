@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/net/spring_form.h"
+#include "models/net/spring_law.h"
 #include "models/vector.h"
 
 const char *const pd_energy_constraints[] = {[CONSTRAINT_AUTO] = "auto",
@@ -226,30 +227,16 @@ static void set_triangles(struct pd_energy *e, const struct scene *scene,
     e->constraints += 2 * (net->n - net->n / net->rows) * (net->m - 1);
 }
 
-/* Springs k of rest length l along a direction n, one a cell of area A, are a material with
- * C_ijkl = k l^2 n_i n_j n_k n_l / A, so that two diagonals give C12 = C33 = 2 k_d a b /
- * l^2, and C11 a^2/b^2 times as much; an edge along u adds k_u a/b to C11. C11, C22 and C33
- * are the sheet's. Where a cell is so long that an edge's
- * spring would be negative, the diagonals are weaker and C33 falls short. */
-static void matched_springs(const struct pd_net *net, const struct scene *scene,
-                            double spring[PD_EDGES])
+static void set_edges(struct pd_energy *e, const struct scene *scene,
+                      enum parameters parameters)
 {
-    const struct law law = scene_law(scene);
-    const double *A = law.matrix[LAW_MEMBRANE];
-    double C33 =
-        law.isotropic ? law.young * law.thickness / (2 * (1 + law.poisson)) : A[LAW_33];
-    double a = net->du, b = net->dv, ratio = a * a / (b * b);
-
-    C33 = fmin(C33, fmin(A[LAW_11] * (1 / ratio), A[LAW_22] * ratio));
-    spring[PD_EDGE_U] = fmax(b / a * (A[LAW_11] - C33 * ratio), 0);
-    spring[PD_EDGE_V] = fmax(a / b * (A[LAW_22] - C33 / ratio), 0);
-    spring[PD_EDGE_FALLING] = spring[PD_EDGE_RISING] = C33 * (a * a + b * b) / (2 * a * b);
-}
-
-static void fill_edges(struct pd_energy *e, const double spring[PD_EDGES], double rim_share)
-{
+    static const enum spring_direction direction[PD_EDGES] = {
+        SPRING_U, SPRING_V, SPRING_DIAGONAL, SPRING_DIAGONAL};
     const struct pd_net *net = &e->net;
+    const bool paper = parameters == PARAMETERS_PAPER;
+    struct spring_law law;
 
+    spring_law_make(scene, parameters, (double[]){net->du, net->dv}, &law);
     for (int c = 0; c < PD_EDGES; c++)
         for (int k = 0; k < net->nodes; k++) {
             int i = k / net->m % net->rows, j = k % net->m;
@@ -257,25 +244,12 @@ static void fill_edges(struct pd_energy *e, const double spring[PD_EDGES], doubl
                        (c == PD_EDGE_V && (i == 0 || i == net->rows - 1));
             if (!pd_net_has(net, (enum pd_edge)c, k))
                 continue;
-            e->edge[c][k] = spring[c] * (rim ? rim_share : 1);
+            e->edge[c][k] =
+                (paper ? PAPER_STRETCH * PAPER_STRETCH / pd_net_length(net, (enum pd_edge)c)
+                       : law.stiffness[direction[c]]) *
+                (rim ? law.rim : 1);
             e->constraints++;
         }
-}
-
-static void set_edges(struct pd_energy *e, const struct scene *scene,
-                      enum parameters parameters)
-{
-    double spring[PD_EDGES];
-
-    if (parameters == PARAMETERS_PAPER) {
-        for (int c = 0; c < PD_EDGES; c++)
-            spring[c] =
-                PAPER_STRETCH * PAPER_STRETCH / pd_net_length(&e->net, (enum pd_edge)c);
-        fill_edges(e, spring, 1);
-    } else {
-        matched_springs(&e->net, scene, spring);
-        fill_edges(e, spring, 0.5); /* half a cell lies beside an edge at the rim */
-    }
 }
 
 static void set_mass(struct pd_energy *e, const struct scene *scene,

@@ -1587,8 +1587,9 @@ static void put_parameters(const struct export_job *j, struct output *out)
     if (flat)
         output_print(
             out, "- springs along u, v and both diagonals of each cell: `value` [N/m]; on "
-                 "square cells\n  E h/(1-nu^2) - G h straight, G h diagonal, half on the "
-                 "rim;\n- XPBD: `compliance` = 1/stiffness [m/N], of C = length - "
+                 "square cells\n  C - G h straight, G h diagonal, half on the rim, where "
+                 "C - (G h)^2/C = E h: tension with free sides,\n  and shear, are the "
+                 "sheet's;\n- XPBD: `compliance` = 1/stiffness [m/N], of C = length - "
                  "rest_length;\n");
     else
         output_print(out,

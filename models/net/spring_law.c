@@ -66,19 +66,38 @@ struct spring_law_stiffness spring_law_plane_stress(const struct scene *scene)
     return stiffness_of(&law, LAW_MEMBRANE);
 }
 
+/* Returns what there is against tension along u, with free sides. */
+static double along_u(struct spring_law_stiffness c)
+{
+    return c.c11 - c.c12 * c.c12 / c.c22;
+}
+
+static double along_v(struct spring_law_stiffness c)
+{
+    return c.c22 - c.c12 * c.c12 / c.c11;
+}
+
+/* Returns the C11 and C22 with which springs of this C33 give way to tension along u or v,
+ * with free sides, as the sheet does (the head's derivation). */
+static struct spring_law_stiffness freed(struct spring_law_stiffness sheet)
+{
+    const double E1 = along_u(sheet), E2 = along_v(sheet);
+
+    sheet.c12 = sheet.c33;
+    sheet.c11 = (E1 + sqrt(E1 * E1 + 4 * sheet.c12 * sheet.c12 * E1 / E2)) / 2;
+    sheet.c22 = sheet.c11 * E2 / E1;
+    return sheet;
+}
+
 static void match(const struct scene *scene, const double cell[2], struct spring_law *law)
 {
     const struct law sheet = scene_law(scene);
-    struct spring_law_stiffness want = stiffness_of(&sheet, LAW_MEMBRANE);
-    struct spring_law_stiffness rim = stiffness_of(&sheet, LAW_BENDING);
-    struct diagonal d = diagonal_of(cell);
-    struct share pull = share_of(want, d), turn = share_of(rim, d);
-    double bend = sheet.thickness * sheet.thickness / 12, area = cell[0] * cell[1];
+    const struct spring_law_stiffness rim = stiffness_of(&sheet, LAW_BENDING);
+    const struct diagonal d = diagonal_of(cell);
+    const struct share pull = share_of(freed(stiffness_of(&sheet, LAW_MEMBRANE)), d),
+                       turn = share_of(rim, d);
+    const double area = cell[0] * cell[1];
 
-    if (sheet.isotropic) {
-        turn = (struct share){bend * pull.u, bend * pull.v, bend * pull.q};
-        rim.c11 = bend * want.c11, rim.c22 = bend * want.c22;
-    }
     law->stiffness[SPRING_U] = pull.u * cell[1] / cell[0];
     law->stiffness[SPRING_V] = pull.v * cell[0] / cell[1];
     law->stiffness[SPRING_DIAGONAL] = pull.q / 2 * area / (d.length * d.length);
@@ -113,11 +132,11 @@ void spring_law_tell(const struct spring_law *law, const double cell[2],
 
     status_fail(
         line, STATUS_OK,
-        "the net has C11 %.4g, C22 %.4g, C33 %.4g of plane stress's, and C12 = %.4g C11 "
-        "for "
-        "%.4g C11 (springs have C12 = C33, %s)%s",
-        net.c11 / sheet.c11, net.c22 / sheet.c22, net.c33 / sheet.c33, net.c12 / net.c11,
-        sheet.c12 / sheet.c11,
+        "under tension along u and v, with free sides, the net gives way %.4g and %.4g "
+        "times as much as the sheet, in shear %.4g times, held at the sides %.4g and %.4g "
+        "times; it narrows by %.4g of a stretch for %.4g (springs have C12 = C33, %s)%s",
+        along_u(sheet) / along_u(net), along_v(sheet) / along_v(net), sheet.c33 / net.c33,
+        sheet.c11 / net.c11, sheet.c22 / net.c22, net.c12 / net.c22, sheet.c12 / sheet.c22,
         scene->is_fabric ? "not a fabric's Y12" : "plane stress only at nu = 1/3",
         law->drag > 0
             ? "; the paper's springs: no bending, own mass and damping, not the scene's"

@@ -12,10 +12,12 @@
  *     C11 = k_u a_u / a_v + q c^4,   C22 = k_v a_v / a_u + q s^4,   C12 = C33 = q c^2 s^2.
  * C12 = C33 is Cauchy's relation: springs have it at any strength. In plane stress
  *     C11 = C22 = E h / (1 - nu^2),   C12 = nu C11,   C33 = (1 - nu) C11 / 2,
- * and C12 = C33 there means nu = 1/3. `matched` keeps C11, C22 and C33 for every nu; then
- * C12 is (1 - nu) / (2 nu) times too large, and the net's own Poisson ratio is
- * (1 - nu) / 2. On square cells that is k_d = E h / 2 (1 + nu) and
- * k_u = k_v = E h / 2 (1 - nu). A cell longer than sqrt(2 / (1 - nu)) times its width would
+ * and C12 = C33 there means nu = 1/3. `matched` keeps C33 and, as cloth is pulled with its
+ * sides free, what there is against tension along u and v, E1 = C11 - C12^2 / C22 and E2 =
+ * C22 - C12^2 / C11: C22 = C11 E2 / E1 and C11 = [E1 + (E1^2 + 4 C33^2 E1 / E2)^(1/2)] / 2.
+ * Isotropic, C11 is 1.21 times the sheet's at nu = 0, 1.03 at .3, .85 at .49; the net's own
+ * Poisson ratio, C33 / C11, is .41, .34, .29. On square cells k_d = G h and
+ * k_u = k_v = C11 - G h. A cell longer than (C11 / G h)^(1/2) times its width would
  * need springs of negative strength; its diagonals are weakened instead, and C33 falls
  * short.
  *

@@ -187,7 +187,10 @@ static void fabric_materials(void)
 static void materials(void)
 {
     const double E = 1e5, h = 1.177e-3, nu = 0.3, rho = 0.5;
-    const double diagonal = E * h / 2 / (1 + nu), straight = E * h / 2 / (1 - nu);
+    const double diagonal = E * h / 2 / (1 + nu);
+    /* C11 - C12^2 / C11 = E h with free sides, C12 = G h */
+    const double straight =
+        (E * h + sqrt(E * h * E * h + 4 * diagonal * diagonal)) / 2 - diagonal;
     const double D = E * h * h * h / 12 / (1 - nu * nu);
 
     open_table(exported("edge_drop", "21,21", NULL), "materials");

@@ -4,6 +4,7 @@
 
 #include "models/contact/contact_foot.h"
 #include "models/contact/contact_tree.h"
+#include "models/each.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -64,8 +65,8 @@ enum status contact_search_init(struct contact_search *s,
     TRY(room_cut(&s->room, ROOM(s->own, s->plain ? 0 : 3 * count), ROOM(s->kept, 3 * count),
                  ROOM(s->normal, 3 * count), ROOM(s->wanted, count),
                  ROOM(s->first, count + 1), ROOM(s->active, count), ROOM(s->side, count),
-                 ROOM(s->foot, 2 * count), ROOM(s->node, 2 * count * width),
-                 ROOM(s->weight, 2 * count * width)));
+                 ROOM(s->found, count / PIECE + 1), ROOM(s->foot, 2 * count),
+                 ROOM(s->node, 2 * count * width), ROOM(s->weight, 2 * count * width)));
     s->sheet.normal = s->normal;
 out:
     if (st)
@@ -91,17 +92,29 @@ static enum status grow(void *array, size_t size, long count, long *room)
     return STATUS_OK;
 }
 
+/* A vector at the nodes, x, and at the samples. */
+struct vectors {
+    const struct contact_surface *surface;
+    const double *x;
+    double *own;
+};
+
+static void at_sample(void *self, long n)
+{
+    const struct vectors *v = self;
+
+    contact_surface_at(v->surface, (int)n, v->x, v->own + 3 * n);
+}
+
 /* Computes a vector at the samples from the nodes'. */
 static const double *at_samples(const struct contact_search *s, const double *x,
                                 double *own)
 {
-    const int count = s->sheet.surface->count;
+    struct vectors v = {s->sheet.surface, x, own};
 
     if (s->plain)
         return x;
-#pragma omp parallel for if (count >= PARALLEL)
-    for (int n = 0; n < count; n++)
-        contact_surface_at(s->sheet.surface, n, x, own + 3 * (long)n);
+    each_turn(v.surface->count, v.surface->count >= PARALLEL, at_sample, &v);
     return own;
 }
 
@@ -231,35 +244,39 @@ static enum status keep_pair(struct contact_tree_search *search, int cell, int o
     return st;
 }
 
+/* Finds near triangles of a piece of the pairs of cells. */
+static void test_piece(void *search, long piece)
+{
+    struct contact_search *s = search;
+    struct sieve v;
+
+    v.count = 0;
+    for (long n = piece * PIECE; n < (piece + 1) * PIECE && n < s->pair_count; n++) {
+        const struct contact_pair *p = &s->pair[n];
+        look_at(s, p->cell, p->other, &v);
+        if (p->cell != p->other)
+            look_at(s, p->other, p->cell, &v);
+    }
+    if (v.count)
+#pragma omp critical
+    {
+        const enum status more =
+            grow(&s->near, sizeof *s->near, s->near_count + v.count, &s->near_room);
+        if (more == STATUS_OK)
+            memcpy(s->near + s->near_count, v.near, v.count * sizeof *v.near);
+        s->near_count += more == STATUS_OK ? v.count : 0;
+        s->failed = s->failed ? s->failed : more;
+    }
+}
+
 /* Finds near triangles of all pairs of cells, in no order. */
 static enum status test_pairs(struct contact_search *s)
 {
-    const long pieces = (s->pair_count + PIECE - 1) / PIECE;
-    enum status st = STATUS_OK;
-
     s->near_count = 0;
-#pragma omp parallel for schedule(dynamic, 4) if (s->pair_count >= PARALLEL)
-    for (long piece = 0; piece < pieces; piece++) {
-        struct sieve v;
-        v.count = 0;
-        for (long n = piece * PIECE; n < (piece + 1) * PIECE && n < s->pair_count; n++) {
-            const struct contact_pair *p = &s->pair[n];
-            look_at(s, p->cell, p->other, &v);
-            if (p->cell != p->other)
-                look_at(s, p->other, p->cell, &v);
-        }
-        if (v.count)
-#pragma omp critical
-        {
-            const enum status more =
-                grow(&s->near, sizeof *s->near, s->near_count + v.count, &s->near_room);
-            if (more == STATUS_OK)
-                memcpy(s->near + s->near_count, v.near, v.count * sizeof *v.near);
-            s->near_count += more == STATUS_OK ? v.count : 0;
-            st = st ? st : more;
-        }
-    }
-    return st;
+    s->failed = STATUS_OK;
+    each_turn((s->pair_count + PIECE - 1) / PIECE, s->pair_count >= PARALLEL, test_piece,
+              s);
+    return s->failed;
 }
 
 static bool nearer(const struct contact_near *a, const struct contact_near *b)
@@ -316,11 +333,16 @@ static void mark_wanted(struct contact_search *s)
     }
 }
 
+static void find_row(void *search, long i)
+{
+    struct contact_search *s = search;
+
+    contact_foot_normals(&s->sheet, (int)i, s->wanted, s->normal);
+}
+
 static void find_normals(struct contact_search *s)
 {
-#pragma omp parallel for if (s->actives >= PARALLEL)
-    for (int i = 0; i < s->sheet.surface->points[0]; i++)
-        contact_foot_normals(&s->sheet, i, s->wanted, s->normal);
+    each_turn(s->sheet.surface->points[0], s->actives >= PARALLEL, find_row, s);
 }
 
 /* Returns by how much samples may move against each other, up to the margin, before a near
@@ -356,11 +378,11 @@ static double side_of(const struct contact_search *s, int sample)
     return (low > 0 ? low : high) / rate;
 }
 
-static void find_sides(struct contact_search *s)
+static void find_side(void *search, long n)
 {
-#pragma omp parallel for if (s->actives >= PARALLEL)
-    for (int n = 0; n < s->actives; n++)
-        s->side[n] = (float)(less * side_of(s, s->active[n]));
+    struct contact_search *s = search;
+
+    s->side[n] = (float)(less * side_of(s, s->active[n]));
 }
 
 /* Finds near triangles again. */
@@ -377,7 +399,7 @@ static enum status seek(struct contact_search *s)
     TRY(sort_near(s));
     mark_wanted(s);
     find_normals(s);
-    find_sides(s);
+    each_turn(s->actives, s->actives >= PARALLEL, find_side, s);
     memcpy(s->kept, s->sheet.y, 3 * (size_t)s->sheet.surface->count * sizeof *s->kept);
 out:
     s->stale = st != STATUS_OK;
@@ -441,43 +463,49 @@ static void consider_near(const struct contact_search *s, int sample, double way
     }
 }
 
-/* Finds the feet of a piece of the samples in use, which have moved by `way` at most, or of
- * all; returns how many. */
-static int find_piece(const struct contact_search *s, int first, double way, bool all,
-                      struct contact_foot foot[2 * PIECE])
+/* A search for the feet of samples in use, which have moved by `way` at most, or of all. */
+struct feet {
+    struct contact_search *s;
+    double way;
+    bool all;
+};
+
+/* Finds the feet of a piece of them. */
+static void find_piece(void *self, long piece)
 {
-    const int count = s->actives - first < PIECE ? s->actives - first : PIECE;
-    const int *active = s->active + first;
+    const struct feet *f = self;
+    const struct contact_search *s = f->s;
+    const int first = (int)piece * PIECE, left = s->actives - first;
+    const int count = left < PIECE ? left : PIECE, *active = s->active + first;
     struct contact_place best[PIECE][2];
 
     for (int n = 0; n < count; n++) {
-        const double side = all ? 0 : s->side[first + n];
+        const double side = f->all ? 0 : s->side[first + n];
         contact_foot_begin(s->start, best[n]);
-        if (fabs(side) > 2 * way)
+        if (fabs(side) > 2 * f->way)
             best[n][side < 0].square = -1; /* nothing is there */
     }
-    for (int n = 0; all && n < count; n++)
+    for (int n = 0; f->all && n < count; n++)
         consider_all(s, active[n], best[n]);
-    for (int n = 0; !all && n < count; n++)
-        consider_near(s, active[n], way, best[n]);
-    return finish(s, first, count, (const struct contact_place(*)[2])best, foot);
+    for (int n = 0; !f->all && n < count; n++)
+        consider_near(s, active[n], f->way, best[n]);
+    s->found[piece] = finish(s, first, count, (const struct contact_place(*)[2])best,
+                             s->foot + 2 * (long)first);
 }
 
-/* Finds the feet of the samples in use. */
+/* Finds the feet of the samples in use, and joins those of all pieces. */
 static void find_feet(struct contact_search *s, double way, bool all)
 {
-    if (s->actives)
-        find_normals(s);
-#pragma omp parallel for ordered schedule(dynamic) if (s->actives >= PARALLEL)
-    for (int first = 0; first < s->actives; first += PIECE) {
-        struct contact_foot foot[2 * PIECE];
-        const int count = find_piece(s, first, way, all, foot);
-#pragma omp ordered
-        {
-            memcpy(s->foot + s->count, foot, count * sizeof *foot);
-            s->count += count;
-        }
-    }
+    const int pieces = (s->actives + PIECE - 1) / PIECE;
+
+    if (!pieces)
+        return;
+    find_normals(s);
+    each_turn(pieces, s->actives >= PARALLEL, find_piece, &(struct feet){s, way, all});
+    for (int n = 0; n < pieces; s->count += s->found[n++])
+        if (s->count < 2 * n * PIECE)
+            memmove(s->foot + s->count, s->foot + 2L * n * PIECE,
+                    s->found[n] * sizeof *s->foot);
 }
 
 enum status contact_search_find(struct contact_search *s, const double *x)

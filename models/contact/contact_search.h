@@ -45,6 +45,8 @@ struct contact_search {
     int *first;           /* [samples + 1] into near                                      */
     int actives, *active; /* [samples] those with near triangles                     */
     float *side;          /* [actives] side_of the sample                       [m] */
+    int *found;           /* [pieces of the samples] their feet                      */
+    enum status failed;   /* while near triangles are found                          */
     long near_count, near_room, pair_count, pair_room;
     struct contact_near *near; /* by sample and distance                 owned     */
     struct contact_pair *pair; /* cells                                  owned     */

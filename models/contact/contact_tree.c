@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "models/each.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -184,12 +185,21 @@ static int children(const struct contact_tree *t, int l, int n, int child[4])
     return count;
 }
 
+/* The boxes of a level of a tree that are fitted. */
+struct level {
+    const struct contact_tree *tree;
+    int number, components;
+};
+
 /* Fits a box around its children. */
-static void fit_box(const struct contact_tree *t, int l, int n, int components)
+static void fit_box(void *self, long n)
 {
+    const struct level *level = self;
+    const struct contact_tree *t = level->tree;
+    const int l = level->number;
     struct contact_box *box = &t->level[l].box[n];
     int child[4];
-    const int parts = children(t, l, n, child);
+    const int parts = children(t, l, (int)n, child);
 
     for (int k = 0; k < parts; k++) {
         struct contact_box own, *part = l > 1 ? &t->level[l - 1].box[child[k]] : &own;
@@ -200,7 +210,7 @@ static void fit_box(const struct contact_tree *t, int l, int n, int components)
         if (k == 0)
             *box = *part;
         else
-            join(box, part, 0, components);
+            join(box, part, 0, level->components);
     }
 }
 
@@ -209,9 +219,8 @@ void contact_tree_fit(struct contact_tree *t, const double *y, const double *d)
     t->y = y, t->d = d;
     for (int l = 1; l < t->levels; l++) {
         const int count = t->level[l].n[0] * t->level[l].n[1];
-#pragma omp parallel for if (count >= PARALLEL)
-        for (int n = 0; n < count; n++)
-            fit_box(t, l, n, d ? COMPONENTS : MOTION);
+        struct level level = {t, l, d ? COMPONENTS : MOTION};
+        each_turn(count, count >= PARALLEL, fit_box, &level);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "models/reader/input_file.h"
 
@@ -25,10 +26,14 @@ static enum status read_text(const char *path, char **text, size_t *size,
                              struct message *why)
 {
     const char *reason;
-    FILE *file = input_file_open(path, &reason);
+    struct stat about;
     size_t room = 0;
     enum status st = STATUS_OK;
 
+    if (lstat(path, &about) == 0 && S_ISLNK(about.st_mode))
+        return status_fail(why, STATUS_FILE,
+                           "%s: is a symbolic link, which is not followed", path);
+    FILE *file = input_file_open(path, &reason);
     if (!file)
         return status_fail(why, STATUS_FILE, "%s: %s", path, reason);
     const ssize_t read = getdelim(text, &room, '\0', file);
@@ -77,26 +82,25 @@ static void take_comment(struct reader *r)
 }
 
 /* Takes the next cell, without its quotes, in place; *after is what ended it. False: a
- * quote is not closed. */
+ * quote is not closed, or stands beside other words. */
 static bool take_cell(struct reader *r, char **cell, char *after)
 {
+    const bool quoted = *r->at == '"';
     char *to = r->at;
-    bool quoted = false;
 
     *cell = to;
-    for (; *r->at && (quoted || !strchr(",\n", *r->at)); r->at++) {
+    for (r->at += quoted; *r->at; *to++ = *r->at++) {
+        if (quoted && *r->at == '"' && *++r->at != '"')
+            break;
+        if (!quoted && strchr(",\n\"", *r->at))
+            break;
         r->line += *r->at == '\n';
-        if (*r->at != '"')
-            *to++ = *r->at;
-        else if (quoted && r->at[1] == '"')
-            *to++ = *r->at++;
-        else
-            quoted = !quoted;
     }
     *after = *r->at;
+    const bool closed = !quoted || r->at[-1] == '"';
     r->at += *after != '\0';
     *to = '\0';
-    return !quoted;
+    return closed && (!*after || strchr(",\n", *after));
 }
 
 static void start_table(struct reader *r)
@@ -124,7 +128,8 @@ static enum status take_row(struct reader *r, struct message *why)
     const size_t before = (size_t)(t->rows + 1) * (size_t)t->columns;
     do {
         if (!take_cell(r, &cell, &after))
-            TRY(status_fail(why, STATUS_INPUT, "%s, line %d: a quote has no end", r->path,
+            TRY(status_fail(why, STATUS_INPUT,
+                            "%s, line %d: a quote has no end, or words behind it", r->path,
                             line));
         if (keys || count < t->columns) {
             const size_t at = before + (size_t)count;

@@ -21,9 +21,9 @@ struct csv {
     struct arena arena;      /* of tables, cells and all strings               owned */
 };
 
-/* Reads a file. STATUS_FILE: it cannot be read; STATUS_INPUT: too long, a byte 0, a quote
- * without end, a row with more or fewer cells than keys; each a sentence with file and
- * line. *csv is then all-zero. Free with csv_clear. */
+/* Reads a file, which is no link. STATUS_FILE: it cannot be read; STATUS_INPUT: too long, a
+ * byte 0, a quote without end, a row with more or fewer cells than keys; each a sentence
+ * with file and line. *csv is then all-zero. Free with csv_clear. */
 enum status csv_read(const char *path, struct csv *csv, struct message *why);
 void csv_clear(struct csv *csv); /* all-zero is allowed */
 

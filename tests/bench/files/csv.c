@@ -1,5 +1,6 @@
-/* Tables that are read back: what is in them, what is refused and with which sentence, and
- * that what is kept of a command comes back as it was printed. */
+/* Tables that are read back: what is in them, and that what is kept of a command comes back
+ * as it was printed. (tests/pages/test_hostile.py: what is refused, and with which
+ * sentence.) */
 #include "bench/files/csv.h"
 
 #include <math.h>
@@ -40,36 +41,6 @@ static void check_tables(void)
     CHECK(csv_number(u, 0, 0) == -2500 && isnan(csv_number(u, 1, 0)));
     CHECK(csv_column(t, "b") == 1 && csv_column(t, "c") == -1);
     CHECK(!*csv_words(t, 2, 0) && !*csv_words(t, -1, 0) && !*csv_words(t, 0, -1));
-    csv_clear(&csv);
-}
-
-static void check_refusals(void)
-{
-    static const struct {
-        const char *text;
-        size_t size; /* 0: that of the text */
-        const char *sentence;
-    } row[] = {
-        {"a,b\n1,2\n3\n", 0, ", line 3: 1 cells below 2 keys"},
-        {"a,b\n1,2,3\n", 0, ", line 2: 3 cells below 2 keys"},
-        {"# c\n\na\n\"1\n2\"\n3,4\n", 0, ", line 6: 2 cells below 1 keys"},
-        {"a\n\"1\n", 0, ", line 2: a quote has no end"},
-        {"a\n1\0\n", 5, "has a byte 0"},
-    };
-
-    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
-        struct csv csv = {.count = 7};
-        struct message why = {""};
-        put(row[n].text, row[n].size ? row[n].size : strlen(row[n].text));
-        CHECK(csv_read(path, &csv, &why) == STATUS_INPUT);
-        CHECK(!csv.count && !csv.table && !csv.arena.last);
-        if (!CHECK(strstr(why.text, row[n].sentence)))
-            printf("%s\n", why.text);
-    }
-    struct csv csv;
-    CHECK(csv_read("/proc/nowhere", &csv, NULL) == STATUS_FILE);
-    put("", 0);
-    CHECK(csv_read(path, &csv, NULL) == STATUS_OK && csv.count == 0);
     csv_clear(&csv);
 }
 
@@ -115,7 +86,6 @@ int main(void)
     scratch_open();
     REQUIRE(chdir(scratch) == 0);
     check_tables();
-    check_refusals();
     check_kept();
     return check_result();
 }

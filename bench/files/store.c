@@ -17,6 +17,7 @@
 #include "bench/files/seal.h"
 #include "bench/files/xdmf.h"
 #include "models/contact/contact.h"
+#include "models/contact/contact_mesh.h"
 #include "models/grid.h"
 #include "models/reader/scene_file.h"
 #include "models/reader/scene_schema.h"
@@ -88,6 +89,33 @@ static bool put_contact(hid_t file, const struct scene *scene)
     return good;
 }
 
+/* Puts the triangles of bodies that are meshes as obstacle_0, ..., without their motion:
+ * what draws a result has no other file. A mesh of more triangles than a picture shows is
+ * left out. */
+static bool put_meshes(hid_t file, const struct scene *scene)
+{
+    enum { MOST_TRIANGLES = 20000 };
+    bool good = true;
+
+    for (int n = 0; good && n < scene->obstacle_count; n++) {
+        if (scene->obstacles[n].kind != OBSTACLE_MESH)
+            continue;
+        const struct contact_mesh_view m = contact_mesh_view(scene->obstacles[n].mesh);
+        double(*corner)[9] = malloc((size_t)m.triangles * sizeof *corner);
+        char name[32];
+        for (int k = 0; corner && k < m.triangles; k++)
+            for (int c = 0; c < 9; c++)
+                corner[k][c] = m.vertex[m.triangle[k][c / 3]][c % 3];
+        snprintf(name, sizeof name, "obstacle_%d", n);
+        const struct hdf5_file_meaning meaning = {"m", "triangle, corner and component"};
+        good = m.triangles > MOST_TRIANGLES ||
+               (corner &&
+                hdf5_file_put_array(file, name, meaning, *corner, m.triangles, 9) >= 0);
+        free(corner);
+    }
+    return good;
+}
+
 static enum status put_run(struct store *s, const struct store_run *run,
                            struct message *why)
 {
@@ -118,7 +146,7 @@ static enum status put_run(struct store *s, const struct store_run *run,
                    good && hdf5_file_put_double(s->file, "length", scene->length) >= 0 &&
                        hdf5_file_put_double(s->file, "width", scene->width) >= 0 &&
                        hdf5_file_put_double(s->file, "thickness", scene->thickness) >= 0 &&
-                       put_contact(s->file, scene),
+                       put_contact(s->file, scene) && put_meshes(s->file, scene),
                    why);
 }
 

@@ -67,7 +67,7 @@ static enum status judge(int code, const char *said, struct message *why)
         return STATUS_OK;
     if (code == NO_PYTHON)
         return status_fail(why, STATUS_LIBRARY,
-                           "pages and pictures need Python: apt-get install python3 "
+                           "Python is not there: apt-get install python3 "
                            "python3-numpy python3-h5py python3-matplotlib python3-jinja2 "
                            "python3-markdown");
     return status_fail(why,

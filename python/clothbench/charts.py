@@ -14,6 +14,8 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
+from . import bodies
+
 COLOURS = {"iga": "#2a84c4", "hex": "#555555", "shell": "#d98c00", "mass_spring": "#0a4f8f",
            "triangles": "#d55e00", "position_based": "#00875f", "projective_dynamics": "#b8529a",
            "vbd": "#7a6a00"}
@@ -138,6 +140,7 @@ def lines(title, x, y, drawn, bar=None, others=(), joined=True, real_time=None, 
     if not drawn:
         return None
     xs, ys = ([p[k] for p in everything] for k in (0, 1))
+    bar = bar if bar and bar > min(ys) / 30 else None  # far below all, it would flatten the lines
     ys += [bar] if bar else []
     figure, axes = new_axes(title, x, y)
     log = [is_log(xs), is_log(ys)]
@@ -221,6 +224,7 @@ def classes(title, x, y, cases, marks=()):
 TURN, TILT = 0.6, 0.35  # about z, then towards the eye [rad]
 WIDTH, HEIGHT = 280, 240  # of a picture [pixels]
 LIGHT = np.array([0.35, -0.5, 0.79])
+BODY, FLOOR = "#a8a196", np.array([[226, 229, 232], [236, 238, 240]])
 
 def seen(xyz):
     """Points as (across, up, depth) of the picture's plane."""
@@ -228,11 +232,6 @@ def seen(xyz):
     along, away = x * np.cos(TURN) - y * np.sin(TURN), x * np.sin(TURN) + y * np.cos(TURN)
     return np.stack([along, z * np.cos(TILT) + away * np.sin(TILT),
                      z * np.sin(TILT) - away * np.cos(TILT)], -1)
-
-def faces(sheet):
-    """Corners [n, 4, 3] of the quadrilaterals of a sheet [v, u, 3]."""
-    return np.stack([sheet[:-1, :-1], sheet[:-1, 1:], sheet[1:, 1:], sheet[1:, :-1]],
-                    2).reshape(-1, 4, 3)
 
 def shaded(corners, colour):
     """A colour each, by how much light falls on it; the two sides of a sheet look alike."""
@@ -243,30 +242,50 @@ def shaded(corners, colour):
     return np.clip(base * (0.62 + 0.45 * light) + 85 * light ** 3, 0, 255).astype(int)
 
 def sheets(fields):
-    """A picture each of fields [(colour, xyz [sheet, v, u, 3])], all in one view and scale."""
+    """A picture each of fields [(colour, xyz [sheet, v, u, 3], (planes, bodies))], in one view and
+    scale; the sheets are whole in it, and bodies as far as they are near."""
     from PIL import Image, ImageDraw
-    fields = [(colour, xyz if np.isfinite(xyz).all() else xyz[:0]) for colour, xyz in fields]
-    flat = [seen(xyz)[..., :2].reshape(-1, 2) for _, xyz in fields if len(xyz)]
+    fields = [(colour, xyz if np.isfinite(xyz).all() else xyz[:0], around) for colour, xyz, around in fields]
+    flat = [seen(xyz)[..., :2].reshape(-1, 2) for _, xyz, _ in fields if len(xyz)]
     if not flat:
         return []
     low, high = np.concatenate(flat).min(0), np.concatenate(flat).max(0)
+    near = 0.35 * (high - low).max()
+    solid = np.concatenate([seen(solids)[..., :2].reshape(-1, 2) for *_, (_, solids) in fields])
+    if len(solid):
+        low, high = (np.minimum(low, np.maximum(solid.min(0), low - near)),
+                     np.maximum(high, np.minimum(solid.max(0), high + near)))
     unit = max((high - low)[0] / (WIDTH - 12), (high - low)[1] / (HEIGHT - 12), 1e-9)
     size = [int(n) for n in np.ceil((high - low) / unit) + 12]
     made = []
-    for colour, xyz in fields:
-        corners = np.concatenate([faces(sheet) for sheet in xyz] or [np.zeros((0, 4, 3))])
+    for colour, xyz, (planes, solids) in fields:
+        sheet = np.concatenate([bodies.quads(one) for one in xyz] or [np.zeros((0, 4, 3))])
+        corners = np.concatenate([planes, solids, sheet])
         plane = seen(corners)
         at = 2 * ((plane[:, :, :2] - low) / unit + 6)  # twice as fine, for smooth edges
         at[:, :, 1] = 2 * size[1] - at[:, :, 1]
-        places, paint = at.reshape(-1, 8).tolist(), [tuple(c) for c in shaded(corners, colour).tolist()]
+        paint = np.concatenate([FLOOR[(np.arange(len(planes)) % 2)], shaded(solids, BODY), shaded(sheet, colour)])
+        places, paint = at.reshape(-1, 8).tolist(), [tuple(c) for c in paint.tolist()]
         picture = Image.new("RGB", (2 * size[0], 2 * size[1]), "white")
         draw = ImageDraw.Draw(picture)
-        for n in plane[:, :, 2].mean(1).argsort():  # the far ones first
+        low_, far, first = plane[:, :, 2].min(1), plane[:, :, 2].mean(1), len(planes) + len(solids)
+        far[:first] = low_[:first] - (far - low_)[first:].max(initial=0)  # what touches a body is before it
+        far[:len(planes)] -= 1e9  # under all else
+        for n in far.argsort():
             draw.polygon(places[n], fill=paint[n], outline=paint[n])
         data = io.BytesIO()
         picture.reduce(2).quantize(128, Image.FASTOCTREE).save(data, "PNG")
         made.append(data.getvalue())
     return made
+
+def pictures_of(runs):
+    """Those of the frames of runs of a scene, one after the other."""
+    flat = [run.xyz.reshape(-1, 3) for run in runs if len(run.xyz)]
+    flat = np.concatenate(flat or [np.zeros((1, 3))])
+    flat = flat[np.isfinite(flat).all(1)]
+    low, high = (flat.min(0), flat.max(0)) if len(flat) else (np.zeros(3), np.ones(3))
+    return sheets([(colour_of(run.model), xyz, bodies.surfaces(run.bodies, t, low, high))
+                   for run in runs for t, xyz in zip(run.time, run.xyz)])
 
 def row_of(pictures, words):
     """One picture of several, side by side, with words below each."""

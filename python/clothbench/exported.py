@@ -11,26 +11,33 @@ class Exported:
     """A folder of `clothbench export`, in SI units; vertices count from 0.
 
     x [n + outside, 3]   at rest: vertices of the sheet, then those outside that make a clamp
-    uv [n, 2]            of the sheet
+    uv [n, 2]            of the sheet, and outside_uv of the others
     triangles [m, 3]     of the sheet, counter-clockwise seen from u x v
     held                 {vertex: its held components, as "xyz"}
     beside               {vertex outside: the held vertex that it stands beside}
-    path                 {held vertex that moves: the number of its path in paths.csv}
+    path                 {held vertex that moves: the number of its path}
+    paths                {number: [(t, x, y, z)]}, shifts [m] at times [s]
     mass [n]             of each vertex
     springs              an array with fields a, b, stiffness, length
     material             {quantity: value}: E, nu, h, D, hinge u, ... of materials.csv
     times, bars          at which the truth is known, and how well; step, end
+    velocities           [(x, y, z)] of the sheet's vertices; empty: they begin at rest
     gravity [3]          and damping, {"kind": "mass", "value": 2.0}
     """
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
         rest, held = self._rows("rest.csv"), self._rows("held.csv")
-        self.uv = _columns(rest, "uv")
-        self.x = _columns(rest + [r for r in held if r["beside"]], "xyz")
+        outside = [r for r in held if r["beside"]]
+        self.uv, self.outside_uv = _columns(rest, "uv"), _columns(outside, "uv")
+        self.x = _columns(rest + outside, "xyz")
         self.held = {int(r["vertex"]): r["fix"] for r in held}
         self.beside = {int(r["vertex"]): int(r["beside"]) for r in held if r["beside"]}
         self.path = {int(r["vertex"]): int(r["path"]) for r in held if r["path"]}
+        self.paths = {}
+        for r in self._rows("paths.csv"):
+            self.paths.setdefault(int(r["path"]), []).append(tuple(float(r[c]) for c in "txyz"))
+        self.velocities = _columns(self._rows("velocities.csv"), "xyz").tolist()
         faces = re.findall(r"^f (\d+)/\d+ (\d+)/\d+ (\d+)/\d+$", self._text("rest.obj"), re.M)
         self.triangles = numpy.array(faces, dtype=int).reshape(-1, 3) - 1
         self._read_numbers(self._rows("materials.csv"))
@@ -47,6 +54,9 @@ class Exported:
         return (self.folder / name).read_text()
 
     def _rows(self, name):
+        """Of a file that only some scenes have: none."""
+        if name in ("paths.csv", "velocities.csv") and not (self.folder / name).exists():
+            return []
         return list(csv.DictReader(self._text(name).splitlines()))
 
     def _read_numbers(self, rows):

@@ -44,6 +44,7 @@ class Strip:
     """Pictures of one run, [(address, words below)]."""
     label: str
     pictures: list
+    scene: str
 
 @dataclass
 class Part:
@@ -69,7 +70,7 @@ def head(key):
     """A column's, from its key: rmse_over_length_0.1_s is RMSE / length 0.1 [s]."""
     found = UNIT.match(key)
     name = (found[1] if found else key).replace("_over_", " / ").replace("_", " ")
-    return re.sub("^rmse", "RMSE", name) + (f" [{UNITS[found[2]]}]" if found else "")
+    return re.sub("^rmse", "RMSE", name) + (f" [{UNITS[found[2]]}]" if found else " [s]" * (key == "time"))
 
 def short(words):
     """A number to four digits, other words as they are."""
@@ -219,10 +220,34 @@ class Room:
     def __init__(self):
         self.left, self.without = PICTURES_MOST, []
 
-def label_of(run, prefix=""):
-    name = run.name.removeprefix(prefix).replace("_", " ").strip()
-    points = run.points.removesuffix("x1")
-    return f"{name}: {run.title or run.model}{', ' + points + ' points' if points else ''}"
+FACTS = {"points": "{} points", "degree": "degree {}", "kinematics": "{}", "remedy": "remedy {}",
+         "parameters": "{} springs", "integrator": "{} steps", "step": "steps of {} ms", "substeps": "{} substeps",
+         "iterations": "{} iterations", "thickness": "{} mm thick", "young": "E = {} Pa", "poisson": "nu = {}",
+         "density": "rho = {} kg/m³", "value": "damping {}"}
+
+def fact(key, words):
+    """What a run was made with, as one says it."""
+    if words[:1] == "[":
+        counts = words.strip("[]").removesuffix(",1").split(",")
+        words = counts[0] if key == "degree" and len(set(counts)) == 1 else " x ".join(counts)
+    elif is_number(words):
+        words = charts.words_of(float(f"{number(words) * (1000 if key in ('thickness', 'step') else 1):.6g}"))
+    return FACTS[key].format(words)
+
+def labels(runs, prefix=""):
+    """{name: what stands below pictures}: a run's name but for its numbers, its model, its points, and
+    in what else runs of this model differ, with units."""
+    made = {}
+    for run in runs:
+        name = " ".join(w for w in run.name.removeprefix(prefix).split("_") if not re.fullmatch(r"\d+|mm", w))
+        same = [r for r in runs if (r.model, r.title) == (run.model, run.title)]
+        told = [fact(key, run.facts[key]) for key in FACTS if key in run.facts and (
+            key == "points" or len({r.facts.get(key) for r in same}) > 1)
+            and (key not in ("substeps", "iterations") or run.facts[key] != "0")]  # 0: as many as it takes
+        made[run.name] = (name + ": " if name else "") + ", ".join(
+            [run.title or run.model, *(words for words in told if words not in name)])
+    twice = [name for name, words in made.items() if list(made.values()).count(words) > 1]
+    return made | {name: f"{made[name]} ({name.replace('_', ' ')})" for name in twice}
 
 def by_number(file):
     """Sorts files by name, and the numbers in it by size."""
@@ -238,18 +263,18 @@ def strips(files, times, room, trouble, prefix="", most=TIMES_MOST):
                 runs.append(run)
         except Bad as bad:
             trouble.append(str(bad))
-    made = {}
+    made, words = {}, labels(runs, prefix)
     for scene in dict.fromkeys(run.scene for run in runs):
         of = [run for run in runs if run.scene == scene]
-        drawn = iter(charts.sheets([(charts.colour_of(run.model), xyz) for run in of for xyz in run.xyz]))
+        drawn = iter(charts.pictures_of(of))
         made |= {run.name: [next(drawn, b"") for _ in run.time] for run in of}
     size = sum(len(p) for pictures in made.values() for p in pictures) * 4 // 3
     if size > room.left:
         room.without += [run.name for run in runs]
         return []
     room.left -= size
-    return [Strip(label_of(run, prefix), [(address(p, "png"), f"{t:g} s")
-                                          for p, t in zip(made[run.name], run.time)]) for run in runs]
+    return [Strip(words[run.name], [(address(p, "png"), f"{t:g} s")
+                                          for p, t in zip(made[run.name], run.time)], run.scene) for run in runs]
 
 def figures(top, room):
     """The paper's figures, recomputed, as far as the folder has them."""
@@ -304,6 +329,9 @@ def read_tables(part, files):
             part.charts += charts_of(table, part.title)
 
 def summaries(part):
+    ours = [r for r in part.claims if not r.get("source", "-")]
+    if ours:  # the paper's stand in a table of their own
+        part.tables.append(results.Table("Statements of ours or of this plan", list(CLAIM_KEYS), ours))
     for table in list(part.tables):
         if table.has("check", "verdict"):
             part.tables.insert(0, counted(table.rows, "check", "verdict",
@@ -332,8 +360,7 @@ def parts_of(top, room):
                 part.strips = strips(shown, None, room, part.trouble)
                 if part.strips and len(part.strips) < len(h5):
                     part.words.append(f"Pictures of {len(part.strips)} of {len(h5)} result files.")
-            if part.tables or part.charts or part.strips or part.claims or part.trouble:
-                made.append(part)
+            made.append(part)
     return made
 
 # --- what it says ----------------------------------------------------------------------------
@@ -383,7 +410,8 @@ def speeds_of(parts):
         for table in part.tables:
             if table.has(*RUN_KEYS):
                 scene = re.match(r"Every run on (\w+)", table.caption)
-                scene = scene[1] if scene else part.title.split("/")[-1].replace("compare ", "", 1)
+                scene = scene[1] if scene else part.strips[0].scene if part.strips else \
+                    part.title.split("/")[-1].replace("compare ", "", 1)
                 found.setdefault(scene.replace(" ", "_"), table)
     found = {"edge_drop" if scene == "compare" else scene: table for scene, table in found.items()}
     return sorted(found.items(), key=lambda s: (s[0] != "edge_drop", s[0]))
@@ -425,24 +453,13 @@ def rendered(**what):
     env.tests["number"] = is_number
     return env.get_template("page.html.j2").render(**what)
 
-def picture(file, target):
-    """Draws a run at six times, side by side."""
+def picture(file):
+    """A run at six times, side by side."""
     run = results.run(file, 6)
-    made = charts.sheets([(charts.colour_of(run.model), xyz) for xyz in run.xyz]) if run else []
+    made = charts.pictures_of([run]) if run else []
     if not made:
         raise Bad(f"{file}: has no positions to draw")
-    write(target, charts.row_of(made, [f"{t:g} s" for t in run.time]))
-
-def write(path, data):
-    """The whole file or none; an earlier one stays until then."""
-    path = pathlib.Path(path)
-    aside = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        aside.write_bytes(data if isinstance(data, bytes) else data.encode("utf-8", "replace"))
-        os.replace(aside, path)
-    except OSError as error:
-        aside.unlink(missing_ok=True)
-        raise Bad(f"{path}: cannot be written: {error.strerror}") from None
+    return charts.row_of(made, [f"{t:g} s" for t in run.time])
 
 def motions_of(top):
     """Motions to play: the files of FOLDER/run_SCENE, as 16-bit numbers, centred, those of a scene to
@@ -464,7 +481,7 @@ def motions_of(top):
         scale = np.abs(flat - middle).max(initial=0) * 1.25 or 1
         good = np.isfinite(run.xyz).all((1, 2, 3, 4))
         xyz = np.concatenate(list(np.moveaxis(run.xyz[good], 1, 0)), 2)  # sheets side by side
-        made.append({"name": f"{run.scene}, {run.name}", "colour": charts.colour_of(run.model),
+        made.append({"name": f"{run.scene}, {run.name}".replace("_", " "), "colour": charts.colour_of(run.model),
                      "time": [t for t, is_good in zip(run.time, good) if is_good],
                      "rows": xyz.shape[1], "columns": xyz.shape[2],
                      "cut": run.xyz.shape[3] if run.xyz.shape[1] > 1 else 0,
@@ -491,15 +508,17 @@ def report(folder, links=()):
     statements, speeds = statements_of(parts), speeds_of(parts)
     lead = [said_of_statements(statements), said_of_speed(dict(speeds).get("edge_drop")),
             said_of_checks([t for p in parts if "clothbench stress" not in p.made for t in p.tables])]
-    busy = sum("busy" in r["verdict"] for r in statements)
+    busy = sum("busy" in r["verdict"] for p in parts for r in p.claims)
     if busy:
-        lead.append(f"The machine was busy: {busy} statements on time are not judged.")
+        lead.append(f"The machine was busy: {busy} {'statements on time are' if busy > 1 else 'statement on time is'}"
+                    " not judged.")
     quick = [p.title for p in parts if p.quick]
     if quick:
         lead.append("Quick runs, which measure less well: " + ", ".join(quick) + ".")
     if room.without:
         lead.append("There was no room for pictures of: " + ", ".join(room.without[:40]) + ".")
     speed = speed_part(speeds) if speeds else None
+    parts = [p for p in parts if p.tables or p.charts or p.strips or p.trouble]
     parts = fit(([speed] if speed else []) + parts)[1 if speed else 0:]
     return rendered(title="Cloth models on the paper’s scenes and others", folder=str(folder),
                     lead=lead, pictures=pictures, statements=statements[:STATEMENTS_MOST],

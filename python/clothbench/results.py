@@ -33,6 +33,17 @@ def opened(path, most):
     raise Bad(f"{path}: has more than {most >> 20} MB" if stat.S_ISREG(about.st_mode) else
               f"{path}: is no regular file")
 
+def write(path, data):
+    """The whole file or none; an earlier one stays until then."""
+    path = pathlib.Path(path)
+    aside = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        aside.write_bytes(data if isinstance(data, bytes) else data.encode("utf-8", "replace"))
+        os.replace(aside, path)
+    except OSError as error:
+        aside.unlink(missing_ok=True)
+        raise Bad(f"{path}: cannot be written: {error.strerror}") from None
+
 # --- tables ----------------------------------------------------------------------------------
 
 @dataclass
@@ -119,13 +130,13 @@ class Run:
     scene: str
     model: str
     title: str
-    points: str
     length: float
     time: list
     xyz: object
     bar: list
     note: str
-    text: str
+    bodies: list
+    facts: dict
 
 def checked_seal(path, file):
     """Refuses a file that is no longer what its first line says."""
@@ -173,6 +184,7 @@ def run(path, most=12, times=None, step=4):
             raise Bad(f"{path}: cannot be read: {error}") from None
 
 def _run(numpy, path, file, most, times, step):
+    from . import bodies
     xyz, when = numbers(path, file, "xyz"), numbers(path, file, "xyz_time")
     bar = numbers(path, file, "metrics/error")
     if xyz is None or when is None or not len(when):
@@ -194,12 +206,21 @@ def _run(numpy, path, file, most, times, step):
     width = xyz.shape[3] // sheets
     middle = numpy.array([xyz[n, :, ::step].mean(0) for n in frames])
     middle = numpy.stack([middle[:, :, s * width:(s + 1) * width:step] for s in range(sheets)], 1)
-    points = re.search(r"discretization\.points=\[([\d,]*)\]", text("discretization"))
+    triangles = {n: found[:].reshape(-1, 3, 3) for n in range(64)
+                 if (found := numbers(path, file, f"obstacle_{n}")) is not None}
     return Run(path.stem, text("scene_name"), text("model"), text("model_title"),
-               points[1].replace(",", "x") if points else "", float(file.attrs.get("length", 1)),
-               [float(time[n]) for n in frames], middle,
-               [] if bar is None else [float(bar[n]) for n in frames if n < len(bar)],
-               text("note"), text("scene"))
+               float(file.attrs.get("length", 1)), [float(time[n]) for n in frames], middle,
+               [] if bar is None else [float(bar[n]) for n in frames if n < len(bar)], text("note"),
+               bodies.of_scene(text("scene"), triangles), facts(text("discretization"), text("scene")))
+
+def facts(discretization, scene):
+    """{key: words} of what a run was made with; settings stand below the scene, and the last one holds."""
+    found = dict(re.findall(r"^discretization\.(\w+)=(.*)$", discretization, re.M))
+    for key in "young", "poisson", "density", "thickness", "step", "value":
+        said = re.findall(rf"\b{key}(?:: *|=)([-+.\de]+)", scene)
+        found |= {key: said[-1]} if said else {}
+    kind = re.findall(r"\bdamping(?:: *|=)\{kind: (\w+)", scene)
+    return found | ({"value": "0"} if kind[-1:] == ["none"] else {})
 
 def shared(kind, tree):
     """A folder that comes with the program: the user's, the installed or the source tree's."""

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from test_results import sheet
 
-from clothbench import charts, page, results
+from clothbench import bodies, charts, page, results
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 RUNS = "title,contestant,model,seconds,worst_rmse_over_length,bar_over_length,front\n"
@@ -71,9 +71,73 @@ def test_charts_of_plans_and_maps(tmp_path):
 
 def test_pictures_show_what_moves():
     flat = np.stack(np.meshgrid([0, 1, 2.0], [0, 1, 2.0], [0]), -1)[None, :, :, 0]
-    first, other, gone = charts.sheets([("#3a9bdc", flat), ("#3a9bdc", flat * [1, 1, 0] + [0, 0, 1]),
-                                        ("#3a9bdc", flat * math.nan)])
+    none = np.zeros((2, 0, 4, 3))
+    first, other, gone = charts.sheets([("#3a9bdc", flat * k + [0, 0, z], none)
+                                        for k, z in ((1, 0), (np.array([1, 1, 0]), 1), (math.nan, 0))])
     assert len({first, other, gone}) == 3 and len(gone) < len(first)
+
+SCENE = """name: mine
+obstacles:
+  - plane: {point: [0, 0, -1], normal: [0, 0, 2], friction: 0.3}
+  - sphere: {center: [0.5, 0.5, -0.4], radius: 0.3}  # a ball
+    path: [[0, 0, 0, 0], [1, 0, 0, 0.5]]
+  - capsule:
+      from: [0, -0.1, 0]
+      to: [0, 0.3, 0]
+      radius: 0.05
+  - box: {center: [1, 0, 0], size: [0.2, 0.4, 0.6]}
+    turn:
+      axis: [0, 0, 2]
+      about: [1, 0, 0]
+      angles:
+        - [0, 0]
+        - [1, 90]
+  - mesh: {file: cone2.obj, at: [0, 0, 0], scale: 2}
+time: {step: 0.005, end: 1.0}
+material: {young: 1e5, density: 0.5}
+# --set material.young=5e4
+"""
+
+def test_bodies_of_a_scene_lie_where_they_are():
+    triangles = {4: np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0.0]]])}
+    of = bodies.of_scene(SCENE, triangles)
+    assert [kind for kind, _ in of] == ["plane", "sphere", "capsule", "box", "mesh"]
+    low, high = np.zeros(3), np.ones(3)
+
+    def extent(n, t):
+        planes, solids = bodies.surfaces([of[n]], t, low, high)
+        points = (solids if len(solids) else planes).reshape(-1, 3)
+        return np.concatenate([points.min(0), points.max(0)])
+
+    assert np.allclose(extent(1, 0), [0.2, 0.2, -0.7, 0.8, 0.8, -0.1], atol=0.003)
+    assert np.allclose(extent(1, 0.5) - extent(1, 0), [0, 0, 0.25] * 2)
+    assert np.allclose(extent(2, 0), [-0.05, -0.15, -0.05, 0.05, 0.35, 0.05], atol=0.003)
+    assert np.allclose(extent(3, 0), [0.9, -0.2, -0.3, 1.1, 0.2, 0.3])
+    assert np.allclose(extent(3, 1), [0.8, -0.1, -0.3, 1.2, 0.1, 0.3])
+    assert np.allclose(extent(4, 0), [0, 0, 0, 1, 1, 0])
+    assert np.allclose(extent(0, 0)[[2, 5]], -1) and extent(0, 0)[0] < 0 and extent(0, 0)[3] > 1
+    assert [k for k, _ in bodies.of_scene(SCENE + "# --set obstacles=[{sphere: {radius: 1}}]\n", {})] == ["sphere"]
+    assert not sum(len(q) for q in bodies.surfaces(  # told badly: without a centre, with words, with infinity
+        bodies.of_scene("obstacles: [{sphere: {radius: 1}}, {box: {center: x, size: 1}}, {sphere: {center: "
+                        "[1e999, 0, 0], radius: 1}}]", {}), 0, low, high))
+
+def test_pictures_show_bodies():
+    flat = np.stack(np.meshgrid([0, 1, 2.0], [0, 1, 2.0], [0]), -1)[None, :, :, 0]
+    made = {charts.sheets([("#3a9bdc", flat, bodies.surfaces(bodies.of_scene(text, {}), t, np.zeros(3), np.ones(3)))])[0]
+            for text in ("", SCENE, SCENE.replace("radius: 0.3", "radius: 0.2")) for t in (0, 0.5)}
+    assert len(made) == 5  # without bodies nothing moves
+
+def test_labels_say_what_differs(tmp_path):
+    for name, points, degree, changed in (("drop_10_2", "[10,10,2]", "[2,2,1]", "5e4"), ("drop_10_3", "[10,10,2]", "[3,3,1]", "5e4"),
+                                          ("drop_10_4", "[10,10,2]", "[3,3,1]", "0.1e6")):
+        sheet(tmp_path / f"{name}.h5", model_title="IGA", scene=SCENE + f"# --set material.young={changed}\n",
+              discretization=f"discretization.points={points}\ndiscretization.degree={degree}\n")
+    runs = [results.run(file) for file in sorted(tmp_path.glob("*.h5"))]
+    assert list(page.labels(runs, "drop_").values()) == [
+        "IGA, 10 x 10 x 2 points, degree 2, E = 50000 Pa", "IGA, 10 x 10 x 2 points, degree 3, E = 50000 Pa",
+        "IGA, 10 x 10 x 2 points, degree 3, E = 1e5 Pa"]
+    assert list(page.labels(runs[:1]).values()) == ["drop: IGA, 10 x 10 x 2 points"]
+    assert len(set(page.labels([runs[0], runs[0].__class__(**vars(runs[0]) | {"name": "drop_11_2"})]).values())) == 2
 
 class Page(html.parser.HTMLParser):
     def __init__(self, text):
@@ -90,7 +154,7 @@ def test_page_of_others(tmp_path):
     mine = tmp_path / "study_mine"
     mine.mkdir()
     (mine / "printed.csv").write_text(f'# {HOSTILE}\n"{HOSTILE}"\n"{HOSTILE}"\n\n# Sentences of the paper\n'
-                                      f'source,claim,verdict,sentence\n4.1,"{HOSTILE}",holds,x\n,ours,holds,x\n')
+                                      f'source,claim,verdict,sentence\n4.1,"{HOSTILE}",holds,x\n,our own statement,not judged: the machine was busy,x\n')
     (mine / "mine_chart.csv").write_text(f'panel,line,"{HOSTILE}",y\n,"{HOSTILE}",1,2\n')
     (tmp_path / "compare_mine").mkdir()
     (tmp_path / "compare_mine" / "compare.csv").write_text(RUNS + f'"{HOSTILE}",a,iga,1,0.01,,1\n')
@@ -105,6 +169,7 @@ def test_page_of_others(tmp_path):
     found = Page(text)
     assert found.tags.count("script") == 2 and not found.events and "alert(1)</script><img" not in text
     assert found.tags.count("img") >= 4  # both frames, two charts
+    assert "our own statement" in text and "The machine was busy: 1 statement on time is not judged" in text
     assert "Of the paper’s 1 statements" in text and "line 2: 1 cells below 2 keys" in text
     assert "root:" not in text and len(text.encode()) < page.PAGE_MOST
     assert "not measured: clothbench compare edge_drop" in text

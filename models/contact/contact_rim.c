@@ -16,6 +16,9 @@ static const double MOST_POINTS = 1e6;
 static const double SLACK = 0.5;
 /* The step of differences along an edge; the change at which a foot is found. */
 static const double SPREAD = 1. / 64, SETTLED = 1e-9;
+/* A share of a squared cosine that rounding can't reach; the least distance along the sheet
+ * at which places count, over start, rounded down. */
+static const double ROUNDED = 1 - 1e-9, LEAST_APART = 1.5;
 
 void contact_rim_clear(struct contact_rim *r)
 {
@@ -288,6 +291,99 @@ static enum status meet(struct contact_rim *r, struct place *point, double lengt
     return f.area > 0 ? visit(context, &f) : STATUS_OK;
 }
 
+/* Returns the way from the closest place of a chord to the point at t of an edge from y. */
+static void way_at(const struct contact_rim_chord *c, const double y[3], const double e[3],
+                   double t, double way[3])
+{
+    for (int i = 0; i < 3; i++)
+        way[i] = y[i] + t * e[i] - c->y[i];
+    const double on = fmin(fmax(vector_dot(way, c->e) / c->size, 0), 1);
+    for (int i = 0; i < 3; i++)
+        way[i] -= on * c->e[i];
+}
+
+/* Cuts a straight line of ways to where they are shorter than `most`; false: nowhere. */
+static bool shorten(double from[3], double to[3], double most)
+{
+    double by[3], t[2] = {0, 1};
+
+    vector_between(from, to, by);
+    const double a = vector_dot(by, by), b = vector_dot(from, by);
+    const double c = vector_dot(from, from) - most * most, d = b * b - a * c;
+    if (!(a > 0))
+        return c < 0;
+    if (!(d > 0))
+        return false;
+    t[0] = fmax((-b - sqrt(d)) / a, 0), t[1] = fmin((-b + sqrt(d)) / a, 1);
+    for (int i = 0; i < 3; i++)
+        to[i] = from[i] + t[1] * by[i], from[i] += t[0] * by[i];
+    return t[0] < t[1];
+}
+
+/* Tells whether two ways are seen within the angle at which the face counts wholly, from
+ * normals at both ends of a chord, and from the same side. So are then all between them,
+ * since ways within an angle of a normal make up a convex cone, and normals within an angle
+ * of a way, too. */
+static bool is_over(const double n[2][3], const double *const way[2])
+{
+    int above = 0;
+
+    for (int k = 0; k < 4; k++) {
+        const double *m = n[k / 2], *w = way[k % 2], along = vector_dot(m, w);
+        const double sizes = vector_dot(m, m) * vector_dot(w, w);
+        if (contact_foot_seen(ROUNDED * along * along / sizes) < 1)
+            return false;
+        above += along > 0;
+    }
+    return above % 4 == 0;
+}
+
+/* Tells whether no point of an edge can have a foot with a share on a chord: those near it
+ * are over the face. The way from the chord is straight between the points that are beside
+ * its ends. A chord that goes on from the edge, at no sharp angle, is nearest at their
+ * common end, and is too near along the sheet unless the edge is a third shorter than at
+ * rest. */
+static bool faces(const struct contact_rim *r, const int own[2],
+                  const struct contact_rim_chord *c)
+{
+    const struct contact_sheet *sheet = &r->search->sheet;
+    const double *y = sheet->y + 3 * (long)own[0], most = (1 + SPREAD) * r->search->start;
+    double e[3], n[2][3], on[4] = {0, 0, 1, 1};
+
+    vector_between(y, sheet->y + 3 * (long)own[1], e);
+    const double along = vector_dot(e, c->e);
+    if (own[1] == c->end[0] || own[0] == c->end[1])
+        return along >= -SPREAD * vector_length(e) * sqrt(c->size) &&
+               vector_length(e) > length_of(&r->search->tree, own) / LEAST_APART;
+    for (int k = 0; k < 2; k++) {
+        contact_foot_normal(sheet, c->end[k], n[k]);
+        const double to = vector_dot(c->y, c->e) + k * c->size - vector_dot(y, c->e);
+        on[along < 0 ? 2 - k : 1 + k] = along == 0 ? 0 : fmin(fmax(to / along, 0), 1);
+    }
+    for (int k = 0; k < 3; k++) {
+        double from[3], to[3];
+        way_at(c, y, e, on[k], from);
+        way_at(c, y, e, on[k + 1], to);
+        if (on[k] < on[k + 1] && shorten(from, to, most) &&
+            !is_over((const double(*)[3])n, (const double *const[]){from, to}))
+            return false;
+    }
+    return true;
+}
+
+/* Tells whether an edge of a net only faces the chords near it, as those of cards do that
+ * lie on each other: it has points enough to take longer than all else in a step. */
+static bool only_faces(const struct contact_rim *r, int edge, int count)
+{
+    int own[2];
+
+    ends_of(r->search->sheet.surface, edge, own);
+    for (int n = 0; n < count; n++)
+        if (!faces(r, own, &r->near[n]))
+            return false;
+    return true;
+}
+
 /* Visits the feet of an edge, with the chords that are near it. */
 static enum status meet_edge(struct contact_rim *r, int edge, int count,
                              contact_rim_visit *visit, void *context)
@@ -301,6 +397,7 @@ static enum status meet_edge(struct contact_rim *r, int edge, int count,
     if (!(wanted < MOST_POINTS)) /* an edge that long has burst */
         return STATUS_ESCAPED;
     const int points = (int)wanted;
+    r->points += points;
     for (int n = 0; n < points; n++) {
         point.at = (n + 0.5) / points;
         TRY(meet(r, &point, length / points, count, visit, context));
@@ -342,7 +439,8 @@ enum status contact_rim_find(struct contact_rim *r, contact_rim_visit *visit, vo
         for (end = first; end < r->count && r->pair[end][0] == r->pair[first][0];)
             end++;
         const int count = sift(r, first, end);
-        if (count)
+        if (count && (r->search->sheet.surface->width > 1 ||
+                      !only_faces(r, r->pair[first][0], count)))
             TRY(meet_edge(r, r->pair[first][0], count, visit, context));
     }
 out:

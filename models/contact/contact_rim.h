@@ -36,6 +36,7 @@ struct contact_rim {
     int count, most;                /* pairs                                         */
     int (*pair)[2];                 /* edges of rims in cells near each other  owned */
     struct contact_rim_chord *near; /* [most], those near an edge              owned */
+    long points;                    /* that were looked at so far                    */
 };
 
 /* Initialises for a search, which must stay where it is. STATUS_MEMORY. */

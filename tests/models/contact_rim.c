@@ -211,6 +211,38 @@ static void fades(void)
     scene_clear(&scene);
 }
 
+/* The rims of a card on another have no points that are looked at while no point within
+ * the start of contact is seen at more than 30 degrees; those of a card beside it have. */
+static void facing(void)
+{
+    enum { SIDE = 5, CARD = SIDE * SIDE };
+    double x[2 * CARD][3];
+    struct contact_surface s;
+    struct contact c;
+
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    scene.length = scene.width = length, scene.sheets = 2;
+    scene.pose[1] = scene.pose[0];
+    scene.contact = (struct scene_contact){
+        .self = true, .thickness = start, .range = start / 2, .stiffness = 1000};
+    REQUIRE(contact_surface_init_net(&s, &scene, (int[2]){2 * SIDE, SIDE}) == STATUS_OK);
+    REQUIRE(contact_init(&c, &scene, &s) == STATUS_OK);
+    for (int beside = 0; beside < 2; beside++) {
+        for (int n = 0; n < 2 * CARD; n++) {
+            const bool upper = n >= CARD;
+            x[n][0] =
+                length * (n % CARD / SIDE / (SIDE - 1.) + (upper ? beside + 0.001 : 0));
+            x[n][1] = length * (n % SIDE / (SIDE - 1.) + (upper ? 0.002 : 0));
+            x[n][2] = upper ? 0.9 * start * (1 - beside) : 0;
+        }
+        c.rim.points = 0;
+        find(&c, x);
+        CHECK((c.rim.points > 0) == beside);
+    }
+    contact_clear(&c);
+    scene_clear(&scene);
+}
+
 int main(void)
 {
     for (int smooth = 0; smooth < 2; smooth++) {
@@ -220,5 +252,6 @@ int main(void)
     }
     beside();
     fades();
+    facing();
     return check_result();
 }

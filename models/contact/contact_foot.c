@@ -148,6 +148,8 @@ static const double as_near = 1 - 1e-9, far = 2;
 static const double square_cos = 0.5, whole_square_cos = 0.75, whole_apart = 1.5;
 /* The same distance, with more than rounding to spare. */
 static const double surely_apart = 1.5 + 1e-9;
+/* The least cosine of the angle between the normals at the border and of its triangle. */
+static const double SLANT = 0.5;
 /* The most that a smooth surface's foot is from the triangles' in u and v, in samples. */
 static const double astray = 2;
 
@@ -385,9 +387,10 @@ static int along_border(const struct contact_surface *s, int triangle, int inner
 }
 
 /* Walks from a triangle, where meet ended with `share`, to the one that has
- * the foot along the interpolated normal; -1: there is none near. */
+ * the foot along the interpolated normal; -1: there is none near. *border: it ended on the
+ * border of the sheet. */
 static int walk(const struct contact_sheet *sheet, int sample, int triangle, bool met,
-                double share[3])
+                double share[3], bool *border)
 {
     struct open_face one;
 
@@ -401,7 +404,8 @@ static int walk(const struct contact_sheet *sheet, int sample, int triangle, boo
             open_face(sheet, sample, triangle, &one);
             const int beyond = meet_edge(&one, low, share);
             next = beyond < 0 ? -1 : along_border(sheet->surface, triangle, low, beyond);
-            if (next < 0)
+            *border = next < 0;
+            if (*border)
                 return triangle;
         }
         triangle = next;
@@ -412,6 +416,34 @@ static int walk(const struct contact_sheet *sheet, int sample, int triangle, boo
         memcpy(share, one.at.share, sizeof one.at.share);
     }
     return -1;
+}
+
+/* Moves a foot on the border of the sheet beyond it, in the plane of its triangle, to where
+ * the sample is straight above it by the normal at the border: a sheet that rests on
+ * another is pushed along its normal alone, and not off it where a sample has come over the
+ * edge. The plane may lie aslant to the normal, and the foot then stays. Returns the
+ * distance. */
+static double reach_beyond(const struct contact_sheet *sheet, int triangle, double distance,
+                           struct contact_face *f)
+{
+    const struct three p = of(f->p[1]), y = less(of(f->p[0]), p);
+    const struct three a = less(of(f->p[2]), p), b = less(of(f->p[3]), p), m = cross(a, b);
+    struct three n = {0, 0, 0};
+    int corner[3];
+
+    contact_foot_corners(sheet->surface, triangle, corner);
+    for (int k = 0; k < 3; k++) {
+        double normal[3];
+        contact_foot_normal(sheet, corner[k], normal);
+        n = plus(n, f->share[k], of(normal));
+    }
+    const double det = dot(m, n), size = sqrt(dot(n, n)), h = dot(m, y) / det * size;
+    if (!(fabs(det) > SLANT * size * sqrt(dot(m, m))) || !(h * dot(of(f->way), n) > 0) ||
+        !(fabs(h) <= distance))
+        return distance;
+    const double s = dot(cross(y, b), n) / det, t = dot(cross(a, y), n) / det;
+    set_shares(f, 1 - s - t, s, t);
+    return measure(f);
 }
 
 /* Sets a foot's normal to a vector's direction. */
@@ -492,21 +524,22 @@ static double strength(const struct contact_sheet *sheet, const struct contact_p
     return seen * contact_foot_far(sheet, uv, (const double[2]){foot->u, foot->v});
 }
 
-/* Computes a net's foot from its triangle, the shares in the face and their distance. */
+/* Computes a net's foot from its triangle, the shares in the face, those within the sheet,
+ * and the distance. */
 static void fill(const struct contact_sheet *sheet, const struct contact_place *place,
-                 const struct contact_face *face, int triangle, struct contact_foot *foot,
-                 int *node, double *weight)
+                 const struct contact_face *face, int triangle, const double share[3],
+                 struct contact_foot *foot, int *node, double *weight)
 {
     const struct contact_surface *s = sheet->surface;
     double n[3] = {0};
     int corner[3];
 
     contact_foot_corners(s, triangle, corner);
-    contact_foot_place(s, triangle, face->share, &foot->u, &foot->v);
+    contact_foot_place(s, triangle, share, &foot->u, &foot->v);
     foot->strength =
         strength(sheet, place, foot,
                  contact_tree_near(sheet->tree, surely_apart * sheet->tree->apart,
-                                   foot->sample, corner, face->share));
+                                   foot->sample, corner, share));
     foot->count = 3;
     for (int k = 0; k < 3; k++) {
         node[k] = s->node[corner[k]];
@@ -519,7 +552,7 @@ static void fill(const struct contact_sheet *sheet, const struct contact_place *
         double own[3];
         contact_foot_normal(sheet, corner[k], own);
         for (int i = 0; i < 3; i++)
-            n[i] += face->share[k] * own[i];
+            n[i] += share[k] * own[i];
     }
     point_along(n, foot);
 }
@@ -549,9 +582,10 @@ static void refine_net(const struct contact_sheet *sheet, const struct contact_p
     for (int k = 0; k < 3; k++)
         normal[k] = sheet->normal + 3 * (long)corner[k];
     const bool met = meet(&face, normal);
+    bool border = false;
     if (!met || !(face.share[0] >= 0 && face.share[1] >= 0 && face.share[2] >= 0)) {
         double share[3] = {face.share[0], face.share[1], face.share[2]};
-        const int to = walk(sheet, sample, triangle, met, share);
+        const int to = walk(sheet, sample, triangle, met, share, &border);
         triangle = to < 0 ? triangle : to;
         set_face(sheet, sample, triangle, to < 0 ? place->share : share, &face);
     }
@@ -561,8 +595,12 @@ static void refine_net(const struct contact_sheet *sheet, const struct contact_p
         triangle = place->triangle;
         set_face(sheet, sample, triangle, place->share, &face);
         foot->distance = measure(&face);
+        border = false;
     }
-    fill(sheet, place, &face, triangle, foot, node, weight);
+    const double share[3] = {face.share[0], face.share[1], face.share[2]};
+    if (border)
+        foot->distance = reach_beyond(sheet, triangle, foot->distance, &face);
+    fill(sheet, place, &face, triangle, share, foot, node, weight);
 }
 
 static int surface_at(const struct contact_surface *s, const double *x, double u, double v,
@@ -646,6 +684,87 @@ static double bend_step(const struct bend *b, const double at[3], double *u, dou
     return change;
 }
 
+/* The most nodes of a place of a smooth surface. */
+enum { MOST_NODES = 256 };
+
+/* Computes the weights of places at `from` along u or v and two steps on; false: they have
+ * other nodes than a foot. */
+static bool weights_at(const struct contact_surface *s, const struct contact_foot *foot,
+                       int by, double from, double step, const int *node,
+                       double w[3][MOST_NODES])
+{
+    int other[MOST_NODES];
+
+    for (int n = 0; n < 3; n++)
+        if (s->row(s->self, by ? foot->u : from + n * step, by ? from + n * step : foot->v,
+                   other, w[n]) != foot->count ||
+            memcmp(other, node, foot->count * sizeof *node))
+            return false;
+    return true;
+}
+
+/* Computes the change of a foot's weights by u or v, and of its place, by differences of
+ * second order within the sheet, which ends at low_high, and the span; false: it has no
+ * room. */
+static bool slope_at(const struct contact_sheet *sheet, const struct contact_foot *foot,
+                     int by, const double low_high[2], double step, const int *node,
+                     double slope[MOST_NODES], double way[3])
+{
+    const double at = by ? foot->v : foot->u, tries[3] = {at - step, at, at - 2 * step};
+    double w[3][MOST_NODES], sum = 0, on = NAN;
+
+    for (int n = 0; n < 3 && isnan(on); n++)
+        if (tries[n] >= low_high[0] && tries[n] + 2 * step <= low_high[1] &&
+            weights_at(sheet->surface, foot, by, tries[n], step, node, w))
+            on = at - tries[n];
+    if (isnan(on))
+        return false;
+    for (int k = 0; k < foot->count; k++) {
+        slope[k] = ((2 * on - 3 * step) * w[0][k] - (4 * on - 4 * step) * w[1][k] +
+                    (2 * on - step) * w[2][k]) /
+                   (2 * step * step);
+        sum += slope[k];
+    }
+    way[0] = way[1] = way[2] = 0;
+    for (int k = 0; k < foot->count; k++) {
+        slope[k] -= sum / foot->count; /* round-off */
+        for (int i = 0; i < 3; i++)
+            way[i] += slope[k] * sheet->x[3 * (long)node[k] + i];
+    }
+    return true;
+}
+
+/* Moves a foot on the border of a smooth surface beyond it, as reach_beyond does one of a
+ * net: along the plane that touches it there. */
+static void reach_out(const struct contact_sheet *sheet, const struct bend *b,
+                      const double way[3], struct contact_foot *foot, const int *node,
+                      double *weight)
+{
+    const double low_high[2][2] = {{b->low, b->high}, {0, 1}};
+    double slope[2][MOST_NODES], d[2][3], n[3], across[2][3];
+
+    if (sheet->surface->width > MOST_NODES ||
+        (foot->u > b->low && foot->u < b->high && foot->v > 0 && foot->v < 1))
+        return;
+    for (int k = 0; k < 2; k++)
+        if (!slope_at(sheet, foot, k, low_high[k],
+                      spread * (low_high[k][1] - low_high[k][0]), node, slope[k], d[k]))
+            return;
+    vector_cross(d[0], d[1], n);
+    vector_cross(way, d[1], across[0]);
+    vector_cross(d[0], way, across[1]);
+    const double square = vector_dot(n, n), h = vector_dot(way, n) / square;
+    if (!(fabs(h) * sqrt(square) > SLANT * foot->distance))
+        return;
+    for (int k = 0; k < foot->count; k++)
+        weight[k] += (vector_dot(across[0], n) * slope[0][k] +
+                      vector_dot(across[1], n) * slope[1][k]) /
+                     square;
+    foot->distance = fabs(h) * sqrt(square);
+    for (int i = 0; i < 3; i++)
+        foot->normal[i] = h * n[i] / foot->distance;
+}
+
 static void refine_smooth(const struct contact_sheet *sheet,
                           const struct contact_place *place, struct contact_foot *foot,
                           int *node, double *weight)
@@ -676,6 +795,7 @@ static void refine_smooth(const struct contact_sheet *sheet,
     vector_cross(b.d[0], b.d[1], normal);
     point_along(foot->distance > 0 ? way : normal, foot);
     foot->strength = strength(sheet, place, foot, true);
+    reach_out(sheet, &b, way, foot, node, weight);
 }
 
 void contact_foot_refine(const struct contact_sheet *sheet, int count,

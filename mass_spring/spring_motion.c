@@ -35,9 +35,15 @@ static enum status rest_frequency(struct spring_motion *m, double *omega)
                              (const double(*)[9])m->newton.K, omega);
 }
 
-static void set_contact(struct spring_motion *m)
+/* Sets the length of a step. */
+static void set_step(struct spring_motion *m, double dt)
 {
-    m->contact->steps = m->substeps, m->contact->dt = m->dt;
+    m->dt = dt;
+    for (int a = 0; a < m->net.nodes; a++)
+        m->weight[a] = m->points.mass[a] / (dt * dt) + m->points.drag[a] / dt;
+    if (!m->contact)
+        return;
+    m->contact->steps = (int)lround(m->scene->step / dt), m->contact->dt = dt;
     for (int a = 0; a < m->net.nodes; a++)
         m->contact->compliance[a] = 1 / m->weight[a];
 }
@@ -55,12 +61,8 @@ static enum status set_steps(struct spring_motion *m, const struct discretizatio
         TRY(frequency_steps(m->scene->step, m->limit, LIMIT_SHARE, d->substeps,
                             &m->substeps, why));
     }
-    m->dt = m->scene->step / m->substeps;
-    for (int a = 0; a < m->net.nodes; a++)
-        m->weight[a] = m->points.mass[a] / (m->dt * m->dt) + m->points.drag[a] / m->dt;
     TRY(net_contact_make(m->scene, &m->net, &m->newton.supports, &m->contact));
-    if (m->contact)
-        set_contact(m);
+    set_step(m, m->scene->step / m->substeps);
 out:
     return st;
 }
@@ -230,7 +232,6 @@ static enum status end_step(struct spring_motion *m)
     }
     if (m->integrator == INTEGRATOR_IMPLICIT && m->limits.iterations != 1)
         learn(m, change);
-    m->substep++;
     return st;
 }
 
@@ -340,11 +341,16 @@ void spring_motion_limit(const struct spring_net *net, const struct supports *su
 /* --- steps ---------------------------------------------------------------------------
  */
 
-static enum status substep(struct spring_motion *m, struct counters *counters)
+/* The most times that a step which dies is halved, with its halves in turn. */
+enum { HALVINGS = 8 };
+
+/* Takes a step that ends at t. */
+static enum status substep(struct spring_motion *m, double t, int halvings,
+                           struct counters *counters)
 {
     enum status st;
-    size_t count = 3 * (size_t)m->net.nodes;
-    double t = (double)(m->substep + 1) / m->substeps * m->scene->step;
+    const size_t count = 3 * (size_t)m->net.nodes;
+    const double dt = m->dt;
 
     memcpy(m->start, m->x, count * sizeof *m->x);
     if (m->integrator == INTEGRATOR_EXPLICIT)
@@ -357,8 +363,19 @@ static enum status substep(struct spring_motion *m, struct counters *counters)
         TRY(net_contact_project(m->contact, t, m->start, m->x));
     else
         net_contact_end(m->contact);
-    st = end_step(m);
+    counters->substeps++;
+    return end_step(m);
 out:
+    if (m->integrator == INTEGRATOR_EXPLICIT || !status_is_death(st) ||
+        halvings == HALVINGS)
+        return st;
+    memcpy(m->x, m->start, count * sizeof *m->x);
+    m->gains = 0; /* of steps as long */
+    set_step(m, dt / 2);
+    st = substep(m, t - dt / 2, halvings + 1, counters);
+    if (st == STATUS_OK)
+        st = substep(m, t, halvings + 1, counters);
+    set_step(m, dt);
     return st;
 }
 
@@ -395,11 +412,11 @@ enum status spring_motion_step(void *motion, struct counters *counters)
     if (m->integrator == INTEGRATOR_MOMENTUM)
         return march_step(motion, counters);
     net_contact_frame(m->contact);
-    for (int n = 0; n < m->substeps; n++)
-        TRY(substep(m, counters));
+    for (int n = 0; n < m->substeps; n++, m->substep++)
+        TRY(substep(m, (double)(m->substep + 1) / m->substeps * m->scene->step, 0,
+                    counters));
     scale_velocity(m, m->points.keep);
     counters->steps++;
-    counters->substeps += m->substeps;
 out:
     return st;
 }

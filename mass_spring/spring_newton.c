@@ -230,8 +230,6 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
         return STATUS_OK;
     TRY(residual(s, p, x, d, r));
     for (int n = 0; n < most; n++) {
-        if (p->contact)
-            contact_hold(p->contact, x, n);
         const bool touches = p->contact && p->contact->count;
         const bool make = touches || !(moved <= still);
         if (make) {
@@ -245,6 +243,8 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
         double size = blocks_longest(s->net->nodes, d), part;
         if (!isfinite(size))
             TRY(STATUS_NAN);
+        if (p->contact)
+            contact_hold(p->contact, x, size);
         const bool cut = p->contact && contact_limit(p->contact, x, d) < 1;
         if (cut)
             size = blocks_longest(s->net->nodes, d);

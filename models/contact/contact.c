@@ -104,8 +104,21 @@ static enum status add_rim(void *context, const struct contact_rim_foot *foot)
     return STATUS_OK;
 }
 
+/* Tells whether a sample presses between places of the sheet that are D apart about as much
+ * as they would. */
+static bool presses(const struct contact *c, const struct contact_meeting *m, double D)
+{
+    const double most = 2 * D - (c->self.start - c->self.range);
+
+    for (int n = 0; !m->edges && n < c->count; n++)
+        if (c->touch[n].obstacle < 0 && c->touch[n].sample == m->sample[0] &&
+            c->touch[n].D < most)
+            return true;
+    return false;
+}
+
 /* Appends the places that cut a change short, from the first on, and forgets those that
- * have parted. */
+ * have parted, or that a sample presses apart by now. */
 static enum status add_meetings(struct contact *c, int first, const double *x)
 {
     const struct contact_surface *s = &c->surface;
@@ -116,7 +129,7 @@ static enum status add_meetings(struct contact *c, int first, const double *x)
         struct contact_touch touch = {.sample = -1, .obstacle = -1, .first = c->weights};
         double weight[4];
         touch.D = contact_search_between(&c->search, x, m, weight, touch.normal);
-        if (touch.D >= c->self.start)
+        if (touch.D >= c->self.start || presses(c, m, touch.D))
             continue;
         touch.area = INFINITY;
         for (int k = 0; k < 4; k++) {
@@ -458,7 +471,8 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
 
     count_crossing(c, t, x_old);
     c->dt = dt, c->rests = c->held = c->middle = false;
-    c->releases = 0;
+    c->released = false;
+    c->least_change = INFINITY, c->waited = 0;
     c->count = c->weights = 0;
     memset(c->foretold, 0, 2 * (size_t)c->surface.count * sizeof *c->foretold);
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);
@@ -539,14 +553,13 @@ static void look_back(const struct contact *c, struct contact_touch *t, const do
     t->D_flat = t->D - along;
 }
 
-/* The iterations after which touches are held: what converges by itself, as sliding over a
- * rod does, is to do so. */
-enum { HOLD = 16 };
+/* Touches are held once so many changes in a row have not halved the least before them:
+ * what converges by itself, as sliding over a rod does, is to do so. */
+enum { PATIENCE = 5 };
 
-/* How often a step's held touches are found anew once it has converged, while the pushes
- * differ by more than this share from those that bound their friction. Without an end a
- * towel that is folded does not get through. */
-enum { RELEASES = 4 };
+/* Held touches are found anew once the step has converged, while the pushes differ by more
+ * than this share from those that bound their friction, and less than half as much as the
+ * time before: where feet jump back and forth they are no better known. */
 static const double ALIKE = 1e-2;
 
 /* Tells whether a held touch is that of a sample with a body; *at: a body's touch before or
@@ -620,9 +633,13 @@ out:
     return st;
 }
 
-void contact_hold(struct contact *c, const double *x, int iteration)
+void contact_hold(struct contact *c, const double *x, double size)
 {
-    if (c->held || iteration < HOLD)
+    const bool less = size < c->least_change / 2;
+
+    c->waited = less ? 0 : c->waited + 1;
+    c->least_change = less ? size : c->least_change;
+    if (c->held || (!c->released && c->waited <= PATIENCE))
         return;
     for (struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
         look_back(c, t, x);
@@ -633,13 +650,14 @@ bool contact_release(struct contact *c)
 {
     double off = 0, all = 0;
 
-    if (!c->held || c->releases == RELEASES)
+    if (!c->held)
         return false;
     for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
         off += fabs(t->push - t->bound), all += t->push;
-    if (c->releases && off <= ALIKE * all)
+    if (c->released && (off <= ALIKE * all || off >= c->off * all / 2))
         return false;
-    c->held = false, c->releases++;
+    c->off = c->released ? off / all : INFINITY;
+    c->held = false, c->released = true;
     return true;
 }
 
@@ -799,17 +817,11 @@ static void foretell(struct contact *c, struct contact_touch *t, const double *d
 /* Notes places that cut a change short, unless a sample presses there about as much. */
 static void note(struct contact *c, const double *x, const struct contact_meeting *met)
 {
-    const double wall = c->self.start - c->self.range;
     double weight[4], normal[3];
 
-    if (met->sample[0] < 0 || c->meetings == c->surface.count)
+    if (met->sample[0] < 0 || c->meetings == c->surface.count ||
+        presses(c, met, contact_search_between(&c->search, x, met, weight, normal)))
         return;
-    const double most =
-        2 * contact_search_between(&c->search, x, met, weight, normal) - wall;
-    for (int n = 0; !met->edges && n < c->count; n++)
-        if (c->touch[n].obstacle < 0 && c->touch[n].sample == met->sample[0] &&
-            c->touch[n].D < most)
-            return;
     for (int n = 0; n < c->meetings; n++)
         if (!memcmp(c->meeting[n].sample, met->sample, sizeof met->sample) &&
             c->meeting[n].edges == met->edges)

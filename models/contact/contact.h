@@ -56,9 +56,12 @@ struct contact {
     struct scene_placement *pose, *pose_old; /* [obstacles]                          */
     double dt;     /* of the step; INFINITY: no rates                     [s]    */
     bool held;     /* by contact_hold                                              */
-    int releases;  /* of held touches in this step                                 */
-    int listed[2]; /* touches and meetings then                                    */
-    bool rests;    /* the pressure has no rate, only friction                      */
+    bool released; /* in this step, after having been held                         */
+    double off;    /* by what share their pushes differed from the bounds then       */
+    double least_change; /* of contact_hold's in this step, by halves                [m] */
+    int waited;          /* changes since                                               */
+    int listed[2];       /* touches and meetings then                                    */
+    bool rests;          /* the pressure has no rate, only friction                      */
     bool middle;   /* bodies press along the step's mean normal, not that of its end */
     double *x_old; /* [nodes][3] where it starts                                   */
     double *area;  /* [nodes] their shares of the samples'       [m^2]              */
@@ -104,12 +107,13 @@ void contact_begin_rest(struct contact *c, double t, double dt, const double *x_
  * STATUS_MEMORY. */
 enum status contact_find(struct contact *c, const double *x);
 
-/* Holds the touches that contact_find found at x, after so many iterations of Newton's
- * method. Until the step ends, or `held` is false, each keeps its places, its normal and
- * what bounds its friction, and new ones are added. What is left then has a solution and,
- * but for the pressure's rate, a convex potential, while feet and normals of a folded net
- * may jump, back and forth, between two states that are none. */
-void contact_hold(struct contact *c, const double *x, int iteration);
+/* Takes the size [m] of the next change of Newton's method, from x, and holds the touches
+ * that contact_find found there if such changes do not shrink. Until the step ends, or
+ * `held` is false, each keeps its places, its normal and what bounds its friction, and new
+ * ones are added. What is left then has a solution and, but for the pressure's rate, a
+ * convex potential, while feet and normals of a folded net may jump, back and forth,
+ * between two states that are none. */
+void contact_hold(struct contact *c, const double *x, double size);
 
 /* Lets held touches go, so that contact_find finds them anew at the x that they led to:
  * what bounds their friction was that of an earlier x. False: none are held, or

@@ -406,6 +406,13 @@ out:
     return st;
 }
 
+/* Tells whether two edges of a net share a corner, about which they are as near as it is
+ * sharp: they would press open whatever is folded flat. A curved rim has an arc there. */
+static bool joined(const struct contact_surface *s, const int own[2], const int end[2])
+{
+    return s->width == 1 && (own[0] == end[1] || own[1] == end[0]);
+}
+
 /* Lists the chords that pairs of an edge have near it indeed; returns how many. */
 static int sift(const struct contact_rim *r, int first, int end)
 {
@@ -423,7 +430,7 @@ static int sift(const struct contact_rim *r, int first, int end)
                                     y + 3 * (long)c->end[1]};
         vector_between(p[2], p[3], c->e);
         c->size = vector_dot(c->e, c->e);
-        if (contact_foot_between(p, at) < most)
+        if (!joined(s, own, c->end) && contact_foot_between(p, at) < most)
             count++;
     }
     return count;

@@ -8,7 +8,8 @@
  *
  * Rims cross within a few thicknesses, whatever the net, so that they are integrated at
  * samples of their own: the midpoint rule, START / 4 apart. Each has one foot, the closest
- * point of the other rims that is as far along the sheet as contact asks for.
+ * point of the other rims that is as far along the sheet as contact asks for; in a net not
+ * on an edge that shares a corner with its own.
  */
 #ifndef CONTACT_RIM_H
 #define CONTACT_RIM_H

@@ -246,7 +246,7 @@ static enum status next_step(struct march *m, const struct large_equation *q,
     enum status st;
     double size = INFINITY, *swap;
 
-    if (q->chord > 0 && !touches(m))
+    if (q->chord > 0)
         TRY(solve(m, q, i, &size, counters));
     if (!(size <= chord_of(m, i) * i->size)) {
         fill_beside(m, q, i);
@@ -318,7 +318,7 @@ enum status large_newton_solve(struct march *m, const struct large_equation *q, 
     for (int n = 0; n < q->limit; n++) {
         counters->iterations++;
         if (m->contact)
-            contact_hold(m->contact, x, n);
+            contact_hold(m->contact, x, i.size);
         if (i.size < best / 2)
             best = i.size, since = n;
         if (q->mass > 0 && !touches(m) && n - since > PATIENCE) {

@@ -1,6 +1,9 @@
 /* Rims of a sheet that meet each other: energy against integrals of the law, force against
  * the energy's gradient, momentum, and the share beside the face's. */
 #include "models/contact/contact.h"
+
+#include <stdlib.h>
+
 #include "models/vector.h"
 #include "tests/check.h"
 
@@ -243,8 +246,29 @@ static void facing(void)
     scene_clear(&scene);
 }
 
+/* A net that is folded as flat as its thickness allows at the next nodes: its border has a
+ * corner as sharp as that, which nothing presses open. */
+static void folds_flat(void)
+{
+    double x[NODES][3];
+    struct contact c;
+
+    make(&c, false);
+    for (int n = 0; n < NODES; n++) {
+        const int row = n / 2, back = row > 5 ? row - 5 : 0;
+        x[n][0] = (5 - abs(row - 5)) * length;
+        x[n][1] = n % 2 * length;
+        x[n][2] = 1.01 * start * back;
+    }
+    find(&c, x);
+    CHECK(c.energy == 0);
+    contact_clear(&c);
+    scene_clear(&scene);
+}
+
 int main(void)
 {
+    folds_flat();
     for (int smooth = 0; smooth < 2; smooth++) {
         crossed(smooth, 1.5707963267948966);
         crossed(smooth, 0.5);

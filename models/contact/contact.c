@@ -471,7 +471,7 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
 
     count_crossing(c, t, x_old);
     c->dt = dt, c->rests = c->held = c->middle = false;
-    c->released = false;
+    c->releases = 0;
     c->least_change = INFINITY, c->waited = 0;
     c->count = c->weights = 0;
     memset(c->foretold, 0, 2 * (size_t)c->surface.count * sizeof *c->foretold);
@@ -553,13 +553,15 @@ static void look_back(const struct contact *c, struct contact_touch *t, const do
     t->D_flat = t->D - along;
 }
 
-/* Touches are held once so many changes in a row have not halved the least before them:
- * what converges by itself, as sliding over a rod does, is to do so. */
-enum { PATIENCE = 5 };
+/* Touches are held once so many changes in a row have not halved the least before them, of
+ * a sheet that touches itself, whose feet may jump, or only bodies: what converges by
+ * itself, as sliding over a rod does, is to do so. */
+enum { JUMPING = 5, SLIDING = 16 };
 
-/* Held touches are found anew once the step has converged, while the pushes differ by more
- * than this share from those that bound their friction, and less than half as much as the
- * time before: where feet jump back and forth they are no better known. */
+/* How often a step's held touches are found anew once it has converged, while the pushes
+ * differ by more than this share from those that bound their friction. Without an end a
+ * towel that is folded does not get through. */
+enum { RELEASES = 4 };
 static const double ALIKE = 1e-2;
 
 /* Tells whether a held touch is that of a sample with a body; *at: a body's touch before or
@@ -636,10 +638,13 @@ out:
 void contact_hold(struct contact *c, const double *x, double size)
 {
     const bool less = size < c->least_change / 2;
+    bool own = false;
 
     c->waited = less ? 0 : c->waited + 1;
     c->least_change = less ? size : c->least_change;
-    if (c->held || (!c->released && c->waited <= PATIENCE))
+    for (int n = c->count - 1; n >= 0 && !own; n--)
+        own = c->touch[n].obstacle < 0;
+    if (c->held || (!c->releases && c->waited <= (own ? JUMPING : SLIDING)))
         return;
     for (struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
         look_back(c, t, x);
@@ -650,14 +655,13 @@ bool contact_release(struct contact *c)
 {
     double off = 0, all = 0;
 
-    if (!c->held)
+    if (!c->held || c->releases == RELEASES)
         return false;
     for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
         off += fabs(t->push - t->bound), all += t->push;
-    if (c->released && (off <= ALIKE * all || off >= c->off * all / 2))
+    if (c->releases && off <= ALIKE * all)
         return false;
-    c->off = c->released ? off / all : INFINITY;
-    c->held = false, c->released = true;
+    c->held = false, c->releases++;
     return true;
 }
 

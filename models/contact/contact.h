@@ -54,10 +54,9 @@ struct contact {
     enum status failed; /* of contact_limit: the next contact_find returns it          */
     void *arrays; /* memory of those that are not owned by themselves      owned     */
     struct scene_placement *pose, *pose_old; /* [obstacles]                          */
-    double dt;     /* of the step; INFINITY: no rates                     [s]    */
-    bool held;     /* by contact_hold                                              */
-    bool released; /* in this step, after having been held                         */
-    double off;    /* by what share their pushes differed from the bounds then       */
+    double dt;           /* of the step; INFINITY: no rates                     [s]    */
+    bool held;           /* by contact_hold                                              */
+    int releases;        /* of held touches in this step                                 */
     double least_change; /* of contact_hold's in this step, by halves                [m] */
     int waited;          /* changes since                                               */
     int listed[2];       /* touches and meetings then                                    */

@@ -134,7 +134,7 @@ static enum status search(struct advise_search *s, struct message *why)
         if (c->count > first) {
             fprintf(stderr, "advise: %d runs%s, %.0f s of the budget are left\n",
                     c->count - first, first ? "" : ", the coarsest of each contestant",
-                    fmax(0, deadline_left()));
+                    fmax(0, deadline_left(s->job->until)));
             st = compare_job_rows(s->job, first, why);
         }
         if (st == STATUS_LATE) {
@@ -478,7 +478,9 @@ static bool is_undecidable(const struct advise_search *s, const struct message *
 
     if (!c->truth)
         table_say(stdout, "Cannot be decided: %s%s.", said->text,
-                  deadline_left() < 0 ? " (a third of --budget is for the truth)" : "");
+                  deadline_left(s->job->until) < 0
+                      ? " (a third of --budget is for the truth)"
+                      : "");
     else if (!decidable && *c->truth->unresolved)
         table_say(stdout, "Cannot be decided: %s Truth: %s.", c->truth->unresolved,
                   c->truth->source);
@@ -537,7 +539,7 @@ static enum status answer(struct advise_search *s, const char *models,
     if (is_undecidable(s, &said))
         return STATUS_FAILED;
     s->wish.budget -= clock_now() - start;
-    deadline_set(s->wish.budget);
+    j->until = clock_now() + s->wish.budget;
     TRY(enter(s, models, why));
     TRY(search(s, why));
     TRY(advise_print(s, format, stdout, why));

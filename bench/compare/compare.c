@@ -8,9 +8,7 @@
 
 #include "bench/compare/league.h"
 #include "bench/experiment/batch.h"
-#include "bench/experiment/judge.h"
 #include "bench/files/folder.h"
-#include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
 #include "bench/ui/show.h"
 #include "models/clock.h"
@@ -122,9 +120,11 @@ out:
 enum status compare_job_truth(struct compare_job *j, const struct truth_wish *wish,
                               struct message *said, struct message *why)
 {
-    deadline_set(wish->seconds);
+    struct truth_wish by = *wish;
+
+    by.until = j->until = clock_now() + wish->seconds;
     const enum status st = truth_find_or_make(j->path, &j->truth, j->times, j->time,
-                                              j->folder, wish, &j->found, said);
+                                              j->folder, &by, &j->found, said);
 
     j->contest.truth = j->found;
     if (st == STATUS_UNSUPPORTED || st == STATUS_LATE || status_is_death(st))
@@ -168,8 +168,10 @@ static enum status run_batch(struct compare_job *j, struct batch *batch,
                              struct message *why)
 {
     return batch_run(batch,
-                     &(struct measurement_options){
-                         .what = "compare", .quick = j->contest.quick, .taken = &j->taken},
+                     &(struct measurement_options){.what = "compare",
+                                                   .quick = j->contest.quick,
+                                                   .until = j->until,
+                                                   .taken = &j->taken},
                      why);
 }
 
@@ -750,8 +752,7 @@ static enum status find_truth(struct compare_job *j, bool all_times, struct mess
     struct message said = {""};
     const enum status st = compare_job_truth(j, &wish, &said, why);
 
-    deadline_set(budget > 0 ? fmax(budget - (clock_now() - start), LEAST_BUDGET)
-                            : INFINITY);
+    j->until = budget > 0 ? fmax(start + budget, clock_now() + LEAST_BUDGET) : 0;
     if (j->found && !all_times)
         leave_vague_times(j);
     if (st || j->found)
@@ -787,10 +788,8 @@ static enum status run_scene(struct compare_job *j, const struct command_line *l
     j->folder = folder;
     TRY(compare_job_enter(j, command_value(line, "--models"),
                           j->contest.budget > 0 ? 1 : CONTEST_RUNGS, true, why));
-    if (!j->read_only) {
+    if (!j->read_only)
         TRY(folder_make(folder, why));
-        judge_mark(folder, j->contest.quick);
-    }
     timing_alone();
     TRY(find_truth(j, command_value(line, "--until"), why));
     if (*j->contest.truth->unresolved && table_format_is_prose(format))

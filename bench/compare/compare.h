@@ -20,6 +20,7 @@ struct compare_job {
     struct settings truth;      /* these, and how the truth is damped               */
     struct truth *found;        /* owned; NULL: none                                */
     struct truth none;          /* stands in for a truth that could not be had      */
+    double until;               /* of the budget (deadline.h); 0: there is none     */
     bool read_only;             /* rows are filled from files of an earlier call    */
     struct measurement_taken taken;
 };
@@ -38,8 +39,8 @@ void compare_job_close(struct compare_job *j); /* all-zero is allowed */
 enum status compare_job_enter(struct compare_job *j, const char *models, int rungs,
                               bool paper_scheme, struct message *why);
 
-/* Finds or makes the truth within wish->seconds, which also becomes the deadline of this
- * process. Where none can be had, contest.truth stays NULL and *said says why. */
+/* Finds or makes the truth within wish->seconds, which begin now: j->until. Where none can
+ * be had, contest.truth stays NULL and *said says why. */
 enum status compare_job_truth(struct compare_job *j, const struct truth_wish *wish,
                               struct message *said, struct message *why);
 

@@ -61,7 +61,8 @@ static void plan_frames(const struct measurement_options *options, const struct 
     const int wanted = options->quick ? QUICK_FRAMES : FRAMES;
     const int lived = j->motion.frames;
 
-    *t = (struct timing_case){.run = &j->run, .rest = j->c.rest, .repeats = j->c.repeats};
+    *t = (struct timing_case){
+        .run = &j->run, .rest = j->c.rest, .repeats = j->c.repeats, .until = j->c.until};
     t->warmup = some ? WARMUP : 0;
     t->frames = some ? (int)fmin(wanted, lived - t->warmup) : lived;
 }
@@ -139,6 +140,7 @@ static enum status take(const struct measurement_options *o, int count,
     for (int n = 0; n < count; n++) {
         struct job *j = &jobs[n];
         j->c = cases[n];
+        j->c.until = o->until;
         j->c.keep.quick = o->quick;
         TRY(run_read(&j->run, &j->c, why));
         case_key(&j->c, &j->run.scene, program, j->key);
@@ -221,7 +223,8 @@ static double expected(const struct measurement_options *o, const struct job *j)
 static enum status run_group(struct bar *bar, int count, struct case_plan *cases,
                              struct job *jobs, int *next, struct message *why)
 {
-    const double start = clock_now(), room = fmin(GROUP, GROUP_SHARE * deadline_left());
+    const double start = clock_now(), until = bar->options->until,
+                 room = fmin(GROUP, GROUP_SHARE * deadline_left(until));
     const int first = *next;
     int followed = 0;
     double timing = 0;
@@ -278,8 +281,8 @@ static enum status settle(void *context, long n, const struct child_end *end,
     report(u->bar, 0, 0);
     if (end->outcome == CHILD_DONE)
         return STATUS_OK;
-    return status_fail(why, deadline_left() < 0 ? STATUS_LATE : STATUS_LIBRARY, "%s: %s",
-                       u->jobs[n].c.keep.file, end->why.text);
+    return status_fail(why, STATUS_LIBRARY, "%s: %s", u->jobs[n].c.keep.file,
+                       end->why.text);
 }
 
 /* Follows the cases that are not done and are not timed, each in a process of its own. */
@@ -324,7 +327,7 @@ enum status measurement_run(const struct measurement_options *options, int count
     for (int n = 0; n < count; n++)
         all += cases[n].done ? 0 : TIMING_REPEATS + 1;
     bar.progress = progress_start(options->what, all, !options->what);
-    if (isinf(deadline_left())) /* a budget's order is the caller's */
+    if (!(options->until > 0)) /* a budget's order is the caller's */
         TRY(run_untimed(&bar, count, cases, jobs, why));
     while (next < count)
         TRY(run_group(&bar, count, cases, jobs, &next, why));

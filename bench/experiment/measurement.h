@@ -22,6 +22,7 @@ struct measurement_options {
     const char *what; /* words for the progress bar; NULL: none is shown               */
     bool quick;       /* fewer repeats and frames                                      */
     bool again;       /* files of earlier calls are not taken                          */
+    double until;     /* of the budget (deadline.h); 0: there is none                   */
     struct measurement_taken *taken; /* is added to; NULL: not told                    */
 };
 
@@ -30,7 +31,7 @@ struct measurement_options {
  * turn in groups of some seconds, and a group's files are there as soon as it
  * is over: who stops it loses one group. Without a budget those that are not timed are
  * followed first, each in a process of its own, as many at a time as there are processors.
- * STATUS_LATE: the budget was over (deadline.h) before all were done. */
+ * STATUS_LATE: the budget was over before all were done. */
 enum status measurement_run(const struct measurement_options *options, int count,
                             struct case_plan *cases, struct message *why);
 

@@ -55,9 +55,10 @@ struct case_plan {
     struct run_keep keep;
     bool rest; /* static equilibrium instead of motion                                  */
     enum case_timed timed;
-    int repeats; /* of the timing; 0: as timing.h has it                                */
-    bool phases; /* a solid that is rebuilt is timed: also its phases, apart            */
-    bool done;   /* out: its file is there (measurement.h)                              */
+    int repeats;  /* of the timing; 0: as timing.h has it                                */
+    bool phases;  /* a solid that is rebuilt is timed: also its phases, apart            */
+    double until; /* when it is stopped between two frames (deadline.h); 0: never        */
+    bool done;    /* out: its file is there (measurement.h)                              */
 };
 
 /* Frees path, settings and the name of the file, of a case that owns these. All-zero is

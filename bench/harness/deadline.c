@@ -4,14 +4,7 @@
 
 #include "models/clock.h"
 
-static double end = INFINITY;
-
-void deadline_set(double seconds)
+double deadline_left(double until)
 {
-    end = clock_now() + seconds;
-}
-
-double deadline_left(void)
-{
-    return end - clock_now();
+    return until > 0 ? until - clock_now() : INFINITY;
 }

@@ -1,13 +1,10 @@
-/* deadline.h - the time until which this process may go on with runs, for commands that
- * were given a budget: a motion in flight is stopped between two frames (motion.h),
- * STATUS_LATE. */
+/* deadline.h - the time until which runs may go on, of commands that were given a budget: a
+ * motion in flight is stopped between two frames (motion.h), STATUS_LATE. */
 #ifndef DEADLINE_H
 #define DEADLINE_H
 
-/* Sets the deadline so many seconds from now; INFINITY, as at first: there is none. */
-void deadline_set(double seconds);
-
-/* Returns the seconds that are left, negative when it is over. */
-double deadline_left(void);
+/* Returns the seconds that are left until a time of clock_now(), negative when it is over;
+ * INFINITY for 0: there is no deadline. */
+double deadline_left(double until);
 
 #endif

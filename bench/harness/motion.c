@@ -93,7 +93,7 @@ enum status motion_run(struct motion *m, motion_watcher *watch, void *context, b
     if (watch)
         TRY(watch(context, m, why));
     while (m->frames < m->frame_count) {
-        if (deadline_left() < 0)
+        if (deadline_left(m->until) < 0)
             TRY(status_fail(why, STATUS_LATE,
                             "%s on %s was stopped at t = %.3g s, as the budget is over",
                             m->model->name, m->scene->name, m->time));

@@ -19,6 +19,7 @@ struct motion {
     struct counters counters;
     double (*clock)(void); /* of the seconds: clock_now, unless set after motion_init  */
     bool judged;       /* set after motion_init: every frame was judged in a run before  */
+    double until;      /* set after motion_init: when it is stopped (deadline.h)         */
     enum status death; /* STATUS_OK: it lives                                          */
     double death_time; /* of the frame that failed                                 [s] */
 };
@@ -34,7 +35,7 @@ enum status motion_init(struct motion *m, const struct model *model,
 void motion_clear(struct motion *m);
 
 /* Runs all frames, up to scene->end or a death, which is a result: STATUS_OK and m->death;
- * or up to the budget's end (deadline.h), STATUS_LATE with a sentence. After each frame
+ * or up to its deadline, STATUS_LATE with a sentence. After each frame
  * some points are examined, and, if one is far away, the whole grid (metric_blowup).
  * `watch` may be NULL. */
 enum status motion_run(struct motion *m, motion_watcher *watch, void *context, bool quiet,

@@ -362,6 +362,7 @@ enum status run_file_follow(const struct case_plan *c, struct run *run, struct m
         TRY(settle(run, f, why));
     } else {
         TRY(motion_init(m, run->model, &run->scene, run->state));
+        m->until = c->until;
         TRY(motion_run(m, run_file_watch, f, true, why));
     }
     *file = f, f = NULL;

@@ -67,6 +67,7 @@ static enum status step(const struct timing_case *c, struct run *fresh, double *
 
     TRY(motion_init(&m, fresh->model, &fresh->scene, fresh->state));
     m.judged = true;
+    m.until = c->until;
     m.clock = clock_processor;
     m.frame_count =
         c->warmup + c->frames < m.frame_count ? c->warmup + c->frames : m.frame_count;

@@ -369,6 +369,8 @@ static enum status fill(struct truth_runs *runs, const struct truth_wish *wish,
                            "step, which is no rate and has no limit; it has one with "
                            "damping {kind: none} or {kind: mass}",
                            scene->name);
+    if (wish)
+        runs->until = wish->until;
     if (st == STATUS_FILE && wish)
         return make_one(runs, wish, scene, t, why);
     if (st == STATUS_FILE && runs->folder)

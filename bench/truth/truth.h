@@ -45,6 +45,7 @@ struct truth_runs {
     const double *time; /* multiples of every step [s]                                 */
     const char *folder; /* for result files; exists                                    */
     double frame;       /* what all steps divide [s]                                   */
+    double until;       /* when a run is stopped (deadline.h); 0: never                */
     FILE *say;          /* a line a run; NULL: nothing                                 */
 };
 
@@ -54,6 +55,7 @@ struct truth_runs {
 struct truth_wish {
     double error;   /* the largest error bar over the length that is requested         */
     double seconds; /* that all runs together may take, those that were found included */
+    double until;   /* when a run is stopped (deadline.h); 0: never                     */
     bool alone;     /* a model that refuses the scene, or dies on it at once, leaves the
                        other one alone                                                 */
     bool shell;     /* the shell makes it alone: of a scene that holds points          */

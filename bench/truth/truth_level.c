@@ -108,6 +108,7 @@ static enum status read_level(const struct truth_runs *runs,
     TRY(run_read(run, c, why));
     case_key(c, &run->scene, case_program(false), key);
     run->scene.end = runs->time[runs->times - 1];
+    c->until = runs->until;
     snprintf(name, sizeof name, "truth_%s_p%d_%d_%ldus%s",
              level->model == TRUTH_SOLID ? "selective" : "cured", level->degree,
              level->side, lround(1e6 * level->step), level->perturbed ? "_perturbed" : "");

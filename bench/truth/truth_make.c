@@ -306,7 +306,7 @@ static enum status add_run(struct maker *k, enum truth_model model, struct messa
     truth_plan_rung(k->scene, k->runs->frame, f->count, level);
     level->model = model;
     truth_bar_level(level, false, text);
-    if (k->runs->say && deadline_left() > 0)
+    if (k->runs->say && deadline_left(k->runs->until) > 0)
         fprintf(k->runs->say, "truth: %s\n", text);
     TRY(truth_level_find(k->runs, level, &f->run[f->count], why));
     k->spent += seconds_of(&f->run[f->count++]);
